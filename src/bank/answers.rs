@@ -1,0 +1,155 @@
+//! Judging the answers of many draws: bounded errors, nothing constant, zero by accident or given away.
+
+use std::collections::BTreeSet;
+
+use crate::expr::SymbolTable;
+use crate::problem::AskedUnit;
+use crate::problem::Part;
+use crate::problem::PartKind;
+
+use super::promise::Outcome;
+use super::report::AnswerSpread;
+use super::sample::Answered;
+use super::sample::Samples;
+
+/// An error bound is small up to this share of the largest answer to the part.
+const SMALL_ERROR: f64 = 1e-9;
+
+/// A zero is an accident up to this share of the draws; beyond it the part asks for a zero too often.
+const MOST_ZEROS: f64 = 0.1;
+
+/// Beyond this share of draws in which the answer is among the givens, the part asks for nothing.
+const MOST_GIVEN: f64 = 0.5;
+
+/// The answers to one part that is a number, over all draws.
+pub(super) struct Column<'a> {
+    id: &'a str,
+    whole: bool,
+    answers: Vec<&'a Answered>,
+}
+
+/// The parts that are numbers, with their answers.
+pub(super) fn columns<'a>(parts: &'a [Part], samples: &'a Samples) -> Vec<Column<'a>> {
+    let numbers = parts.iter().filter_map(|part| match &part.kind {
+        PartKind::Number(number) => Some((part, number.whole)),
+        PartKind::Choice { .. } => None,
+    });
+    let column = |(index, (part, whole)): (usize, (&'a Part, bool))| Column {
+        id: &part.id,
+        whole,
+        answers: samples.drawn.iter().filter_map(|sample| sample.answers.get(index)).collect(),
+    };
+    numbers.enumerate().map(column).collect()
+}
+
+impl Column<'_> {
+    fn largest(&self) -> f64 {
+        self.answers.iter().map(|answer| answer.value.value.abs()).fold(0.0, f64::max)
+    }
+
+    fn share(&self, holds: impl Fn(&Answered) -> bool) -> f64 {
+        let count = self.answers.iter().filter(|answer| holds(answer)).count();
+        #[allow(clippy::cast_precision_loss)] // counts of draws are far below 2^53
+        let share = count as f64 / self.answers.len().max(1) as f64;
+        share
+    }
+
+    fn distinct(&self) -> usize {
+        self.answers.iter().map(|answer| answer.printed.as_str()).collect::<BTreeSet<_>>().len()
+    }
+}
+
+/// Every bound is finite and small next to the answers.
+pub(super) fn certified(columns: &[Column<'_>]) -> Outcome {
+    let loose = |column: &Column<'_>| {
+        let allowed = SMALL_ERROR * column.largest();
+        let share = column.share(|answer| answer.value.error.is_nan() || answer.value.error > allowed);
+        (share > 0.0 && !column.whole).then(|| format!("`{}` has no small bound in {}", column.id, percent(share)))
+    };
+    broken(&said(columns, loose))
+}
+
+/// Nothing is the same for every seed, where seeds differ at all.
+pub(super) fn varies(columns: &[Column<'_>], variants: usize) -> Outcome {
+    if variants < 2 {
+        return Outcome::NotChecked("every seed has the same givens");
+    }
+    let constant = |column: &Column<'_>| {
+        let printed = column.answers.first()?.printed.as_str();
+        (column.distinct() == 1).then(|| format!("`{}` is always {printed}", column.id))
+    };
+    broken(&said(columns, constant))
+}
+
+/// A zero is rare, unless it is always there, which is a constant.
+pub(super) fn not_zero(columns: &[Column<'_>]) -> Outcome {
+    let zeros = |column: &Column<'_>| {
+        let share = column.share(|answer| answer.value.value.abs() <= answer.value.error);
+        (share > 0.0 && share < 1.0 && !column.whole)
+            .then(|| (share, format!("`{}` is zero in {}", column.id, percent(share))))
+    };
+    let found: Vec<(f64, String)> = columns.iter().filter_map(zeros).collect();
+    let often = found.iter().any(|(share, _)| *share > MOST_ZEROS);
+    let said: Vec<String> = found.into_iter().map(|(_, said)| said).collect();
+    if often { broken(&said) } else { noted(&said) }
+}
+
+/// Answers do not stand on the sheet already.
+pub(super) fn not_given(columns: &[Column<'_>]) -> Outcome {
+    let given = |column: &Column<'_>| {
+        let share = column.share(|answer| answer.is_given);
+        (share > MOST_GIVEN).then(|| format!("`{}` equals a given in {}", column.id, percent(share)))
+    };
+    broken(&said(columns, given))
+}
+
+/// How the answers lie, part by part.
+pub(super) fn spreads(parts: &[Part], symbols: &SymbolTable, samples: &Samples) -> Vec<AnswerSpread> {
+    let mut columns = columns(parts, samples).into_iter();
+    let spread = |part: &Part| match &part.kind {
+        PartKind::Choice { options, right, .. } => {
+            Some(AnswerSpread::Choice { id: part.id.clone(), right: options.get(*right).cloned().unwrap_or_default() })
+        }
+        PartKind::Number(number) => {
+            let column = columns.next()?;
+            let mut values: Vec<f64> = column.answers.iter().map(|answer| answer.value.value).collect();
+            values.sort_by(f64::total_cmp);
+            let at = |numerator: usize| values.get(values.len().saturating_sub(1) * numerator / 4).copied();
+            let error = column.answers.iter().map(|answer| answer.value.error).fold(0.0, f64::max);
+            let unit = match &number.unit {
+                AskedUnit::Unit(unit) => unit.to_string(),
+                AskedUnit::InTermsOf(symbol) => symbols.entry(*symbol).name.clone(),
+            };
+            Some(AnswerSpread::Number {
+                id: part.id.clone(),
+                unit,
+                least: at(0)?,
+                lower_quartile: at(1)?,
+                median: at(2)?,
+                upper_quartile: at(3)?,
+                most: at(4)?,
+                distinct: column.distinct(),
+                error_bound: error.is_finite().then_some(error),
+            })
+        }
+    };
+    parts.iter().filter_map(spread).collect()
+}
+
+/// What there is to say of columns.
+fn said(columns: &[Column<'_>], of: impl Fn(&Column<'_>) -> Option<String>) -> Vec<String> {
+    columns.iter().filter_map(of).collect()
+}
+
+/// A share of the draws in words.
+pub(super) fn percent(share: f64) -> String {
+    format!("{:.1} % of the draws", 100.0 * share)
+}
+
+pub(super) fn broken(said: &[String]) -> Outcome {
+    if said.is_empty() { Outcome::Kept } else { Outcome::Broken(said.join("; ")) }
+}
+
+pub(super) fn noted(said: &[String]) -> Outcome {
+    if said.is_empty() { Outcome::Kept } else { Outcome::Noted(said.join("; ")) }
+}

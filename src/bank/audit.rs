@@ -1,0 +1,133 @@
+//! The audit of a problem: each promise looked at over many seeds.
+
+use std::sync::Arc;
+
+use crate::fault::Source;
+use crate::problem::NoVariant;
+use crate::problem::PlannedForm;
+use crate::problem::Problem;
+use crate::problem::compile;
+use crate::problem::digest;
+use crate::problem::load;
+
+use super::answers;
+use super::answers::noted;
+use super::promise::Finding;
+use super::promise::Outcome;
+use super::promise::Promise;
+use super::repeat;
+use super::report::Audit;
+use super::report::FormAudit;
+use super::sample::Samples;
+
+/// Below this share of draws that are not rejected, the author is told.
+const LOW_ACCEPTANCE: f64 = 0.05;
+
+/// Looks at every promise over the seeds 1 to `seeds`, form by form. The outcome does not depend on how many threads work.
+#[must_use]
+pub fn audit(source: &Source, seeds: u64) -> Audit {
+    let of = |problem: Option<String>, faults: Option<String>, forms: Vec<FormAudit>| Audit {
+        problem,
+        file: source.name.to_string(),
+        digest: digest(source),
+        faults,
+        forms,
+    };
+    match load(source.clone()).and_then(|loaded| compile(loaded, None)) {
+        Err(faults) => of(None, Some(faults.to_string()), Vec::new()),
+        Ok(problem) => {
+            let problem = Arc::new(problem);
+            let idle = idle_requires(&problem, seeds);
+            let forms =
+                (0..problem.forms().len()).filter_map(|form| form_audit(&problem, form, seeds, &idle).ok()).collect();
+            of(Some(problem.id().to_owned()), None, forms)
+        }
+    }
+}
+
+fn form_audit(problem: &Arc<Problem>, position: usize, seeds: u64, idle: &Outcome) -> Result<FormAudit, NoVariant> {
+    let form = problem.forms().get(position).ok_or(NoVariant::NoForm)?;
+    let samples = Samples::draw(problem, position, seeds)?;
+    let columns = answers::columns(&form.parts, &samples);
+    let variants = samples.variants();
+    let look = |promise: Promise| match promise {
+        // It is compiled, or there would be no form to look at.
+        Promise::Compiles => Outcome::Kept,
+        Promise::Draws => draws(&samples),
+        Promise::Determined => determined(&samples),
+        Promise::Certified => answers::certified(&columns),
+        Promise::Varies => answers::varies(&columns, variants),
+        Promise::NotZero => answers::not_zero(&columns),
+        Promise::NotGiven => answers::not_given(&columns),
+        Promise::Reproduces => repeat::reproduces(problem, position, seeds),
+        Promise::KeyMarks => repeat::key_marks(problem, position, seeds),
+        Promise::Sharp => repeat::sharp(problem, position, seeds),
+        Promise::Requires => idle.clone(),
+        Promise::Simulation => Outcome::NotChecked("this version has no simulation"),
+        Promise::WrongForms => Outcome::NotChecked("this version does not know the wrong forms of laws"),
+        Promise::Rounding => Outcome::NotChecked("this version does not round as a student does"),
+    };
+    Ok(FormAudit {
+        form: form.question.name.clone(),
+        seeds,
+        combinations: u64::try_from(problem.combinations()).unwrap_or(u64::MAX),
+        variants,
+        acceptance: samples.acceptance(),
+        laws: laws(problem, form),
+        answers: answers::spreads(&form.parts, &problem.model().symbols, &samples),
+        promises: Promise::all().map(|promise| Finding { promise, outcome: look(promise) }).collect(),
+    })
+}
+
+fn draws(samples: &Samples) -> Outcome {
+    let acceptance = samples.acceptance();
+    match samples.failed.as_slice() {
+        [] if acceptance < LOW_ACCEPTANCE => {
+            Outcome::Noted(format!("only {:.1} % of the tries are not rejected", 100.0 * acceptance))
+        }
+        [] => Outcome::Kept,
+        [first, ..] => {
+            let why = samples.reason.as_ref().map_or_else(String::new, |reason| format!(" ({reason})"));
+            Outcome::Broken(format!("{} seeds draw nothing, seed {first} among them{why}", samples.failed.len()))
+        }
+    }
+}
+
+/// A variant is drawn only where exactly one solution breaks no condition of its scene, so what was drawn is the proof.
+fn determined(samples: &Samples) -> Outcome {
+    if samples.drawn.is_empty() { Outcome::NotChecked("nothing was drawn") } else { Outcome::Kept }
+}
+
+/// The conditions that reject no draw of any form: without them, the same attempts are taken.
+fn idle_requires(problem: &Problem, seeds: u64) -> Outcome {
+    let require = &problem.loaded().draft.require;
+    if require.is_empty() {
+        return Outcome::Kept;
+    }
+    let rejected = |problem: &Problem| -> Option<Vec<u64>> {
+        let count = |form: usize| Samples::draw(problem, form, seeds).ok().map(|samples| samples.rejected);
+        (0..problem.forms().len()).map(count).collect()
+    };
+    let all = rejected(problem);
+    let idle = |(index, text): (usize, &String)| {
+        let mut loaded = problem.loaded().clone();
+        loaded.draft.require.remove(index);
+        let without = compile(loaded, None).ok()?;
+        (rejected(&without) == all).then(|| format!("`{text}` never rejects a draw"))
+    };
+    noted(&require.iter().enumerate().filter_map(idle).collect::<Vec<_>>())
+}
+
+/// The names of the laws in the answer plans, each once.
+fn laws(problem: &Problem, form: &PlannedForm) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for leaf in form.solver.leaves() {
+        for position in leaf.answer_steps().iter().flat_map(|step| &step.equations) {
+            let equation = leaf.system.equations.get(*position);
+            let instance = equation.and_then(|equation| problem.model().instances.get(equation.tag));
+            let name = instance.map(|instance| instance.law.name.to_owned());
+            names.extend(name.filter(|name| !names.contains(name)));
+        }
+    }
+    names
+}

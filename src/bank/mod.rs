@@ -1,0 +1,16 @@
+//! Finding and listing problems, and the audit behind `momentous check`.
+
+mod answers;
+mod audit;
+mod collection;
+mod entry;
+mod promise;
+mod repeat;
+mod report;
+mod sample;
+
+pub use audit::audit;
+pub use collection::{Bank, FOLDER, files_under};
+pub use entry::Card;
+pub use promise::{Finding, Outcome, Promise};
+pub use report::{AnswerSpread, Audit, FormAudit};

@@ -1,0 +1,152 @@
+//! What `momentous check` promises of a form before a student sees it.
+
+use serde::Serialize;
+use serde::Serializer;
+use serde::ser::SerializeMap;
+
+/// One promise.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Promise {
+    /// Names, dimensions and ranges are right, and what is asked follows from what is told.
+    Compiles,
+    /// Every seed draws within a bounded number of tries.
+    Draws,
+    /// What is asked has exactly one solution that nothing forbids.
+    Determined,
+    /// Each answer's error is bounded, and the bound is small.
+    Certified,
+    /// No answer is the same for every seed.
+    Varies,
+    /// Answers are not zero by accident.
+    NotZero,
+    /// Answers are not among the givens.
+    NotGiven,
+    /// The numbers on the sheet lead to the answers of the key.
+    Reproduces,
+    /// No condition is there for nothing.
+    Requires,
+    /// What the key prints reaches full marks.
+    KeyMarks,
+    /// Honest rounding moves no answer so far that right and wrong look alike.
+    Sharp,
+    /// A simulation that shares no code with the laws agrees.
+    Simulation,
+    /// The usual wrong forms can be told from the truth.
+    WrongForms,
+    /// Honest rounding reaches full marks.
+    Rounding,
+}
+
+/// Each promise with its stable name and what it says, in the order of reports.
+const SAID: &[(Promise, &str, &str)] = &[
+    (
+        Promise::Compiles,
+        "compiles",
+        "names, dimensions, ranges and texts are right, and what is asked follows from what is told",
+    ),
+    (Promise::Draws, "draws", "every seed draws within a bounded number of tries"),
+    (Promise::Determined, "determined", "what is asked has exactly one solution, and nothing in it is unphysical"),
+    (Promise::Certified, "certified", "the error of every answer is bounded, and small"),
+    (Promise::Varies, "varies", "no answer is the same for every seed"),
+    (Promise::NotZero, "not-zero", "answers are not zero by accident"),
+    (Promise::NotGiven, "not-given", "answers do not equal a given in most draws"),
+    (Promise::Reproduces, "reproduces", "the printed givens reproduce the printed answers"),
+    (Promise::Requires, "requires", "every `require` rejects some draws"),
+    (Promise::KeyMarks, "key-marks", "the answers of the key reach full marks"),
+    (Promise::Sharp, "sharp", "honest rounding moves no answer by more than 5 %"),
+    (Promise::Simulation, "simulation", "an independent simulation agrees"),
+    (Promise::WrongForms, "wrong-forms", "the usual wrong forms can be told from the truth"),
+    (Promise::Rounding, "rounding", "parts rounded as a student rounds reach full marks"),
+];
+
+impl Promise {
+    /// Every promise, in the order of reports.
+    pub fn all() -> impl Iterator<Item = Self> {
+        SAID.iter().map(|(promise, ..)| *promise)
+    }
+
+    /// Its stable name, for tools.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        self.said().0
+    }
+
+    /// What it says.
+    #[must_use]
+    pub fn sentence(self) -> &'static str {
+        self.said().1
+    }
+
+    fn said(self) -> (&'static str, &'static str) {
+        let own = SAID.iter().find(|(promise, ..)| *promise == self);
+        own.map_or(("", ""), |(_, name, sentence)| (*name, *sentence))
+    }
+}
+
+/// What an audit found of a promise.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// It holds.
+    Kept,
+    /// It holds, and the author should know something.
+    Noted(String),
+    /// It does not hold.
+    Broken(String),
+    /// Nothing was looked at, and why.
+    NotChecked(&'static str),
+}
+
+impl Outcome {
+    /// Its stable name, for tools.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Kept => "kept",
+            Self::Noted(_) => "noted",
+            Self::Broken(_) => "broken",
+            Self::NotChecked(_) => "not checked",
+        }
+    }
+
+    /// What there is to say beyond the name.
+    #[must_use]
+    pub fn remark(&self) -> Option<&str> {
+        match self {
+            Self::Kept => None,
+            Self::Noted(remark) | Self::Broken(remark) => Some(remark),
+            Self::NotChecked(remark) => Some(remark),
+        }
+    }
+}
+
+/// A promise with what was found of it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Finding {
+    /// The promise.
+    pub promise: Promise,
+    /// What was found.
+    pub outcome: Outcome,
+}
+
+impl Serialize for Finding {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("promise", self.promise.name())?;
+        map.serialize_entry("outcome", self.outcome.name())?;
+        map.serialize_entry("remark", &self.outcome.remark())?;
+        map.end()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_promise_has_a_name_of_its_own_and_says_something() {
+        let names: std::collections::BTreeSet<&str> = Promise::all().map(Promise::name).collect();
+        assert_eq!((names.len(), names.contains("")), (SAID.len(), false));
+        assert!(Promise::Rounding as usize == SAID.len() - 1 && Promise::all().is_sorted());
+        assert!(Promise::all().all(|promise| !promise.sentence().is_empty()));
+    }
+}

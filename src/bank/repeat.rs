@@ -1,0 +1,89 @@
+//! A few variants taken the whole way: solved again from their sheets, and their keys marked.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use crate::exercise::Exercise;
+use crate::grade::DecimalMark;
+use crate::problem::PartKind;
+use crate::problem::Problem;
+
+use super::answers::noted;
+use super::promise::Outcome;
+
+/// Seeds whose variants are solved again from what is printed; each costs a compilation.
+const SOLVED_AGAIN: u64 = 8;
+
+/// Seeds whose keys are marked.
+const MARKED: u64 = 64;
+
+/// Honest rounding that moves an answer by more than this share of it blurs right and wrong.
+const SHARP: f64 = 0.05;
+
+/// The variants of the first seeds; those that draw nothing are told elsewhere.
+fn exercises(problem: &Arc<Problem>, form: usize, seeds: u64) -> impl Iterator<Item = (u64, Exercise)> {
+    (1..=seeds).filter_map(move |seed| Some((seed, Exercise::draw(problem, form, seed).ok()?)))
+}
+
+/// The printed givens lead to the printed answers.
+pub(super) fn reproduces(problem: &Arc<Problem>, form: usize, seeds: u64) -> Outcome {
+    let differs = |(seed, first): (u64, Exercise)| {
+        let again = Exercise::with_values(problem, form, seed, &sheet_values(&first), &[]);
+        let same = again.is_ok_and(|again| key(&again) == key(&first));
+        (!same).then(|| format!("seed {seed} has other answers when it is solved from its sheet"))
+    };
+    first(exercises(problem, form, seeds.min(SOLVED_AGAIN)).filter_map(differs))
+}
+
+/// The first thing that is wrong stands for all.
+fn first(mut wrong: impl Iterator<Item = String>) -> Outcome {
+    wrong.next().map_or(Outcome::Kept, Outcome::Broken)
+}
+
+/// What a sheet tells of drawn and of revealed quantities, as text.
+fn sheet_values(exercise: &Exercise) -> Vec<(String, String)> {
+    let problem = exercise.problem();
+    let drawn = problem.known().iter().filter(|known| known.origin.is_drawn()).map(|known| (&known.name, known.symbol));
+    let revealed = exercise.worked().form.reveal.iter().map(|reveal| (&reveal.name, reveal.symbol));
+    let printed = drawn.chain(revealed).filter_map(|(name, symbol)| {
+        let (value, unit) = exercise.variant().given(symbol)?;
+        Some((name.clone(), format!("{value} {unit}").trim_end().to_owned()))
+    });
+    printed.collect()
+}
+
+fn key(exercise: &Exercise) -> Vec<(String, String)> {
+    exercise.worked().form.parts.iter().map(|part| (part.id.clone(), exercise.printed(part))).collect()
+}
+
+/// A student who types in what the key prints gets every point.
+pub(super) fn key_marks(problem: &Arc<Problem>, form: usize, seeds: u64) -> Outcome {
+    let wrong = |(seed, exercise): (u64, Exercise)| {
+        let answers: BTreeMap<String, String> = key(&exercise).into_iter().collect();
+        let report = exercise.grade(&answers, DecimalMark::Point);
+        let part = report.parts.iter().find(|part| !part.verdict.is_right())?;
+        let typed = answers.get(&part.id).map(String::as_str).unwrap_or_default();
+        Some(format!("with seed {seed}, `{}` = {typed} is marked {}: {}", part.id, part.verdict, part.message))
+    };
+    first(exercises(problem, form, seeds.min(MARKED)).filter_map(wrong))
+}
+
+/// How often rounding of intermediate values may move an answer too far.
+pub(super) fn sharp(problem: &Arc<Problem>, form: usize, seeds: u64) -> Outcome {
+    let mut blurred: BTreeMap<String, u64> = BTreeMap::new();
+    let mut drawn: u64 = 0;
+    for (_, exercise) in exercises(problem, form, seeds.min(MARKED)) {
+        drawn += 1;
+        let worked = exercise.worked();
+        for part in &worked.form.parts {
+            let PartKind::Number(number) = &part.kind else { continue };
+            if worked.judged(number).allowance > SHARP * worked.answer(number).value.abs() && !number.whole {
+                *blurred.entry(part.id.clone()).or_insert(0) += 1;
+            }
+        }
+    }
+    let said = blurred.iter().map(|(id, times)| {
+        format!("honest rounding moves `{id}` by more than {} % with {times} of {drawn} seeds", 100.0 * SHARP)
+    });
+    noted(&said.collect::<Vec<_>>())
+}

@@ -1,0 +1,92 @@
+//! What an audit says of a problem.
+
+use serde::Serialize;
+
+use super::promise::Finding;
+use super::promise::Outcome;
+
+/// What was found of one problem; the keys of `momentous check --format json`.
+#[derive(Clone, Debug, Serialize)]
+pub struct Audit {
+    /// Its identity; none where the file does not load.
+    pub problem: Option<String>,
+    /// The path of its file.
+    pub file: String,
+    /// The digest of its file.
+    pub digest: String,
+    /// Every fault of the file, where it does not load or cannot be planned.
+    pub faults: Option<String>,
+    /// What was found of each form; empty where there are faults.
+    pub forms: Vec<FormAudit>,
+}
+
+/// What was found of one form.
+#[derive(Clone, Debug, Serialize)]
+pub struct FormAudit {
+    /// Its name; none where the problem has one form without a name.
+    pub form: Option<String>,
+    /// How many seeds were drawn, from 1.
+    pub seeds: u64,
+    /// How many different sets of numbers there are before any is rejected; at most 2^64 - 1.
+    pub combinations: u64,
+    /// How many different sets of numbers these seeds drew.
+    pub variants: usize,
+    /// The share of draws that were not rejected.
+    pub acceptance: f64,
+    /// The laws that lead to the answers, each once, in the order of their use.
+    pub laws: Vec<String>,
+    /// The answers, part by part.
+    pub answers: Vec<AnswerSpread>,
+    /// What was found of each promise.
+    pub promises: Vec<Finding>,
+}
+
+/// How the answers to one part lie.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "kind", rename_all = "lowercase")]
+pub enum AnswerSpread {
+    /// Numbers, in the unit of the question.
+    Number {
+        /// The part.
+        id: String,
+        /// The unit.
+        unit: String,
+        /// The smallest answer.
+        least: f64,
+        /// A quarter of the answers are at most this.
+        lower_quartile: f64,
+        /// Half of the answers are at most this.
+        median: f64,
+        /// Three quarters of the answers are at most this.
+        upper_quartile: f64,
+        /// The largest answer.
+        most: f64,
+        /// How many answers differ as they are printed.
+        distinct: usize,
+        /// The largest bound on an error.
+        error_bound: Option<f64>,
+    },
+    /// A choice; which one is right follows from the scene.
+    Choice {
+        /// The part.
+        id: String,
+        /// The right one.
+        right: String,
+    },
+}
+
+impl Audit {
+    /// Whether anything does not hold.
+    #[must_use]
+    pub fn is_broken(&self) -> bool {
+        self.faults.is_some() || self.forms.iter().any(FormAudit::is_broken)
+    }
+}
+
+impl FormAudit {
+    /// Whether a promise does not hold.
+    #[must_use]
+    pub fn is_broken(&self) -> bool {
+        self.promises.iter().any(|finding| matches!(finding.outcome, Outcome::Broken(_)))
+    }
+}

@@ -1,0 +1,123 @@
+//! Many variants of one form, reduced to what an audit looks at.
+
+use rayon::prelude::*;
+
+use crate::problem::NoVariant;
+use crate::problem::PartKind;
+use crate::problem::PlannedForm;
+use crate::problem::Problem;
+use crate::problem::Sampler;
+use crate::problem::Variant;
+use crate::problem::Worked;
+use crate::quantity::Printed;
+use crate::solve::Bounded;
+
+/// Seeds that one thread draws before it takes others. The outcome does not depend on it.
+const CHUNK: u64 = 64;
+
+/// Relative distance at which two doubles that were reached on different ways are the same number.
+const SAME: f64 = 1e-9;
+
+/// What many seeds drew.
+#[derive(Debug, Default)]
+pub(super) struct Samples {
+    /// What was drawn, in the order of the seeds.
+    pub drawn: Vec<Sample>,
+    /// The seeds that drew nothing.
+    pub failed: Vec<u64>,
+    /// Why the first of them drew nothing.
+    pub reason: Option<NoVariant>,
+    /// How many attempts were rejected.
+    pub rejected: u64,
+}
+
+/// What one seed drew.
+#[derive(Debug)]
+pub(super) struct Sample {
+    /// The printed givens, as one text.
+    pub given: String,
+    /// The answers in the order of the parts that are numbers.
+    pub answers: Vec<Answered>,
+}
+
+/// A number that answers a part.
+#[derive(Debug)]
+pub(super) struct Answered {
+    /// Its value in the unit of the question.
+    pub value: Bounded,
+    /// As it is printed, without its unit.
+    pub printed: String,
+    /// Whether a given has the same value and dimension.
+    pub is_given: bool,
+}
+
+impl Samples {
+    /// Draws the seeds 1 to `seeds`.
+    pub(super) fn draw(problem: &Problem, form: usize, seeds: u64) -> Result<Self, NoVariant> {
+        let starts: Vec<u64> = (0..seeds.div_ceil(CHUNK)).map(|chunk| chunk * CHUNK + 1).collect();
+        let chunk = |start: u64| Self::of_range(problem, form, start, (start + CHUNK).min(seeds + 1));
+        let chunks: Vec<Self> = starts.into_par_iter().map(chunk).collect::<Result<_, _>>()?;
+        let mut all = Self::default();
+        for chunk in chunks {
+            all.drawn.extend(chunk.drawn);
+            all.failed.extend(chunk.failed);
+            all.reason = all.reason.or(chunk.reason);
+            all.rejected += chunk.rejected;
+        }
+        Ok(all)
+    }
+
+    fn of_range(problem: &Problem, form: usize, start: u64, end: u64) -> Result<Self, NoVariant> {
+        let mut sampler = Sampler::new(problem, form)?;
+        let mut own = Self::default();
+        for seed in start..end {
+            match sampler.variant(seed) {
+                Ok(variant) => own.drawn.extend(Sample::of(problem, &variant)),
+                Err(reason) => {
+                    own.failed.push(seed);
+                    own.reason.get_or_insert(reason);
+                }
+            }
+        }
+        own.rejected = sampler.rejected();
+        Ok(own)
+    }
+
+    /// The share of attempts that were not rejected.
+    pub(super) fn acceptance(&self) -> f64 {
+        let drawn = self.drawn.len();
+        #[allow(clippy::cast_precision_loss)] // counts of draws are far below 2^53
+        let (drawn, rejected) = (drawn as f64, self.rejected as f64);
+        if drawn + rejected > 0.0 { drawn / (drawn + rejected) } else { 0.0 }
+    }
+
+    /// How many different sets of givens were drawn.
+    pub(super) fn variants(&self) -> usize {
+        self.drawn.iter().map(|sample| sample.given.as_str()).collect::<std::collections::BTreeSet<_>>().len()
+    }
+}
+
+impl Sample {
+    fn of(problem: &Problem, variant: &Variant) -> Option<Self> {
+        let worked = Worked::new(problem, variant)?;
+        let given: Vec<String> = variant.all_given().iter().map(|(_, value, unit)| format!("{value} {unit}")).collect();
+        Some(Self { given: given.join("; "), answers: answers(&worked, worked.form) })
+    }
+}
+
+fn answers(worked: &Worked<'_>, form: &PlannedForm) -> Vec<Answered> {
+    let number = |kind: &PartKind| {
+        let PartKind::Number(number) = kind else { return None };
+        let value = worked.answer(number);
+        let printed = Printed::new(value.value, number.figures).map_or_else(String::new, |printed| printed.plain());
+        let si = worked.variant.value(number.symbol).map(|value| value.value);
+        let dimension = worked.problem.model().symbols.entry(number.symbol).dimension;
+        let is_given = worked.variant.all_given().iter().any(|(_, value, unit)| {
+            let given = value.to_f64() * unit.factor().to_f64();
+            let same = |si: f64| (si - given).abs() <= SAME * given.abs();
+            unit.dimension() == dimension && given != 0.0 && si.is_some_and(same)
+        });
+        Some(Answered { value, printed, is_given })
+    };
+    form.parts.iter().filter_map(|part| number(&part.kind)).collect()
+}

@@ -1,0 +1,179 @@
+//! `momentous check`
+
+use std::io::Write;
+
+use clap::Args;
+use rayon::prelude::*;
+
+use crate::bank::AnswerSpread;
+use crate::bank::Audit;
+use crate::bank::Bank;
+use crate::bank::FormAudit;
+use crate::bank::Outcome;
+use crate::bank::audit;
+use crate::quantity::Printed;
+
+use super::exit::Exit;
+use super::failure::Failure;
+use super::format::Listing;
+use super::output::Output;
+use super::progress;
+use super::style::Style;
+
+const HELP: &str = "\
+Examples:
+  momentous check                               every problem of the bank
+  momentous check impact/two-carts --seeds 5000
+  momentous check impact                        every problem of a topic
+  momentous check my-problem.yaml my-folder/
+  momentous check --format json | jq 'select(.faults)'
+
+It exits with 1 where a promise is broken, with 2 where a file does not load. A promise that this version does not look
+at is listed as not checked.";
+
+/// Figures of printed answers.
+const FIGURES: usize = 4;
+
+/// Check what problems promise, over many seeds: before a student sees them
+#[derive(Args, Debug)]
+#[command(after_help = HELP)]
+pub(super) struct Check {
+    /// Identities, topics, files or folders; the whole bank where nothing is named
+    #[arg(value_name = "PATH|PROBLEM")]
+    problems: Vec<String>,
+    /// How many seeds to draw for each form
+    #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
+    seeds: u64,
+    /// For people, or one JSON object a line
+    #[arg(long, value_name = "FORMAT", default_value = "text")]
+    format: Listing,
+}
+
+impl Check {
+    pub(super) fn run(&self) -> Result<Exit, Failure> {
+        let sources = Bank::here()?.select(&self.problems)?;
+        let bar = progress::bar(sources.len() as u64, false);
+        let look = |source| {
+            let audit = audit(source, self.seeds);
+            bar.inc(1);
+            audit
+        };
+        let audits: Vec<Audit> = sources.par_iter().map(look).collect();
+        bar.finish_and_clear();
+        let mut output = Output::to(None)?;
+        match self.format {
+            Listing::Text => write_text(&mut output, &audits)?,
+            Listing::Json => {
+                for audit in &audits {
+                    serde_json::to_writer(&mut output, audit)?;
+                    writeln!(output)?;
+                }
+            }
+        }
+        output.finish()?;
+        Ok(if audits.iter().any(|audit| audit.faults.is_some()) {
+            Exit::Unusable
+        } else if audits.iter().any(Audit::is_broken) {
+            Exit::NotRight
+        } else {
+            Exit::Fine
+        })
+    }
+}
+
+fn write_text(output: &mut Output, audits: &[Audit]) -> Result<(), Failure> {
+    let style = Style::of_stdout();
+    for audit in audits {
+        let name = audit.problem.as_deref().unwrap_or("does not load");
+        writeln!(output, "{}  {}  digest {}", style.strong(name), audit.file, audit.digest)?;
+        if let Some(faults) = &audit.faults {
+            writeln!(output, "{faults}")?;
+        }
+        for form in &audit.forms {
+            write_form(output, form, style)?;
+        }
+        writeln!(output)?;
+    }
+    let broken = audits.iter().filter(|audit| audit.is_broken()).count();
+    let forms: usize = audits.iter().map(|audit| audit.forms.len()).sum();
+    let counted = format!("{}, {}", count(audits.len(), "problem"), count(forms, "form"));
+    match broken {
+        0 => writeln!(output, "{counted}: {}", style.good("every promise that was checked holds"))?,
+        _ => writeln!(output, "{counted}: {}", style.bad(&format!("{} broken", count(broken, "problem"))))?,
+    }
+    Ok(())
+}
+
+fn count(number: usize, what: &str) -> String {
+    format!("{number} {what}{}", if number == 1 { "" } else { "s" })
+}
+
+fn write_form(output: &mut Output, form: &FormAudit, style: Style) -> Result<(), Failure> {
+    let name = form.form.as_deref().unwrap_or("its one form");
+    writeln!(
+        output,
+        "  {}: {} seeds, {} different variants of {}, {:.1} % of the draws accepted",
+        style.strong(name),
+        form.seeds,
+        form.variants,
+        form.combinations,
+        100.0 * form.acceptance
+    )?;
+    if !form.laws.is_empty() {
+        writeln!(output, "    laws: {}", form.laws.join(", "))?;
+    }
+    for line in spread_table(&form.answers) {
+        writeln!(output, "    {line}")?;
+    }
+    let with_outcome = |wanted: &str| -> Vec<&str> {
+        let found = form.promises.iter().filter(|finding| finding.outcome.name() == wanted);
+        found.map(|finding| finding.promise.name()).collect()
+    };
+    for finding in &form.promises {
+        match &finding.outcome {
+            Outcome::Broken(remark) => {
+                writeln!(output, "    {} {}: {remark}", style.bad("broken:"), finding.promise.sentence())?;
+            }
+            Outcome::Noted(remark) => writeln!(output, "    {} {remark}", style.note("noted:"))?,
+            Outcome::Kept | Outcome::NotChecked(_) => {}
+        }
+    }
+    for (outcome, label) in [("kept", style.good("kept:")), ("not checked", style.note("not checked:"))] {
+        let names = with_outcome(outcome);
+        if !names.is_empty() {
+            writeln!(output, "    {label} {}", names.join(", "))?;
+        }
+    }
+    Ok(())
+}
+
+/// The spreads as a table whose columns stand below each other.
+fn spread_table(answers: &[AnswerSpread]) -> Vec<String> {
+    let mut rows = vec![["answer", "least", "quarter", "median", "3 quarters", "most", "unit"].map(str::to_owned)];
+    let mut choices = Vec::new();
+    for answer in answers {
+        match answer {
+            AnswerSpread::Number { id, unit, least, lower_quartile, median, upper_quartile, most, .. } => {
+                let [low, quarter, middle, three, high] =
+                    [least, lower_quartile, median, upper_quartile, most].map(|value| printed(*value));
+                rows.push([id.clone(), low, quarter, middle, three, high, unit.clone()]);
+            }
+            AnswerSpread::Choice { id, right } => choices.push(format!("{id}: {right}")),
+        }
+    }
+    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..7).map(width).collect();
+    let line = |row: &[String; 7]| {
+        let cell = |(index, cell): (usize, &String)| {
+            let width = widths[index];
+            if index == 0 || index == 6 { format!("{cell:width$}") } else { format!("{cell:>width$}") }
+        };
+        row.iter().enumerate().map(cell).collect::<Vec<_>>().join("  ").trim_end().to_owned()
+    };
+    let table = if rows.len() > 1 { rows.iter().map(line).collect() } else { Vec::new() };
+    [table, choices].concat()
+}
+
+fn printed(value: f64) -> String {
+    Printed::new(value, FIGURES).map_or_else(|| "-".to_owned(), |printed| printed.plain())
+}

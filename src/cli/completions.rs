@@ -1,0 +1,33 @@
+//! `momentous completions`
+
+use clap::Args;
+use clap::CommandFactory;
+use clap_complete::Shell;
+
+use super::Cli;
+use super::exit::Exit;
+use super::failure::Failure;
+use super::output::Output;
+
+const HELP: &str = "\
+Examples:
+  momentous completions bash > ~/.local/share/bash-completion/completions/momentous
+  momentous completions fish > ~/.config/fish/completions/momentous.fish
+  momentous completions zsh > ~/.zfunc/_momentous";
+
+/// Print what a shell needs to complete commands as you type
+#[derive(Args, Debug)]
+#[command(after_help = HELP)]
+pub(super) struct Completions {
+    /// The shell
+    shell: Shell,
+}
+
+impl Completions {
+    pub(super) fn run(&self) -> Result<Exit, Failure> {
+        let mut script = Vec::new();
+        clap_complete::generate(self.shell, &mut Cli::command(), "momentous", &mut script);
+        Output::whole(None, &String::from_utf8_lossy(&script))?;
+        Ok(Exit::Fine)
+    }
+}

@@ -1,0 +1,90 @@
+//! One variant that is to be made, for one student or for nobody in particular.
+
+use std::sync::Arc;
+
+use serde_json::Value;
+use serde_json::json;
+
+use crate::cli::failure::Failure;
+use crate::cli::output::file_stem;
+use crate::exercise::Exercise;
+use crate::problem::Problem;
+use crate::render::KeyRow;
+use crate::render::Sheet;
+
+use super::roster::Student;
+
+/// A problem with the form in which it is asked.
+pub(super) type Asked = (Arc<Problem>, usize);
+
+/// One variant that is to be made.
+#[derive(Clone, Debug)]
+pub(super) struct Job {
+    asked: Asked,
+    seed: u64,
+    student: Option<Student>,
+}
+
+impl Job {
+    /// For each problem the seeds from the first.
+    pub(super) fn for_seeds(
+        asked: &[Asked],
+        first: u64,
+        count: u64,
+    ) -> Result<Box<dyn Iterator<Item = Self> + '_>, Failure> {
+        let last = first.checked_add(count - 1);
+        let last = last.ok_or_else(|| Failure::unusable(format!("there are not {count} seeds from {first} on")))?;
+        let of = move |asked: &'_ Asked| {
+            let asked = asked.clone();
+            (first..=last).map(move |seed| Self { asked: asked.clone(), seed, student: None })
+        };
+        Ok(Box::new(asked.iter().flat_map(of)))
+    }
+
+    /// For each student every problem.
+    pub(super) fn for_students<'a>(asked: &'a [Asked], students: &'a [Student]) -> Box<dyn Iterator<Item = Self> + 'a> {
+        let of = |student: &'a Student| {
+            asked.iter().map(|asked| Self { asked: asked.clone(), seed: student.seed, student: Some(student.clone()) })
+        };
+        Box::new(students.iter().flat_map(of))
+    }
+
+    /// The variant, solved.
+    pub(super) fn exercise(&self) -> Result<Exercise, Failure> {
+        let (problem, form) = &self.asked;
+        Exercise::draw(problem, *form, self.seed)
+            .map_err(|reason| Failure::no_variant(problem.id(), self.seed, &reason))
+    }
+
+    /// The sheet, with the student's name.
+    pub(super) fn sheet(&self, exercise: &Exercise) -> Sheet {
+        Sheet { student: self.student.as_ref().map(Student::shown), ..exercise.sheet() }
+    }
+
+    /// The answers, with the student's name.
+    pub(super) fn key(&self, exercise: &Exercise) -> Vec<KeyRow> {
+        let named = |row: KeyRow| KeyRow { student: self.student.as_ref().map(Student::shown), ..row };
+        exercise.key().into_iter().map(named).collect()
+    }
+
+    /// The data, with the student.
+    pub(super) fn record(&self, exercise: &Exercise, solution: Option<String>) -> Value {
+        let mut record = exercise.record(solution);
+        if let (Some(student), Some(object)) = (&self.student, record.as_object_mut()) {
+            object.insert("student".to_owned(), json!({ "id": student.id, "name": student.name }));
+        }
+        record
+    }
+
+    /// The name of its files without an ending: `impact-two-carts-find-e-seed-7`, or `student-17-impact-two-carts-find-e`.
+    pub(super) fn file_stem(&self) -> String {
+        let (problem, form) = &self.asked;
+        let form = problem.forms().get(*form).and_then(|form| form.question.name.as_deref());
+        let form = form.map(|form| format!("-{}", file_stem(form))).unwrap_or_default();
+        let problem = problem.id().replace('/', "-");
+        match &self.student {
+            Some(student) => format!("{}-{problem}{form}", student.stem),
+            None => format!("{problem}{form}-seed-{}", self.seed),
+        }
+    }
+}

@@ -1,0 +1,173 @@
+//! `momentous generate`
+
+mod destination;
+mod job;
+mod roster;
+mod stream;
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use crate::exercise::Exercise;
+use crate::render::Figures;
+use crate::render::Format;
+use crate::render::Key;
+use crate::render::KeyRow;
+use crate::render::Page;
+
+use super::exit::Exit;
+use super::failure::Failure;
+use super::format::Paper;
+use super::open;
+use super::open::Secret;
+use super::output::Output;
+use super::pages;
+use super::pages::Shown;
+
+use destination::Destination;
+use job::Job;
+use roster::Roster;
+
+const HELP: &str = "\
+Examples:
+  momentous generate impact/two-carts --seed 7                     a sheet
+  momentous generate impact/two-carts --seed 7 --solution          and its worked solution
+  momentous generate impact/two-carts --solution --faded 2         its first two steps
+  momentous generate impact --count 5 --key --format latex -o exam.tex
+  momentous generate impact/two-carts --roster class.csv --secret secret.txt --key -o sheets/
+  momentous generate impact/two-carts --count 100000 --format json > variants.jsonl
+
+A roster is a CSV file with a column `id`, or `name`, or both. Each student gets numbers of his or her own, and
+seeds.csv says who has which seed. A folder named by -o ends with a slash, or is there already. The same problem, seed
+and form give the same numbers on every computer.";
+
+/// Make problem sheets, with solutions and a key where they are wanted
+#[derive(Args, Debug)]
+#[command(after_help = HELP)]
+pub(super) struct Generate {
+    /// Identities, topics, files or folders
+    #[arg(required = true, value_name = "PROBLEM|FILE")]
+    problems: Vec<String>,
+    /// The seed that draws the numbers
+    #[arg(long, value_name = "S", default_value_t = 1, value_parser = open::seed, allow_negative_numbers = true, conflicts_with = "roster")]
+    seed: u64,
+    /// How many variants: the seed and those after it
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..), conflicts_with = "roster")]
+    count: u64,
+    /// The form in which problems are asked; the first of each where none is named
+    #[arg(long, value_name = "FORM")]
+    form: Option<String>,
+    /// The format of the documents
+    #[arg(long, value_name = "FORMAT", default_value = "markdown")]
+    format: Paper,
+    /// Add the worked solution of each sheet
+    #[arg(long)]
+    solution: bool,
+    /// Add one key with all answers; JSON holds them anyway
+    #[arg(long)]
+    key: bool,
+    /// One sheet for each student of this table
+    #[arg(long, value_name = "CSV", requires = "output")]
+    roster: Option<PathBuf>,
+    /// Write to this file, or files into this folder, instead of printing
+    #[arg(short, long, value_name = "FILE|FOLDER")]
+    output: Option<PathBuf>,
+    #[command(flatten)]
+    shown: Shown,
+    #[command(flatten)]
+    secret: Secret,
+}
+
+impl Generate {
+    pub(super) fn run(&self) -> Result<Exit, Failure> {
+        if self.shown.is_said() && !self.solution {
+            return Err(Failure::unusable("--faded and --instructor are about solutions\nhelp: add --solution"));
+        }
+        let secret = self.secret.read()?;
+        let problems = open::problems(&self.problems, secret.as_deref())?;
+        let roster = self.roster.as_deref().map(|path| Roster::read(path, secret.as_deref())).transpose()?;
+        let destination = Destination::of(self.output.as_deref());
+        let mut forms = Vec::new();
+        for problem in &problems {
+            forms.push((problem.clone(), open::form(problem, self.form.as_deref())?));
+        }
+        let jobs = match &roster {
+            Some(roster) => Job::for_students(&forms, &roster.students),
+            None => Job::for_seeds(&forms, self.seed, self.count)?,
+        };
+        let each = roster.as_ref().map_or(self.count, |roster| roster.students.len() as u64);
+        match self.format.document() {
+            None => self.stream(jobs, each.saturating_mul(forms.len() as u64), &destination)?,
+            Some(format) => self.documents(jobs, format, &destination)?,
+        }
+        if let Some(roster) = &roster {
+            destination.write_seeds(&roster.seeds(&forms)?)?;
+            if secret.is_none() {
+                eprintln_quietly(
+                    "note: without --secret, a student who has this program can print his or her own solution",
+                );
+            }
+        }
+        Ok(Exit::Fine)
+    }
+
+    /// One document of everything, or a file for each sheet, each solution and the key.
+    fn documents(
+        &self,
+        jobs: impl Iterator<Item = Job>,
+        format: Format,
+        destination: &Destination,
+    ) -> Result<(), Failure> {
+        let mut renderer = pages::renderer()?;
+        let mut pages = Vec::new();
+        let mut rows: Vec<KeyRow> = Vec::new();
+        for job in jobs {
+            let exercise = job.exercise()?;
+            let sheet = Page::Sheet(job.sheet(&exercise));
+            let solution = self.solution.then(|| Page::Solution(self.shown.solution(&exercise)));
+            if self.key {
+                rows.extend(job.key(&exercise));
+            }
+            let Destination::Folder(folder) = destination else {
+                pages.push(sheet);
+                pages.extend(solution);
+                continue;
+            };
+            let documents = [(Some(sheet), ""), (solution, "-solution")];
+            for (page, ending) in documents.into_iter().filter_map(|(page, ending)| Some((page?, ending))) {
+                let name = format!("{}{ending}", job.file_stem());
+                renderer = renderer.figures(Figures::Beside(name.clone()));
+                let document = renderer.render(&[page], format)?;
+                for beside in &document.beside {
+                    Output::whole(Some(&folder.join(&beside.name)), &beside.text)?;
+                }
+                Output::whole(Some(&folder.join(format!("{name}.{}", format.extension()))), &document.text)?;
+            }
+        }
+        let key = Page::Key(Key { title: "Answers".to_owned(), rows });
+        match destination {
+            Destination::Folder(folder) if self.key => {
+                let text = renderer.render(&[key], format)?.text;
+                Output::whole(Some(&folder.join(format!("key.{}", format.extension()))), &text)
+            }
+            Destination::Folder(_) => Ok(()),
+            Destination::File(_) | Destination::Stdout => {
+                pages.extend(self.key.then_some(key));
+                Output::whole(destination.file(), &renderer.render(&pages, format)?.text)
+            }
+        }
+    }
+
+    /// The data of an exercise, with its solution where that is wanted.
+    fn record(&self, job: &Job, exercise: &Exercise, renderer: &crate::render::Renderer) -> Result<String, Failure> {
+        let solution = self.solution.then(|| self.shown.markdown(renderer, exercise)).transpose()?;
+        Ok(job.record(exercise, solution).to_string())
+    }
+}
+
+/// Says something on standard error; where that is closed, nobody is there to be told.
+fn eprintln_quietly(text: &str) {
+    use std::io::Write;
+    let _ = writeln!(std::io::stderr(), "{text}");
+}

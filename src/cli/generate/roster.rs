@@ -1,0 +1,162 @@
+//! The students of a course, each with a seed of his or her own.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use hmac::{Hmac, KeyInit, Mac};
+use sha2::Sha256;
+
+use crate::cli::failure::Failure;
+use crate::cli::output::file_stem;
+use crate::cli::table::Table;
+
+use super::job::Asked;
+
+/// Seeds stay below 2^48, so that every program that reads JSON numbers as doubles reads them exactly.
+const SEED_BITS: u32 = 48;
+
+/// A student.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Student {
+    /// What the course knows the student by.
+    pub id: String,
+    /// What the student is called; the identity where the table has no names.
+    pub name: String,
+    /// The seed.
+    pub seed: u64,
+    /// The beginning of the names of the student's files.
+    pub stem: String,
+}
+
+/// The students, in the order of the table.
+#[derive(Clone, Debug)]
+pub(super) struct Roster {
+    pub students: Vec<Student>,
+}
+
+impl Roster {
+    /// Reads the table. Seeds are made of identity and secret, so that a student keeps the seed when others come or go.
+    pub(super) fn read(path: &Path, secret: Option<&[u8]>) -> Result<Self, Failure> {
+        let mut table = Table::open(path)?;
+        let (id, name) = (table.column("id"), table.column("name"));
+        let Some(identity) = id.or(name) else {
+            return Err(Failure::unusable(format!("{} has neither a column `id` nor a column `name`", path.display())));
+        };
+        let mut students: Vec<Student> = Vec::new();
+        let mut lines: BTreeMap<String, u64> = BTreeMap::new();
+        let mut stems: BTreeMap<String, u32> = BTreeMap::new();
+        let mut failures = Vec::new();
+        for (line, row) in table.rows() {
+            let mut fail =
+                |message: String| failures.push(Failure::unusable(format!("{}:{line}: {message}", path.display())));
+            let row = match row {
+                Ok(row) => row,
+                Err(message) => {
+                    fail(message);
+                    continue;
+                }
+            };
+            let cell = |column: usize| row.get(column).unwrap_or_default().to_owned();
+            let id = cell(identity);
+            if id.is_empty() {
+                fail("this student has no identity".to_owned());
+            } else if let Some(first) = lines.insert(id.clone(), line) {
+                fail(format!("`{id}` stands in line {first} already"));
+            } else {
+                let times = stems.entry(file_stem(&id).to_lowercase()).or_insert(0);
+                *times += 1;
+                let stem = if *times == 1 { file_stem(&id) } else { format!("{}-{times}", file_stem(&id)) };
+                let name = name.map(cell).filter(|name| !name.is_empty()).unwrap_or_else(|| id.clone());
+                students.push(Student { seed: seed(&id, secret), id, name, stem });
+            }
+        }
+        if students.is_empty() && failures.is_empty() {
+            failures.push(Failure::unusable(format!("{} has no students", path.display())));
+        }
+        if failures.is_empty() { Ok(Self { students }) } else { Err(Failure::all(failures)) }
+    }
+
+    /// The table of who has which seed.
+    pub(super) fn seeds(&self, asked: &[Asked]) -> Result<String, Failure> {
+        let mut table = csv::Writer::from_writer(Vec::new());
+        let failed = |error: csv::Error| Failure::unusable(format!("the table of seeds cannot be written: {error}"));
+        table.write_record(["student", "name", "problem", "digest", "form", "seed"]).map_err(failed)?;
+        for student in &self.students {
+            for (problem, form) in asked {
+                let form =
+                    problem.forms().get(*form).and_then(|form| form.question.name.as_deref()).unwrap_or_default();
+                let digest = problem.loaded().digest.as_str();
+                let row = [&student.id, &student.name, problem.id(), digest, form, &student.seed.to_string()];
+                table.write_record(row).map_err(failed)?;
+            }
+        }
+        let bytes = table.into_inner().map_err(|error| Failure::from(error.into_error()))?;
+        Ok(String::from_utf8_lossy(&bytes).into_owned())
+    }
+}
+
+impl Student {
+    /// Name and identity, as a sheet shows them.
+    pub(super) fn shown(&self) -> String {
+        if self.name == self.id { self.id.clone() } else { format!("{} ({})", self.name, self.id) }
+    }
+}
+
+/// The seed of a student: the first bits of HMAC-SHA-256 of the identity, keyed by the secret.
+fn seed(id: &str, secret: Option<&[u8]>) -> u64 {
+    // HMAC takes a key of any length; the fallback is never used.
+    let Ok(mut mac) = Hmac::<Sha256>::new_from_slice(secret.unwrap_or_default()) else { return 0 };
+    mac.update(b"momentous student\0");
+    mac.update(id.as_bytes());
+    let digest = mac.finalize().into_bytes();
+    let word = digest.iter().take(8).fold(0_u64, |word, byte| word << 8 | u64::from(*byte));
+    word >> (u64::BITS - SEED_BITS)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn roster(text: &str) -> Result<Vec<Student>, String> {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("class.csv");
+        std::fs::write(&path, text).unwrap();
+        let read = Roster::read(&path, Some(b"secret"));
+        let place = format!("{}:", path.display());
+        read.map(|roster| roster.students).map_err(|failure| failure.to_string().replace(&place, "class.csv:"))
+    }
+
+    #[test]
+    fn seeds_are_fixed_for_ever_and_fit_a_double() {
+        // By Python: hmac.new(secret, b"momentous student\0" + id, "sha256"), the first 48 bits.
+        assert_eq!(seed("s17", None), SEED_OPEN);
+        assert_eq!(seed("s17", Some(b"course 2026")), SEED_SECRET);
+    }
+
+    const SEED_OPEN: u64 = 3_788_136_342_373;
+    const SEED_SECRET: u64 = 258_417_333_666_985;
+
+    #[test]
+    fn a_student_keeps_the_seed_when_others_come() {
+        let alone = roster("id\nb\n").unwrap();
+        let both = roster("\u{feff}Name;ID\nAda;a\nBob;b\n").unwrap();
+        assert_eq!(alone[0].seed, both[1].seed);
+        assert_eq!((both[1].shown(), alone[0].shown()), ("Bob (b)".into(), "b".into()));
+    }
+
+    #[test]
+    fn files_of_students_never_collide() {
+        let stems: Vec<String> =
+            roster("id\na b\na/b\nA-B\n").unwrap().into_iter().map(|student| student.stem).collect();
+        assert_eq!(stems, ["a-b", "a-b-2", "A-B-3"]);
+    }
+
+    #[test]
+    fn every_row_that_is_wrong_is_told() {
+        let message = roster("id,name\na,Ada\na,Again\n,Nobody\nc\n").unwrap_err();
+        let expected = "error: class.csv:3: `a` stands in line 2 already\nerror: class.csv:4: this student has no identity\nerror: class.csv:5: the row has 1 cells, the headings are 2";
+        assert_eq!(message, expected);
+        assert!(roster("mail\na@b\n").unwrap_err().ends_with("has neither a column `id` nor a column `name`"));
+        assert!(roster("id\n").unwrap_err().ends_with("has no students"));
+    }
+}

@@ -1,0 +1,96 @@
+//! `momentous grade`
+
+mod single;
+mod submissions;
+
+use std::path::PathBuf;
+
+use clap::Args;
+use clap::ValueEnum;
+
+use crate::grade::DecimalMark;
+
+use super::exit::Exit;
+use super::failure::Failure;
+use super::format::Listing;
+use super::open;
+use super::open::Secret;
+use super::solve::assignment;
+
+const HELP: &str = "\
+Examples:
+  momentous grade --problem impact/two-carts --seed 7 --answer \"v_A2=-0.4 m/s\" --answer \"v_B2=3.1 m/s\"
+  momentous grade --problem impact/two-carts --seed 7 --decimal comma --answer \"v_A2=-0,4 m/s\" --format json
+  momentous grade submissions.csv -o marks.csv
+  momentous grade submissions.csv --secret secret.txt -o marks.csv
+
+A table of submissions has the columns `problem` and `seed`, and may have `student`, `digest`, `form` and `attempt`; every
+other column is a part, named as in the JSON of `momentous generate`:
+
+  student,problem,seed,form,attempt,v_A2,v_B2,T_lost
+  s17,impact/two-carts,7,forward,1,-0.4 m/s,3.1 m/s,7.65 J
+
+The result has a row for each part. A row that cannot be used is reported with its line number, and the others are
+marked. It exits with 0 where every answer is right, with 1 where one is not, with 2 where an answer given by --answer
+cannot be read or a row cannot be used.";
+
+/// Mark answers, one set or a table of many
+#[derive(Args, Debug)]
+#[command(after_help = HELP, group = clap::ArgGroup::new("what").required(true).args(["submissions", "problem"]))]
+pub(super) struct Grade {
+    /// A table of submissions
+    #[arg(value_name = "SUBMISSIONS.csv", conflicts_with_all = ["seed", "form", "answer", "format"])]
+    submissions: Option<PathBuf>,
+    /// The problem's identity, or the path of its file
+    #[arg(long, value_name = "PROBLEM|FILE", requires = "seed", requires = "answer")]
+    problem: Option<String>,
+    /// The seed that is printed on the sheet
+    #[arg(long, value_name = "S", value_parser = open::seed, allow_negative_numbers = true)]
+    seed: Option<u64>,
+    /// The form in which the problem was asked; the first where none is named
+    #[arg(long, value_name = "FORM")]
+    form: Option<String>,
+    /// What stands between whole and decimal digits
+    #[arg(long, value_name = "MARK", default_value = "point")]
+    decimal: Mark,
+    /// The answer to a part
+    #[arg(long, value_name = "NAME=TEXT", value_parser = assignment)]
+    answer: Vec<(String, String)>,
+    /// Of one set of answers: for people, or one JSON object
+    #[arg(long, value_name = "FORMAT", default_value = "text")]
+    format: Listing,
+    /// Write the marks of a table to this file instead of printing them
+    #[arg(short, long, value_name = "OUT.csv", requires = "submissions")]
+    output: Option<PathBuf>,
+    #[command(flatten)]
+    secret: Secret,
+}
+
+/// What stands between whole and decimal digits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Mark {
+    /// 3.14
+    Point,
+    /// 3,14
+    Comma,
+}
+
+impl From<Mark> for DecimalMark {
+    fn from(mark: Mark) -> Self {
+        match mark {
+            Mark::Point => Self::Point,
+            Mark::Comma => Self::Comma,
+        }
+    }
+}
+
+impl Grade {
+    pub(super) fn run(&self) -> Result<Exit, Failure> {
+        match (&self.submissions, &self.problem, self.seed) {
+            (Some(submissions), ..) => self.table(submissions),
+            (None, Some(problem), Some(seed)) => self.single(problem, seed),
+            // The parser of arguments lets nothing else through.
+            (None, ..) => Err(Failure::unusable("name a problem with --problem, and a seed with --seed")),
+        }
+    }
+}

@@ -1,0 +1,126 @@
+//! The command line: one file for each subcommand. It reads arguments and files, and prints; it knows no physics.
+
+mod check;
+mod completions;
+mod exit;
+mod failure;
+mod format;
+mod generate;
+mod grade;
+mod list;
+mod new;
+mod open;
+mod output;
+mod pages;
+mod progress;
+mod schema;
+mod snapshot;
+mod solve;
+mod style;
+mod table;
+
+use std::ffi::OsString;
+
+use clap::Parser;
+use clap::Subcommand;
+
+pub use exit::Exit;
+
+use failure::Failure;
+
+/// Writes, solves, explains and marks problems on impulse, momentum and restitution.
+#[derive(Debug, Parser)]
+#[command(name = "momentous", version, after_help = HELP, arg_required_else_help = true)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+const HELP: &str = "\
+A PROBLEM is an identity from `momentous list`, such as impact/two-carts, or the path of a YAML file.
+The bank is the folder problem_bank/ where there is one here, else the one that is built in.
+
+Examples:
+  momentous list                                          what there is
+  momentous generate impact/two-carts --seed 7 --solution a sheet and its worked solution
+  momentous grade --problem impact/two-carts --seed 7 --answer \"v_A2=0.4 m/s\"
+  momentous new impact/my-carts                           a problem of your own to start from
+  momentous check my-carts.yaml                           what it promises
+
+Exit codes:
+  0  fine
+  1  a promise is broken, or an answer is not fully right
+  2  the input cannot be used: a file that is missing or does not load, an answer that cannot be read
+  3  the solver is stuck";
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    List(list::List),
+    Check(check::Check),
+    Generate(generate::Generate),
+    Solve(solve::Solve),
+    Grade(grade::Grade),
+    New(new::New),
+    Snapshot(snapshot::Snapshot),
+    Schema(schema::Schema),
+    Completions(completions::Completions),
+}
+
+/// Runs the program with these arguments, its own name first; gives the exit code.
+///
+/// ```
+/// use momentous::cli::{Exit, run};
+/// assert_eq!(run(["momentous", "schema", "--help"]), Exit::Fine);
+/// assert_eq!(run(["momentous", "solve", "no/such-problem"]), Exit::Unusable);
+/// ```
+pub fn run<I, T>(arguments: I) -> Exit
+where
+    I: IntoIterator<Item = T>,
+    T: Into<OsString> + Clone,
+{
+    let outcome = match Cli::try_parse_from(arguments) {
+        Ok(cli) => cli.command.run(),
+        Err(error) => {
+            // Where even the terminal is gone there is nobody left to tell.
+            let _ = error.print();
+            return if error.use_stderr() { Exit::Unusable } else { Exit::Fine };
+        }
+    };
+    outcome.unwrap_or_else(|failure| failure.report())
+}
+
+impl Command {
+    fn run(&self) -> Result<Exit, Failure> {
+        match self {
+            Self::List(list) => list.run(),
+            Self::Check(check) => check.run(),
+            Self::Generate(generate) => generate.run(),
+            Self::Solve(solve) => solve.run(),
+            Self::Grade(grade) => grade.run(),
+            Self::New(new) => new.run(),
+            Self::Snapshot(snapshot) => snapshot.run(),
+            Self::Schema(schema) => schema.run(),
+            Self::Completions(completions) => completions.run(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::*;
+
+    #[test]
+    fn the_arguments_hold_together() {
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn every_subcommand_teaches_by_example() {
+        for command in Cli::command().get_subcommands() {
+            let help = command.get_after_help().map(ToString::to_string).unwrap_or_default();
+            assert!(help.contains(&format!("momentous {}", command.get_name())), "{}", command.get_name());
+        }
+    }
+}

@@ -1,0 +1,84 @@
+//! From what a user names to a compiled problem and one of its forms.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use clap::Args;
+
+use crate::bank::Bank;
+use crate::fault::Source;
+use crate::fault::did_you_mean;
+use crate::problem::Problem;
+use crate::problem::compile;
+use crate::problem::load;
+
+use super::failure::Failure;
+
+/// Reads a seed.
+pub(super) fn seed(text: &str) -> Result<u64, String> {
+    text.trim().parse().map_err(|_| format!("a seed is a whole number from 0 to {}", u64::MAX))
+}
+
+/// A secret of the course.
+#[derive(Args, Clone, Debug, Default)]
+pub(super) struct Secret {
+    /// A file with a secret of the course: with it, nobody who has the program alone can draw the same numbers
+    #[arg(long, value_name = "FILE")]
+    secret: Option<PathBuf>,
+}
+
+impl Secret {
+    /// The secret, without the line end that an editor leaves.
+    pub(super) fn read(&self) -> Result<Option<Vec<u8>>, Failure> {
+        let Some(path) = &self.secret else { return Ok(None) };
+        let bytes = std::fs::read(path).map_err(|error| Failure::file(path, "read", &error))?;
+        let secret = bytes.trim_ascii_end();
+        if secret.is_empty() {
+            return Err(Failure::unusable(format!("{} holds no secret", path.display())));
+        }
+        Ok(Some(secret.to_vec()))
+    }
+}
+
+/// Loads and compiles a problem file.
+pub(super) fn compiled(source: Source, secret: Option<&[u8]>) -> Result<Arc<Problem>, Failure> {
+    let problem = load(source).and_then(|loaded| compile(loaded, secret))?;
+    Ok(Arc::new(problem))
+}
+
+/// The problems that a user names, each compiled; every failure is told.
+pub(super) fn problems(names: &[String], secret: Option<&[u8]>) -> Result<Vec<Arc<Problem>>, Failure> {
+    let bank = Bank::here()?;
+    let mut problems = Vec::new();
+    let mut failures = Vec::new();
+    for source in bank.select(names)? {
+        match compiled(source, secret) {
+            Ok(problem) => problems.push(problem),
+            Err(failure) => failures.push(failure),
+        }
+    }
+    if failures.is_empty() { Ok(problems) } else { Err(Failure::all(failures)) }
+}
+
+/// The one problem that a user names.
+pub(super) fn problem(name: &str, secret: Option<&[u8]>) -> Result<Arc<Problem>, Failure> {
+    compiled(Bank::here()?.open(name)?, secret)
+}
+
+/// The position of the form that a user names, or of the first.
+pub(super) fn form(problem: &Problem, name: Option<&str>) -> Result<usize, Failure> {
+    problem.form(name).ok_or_else(|| {
+        let names: Vec<&str> = problem.forms().iter().filter_map(|form| form.question.name.as_deref()).collect();
+        unknown(name.unwrap_or_default(), &format!("form of {}", problem.id()), &names)
+    })
+}
+
+/// A name that is none of the known ones, with the nearest.
+pub(super) fn unknown(name: &str, what: &str, known: &[&str]) -> Failure {
+    let help = match did_you_mean(name, known.iter().copied()) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None if known.is_empty() => "there are none".to_owned(),
+        None => format!("there are {}", known.join(", ")),
+    };
+    Failure::unusable(format!("`{name}` is no {what}\nhelp: {help}"))
+}

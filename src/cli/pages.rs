@@ -1,0 +1,51 @@
+//! From exercises to documents.
+
+use std::path::Path;
+
+use clap::Args;
+
+use crate::exercise::Exercise;
+use crate::explain::Audience;
+use crate::render::Format;
+use crate::render::Renderer;
+use crate::render::Solution;
+
+use super::failure::Failure;
+
+/// Where a user keeps templates that take the place of the built-in ones.
+const TEMPLATES: &str = "templates";
+
+/// How much of a solution is shown.
+#[derive(Args, Clone, Copy, Debug, Default)]
+pub(super) struct Shown {
+    /// Show the first K steps of each solution only, and leave the rest to the student
+    #[arg(long, value_name = "K")]
+    faded: Option<usize>,
+    /// Add what instructors want to know: the bounds on errors and the equations
+    #[arg(long, conflicts_with = "faded")]
+    instructor: bool,
+}
+
+impl Shown {
+    /// Whether anything but the whole solution for students is wanted.
+    pub(super) fn is_said(self) -> bool {
+        self.faded.is_some() || self.instructor
+    }
+
+    /// The worked solution of an exercise.
+    pub(super) fn solution(self, exercise: &Exercise) -> Solution {
+        let audience = if self.instructor { Audience::Instructor } else { Audience::Everyone };
+        Solution { outline: exercise.outline(), identity: exercise.identity(), audience, faded: self.faded }
+    }
+
+    /// The worked solution as Markdown, for JSON.
+    pub(super) fn markdown(self, renderer: &Renderer, exercise: &Exercise) -> Result<String, Failure> {
+        Ok(renderer.render_solution(&self.solution(exercise), Format::Markdown)?.text)
+    }
+}
+
+/// The renderer with the templates of the current folder, where there are some.
+pub(super) fn renderer() -> Result<Renderer, Failure> {
+    let own = Path::new(TEMPLATES);
+    Ok(Renderer::new(own.is_dir().then_some(own))?)
+}

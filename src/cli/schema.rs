@@ -1,0 +1,36 @@
+//! `momentous schema`
+
+use std::io::Write;
+
+use clap::Args;
+
+use crate::problem::json_schema;
+
+use super::exit::Exit;
+use super::failure::Failure;
+use super::output::Output;
+
+const HELP: &str = "\
+An editor that knows the schema completes keys and checks them as you type. In VS Code with the YAML extension:
+
+  momentous schema > momentous.schema.json
+
+and as the first line of a problem file:
+
+  # yaml-language-server: $schema=../../momentous.schema.json";
+
+/// Print the JSON Schema of problem files, with a description of every key
+#[derive(Args, Debug)]
+#[command(after_help = HELP)]
+pub(super) struct Schema {}
+
+impl Schema {
+    #[allow(clippy::unused_self)] // every subcommand runs the same way
+    pub(super) fn run(&self) -> Result<Exit, Failure> {
+        let mut output = Output::to(None)?;
+        serde_json::to_writer_pretty(&mut output, json_schema())?;
+        writeln!(output)?;
+        output.finish()?;
+        Ok(Exit::Fine)
+    }
+}

@@ -1,0 +1,65 @@
+//! Reading tables of comma-separated values as people's programs write them.
+
+use std::fs::File;
+use std::io::BufRead;
+use std::io::BufReader;
+use std::path::Path;
+
+use super::failure::Failure;
+
+/// A table with a line of headings, read row by row.
+pub(super) struct Table {
+    /// The headings, without spaces around them and without the byte order mark that some programs write.
+    pub headings: Vec<String>,
+    rows: csv::Reader<BufReader<File>>,
+}
+
+impl Table {
+    /// Opens a table; semicolons separate its cells where the first line has some and no comma.
+    pub(super) fn open(path: &Path) -> Result<Self, Failure> {
+        let unreadable = |error: &std::io::Error| Failure::file(path, "read", error);
+        let mut file = BufReader::new(File::open(path).map_err(|error| unreadable(&error))?);
+        let start = file.fill_buf().map_err(|error| unreadable(&error))?;
+        let line = start.split(|byte| *byte == b'\n').next().unwrap_or_default();
+        let delimiter = if line.contains(&b';') && !line.contains(&b',') { b';' } else { b',' };
+        let mut rows = csv::ReaderBuilder::new().delimiter(delimiter).trim(csv::Trim::All).from_reader(file);
+        let said =
+            |error: &csv::Error| Failure::unusable(format!("{} cannot be read as a table: {error}", path.display()));
+        let headings = rows.headers().map_err(|error| said(&error))?;
+        let headings =
+            headings.iter().map(|heading| heading.trim_start_matches('\u{feff}').trim().to_owned()).collect();
+        Ok(Self { headings, rows })
+    }
+
+    /// The position of the column with that heading, in small or capital letters.
+    pub(super) fn column(&self, heading: &str) -> Option<usize> {
+        self.headings.iter().position(|own| own.eq_ignore_ascii_case(heading))
+    }
+
+    /// The rows with their line numbers, or what is wrong with a row.
+    pub(super) fn rows(&mut self) -> impl Iterator<Item = (u64, Result<csv::StringRecord, String>)> + '_ {
+        let mut last = 1;
+        self.rows.records().map(move |row| match row {
+            Ok(row) => {
+                last = row.position().map_or(last + 1, csv::Position::line);
+                (last, Ok(row))
+            }
+            Err(error) => {
+                last = error.position().map_or(last + 1, csv::Position::line);
+                (last, Err(malformed(error.kind())))
+            }
+        })
+    }
+}
+
+/// What is wrong with a row, without the place, which stands before it.
+fn malformed(kind: &csv::ErrorKind) -> String {
+    match kind {
+        csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
+            format!("the row has {len} cells, the headings are {expected_len}")
+        }
+        csv::ErrorKind::Utf8 { .. } => "the row is not UTF-8".to_owned(),
+        csv::ErrorKind::Io(error) => error.to_string(),
+        _ => "the row cannot be read".to_owned(),
+    }
+}

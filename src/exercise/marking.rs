@@ -1,0 +1,130 @@
+//! Marking a variant: what is expected is read from the solved variant, answers are dealt out to several roots.
+
+use std::collections::BTreeMap;
+
+use crate::grade;
+use crate::problem;
+use crate::problem::AskedUnit;
+use crate::problem::NumberPart;
+use crate::problem::Part;
+use crate::problem::PartKind;
+use crate::problem::senses_of;
+
+use super::Exercise;
+use super::ROOTS_JOINED;
+
+/// Beginnings of names of signed components, whose direction a student may give in words.
+const SIGNED: [&str; 4] = ["v_", "p_", "J_", "F_avg_"];
+
+impl Exercise {
+    /// What a right answer to a part is.
+    #[must_use]
+    pub fn expected(&self, part: &Part) -> grade::Expected {
+        let kind = match &part.kind {
+            PartKind::Choice { options, right, because } => {
+                grade::ExpectedKind::Choice { options: options.clone(), right: *right, because: because.clone() }
+            }
+            PartKind::Number(number) => grade::ExpectedKind::Number(self.expected_number(part, number)),
+        };
+        grade::Expected { id: part.id.clone(), points: part.points, kind }
+    }
+
+    fn expected_number(&self, part: &Part, number: &NumberPart) -> grade::ExpectedNumber {
+        let worked = self.worked();
+        let answer = worked.answer(number);
+        let unit = number.plain_unit();
+        let judged = worked.judged(number);
+        let signed = SIGNED.iter().any(|start| part.id.starts_with(start));
+        let senses = senses_of(&self.problem.loaded().draft.scene, &part.id).filter(|_| signed);
+        grade::ExpectedNumber {
+            value: answer.value,
+            error: answer.error,
+            exact: None,
+            cyclic: unit.factor().pi != 0,
+            unit,
+            tolerance: match &number.tolerance {
+                problem::Tolerance::Relative(fraction) => grade::Tolerance::Relative(fraction.clone()),
+                problem::Tolerance::Absolute(distance) => grade::Tolerance::Absolute(distance.clone()),
+            },
+            figures: number.figures,
+            allowance: judged.allowance,
+            scale: judged.scale,
+            magnitude: senses.is_none() && answer.value >= 0.0,
+            senses: senses.map(|senses| [senses.positive, senses.negative]),
+            whole: number.whole,
+        }
+    }
+
+    /// Marks answers to this variant, by part.
+    #[must_use]
+    pub fn grade(&self, answers: &BTreeMap<String, String>, mark: grade::DecimalMark) -> grade::Report {
+        let mut expected = Vec::new();
+        let mut answers = answers.clone();
+        for part in &self.worked().form.parts {
+            self.drop_unit_quantity(part, &mut answers);
+            let roots = self.expected_roots(part);
+            if roots.len() > 1 {
+                share_out(part, &roots, &mut answers, mark);
+            }
+            expected.extend(roots);
+        }
+        grade::grade(&expected, &answers, mark, &grade::Rubric::default())
+    }
+
+    /// An answer in terms of a quantity is read as the number before it: `0.75 v_A1` as 0.75.
+    fn drop_unit_quantity(&self, part: &Part, answers: &mut BTreeMap<String, String>) {
+        let PartKind::Number(NumberPart { unit: AskedUnit::InTermsOf(symbol), .. }) = &part.kind else { return };
+        let Some(answer) = answers.get_mut(&part.id) else { return };
+        let name = &self.problem.model().symbols.entry(*symbol).name;
+        let typed = answer.trim_end();
+        let number = typed.strip_suffix(name.as_str()).or_else(|| typed.strip_suffix(&name.replace('_', "")));
+        if let Some(number) = number {
+            *answer = number.trim_end().trim_end_matches(['*', '·', '×']).trim_end().to_owned();
+        }
+    }
+
+    /// What right answers to a part are: one, or one for each root where all are asked for, sharing its points.
+    fn expected_roots(&self, part: &Part) -> Vec<grade::Expected> {
+        let single = self.expected(part);
+        let PartKind::Number(number) = &part.kind else { return vec![single] };
+        let answers = self.worked().answers(number);
+        let count = u32::try_from(answers.len()).unwrap_or(1).max(1);
+        let roots = answers.iter().enumerate().map(|(index, answer)| {
+            let mut root = single.clone();
+            if index > 0 {
+                root.id = format!("{} ({})", part.id, index + 1);
+            }
+            let spare = u32::from(u32::try_from(index).unwrap_or(0) < part.points % count);
+            root.points = part.points / count + spare;
+            if let grade::ExpectedKind::Number(own) = &mut root.kind {
+                (own.value, own.error) = (answer.value, answer.error);
+            }
+            root
+        });
+        roots.collect()
+    }
+}
+
+/// Deals the values of one answer out to the roots: each root gets the first value that is right for it, whatever the
+/// order in which they were typed; what is left goes to the roots that are left.
+fn share_out(part: &Part, roots: &[grade::Expected], answers: &mut BTreeMap<String, String>, mark: grade::DecimalMark) {
+    let Some(text) = answers.remove(&part.id) else { return };
+    let pieces = text.replace(" and ", ROOTS_JOINED).replace(';', ROOTS_JOINED);
+    let mut values: Vec<String> = pieces.split(ROOTS_JOINED).map(|value| value.trim().to_owned()).collect();
+    let mut open = Vec::new();
+    for root in roots {
+        let right = values.iter().position(|value| {
+            let read = grade::read(value, &root.kind, mark);
+            read.is_ok_and(|answer| grade::judge(root, &answer).verdict.is_right())
+        });
+        match right {
+            Some(position) => {
+                answers.insert(root.id.clone(), values.remove(position));
+            }
+            None => open.push(&root.id),
+        }
+    }
+    for (id, value) in open.into_iter().zip(values) {
+        answers.insert(id.clone(), value);
+    }
+}

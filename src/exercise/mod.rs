@@ -1,0 +1,235 @@
+//! The whole path of a problem as one type: a variant is drawn and solved, printed, explained and marked.
+
+mod marking;
+mod record;
+
+use std::sync::Arc;
+
+use crate::explain;
+use crate::explain::Inline;
+use crate::explain::Outline;
+use crate::expr::Math;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Faults;
+use crate::problem::AskedUnit;
+use crate::problem::Known;
+use crate::problem::NoVariant;
+use crate::problem::Part;
+use crate::problem::PartKind;
+use crate::problem::Problem;
+use crate::problem::Sampler;
+use crate::problem::Scheme;
+use crate::problem::Variant;
+use crate::problem::Worked;
+use crate::problem::ad_hoc;
+use crate::problem::compile_ad_hoc;
+use crate::quantity::Printed;
+use crate::render::Identity;
+use crate::render::KeyRow;
+use crate::render::Sheet;
+use crate::render::SheetPart;
+use crate::solve::Bounded;
+
+/// What stands between several roots of one part, printed or typed.
+const ROOTS_JOINED: &str = " or ";
+
+/// One variant of one form of a problem, solved.
+#[derive(Clone, Debug)]
+pub struct Exercise {
+    problem: Arc<Problem>,
+    variant: Variant,
+}
+
+impl Exercise {
+    /// Draws the numbers of a seed and solves them.
+    ///
+    /// # Errors
+    /// [`NoVariant`] where the seed has no admissible numbers.
+    pub fn draw(problem: &Arc<Problem>, form: usize, seed: u64) -> Result<Self, NoVariant> {
+        let variant = Sampler::new(problem, form)?.variant(seed)?;
+        Ok(Self { problem: Arc::clone(problem), variant })
+    }
+
+    /// The same scene with values of the user's own in place of given ones, and other quantities asked.
+    ///
+    /// # Errors
+    /// A fault for each value or name that cannot be read, where the question does not follow from the values, and where
+    /// they leave no admissible solution.
+    pub fn with_values(
+        problem: &Problem,
+        form: usize,
+        seed: u64,
+        set: &[(String, String)],
+        find: &[String],
+    ) -> Result<Self, Faults> {
+        let alone = |faults: Vec<Fault>| Faults { source: problem.loaded().source.clone(), list: faults };
+        let changed = ad_hoc(problem.loaded(), form, set, find).map_err(alone)?;
+        let problem = Arc::new(compile_ad_hoc(changed)?);
+        let drawn = |known: &Known| {
+            known.origin.is_drawn() && problem.forms().iter().any(|form| form.told.contains(&known.symbol))
+        };
+        let seeded = problem.known().iter().any(drawn);
+        let mut variant =
+            Sampler::new(&problem, 0).and_then(|mut sampler| sampler.variant(seed)).map_err(|reason| {
+                let fault = Fault::new(Code::Unphysical, reason.to_string());
+                alone(vec![fault.help("check the signs and sizes of the values: bodies must meet, and 0 <= e <= 1")])
+            })?;
+        if !seeded {
+            variant = variant.without_seed();
+        }
+        Ok(Self { problem, variant })
+    }
+
+    /// The problem.
+    #[must_use]
+    pub fn problem(&self) -> &Problem {
+        &self.problem
+    }
+
+    /// The numbers.
+    #[must_use]
+    pub fn variant(&self) -> &Variant {
+        &self.variant
+    }
+
+    /// The variant with its problem, for whoever explains or draws it.
+    #[must_use]
+    pub fn worked(&self) -> Worked<'_> {
+        let form = &self.problem.forms()[self.variant.form()];
+        Worked { problem: &self.problem, form, variant: &self.variant }
+    }
+
+    /// What makes the same numbers again.
+    #[must_use]
+    pub fn identity(&self) -> Identity {
+        Identity {
+            problem: self.problem.id().to_owned(),
+            form: self.worked().form.question.name.clone(),
+            seed: self.variant.seed(),
+            digest: Some(self.problem.loaded().digest.clone()),
+            scheme: Some(Scheme::CURRENT.number()),
+        }
+    }
+
+    /// What the student is given.
+    #[must_use]
+    pub fn sheet(&self) -> Sheet {
+        let worked = self.worked();
+        Sheet {
+            title: self.problem.title().to_owned(),
+            identity: self.identity(),
+            student: None,
+            statement: self.variant.text(&self.problem),
+            parts: worked.form.parts.iter().enumerate().map(|(index, part)| self.sheet_part(index, part)).collect(),
+            note: self.note(),
+            figure: explain::situation(worked),
+            hints: self.variant.hints(&self.problem),
+        }
+    }
+
+    fn sheet_part(&self, index: usize, part: &Part) -> SheetPart {
+        let (text, unit) = match &part.kind {
+            PartKind::Number(number) => {
+                let unit = match &number.unit {
+                    AskedUnit::Unit(unit) if unit.is_none() => None,
+                    AskedUnit::Unit(unit) if unit.is_attached() => Some(Math::Text(unit.spoken(true))),
+                    AskedUnit::Unit(unit) => Some(Math::Text(unit.unicode())),
+                    AskedUnit::InTermsOf(symbol) => {
+                        Some(crate::expr::name_math(&self.problem.model().symbols.entry(*symbol).name))
+                    }
+                };
+                let name = crate::expr::name_math(&self.problem.model().symbols.entry(number.symbol).name);
+                let mut text = vec![Inline::Text(format!("Find {}, ", part.label)), Inline::Math(name)];
+                if unit.is_none() {
+                    text.push(Inline::Text(".".into()));
+                }
+                (text, unit)
+            }
+            PartKind::Choice { options, .. } => {
+                (vec![Inline::Text(format!("{} ({})", part.label, options.join(" / ")))], None)
+            }
+        };
+        SheetPart { label: letter(index), text, unit, points: Some(f64::from(part.points)) }
+    }
+
+    /// Constants that the sheet must state: g, where a step uses it and the file leaves it to its default.
+    fn note(&self) -> Vec<Inline> {
+        let symbols = &self.problem.model().symbols;
+        let Some(gravity) = symbols.find("g") else { return Vec::new() };
+        let used = self.worked().leaf().answer_steps().iter().any(|step| {
+            step.roots.iter().flat_map(|root| &root.values).any(|(_, closed)| closed.symbols().contains(&gravity))
+        });
+        let printed = self.problem.loaded().given.get("g").is_some();
+        match self.variant.given(gravity) {
+            Some((value, unit)) if used && !printed => {
+                vec![Inline::Text(format!("Take g = {}.", crate::problem::say_quantity(&value, &unit)))]
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// The worked solution; a renderer leaves the instructor's section out for students.
+    #[must_use]
+    pub fn outline(&self) -> Outline {
+        explain::solution(self.worked())
+    }
+
+    /// One row of an answer key for each part.
+    #[must_use]
+    pub fn key(&self) -> Vec<KeyRow> {
+        let rows = self.worked().form.parts.iter().enumerate().map(|(index, part)| KeyRow {
+            identity: self.identity(),
+            student: None,
+            part: letter(index),
+            answer: match &part.kind {
+                PartKind::Number(number) => roots_joined(explain::printed_answers(self.worked(), number)),
+                PartKind::Choice { .. } => vec![Inline::Text(self.printed(part))],
+            },
+        });
+        rows.collect()
+    }
+
+    /// An answer as it is printed: `3.10 m/s`.
+    #[must_use]
+    pub fn printed(&self, part: &Part) -> String {
+        match &part.kind {
+            PartKind::Choice { options, right, .. } => options.get(*right).cloned().unwrap_or_default(),
+            PartKind::Number(number) => {
+                let unit = match &number.unit {
+                    AskedUnit::Unit(unit) if unit.is_attached() => unit.to_string(),
+                    AskedUnit::Unit(unit) => format!(" {unit}"),
+                    AskedUnit::InTermsOf(symbol) => format!(" {}", self.problem.model().symbols.entry(*symbol).name),
+                };
+                let shown = |answer: Bounded| {
+                    let value = answer.for_print();
+                    let shown = if number.whole {
+                        format!("{value:.0}")
+                    } else {
+                        Printed::new(value, number.figures)
+                            .map_or_else(|| "not defined".into(), |printed| printed.plain())
+                    };
+                    format!("{shown}{unit}").trim_end().to_owned()
+                };
+                self.worked().answers(number).into_iter().map(shown).collect::<Vec<_>>().join(ROOTS_JOINED)
+            }
+        }
+    }
+}
+
+/// Every root of a part, in one line.
+fn roots_joined(roots: Vec<Math>) -> Vec<Inline> {
+    let mut joined = Vec::new();
+    for root in roots {
+        if !joined.is_empty() {
+            joined.push(Inline::Text(ROOTS_JOINED.into()));
+        }
+        joined.push(Inline::Math(root));
+    }
+    joined
+}
+
+/// The label of a part: a, b, c, ...
+fn letter(index: usize) -> String {
+    char::from_u32(u32::from('a') + u32::try_from(index % 26).unwrap_or(0)).unwrap_or('a').to_string()
+}

@@ -1,0 +1,80 @@
+//! The variant as one JSON object: what tools and courses keep.
+
+use serde_json::Value;
+use serde_json::json;
+
+use crate::problem::AskedUnit;
+use crate::problem::Part;
+use crate::problem::PartKind;
+
+use super::Exercise;
+
+impl Exercise {
+    /// The variant as one JSON object with stable keys.
+    #[must_use]
+    pub fn record(&self, solution: Option<String>) -> Value {
+        let worked = self.worked();
+        let identity = self.identity();
+        let given: serde_json::Map<String, Value> = self
+            .variant
+            .all_given()
+            .iter()
+            .filter(|(symbol, ..)| !self.problem.model().literals.iter().any(|(own, _)| own == symbol))
+            .map(|(symbol, value, unit)| {
+                let name = self.problem.model().symbols.entry(*symbol).name.clone();
+                (name, json!({ "value": value.to_string(), "unit": unit.to_string() }))
+            })
+            .collect();
+        let ask: Vec<Value> = worked.form.parts.iter().map(|part| self.asked(part)).collect();
+        let mut record = json!({
+            "problem": identity.problem,
+            "digest": identity.digest,
+            "scheme": identity.scheme,
+            "seed": identity.seed,
+            "form": identity.form,
+            "text": self.variant.text(&self.problem),
+            "given": given,
+            "ask": ask,
+        });
+        if let (Some(solution), Some(object)) = (solution, record.as_object_mut()) {
+            object.insert("solution".into(), Value::String(solution));
+        }
+        record
+    }
+
+    fn asked(&self, part: &Part) -> Value {
+        match &part.kind {
+            PartKind::Number(number) => {
+                let answer = self.worked().answer(number);
+                let all: Vec<f64> = self.worked().answers(number).iter().map(|answer| answer.value).collect();
+                let unit = match &number.unit {
+                    AskedUnit::Unit(unit) => unit.to_string(),
+                    AskedUnit::InTermsOf(symbol) => self.problem.model().symbols.entry(*symbol).name.clone(),
+                };
+                let mut asked = json!({
+                    "id": part.id,
+                    "kind": if number.whole { "count" } else { "number" },
+                    "find": self.problem.model().symbols.entry(number.symbol).name,
+                    "value": answer.value,
+                    "unit": unit,
+                    "printed": self.printed(part),
+                    "error_bound": answer.error.is_finite().then_some(answer.error),
+                    "points": part.points,
+                });
+                if let (true, Some(object)) = (all.len() > 1, asked.as_object_mut()) {
+                    object.insert("values".into(), json!(all));
+                }
+                asked
+            }
+            PartKind::Choice { options, right, because } => json!({
+                "id": part.id,
+                "kind": "choice",
+                "find": part.label,
+                "options": options,
+                "value": options.get(*right),
+                "because": because,
+                "points": part.points,
+            }),
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! Moves of algebra, as a student writes them.
+
+use std::collections::BTreeMap;
+
+use crate::expr::Expr;
+use crate::expr::Function;
+use crate::expr::Math;
+use crate::expr::Operator;
+use crate::solve::Move;
+
+use super::Block;
+use super::Inline;
+use super::display::Display;
+use super::steps::text;
+
+/// One move in words, with the equation that it leaves; `numbers` are those of the equations that have one. Nothing for a
+/// move that the result itself shows.
+pub(super) fn blocks(display: Display<'_>, numbers: &BTreeMap<usize, u32>, step_move: &Move) -> Vec<Block> {
+    let number = |equation: &usize| format!("({})", numbers.get(equation).copied().unwrap_or(0));
+    let (words, equation) = match step_move {
+        Move::Combine { equation, times, factor, drops, left, right } => {
+            let (times, equation) = (number(times), number(equation));
+            let mut words = if factor.is_one() {
+                vec![Inline::Text(format!("Add {times} to {equation}"))]
+            } else if *factor == Expr::integer(-1) {
+                vec![Inline::Text(format!("Subtract {times} from {equation}"))]
+            } else {
+                vec![
+                    Inline::Text(format!("Multiply {times} by ")),
+                    Inline::Math(display.symbolic(factor)),
+                    Inline::Text(format!(" and add it to {equation}")),
+                ]
+            };
+            words.extend([
+                Inline::Text(", so that ".into()),
+                Inline::Math(display.name(*drops)),
+                Inline::Text(" drops out:".into()),
+            ]);
+            (words, positive(display, left, right))
+        }
+        Move::Substitute { equation, unknown, value, left, right } => {
+            let words = vec![
+                Inline::Text("Put ".into()),
+                Inline::Math(display.equation(&Expr::from(*unknown), value)),
+                Inline::Text(format!(" into {}:", number(equation))),
+            ];
+            (words, display.equation(left, right))
+        }
+        Move::Polar { .. } => {
+            return vec![text(
+                "Square and add the two equations for the magnitude; divide the second by the first for the angle.",
+            )];
+        }
+        Move::Numeric { unknown } => {
+            return vec![Block::Paragraph(vec![
+                Inline::Text("No formula gives ".into()),
+                Inline::Math(display.name(*unknown)),
+                Inline::Text(", so it is found by calculation between bounds.".into()),
+            ])];
+        }
+        Move::Isolate { .. } | Move::Quadratic { .. } | Move::Count { .. } => return Vec::new(),
+    };
+    vec![Block::Paragraph(words), Block::Equation { lines: vec![equation], number: None }]
+}
+
+/// An equation, with all signs changed where its left side begins with a minus.
+pub(super) fn positive(display: Display<'_>, left: &Expr, right: &Expr) -> Math {
+    if begins_with_minus(&display.symbolic(left)) {
+        return display.equation(&(-left.clone()).simplify(), &(-right.clone()).simplify());
+    }
+    display.equation(left, right)
+}
+
+/// An equation, with all signs changed where both sides begin with a minus.
+pub(super) fn without_common_minus(display: Display<'_>, left: &Expr, right: &Expr) -> Math {
+    let both = [left, right].into_iter().all(|side| begins_with_minus(&display.symbolic(side)));
+    if both && !matches!(right, Expr::Sum(_)) && !matches!(left, Expr::Sum(_)) {
+        return positive(display, left, right);
+    }
+    display.equation(left, right)
+}
+
+/// The term with every sum led by a positive part, where it has one: `b - a` for `-a + b`.
+pub(super) fn positive_first(display: Display<'_>, expr: &Expr) -> Expr {
+    let expr = expr.map_children(|part| positive_first(display, part));
+    let Expr::Sum(parts) = &expr else { return expr };
+    let mut parts = parts.to_vec();
+    let leads = parts.iter().position(|part| !begins_with_minus(&display.symbolic(part)));
+    if let Some(lead) = leads.filter(|lead| *lead > 0) {
+        parts[..=lead].rotate_right(1);
+    }
+    Expr::sum(parts)
+}
+
+fn begins_with_minus(math: &Math) -> bool {
+    match math {
+        Math::Operator(operator) => *operator == Operator::Minus,
+        Math::Row(parts) => parts.first().is_some_and(begins_with_minus),
+        Math::Bracketed(inner) | Math::Squared(inner) => begins_with_minus(inner),
+        _ => false,
+    }
+}
+
+/// Whether a term holds the angle of a point.
+pub(super) fn has_angle_of_point(expr: &Expr) -> bool {
+    matches!(expr, Expr::Apply(Function::Atan2, _)) || expr.children().into_iter().any(has_angle_of_point)
+}

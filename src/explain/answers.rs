@@ -1,0 +1,104 @@
+//! The answers, each in a sentence with its unit and its direction in words.
+
+use crate::expr::Math;
+use crate::expr::Operator;
+use crate::problem::AskedUnit;
+use crate::problem::NumberPart;
+use crate::problem::Part;
+use crate::problem::PartKind;
+use crate::problem::Worked;
+use crate::problem::senses_of;
+use crate::quantity::Printed;
+use crate::solve::Bounded;
+
+use super::Block;
+use super::Inline;
+use super::display::Display;
+use super::display::number_math;
+use super::display::with_unit;
+use super::wording::capitalised;
+
+/// One paragraph for each part.
+pub(super) fn answers(display: Display<'_>) -> Vec<Block> {
+    display.worked.form.parts.iter().map(|part| Block::Paragraph(sentence(display, part))).collect()
+}
+
+fn sentence(display: Display<'_>, part: &Part) -> Vec<Inline> {
+    match &part.kind {
+        PartKind::Choice { options, right, because } => {
+            let option = options.get(*right).map_or("", String::as_str);
+            vec![
+                Inline::Text(format!("{} ", part.label)),
+                Inline::Strong(capitalised(option)),
+                Inline::Text(format!(": {because}.")),
+            ]
+        }
+        PartKind::Number(number) => {
+            let mut words = vec![Inline::Text(format!("{}: ", capitalised(&part.label)))];
+            for (index, answer) in display.worked.answers(number).into_iter().enumerate() {
+                let mut equal = vec![display.name(number.symbol), Math::Operator(Operator::Equals)];
+                if index == 0 && is_converted(display, number) {
+                    equal.extend([display.quantity(number.symbol), Math::Operator(Operator::Equals)]);
+                }
+                equal.push(printed(display, number, answer));
+                words.extend((index > 0).then(|| Inline::Text(" or ".into())));
+                words.push(Inline::Math(Math::Row(equal)));
+            }
+            if let Some(direction) = direction(display, part, number) {
+                words.push(Inline::Text(format!(", {direction}")));
+            }
+            words.push(Inline::Text(".".into()));
+            words
+        }
+    }
+}
+
+/// Whether the answer is asked in another unit than the steps computed in.
+fn is_converted(display: Display<'_>, number: &NumberPart) -> bool {
+    let own = display.unit(number.symbol);
+    matches!(&number.unit, AskedUnit::Unit(unit) if *unit != own && unit.factor() != own.factor())
+}
+
+/// The answers to a part as they are printed, with their unit: one, or every root.
+#[must_use]
+pub fn printed_answers(worked: Worked<'_>, number: &NumberPart) -> Vec<Math> {
+    let display = Display { worked, free: &worked.free() };
+    worked.answers(number).into_iter().map(|answer| printed(display, number, answer)).collect()
+}
+
+/// The same, for whoever displays other quantities besides.
+fn printed(display: Display<'_>, number: &NumberPart, answer: Bounded) -> Math {
+    let shown = |value: f64| {
+        if number.whole {
+            return Math::Number(format!("{value:.0}"));
+        }
+        Printed::new(value, number.figures).map_or(Math::Text("?".into()), |printed| number_math(&printed.plain()))
+    };
+    match &number.unit {
+        AskedUnit::Unit(unit) => with_unit(shown(answer.for_print()), unit),
+        AskedUnit::InTermsOf(symbol) => {
+            Math::Row(vec![shown(answer.for_print()), Math::Operator(Operator::Juxtapose), display.name(*symbol)])
+        }
+    }
+}
+
+/// The direction of a signed component in words: "to the left"; "at rest" for zero.
+fn direction(display: Display<'_>, part: &Part, number: &NumberPart) -> Option<String> {
+    let scene = &display.worked.problem.loaded().draft.scene;
+    let signed = ["v_", "p_", "J_", "F_avg_"].iter().any(|start| part.id.starts_with(start));
+    let senses = senses_of(scene, &part.id).filter(|_| signed)?;
+    if display.worked.answers(number).len() > 1 {
+        return None;
+    }
+    let value = display.worked.answer(number);
+    if value.value.abs() <= value.error {
+        return part.id.starts_with("v_").then(|| "at rest".to_owned());
+    }
+    if value.value >= 0.0 {
+        return Some(senses.positive);
+    }
+    let size = Printed::new(-value.for_print(), number.figures)?;
+    let unit = number.plain_unit();
+    let gap = if unit.is_attached() || unit.is_none() { "" } else { "\u{a0}" };
+    Some(format!("that is {}{gap}{} {}", size.plain(), unit.unicode(), senses.negative))
+}

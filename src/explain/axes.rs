@@ -1,0 +1,139 @@
+//! Which way the axes point, and what is given, in the units of the calculation.
+
+use std::collections::BTreeSet;
+
+use crate::expr::Math;
+use crate::expr::Operator;
+use crate::expr::Symbol;
+use crate::model::Frame;
+use crate::problem::Worked;
+use crate::quantity::Decimal;
+use crate::quantity::Unit;
+use crate::scene::Scene;
+use crate::scene::Stage;
+use crate::scene::stage::Partners;
+use crate::solve::Closed;
+use crate::solve::Statement;
+
+use super::Block;
+use super::Inline;
+use super::display::Display;
+use super::display::number_math;
+use super::display::printed;
+use super::display::shown_decimal;
+use super::display::with_unit;
+use super::wording::capitalised;
+use super::wording::join;
+
+/// Directions of turning, which no axis points to.
+const TURNING: [&str; 2] = ["counter-clockwise", "clockwise"];
+
+/// The section's blocks; none where there is nothing to say.
+pub(super) fn axes(display: Display<'_>) -> Vec<Block> {
+    let mut blocks: Vec<Block> = directions(display).into_iter().map(Block::Paragraph).collect();
+    let used = used(display.worked);
+    let literals = &display.worked.problem.model().literals;
+    let told = display.worked.variant.all_given().iter();
+    let told: Vec<Vec<Inline>> = told
+        .filter(|(symbol, ..)| used.contains(symbol) && !literals.iter().any(|(own, _)| own == symbol))
+        .map(|given| vec![Inline::Math(value(display, given))])
+        .collect();
+    if !told.is_empty() {
+        let given = [vec![Inline::Text("Given: ".into())], join(told), vec![Inline::Text(".".into())]];
+        blocks.push(Block::Paragraph(given.concat()));
+    }
+    blocks
+}
+
+/// Where the axes of the scene and those of its contacts point.
+fn directions(display: Display<'_>) -> Vec<Vec<Inline>> {
+    let scene = &display.worked.problem.loaded().draft.scene;
+    let axes = scene.axes.rectangular();
+    let mut sentences = match &axes[..] {
+        [] => Vec::new(),
+        [(_, senses)] if TURNING.contains(&senses.positive.as_str()) => {
+            vec![vec![words(format!("{} is positive.", capitalised(&senses.positive)))]]
+        }
+        [(first, senses), others @ ..] => {
+            let pointing = |letter, points: String| vec![letter, words(format!(" axis {points}"))];
+            let first = pointing(letter(first.letter()), format!("points {}", senses.positive));
+            let others = others.iter().map(|(other, senses)| {
+                [vec![words("the ")], pointing(letter(other.letter()), senses.positive.clone())].concat()
+            });
+            let all = join([first].into_iter().chain(others).collect());
+            vec![[vec![words("The ")], all, vec![words(".")]].concat()]
+        }
+    };
+    if axes.len() > 1 {
+        let frames = display.worked.problem.model().frames.iter().zip(&scene.stages);
+        sentences.extend(frames.filter_map(|(frame, stage)| contact(display, scene, frame.as_ref()?, stage)));
+    }
+    sentences
+}
+
+/// Where n points at the contact of an impact, and t.
+fn contact(display: Display<'_>, scene: &Scene, frame: &Frame, stage: &Stage) -> Option<Vec<Inline>> {
+    let Stage::Impact(impact) = stage else { return None };
+    let name = |body: &str| scene.bodies.get(body).map_or_else(|| body.to_owned(), |entry| entry.name.clone());
+    let line = match impact.partners()? {
+        Partners::Bodies(first, second) => {
+            format!("along the line of impact, from {} towards {}", name(first), name(second))
+        }
+        Partners::Surface(_, surface) => {
+            let own = scene.surfaces.get(surface).and_then(|entry| entry.name.clone());
+            format!("at right angles out of {}", own.unwrap_or_else(|| format!("the {surface}")))
+        }
+    };
+    let quarters = f64::from(frame.normal.quarters % 4);
+    if frame.normal.turn.is_zero() {
+        let axis = ["+x", "+y", "\u{2212}x", "\u{2212}y"][usize::from(frame.normal.quarters % 4)];
+        return Some(vec![words(format!("The normal of the contact points {line}: along {axis}."))]);
+    }
+    let turn = display.value_of(&frame.normal.turn) * 180.0 / std::f64::consts::PI + 90.0 * quarters;
+    let turn = turn - 360.0 * (turn / 360.0).round();
+    let sense = if turn < 0.0 { "clockwise" } else { "counter-clockwise" };
+    let angle = printed(turn.abs(), 4);
+    let angle = if angle.contains('.') { angle.trim_end_matches('0').trim_end_matches('.') } else { &angle };
+    Some(vec![
+        words("At the contact, "),
+        letter("n"),
+        words(format!(" points {line}, at {angle}° {sense} from +x; ")),
+        letter("t"),
+        words(" is at 90° to it, counter-clockwise."),
+    ])
+}
+
+fn words(text: impl Into<String>) -> Inline {
+    Inline::Text(text.into())
+}
+
+fn letter(name: &str) -> Inline {
+    Inline::Math(Math::Identifier(name.into()))
+}
+
+/// Every quantity that a step of the answer mentions.
+fn used(worked: Worked<'_>) -> BTreeSet<Symbol> {
+    let leaf = worked.leaf();
+    let steps = leaf.answer_steps();
+    let stated = steps.iter().flat_map(|step| &step.equations).filter_map(|place| leaf.system.equations.get(*place));
+    let mut used: BTreeSet<Symbol> = stated
+        .flat_map(|equation| match &equation.statement {
+            Statement::Equal { left, right } | Statement::FirstInteger { left, right, .. } => {
+                left.symbols().into_iter().chain(right.symbols())
+            }
+        })
+        .collect();
+    let roots = steps.iter().flat_map(|step| &step.roots).flat_map(|root| &root.values);
+    used.extend(roots.flat_map(|(_, closed): &(Symbol, Closed)| closed.symbols()));
+    used
+}
+
+/// `m = 360 g = 0.36 kg`; `e = 0.8`.
+fn value(display: Display<'_>, (symbol, value, unit): &(Symbol, Decimal, Unit)) -> Math {
+    let mut parts = vec![display.name(*symbol), Math::Operator(Operator::Equals)];
+    if *unit != display.unit(*symbol) && !value.is_zero() {
+        parts.extend([with_unit(number_math(&shown_decimal(value)), unit), Math::Operator(Operator::Equals)]);
+    }
+    parts.push(display.quantity(*symbol));
+    Math::Row(parts)
+}

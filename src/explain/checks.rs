@@ -1,0 +1,187 @@
+//! Checks that a student can copy: both sides of every balance, the energy, the extremes.
+
+use std::collections::BTreeSet;
+
+use crate::expr::Expr;
+use crate::expr::Math;
+use crate::expr::Operator;
+use crate::expr::Symbol;
+use crate::laws::angular;
+use crate::laws::kinematics;
+use crate::laws::mass_centre;
+use crate::laws::momentum;
+use crate::laws::restitution;
+use crate::model::Warning;
+use crate::problem::PartKind;
+use crate::solve::Equation;
+use crate::solve::Statement;
+
+use super::Block;
+use super::Inline;
+use super::display::Display;
+use super::energy;
+use super::limits;
+use super::steps::is_definition;
+use super::steps::text;
+use super::wording::capitalised;
+
+/// Figures of values in a check.
+pub(super) const FIGURES: usize = 4;
+
+/// The most balances that are shown.
+const MOST: usize = 4;
+
+/// Laws whose two sides are shown to agree, by their ids, with what the two sides are.
+const BALANCES: &[(&str, &str)] = &[
+    (momentum::CONSERVATION.id, "Momentum before and after:"),
+    (momentum::IMPULSE_MOMENTUM.id, "Momentum before with the impulse, and momentum after:"),
+    (mass_centre::MOTION.id, "Momentum before with the impulse, and momentum after:"),
+    (restitution::RESTITUTION.id, "Velocity of separation, and e times the velocity of approach:"),
+    (restitution::RESTITUTION_SURFACE.id, "Velocity away from the surface, and e times the velocity towards it:"),
+    (angular::ANGULAR_MOMENTUM.id, "Angular momentum, and the moment of the momentum:"),
+    (angular::ANGULAR_IMPULSE.id, "Angular momentum before with the angular impulse, and after:"),
+    (angular::CENTRAL.id, "Radius times transverse velocity, before and after:"),
+    (kinematics::BOUNCE_TIME.id, "The time, and the sum of the times of flight:"),
+];
+
+/// The checks of a variant; none for a form that only asks for concepts.
+pub(super) fn checks(display: Display<'_>) -> Vec<Block> {
+    if !display.worked.form.parts.iter().any(|part| matches!(part.kind, PartKind::Number(_))) {
+        return Vec::new();
+    }
+    let mut blocks = Vec::new();
+    blocks.extend(balances(display));
+    blocks.extend(means(display));
+    blocks.extend(energy::energy(display));
+    blocks.extend(conditions(display));
+    blocks.extend(limits::limits(display));
+    if !blocks.is_empty() {
+        blocks.insert(0, text("Check:"));
+    }
+    blocks
+}
+
+/// What a reader of the steps knows: what is told, and what the steps found.
+pub(super) fn known(display: Display<'_>) -> BTreeSet<Symbol> {
+    let told = display.worked.variant.all_given().iter().map(|(symbol, ..)| *symbol);
+    told.chain(display.worked.leaf().answer_steps().iter().flat_map(|step| step.unknowns.iter().copied())).collect()
+}
+
+/// Both sides of every balance between quantities that the reader knows, where that is more than reading off a step.
+fn balances(display: Display<'_>) -> Vec<Block> {
+    let leaf = display.worked.leaf();
+    let known = known(display);
+    let steps = leaf.answer_steps();
+    let is_read_off = |place: usize, left: &Expr, right: &Expr| {
+        steps.iter().any(|step| step.equations == [place] && is_definition(step, left, right))
+    };
+    let mut rows: Vec<[Block; 2]> = Vec::new();
+    for (place, equation) in leaf.system.equations.iter().enumerate() {
+        let Statement::Equal { left, right } = &equation.statement else { continue };
+        let Some(words) = words_of(display, equation) else { continue };
+        let told = |side: &Expr| side.symbols().is_subset(&known) && display.has_value(side);
+        let computes = [left, right].into_iter().any(|side| !matches!(side, Expr::Symbol(_)));
+        if told(left) && told(right) && computes && !is_read_off(place, left, right) {
+            let lines = [left, right].map(|side| evaluated(display, side));
+            rows.push([text(words), Block::Equation { lines: lines.to_vec(), number: None }]);
+        }
+    }
+    rows.into_iter().take(MOST).flatten().collect()
+}
+
+/// That a mass centre's position or velocity lies between those of its bodies.
+fn means(display: Display<'_>) -> Option<Block> {
+    let model = display.worked.problem.model();
+    let known = known(display);
+    let rows: Vec<Vec<Inline>> = (display.worked.leaf().system.equations.iter())
+        .filter(|equation| {
+            model.instances.get(equation.tag).is_some_and(|instance| instance.law.id == mass_centre::MASS_CENTRE.id)
+        })
+        .filter_map(|equation| {
+            let Statement::Equal { left: Expr::Product(left), right: Expr::Sum(terms) } = &equation.statement else {
+                return None;
+            };
+            let Expr::Symbol(centre) = left.last()? else { return None };
+            let dimension = model.symbols.entry(*centre).dimension;
+            let mut parts: Vec<Symbol> = terms
+                .iter()
+                .flat_map(Expr::symbols)
+                .filter(|symbol| model.symbols.entry(*symbol).dimension == dimension)
+                .collect();
+            let value = |symbol: Symbol| display.value_of(&symbol.into());
+            parts.sort_by(|a, b| value(*a).total_cmp(&value(*b)));
+            let (least, greatest) = (*parts.first()?, *parts.last()?);
+            let told = [*centre, least, greatest].into_iter().all(|symbol| known.contains(&symbol));
+            (told && value(least) < value(greatest)).then(|| {
+                let shown = |symbol: Symbol| Inline::Math(display.quantity(symbol));
+                vec![
+                    Inline::Math(display.name(*centre)),
+                    Inline::Text(" lies between the least, ".into()),
+                    shown(least),
+                    Inline::Text(", and the greatest, ".into()),
+                    shown(greatest),
+                    Inline::Text(", as a mean must.".into()),
+                ]
+            })
+        })
+        .collect();
+    (!rows.is_empty()).then_some(Block::List(rows))
+}
+
+fn words_of(display: Display<'_>, equation: &Equation) -> Option<&'static str> {
+    let instance = display.worked.problem.model().instances.get(equation.tag)?;
+    let (_, words) = BALANCES.iter().find(|(id, _)| *id == instance.law.id)?;
+    // What the momenta of the bodies of an impact say together need not be said again of each.
+    let again = instance.law.id == momentum::IMPULSE_MOMENTUM.id && {
+        let system = &display.worked.leaf().system;
+        let instances = &display.worked.problem.model().instances;
+        let same = |other: &Equation| {
+            instances
+                .get(other.tag)
+                .is_some_and(|other| other.stage == instance.stage && other.law.id == momentum::CONSERVATION.id)
+        };
+        system.equations.iter().any(same)
+    };
+    (!again).then_some(words)
+}
+
+/// A term in symbols, with numbers, and its value.
+fn evaluated(display: Display<'_>, side: &Expr) -> Math {
+    let value = display.evaluated(side, &display.unit_of(side), FIGURES);
+    let numbers = display.substituted(side);
+    let mut parts = vec![display.symbolic(side)];
+    if !matches!(side, Expr::Symbol(_)) && numbers != value {
+        parts.extend([Math::Operator(Operator::Equals), numbers]);
+    }
+    parts.extend([Math::Operator(Operator::Equals), value]);
+    Math::Row(parts)
+}
+
+/// That the bodies do not pass through each other, with the numbers.
+fn conditions(display: Display<'_>) -> Vec<Block> {
+    let leaf = display.worked.leaf();
+    let reasons = &display.worked.problem.model().reasons;
+    let mut blocks = Vec::new();
+    for condition in &leaf.system.conditions {
+        let Some(reason) = reasons.get(condition.tag).filter(|reason| reason.warning == Some(Warning::PassesThrough))
+        else {
+            continue;
+        };
+        let sides = [&condition.left, &condition.right];
+        if sides.iter().any(|side| !display.has_value(side) || display.value_of(side).is_nan()) {
+            continue;
+        }
+        let unit = display.unit_of(&condition.left);
+        let in_symbols = sides.map(|side| display.symbolic(side));
+        let in_numbers = sides.map(|side| display.evaluated(side, &unit, FIGURES));
+        let at_least = |[left, right]: [Math; 2]| Inline::Math(Math::relation(left, Operator::AtLeast, right));
+        blocks.push(Block::Paragraph(vec![
+            Inline::Text(format!("{}: ", capitalised(&reason.text.replace("would pass", "does not pass")))),
+            at_least(in_symbols),
+            Inline::Text(", since ".into()),
+            at_least(in_numbers),
+            Inline::Text(".".into()),
+        ]));
+    }
+    blocks
+}

@@ -1,0 +1,101 @@
+//! The section on momentum and impulse: the figures, what acts, what is left out and why.
+
+use crate::model::ForceKind;
+use crate::model::Impulse;
+use crate::model::Model;
+use crate::problem::Worked;
+use crate::scene::Scene;
+use crate::scene::Stage;
+
+use super::Block;
+use super::Inline;
+use super::pictures;
+use super::steps::text;
+use super::wording::capitalised;
+use super::wording::list;
+
+/// The section's blocks; none where nothing happens in the scene.
+pub(super) fn diagrams(worked: Worked<'_>) -> Vec<Block> {
+    let mut blocks: Vec<Block> =
+        pictures::solution(worked).into_iter().map(|drawing| Block::Figure(Box::new(drawing))).collect();
+    let scene = &worked.problem.loaded().draft.scene;
+    let model = worked.problem.model();
+    let acting = scene.stages.iter().enumerate().filter_map(|(index, stage)| acting(model, scene, index, stage));
+    blocks.extend(acting.map(|sentence| text(&sentence)));
+    let left_out: Vec<Vec<Inline>> = model
+        .omissions
+        .iter()
+        .map(|omission| vec![Inline::Text(format!("{}, because {}.", capitalised(&omission.what), omission.why))])
+        .collect();
+    if !left_out.is_empty() {
+        blocks.push(text("Left out:"));
+        blocks.push(Block::List(left_out));
+    }
+    blocks.extend(why_not_energy(worked));
+    blocks
+}
+
+/// One sentence on what acts in a stage.
+fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) -> Option<String> {
+    let impulses: Vec<&Impulse> = model.impulses.iter().filter(|impulse| impulse.stage == index).collect();
+    let first = impulses.first()?;
+    let name = |body: &str| scene.bodies.get(body).map_or_else(|| body.to_owned(), |entry| entry.name.clone());
+    let body = name(&first.on);
+    let phrase = model.phrase(scene, index);
+    let during = |sentence: String| match scene.stages.len() {
+        1 => format!("{}.", capitalised(&sentence)),
+        _ => format!("During {phrase} {sentence}."),
+    };
+    Some(match (stage, &impulses[..]) {
+        (Stage::Impact(_), [one, other, ..]) => format!(
+            "During {phrase}, {} and {} give each other equal and opposite impulses; nothing else is impulsive.",
+            name(&one.on),
+            name(&other.on)
+        ),
+        (Stage::Impact(_) | Stage::Blow(_), _) => {
+            format!("During {phrase} the only impulsive force on {body} is that of {}.", first.called)
+        }
+        (Stage::Push(_), _) => {
+            let forces = model.forces.iter().filter(|force| force.stage == index);
+            let called = forces.map(|force| match force.kind {
+                ForceKind::Weight => "its weight".to_owned(),
+                _ => force.called.clone(),
+            });
+            during(format!("{body} is acted on by {}", list(&called.collect::<Vec<_>>())))
+        }
+        (Stage::Fall(_), _) => during(format!("{body} is acted on by its weight alone")),
+        (Stage::Bounces(_), _) => {
+            during(format!("{body} is acted on by its weight and, at each bounce, by {}", first.called))
+        }
+        (Stage::Rotate(_) | Stage::Central(_), _) => during(format!("{body} is acted on by {}", first.called)),
+    })
+}
+
+/// Why momentum serves where energy does not, in a scene with an impact that loses energy.
+fn why_not_energy(worked: Worked<'_>) -> Option<Block> {
+    let scene = &worked.problem.loaded().draft.scene;
+    let symbols = &worked.problem.model().symbols;
+    let is_one = |e: &str| {
+        let given = worked.variant.all_given().iter();
+        e == "1"
+            || given.into_iter().any(|(own, value, _)| symbols.entry(*own).name == e && value.to_rational().is_one())
+    };
+    let lossy = scene.stages.iter().filter(|stage| match stage {
+        Stage::Impact(impact) => impact.plastic || impact.restitution.as_ref().is_some_and(|e| !is_one(e.0.trim())),
+        _ => false,
+    });
+    let impacts = match lossy.count() {
+        0 => return None,
+        1 => "impact",
+        _ => "impacts",
+    };
+    let told_energy =
+        worked.variant.all_given().iter().any(|(symbol, ..)| symbols.entry(*symbol).name.starts_with("T_"));
+    let on_energy = worked.form.parts.iter().any(|part| part.id.starts_with("T_"));
+    (!told_energy).then(|| {
+        let afterwards = if on_energy { " The energy is worked out afterwards, from the velocities." } else { "" };
+        text(&format!(
+            "Why momentum and not energy: kinetic energy is lost in the {impacts}, and how much is not known beforehand.{afterwards}"
+        ))
+    })
+}

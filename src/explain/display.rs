@@ -1,0 +1,252 @@
+//! How a quantity is shown in an explanation: its symbol, its number, its unit.
+
+use std::collections::BTreeSet;
+
+use crate::expr::Expr;
+use crate::expr::Leaf;
+use crate::expr::LeafKind;
+use crate::expr::Math;
+use crate::expr::Operator;
+use crate::expr::Symbol;
+use crate::expr::name_math;
+use crate::problem::AskedUnit;
+use crate::problem::NumberPart;
+use crate::problem::PartKind;
+use crate::problem::Worked;
+use crate::problem::trimmed;
+use crate::quantity::Decimal;
+use crate::quantity::Dimension;
+use crate::quantity::Printed;
+use crate::quantity::Unit;
+use crate::quantity::coherent_unit;
+
+/// Figures of intermediate values.
+const INTERMEDIATE: usize = 4;
+
+/// The most digits of a given that was converted to another unit.
+const MOST_DIGITS: usize = 6;
+
+/// Units of the same size as a product of base units in which quantities are usually printed, by the beginnings of names.
+const USUAL: [(&str, &str); 4] = [("J_", "N s"), ("I_", "N s"), ("M_", "N m"), ("omega", "rad/s")];
+
+/// Shows the quantities of one variant.
+#[derive(Clone, Copy)]
+pub(super) struct Display<'a> {
+    pub worked: Worked<'a>,
+    /// Quantities that are shown by their symbols only, since they may have any value.
+    pub free: &'a BTreeSet<Symbol>,
+}
+
+impl Display<'_> {
+    /// The unit in which explanations compute with a quantity: the system's own, degrees for angles.
+    pub(super) fn unit(self, symbol: Symbol) -> Unit {
+        let problem = self.worked.problem;
+        let entry = problem.model().symbols.entry(symbol);
+        if entry.dimension == Dimension::NONE {
+            return problem.unit_given(symbol).filter(|unit| unit.factor().pi != 0).unwrap_or_else(|| {
+                if is_angle(&entry.name) { Unit::parse("deg").unwrap_or_default() } else { Unit::none() }
+            });
+        }
+        let coherent = coherent_unit(entry.dimension, problem.units());
+        let spoken_of = problem.unit_given(symbol).or_else(|| self.asked_unit(symbol));
+        let usual = USUAL.iter().filter(|(start, _)| entry.name.starts_with(start));
+        let usual = usual.filter_map(|(_, unit)| Unit::parse(unit).ok());
+        let mut candidates = spoken_of.into_iter().flat_map(|unit| [unit.without_prefixes(), unit]).chain(usual);
+        let same = |unit: &Unit| unit.dimension() == entry.dimension && unit.factor() == coherent.factor();
+        candidates.find(same).unwrap_or(coherent)
+    }
+
+    /// The unit in which a quantity is asked.
+    fn asked_unit(self, symbol: Symbol) -> Option<Unit> {
+        self.worked.form.parts.iter().find_map(|part| match &part.kind {
+            PartKind::Number(NumberPart { symbol: own, unit: AskedUnit::Unit(unit), .. }) if *own == symbol => {
+                Some(unit.clone())
+            }
+            _ => None,
+        })
+    }
+
+    /// The unit of a term, from its dimension.
+    pub(super) fn unit_of(self, expr: &Expr) -> Unit {
+        let problem = self.worked.problem;
+        let dimension = expr.dimension(&problem.model().symbols).unwrap_or_default();
+        coherent_unit(dimension, problem.units())
+    }
+
+    /// A value in its display unit, as it is printed with so many figures; `?` where it has none.
+    pub(super) fn number(self, symbol: Symbol, figures: usize) -> String {
+        let unit = self.unit(symbol);
+        if let Some((value, given)) = self.worked.variant.given(symbol)
+            && given == unit
+        {
+            let drawn = self.worked.problem.known().iter().any(|known| known.symbol == symbol);
+            return shown_decimal(&if drawn { trimmed(&value) } else { value });
+        }
+        if self.is_whole(symbol) {
+            return self.worked.variant.value(symbol).map_or_else(|| "?".into(), |value| format!("{:.0}", value.value));
+        }
+        if let Some(exact) = self.converted(symbol, &unit) {
+            return exact;
+        }
+        let Some(value) = self.worked.variant.value(symbol) else { return "?".into() };
+        printed(value.for_print() / unit.factor().to_f64(), figures)
+    }
+
+    /// A given in another unit, where the conversion is exact and short: 360 g is 0.36 kg.
+    fn converted(self, symbol: Symbol, unit: &Unit) -> Option<String> {
+        let (value, given) = self.worked.variant.given(symbol)?;
+        let (from, to) = (given.factor(), unit.factor());
+        let exact = value.to_rational() * from.rational / to.rational;
+        let rounded = Printed::exact(&exact, MOST_DIGITS);
+        let whole = from.pi == to.pi && rounded.to_decimal().to_rational() == exact && rounded.power_of_ten().is_none();
+        whole.then(|| trim(&rounded.plain()))
+    }
+
+    /// The number and its unit, to so many figures.
+    pub(super) fn quantity_to(self, symbol: Symbol, figures: usize) -> Math {
+        with_unit(number_math(&self.number(symbol, figures)), &self.unit(symbol))
+    }
+
+    /// Whether a term has a value of its own.
+    pub(super) fn has_value(self, expr: &Expr) -> bool {
+        expr.symbols().iter().all(|symbol| !self.free.contains(symbol) && self.worked.variant.value(*symbol).is_some())
+    }
+
+    /// The number and its unit, to the figures of an intermediate value.
+    pub(super) fn quantity(self, symbol: Symbol) -> Math {
+        self.quantity_to(symbol, INTERMEDIATE)
+    }
+
+    /// The symbol itself; a value that the author wrote into a term is shown as that value.
+    pub(super) fn name(self, symbol: Symbol) -> Math {
+        let name = &self.worked.problem.model().symbols.entry(symbol).name;
+        if self.is_literal(symbol) { self.quantity(symbol) } else { name_math(name) }
+    }
+
+    /// Whether the quantity is a whole number, found by counting.
+    fn is_whole(self, symbol: Symbol) -> bool {
+        self.worked.form.parts.iter().any(|part| match &part.kind {
+            PartKind::Number(number) => number.whole && number.symbol == symbol,
+            PartKind::Choice { .. } => false,
+        })
+    }
+
+    fn is_literal(self, symbol: Symbol) -> bool {
+        self.worked.problem.model().literals.iter().any(|(own, _)| *own == symbol)
+    }
+
+    /// A term in symbols.
+    pub(super) fn symbolic(self, expr: &Expr) -> Math {
+        expr.layout(&|symbol| {
+            let negative = self.is_literal(symbol) && self.number(symbol, INTERMEDIATE).starts_with('-');
+            let kind = if self.is_literal(symbol) { LeafKind::Number { negative } } else { LeafKind::Name };
+            Leaf { math: self.name(symbol), kind }
+        })
+    }
+
+    /// A term in which every quantity given piece by piece is replaced by the piece that holds for this variant.
+    pub(super) fn resolved(self, expr: &Expr) -> Expr {
+        let Expr::Piecewise(piecewise) = expr else { return expr.map_children(|part| self.resolved(part)) };
+        let at = self.value_of(&piecewise.variable);
+        let holds = |until: &Option<Expr>| until.as_ref().is_none_or(|until| at <= self.value_of(until));
+        let piece = piecewise.pieces.iter().find(|(until, _)| holds(until)).or(piecewise.pieces.last());
+        piece.map_or_else(|| expr.clone(), |(_, value)| self.resolved(value))
+    }
+
+    /// The condition under which the piece that holds for this variant does so; `None` for a term without pieces.
+    pub(super) fn piece_that_holds(self, expr: &Expr) -> Option<Math> {
+        let Expr::Piecewise(piecewise) = expr else {
+            return expr.children().into_iter().find_map(|part| self.piece_that_holds(part));
+        };
+        let at = self.value_of(&piecewise.variable);
+        let mut passed: Option<&Expr> = None;
+        for (until, _) in &piecewise.pieces {
+            let Some(until) = until else { break };
+            if at <= self.value_of(until) {
+                return Some(Math::relation(
+                    self.symbolic(&piecewise.variable),
+                    Operator::AtMost,
+                    self.symbolic(until),
+                ));
+            }
+            passed = Some(until);
+        }
+        passed.map(|until| Math::relation(self.symbolic(&piecewise.variable), Operator::Greater, self.symbolic(until)))
+    }
+
+    /// A term with numbers and units in place of its symbols.
+    pub(super) fn substituted(self, expr: &Expr) -> Math {
+        expr.layout(&|symbol| {
+            if self.free.contains(&symbol) {
+                return Leaf { math: self.name(symbol), kind: LeafKind::Name };
+            }
+            let negative = self.number(symbol, INTERMEDIATE).starts_with('-');
+            Leaf { math: self.quantity(symbol), kind: LeafKind::Number { negative } }
+        })
+    }
+
+    /// A term's value in a unit, to so many figures.
+    pub(super) fn evaluated(self, expr: &Expr, unit: &Unit, figures: usize) -> Math {
+        if let Expr::Symbol(symbol) = expr
+            && self.unit(*symbol) == *unit
+        {
+            return self.quantity_to(*symbol, figures);
+        }
+        // The last bits of a sum are not known: what may lie half-way between two printed numbers is rounded up.
+        let value = self.value_of(expr) * (1.0 + 4.0 * f64::EPSILON) / unit.factor().to_f64();
+        with_unit(number_math(&printed(value, figures)), unit)
+    }
+
+    /// A term's value in SI units.
+    pub(super) fn value_of(self, expr: &Expr) -> f64 {
+        expr.evaluate(&|symbol| self.worked.variant.value(symbol).map_or(f64::NAN, |value| value.value))
+    }
+
+    /// `left = right`, in symbols.
+    pub(super) fn equation(self, left: &Expr, right: &Expr) -> Math {
+        Math::relation(self.symbolic(left), Operator::Equals, self.symbolic(right))
+    }
+}
+
+/// A number followed by its unit.
+pub(super) fn with_unit(number: Math, unit: &Unit) -> Math {
+    if unit.is_none() {
+        return number;
+    }
+    let gap = if unit.is_attached() { String::new() } else { "\u{a0}".to_owned() };
+    Math::Row(vec![number, Math::Text(format!("{gap}{}", unit.unicode()))])
+}
+
+/// A printed number as mathematics, powers of ten included.
+pub(super) fn number_math(text: &str) -> Math {
+    match text.split_once(" × 10^") {
+        Some((mantissa, exponent)) => {
+            let ten = Math::Sup(Box::new(Math::Number("10".into())), Box::new(Math::Number(exponent.into())));
+            Math::Row(vec![Math::Number(mantissa.into()), Math::Operator(Operator::Times), ten])
+        }
+        None => Math::Number(text.replace('\u{2212}', "-")),
+    }
+}
+
+/// A value to so many figures, as plain text.
+pub(super) fn printed(value: f64, figures: usize) -> String {
+    Printed::new(value, figures).map_or_else(|| "?".into(), |printed| printed.plain())
+}
+
+/// A decimal without zeros at its end.
+fn trim(text: &str) -> String {
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text.to_owned() }
+}
+
+/// A given's decimal: plain where that is short, with a power of ten otherwise.
+pub(super) fn shown_decimal(value: &Decimal) -> String {
+    let plain = value.to_string();
+    if plain.len() <= 8 {
+        return plain;
+    }
+    Printed::exact(&value.to_rational(), value.figures().clamp(1, 6)).plain()
+}
+
+fn is_angle(name: &str) -> bool {
+    name.starts_with("angle") || ["alpha", "beta", "theta", "phi", "psi"].iter().any(|greek| name.starts_with(greek))
+}

@@ -1,0 +1,87 @@
+//! The energy that an impact loses, as a check: what it is before and after, and what a formula of its own says.
+
+use crate::expr::Expr;
+use crate::expr::Math;
+use crate::expr::Operator;
+use crate::expr::Symbol;
+use crate::laws::energy;
+use crate::laws::restitution;
+use crate::model::Instance;
+use crate::scene::Stage;
+use crate::solve::Equation;
+use crate::solve::Statement;
+
+use super::Block;
+use super::checks::FIGURES;
+use super::checks::known;
+use super::display::Display;
+use super::steps::text;
+
+/// The balance of every impact whose loss of energy has a value.
+pub(super) fn energy(display: Display<'_>) -> Vec<Block> {
+    let equations = &display.worked.leaf().system.equations;
+    equations.iter().filter_map(|equation| loss(display, equation)).flatten().collect()
+}
+
+fn instance<'a>(display: Display<'a>, equation: &Equation) -> Option<&'a Instance> {
+    display.worked.problem.model().instances.get(equation.tag)
+}
+
+/// `T_1 - T_2 = 50.06 J - 16.31 J = 33.75 J`, that it is not negative, and what else it equals.
+fn loss(display: Display<'_>, equation: &Equation) -> Option<Vec<Block>> {
+    let instance = instance(display, equation).filter(|instance| instance.law.id == energy::LOSS.id)?;
+    let Statement::Equal { left: Expr::Symbol(lost), right } = &equation.statement else { return None };
+    if !display.has_value(right) || display.free.contains(lost) {
+        return None;
+    }
+    let stage = instance.stage?;
+    let phrase = display.worked.problem.model().phrase(&display.worked.problem.loaded().draft.scene, stage);
+    let value = display.worked.variant.value(*lost)?;
+    let unit = display.unit(*lost);
+    let equals = Math::Operator(Operator::Equals);
+    let equation = |parts: Vec<Math>| Block::Equation { lines: vec![Math::Row(parts)], number: None };
+    let (sum, numbers) = (display.symbolic(right), display.substituted(right));
+    let result = display.quantity_to(*lost, FIGURES);
+    let mut blocks = vec![
+        text(&format!("Kinetic energy lost in {phrase}:")),
+        equation(vec![sum, equals.clone(), numbers, equals.clone(), result]),
+    ];
+    let formula = formula(display, stage);
+    blocks.push(text(match (value.value.abs() <= value.error.max(1e-12), &formula) {
+        (true, _) => "None is lost: the impact is elastic.",
+        (false, None) => "It is not negative, as it must be where nothing supplies energy.",
+        (false, Some(_)) => "It is not negative, as it must be where nothing supplies energy, and equals",
+    }));
+    if let Some(formula) = formula.filter(|_| value.value.abs() > value.error.max(1e-12)) {
+        let value = display.evaluated(&formula, &unit, FIGURES);
+        blocks.push(equation(vec![display.symbolic(&formula), equals, value]));
+    }
+    Some(blocks)
+}
+
+/// `1/2 m_A m_B / (m_A + m_B) (1 - e^2) (approach)^2`, for an impact of two bodies whose restitution the reader knows.
+fn formula(display: Display<'_>, stage: usize) -> Option<Expr> {
+    let worked = display.worked;
+    let Some(Stage::Impact(impact)) = worked.problem.loaded().draft.scene.stages.get(stage) else { return None };
+    let [first, second] = impact.between.as_ref()?;
+    let stated = worked.leaf().system.equations.iter().find(|equation| {
+        instance(display, equation)
+            .is_some_and(|own| own.stage == Some(stage) && own.law.id == restitution::RESTITUTION.id)
+    })?;
+    let Statement::Equal { right: Expr::Product(factors), .. } = &stated.statement else { return None };
+    let [e @ Expr::Symbol(coefficient), approach] = &factors[..] else { return None };
+    let mass = |body: &String| -> Option<Symbol> {
+        let scene = &worked.problem.loaded().draft.scene;
+        let written = scene.bodies.get(body)?.mass.as_ref().map(|term| term.0.trim().to_owned());
+        worked.problem.model().symbol_of(&written.unwrap_or_else(|| format!("m_{body}")))
+    };
+    let [a, b] = [Expr::from(mass(first)?), Expr::from(mass(second)?)];
+    let known = known(display);
+    let is_known = [&a, &b, approach].into_iter().all(|term| term.symbols().is_subset(&known));
+    if !is_known || !known.contains(coefficient) {
+        return None;
+    }
+    let reduced = if a == b { a / Expr::integer(2) } else { a.clone() * b.clone() / (a + b) };
+    let rest = Expr::one() - e.clone().powi(2);
+    Some(Expr::product([Expr::ratio(1, 2), reduced, rest, approach.clone().powi(2)]))
+}

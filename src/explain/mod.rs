@@ -1,0 +1,23 @@
+//! From a derivation to an outline: wording, rounding for display, the steps.
+
+mod algebra;
+mod answers;
+mod axes;
+mod checks;
+mod counting;
+mod diagrams;
+mod display;
+mod energy;
+mod instructor;
+mod limits;
+mod outline;
+mod pictures;
+mod quadratic;
+mod solution;
+mod steps;
+mod wording;
+
+pub use answers::printed_answers;
+pub use outline::{Audience, Block, Inline, Outline, Section};
+pub use pictures::situation;
+pub use solution::solution;

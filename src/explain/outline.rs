@@ -1,0 +1,78 @@
+//! The outline of a document: prose, equations and figures, in no format yet.
+
+use crate::expr::Math;
+use crate::figure::Drawing;
+
+/// A worked solution, section by section.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outline {
+    /// The problem's title.
+    pub title: String,
+    /// The sections in reading order.
+    pub sections: Vec<Section>,
+}
+
+/// One section of a worked solution.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Section {
+    /// Its heading, without a number.
+    pub heading: String,
+    /// Who reads it.
+    pub audience: Audience,
+    /// What it holds.
+    pub blocks: Vec<Block>,
+}
+
+/// Who reads a section.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Audience {
+    /// Students and instructors.
+    Everyone,
+    /// Instructors only: certificates, the equations used.
+    Instructor,
+}
+
+/// A block of an outline.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Block {
+    /// Running text.
+    Paragraph(Vec<Inline>),
+    /// A displayed equation, numbered where it is referred to.
+    Equation {
+        /// The equation, its first part to be aligned with the first part of `then`.
+        lines: Vec<Math>,
+        /// Its number.
+        number: Option<u32>,
+    },
+    /// An unordered list.
+    List(Vec<Vec<Inline>>),
+    /// A figure with its caption.
+    Figure(Box<Drawing>),
+    /// A table: headings, then rows.
+    Table {
+        /// Column headings.
+        head: Vec<Vec<Inline>>,
+        /// Rows of cells.
+        rows: Vec<Vec<Vec<Inline>>>,
+    },
+    /// Markdown that the problem's author wrote, placeholders filled in.
+    Authored(String),
+    /// Ruled space, where the next steps are left to the student.
+    Space {
+        /// How many lines.
+        lines: u32,
+    },
+}
+
+/// A run inside a paragraph.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Inline {
+    /// Plain text.
+    Text(String),
+    /// Emphasised text.
+    Emphasis(String),
+    /// Strong text.
+    Strong(String),
+    /// Mathematics.
+    Math(Math),
+}

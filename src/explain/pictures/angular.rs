@@ -1,0 +1,171 @@
+//! Angular impulse-momentum diagrams: moment of momentum before + angular impulse = moment of momentum after.
+
+use crate::expr::Expr;
+use crate::expr::Math;
+use crate::expr::name_math;
+use crate::figure::AngularDiagram;
+use crate::figure::AngularImpulse;
+use crate::figure::AngularMomentum;
+use crate::figure::AngularState;
+use crate::figure::Drawing;
+use crate::figure::LabelledVector;
+use crate::figure::Wording;
+use crate::scene::Strength;
+use crate::scene::Term;
+use crate::scene::stage::Arm;
+use crate::scene::stage::Central;
+use crate::scene::stage::During;
+use crate::scene::stage::Rotate;
+use crate::solve::Statement;
+
+use super::quantities::Quantities;
+use super::vectors::body_math;
+use super::vectors::product;
+use super::words::sentences;
+
+/// From the radius before to the radius after, on the drawing of a flight about a centre.
+const TURN: f64 = 0.9;
+
+/// A particle at a place: its distance from the centre, and its velocity along and across the radius.
+struct Place {
+    radius: (Math, Option<f64>),
+    velocity: Vec<(Math, Option<[f64; 2]>)>,
+    /// Where it is seen from the centre, in radians.
+    angle: f64,
+}
+
+/// The diagram of a particle on an arm.
+pub(super) fn rotation(quantities: &Quantities<'_>, stage: usize, rotate: &Rotate) -> Option<Drawing> {
+    let arms: [&Term; 2] = match &rotate.arm {
+        Arm::Constant(term) => [term, term],
+        Arm::Changing([before, after]) => [before, after],
+    };
+    let place = |side: usize| {
+        let arm = quantities.term(arms[side])?;
+        let name = quantities.velocity_name(&rotate.body, stage + 1 + side);
+        let velocity = quantities.named(&name).map(|velocity| [0.0, velocity]);
+        let radius = (quantities.symbolic(&arm), quantities.evaluate(&arm));
+        Some(Place { radius, velocity: vec![(name_math(&name), velocity)], angle: 0.0 })
+    };
+    let places = [place(0)?, place(1)?];
+    let label = moment_impulse(quantities, stage, rotate);
+    let gained = match (&rotate.moment, &places.each_ref().map(Place::moment)) {
+        (None, _) => Some(0.0),
+        (Some(_), [Some(before), Some(after)]) => Some(after - before),
+        _ => None,
+    };
+    let impulse = AngularImpulse { label, value: gained };
+    Some(drawing(quantities, [&rotate.body, &rotate.about], stage, places, impulse))
+}
+
+/// The diagram of a particle under a central force.
+pub(super) fn central(quantities: &Quantities<'_>, stage: usize, central: &Central) -> Drawing {
+    let place = |side: u8| {
+        let name = quantities.velocity_name(&central.body, stage + 1 + usize::from(side));
+        let radius = name.replacen('v', "r", 1);
+        let component = |letter: &str, unit: [f64; 2]| {
+            let component = format!("{name}.{letter}");
+            let value = quantities.named(&component);
+            (name_math(&component), value.map(|value| unit.map(|part| part * value)))
+        };
+        let transverse = component("theta", [0.0, 1.0]);
+        let radial = component("r", [1.0, 0.0]);
+        let known = radial.1.is_some_and(|value| value != [0.0, 0.0]);
+        let velocity = std::iter::once(transverse).chain(known.then_some(radial)).collect();
+        let radius = (name_math(&radius), quantities.named(&radius));
+        Place { radius, velocity, angle: TURN * f64::from(side) }
+    };
+    let impulse = AngularImpulse { label: nothing(&central.about), value: Some(0.0) };
+    drawing(quantities, [&central.body, &central.about], stage, [place(0), place(1)], impulse)
+}
+
+/// The angular impulse by its name, or as moment times time.
+fn moment_impulse(quantities: &Quantities<'_>, stage: usize, rotate: &Rotate) -> Math {
+    let model = quantities.model();
+    let is_integral = |tag: usize| {
+        let instance = model.instances.get(tag);
+        instance.is_some_and(|instance| instance.stage == Some(stage) && instance.integral.is_some())
+    };
+    let equation = model.system.equations.iter().find(|equation| is_integral(equation.tag));
+    if let Some(Statement::Equal { left, .. }) = equation.map(|equation| &equation.statement) {
+        return quantities.symbolic(left);
+    }
+    let Some(Strength::Term(moment)) = &rotate.moment else { return nothing(&rotate.about) };
+    let zero = Expr::zero();
+    let duration = match &rotate.during {
+        Some(During::For(term)) => quantities.term(term).map(|end| quantities.duration(&zero, &end)),
+        _ => None,
+    };
+    let moment = quantities.term(moment).map(|moment| quantities.unsigned(&moment));
+    product([moment.unwrap_or_else(|| name_math("M")), duration.unwrap_or_else(|| name_math("dt"))])
+}
+
+/// The angular impulse of a force that has no moment: `M_O dt`, said to be zero by the diagram.
+fn nothing(about: &str) -> Math {
+    product([name_math(&format!("M_{about}")), name_math("dt")])
+}
+
+impl Place {
+    /// Moment of the velocity about the centre.
+    fn moment(&self) -> Option<f64> {
+        let (_, velocity) = self.velocity.first()?;
+        Some(self.radius.1? * velocity.as_ref()?[1])
+    }
+
+    fn state(self, mass: &Math) -> AngularState {
+        let (sine, cosine) = (libm::sin(self.angle), libm::cos(self.angle));
+        let turned = |[x, y]: [f64; 2]| [x * cosine - y * sine, x * sine + y * cosine];
+        let momenta = self
+            .velocity
+            .into_iter()
+            .map(|(label, value)| LabelledVector { label: product([mass.clone(), label]), value: value.map(turned) });
+        let (label, length) = self.radius;
+        let radius = LabelledVector { label, value: length.map(|length| turned([length, 0.0])) };
+        AngularState { radius, momenta: momenta.collect() }
+    }
+}
+
+/// The mass is the same before and after, so momenta are drawn to the scale of the velocities.
+fn drawing(
+    quantities: &Quantities<'_>,
+    [body, about]: [&String; 2],
+    stage: usize,
+    [before, after]: [Place; 2],
+    impulse: AngularImpulse,
+) -> Drawing {
+    let mass = quantities.mass_math(body);
+    let (name, centre) = (quantities.called(body), quantities.point(about));
+    let phrase = quantities.model().phrase(quantities.scene(), stage);
+    let change = match impulse.value {
+        Some(0.0) => "no angular impulse acts about it".to_owned(),
+        Some(value) if value > 0.0 => "the angular impulse about it acts counter-clockwise".to_owned(),
+        Some(_) => "the angular impulse about it acts clockwise".to_owned(),
+        None => "an angular impulse acts about it".to_owned(),
+    };
+    let place = |place: &Place, when: &str| {
+        let momenta: Vec<String> =
+            place.velocity.iter().map(|(label, _)| product([mass.clone(), label.clone()]).plain()).collect();
+        format!(
+            "{when}, {name} is at the distance {} from {centre}, with the momentum {}",
+            place.radius.0.plain(),
+            momenta.join(" and ")
+        )
+    };
+    let wording = Wording {
+        title: format!("Angular impulse-momentum diagram of {phrase}"),
+        description: sentences([place(&before, "before"), change, place(&after, "after")]),
+        caption: sentences([format!(
+            "about {centre}: angular momentum before + angular impulse = angular momentum after, for {name}"
+        )]),
+    };
+    let particle =
+        AngularMomentum { name: body_math(body), before: before.state(&mass), impulse, after: after.state(&mass) };
+    AngularDiagram { wording, centre: body_math(about), particles: vec![particle], axes: Vec::new() }.drawing()
+}
+
+impl Quantities<'_> {
+    /// How a point is called in a sentence.
+    pub(super) fn point(&self, point: &str) -> String {
+        self.scene().points.get(point).map_or_else(|| point.to_owned(), |entry| entry.name.clone())
+    }
+}

@@ -1,0 +1,68 @@
+//! Figures of a variant, filled from its numbers: the diagrams of a solution, and the figure on the problem sheet.
+
+mod angular;
+mod compass;
+mod momentum;
+mod plot;
+mod quantities;
+mod sheet;
+mod snapshot;
+mod vectors;
+mod words;
+
+use crate::figure::Drawing;
+use crate::problem::Part;
+use crate::problem::PartKind;
+use crate::problem::Sampler;
+use crate::problem::Variant;
+use crate::problem::Worked;
+use crate::scene::Stage;
+
+use compass::Compass;
+use quantities::Quantities;
+use quantities::Scope;
+
+/// The figures of the worked solution: the diagrams of every stage, or of the single instant.
+pub(super) fn solution(worked: Worked<'_>) -> Vec<Drawing> {
+    let sibling = solved_sibling(worked);
+    let worked = sibling.as_ref().and_then(|variant| Worked::new(worked.problem, variant)).unwrap_or(worked);
+    let quantities = Quantities::new(worked, Scope::Solved);
+    let compass = Compass::of(quantities.scene());
+    let stages = &quantities.scene().stages;
+    if stages.is_empty() {
+        return snapshot::drawing(&quantities, &compass).into_iter().collect();
+    }
+    let drawings = stages.iter().enumerate().flat_map(|(index, stage)| match stage {
+        Stage::Rotate(rotate) => vec![angular::rotation(&quantities, index, rotate)],
+        Stage::Central(central) => vec![Some(angular::central(&quantities, index, central))],
+        Stage::Bounces(bounces) => vec![sheet::fall::bouncing(&quantities, bounces)],
+        Stage::Push(_) => {
+            let plot = plot::force_plot(&quantities, index);
+            [plot, momentum::diagram(&quantities, &compass, index)].into_iter().collect()
+        }
+        // What a ball gains before it bounces on is not asked for; the figure of the bounces shows its fall.
+        Stage::Fall(_) if matches!(stages.get(index + 1), Some(Stage::Bounces(_))) => Vec::new(),
+        Stage::Impact(_) | Stage::Blow(_) | Stage::Fall(_) => vec![momentum::diagram(&quantities, &compass, index)],
+    });
+    drawings.flatten().collect()
+}
+
+/// The same numbers in a form that solves something, for a form that only asks for concepts and has nothing to draw.
+fn solved_sibling(worked: Worked<'_>) -> Option<Variant> {
+    let is_number = |part: &Part| matches!(part.kind, PartKind::Number(_));
+    if worked.form.parts.iter().any(is_number) {
+        return None;
+    }
+    let forms = worked.problem.forms();
+    let solving = forms.iter().position(|form| form.reveal.is_empty() && form.parts.iter().any(is_number))?;
+    let mut sampler = Sampler::new(worked.problem, solving).ok()?;
+    sampler.with_values(worked.variant.seed().unwrap_or(0), worked.variant.all_given()).ok()
+}
+
+/// The figure of the problem sheet, which shows only what is given; none where that is nothing that can be drawn.
+#[must_use]
+pub fn situation(worked: Worked<'_>) -> Option<Drawing> {
+    let quantities = Quantities::new(worked, Scope::Given);
+    let compass = Compass::of(quantities.scene());
+    sheet::drawing(&quantities, &compass)
+}

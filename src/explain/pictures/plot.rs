@@ -1,0 +1,121 @@
+//! Force against time, for a push whose force changes.
+
+use crate::expr::Expr;
+use crate::expr::Math;
+use crate::expr::Symbol;
+use crate::expr::name_math;
+use crate::figure::Drawing;
+use crate::figure::ForcePlot;
+use crate::figure::PlotAxis;
+use crate::figure::Wording;
+use crate::model::ActingForce;
+use crate::model::ForceKind;
+use crate::quantity::Dimension;
+use crate::quantity::Unit;
+use crate::quantity::coherent_unit;
+use crate::scene::Stage;
+use crate::scene::stage::During;
+use crate::scene::stage::Push;
+
+use super::quantities::Quantities;
+use super::quantities::Scope;
+use super::words::sentences;
+
+/// Straight pieces of a curve.
+const PIECES: u32 = 72;
+
+/// The force of a stage that changes with time, where there is one and its values may be shown.
+pub(super) fn force_plot(quantities: &Quantities<'_>, stage: usize) -> Option<Drawing> {
+    let clock = quantities.model().symbols.find("t")?;
+    let pulls = quantities.model().forces.iter().filter(|force| force.stage == stage && force.kind == ForceKind::Pull);
+    let force = pulls.into_iter().find(|force| force.strength.contains(clock))?;
+    plot(quantities, force, clock)
+}
+
+fn plot(quantities: &Quantities<'_>, force: &ActingForce, clock: Symbol) -> Option<Drawing> {
+    let end = quantities.evaluate(&force.during[1])?;
+    // The graph of a force starts with its stage, even where the body starts to move later.
+    let begin = quantities.start_of(force.stage);
+    let start = quantities.evaluate(&begin)?;
+    let marks = marks(quantities, force);
+    let strength_at = |time: f64| {
+        let value = |symbol| if symbol == clock { Some(time) } else { quantities.value(symbol) };
+        force.strength.evaluate(&|symbol| value(symbol).unwrap_or(f64::NAN))
+    };
+    let mut times: Vec<f64> =
+        (0..=PIECES).map(|piece| start + (end - start) * f64::from(piece) / f64::from(PIECES)).collect();
+    times.extend(marks.iter().map(|(time, _)| *time).filter(|time| (start..=end).contains(time)));
+    times.sort_by(f64::total_cmp);
+    let [time, strength] = [Dimension::TIME, Dimension::FORCE].map(|dimension| quantities.unit_like(dimension, force));
+    let [second, newton] = [&time, &strength].map(|unit| unit.factor().to_f64());
+    let points: Vec<[f64; 2]> = times.iter().map(|time| [time / second, strength_at(*time) / newton]).collect();
+    if points.iter().any(|[_, force]| !force.is_finite()) {
+        return None;
+    }
+    // What acts before the body moves is no part of the impulse that moves it.
+    let shaded = quantities.scope() == Scope::Solved && begin == force.during[0];
+    let plot = ForcePlot {
+        wording: wording(quantities, force, shaded),
+        time: PlotAxis { symbol: name_math("t"), unit: time.unicode() },
+        force: PlotAxis { symbol: name_math("F"), unit: strength.unicode() },
+        points,
+        area: shaded.then(|| quantities.impulse_of_force(force).label),
+        marks: marks.into_iter().map(|(time, label)| (time / second, label)).collect(),
+    };
+    Some(plot.drawing())
+}
+
+/// Times with names: the ends of the force's pieces, when the body starts to move, the end.
+fn marks(quantities: &Quantities<'_>, force: &ActingForce) -> Vec<(f64, Math)> {
+    let pieces = match &force.strength {
+        Expr::Piecewise(piecewise) => piecewise.pieces.iter().filter_map(|(until, _)| until.clone()).collect(),
+        _ => Vec::new(),
+    };
+    let mut marks: Vec<(f64, Math)> = Vec::new();
+    for time in pieces.into_iter().chain(force.during.clone()) {
+        let Expr::Symbol(symbol) = time else { continue };
+        if quantities.is_literal(symbol) {
+            continue;
+        }
+        let label = quantities.symbolic(&time);
+        if let Some(value) = quantities.value(symbol)
+            && !marks.iter().any(|(_, own)| *own == label)
+        {
+            marks.push((value, label));
+        }
+    }
+    marks
+}
+
+fn wording(quantities: &Quantities<'_>, force: &ActingForce, shaded: bool) -> Wording {
+    let name = &force.called;
+    let area = if shaded { ", whose impulse is the shaded area" } else { "" };
+    let times: Vec<String> = marks(quantities, force).iter().map(|(_, label)| label.plain()).collect();
+    let marked = if times.is_empty() { String::new() } else { format!("marked times: {}", times.join(", ")) };
+    Wording {
+        title: format!("Graph of {name} against time"),
+        description: sentences([format!("a curve of {name} F over the time t{area}"), marked]),
+        caption: sentences([format!("{name} against time{area}")]),
+    }
+}
+
+impl Quantities<'_> {
+    /// The time at which a push starts.
+    fn start_of(&self, stage: usize) -> Expr {
+        let start = match self.scene().stages.get(stage) {
+            Some(Stage::Push(Push { during: During::Between([start, _]), .. })) => self.term(start),
+            _ => None,
+        };
+        start.filter(|start| self.evaluate(start) != Some(0.0)).unwrap_or_else(Expr::zero)
+    }
+
+    /// The unit in which the problem gives the quantities of that dimension in a force and its times; else the system's own.
+    fn unit_like(&self, dimension: Dimension, force: &ActingForce) -> Unit {
+        let mut symbols = force.strength.symbols();
+        symbols.extend(force.during.iter().flat_map(Expr::symbols));
+        let own = symbols.into_iter().filter(|symbol| self.model().symbols.entry(*symbol).dimension == dimension);
+        let given =
+            own.filter(|symbol| !self.is_literal(*symbol)).find_map(|symbol| self.worked.problem.unit_given(symbol));
+        given.unwrap_or_else(|| coherent_unit(dimension, self.worked.problem.units()))
+    }
+}

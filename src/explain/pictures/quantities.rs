@@ -1,0 +1,244 @@
+//! The numbers that a figure may show: on a problem sheet what is given, in a solution also what was solved.
+
+use std::collections::BTreeSet;
+
+use crate::expr::Expr;
+use crate::expr::Math;
+use crate::expr::Names;
+use crate::expr::Symbol;
+use crate::expr::name_math;
+use crate::expr::parse;
+use crate::model::Direction;
+use crate::model::Model;
+use crate::model::Timeline;
+use crate::problem::Origin;
+use crate::problem::Worked;
+use crate::scene::Axis;
+use crate::scene::Scene;
+use crate::scene::Stage;
+use crate::scene::Term;
+
+use super::super::display::Display;
+
+/// How much a figure may show.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Scope {
+    /// What the sheet tells.
+    Given,
+    /// That, and everything that was solved.
+    Solved,
+}
+
+/// What a figure can ask about a variant. Under [`Scope::Given`] nothing that was solved passes, so no sheet can tell it.
+#[derive(Clone, Debug)]
+pub(super) struct Quantities<'a> {
+    pub worked: Worked<'a>,
+    pub timeline: Timeline,
+    pub axes: Vec<Axis>,
+    scope: Scope,
+}
+
+/// The names of a model, for terms that an author wrote.
+struct Known<'a>(&'a Model);
+
+impl Names for Known<'_> {
+    fn symbol(&mut self, name: &str) -> Option<Symbol> {
+        self.0.symbol_of(name)
+    }
+
+    fn literal(&mut self, text: &str) -> Option<Symbol> {
+        self.0.symbols.find(text)
+    }
+}
+
+impl<'a> Quantities<'a> {
+    pub(super) fn new(worked: Worked<'a>, scope: Scope) -> Self {
+        let scene = &worked.problem.loaded().draft.scene;
+        let axes = scene.axes.rectangular().into_iter().map(|(axis, _)| axis).collect();
+        Self { worked, timeline: Timeline::new(scene), axes, scope }
+    }
+
+    pub(super) fn scope(&self) -> Scope {
+        self.scope
+    }
+
+    pub(super) fn scene(&self) -> &'a Scene {
+        &self.worked.problem.loaded().draft.scene
+    }
+
+    pub(super) fn model(&self) -> &'a Model {
+        self.worked.problem.model()
+    }
+
+    /// The value of a quantity in SI units, where it may be shown.
+    pub(super) fn value(&self, symbol: Symbol) -> Option<f64> {
+        let told = || self.worked.variant.given(symbol).is_some() || self.is_any(symbol);
+        if self.scope == Scope::Given && !told() {
+            return None;
+        }
+        self.worked.variant.value(symbol).map(|bounded| bounded.value).filter(|value| value.is_finite())
+    }
+
+    /// Whether a quantity stands for any value, so that no number of the problem means anything by itself.
+    fn is_any(&self, symbol: Symbol) -> bool {
+        self.worked.problem.known().iter().any(|known| known.symbol == symbol && matches!(known.origin, Origin::Any))
+    }
+
+    /// Whether a symbol is a value that the author wrote into a term.
+    pub(super) fn is_literal(&self, symbol: Symbol) -> bool {
+        self.model().literals.iter().any(|(own, _)| *own == symbol)
+    }
+
+    /// Whether the numbers of the figure mean something.
+    pub(super) fn has_numbers(&self) -> bool {
+        !self.worked.problem.known().iter().any(|known| matches!(known.origin, Origin::Any))
+    }
+
+    /// The value of the quantity of that name.
+    pub(super) fn named(&self, name: &str) -> Option<f64> {
+        self.value(self.model().symbol_of(name)?)
+    }
+
+    /// The value of a term all of whose quantities may be shown.
+    pub(super) fn evaluate(&self, expr: &Expr) -> Option<f64> {
+        let value = expr.evaluate(&|symbol| self.value(symbol).unwrap_or(f64::NAN));
+        value.is_finite().then_some(value)
+    }
+
+    /// A term of the author's, read again.
+    pub(super) fn term(&self, term: &Term) -> Option<Expr> {
+        parse(term.0.trim(), &mut Known(self.model())).ok()
+    }
+
+    /// A term in symbols.
+    pub(super) fn symbolic(&self, expr: &Expr) -> Math {
+        Display { worked: self.worked, free: &BTreeSet::new() }.symbolic(expr)
+    }
+
+    /// A term in symbols without the sign in front of it, where an arrow shows the sense.
+    pub(super) fn unsigned(&self, expr: &Expr) -> Math {
+        let math = self.symbolic(expr);
+        if math.plain().starts_with(['-', '\u{2212}']) { self.symbolic(&-expr.clone()) } else { math }
+    }
+
+    /// A direction as a unit vector along x and y.
+    pub(super) fn direction(&self, direction: &Direction) -> Option<[f64; 2]> {
+        let [cosine, sine] = direction.cosine_and_sine();
+        Some([self.evaluate(&cosine)?, self.evaluate(&sine)?])
+    }
+
+    /// Components along the scene's axes as a vector along x and y.
+    pub(super) fn along_axes(&self, components: &[f64]) -> Option<[f64; 2]> {
+        match (components, &self.axes[..]) {
+            ([only], [Axis::Y]) => Some([0.0, *only]),
+            ([only], [_]) => Some([*only, 0.0]),
+            ([x, y], [_, _]) => Some([*x, *y]),
+            _ => None,
+        }
+    }
+
+    /// The name of a body's velocity at an instant, without a component.
+    pub(super) fn velocity_name(&self, body: &str, instant: usize) -> String {
+        let since = self.timeline.since(body, instant).unwrap_or(instant);
+        format!("v_{body}{since}")
+    }
+
+    /// A body's velocity along x and y (radially and transversely, for polar axes), from whichever components, along the
+    /// axes or along a line of impact, or from its speed and direction.
+    pub(super) fn velocity(&self, body: &str, instant: usize) -> Option<[f64; 2]> {
+        let name = self.velocity_name(body, instant);
+        match &self.axes[..] {
+            [] => Some([self.named(&format!("{name}.r")).unwrap_or(0.0), self.named(&format!("{name}.theta"))?]),
+            [_] => self.along_axes(&[self.named(&name)?]),
+            axes => {
+                let components = axes.iter().map(|axis| self.named(&format!("{name}.{}", axis.letter())));
+                let components: Option<Vec<f64>> = components.collect();
+                let own = components.and_then(|components| self.along_axes(&components));
+                own.or_else(|| self.turned_velocity(&name)).or_else(|| self.polar_velocity(&name))
+            }
+        }
+    }
+
+    /// From components along and across a line of impact.
+    fn turned_velocity(&self, name: &str) -> Option<[f64; 2]> {
+        self.model().frames.iter().enumerate().find_map(|(stage, frame)| {
+            let [cosine, sine] = self.direction(&frame.as_ref()?.normal)?;
+            let component = |letter: &str| {
+                let plain = self.named(&format!("{name}.{letter}[{}]", stage + 1));
+                plain.or_else(|| self.named(&format!("{name}.{letter}")))
+            };
+            let (along, across) = (component("n")?, component("t")?);
+            Some([along * cosine - across * sine, along * sine + across * cosine])
+        })
+    }
+
+    /// From speed and direction.
+    fn polar_velocity(&self, name: &str) -> Option<[f64; 2]> {
+        let subject = name.strip_prefix('v')?;
+        let (speed, angle) = (self.named(&format!("speed{subject}"))?, self.named(&format!("angle{subject}"))?);
+        Some([speed * libm::cos(angle), speed * libm::sin(angle)])
+    }
+
+    /// A body's place at an instant, from the origin.
+    pub(super) fn position(&self, body: &str, instant: usize) -> Option<[f64; 2]> {
+        let components = match &self.axes[..] {
+            [_] => vec![self.named(&format!("r_{body}{instant}"))?],
+            axes => {
+                let component = |axis: &Axis| self.named(&format!("r_{body}{instant}.{}", axis.letter()));
+                axes.iter().map(component).collect::<Option<_>>()?
+            }
+        };
+        self.along_axes(&components)
+    }
+
+    /// The bodies that became this one by staying together.
+    pub(super) fn parts_of(&self, union: &str) -> Option<&'a [String; 2]> {
+        if self.scene().bodies.contains_key(union) {
+            return None;
+        }
+        self.scene().stages.iter().find_map(|stage| match stage {
+            Stage::Impact(impact) if impact.becomes.as_deref() == Some(union) => impact.between.as_ref(),
+            _ => None,
+        })
+    }
+
+    /// The mass of a body, from its weight if need be.
+    pub(super) fn mass(&self, body: &str) -> Option<f64> {
+        if let Some(parts) = self.parts_of(body) {
+            return parts.iter().map(|part| self.mass(part)).sum();
+        }
+        let own = match self.mass_term(body) {
+            Some(term) => self.evaluate(&self.term(term)?),
+            None => self.named(&format!("m_{body}")),
+        };
+        own.or_else(|| Some(self.named(&format!("W_{body}"))? / self.named("g")?))
+    }
+
+    /// How the mass of a body is written.
+    pub(super) fn mass_math(&self, body: &str) -> Math {
+        if let Some([first, second]) = self.parts_of(body) {
+            let plus = Math::Operator(crate::expr::Operator::Plus);
+            return Math::Bracketed(Box::new(Math::Row(vec![self.mass_math(first), plus, self.mass_math(second)])));
+        }
+        let term = self.mass_term(body).and_then(|term| self.term(term));
+        term.map_or_else(|| name_math(&format!("m_{body}")), |term| self.symbolic(&term))
+    }
+
+    fn mass_term(&self, body: &str) -> Option<&'a Term> {
+        self.scene().bodies.get(body)?.mass.as_ref()
+    }
+
+    /// When an instant is, as an adverbial phrase.
+    pub(super) fn when(&self, instant: usize) -> String {
+        self.model().when(self.scene(), instant)
+    }
+
+    /// How a body is called in a sentence.
+    pub(super) fn called(&self, body: &str) -> String {
+        match (self.scene().bodies.get(body), self.parts_of(body)) {
+            (Some(entry), _) => entry.name.clone(),
+            (None, Some([first, second])) => format!("{} and {} together", self.called(first), self.called(second)),
+            (None, None) => body.to_owned(),
+        }
+    }
+}

@@ -1,0 +1,77 @@
+//! A body about a fixed point: on an arm, or under a central force.
+
+use crate::expr::Math;
+use crate::expr::name_math;
+use crate::figure::Central;
+use crate::figure::Drawing;
+use crate::figure::Form;
+use crate::figure::LabelledVector;
+use crate::figure::Layout;
+use crate::figure::Moment;
+use crate::figure::Moving;
+use crate::figure::MovingBody;
+use crate::figure::Situation;
+use crate::scene::Strength;
+use crate::scene::stage;
+use crate::scene::stage::Arm;
+use crate::scene::stage::Rotate;
+
+use super::super::quantities::Quantities;
+use super::super::vectors::body_math;
+use super::super::words::about_wording;
+
+/// Where the body is drawn, seen from the centre, in radians.
+const PLACE: f64 = 0.5;
+
+/// A body on its arm at the start.
+pub(in super::super) fn on_arm(quantities: &Quantities<'_>, rotate: &Rotate) -> Option<Drawing> {
+    let (Arm::Constant(arm) | Arm::Changing([arm, _])) = &rotate.arm;
+    let arm = quantities.term(arm).filter(|arm| quantities.evaluate(arm).is_some());
+    let radius = arm.map(|arm| quantities.symbolic(&arm));
+    let name = quantities.velocity_name(&rotate.body, 1);
+    let moment = rotate.moment.as_ref().and_then(|strength| moment(quantities, strength));
+    draw(quantities, [&rotate.body, &rotate.about], radius, &name, true, moment)
+}
+
+/// A body under a central force at the first place.
+pub(in super::super) fn under_force(quantities: &Quantities<'_>, central: &stage::Central) -> Option<Drawing> {
+    let name = quantities.velocity_name(&central.body, 1);
+    let radius = name.replacen('v', "r", 1);
+    let radius = quantities.named(&radius).map(|_| name_math(&radius));
+    draw(quantities, [&central.body, &central.about], radius, &format!("{name}.theta"), false, None)
+}
+
+/// The moment on an arm, where all of it is given; which way it turns is taken from its start.
+fn moment(quantities: &Quantities<'_>, strength: &Strength) -> Option<Moment> {
+    let Strength::Term(term) = strength else { return None };
+    let term = quantities.term(term)?;
+    let clock = quantities.model().symbols.find("t").filter(|clock| term.contains(*clock));
+    let value = term.evaluate(&|symbol| {
+        let known = if Some(symbol) == clock { Some(0.0) } else { quantities.value(symbol) };
+        known.unwrap_or(f64::NAN)
+    });
+    let label = if clock.is_some() { Math::Identifier("M".to_owned()) } else { quantities.unsigned(&term) };
+    value.is_finite().then_some(Moment { label, value })
+}
+
+fn draw(
+    quantities: &Quantities<'_>,
+    [body, about]: [&String; 2],
+    radius: Option<Math>,
+    velocity: &str,
+    circle: bool,
+    moment: Option<Moment>,
+) -> Option<Drawing> {
+    let (sine, cosine) = (libm::sin(PLACE), libm::cos(PLACE));
+    let velocity = quantities.named(velocity).map(|value| (name_math(velocity), [-value * sine, value * cosine]));
+    let vectors: Vec<Moving> =
+        velocity.into_iter().map(|(label, value)| Moving::velocity(LabelledVector::known(label, value))).collect();
+    if radius.is_none() && vectors.is_empty() {
+        return None;
+    }
+    let moving = MovingBody { name: body_math(body), form: Form::Disc, vectors };
+    let wording = about_wording(quantities, [body, about], radius.as_ref(), &moving, moment.as_ref());
+    let centre = body_math(about);
+    let central = Central { centre, angle: PLACE, radius, legs: None, body: moving, circle, moment };
+    Some(Situation { wording, layout: Layout::Central(central), axes: Vec::new() }.drawing())
+}

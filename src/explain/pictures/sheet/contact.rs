@@ -1,0 +1,60 @@
+//! The moment of contact: an impact in the plane, or one against a surface.
+
+use crate::figure::Contact;
+use crate::figure::Drawing;
+use crate::figure::Form;
+use crate::figure::Layout;
+use crate::figure::MovingBody;
+use crate::figure::Partner;
+use crate::figure::Situation;
+use crate::scene::stage::Impact;
+use crate::scene::stage::Partners;
+
+use super::super::compass::Compass;
+use super::super::quantities::Quantities;
+use super::super::words::situation_wording;
+
+/// The bodies touching, with the velocities with which they come; none where that would not tell anything.
+pub(in super::super) fn drawing(quantities: &Quantities<'_>, compass: &Compass, impact: &Impact) -> Option<Drawing> {
+    let frame = quantities.model().frames.first().and_then(Option::as_ref);
+    let normal = frame.and_then(|frame| quantities.direction(&frame.normal));
+    let body = |name: &str| (name.to_owned(), quantities.body(name, quantities.motion(compass, name, 1)));
+    let bodies = match impact.partners()? {
+        Partners::Surface(name, _) => vec![body(name)],
+        Partners::Bodies(first, second) if quantities.axes.len() == 2 => vec![body(first), body(second)],
+        Partners::Bodies(..) => return None,
+    };
+    if bodies.iter().all(|(_, body)| body.vectors.is_empty()) {
+        return None;
+    }
+    let wording = situation_wording(quantities, &bodies, &quantities.when(1));
+    let mut moving = bodies.into_iter().map(|(_, body)| body);
+    let first = moving.next()?;
+    let angle = frame.and_then(|frame| quantities.angle_mark(compass, &frame.normal));
+    let contact = match moving.next() {
+        None => {
+            let [x, y] = normal?;
+            // The line from the body into the surface.
+            let line_of_impact = compass.angle([-x, -y]);
+            let (show_line, second) = (angle.is_some(), Partner::Surface);
+            Contact { line_of_impact, show_line, angle, first, second }
+        }
+        Some(second) => {
+            let line = normal.or_else(|| approach(quantities, impact))?;
+            let show_line = normal.is_some();
+            // Blocks would be turned so as to touch along a face, of which nothing is known.
+            let round = |body: MovingBody| if show_line { body } else { body.shaped(Form::Disc) };
+            let (first, second) = (round(first), Partner::Body(round(second)));
+            Contact { line_of_impact: compass.angle(line), show_line, angle, first, second }
+        }
+    };
+    Some(Situation { wording, layout: Layout::Contact(contact), axes: compass.marks() }.drawing())
+}
+
+/// The direction in which the first body comes nearer to the second: where no line of impact is stated, they lie so.
+fn approach(quantities: &Quantities<'_>, impact: &Impact) -> Option<[f64; 2]> {
+    let Partners::Bodies(first, second) = impact.partners()? else { return None };
+    let (own, other) = (quantities.velocity(first, 1)?, quantities.velocity(second, 1)?);
+    let approach = [own[0] - other[0], own[1] - other[1]];
+    (approach != [0.0, 0.0]).then_some(approach)
+}

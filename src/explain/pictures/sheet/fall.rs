@@ -1,0 +1,107 @@
+//! A body that falls, and perhaps bounces.
+
+use std::f64::consts::FRAC_PI_2;
+
+use crate::expr::Math;
+use crate::expr::name_math;
+use crate::figure::Drawing;
+use crate::figure::Fall;
+use crate::figure::Ground;
+use crate::figure::Height;
+use crate::figure::Layout;
+use crate::figure::Situation;
+use crate::scene::Stage;
+use crate::scene::Term;
+use crate::scene::stage;
+use crate::scene::stage::Bounces;
+use crate::scene::stage::Partners;
+
+use super::super::compass::Compass;
+use super::super::quantities::Quantities;
+use super::super::quantities::Scope;
+use super::super::words::fall_wording;
+
+/// Heights of bounces on a sheet: a sketch, since the true ones may be asked.
+const SKETCHED: f64 = 0.6;
+/// Bounces in a sketch, and at most in a solution.
+const SKETCHED_BOUNCES: u32 = 3;
+const MOST_BOUNCES: u32 = 6;
+
+/// The start of a fall, with what the body falls on.
+pub(in super::super) fn drawing(quantities: &Quantities<'_>, compass: &Compass, fall: &stage::Fall) -> Option<Drawing> {
+    let next = quantities.scene().stages.get(1);
+    if let Some(Stage::Bounces(bounces)) = next {
+        return bouncing(quantities, bounces);
+    }
+    let ground = match next {
+        Some(Stage::Impact(impact)) => match impact.partners() {
+            Some(Partners::Bodies(first, second)) => {
+                let other = if first == fall.body { second } else { first };
+                Ground::Body(quantities.body(other, quantities.motion(compass, other, 1)))
+            }
+            Some(Partners::Surface(..)) => slope(quantities, compass),
+            None => Ground::Level,
+        },
+        _ => Ground::Level,
+    };
+    let label = given_height(quantities, &fall.height);
+    let body = quantities.body(&fall.body, quantities.motion(compass, &fall.body, 1));
+    let wording = fall_wording(quantities, &fall.body, label.as_ref(), 0);
+    let fall = Fall { body, heights: vec![Height { label, value: 1.0 }], ground };
+    Some(Situation { wording, layout: Layout::Fall(fall), axes: compass.marks() }.drawing())
+}
+
+/// How a height is written, where it may be shown.
+fn given_height(quantities: &Quantities<'_>, height: &Term) -> Option<Math> {
+    let height = quantities.term(height)?;
+    quantities.evaluate(&height)?;
+    Some(quantities.symbolic(&height))
+}
+
+/// The surface that the second stage strikes: a slope where its normal is turned from the vertical.
+fn slope(quantities: &Quantities<'_>, compass: &Compass) -> Ground {
+    let frame = quantities.model().frames.get(1).and_then(Option::as_ref);
+    let normal = frame.and_then(|frame| Some((frame, quantities.direction(&frame.normal)?)));
+    match normal {
+        Some((frame, normal)) if !frame.normal.turn.is_zero() => {
+            let mark = quantities.angle_mark(compass, &frame.normal);
+            // The angle between normals is that between the surfaces, where it is counted from the vertical.
+            let upright = frame.normal.quarters % 2 == 1;
+            Ground::Slope(compass.angle(normal) - FRAC_PI_2, mark.filter(|_| upright).map(|mark| mark.label))
+        }
+        _ => Ground::Level,
+    }
+}
+
+/// A fall and its bounces: to scale in a solution, sketched on a sheet.
+pub(in super::super) fn bouncing(quantities: &Quantities<'_>, bounces: &Bounces) -> Option<Drawing> {
+    let solved = quantities.scope() == Scope::Solved;
+    let drop = quantities.scene().stages.iter().find_map(|stage| match stage {
+        Stage::Fall(fall) if fall.body == bounces.body => Some(&fall.height),
+        _ => None,
+    });
+    let label = match drop {
+        Some(term) => given_height(quantities, term),
+        None => quantities.named("h_0").map(|_| name_math("h_0")),
+    };
+    let restitution = quantities.term(&bounces.restitution).and_then(|e| quantities.evaluate(&e));
+    let ratio = if solved { restitution.map(|e| e * e)? } else { SKETCHED };
+    let count = bounces.count.as_ref().and_then(|count| quantities.evaluate(&quantities.term(count)?));
+    let number = count.filter(|_| solved).map_or(SKETCHED_BOUNCES, whole);
+    let mut value = 1.0;
+    let mut heights = vec![Height { label: label.clone(), value }];
+    for bounce in 1..=number {
+        value *= ratio;
+        let last = solved && bounce == number && count.is_some_and(|count| count <= f64::from(MOST_BOUNCES));
+        let label = last.then(|| name_math("h_n")).filter(|_| quantities.named("h_n").is_some());
+        heights.push(Height { label, value });
+    }
+    let wording = fall_wording(quantities, &bounces.body, label.as_ref(), number);
+    let fall = Fall { body: quantities.body(&bounces.body, Vec::new()), heights, ground: Ground::Level };
+    Some(Situation { wording, layout: Layout::Fall(fall), axes: Vec::new() }.drawing())
+}
+
+/// A count as a number of bounces that can be drawn.
+fn whole(count: f64) -> u32 {
+    (1..MOST_BOUNCES).find(|number| f64::from(*number) >= count).unwrap_or(MOST_BOUNCES)
+}

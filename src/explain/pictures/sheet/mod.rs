@@ -1,0 +1,39 @@
+//! The figure of the problem sheet, by what happens first.
+
+pub(super) mod central;
+pub(super) mod contact;
+pub(super) mod fall;
+pub(super) mod given;
+pub(super) mod line;
+
+use crate::figure::Drawing;
+use crate::scene::Force;
+use crate::scene::Stage;
+use crate::scene::Strength;
+use crate::scene::stage::Push;
+
+use super::compass::Compass;
+use super::plot;
+use super::quantities::Quantities;
+use super::snapshot;
+
+/// The figure; none where nothing that is given can be drawn.
+pub(super) fn drawing(quantities: &Quantities<'_>, compass: &Compass) -> Option<Drawing> {
+    match quantities.scene().stages.first() {
+        None => snapshot::drawing(quantities, compass),
+        Some(Stage::Impact(impact)) => {
+            contact::drawing(quantities, compass, impact).or_else(|| line::drawing(quantities, compass, 0))
+        }
+        Some(Stage::Push(push)) if is_graph(push) => plot::force_plot(quantities, 0),
+        Some(Stage::Push(_) | Stage::Blow(_)) => line::drawing(quantities, compass, 0),
+        Some(Stage::Rotate(rotate)) => central::on_arm(quantities, rotate),
+        Some(Stage::Central(stage)) => central::under_force(quantities, stage),
+        Some(Stage::Fall(fall)) => fall::drawing(quantities, compass, fall),
+        Some(Stage::Bounces(bounces)) => fall::bouncing(quantities, bounces),
+    }
+}
+
+/// Whether a force is read from a graph, which the figure has to show.
+fn is_graph(push: &Push) -> bool {
+    push.forces.iter().any(|force| matches!(force, Force::Pull(pull) if matches!(pull.value, Strength::Graph(_))))
+}

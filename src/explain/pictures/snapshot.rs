@@ -1,0 +1,96 @@
+//! A scene at one instant: a particle seen from a fixed point, or several with their mass centre.
+
+use crate::expr::Math;
+use crate::expr::name_math;
+use crate::figure::Central;
+use crate::figure::Drawing;
+use crate::figure::Form;
+use crate::figure::Layout;
+use crate::figure::MassCentre;
+use crate::figure::Moving;
+use crate::figure::MovingBody;
+use crate::figure::PlacedParticle;
+use crate::figure::Situation;
+use crate::figure::Wording;
+
+use super::super::wording::capitalised;
+use super::super::wording::list;
+use super::compass::Compass;
+use super::quantities::Quantities;
+use super::quantities::Scope;
+use super::sheet;
+use super::vectors::Labelled;
+use super::vectors::body_math;
+use super::words::sentences;
+
+/// The figure of a scene without stages: with momenta or a mass centre where it belongs to a solution.
+pub(super) fn drawing(quantities: &Quantities<'_>, compass: &Compass) -> Option<Drawing> {
+    let bodies = quantities.timeline.alive(1);
+    let places: Option<Vec<[f64; 2]>> = bodies.iter().map(|body| quantities.position(body, 1)).collect();
+    match (&bodies[..], places, quantities.scene().points.keys().next()) {
+        ([body], Some(places), Some(point)) => Some(about_point(quantities, compass, body, *places.first()?, point)),
+        (_, Some(places), _) => Some(mass_centre(quantities, compass, &bodies, &places)),
+        _ => sheet::line::drawing(quantities, compass, 0),
+    }
+}
+
+fn about_point(quantities: &Quantities<'_>, compass: &Compass, body: &str, place: [f64; 2], point: &str) -> Drawing {
+    let vectors = match quantities.scope() {
+        Scope::Given => quantities.motion(compass, body, 1),
+        Scope::Solved => {
+            let components = quantities.momentum_components(body, 1);
+            components.iter().map(|momentum| Moving::momentum(momentum.placed(compass))).collect()
+        }
+    };
+    let (name, centre) = (quantities.called(body), quantities.point(point));
+    let letters = quantities.axes.iter().map(|axis| name_math(&format!("r_{body}1.{}", axis.letter())));
+    let mut legs: Vec<Math> = letters.collect();
+    // The first leg is the horizontal one.
+    if compass.place([1.0, 0.0])[0] == 0.0 {
+        legs.reverse();
+    }
+    let legs = <[Math; 2]>::try_from(legs).ok();
+    let shown: Vec<String> = vectors.iter().map(|moving| moving.vector.label.plain()).collect();
+    let what = match quantities.scope() {
+        Scope::Given => "velocity",
+        Scope::Solved => "momentum",
+    };
+    let arrows = if shown.is_empty() { String::new() } else { format!(", with its {what} {}", list(&shown)) };
+    let central = Central {
+        centre: body_math(point),
+        angle: compass.angle(place),
+        radius: None,
+        legs,
+        body: MovingBody { name: body_math(body), form: Form::Disc, vectors },
+        circle: false,
+        moment: None,
+    };
+    let wording = Wording {
+        title: capitalised(&format!("{name} and {centre}")),
+        description: sentences([format!("{name}, seen from {centre}{arrows}")]),
+        caption: sentences([format!("{name} with its {what}, seen from {centre}")]),
+    };
+    Situation { wording, layout: Layout::Central(central), axes: compass.marks() }.drawing()
+}
+
+fn mass_centre(quantities: &Quantities<'_>, compass: &Compass, bodies: &[&str], places: &[[f64; 2]]) -> Drawing {
+    let particle = |body: &str, place: [f64; 2]| {
+        let velocity =
+            Labelled { label: name_math(&quantities.velocity_name(body, 1)), value: quantities.velocity(body, 1) };
+        PlacedParticle {
+            name: body_math(body),
+            position: compass.place(place),
+            velocity: velocity.value.map(|_| velocity.placed(compass)),
+        }
+    };
+    let centre = quantities.position("G", 1).map(|place| particle("G", place));
+    let names: Vec<String> = bodies.iter().map(|body| quantities.called(body)).collect();
+    let (names, with) = (list(&names), if centre.is_some() { ", and their mass centre G" } else { "" });
+    let particles = bodies.iter().zip(places).map(|(body, place)| particle(body, *place)).collect();
+    let wording = Wording {
+        title: format!("Places and velocities of {names}"),
+        description: sentences([format!("{names} at their places with their velocities{with}")]),
+        caption: sentences([format!("{names} with their velocities{with}")]),
+    };
+    MassCentre { wording, particles, centre, axes: compass.marks() }.drawing()
+}

@@ -1,0 +1,154 @@
+//! Velocities, momenta and impulses of a stage as labelled vectors of a drawing.
+
+use crate::expr::Expr;
+use crate::expr::Math;
+use crate::expr::Operator;
+use crate::expr::name_math;
+use crate::figure::Form;
+use crate::figure::LabelledVector;
+use crate::model::ActingForce;
+use crate::model::ForceKind;
+use crate::model::Impulse;
+use crate::scene::Axis;
+use crate::solve::Statement;
+
+use super::compass::Compass;
+use super::quantities::Quantities;
+
+/// Words in the name of a body that is drawn as a disc; other bodies are drawn as blocks.
+const ROUND: &[&str] =
+    &["ball", "puck", "disc", "disk", "stone", "marble", "bead", "coin", "particle", "satellite", "planet", "bullet"];
+
+/// A vector along x and y with its label.
+#[derive(Clone, Debug)]
+pub(super) struct Labelled {
+    pub label: Math,
+    pub value: Option<[f64; 2]>,
+}
+
+impl Labelled {
+    /// The same vector as the drawing has it.
+    pub(super) fn placed(&self, compass: &Compass) -> LabelledVector {
+        LabelledVector { label: self.label.clone(), value: self.value.map(|value| compass.place(value)) }
+    }
+}
+
+/// Factors side by side: `m v`.
+pub(super) fn product(factors: impl IntoIterator<Item = Math>) -> Math {
+    let mut parts = Vec::new();
+    for factor in factors {
+        if !parts.is_empty() {
+            parts.push(Math::Operator(Operator::Juxtapose));
+        }
+        parts.push(factor);
+    }
+    Math::Row(parts)
+}
+
+/// A body's short name, as it stands inside its outline.
+pub(super) fn body_math(body: &str) -> Math {
+    if body.chars().count() == 1 { Math::Identifier(body.to_owned()) } else { Math::Text(body.to_owned()) }
+}
+
+impl Quantities<'_> {
+    /// How a body is drawn.
+    pub(super) fn form(&self, body: &str) -> Form {
+        let round = |body: &str| {
+            let name = self.called(body).to_lowercase();
+            name.split(|letter: char| !letter.is_alphabetic()).any(|word| ROUND.contains(&word))
+        };
+        if round(body) { Form::Disc } else { Form::Block }
+    }
+
+    /// The momentum of `mass_of` with the velocity that `body` has at an instant; the two differ where bodies have become one.
+    pub(super) fn momentum(&self, mass_of: &str, body: &str, instant: usize, scale: Option<f64>) -> Labelled {
+        let velocity = self.velocity(body, instant);
+        let value = velocity.zip(scale).map(|([x, y], mass)| [mass * x, mass * y]);
+        let label = product([self.mass_math(mass_of), name_math(&self.velocity_name(body, instant))]);
+        // A body at rest has no momentum, whatever its mass.
+        Labelled { label, value: value.or(velocity.filter(|velocity| *velocity == [0.0, 0.0])) }
+    }
+
+    /// The components of a momentum along the axes one by one, to the scale of the velocity; those that are zero left out.
+    pub(super) fn momentum_components(&self, body: &str, instant: usize) -> Vec<Labelled> {
+        let (name, mass) = (self.velocity_name(body, instant), self.mass_math(body));
+        let component = |(position, axis): (usize, &Axis)| {
+            let component = format!("{name}.{}", axis.letter());
+            let value = self.named(&component).filter(|value| *value != 0.0)?;
+            let value = Some(if position == 0 { [value, 0.0] } else { [0.0, value] });
+            Some(Labelled { label: product([mass.clone(), name_math(&component)]), value })
+        };
+        self.axes.iter().enumerate().filter_map(component).collect()
+    }
+
+    /// The impulse of an impact or a blow.
+    pub(super) fn impulse(&self, impulse: &Impulse) -> Labelled {
+        let components: Option<Vec<f64>> = impulse.components.iter().map(|part| self.evaluate(part)).collect();
+        let value = components.and_then(|components| self.along_axes(&components));
+        Labelled { label: name_math(&format!("J_{}", impulse.on)), value }
+    }
+
+    /// The impulse of a force over the time for which it acts.
+    pub(super) fn impulse_of_force(&self, force: &ActingForce) -> Labelled {
+        let [start, end] = &force.during;
+        let clock = self.model().symbols.find("t");
+        let size = clock.and_then(|clock| force.strength.definite(clock, start, end));
+        let value = size.and_then(|size| self.evaluate(&size)).zip(self.direction(&force.direction));
+        let label = if clock.is_some_and(|clock| force.strength.contains(clock)) {
+            self.integral_name(force)
+        } else {
+            let strength = match force.kind {
+                ForceKind::Weight => self.weight_math(&force.on),
+                _ => factor(&force.strength, self.unsigned(&force.strength)),
+            };
+            product([strength, self.duration(start, end)])
+        };
+        Labelled { label, value: value.map(|(size, [x, y])| [size * x, size * y]) }
+    }
+
+    /// The impulse of weight over a fall; its value follows from the momenta.
+    pub(super) fn impulse_of_weight(&self, body: &str) -> Labelled {
+        Labelled { label: product([self.weight_math(body), name_math("dt")]), value: None }
+    }
+
+    /// How the weight of a body is written.
+    fn weight_math(&self, body: &str) -> Math {
+        let weight = format!("W_{body}");
+        match self.named(&weight) {
+            Some(_) => name_math(&weight),
+            None => product([self.mass_math(body), name_math("g")]),
+        }
+    }
+
+    /// The name that the model gave to the integral of a force, or the integral itself.
+    fn integral_name(&self, force: &ActingForce) -> Math {
+        let is_own = |tag: usize| {
+            let integral = self.model().instances.get(tag).and_then(|instance| instance.integral.as_ref());
+            integral.is_some_and(|integral| integral.integrand == force.strength)
+        };
+        let named = self.model().system.equations.iter().filter(|equation| is_own(equation.tag)).find_map(|equation| {
+            match &equation.statement {
+                Statement::Equal { left, .. } => Some(self.symbolic(left)),
+                Statement::FirstInteger { .. } => None,
+            }
+        });
+        named.unwrap_or_else(|| {
+            let bound = || Box::new(Math::Row(Vec::new()));
+            let letter = |name: &str| Box::new(Math::Identifier(name.to_owned()));
+            Math::Integral(bound(), bound(), letter("F"), letter("t"))
+        })
+    }
+
+    /// The duration by its own name, or as a difference of times without one.
+    pub(super) fn duration(&self, start: &Expr, end: &Expr) -> Math {
+        match end.clone() - start.clone() {
+            Expr::Symbol(symbol) if !self.is_literal(symbol) => self.symbolic(&symbol.into()),
+            _ => name_math("dt"),
+        }
+    }
+}
+
+/// In brackets where it is a sum.
+fn factor(expr: &Expr, math: Math) -> Math {
+    if matches!(expr, Expr::Sum(_)) { Math::Bracketed(Box::new(math)) } else { math }
+}

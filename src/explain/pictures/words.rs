@@ -1,0 +1,215 @@
+//! Titles, descriptions and captions of figures.
+
+use crate::expr::Math;
+use crate::figure::Moment;
+use crate::figure::Moving;
+use crate::figure::MovingBody;
+use crate::figure::Role;
+use crate::figure::Wording;
+use crate::model::ActingForce;
+use crate::quantity::Dimension;
+use crate::quantity::Unit;
+use crate::quantity::coherent_unit;
+
+use super::super::display::printed;
+use super::super::wording::capitalised;
+use super::super::wording::list;
+use super::compass::Compass;
+use super::momentum::Balance;
+use super::quantities::Quantities;
+use super::quantities::Scope;
+use super::vectors::Labelled;
+
+/// Below this part of the largest vector of a figure a vector counts as zero.
+const NOTHING: f64 = 1e-9;
+/// Figures of the numbers in descriptions.
+const FIGURES: usize = 3;
+
+/// A sentence with a full stop, or nothing.
+fn sentence(words: &str) -> String {
+    if words.is_empty() { String::new() } else { format!("{}.", capitalised(words)) }
+}
+
+/// Sentences one after another.
+pub(super) fn sentences(words: impl IntoIterator<Item = String>) -> String {
+    words.into_iter().map(|words| sentence(&words)).filter(|words| !words.is_empty()).collect::<Vec<_>>().join(" ")
+}
+
+/// What is said about a momentum diagram.
+pub(super) fn diagram_wording(
+    quantities: &Quantities<'_>,
+    compass: &Compass,
+    stage: usize,
+    balances: &[Balance],
+) -> Wording {
+    let scene = quantities.scene();
+    let phrase = quantities.model().phrase(scene, stage);
+    let names: Vec<String> = balances.iter().map(|balance| quantities.called(&balance.body)).collect();
+    let unit = balances.iter().all(|balance| quantities.mass(&balance.body).is_some());
+    let unit = (unit && quantities.has_numbers())
+        .then(|| coherent_unit(Dimension::MOMENTUM, quantities.worked.problem.units()));
+    let largest =
+        balances.iter().flat_map(Balance::all).filter_map(|vector| vector.value).map(size).fold(0.0, f64::max);
+    let speak = Speak { compass, unit: unit.as_ref(), largest };
+    let rows = balances.iter().map(|balance| speak.balance(&quantities.called(&balance.body), balance));
+    let several = balances.iter().any(|balance| balance.impulses.len() > 1);
+    let impulses = if several { "impulses" } else { "impulse" };
+    let duration = balances.iter().find_map(|balance| quantities.nameless_duration(stage, &balance.body));
+    Wording {
+        title: format!("Impulse-momentum diagram of {phrase}"),
+        description: sentences(rows),
+        caption: sentences([
+            format!("{phrase}: momentum before + {impulses} = momentum after, for {}", list(&names)),
+            duration.unwrap_or_default(),
+        ]),
+    }
+}
+
+/// How vectors are spoken of in one figure.
+struct Speak<'a> {
+    compass: &'a Compass,
+    unit: Option<&'a Unit>,
+    largest: f64,
+}
+
+impl Speak<'_> {
+    fn balance(&self, name: &str, balance: &Balance) -> String {
+        let impulses: Vec<String> = balance.impulses.iter().map(|impulse| self.vector(impulse)).collect();
+        let impulses = if impulses.is_empty() { "none".to_owned() } else { list(&impulses) };
+        let noun = if balance.impulses.len() > 1 { "impulses" } else { "impulse" };
+        let (before, after) = (self.vector(&balance.before), self.vector(&balance.after));
+        format!("for {name}, momentum before: {before}; {noun}: {impulses}; momentum after: {after}")
+    }
+
+    /// `m_A v_A1, 8.00 kg m/s to the right`.
+    fn vector(&self, vector: &Labelled) -> String {
+        let name = match &vector.label {
+            Math::Integral(..) => "the integral of F over the time".to_owned(),
+            label => label.plain(),
+        };
+        let Some(value) = vector.value else { return format!("{name}, not known") };
+        if size(value) <= NOTHING * self.largest {
+            return format!("{name}, zero");
+        }
+        let direction = self.compass.words(value);
+        match self.unit {
+            Some(unit) => {
+                let number = printed(size(value) / unit.factor().to_f64(), FIGURES);
+                format!("{name}, {number} {} {direction}", unit.unicode())
+            }
+            None => format!("{name}, {direction}"),
+        }
+    }
+}
+
+impl Quantities<'_> {
+    /// What a duration stands for that the diagram can only call by the difference sign.
+    fn nameless_duration(&self, stage: usize, body: &str) -> Option<String> {
+        let nameless = |force: &&ActingForce| {
+            let [start, end] = &force.during;
+            let moving =
+                self.evaluate(start).is_some_and(|start| start != 0.0) && force.stage == stage && force.on == body;
+            moving.then(|| (self.symbolic(start).plain(), self.symbolic(end).plain()))
+        };
+        let (start, end) = self.model().forces.iter().find_map(|force| nameless(&force))?;
+        Some(format!(
+            "\u{394}t is the time from {start} to {end}, in which the momentum of {} changes",
+            self.called(body)
+        ))
+    }
+}
+
+impl Balance {
+    fn all(&self) -> impl Iterator<Item = &Labelled> {
+        [&self.before, &self.after].into_iter().chain(&self.impulses)
+    }
+}
+
+fn size([x, y]: [f64; 2]) -> f64 {
+    libm::hypot(x, y)
+}
+
+/// What is said of bodies with given vectors.
+pub(super) fn situation_wording(quantities: &Quantities<'_>, bodies: &[(String, MovingBody)], when: &str) -> Wording {
+    let names: Vec<String> = bodies.iter().map(|(body, _)| quantities.called(body)).collect();
+    let names = list(&names);
+    let told = bodies.iter().map(|(body, moving)| {
+        let name = quantities.called(body);
+        let arrows = arrows(moving);
+        if arrows.is_empty() { name } else { format!("{name} with {}", list(&arrows)) }
+    });
+    Wording {
+        title: capitalised(&names),
+        description: sentences(told),
+        caption: sentences([format!("{names} {when}")]),
+    }
+}
+
+/// The arrows of a body in words: `v_A1 to the right`.
+fn arrows(moving: &MovingBody) -> Vec<String> {
+    let arrow = |moving: &Moving| {
+        let kind = KINDS.iter().find(|(role, _)| *role == moving.role).map_or("", |(_, kind)| kind);
+        let (label, value) = (moving.vector.label.plain(), moving.vector.value.unwrap_or_default());
+        let direction =
+            if value == [0.0, 0.0] { ", which is zero".to_owned() } else { format!(" {}", on_paper(value)) };
+        let angle =
+            moving.angle.as_ref().map_or_else(String::new, |angle| format!(", at the angle {}", angle.label.plain()));
+        format!("the {kind} {label}{direction}{angle}")
+    };
+    moving.vectors.iter().map(arrow).collect()
+}
+
+/// What the arrows of a role are.
+const KINDS: &[(Role, &str)] =
+    &[(Role::Velocity, "velocity"), (Role::Force, "force"), (Role::Impulse, "impulse"), (Role::Momentum, "momentum")];
+
+/// Where an arrow points on the drawing.
+fn on_paper([x, y]: [f64; 2]) -> String {
+    let part = |value: f64, names: [&str; 2]| {
+        let relevant = value.abs() > 1e-9 * size([x, y]);
+        relevant.then(|| names[usize::from(value < 0.0)].to_owned())
+    };
+    let parts: Vec<String> =
+        [part(y, ["up", "down"]), part(x, ["to the right", "to the left"])].into_iter().flatten().collect();
+    parts.join(" and ")
+}
+
+/// What is said of a body about a fixed point.
+pub(super) fn about_wording(
+    quantities: &Quantities<'_>,
+    [body, about]: [&str; 2],
+    radius: Option<&Math>,
+    moving: &MovingBody,
+    moment: Option<&Moment>,
+) -> Wording {
+    let (name, centre) = (quantities.called(body), quantities.point(about));
+    let distance = radius.map_or_else(String::new, |radius| format!(" at the distance {}", radius.plain()));
+    let arrows = arrows(moving);
+    let with = if arrows.is_empty() { String::new() } else { format!(", with {}", list(&arrows)) };
+    let moment = moment.map_or_else(String::new, |moment| {
+        let sense = if moment.value < 0.0 { "clockwise" } else { "counter-clockwise" };
+        format!("the moment {} acts {sense} about {centre}", moment.label.plain())
+    });
+    Wording {
+        title: capitalised(&format!("{name} and {centre}")),
+        description: sentences([format!("{name}, seen from {centre}{distance}{with}"), moment]),
+        caption: sentences([format!("{name} about {centre}")]),
+    }
+}
+
+/// What is said of a fall and its bounces.
+pub(super) fn fall_wording(quantities: &Quantities<'_>, body: &str, height: Option<&Math>, bounces: u32) -> Wording {
+    let name = quantities.called(body);
+    let height = height.map_or_else(String::new, |height| format!(" from the height {}", height.plain()));
+    let bounces = if bounces > 0 { ", then bounces up and down, each time less high" } else { "" };
+    let how = if quantities.scope() == Scope::Given { " (not to scale)" } else { "" };
+    let (what, sideways) = match bounces {
+        "" => (format!("the fall of {name}"), ""),
+        _ => (format!("the fall of {name} and its bounces"), ", drawn side by side"),
+    };
+    Wording {
+        title: capitalised(&what),
+        description: sentences([format!("{name} falls{height}{bounces}")]),
+        caption: sentences([format!("{what}{sideways}{how}")]),
+    }
+}

@@ -1,0 +1,149 @@
+//! The worked solution: five sections for everyone, and one for the instructor.
+
+use std::collections::BTreeMap;
+
+use crate::expr::Symbol;
+use crate::problem::PartKind;
+use crate::problem::Worked;
+use crate::scene::Scene;
+use crate::scene::Stage;
+
+use super::Audience;
+use super::Block;
+use super::Inline;
+use super::Outline;
+use super::Section;
+use super::answers;
+use super::axes;
+use super::checks;
+use super::diagrams;
+use super::display::Display;
+use super::instructor;
+use super::steps::Figures;
+use super::steps::Steps;
+use super::steps::text;
+use super::wording::capitalised;
+use super::wording::list;
+
+/// The worked solution of a variant, for students, with a last section for instructors.
+#[must_use]
+pub fn solution(worked: Worked<'_>) -> Outline {
+    let free = worked.free();
+    let display = Display { worked, free: &free };
+    let answers = answers::answers(display);
+    let checks = checks::checks(display);
+    let closing = if checks.is_empty() { "Answer" } else { "Answer and check" };
+    let mut sections = vec![
+        section("System", system(worked)),
+        section("Momentum and impulse diagrams", diagrams::diagrams(worked)),
+        section("Axes and what is given", axes::axes(display)),
+        section("Laws", laws(display)),
+        section(closing, [answers, checks].concat()),
+    ];
+    sections.retain(|section| !section.blocks.is_empty());
+    sections.push(Section {
+        audience: Audience::Instructor,
+        ..section("Certificate and equations used", instructor::notes(display))
+    });
+    Outline { title: worked.problem.title().to_owned(), sections }
+}
+
+fn section(heading: &str, blocks: Vec<Block>) -> Section {
+    Section { heading: heading.to_owned(), audience: Audience::Everyone, blocks }
+}
+
+/// Who belongs to the system, and from when to when it is looked at.
+fn system(worked: Worked<'_>) -> Vec<Block> {
+    let scene = &worked.problem.loaded().draft.scene;
+    let names: Vec<String> = scene.bodies.values().map(|body| body.name.clone()).collect();
+    let together = if names.len() > 1 { " together" } else { "" };
+    let who = capitalised(&format!("{}{together}", list(&names)));
+    let when = if scene.stages.is_empty() {
+        "at one instant".to_owned()
+    } else {
+        let last = scene.stages.len() + 1;
+        format!(
+            "{} (1) and {} ({last})",
+            worked.problem.model().when(scene, 1),
+            worked.problem.model().when(scene, last)
+        )
+    };
+    let mut blocks = vec![text(&format!("{who}, {when}."))];
+    if scene.stages.len() > 1 {
+        let rows = scene.stages.iter().enumerate().map(|(index, stage)| {
+            let phrase = worked.problem.model().phrase(scene, index);
+            vec![Inline::Text(format!(
+                "From ({}) to ({}): {}.",
+                index + 1,
+                index + 2,
+                happening(scene, stage, &phrase)
+            ))]
+        });
+        blocks.push(Block::List(rows.collect()));
+    }
+    blocks
+}
+
+/// What happens in a stage, as a noun phrase.
+fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
+    let name = |body: &String| scene.bodies.get(body).map_or_else(|| body.clone(), |entry| entry.name.clone());
+    match stage {
+        Stage::Impact(impact) => match (&impact.between, &impact.body, &impact.against) {
+            (Some([a, b]), ..) => format!("{phrase} of {} and {}", name(a), name(b)),
+            (_, Some(body), Some(surface)) => format!("{phrase} of {} on {}", name(body), surface_name(scene, surface)),
+            _ => phrase.to_owned(),
+        },
+        Stage::Push(push) => format!("forces act on {}", name(&push.body)),
+        Stage::Blow(blow) => format!("{} acts on {}", blow.by, name(&blow.body)),
+        Stage::Rotate(rotate) => format!("{} moves round on its arm", name(&rotate.body)),
+        Stage::Central(central) => format!("{} moves under the central force", name(&central.body)),
+        Stage::Fall(fall) => format!("{} falls", name(&fall.body)),
+        Stage::Bounces(bounces) => format!("{} bounces", name(&bounces.body)),
+    }
+}
+
+fn surface_name(scene: &Scene, surface: &str) -> String {
+    let own = scene.surfaces.get(surface).and_then(|entry| entry.name.clone());
+    own.unwrap_or_else(|| format!("the {surface}"))
+}
+
+/// The steps of the answer plan.
+fn laws(display: Display<'_>) -> Vec<Block> {
+    let worked = display.worked;
+    let asked: Vec<Symbol> = worked
+        .form
+        .parts
+        .iter()
+        .filter_map(|part| match &part.kind {
+            PartKind::Number(number) => Some(number.symbol),
+            PartKind::Choice { .. } => None,
+        })
+        .collect();
+    let answer = usize::from(worked.problem.loaded().draft.figures.unwrap_or(3));
+    let figures = Figures { answer, intermediate: answer + 1 };
+    let mut steps = Steps { display, figures, numbers: BTreeMap::new(), asked, angle_explained: false };
+    let mut blocks = Vec::new();
+    if let [first, ..] = &worked.leaf().words[..] {
+        blocks.push(text(&format!("{}.", capitalised(first))));
+    }
+    for (position, step) in worked.leaf().answer_steps().iter().enumerate() {
+        blocks.extend(steps.step(position, step));
+    }
+    without_repetition(blocks)
+}
+
+/// Leaves out a sentence that says of the next equation what was just said of the one before.
+fn without_repetition(blocks: Vec<Block>) -> Vec<Block> {
+    let mut said: Option<Block> = None;
+    let mut kept = Vec::new();
+    for block in blocks {
+        if matches!(block, Block::Paragraph(_)) {
+            if said.as_ref() == Some(&block) {
+                continue;
+            }
+            said = Some(block.clone());
+        }
+        kept.push(block);
+    }
+    kept
+}

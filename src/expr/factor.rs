@@ -1,0 +1,44 @@
+//! Splitting a polynomial into factors that are cheap to find: those free of one of its atoms, and repeated ones.
+//! It makes results readable and is no complete factorisation.
+
+use super::gcd::{Work, content_in, gcd};
+use super::polynomial::Polynomial;
+
+/// Polynomials with more terms than this stay whole.
+const MAX_TERMS: usize = 40;
+
+/// Factors with their multiplicities; their product is `polynomial`, which no monomial may divide.
+pub(super) fn factors(polynomial: &Polynomial) -> Vec<(Polynomial, u32)> {
+    let mut found = Vec::new();
+    split(polynomial, &mut found, &mut Work::default());
+    found
+}
+
+fn split(polynomial: &Polynomial, found: &mut Vec<(Polynomial, u32)>, work: &mut Work) {
+    if polynomial.as_constant().is_some_and(|value| value.is_one()) {
+        return;
+    }
+    if (2..=MAX_TERMS).contains(&polynomial.len())
+        && let Some((first, second)) = proper_divisor(polynomial, work)
+    {
+        split(&first, found, work);
+        split(&second, found, work);
+        return;
+    }
+    match found.iter_mut().find(|(own, _)| own == polynomial) {
+        Some((_, multiplicity)) => *multiplicity += 1,
+        None => found.push((polynomial.clone(), 1)),
+    }
+}
+
+fn proper_divisor(polynomial: &Polynomial, work: &mut Work) -> Option<(Polynomial, Polynomial)> {
+    let atoms = polynomial.atoms();
+    let proper = |part: &Polynomial| part.len() > 1 && part != polynomial;
+    let free = atoms.iter().map(|atom| content_in(polynomial, atom, work)).find(proper);
+    let divisor = free.or_else(|| {
+        let repeated = |atom: &&super::Expr| gcd(polynomial, &polynomial.derivative(atom), work);
+        atoms.iter().map(repeated).find(proper)
+    })?;
+    let rest = polynomial.divided(&divisor)?;
+    rest.as_constant().is_none().then_some((divisor, rest))
+}

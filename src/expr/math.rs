@@ -1,0 +1,128 @@
+//! Typeset mathematics: one layout tree, printed as plain text, LaTeX or `MathML` by the writers beside it.
+
+/// A piece of typeset mathematics.
+///
+/// Terms ([`super::Expr`]) are laid out as this; so are quantities with their units, and the few marks that explanations need.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Math {
+    /// Parts side by side.
+    Row(Vec<Math>),
+    /// A number, as it is to be printed, with an ASCII hyphen for its sign: `-2.30`.
+    Number(String),
+    /// A variable, set in italics: `v`, `m`, `\u{3b8}`.
+    Identifier(String),
+    /// Words or a unit, set upright: `m/s`, `before`.
+    Text(String),
+    /// An operator or relation between its neighbours.
+    Operator(Operator),
+    /// A fraction.
+    Fraction(Box<Math>, Box<Math>),
+    /// A base with a subscript: `v_{A1}`.
+    Sub(Box<Math>, Box<Math>),
+    /// A base with a superscript: `v^2`.
+    Sup(Box<Math>, Box<Math>),
+    /// A base with a subscript and a superscript.
+    SubSup(Box<Math>, Box<Math>, Box<Math>),
+    /// A square root.
+    Root(Box<Math>),
+    /// Its content in round brackets.
+    Bracketed(Box<Math>),
+    /// Its content in square brackets: `m_A [v_2 - v_1]`.
+    Squared(Box<Math>),
+    /// Its content between bars: an absolute value.
+    Bars(Box<Math>),
+    /// A function's name, upright: `sin`, `arctan`.
+    Function(String),
+    /// Rows of (condition text, value) behind a brace.
+    Cases(Vec<(Math, Math)>),
+    /// A definite integral: lower, upper, integrand, variable.
+    Integral(Box<Math>, Box<Math>, Box<Math>, Box<Math>),
+    /// A vector's name, set bold.
+    Vector(String),
+}
+
+/// The operators and relations of the subject.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Operator {
+    /// `+`
+    Plus,
+    /// A true minus sign.
+    Minus,
+    /// A multiplication that must be seen: `3 \u{d7} 10^4`.
+    Times,
+    /// A multiplication that is only a thin space: `m v`.
+    Juxtapose,
+    /// `=`
+    Equals,
+    /// Approximately equal.
+    Approximately,
+    /// `<`
+    Less,
+    /// Less than or equal.
+    AtMost,
+    /// `>`
+    Greater,
+    /// Greater than or equal.
+    AtLeast,
+    /// Not equal.
+    Differs,
+    /// `,`
+    Comma,
+    /// An implication, `=>`.
+    Implies,
+    /// Plus or minus.
+    PlusMinus,
+}
+
+impl Math {
+    /// An identifier with an upright or italic subscript as the subject writes it: `v` and `A1`.
+    #[must_use]
+    pub fn subscripted(base: &str, subscript: &str) -> Self {
+        if subscript.is_empty() {
+            return Self::Identifier(base.to_owned());
+        }
+        Self::Sub(Box::new(Self::Identifier(base.to_owned())), Box::new(Self::Text(subscript.to_owned())))
+    }
+
+    /// `left relation right`.
+    #[must_use]
+    pub fn relation(left: Self, relation: Operator, right: Self) -> Self {
+        Self::Row(vec![left, Self::Operator(relation), right])
+    }
+}
+
+impl Math {
+    /// Whether an operator is a sign in front, since nothing that it could join stands before it.
+    pub(crate) fn is_prefix(before: Option<&Self>) -> bool {
+        matches!(before, None | Some(Self::Operator(_)))
+    }
+
+    /// Whether a space belongs between neighbours: a number and its unit, a word and what follows.
+    pub(crate) fn needs_space(before: Option<&Self>, after: &Self) -> bool {
+        let Some(before) = before else { return false };
+        let joins = |part: &Self| matches!(part, Self::Operator(_));
+        match (before, after) {
+            (before, _) if joins(before) => false,
+            (_, Self::Text(text)) => text.starts_with(char::is_alphanumeric),
+            (Self::Text(text), after) => !joins(after) && !text.ends_with(char::is_whitespace),
+            _ => false,
+        }
+    }
+}
+
+/// A subscript as runs of letters, of digits, and of everything else.
+pub(crate) fn subscript_parts(text: &str) -> Vec<&str> {
+    let kind = |c: char| (c.is_alphabetic(), c.is_numeric());
+    let mut parts = Vec::new();
+    let mut start = 0;
+    let mut last = None;
+    for (place, letter) in text.char_indices() {
+        if last.is_some_and(|last| last != kind(letter)) {
+            parts.extend(text.get(start..place));
+            start = place;
+        }
+        last = Some(kind(letter));
+    }
+    parts.extend(text.get(start..).filter(|rest| !rest.is_empty()));
+    parts
+}

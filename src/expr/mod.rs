@@ -1,0 +1,48 @@
+//! Symbolic terms with exact rational constants.
+//!
+//! A term ([`Expr`]) is read from text ([`parse`]) and keeps the order in which it was written. Algebra goes through a
+//! canonical form: a quotient of polynomials whose atoms are symbols, roots and functions. It decides equality ([`equal`]),
+//! and is written readably again ([`Expr::simplify`]). For print a term is laid out as [`Math`], which prints itself as
+//! plain text, `LaTeX` or `MathML`.
+
+mod canonical;
+mod curvature;
+mod derivative;
+mod dimension;
+mod evaluate;
+mod factor;
+mod functions;
+mod gcd;
+mod integral;
+mod layout;
+mod math;
+mod math_latex;
+mod math_mathml;
+mod math_plain;
+mod monomial;
+mod name;
+mod parse;
+mod pieces;
+mod polynomial;
+mod polynomial_in;
+#[cfg(test)]
+mod properties;
+mod quotient;
+mod readable;
+mod simplify;
+mod symbol;
+#[cfg(test)]
+mod testing;
+mod text;
+mod token;
+mod tree;
+
+pub use canonical::{equal, equal_where};
+pub use dimension::DimensionClash;
+pub use layout::{Leaf, LeafKind};
+pub(crate) use math::subscript_parts;
+pub use math::{Math, Operator};
+pub use name::name_math;
+pub use parse::{MAX_DEPTH, MAX_LENGTH, Names, ParseFault, parse};
+pub use symbol::{Symbol, SymbolEntry, SymbolTable};
+pub use tree::{Expr, Function, Piecewise};

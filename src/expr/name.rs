@@ -1,0 +1,137 @@
+//! Names of quantities, typeset: `v_A1` as v with the subscript A1, `mu_s` with a Greek letter.
+
+use super::{Math, Operator};
+
+/// Names that are typeset as letters of the Greek alphabet, or that the subject abbreviates.
+const LETTERS: [(&str, &str); 22] = [
+    ("alpha", "\u{3b1}"),
+    ("beta", "\u{3b2}"),
+    ("gamma", "\u{3b3}"),
+    ("delta", "\u{3b4}"),
+    ("epsilon", "\u{3b5}"),
+    ("zeta", "\u{3b6}"),
+    ("eta", "\u{3b7}"),
+    ("theta", "\u{3b8}"),
+    ("kappa", "\u{3ba}"),
+    ("lambda", "\u{3bb}"),
+    ("mu", "\u{3bc}"),
+    ("nu", "\u{3bd}"),
+    ("rho", "\u{3c1}"),
+    ("sigma", "\u{3c3}"),
+    ("tau", "\u{3c4}"),
+    ("phi", "\u{3c6}"),
+    ("psi", "\u{3c8}"),
+    ("omega", "\u{3c9}"),
+    ("Omega", "\u{3a9}"),
+    ("pi", "\u{3c0}"),
+    ("speed", "v"),
+    ("angle", "\u{3b8}"),
+];
+
+/// The typeset form of a quantity's name. A stage in square brackets is not shown.
+///
+/// ```
+/// use momentous::expr::name_math;
+/// assert_eq!(name_math("v_A1.x").latex(), "(v_{A1})_{x}");
+/// assert_eq!(name_math("mu_s").latex(), r"\mu_{s}");
+/// assert_eq!(name_math("F_avg_A[hit]").latex(), r"F_{\text{avg},A}");
+/// ```
+#[must_use]
+pub fn name_math(name: &str) -> Math {
+    if let Some((function, inside)) = name.strip_suffix(')').and_then(|name| name.split_once('(')) {
+        let parts = inside.split(',').flat_map(|part| [Math::Operator(Operator::Comma), name_math(part.trim())]);
+        let inside = Math::Row(parts.skip(1).collect());
+        return Math::Row(vec![Math::Function(function.to_owned()), Math::Bracketed(Box::new(inside))]);
+    }
+    let name = without_stage(name);
+    let (name, instant) = split_mark(&name, '@');
+    let (name, component) = split_mark(&name, '.');
+    if name == "areal_rate" {
+        let differential =
+            |letter: &str| Math::Row(vec![Math::Identifier("d".into()), Math::Identifier(letter.into())]);
+        return Math::Fraction(Box::new(differential("A")), Box::new(differential("t")));
+    }
+    let (base, subscript) = name.split_once('_').unwrap_or((&name, ""));
+    let parts: Vec<&str> = subscript.split('_').chain([instant.as_str()]).filter(|part| !part.is_empty()).collect();
+    let whole = with_subscript(base_math(base), &parts.join(","));
+    if component.is_empty() {
+        return whole;
+    }
+    let whole = if parts.is_empty() { whole } else { Math::Bracketed(Box::new(whole)) };
+    Math::Sub(Box::new(whole), Box::new(base_math(&component)))
+}
+
+/// `dt` is a difference; its subscript, if any, belongs to the whole of it.
+fn base_math(base: &str) -> Math {
+    if let Some((_, letter)) = LETTERS.iter().find(|(own, _)| *own == base) {
+        return Math::Identifier((*letter).to_owned());
+    }
+    match base {
+        "dt" => Math::Row(vec![Math::Identifier("\u{394}".into()), Math::Identifier("t".into())]),
+        short if short.chars().count() <= 1 => Math::Identifier(short.to_owned()),
+        long => Math::Text(long.to_owned()),
+    }
+}
+
+fn with_subscript(base: Math, subscript: &str) -> Math {
+    if subscript.is_empty() {
+        return base;
+    }
+    let subscript = Box::new(Math::Text(subscript.to_owned()));
+    match base {
+        Math::Row(mut parts) => {
+            let last = parts.pop().map(|last| Math::Sub(Box::new(last), subscript));
+            Math::Row(parts.into_iter().chain(last).collect())
+        }
+        base => Math::Sub(Box::new(base), subscript),
+    }
+}
+
+fn without_stage(name: &str) -> String {
+    match (name.find('['), name.find(']')) {
+        (Some(open), Some(close)) if open < close => {
+            format!("{}{}", name.get(..open).unwrap_or_default(), name.get(close + 1..).unwrap_or_default())
+        }
+        _ => name.to_owned(),
+    }
+}
+
+/// The name without `mark` and the word after it, and that word.
+fn split_mark(name: &str, mark: char) -> (String, String) {
+    let Some((before, after)) = name.split_once(mark) else { return (name.to_owned(), String::new()) };
+    let end = after.find(['@', '.', '[']).unwrap_or(after.len());
+    let (word, rest) = after.split_at(end);
+    (format!("{before}{rest}"), word.to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_typeset_as_the_subject_does() {
+        for (name, plain, latex) in [
+            ("v_A1", "v_A1", "v_{A1}"),
+            ("v_A1.x", "(v_A1)_x", "(v_{A1})_{x}"),
+            ("v_S2.theta", "(v_S2)_\u{3b8}", r"(v_{S2})_{\theta}"),
+            ("m_A", "m_A", "m_{A}"),
+            ("speed_A1", "v_A1", "v_{A1}"),
+            ("angle_A1", "\u{3b8}_A1", r"\theta_{A1}"),
+            ("T_lost[hit]", "T_lost", r"T_{\text{lost}}"),
+            ("J_A[hit]", "J_A", "J_{A}"),
+            ("F_avg_A", "F_avg,A", r"F_{\text{avg},A}"),
+            ("dt[hit]", "\u{394}t", r"\Delta t"),
+            ("mu_s", "\u{3bc}_s", r"\mu_{s}"),
+            ("omega_1", "\u{3c9}_1", r"\omega_{1}"),
+            ("t_2", "t_2", "t_{2}"),
+            ("v_A@top", "v_A,top", r"v_{A,\text{top}}"),
+            ("v_bullet1", "v_bullet1", r"v_{\text{bullet}1}"),
+            ("e", "e", "e"),
+            ("areal_rate", "dA/(dt)", r"\frac{dA}{dt}"),
+            ("angle(v_A2, v_B2)", "angle(v_A2, v_B2)", r"\operatorname{angle}(v_{A2},\; v_{B2})"),
+        ] {
+            let math = name_math(name);
+            assert_eq!((math.plain().as_str(), math.latex().as_str()), (plain, latex), "{name}");
+        }
+    }
+}

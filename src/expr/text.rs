@@ -1,0 +1,169 @@
+//! Terms as text in the grammar that [`super::parse`] reads.
+
+use crate::quantity::Rational;
+
+use super::{Expr, Function, Symbol, SymbolTable};
+
+/// How tightly a text holds together; a part looser than its place needs brackets.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Binding {
+    Sum,
+    Product,
+    Power,
+    Whole,
+}
+
+impl Function {
+    /// Its name in problem files and answers.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Sin => "sin",
+            Self::Cos => "cos",
+            Self::Tan => "tan",
+            Self::Asin => "asin",
+            Self::Acos => "acos",
+            Self::Atan2 => "atan2",
+            Self::Exp => "exp",
+            Self::Ln => "ln",
+            Self::Abs => "abs",
+        }
+    }
+}
+
+impl Expr {
+    /// The term as an author would type it, with the names of `symbols`; it reads back as the same term.
+    ///
+    /// ```
+    /// use momentous::expr::{Expr, SymbolTable};
+    /// let term = Expr::Pi * (Expr::one() - Expr::Pi.sqrt()) / Expr::integer(2);
+    /// assert_eq!(term.text(&SymbolTable::default()), "pi*(1 - sqrt(pi))/2");
+    /// ```
+    #[must_use]
+    pub fn text(&self, symbols: &SymbolTable) -> String {
+        write(self, &|symbol| symbols.entry(symbol).name.clone()).0
+    }
+}
+
+/// The absolute value of a number that is negative, or of a product with such a number in front.
+pub(super) fn without_minus(term: &Expr) -> Option<Expr> {
+    let number = match term {
+        Expr::Product(factors) => factors.first()?.as_number()?,
+        other => other.as_number()?,
+    };
+    (*number < Rational::ZERO).then(|| -term.clone())
+}
+
+/// Numerator and denominator: the factors with negative numeric powers, turned over, and a number's denominator.
+pub(super) fn split_quotient(factors: &[Expr], decimal: impl Fn(&Rational) -> bool) -> (Vec<Expr>, Vec<Expr>) {
+    let (mut above, mut below) = (Vec::new(), Vec::new());
+    for factor in factors {
+        match factor {
+            Expr::Number(value) if !value.is_int() && !decimal(value) => {
+                above.push(Expr::Number(Rational::from(value.numerator().clone())));
+                below.push(Expr::Number(Rational::from(value.denominator().clone())));
+            }
+            Expr::Power(pair) if pair.1.as_number().is_some_and(|power| *power < Rational::ZERO) => {
+                below.push(pair.0.clone().power(-pair.1.clone()));
+            }
+            other => above.push(other.clone()),
+        }
+    }
+    if above.len() > 1 {
+        above.retain(|factor| !factor.is_one());
+    }
+    (above, below)
+}
+
+/// A number with few decimals, exactly; `None` where it has many, or never ends.
+pub(super) fn decimal(value: &Rational) -> Option<String> {
+    const MAX_DECIMALS: usize = 6;
+    let mut scaled = value.clone();
+    for decimals in 0..=MAX_DECIMALS {
+        if scaled.is_int() {
+            let negative = *value < Rational::ZERO;
+            let digits = scaled.numerator().clone().into_parts().1.to_string();
+            let digits = format!("{digits:0>width$}", width = decimals + 1);
+            let (whole, part) = digits.split_at(digits.len() - decimals);
+            let point = if decimals == 0 { "" } else { "." };
+            return Some(format!("{}{whole}{point}{part}", if negative { "-" } else { "" }));
+        }
+        scaled *= Rational::from(10);
+    }
+    None
+}
+
+/// Whether a number reads better as a decimal than as a fraction: `0.7` and `2.5`, but `1/2`, `3/4` and `1/3`.
+pub(super) fn reads_as_decimal(value: &Rational) -> bool {
+    const FRACTIONS: [(u8, u8); 6] = [(1, 2), (3, 2), (1, 4), (3, 4), (1, 8), (3, 8)];
+    let is = |(above, below): &(u8, u8)| *value == Rational::from(*above) / Rational::from(*below);
+    decimal(value).is_some() && !FRACTIONS.iter().any(is)
+}
+
+fn write(term: &Expr, name: &dyn Fn(Symbol) -> String) -> (String, Binding) {
+    let held = |part: &Expr, least: Binding| {
+        let (text, binding) = write(part, name);
+        if binding < least { format!("({text})") } else { text }
+    };
+    let list = |parts: &[Expr]| parts.iter().map(|part| write(part, name).0).collect::<Vec<_>>().join(", ");
+    if let Some(positive) = without_minus(term) {
+        return (format!("-{}", held(&positive, Binding::Product)), Binding::Sum);
+    }
+    match term {
+        Expr::Number(value) => match decimal(value) {
+            Some(text) => (text, Binding::Whole),
+            None => (format!("{}/{}", value.numerator(), value.denominator()), Binding::Product),
+        },
+        Expr::Pi => ("pi".to_owned(), Binding::Whole),
+        Expr::Symbol(symbol) => (name(*symbol), Binding::Whole),
+        Expr::Sum(terms) => {
+            let mut text = String::new();
+            for (index, term) in terms.iter().enumerate() {
+                let minus = without_minus(term);
+                text.push_str(match (&minus, index) {
+                    (Some(_), 0) => "-",
+                    (Some(_), _) => " - ",
+                    (None, 0) => "",
+                    (None, _) => " + ",
+                });
+                text.push_str(&held(minus.as_ref().unwrap_or(term), Binding::Product));
+            }
+            (text, Binding::Sum)
+        }
+        Expr::Product(factors) => {
+            let (above, below) = split_quotient(factors, reads_as_decimal);
+            let join = |factors: &[Expr]| {
+                let texts: Vec<_> = factors.iter().map(|factor| held(factor, Binding::Power)).collect();
+                texts.join("*")
+            };
+            let above = if above.is_empty() { "1".to_owned() } else { join(&above) };
+            let text = match below.as_slice() {
+                [] => above,
+                [single] => format!("{above}/{}", held(single, Binding::Power)),
+                many => format!("{above}/({})", join(many)),
+            };
+            (text, Binding::Product)
+        }
+        Expr::Power(pair) => match &pair.1 {
+            Expr::Number(power) if *power < Rational::ZERO => {
+                let below = pair.0.clone().power(-pair.1.clone());
+                (format!("1/{}", held(&below, Binding::Power)), Binding::Product)
+            }
+            power if *power == Expr::ratio(1, 2) => (format!("sqrt({})", write(&pair.0, name).0), Binding::Whole),
+            power => (format!("{}^{}", held(&pair.0, Binding::Whole), held(power, Binding::Whole)), Binding::Power),
+        },
+        Expr::Apply(function, arguments) => (format!("{}({})", function.name(), list(arguments)), Binding::Whole),
+        Expr::Piecewise(piecewise) => {
+            let variable = write(&piecewise.variable, name).0;
+            let piece = |(until, value): &(Option<Expr>, Expr)| {
+                let value = write(value, name).0;
+                match until {
+                    Some(until) => format!("{value} while {variable} <= {}", write(until, name).0),
+                    None => value,
+                }
+            };
+            let pieces: Vec<_> = piecewise.pieces.iter().map(piece).collect();
+            (format!("{{{}}}", pieces.join("; ")), Binding::Whole)
+        }
+    }
+}

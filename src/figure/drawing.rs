@@ -1,0 +1,130 @@
+//! The drawing model: what a figure consists of, before any format.
+
+use crate::expr::Math;
+
+/// A drawing in its own units (about one point each), y upwards.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drawing {
+    /// Short title, for screen readers.
+    pub title: String,
+    /// What it shows, in a sentence or two, for screen readers.
+    pub description: String,
+    /// The caption beneath it.
+    pub caption: String,
+    /// Lower left corner.
+    pub low: Point,
+    /// Upper right corner.
+    pub high: Point,
+    /// What is drawn, in order.
+    pub shapes: Vec<Shape>,
+}
+
+/// A point of the drawing.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Point {
+    /// Rightwards.
+    pub x: f64,
+    /// Upwards.
+    pub y: f64,
+}
+
+/// What a shape means; it decides line width and colour, in one table for both writers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Role {
+    /// A body's outline.
+    Body,
+    /// A momentum arrow.
+    Momentum,
+    /// An impulse arrow.
+    Impulse,
+    /// A velocity arrow.
+    Velocity,
+    /// A force arrow.
+    Force,
+    /// A radius, or another length.
+    Length,
+    /// A fixed surface: floor, wall, vane.
+    Surface,
+    /// Axes, the line of impact.
+    Axis,
+    /// A path or a cord.
+    Path,
+    /// A curve in a plot.
+    Curve,
+    /// A dimension or guide line.
+    Guide,
+}
+
+/// A shape of a drawing.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Shape {
+    /// A line through points.
+    Line {
+        /// Its points.
+        points: Vec<Point>,
+        /// What it means.
+        role: Role,
+        /// Whether it is dashed.
+        dashed: bool,
+    },
+    /// An arrow.
+    Arrow {
+        /// Its tail.
+        from: Point,
+        /// Its tip.
+        to: Point,
+        /// What it means.
+        role: Role,
+    },
+    /// A circle.
+    Circle {
+        /// Its centre.
+        centre: Point,
+        /// Its radius.
+        radius: f64,
+        /// What it means.
+        role: Role,
+    },
+    /// A rectangle, turned by `angle` radians about its centre.
+    Rectangle {
+        /// Its centre.
+        centre: Point,
+        /// Its size along its own axes.
+        size: Point,
+        /// Its turn, counter-clockwise.
+        angle: f64,
+        /// What it means.
+        role: Role,
+    },
+    /// An arc, counter-clockwise.
+    Arc {
+        /// Its centre.
+        centre: Point,
+        /// Its radius.
+        radius: f64,
+        /// Start angle in radians.
+        from: f64,
+        /// End angle in radians.
+        to: f64,
+        /// Whether it has an arrow head at its end.
+        arrow: bool,
+        /// What it means.
+        role: Role,
+    },
+    /// A closed, lightly filled region without an outline; labels may lie on it.
+    Area {
+        /// Its corners.
+        points: Vec<Point>,
+        /// What it means.
+        role: Role,
+    },
+    /// A label, centred on a point.
+    Label {
+        /// Its centre.
+        at: Point,
+        /// What it says.
+        text: Math,
+        /// Colour follows this role.
+        role: Role,
+    },
+}

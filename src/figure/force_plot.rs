@@ -1,0 +1,202 @@
+//! Force against time: the curve, and the area under it, which is the impulse.
+
+use crate::expr::Math;
+use crate::expr::Operator;
+
+use super::extent::Measure;
+use super::input::Wording;
+use super::place::{Anchor, Canvas, on_baseline};
+use super::ticks::Ticks;
+use super::{Drawing, Point, Role, Shape};
+
+const SIZE: Point = Point::new(230.0, 130.0);
+const TICK: f64 = 3.5;
+const TICK_GAP: f64 = 4.0;
+/// Free part of the plot above the curve, and of the axes beyond it.
+const HEADROOM: f64 = 1.12;
+const AXIS_OVERHANG: f64 = 14.0;
+
+/// What a plot of force against time shows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ForcePlot {
+    /// Title, description, caption.
+    pub wording: Wording,
+    /// Time along the bottom.
+    pub time: PlotAxis,
+    /// Force along the side.
+    pub force: PlotAxis,
+    /// (time, force) in increasing order of time; straight lines between them. Points that are not finite are left out.
+    pub points: Vec<[f64; 2]>,
+    /// What is written in the shaded area; without it the area is not shaded.
+    pub area: Option<Math>,
+    /// Times with names of their own, such as `t_a`: marked by dashed lines up to the curve.
+    pub marks: Vec<(f64, Math)>,
+}
+
+/// What is measured along an axis.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlotAxis {
+    /// Its symbol: `F`.
+    pub symbol: Math,
+    /// Its unit: `N`.
+    pub unit: String,
+}
+
+/// From (time, force) to places on the drawing.
+struct Frame {
+    low: Point,
+    high: Point,
+}
+
+impl Frame {
+    fn around(points: &[Point]) -> Self {
+        let start = Self { low: Point::ORIGIN, high: Point::ORIGIN };
+        let mut own = points.iter().fold(start, |own, point| Self {
+            low: Point::new(own.low.x.min(point.x), own.low.y.min(point.y)),
+            high: Point::new(own.high.x.max(point.x), own.high.y.max(point.y)),
+        });
+        own.low.y *= HEADROOM;
+        own.high.y *= HEADROOM;
+        if own.high.x <= own.low.x {
+            own.high.x = own.low.x + 1.0;
+        }
+        if own.high.y <= own.low.y {
+            own.high.y = own.low.y + 1.0;
+        }
+        own
+    }
+
+    fn place(&self, point: Point) -> Point {
+        let part = |value: f64, low: f64, high: f64| (value - low) / (high - low);
+        Point::new(part(point.x, self.low.x, self.high.x) * SIZE.x, part(point.y, self.low.y, self.high.y) * SIZE.y)
+    }
+}
+
+impl ForcePlot {
+    /// The plot, with round numbers at its ticks.
+    ///
+    /// ```
+    /// use momentous::expr::Math;
+    /// use momentous::figure::{ForcePlot, PlotAxis, Wording, overlaps};
+    ///
+    /// let axis = |symbol: &str, unit: &str| PlotAxis { symbol: Math::Identifier(symbol.into()), unit: unit.into() };
+    /// let plot = ForcePlot {
+    ///     wording: Wording::default(),
+    ///     time: axis("t", "s"),
+    ///     force: axis("F", "N"),
+    ///     points: vec![[0.0, 0.0], [0.1, 40.0], [0.4, 0.0]],
+    ///     area: Some(Math::Identifier("J".into())),
+    ///     marks: Vec::new(),
+    /// };
+    /// assert!(overlaps(&plot.drawing()).is_empty());
+    /// ```
+    #[must_use]
+    pub fn drawing(&self) -> Drawing {
+        let points: Vec<Point> = self.points.iter().map(|[time, force]| Point::new(*time, *force)).collect();
+        let points: Vec<Point> =
+            points.into_iter().filter(|point| point.x.is_finite() && point.y.is_finite()).collect();
+        let frame = Frame::around(&points);
+        let curve: Vec<Point> = points.iter().map(|point| frame.place(*point)).collect();
+        let mut canvas = Canvas::default();
+        let zero = frame.place(Point::ORIGIN).y;
+        if let (Some(_), Some(first), Some(last)) = (&self.area, curve.first(), curve.last()) {
+            let mut points = curve.clone();
+            points.extend([Point::new(last.x, zero), Point::new(first.x, zero)]);
+            canvas.draw(Shape::Area { points, role: Role::Impulse });
+        }
+        self.draw_axes(&mut canvas, &frame, zero);
+        if curve.len() > 1 {
+            canvas.draw(Shape::Line { points: curve.clone(), role: Role::Curve, dashed: false });
+        }
+        self.draw_marks(&mut canvas, &frame, &points, zero);
+        if let Some(label) = &self.area {
+            let at = middle_of_area(&curve, zero);
+            canvas.label(label, Role::Impulse, Anchor::Around { at, radius: -8.0, prefer: 0.0 });
+        }
+        self.wording.drawing(canvas.settle())
+    }
+
+    /// Ticks stand at the left and at the bottom of the plot, clear of a curve that goes below zero.
+    fn draw_axes(&self, canvas: &mut Canvas, frame: &Frame, zero: f64) {
+        let (times, forces) = (Ticks::between(frame.low.x, frame.high.x), Ticks::between(frame.low.y, frame.high.y));
+        let (right, top) = (Point::new(SIZE.x + AXIS_OVERHANG, zero), Point::new(0.0, SIZE.y + AXIS_OVERHANG));
+        canvas.arrow(Point::new(0.0, zero), right, Role::Axis);
+        canvas.arrow(Point::ORIGIN, top, Role::Axis);
+        if zero > 0.0 {
+            canvas.line([Point::ORIGIN, Point::new(SIZE.x, 0.0)], Role::Guide, false);
+        }
+        for value in &times.values {
+            let foot = Point::new(frame.place(Point::new(*value, 0.0)).x, 0.0);
+            canvas.line([foot, foot - Point::new(0.0, TICK)], Role::Axis, false);
+            let text = Math::Number(times.text(*value));
+            let height = foot.y - TICK - TICK_GAP - Measure::of(&text).above;
+            canvas.fixed_label(on_baseline(foot.x, height, &text), &text, Role::Axis);
+        }
+        for value in &forces.values {
+            let side = Point::new(0.0, frame.place(Point::new(0.0, *value)).y);
+            canvas.line([side, side - Point::new(TICK, 0.0)], Role::Axis, false);
+            let text = Math::Number(forces.text(*value));
+            let shift = TICK + TICK_GAP + Measure::of(&text).width / 2.0;
+            canvas.fixed_label(side - Point::new(shift, 0.0), &text, Role::Axis);
+        }
+        let (time, force) = (self.time.title(times.power), self.force.title(forces.power));
+        let shift = Measure::of(&time).width / 2.0 + TICK_GAP;
+        canvas.fixed_label(right + Point::new(shift, 0.0), &time, Role::Axis);
+        canvas.label(&force, Role::Axis, Anchor::Around { at: top, radius: 0.0, prefer: std::f64::consts::FRAC_PI_2 });
+    }
+
+    fn draw_marks(&self, canvas: &mut Canvas, frame: &Frame, points: &[Point], zero: f64) {
+        for (time, label) in self.marks.iter().filter(|(time, _)| time.is_finite()) {
+            let height = frame.place(Point::new(*time, height_at(points, *time).unwrap_or(0.0))).y;
+            let foot = Point::new(frame.place(Point::new(*time, 0.0)).x, zero);
+            canvas.line([foot, Point::new(foot.x, height)], Role::Guide, true);
+            let top = Point::new(foot.x, height.max(zero));
+            let anchor = Anchor::Around { at: top, radius: 1.0, prefer: std::f64::consts::FRAC_PI_2 };
+            canvas.label(label, Role::Axis, anchor);
+        }
+    }
+}
+
+impl PlotAxis {
+    /// `F in N`, or `F in 10^3 N` where the ticks have a power taken out.
+    fn title(&self, power: i32) -> Math {
+        let mut parts = vec![self.symbol.clone(), Math::Text("in".to_owned())];
+        if power != 0 {
+            let (ten, power) = (Math::Number("10".to_owned()), Math::Number(power.to_string()));
+            parts.extend([Math::Sup(Box::new(ten), Box::new(power)), Math::Operator(Operator::Juxtapose)]);
+        }
+        parts.push(Math::Text(self.unit.clone()));
+        Math::Row(parts)
+    }
+}
+
+/// The height of a line through points at a place, by straight pieces; none outside them.
+fn height_at(points: &[Point], x: f64) -> Option<f64> {
+    points.windows(2).find_map(|pair| match pair {
+        [start, end] if start.x <= x && x <= end.x => {
+            let part = if end.x > start.x { (x - start.x) / (end.x - start.x) } else { 0.0 };
+            Some(start.towards(*end, part).y)
+        }
+        _ => None,
+    })
+}
+
+/// The centroid of the larger of the areas above and below the time axis: where a label sits well.
+fn middle_of_area(curve: &[Point], zero: f64) -> Point {
+    let lobes = [1.0, -1.0].map(|side| lobe(curve, zero, side));
+    let [(above, _), (below, _)] = lobes;
+    let (area, moment) = if above >= below { lobes[0] } else { lobes[1] };
+    if area > 0.0 { moment * (1.0 / area) } else { Point::new(SIZE.x / 2.0, zero) }
+}
+
+/// Area and first moment of what lies on one side (1: above, -1: below) of the time axis, by thin upright strips.
+fn lobe(curve: &[Point], zero: f64, side: f64) -> (f64, Point) {
+    const STRIPS: u32 = 120;
+    let width = SIZE.x / f64::from(STRIPS);
+    let strips = (0..STRIPS).map(|strip| (f64::from(strip) + 0.5) * width);
+    strips.fold((0.0, Point::ORIGIN), |(area, moment), x| {
+        let height = (side * (height_at(curve, x).unwrap_or(zero) - zero)).max(0.0);
+        let own = height * width;
+        (area + own, moment + Point::new(x, zero + side * height / 2.0) * own)
+    })
+}

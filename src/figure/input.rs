@@ -1,0 +1,92 @@
+//! What the diagrams are told: plain numbers and finished labels, without a notion of where they come from.
+
+use crate::expr::Math;
+use crate::expr::Operator;
+
+use super::{Drawing, Point, Shape};
+
+use super::extent::bounds;
+
+/// Free space around a figure, so that line widths and fonts wider than estimated are not cut.
+const MARGIN: f64 = 6.0;
+
+/// What a figure is called and what is said about it.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Wording {
+    /// Short title, for screen readers.
+    pub title: String,
+    /// What it shows, in a sentence or two, for screen readers.
+    pub description: String,
+    /// The caption beneath it.
+    pub caption: String,
+}
+
+impl Wording {
+    /// The finished drawing of `shapes`, just large enough.
+    pub(super) fn drawing(&self, shapes: Vec<Shape>) -> Drawing {
+        let frame = bounds(&shapes).grown(MARGIN);
+        let Self { title, description, caption } = self.clone();
+        Drawing { title, description, caption, low: frame.low, high: frame.high, shapes }
+    }
+}
+
+/// A vector with its label: `m_A v_A1` and (6, 0), in any one unit for all vectors of a kind in a figure.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LabelledVector {
+    /// What is written beside its arrow.
+    pub label: Math,
+    /// Its components to the right and upwards; `None` where it is not known.
+    pub value: Option<[f64; 2]>,
+}
+
+impl LabelledVector {
+    /// A known vector.
+    #[must_use]
+    pub fn known(label: Math, value: [f64; 2]) -> Self {
+        Self { label, value: Some(value) }
+    }
+
+    /// A vector that is not known.
+    #[must_use]
+    pub fn unknown(label: Math) -> Self {
+        Self { label, value: None }
+    }
+
+    /// The value as a vector of the drawing, where it is known and finite.
+    pub(super) fn vector(&self) -> Option<Point> {
+        let [x, y] = self.value?;
+        (x.is_finite() && y.is_finite()).then_some(Point::new(x, y))
+    }
+
+    /// `label = what`.
+    pub(super) fn equals(&self, what: Math) -> Math {
+        Math::relation(self.label.clone(), Operator::Equals, what)
+    }
+}
+
+/// How a body is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Form {
+    /// A disc: a puck, a ball, a particle. A long name turns it into a block.
+    #[default]
+    Disc,
+    /// A block: a cart, a crate.
+    Block,
+}
+
+/// A direction with a name: the axis x, to the right.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AxisMark {
+    /// Its name.
+    pub name: Math,
+    /// Its angle in radians, counter-clockwise from the right.
+    pub angle: f64,
+}
+
+impl AxisMark {
+    /// An axis by its letter.
+    #[must_use]
+    pub fn new(name: &str, angle: f64) -> Self {
+        Self { name: Math::Identifier(name.to_owned()), angle }
+    }
+}

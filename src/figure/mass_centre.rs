@@ -1,0 +1,124 @@
+//! Particles with their mass centre G and their velocities.
+
+use std::f64::consts::FRAC_PI_2;
+
+use crate::expr::Math;
+
+use super::extent::{Extent, bounds};
+use super::input::{AxisMark, LabelledVector, Wording};
+use super::panels::draw_axes;
+use super::place::{Anchor, Canvas};
+use super::scale::Scale;
+use super::{Drawing, Point, Role, Shape};
+
+/// The room in which the particles' places are spread out.
+const ROOM: Point = Point::new(210.0, 130.0);
+const LONGEST: f64 = 52.0;
+/// The longest arrow where particles are close together.
+const SHORTEST_LONGEST: f64 = 24.0;
+const PARTICLE: f64 = 5.5;
+const MARK: f64 = 4.5;
+
+/// What a figure of a mass centre shows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MassCentre {
+    /// Title, description, caption.
+    pub wording: Wording,
+    /// The particles.
+    pub particles: Vec<PlacedParticle>,
+    /// The mass centre, where it is to be shown: its name, place and velocity.
+    pub centre: Option<PlacedParticle>,
+    /// The axes to name.
+    pub axes: Vec<AxisMark>,
+}
+
+/// A particle, or a mass centre, at its place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlacedParticle {
+    /// Its name.
+    pub name: Math,
+    /// Its place, in any one unit for the whole figure.
+    pub position: [f64; 2],
+    /// Its velocity, where that is to be shown.
+    pub velocity: Option<LabelledVector>,
+}
+
+impl PlacedParticle {
+    fn place(&self) -> Point {
+        let [x, y] = self.position;
+        if x.is_finite() && y.is_finite() { Point::new(x, y) } else { Point::ORIGIN }
+    }
+
+    fn vector(&self) -> Option<Point> {
+        self.velocity.as_ref()?.vector()
+    }
+}
+
+impl MassCentre {
+    /// The figure: places to scale, velocities to another scale.
+    #[must_use]
+    pub fn drawing(&self) -> Drawing {
+        let all = || self.particles.iter().chain(&self.centre);
+        let spread = Extent::around(all().map(PlacedParticle::place));
+        let factor = |room: f64, size: f64| if size > 0.0 { room / size } else { f64::INFINITY };
+        let factor = factor(ROOM.x, spread.size().x).min(factor(ROOM.y, spread.size().y));
+        let factor = if factor.is_finite() { factor } else { 1.0 };
+        let placed = |particle: &PlacedParticle| (particle.place() - spread.low) * factor;
+        let longest = longest_arrow(&all().map(placed).collect::<Vec<_>>());
+        let scale = Scale::fitting(all().filter_map(PlacedParticle::vector), longest);
+        let mut canvas = Canvas::default();
+        if let Some(centre) = &self.centre {
+            draw_mark(&mut canvas, placed(centre));
+        }
+        for particle in &self.particles {
+            draw_particle(&mut canvas, particle, placed(particle), scale);
+        }
+        if let Some(centre) = &self.centre {
+            draw_velocity(&mut canvas, centre, placed(centre), MARK, scale);
+        }
+        let shapes = canvas.settle();
+        let (frame, mut canvas) = (bounds(&shapes), Canvas::default());
+        canvas.draw_all(shapes);
+        draw_axes(&mut canvas, frame, &self.axes);
+        self.wording.drawing(canvas.settle())
+    }
+}
+
+fn draw_particle(canvas: &mut Canvas, particle: &PlacedParticle, at: Point, scale: Scale) {
+    canvas.draw(Shape::Circle { centre: at, radius: PARTICLE, role: Role::Body });
+    draw_velocity(canvas, particle, at, PARTICLE, scale);
+}
+
+/// A small circle with a cross.
+fn draw_mark(canvas: &mut Canvas, at: Point) {
+    canvas.draw(Shape::Circle { centre: at, radius: MARK, role: Role::Axis });
+    for arm in [Point::new(MARK, 0.0), Point::new(0.0, MARK)] {
+        canvas.line([at - arm, at + arm], Role::Axis, false);
+    }
+}
+
+/// The arrow from the rim of the mark, if it moves, and the name on the other side.
+fn draw_velocity(canvas: &mut Canvas, particle: &PlacedParticle, at: Point, radius: f64, scale: Scale) {
+    let arrow = particle.vector().and_then(|vector| scale.arrow(vector));
+    if let (Some(arrow), Some(velocity)) = (arrow, &particle.velocity) {
+        let from = at + arrow * (radius / arrow.length());
+        canvas.arrow(from, from + arrow, Role::Velocity);
+        canvas.label(&velocity.label, Role::Velocity, Anchor::Along { from, to: from + arrow });
+    }
+    let away = arrow.map_or(FRAC_PI_2, |arrow| (-arrow).angle());
+    canvas.label(&particle.name, Role::Body, Anchor::Around { at, radius, prefer: away });
+    if let (None, Some(velocity), Some(_)) = (arrow, &particle.velocity, particle.vector()) {
+        let note = velocity.equals(Math::Number("0".to_owned()));
+        canvas.label(&note, Role::Velocity, Anchor::Around { at, radius, prefer: 0.0 });
+    }
+}
+
+/// An arrow length that keeps arrows from reaching the neighbours.
+fn longest_arrow(places: &[Point]) -> f64 {
+    let pairs = places
+        .iter()
+        .enumerate()
+        .flat_map(|(index, one)| places.iter().take(index).map(move |other| (*one - *other).length()));
+    let nearest = pairs.fold(f64::INFINITY, f64::min);
+    (0.8 * nearest - 2.0 * PARTICLE).clamp(SHORTEST_LONGEST, LONGEST)
+}

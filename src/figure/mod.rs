@@ -1,0 +1,36 @@
+//! Figures: impulse-momentum diagrams and plots, as one drawing model with an SVG and a `TikZ` writer.
+
+mod angular_diagram;
+mod body;
+mod drawing;
+mod extent;
+mod force_plot;
+mod geometry;
+mod input;
+mod mass_centre;
+mod momentum_diagram;
+mod panels;
+mod place;
+mod scale;
+mod situation;
+mod style;
+mod surface;
+mod svg;
+mod ticks;
+mod tikz;
+mod typeset;
+
+pub use angular_diagram::{AngularDiagram, AngularImpulse, AngularMomentum, AngularState};
+pub use body::Attach;
+pub use drawing::{Drawing, Point, Role, Shape};
+pub use extent::{Extent, bounds, extent, label_extent};
+pub use force_plot::{ForcePlot, PlotAxis};
+pub use input::{AxisMark, Form, LabelledVector, Wording};
+pub use mass_centre::{MassCentre, PlacedParticle};
+pub use momentum_diagram::{BodyMomentum, MomentumDiagram};
+pub use place::{Overlap, overlaps};
+pub use situation::{
+    AngleMark, Central, Contact, Fall, Ground, Height, Layout, Line, Moment, Moving, MovingBody, Partner, Situation,
+};
+pub use svg::svg;
+pub use tikz::tikz;

@@ -1,0 +1,104 @@
+//! Panels in rows with signs between them: before + impulse = after.
+
+use crate::expr::Math;
+use crate::expr::Operator;
+
+use super::extent::{Extent, Measure, bounds};
+use super::input::AxisMark;
+use super::place::{Anchor, Canvas, on_baseline};
+use super::{Point, Role, Shape};
+
+/// Room for a sign between two panels.
+const SIGN_ROOM: f64 = 24.0;
+const ROW_GAP: f64 = 16.0;
+const HEADING_GAP: f64 = 12.0;
+/// Length of the axes that name the directions, and their distance from the panels.
+const AXIS_LENGTH: f64 = 26.0;
+const AXES_GAP: f64 = 14.0;
+
+/// One equation of pictures: each panel drawn about its own origin, the signs between them.
+pub(super) struct Row {
+    pub panels: Vec<Vec<Shape>>,
+    pub signs: Vec<Operator>,
+}
+
+/// Rows in columns: headings above, signs between, axes at the lower left.
+pub(super) fn assemble(headings: &[Math], rows: Vec<Row>, axes: &[AxisMark]) -> Vec<Shape> {
+    let widths = column_widths(headings, &rows);
+    let centres = column_centres(&widths);
+    let mut canvas = Canvas::default();
+    for (heading, centre) in headings.iter().zip(&centres) {
+        canvas.fixed_label(on_baseline(*centre, 0.0, heading), heading, Role::Body);
+    }
+    let mut top = if headings.is_empty() { 0.0 } else { -HEADING_GAP };
+    for row in rows {
+        let frame = row.panels.iter().map(|panel| bounds(panel)).reduce(Extent::joined);
+        let frame = frame.unwrap_or(Extent { low: Point::ORIGIN, high: Point::ORIGIN });
+        let level = top - frame.high.y;
+        for (index, sign) in row.signs.iter().enumerate() {
+            if let (Some(left), Some(right)) = (centres.get(index), centres.get(index + 1)) {
+                let (left_width, right_width) = (widths[index], widths[index + 1]);
+                let x = f64::midpoint(left + left_width / 2.0, right - right_width / 2.0);
+                canvas.fixed_label(Point::new(x, level), &Math::Operator(*sign), Role::Body);
+            }
+        }
+        for (panel, centre) in row.panels.into_iter().zip(&centres) {
+            let shift = Point::new(centre - bounds(&panel).centre().x, level);
+            canvas.draw_all(panel.into_iter().map(|shape| shifted(shape, shift)));
+        }
+        top = level + frame.low.y - ROW_GAP;
+    }
+    let frame = bounds(canvas.shapes());
+    draw_axes(&mut canvas, frame, axes);
+    canvas.settle()
+}
+
+/// Axes below the left end of what takes the room `taken`.
+pub(super) fn draw_axes(canvas: &mut Canvas, taken: Extent, axes: &[AxisMark]) {
+    if axes.is_empty() {
+        return;
+    }
+    let mut own = Canvas::default();
+    for axis in axes.iter().filter(|axis| axis.angle.is_finite()) {
+        let tip = Point::polar(AXIS_LENGTH, axis.angle);
+        own.arrow(Point::ORIGIN, tip, Role::Axis);
+        own.label(&axis.name, Role::Axis, Anchor::Around { at: tip, radius: 0.0, prefer: axis.angle });
+    }
+    let own = own.settle();
+    let frame = bounds(&own);
+    let shift = Point::new(taken.low.x - frame.low.x, taken.low.y - AXES_GAP - frame.high.y);
+    canvas.draw_all(own.into_iter().map(|shape| shifted(shape, shift)));
+}
+
+fn column_widths(headings: &[Math], rows: &[Row]) -> Vec<f64> {
+    let columns = rows.iter().map(|row| row.panels.len()).max().unwrap_or(0).max(headings.len());
+    let heading = |column: usize| headings.get(column).map_or(0.0, |heading| Measure::of(heading).width);
+    let panel = |row: &Row, column: usize| row.panels.get(column).map_or(0.0, |panel| bounds(panel).size().x);
+    (0..columns).map(|column| rows.iter().map(|row| panel(row, column)).fold(heading(column), f64::max)).collect()
+}
+
+fn column_centres(widths: &[f64]) -> Vec<f64> {
+    let mut left = 0.0;
+    let mut centres = Vec::new();
+    for width in widths {
+        centres.push(left + width / 2.0);
+        left += width + SIGN_ROOM;
+    }
+    centres
+}
+
+/// The shape, moved.
+pub(super) fn shifted(shape: Shape, by: Point) -> Shape {
+    let all = |points: Vec<Point>| points.into_iter().map(|point| point + by).collect();
+    match shape {
+        Shape::Line { points, role, dashed } => Shape::Line { points: all(points), role, dashed },
+        Shape::Arrow { from, to, role } => Shape::Arrow { from: from + by, to: to + by, role },
+        Shape::Circle { centre, radius, role } => Shape::Circle { centre: centre + by, radius, role },
+        Shape::Rectangle { centre, size, angle, role } => Shape::Rectangle { centre: centre + by, size, angle, role },
+        Shape::Arc { centre, radius, from, to, arrow, role } => {
+            Shape::Arc { centre: centre + by, radius, from, to, arrow, role }
+        }
+        Shape::Area { points, role } => Shape::Area { points: all(points), role },
+        Shape::Label { at, text, role } => Shape::Label { at: at + by, text, role },
+    }
+}

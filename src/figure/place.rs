@@ -1,0 +1,265 @@
+//! Placing labels: each tries the places that a draughtsman would try, in that order, then ever wider rings.
+
+use std::f64::consts::TAU;
+
+use crate::expr::Math;
+
+use super::extent::{Contact, Extent, Measure, label_extent};
+use super::{Drawing, Point, Role, Shape};
+
+/// Clear space between a label and what it belongs to.
+const GAP: f64 = 3.0;
+/// Labels beside arrows keep clear of the head, which is wider than the shaft.
+const HEAD_ROOM: f64 = 2.0;
+/// Room for the rest of the head of an arrow whose label lies beyond its end.
+const HEAD_LENGTH: f64 = 5.0;
+/// Clear space between a label and everything else.
+const CLEARANCE: f64 = 1.2;
+/// Clear space between the label of one arrow and another arrow: as much as there is room for.
+const DISTANCES: [f64; 2] = [11.0, 6.0];
+/// How near another arrow must be for labels to be mixed up.
+const NEARBY: f64 = 18.0;
+/// How far beyond the arc of an angle its label is tried.
+const OPENINGS: [f64; 6] = [0.0, 6.0, 12.0, 18.0, 24.0, 30.0];
+/// Step from ring to ring, number of rings, places on a ring.
+const RING_STEP: f64 = 5.0;
+const RINGS: u32 = 80;
+const RING_PLACES: u32 = 16;
+
+/// What a label belongs to.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Anchor {
+    /// A line or an arrow: beside its middle, then beside other parts of it, then beyond its end.
+    Along { from: Point, to: Point },
+    /// A point with a radius about it: in the preferred direction (radians), then in others.
+    Around { at: Point, radius: f64, prefer: f64 },
+    /// The opening of an angle: beyond its arc, where the sides leave room, then as around its vertex.
+    Opening { at: Point, radius: f64, prefer: f64 },
+}
+
+/// A drawing in the making: shapes that are fixed, and labels that still look for their places.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Canvas {
+    shapes: Vec<Shape>,
+    wishes: Vec<(Math, Role, Anchor)>,
+}
+
+impl Canvas {
+    pub(super) fn draw(&mut self, shape: Shape) {
+        self.shapes.push(shape);
+    }
+
+    pub(super) fn draw_all(&mut self, shapes: impl IntoIterator<Item = Shape>) {
+        self.shapes.extend(shapes);
+    }
+
+    pub(super) fn line(&mut self, points: impl IntoIterator<Item = Point>, role: Role, dashed: bool) {
+        self.draw(Shape::Line { points: points.into_iter().collect(), role, dashed });
+    }
+
+    pub(super) fn arrow(&mut self, from: Point, to: Point, role: Role) {
+        self.draw(Shape::Arrow { from, to, role });
+    }
+
+    /// A label whose place is known: the name in a body, a tick's number.
+    pub(super) fn fixed_label(&mut self, at: Point, text: &Math, role: Role) {
+        self.draw(Shape::Label { at, text: text.clone(), role });
+    }
+
+    /// A label that looks for its place when all shapes are there.
+    pub(super) fn label(&mut self, text: &Math, role: Role, anchor: Anchor) {
+        self.wishes.push((text.clone(), role, anchor));
+    }
+
+    /// The shapes so far, without the labels that still look for their places.
+    pub(super) fn shapes(&self) -> &[Shape] {
+        &self.shapes
+    }
+
+    /// All shapes, every label at its place.
+    pub(super) fn settle(self) -> Vec<Shape> {
+        let mut shapes = self.shapes;
+        if self.wishes.is_empty() {
+            return shapes;
+        }
+        // Measuring a label is dear, and each is compared with many places: it is done once.
+        let mut boxes: Vec<Option<Extent>> = shapes.iter().map(label_box).collect();
+        for (text, role, anchor) in self.wishes {
+            let own = label_extent(Point::ORIGIN, &text);
+            let at = place(own, anchor, &shapes, &boxes);
+            boxes.push(Some(own.moved(at)));
+            shapes.push(Shape::Label { at, text, role });
+        }
+        shapes
+    }
+}
+
+/// The box of a label; none of other shapes.
+fn label_box(shape: &Shape) -> Option<Extent> {
+    match shape {
+        Shape::Label { at, text, .. } => Some(label_extent(*at, text)),
+        _ => None,
+    }
+}
+
+/// The first candidate for a label of that size that is free, or else the last one. `boxes` are those of the shapes that
+/// are labels.
+fn place(label: Extent, anchor: Anchor, shapes: &[Shape], boxes: &[Option<Extent>]) -> Point {
+    let near = near_places(anchor, label.size());
+    let start = near.first().copied().unwrap_or_default();
+    let rings = (1..=RINGS).flat_map(|ring| {
+        let radius = RING_STEP * f64::from(ring);
+        (0..RING_PLACES).map(move |turn| {
+            let angle = TAU * (f64::from(turn) / f64::from(RING_PLACES) + 0.25);
+            start + Point::polar(radius, angle)
+        })
+    });
+    let is_free = |at: &Point| {
+        let own = label.moved(*at).grown(CLEARANCE);
+        !shapes.iter().zip(boxes).any(|(shape, label)| match label {
+            Some(label) => own.meets(*label),
+            None => is_blocked(own, shape),
+        })
+    };
+    let foreign: Vec<&Shape> = shapes.iter().filter(|shape| is_foreign(anchor, shape)).collect();
+    let is_clear = |at: &Point, distance: f64| {
+        let own = label.moved(*at).grown(distance);
+        is_free(at) && foreign.iter().all(|shape| own.contact(shape) == Contact::Clear)
+    };
+    let near_and_end = || near.iter().copied().chain(end_place(anchor, label.size()));
+    let clear = |distance: f64| near_and_end().find(|at| is_clear(at, distance));
+    // Where no other arrow is near, any place beside its own will do.
+    let best = if foreign.is_empty() { None } else { DISTANCES.into_iter().find_map(clear) };
+    best.or_else(|| near.iter().copied().chain(rings).find(is_free)).unwrap_or(start)
+}
+
+/// Whether a label that belongs to an arrow could be taken for that of this shape, another arrow near to it.
+fn is_foreign(anchor: Anchor, shape: &Shape) -> bool {
+    match (anchor, shape) {
+        // An arrow's label lies along it from its tail, or towards its tail.
+        (Anchor::Along { from: start, to: end }, Shape::Arrow { from, .. }) => {
+            let near = Extent::around([start, end]).grown(NEARBY);
+            *from != start && *from != end && near.contact(shape) != Contact::Clear
+        }
+        _ => false,
+    }
+}
+
+fn is_blocked(own: Extent, shape: &Shape) -> bool {
+    match own.contact(shape) {
+        Contact::Clear => false,
+        Contact::Inside => shape.is_body(),
+        Contact::Crosses => true,
+    }
+}
+
+/// Beyond the end of an arrow or a line; the anchor of an arrow ends amid its head.
+fn end_place(anchor: Anchor, size: Point) -> Option<Point> {
+    let Anchor::Along { from, to } = anchor else { return None };
+    let along = to - from;
+    (along.length() > 0.0).then(|| clear_of(to, along * (1.0 / along.length()), GAP + HEAD_LENGTH, size))
+}
+
+fn near_places(anchor: Anchor, size: Point) -> Vec<Point> {
+    match anchor {
+        Anchor::Along { from, to } => {
+            let along = to - from;
+            let unit = if along.length() > 0.0 { along * (1.0 / along.length()) } else { Point::new(1.0, 0.0) };
+            let normal = if unit.turned().y < -1e-9 { -unit.turned() } else { unit.turned() };
+            // Beside a steep line the label starts at the point, beside a level one it is centred on it. What that
+            // leaves of the label beyond the line is made up for by distance.
+            let beside = |part: f64, side: Point| {
+                let share = |component: f64| (2.0 * component).clamp(-1.0, 1.0) / 2.0;
+                let shift = Point::new(size.x * share(side.x), size.y * share(side.y));
+                let lack = Point::new(side.x.abs(), side.y.abs()).dot(size * 0.5) - shift.dot(side);
+                from.towards(to, part) + shift + side * (GAP + HEAD_ROOM + lack)
+            };
+            let mut places: Vec<_> = [0.5, 0.7, 0.35, 0.9, 0.15]
+                .into_iter()
+                .flat_map(|part| [beside(part, normal), beside(part, -normal)])
+                .collect();
+            places.push(clear_of(to, unit, GAP, size));
+            places
+        }
+        Anchor::Around { at, radius, prefer } => [0.0, 1.0, -1.0, 2.0, -2.0, 3.0, -3.0, 4.0]
+            .into_iter()
+            .map(|eighths| clear_of(at, Point::polar(1.0, prefer + eighths * TAU / 8.0), radius + GAP, size))
+            .collect(),
+        Anchor::Opening { at, radius, prefer } => {
+            let outward = OPENINGS.map(|more| clear_of(at, Point::polar(1.0, prefer), radius + GAP + more, size));
+            let around = near_places(Anchor::Around { at, radius, prefer }, size);
+            outward.into_iter().chain(around).collect()
+        }
+    }
+}
+
+/// The nearest centre in that direction for a box that keeps `distance` from the point.
+fn clear_of(at: Point, direction: Point, distance: f64, size: Point) -> Point {
+    let half = size * 0.5;
+    let reach = |half: f64, part: f64| if part.abs() > 1e-9 { half / part.abs() } else { f64::INFINITY };
+    at + direction * (distance + reach(half.x, direction.x).min(reach(half.y, direction.y)))
+}
+
+/// Where the centre of a label must lie for its baseline to be at `height`.
+pub(super) fn on_baseline(x: f64, height: f64, text: &Math) -> Point {
+    Point::new(x, height + Measure::of(text).drop())
+}
+
+/// A label that touches something it must not.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Overlap {
+    /// The label.
+    pub label: Shape,
+    /// What it touches.
+    pub other: Shape,
+}
+
+/// Every pair of a label and a line, an arrow, an outline or another label that share room, by their estimated boxes.
+///
+/// A label wholly inside an outline (the name of a body) is as it should be, and so is one on a shaded area.
+///
+/// ```
+/// use momentous::expr::Math;
+/// use momentous::figure::{Drawing, Point, Role, Shape, overlaps};
+///
+/// let text = Math::Identifier("v".into());
+/// let label = |x| Shape::Label { at: Point { x, y: 0.0 }, text: text.clone(), role: Role::Velocity };
+/// let (low, high) = (Point { x: -9.0, y: -9.0 }, Point { x: 99.0, y: 9.0 });
+/// let words = String::new;
+/// let drawing = |shapes| Drawing { title: words(), description: words(), caption: words(), low, high, shapes };
+/// assert_eq!(overlaps(&drawing(vec![label(0.0), label(40.0)])).len(), 0);
+/// assert_eq!(overlaps(&drawing(vec![label(0.0), label(1.0)])).len(), 1);
+/// ```
+#[must_use]
+pub fn overlaps(drawing: &Drawing) -> Vec<Overlap> {
+    let is_label = |shape: &Shape| matches!(shape, Shape::Label { .. });
+    let mut found = Vec::new();
+    for (index, label) in drawing.shapes.iter().enumerate() {
+        let Shape::Label { at, text, .. } = label else { continue };
+        let own = label_extent(*at, text);
+        // Two labels meet once, not twice.
+        let others = drawing.shapes.iter().enumerate().filter(|(other, shape)| !is_label(shape) || *other > index);
+        for (_, other) in others {
+            if own.contact(other) == Contact::Crosses {
+                found.push(Overlap { label: label.clone(), other: other.clone() });
+            }
+        }
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_label_goes_to_the_other_side_when_the_first_is_taken() {
+        let mut canvas = Canvas::default();
+        let (from, to) = (Point::ORIGIN, Point::new(60.0, 0.0));
+        canvas.arrow(from, to, Role::Velocity);
+        canvas.line([Point::new(0.0, 8.0), Point::new(60.0, 8.0)], Role::Surface, false);
+        canvas.label(&Math::Identifier("v".into()), Role::Velocity, Anchor::Along { from, to });
+        let shapes = canvas.settle();
+        assert!(matches!(shapes.last(), Some(Shape::Label { at, .. }) if at.y < 0.0));
+    }
+}

@@ -1,0 +1,47 @@
+//! One scale for all arrows of a kind in a figure.
+
+use super::Point;
+
+/// Below this part of the longest arrow a vector is rounding, not motion.
+const NOTHING: f64 = 1e-9;
+/// The shortest arrow that still reads as one; smaller vectors are drawn so, and no longer to scale.
+const SHORTEST: f64 = 11.0;
+
+/// From a quantity's unit to drawing units.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Scale {
+    largest: f64,
+    longest: f64,
+}
+
+impl Scale {
+    /// The scale by which the largest of `vectors` becomes an arrow of length `longest`.
+    pub(super) fn fitting(vectors: impl IntoIterator<Item = Point>, longest: f64) -> Self {
+        let largest = vectors.into_iter().map(Point::length).fold(0.0, f64::max);
+        Self { largest, longest }
+    }
+
+    /// The arrow for `vector`; `None` for one that is zero.
+    pub(super) fn arrow(self, vector: Point) -> Option<Point> {
+        let size = vector.length();
+        if size <= NOTHING * self.largest || !size.is_finite() {
+            return None;
+        }
+        let length = (size / self.largest * self.longest).max(SHORTEST);
+        Some(vector * (length / size))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_largest_fills_the_panel_and_the_tiniest_is_still_seen() {
+        let (large, tiny) = (Point::new(3.0, 4.0), Point::new(0.0, -0.001));
+        let scale = Scale::fitting([large, tiny], 70.0);
+        assert!(scale.arrow(large).is_some_and(|arrow| (arrow.length() - 70.0).abs() < 1e-9));
+        assert_eq!(scale.arrow(tiny), Some(Point::new(0.0, -SHORTEST)));
+        assert_eq!(scale.arrow(Point::ORIGIN), None);
+    }
+}

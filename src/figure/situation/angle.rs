@@ -1,0 +1,136 @@
+//! Angles: a dashed reference, an arc from it to a direction, a label.
+
+use std::f64::consts::{PI, TAU};
+
+use crate::expr::Math;
+use crate::figure::extent::{Contact, Extent};
+use crate::figure::geometry::arc_points;
+use crate::figure::place::{Anchor, Canvas};
+use crate::figure::{Point, Role, Shape};
+
+const REFERENCE: f64 = 34.0;
+const ARC_RADIUS: f64 = 22.0;
+/// Parts of a short arrow that they take at most.
+const REFERENCE_SHARE: f64 = 0.6;
+const ARC_SHARE: f64 = 0.4;
+/// An arc shorter than this (radians) cannot be seen, and one this close to a half turn has no short way.
+const SMALLEST_ANGLE: f64 = 0.02;
+/// Strokes keep this far from bodies.
+const CLEARANCE: f64 = 1.0;
+
+/// An angle with its label, from a dashed reference direction to a vector or a line.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AngleMark {
+    /// The reference direction, in radians.
+    pub from: f64,
+    /// What is written at the arc.
+    pub label: Math,
+}
+
+/// Where an angle may be marked.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Vertex {
+    pub at: Point,
+    /// From the vertex to where the reference starts.
+    pub inner: f64,
+    /// How far away the next body is.
+    pub room: f64,
+}
+
+impl Vertex {
+    /// A vertex with nothing near it but what lies within `inner`.
+    pub(super) fn open(at: Point, inner: f64) -> Self {
+        Self { at, inner, room: f64::INFINITY }
+    }
+
+    fn reference(self, angle: f64) -> [Point; 2] {
+        let end = self.inner + REFERENCE.min(REFERENCE_SHARE * self.room);
+        [self.inner, end].map(|distance| self.at + Point::polar(distance, angle))
+    }
+
+    fn radius(self) -> f64 {
+        self.inner + ARC_RADIUS.min(ARC_SHARE * self.room)
+    }
+
+    /// Whether its strokes keep clear of all bodies; the reference may start at one.
+    fn is_clear(self, canvas: &Canvas, from: f64, turn: f64) -> bool {
+        let [start, end] = self.reference(from);
+        let reference = (2..=10).map(|tenth| start.towards(end, f64::from(tenth) / 10.0));
+        let strokes = reference.chain(arc_points(self.at, self.radius(), from, from + turn));
+        let mut boxes = strokes.map(|point| Extent::around([point]).grown(CLEARANCE));
+        let bodies: Vec<&Shape> = canvas.shapes().iter().filter(|shape| shape.is_body()).collect();
+        boxes.all(|own| bodies.iter().all(|body| own.contact(body) == Contact::Clear))
+    }
+}
+
+/// Marks the angle at the first vertex where its strokes keep clear of all bodies, or else at the last one.
+///
+/// The arc goes the short way; a vertex that is not the first one needs the direction continued, dashed.
+pub(super) fn draw_angle(canvas: &mut Canvas, vertices: &[Vertex], direction: Point, mark: &AngleMark) {
+    let turn = signed_turn(mark.from, direction.angle());
+    if !turn.is_finite() || turn.abs() < SMALLEST_ANGLE || turn.abs() > PI - SMALLEST_ANGLE {
+        return;
+    }
+    let chosen = vertices.iter().position(|vertex| vertex.is_clear(canvas, mark.from, turn));
+    let chosen = chosen.unwrap_or(vertices.len().saturating_sub(1));
+    let Some(vertex) = vertices.get(chosen) else { return };
+    let reference = vertex.reference(mark.from);
+    if !canvas.shapes().iter().any(|shape| covers(shape, reference)) {
+        canvas.line(reference, Role::Guide, true);
+    }
+    if chosen > 0 {
+        canvas.line(vertex.reference(direction.angle()), Role::Guide, true);
+    }
+    let (centre, radius) = (vertex.at, vertex.radius());
+    let (from, to) = if turn > 0.0 { (mark.from, mark.from + turn) } else { (mark.from + turn, mark.from) };
+    canvas.draw(Shape::Arc { centre, radius, from, to, arrow: false, role: Role::Guide });
+    let prefer = f64::midpoint(from, to);
+    canvas.label(&mark.label, Role::Body, Anchor::Opening { at: centre, radius, prefer });
+}
+
+/// Whether an arrow lies where the reference would.
+fn covers(shape: &Shape, [start, end]: [Point; 2]) -> bool {
+    let Shape::Arrow { from, to, .. } = shape else { return false };
+    let along = *to - *from;
+    let unit = along * (1.0 / along.length().max(1e-9));
+    [start, end].into_iter().all(|point| {
+        let own = point - *from;
+        let part = own.dot(unit);
+        (own - unit * part).length() < 1.0 && part > -REFERENCE && part < along.length() + REFERENCE
+    })
+}
+
+/// The turn from one angle to another, between -pi and pi.
+fn signed_turn(from: f64, to: f64) -> f64 {
+    let turn = libm::fmod(to - from, TAU);
+    if turn > PI {
+        turn - TAU
+    } else if turn <= -PI {
+        turn + TAU
+    } else {
+        turn
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_arc_goes_the_short_way() {
+        let cases = [(0.0, PI / 6.0, PI / 6.0), (3.0, -3.0, TAU - 6.0), (-3.0, 3.0, 6.0 - TAU)];
+        for (from, to, turn) in cases {
+            assert!((signed_turn(from, to) - turn).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn an_angle_moves_away_from_a_body_in_its_way() {
+        let mut canvas = Canvas::default();
+        canvas.draw(Shape::Circle { centre: Point::new(25.0, 0.0), radius: 10.0, role: Role::Body });
+        let mark = AngleMark { from: 0.0, label: Math::Identifier("b".into()) };
+        let vertices = [Vertex::open(Point::ORIGIN, 0.0), Vertex::open(Point::new(0.0, 60.0), 0.0)];
+        draw_angle(&mut canvas, &vertices, Point::new(0.0, 1.0), &mark);
+        assert!(canvas.shapes().iter().any(|shape| matches!(shape, Shape::Arc { centre, .. } if centre.y > 50.0)));
+    }
+}

@@ -1,0 +1,104 @@
+//! A body about a fixed centre: a satellite, a ball on a cord, a collar on an arm.
+
+use std::f64::consts::PI;
+
+use crate::expr::Math;
+use crate::figure::place::{Anchor, Canvas};
+use crate::figure::{Point, Role, Shape};
+
+use super::moving::{MovingBody, Scales, draw_vector};
+
+const LONGEST: f64 = 58.0;
+const RADIUS: f64 = 92.0;
+const CENTRE_DOT: f64 = 1.8;
+/// The arc that stands for a moment, and how far it turns.
+const MOMENT_RADIUS: f64 = 24.0;
+const MOMENT_TURN: f64 = 1.2 * PI;
+/// How far the dashed path goes on either side of the body, in radians.
+const PATH: f64 = 0.9;
+
+/// A body about a fixed centre.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Central {
+    /// The name of the centre.
+    pub centre: Math,
+    /// The body's direction from the centre, in radians.
+    pub angle: f64,
+    /// The label of its distance from the centre.
+    pub radius: Option<Math>,
+    /// The labels of the horizontal and the vertical part of that distance, drawn dashed.
+    pub legs: Option<[Math; 2]>,
+    /// The body with its given velocities, along x and y.
+    pub body: MovingBody,
+    /// Whether the circle through the body is indicated, dashed.
+    pub circle: bool,
+    /// A moment about the centre.
+    pub moment: Option<Moment>,
+}
+
+/// A moment about a centre, drawn as an arc around it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Moment {
+    /// What is written at its arc.
+    pub label: Math,
+    /// Positive counter-clockwise; only the sign is drawn.
+    pub value: f64,
+}
+
+impl Central {
+    pub(super) fn draw(&self, canvas: &mut Canvas) {
+        let angle = if self.angle.is_finite() { self.angle } else { 0.0 };
+        let outward = Point::polar(1.0, angle);
+        let scales = Scales::of([&self.body], LONGEST);
+        let mut body = self.body.outline().moved(outward * RADIUS);
+        body.draw(canvas);
+        draw_centre(canvas, Point::ORIGIN, &self.centre, angle);
+        let end = outward * (RADIUS - body.reach(-outward));
+        canvas.line([outward * CENTRE_DOT, end], Role::Length, false);
+        if let Some(label) = &self.radius {
+            canvas.label(label, Role::Length, Anchor::Along { from: Point::ORIGIN, to: end });
+        }
+        if let Some([horizontal, vertical]) = &self.legs {
+            let corner = Point::new(outward.x * RADIUS, 0.0);
+            let upright = Point::new(0.0, if outward.y < 0.0 { -1.0 } else { 1.0 });
+            let height = (outward.y * RADIUS).abs() - body.reach(-upright);
+            for (from, to, label) in
+                [(Point::ORIGIN, corner, horizontal), (corner, corner + upright * height.max(0.0), vertical)]
+            {
+                canvas.line([from, to], Role::Guide, true);
+                canvas.label(label, Role::Length, Anchor::Along { from, to });
+            }
+        }
+        if self.circle {
+            let hidden = 1.1 * body.support(outward.turned()) / RADIUS;
+            for (from, to) in [(angle - PATH, angle - hidden), (angle + hidden, angle + PATH)] {
+                let parts = (0..=12).map(|part| from + (to - from) * f64::from(part) / 12.0);
+                canvas.line(parts.map(|angle| Point::polar(RADIUS, angle)), Role::Path, true);
+            }
+        }
+        for moving in &self.body.vectors {
+            draw_vector(canvas, &mut body, moving, &scales, moving.attach);
+        }
+        if let Some(moment) = &self.moment {
+            moment.draw(canvas, angle);
+        }
+    }
+}
+
+impl Moment {
+    /// On the far side of the centre, clear of the radius.
+    fn draw(&self, canvas: &mut Canvas, outward: f64) {
+        let turn = if self.value < 0.0 { -MOMENT_TURN } else { MOMENT_TURN };
+        let (centre, radius, role) = (Point::ORIGIN, MOMENT_RADIUS, Role::Force);
+        let from = outward + PI - turn / 2.0;
+        canvas.draw(Shape::Arc { centre, radius, from, to: from + turn, arrow: true, role });
+        canvas.label(&self.label, role, Anchor::Around { at: centre, radius, prefer: outward + PI });
+    }
+}
+
+/// A small mark with a name: a fixed centre.
+pub(in crate::figure) fn draw_centre(canvas: &mut Canvas, at: Point, name: &Math, away_from: f64) {
+    canvas.draw(Shape::Circle { centre: at, radius: CENTRE_DOT, role: Role::Axis });
+    let anchor = Anchor::Around { at, radius: CENTRE_DOT, prefer: away_from + std::f64::consts::PI };
+    canvas.label(name, Role::Body, anchor);
+}

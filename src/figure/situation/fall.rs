@@ -1,0 +1,154 @@
+//! A body that falls to the floor, and perhaps bounces: heights with dimension lines, the path dashed.
+
+use std::f64::consts::PI;
+
+use crate::expr::Math;
+use crate::figure::body::Attach;
+use crate::figure::place::{Anchor, Canvas};
+use crate::figure::surface::draw_surface;
+use crate::figure::{Point, Role};
+
+use super::angle::{AngleMark, Vertex, draw_angle};
+use super::moving::{MovingBody, Scales, draw_vector};
+
+/// The greatest height, the least that can be seen, and the least that a dimension line fits into.
+const HIGHEST: f64 = 120.0;
+const LOWEST: f64 = 3.0;
+const LOWEST_DIMENSION: f64 = 16.0;
+/// Width of a bounce as high as the fall.
+const BOUNCE_WIDTH: f64 = 84.0;
+const DIMENSION_GAP: f64 = 26.0;
+const OVERHANG: f64 = 24.0;
+const ARC_PARTS: u32 = 24;
+/// Half the length of a slope.
+const SLOPE_HALF: f64 = 70.0;
+/// How high the wedge of a slope must be for a label, and how far from its foot it may be so.
+const WEDGE_HEIGHT: f64 = 15.0;
+const WEDGE: (f64, f64) = (30.0, 92.0);
+
+/// A fall.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fall {
+    /// The body where it is let go, with its given velocity.
+    pub body: MovingBody,
+    /// The height of the fall, and then of each bounce that is to be shown.
+    pub heights: Vec<Height>,
+    /// What it falls on.
+    pub ground: Ground,
+}
+
+/// What a body falls on.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Ground {
+    /// A level floor.
+    #[default]
+    Level,
+    /// A slope that rises to the right at an angle in radians, with what is written at that angle.
+    Slope(f64, Option<Math>),
+    /// Another body.
+    Body(MovingBody),
+}
+
+/// A height above the floor.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Height {
+    /// What is written at its dimension line; without it the height is not dimensioned.
+    pub label: Option<Math>,
+    /// Its value, in any one unit for all heights of the figure.
+    pub value: f64,
+}
+
+impl Fall {
+    pub(super) fn draw(&self, canvas: &mut Canvas) {
+        let mut body = self.body.outline();
+        let down = Point::new(0.0, -1.0);
+        let radius = body.support(down);
+        let largest =
+            self.heights.iter().map(|height| height.value).filter(|value| value.is_finite()).fold(0.0, f64::max);
+        let drawn_height = |height: &Height| {
+            let part = if largest > 0.0 { height.value / largest } else { 1.0 };
+            if part.is_finite() { (part * HIGHEST).clamp(LOWEST, HIGHEST) } else { LOWEST }
+        };
+        let mut heights = self.heights.iter().map(|height| (drawn_height(height), height.label.as_ref()));
+        let (fall, label) = heights.next().unwrap_or((HIGHEST, None));
+        // Heights are those of the lowest point of the body.
+        body = body.moved(Point::new(0.0, fall + radius));
+        body.draw(canvas);
+        let scales = Scales::of([&self.body], HIGHEST / 3.0);
+        for moving in &self.body.vectors {
+            draw_vector(canvas, &mut body, moving, &scales, Attach::Leaving);
+        }
+        canvas.line([Point::new(0.0, fall), Point::ORIGIN], Role::Path, true);
+        dimension(canvas, Point::new(-radius - DIMENSION_GAP, fall), Some(-4.0), label);
+        let mut x = 0.0;
+        for (height, label) in heights {
+            let width = BOUNCE_WIDTH * (height / HIGHEST).sqrt();
+            canvas.line(parabola(x, width, height), Role::Path, true);
+            let apex = Point::new(x + width / 2.0, height);
+            dimension(canvas, apex, None, label);
+            x += width;
+        }
+        let left = -radius - DIMENSION_GAP;
+        self.ground.draw(canvas, [left, x.max(radius)]);
+    }
+}
+
+impl Ground {
+    /// Under what reaches from the dimension line at `left` to `right`; the fall ends at the origin.
+    fn draw(&self, canvas: &mut Canvas, [left, right]: [f64; 2]) {
+        match self {
+            Self::Level => {
+                draw_surface(canvas, Point::new(left - OVERHANG, 0.0), Point::new(right + OVERHANG, 0.0));
+            }
+            Self::Slope(angle, label) => {
+                let along = Point::polar(SLOPE_HALF, if angle.is_finite() { *angle } else { 0.0 });
+                draw_surface(canvas, -along, along);
+                // The foot of the height's dimension line hangs in the air beside the slope.
+                canvas.line([Point::new(left - 4.0, 0.0), Point::new(-4.0, 0.0)], Role::Guide, false);
+                if let Some(label) = label {
+                    let foot = if along.y < 0.0 { along } else { -along };
+                    let (from, label) = (if along.y < 0.0 { PI } else { 0.0 }, label.clone());
+                    canvas.line([foot, Point::new(-foot.x, foot.y)], Role::Guide, false);
+                    draw_angle(canvas, &[Vertex::open(foot, wedge(*angle))], -foot, &AngleMark { from, label });
+                }
+            }
+            Self::Body(body) => {
+                let outline = body.outline();
+                let mut outline = outline.clone().moved(Point::new(0.0, -outline.support(Point::new(0.0, 1.0))));
+                outline.draw(canvas);
+                for moving in &body.vectors {
+                    draw_vector(canvas, &mut outline, moving, &Scales::of([body], HIGHEST / 3.0), Attach::Leaving);
+                }
+                let edge = outline.reach(Point::new(1.0, 0.0));
+                canvas.line([Point::new(left - 4.0, 0.0), Point::new(-edge, 0.0)], Role::Guide, false);
+            }
+        }
+    }
+}
+
+/// From the foot of a slope to the arc of its angle, far enough for a label between slope and level.
+fn wedge(angle: f64) -> f64 {
+    (WEDGE_HEIGHT / libm::sin(angle).abs().max(1e-3)).clamp(WEDGE.0, WEDGE.1)
+}
+
+fn parabola(start: f64, width: f64, height: f64) -> impl Iterator<Item = Point> {
+    (0..=ARC_PARTS).map(move |part| {
+        let part = f64::from(part) / f64::from(ARC_PARTS);
+        Point::new(start + width * part, 4.0 * height * part * (1.0 - part))
+    })
+}
+
+/// A double arrow from `top` down to the floor, and a guide from its top to what is that high.
+fn dimension(canvas: &mut Canvas, top: Point, guide_to: Option<f64>, label: Option<&Math>) {
+    let Some(label) = label else { return };
+    if top.y < LOWEST_DIMENSION {
+        return canvas.label(label, Role::Body, Anchor::Around { at: top, radius: 0.0, prefer: PI / 2.0 });
+    }
+    let (foot, middle) = (Point::new(top.x, 0.0), Point::new(top.x, top.y / 2.0));
+    canvas.arrow(middle, top, Role::Guide);
+    canvas.arrow(middle, foot, Role::Guide);
+    if let Some(end) = guide_to {
+        canvas.line([Point::new(top.x - 4.0, top.y), Point::new(end, top.y)], Role::Guide, false);
+    }
+    canvas.label(label, Role::Body, Anchor::Along { from: foot, to: top });
+}

@@ -1,0 +1,80 @@
+//! The figure on a problem sheet: the bodies, and nothing but what is given.
+
+mod angle;
+mod central;
+mod contact;
+mod fall;
+mod line;
+mod moving;
+
+pub use angle::AngleMark;
+pub(super) use central::draw_centre;
+pub use central::{Central, Moment};
+pub use contact::{Contact, Partner};
+pub use fall::{Fall, Ground, Height};
+pub use line::Line;
+pub use moving::{Moving, MovingBody};
+
+use super::extent::bounds;
+use super::input::{AxisMark, Wording};
+use super::panels::draw_axes;
+use super::place::Canvas;
+use super::{Drawing, Shape};
+
+/// What the figure on a problem sheet shows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Situation {
+    /// Title, description, caption.
+    pub wording: Wording,
+    /// The bodies and how they lie to each other.
+    pub layout: Layout,
+    /// The axes to name.
+    pub axes: Vec<AxisMark>,
+}
+
+/// How the bodies lie to each other.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Layout {
+    /// Apart, along a straight line.
+    Line(Line),
+    /// At the moment of contact.
+    Contact(Contact),
+    /// One body about a fixed centre.
+    Central(Central),
+    /// A body that falls, and perhaps bounces.
+    Fall(Fall),
+}
+
+impl Situation {
+    /// The drawing.
+    ///
+    /// ```
+    /// use momentous::expr::Math;
+    /// use momentous::figure::{Layout, Line, LabelledVector, Moving, MovingBody, Situation, Wording, overlaps};
+    ///
+    /// let cart = |name: &str, speed| {
+    ///     let velocity = LabelledVector::known(Math::subscripted("v", name), [speed, 0.0]);
+    ///     MovingBody::new(Math::Identifier(name.into())).with(Moving::velocity(velocity))
+    /// };
+    /// let line = Line { angle: 0.0, bodies: vec![cart("A", 3.0), cart("B", -2.0)], floor: true, slope: None };
+    /// let situation = Situation { wording: Wording::default(), layout: Layout::Line(line), axes: Vec::new() };
+    /// assert!(overlaps(&situation.drawing()).is_empty());
+    /// ```
+    #[must_use]
+    pub fn drawing(&self) -> Drawing {
+        let mut canvas = Canvas::default();
+        match &self.layout {
+            Layout::Line(line) => line.draw(&mut canvas),
+            Layout::Contact(contact) => contact.draw(&mut canvas),
+            Layout::Central(central) => central.draw(&mut canvas),
+            Layout::Fall(fall) => fall.draw(&mut canvas),
+        }
+        let shapes: Vec<Shape> = canvas.settle();
+        // The axes go below everything, labels included.
+        let mut canvas = Canvas::default();
+        let frame = bounds(&shapes);
+        canvas.draw_all(shapes);
+        draw_axes(&mut canvas, frame, &self.axes);
+        self.wording.drawing(canvas.settle())
+    }
+}

@@ -1,0 +1,150 @@
+//! A body with the vectors that are given of it.
+
+use crate::expr::Math;
+use crate::figure::body::{Attach, Body, label_arrow};
+use crate::figure::input::{Form, LabelledVector};
+use crate::figure::place::Canvas;
+use crate::figure::scale::Scale;
+use crate::figure::{Point, Role};
+
+use super::angle::{AngleMark, Vertex, draw_angle};
+
+/// A body of a problem sheet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MovingBody {
+    /// The name inside its outline.
+    pub name: Math,
+    /// Its outline.
+    pub form: Form,
+    /// Its given velocities and forces.
+    pub vectors: Vec<Moving>,
+}
+
+/// A given vector of a body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Moving {
+    /// The vector; an unknown value draws nothing.
+    pub vector: LabelledVector,
+    /// [`Role::Velocity`] or [`Role::Force`] as a rule; each role has a scale of its own.
+    pub role: Role,
+    /// The angle that gives its direction.
+    pub angle: Option<AngleMark>,
+    /// On which side of the body it is drawn, where the layout leaves that open.
+    pub attach: Attach,
+}
+
+impl MovingBody {
+    /// A disc of that name, at rest as far as the figure tells.
+    #[must_use]
+    pub fn new(name: Math) -> Self {
+        Self { name, form: Form::Disc, vectors: Vec::new() }
+    }
+
+    /// The same body with one more vector.
+    #[must_use]
+    pub fn with(mut self, vector: Moving) -> Self {
+        self.vectors.push(vector);
+        self
+    }
+
+    /// The same body with another outline.
+    #[must_use]
+    pub fn shaped(mut self, form: Form) -> Self {
+        self.form = form;
+        self
+    }
+
+    pub(super) fn outline(&self) -> Body {
+        Body::new(&self.name, self.form, Point::ORIGIN)
+    }
+}
+
+impl Moving {
+    /// A velocity.
+    #[must_use]
+    pub fn velocity(vector: LabelledVector) -> Self {
+        Self { vector, role: Role::Velocity, angle: None, attach: Attach::Leaving }
+    }
+
+    /// A force.
+    #[must_use]
+    pub fn force(vector: LabelledVector) -> Self {
+        Self { role: Role::Force, ..Self::velocity(vector) }
+    }
+
+    /// A momentum.
+    #[must_use]
+    pub fn momentum(vector: LabelledVector) -> Self {
+        Self { role: Role::Momentum, ..Self::velocity(vector) }
+    }
+
+    /// An impulse.
+    #[must_use]
+    pub fn impulse(vector: LabelledVector) -> Self {
+        Self { role: Role::Impulse, ..Self::velocity(vector) }
+    }
+
+    /// The same vector with its tip at the body: how the body comes.
+    #[must_use]
+    pub fn arriving(mut self) -> Self {
+        self.attach = Attach::Arriving;
+        self
+    }
+
+    /// The same vector with the angle that gives its direction.
+    #[must_use]
+    pub fn at_angle(mut self, from: f64, label: Math) -> Self {
+        self.angle = Some(AngleMark { from, label });
+        self
+    }
+}
+
+/// The scales of a figure, one a role.
+pub(super) struct Scales {
+    velocity: Scale,
+    other: Scale,
+}
+
+impl Scales {
+    pub(super) fn of<'a>(bodies: impl IntoIterator<Item = &'a MovingBody>, longest: f64) -> Self {
+        let vectors: Vec<&Moving> = bodies.into_iter().flat_map(|body| &body.vectors).collect();
+        let fitting = |velocities: bool| {
+            let own = vectors.iter().filter(|moving| (moving.role == Role::Velocity) == velocities);
+            Scale::fitting(own.filter_map(|moving| moving.vector.vector()), longest)
+        };
+        Self { velocity: fitting(true), other: fitting(false) }
+    }
+
+    pub(super) fn arrow(&self, moving: &Moving) -> Option<Point> {
+        let scale = if moving.role == Role::Velocity { self.velocity } else { self.other };
+        scale.arrow(moving.vector.vector()?)
+    }
+}
+
+/// Draws a vector at the body; a zero vector is noted as such, an unknown one left out.
+pub(super) fn draw_vector(canvas: &mut Canvas, body: &mut Body, moving: &Moving, scales: &Scales, attach: Attach) {
+    let Some(arrow) = scales.arrow(moving) else {
+        if moving.vector.vector().is_some() {
+            body.draw_note(canvas, &moving.vector.equals(Math::Number("0".to_owned())), moving.role);
+        }
+        return;
+    };
+    let (from, to) = body.attach(arrow, attach);
+    canvas.arrow(from, to, moving.role);
+    // The angle is small and has one good place; the arrow's label finds another.
+    if let Some(mark) = &moving.angle {
+        draw_angle_at(canvas, body, [from, to], attach, mark);
+    }
+    label_arrow(canvas, [from, to], attach, &moving.vector.label, moving.role);
+}
+
+fn draw_angle_at(canvas: &mut Canvas, body: &Body, [from, to]: [Point; 2], attach: Attach, mark: &AngleMark) {
+    let arrow = to - from;
+    let at_body = match attach {
+        Attach::Arriving => Vertex { at: from, inner: 0.0, room: arrow.length() },
+        // About the centre, so that the reference does not start inside the outline of the body.
+        Attach::Leaving => Vertex::open(body.centre(), body.reach(Point::polar(1.0, mark.from))),
+    };
+    let beyond = if attach == Attach::Leaving { to } else { from - arrow };
+    draw_angle(canvas, &[at_body, Vertex::open(beyond, 0.0)], arrow, mark);
+}

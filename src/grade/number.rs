@@ -1,0 +1,197 @@
+//! A number as marking knows it: exact as long as it can be.
+
+use dashu::base::{Abs, BitTest, Sign};
+
+use crate::quantity::Factor;
+use crate::quantity::Integer;
+use crate::quantity::Rational;
+
+/// The most binary digits above or below the fraction bar: enough for every number of 40 digits times 10^400, and a few products of them.
+const MAX_BITS: usize = 8192;
+/// How far double precision may have moved a number that passed through a few irrational functions, relative to it.
+const DOUBLE_SLACK: f64 = 1e-12;
+
+/// A number, and whether it is exact or went through double precision (a root, a sine, pi).
+///
+/// Every operation is bounded in time and memory and answers `None` where its result would be too large, or is not a number.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Number {
+    value: Rational,
+    exact: bool,
+}
+
+impl Number {
+    /// An exact number.
+    #[must_use]
+    pub fn exact(value: Rational) -> Self {
+        Self { value, exact: true }
+    }
+
+    /// A number known to double precision; `None` where it is not finite.
+    #[must_use]
+    pub fn rounded(value: f64) -> Option<Self> {
+        Rational::try_from(value).ok().map(|value| Self { value, exact: false })
+    }
+
+    /// Its value: the exact one, or the double that stands for it.
+    #[must_use]
+    pub fn value(&self) -> &Rational {
+        &self.value
+    }
+
+    /// The nearest double.
+    #[must_use]
+    pub fn to_f64(&self) -> f64 {
+        self.value.to_f64().value()
+    }
+
+    /// Whether it is zero.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        self.value.is_zero()
+    }
+
+    /// Whether it is below zero.
+    #[must_use]
+    pub fn is_negative(&self) -> bool {
+        !self.is_zero() && self.value.sign() == Sign::Negative
+    }
+
+    /// How far the number that was meant may lie from [`Number::value`].
+    #[must_use]
+    pub fn slack(&self) -> Rational {
+        let relative = if self.exact { Rational::ZERO } else { Rational::try_from(DOUBLE_SLACK).unwrap_or_default() };
+        self.value.clone().abs() * relative
+    }
+
+    /// The opposite number.
+    #[must_use]
+    pub fn negated(self) -> Self {
+        Self { value: -self.value, ..self }
+    }
+
+    /// The sum.
+    #[must_use]
+    pub fn plus(&self, other: &Self) -> Option<Self> {
+        self.with(other, |left, right| left + right)
+    }
+
+    /// The difference.
+    #[must_use]
+    pub fn minus(&self, other: &Self) -> Option<Self> {
+        self.with(other, |left, right| left - right)
+    }
+
+    /// The product.
+    #[must_use]
+    pub fn times(&self, other: &Self) -> Option<Self> {
+        self.with(other, |left, right| left * right)
+    }
+
+    /// The quotient; `None` also where the divisor is zero.
+    #[must_use]
+    pub fn over(&self, other: &Self) -> Option<Self> {
+        if other.is_zero() { None } else { self.with(other, |left, right| left / right) }
+    }
+
+    /// The product with the size of a unit: exact but for pi.
+    #[must_use]
+    pub fn scaled(&self, factor: &Factor) -> Option<Self> {
+        match factor.pi {
+            0 => self.times(&Self::exact(factor.rational.clone())),
+            _ => self.times(&Self::rounded(factor.to_f64())?),
+        }
+    }
+
+    /// The power. Exact where the exponent is whole; otherwise only of what is not negative.
+    #[must_use]
+    pub fn power(&self, exponent: &Self) -> Option<Self> {
+        if exponent.value.is_int() {
+            let whole = isize::try_from(exponent.value.numerator()).ok()?;
+            if self.is_zero() {
+                return if whole < 0 {
+                    None
+                } else {
+                    Some(Self::exact(if whole == 0 { Rational::ONE } else { Rational::ZERO }))
+                };
+            }
+            if self.bits().checked_mul(whole.unsigned_abs())? > MAX_BITS {
+                return None;
+            }
+            return Self { value: self.value.pow(whole), exact: self.exact && exponent.exact }.bounded();
+        }
+        if self.is_negative() {
+            return None;
+        }
+        Self::rounded(libm::pow(self.to_f64(), exponent.to_f64()))
+    }
+
+    /// The square root; exact where it is rational with not too many figures. `None` of what is negative.
+    #[must_use]
+    pub fn square_root(&self) -> Option<Self> {
+        if self.is_negative() {
+            return None;
+        }
+        let exact = || {
+            let above = integer_root(self.value.numerator())?;
+            let below = integer_root(&Integer::from(self.value.denominator().clone()))?;
+            Some(Self { value: Rational::from(above) / Rational::from(below), exact: self.exact })
+        };
+        exact().or_else(|| Self::rounded(self.to_f64().sqrt()))
+    }
+
+    /// Through a function of doubles; `None` where the function has no finite value there.
+    #[must_use]
+    pub fn through(&self, function: fn(f64) -> f64) -> Option<Self> {
+        Self::rounded(function(self.to_f64()))
+    }
+
+    fn with(&self, other: &Self, operation: fn(Rational, Rational) -> Rational) -> Option<Self> {
+        let value = operation(self.value.clone(), other.value.clone());
+        Self { value, exact: self.exact && other.exact }.bounded()
+    }
+
+    fn bits(&self) -> usize {
+        self.value.numerator().bit_len().max(self.value.denominator().bit_len())
+    }
+
+    fn bounded(self) -> Option<Self> {
+        (self.bits() <= MAX_BITS).then_some(self)
+    }
+}
+
+/// The square root of a perfect square, up to where doubles are whole.
+fn integer_root(square: &Integer) -> Option<Integer> {
+    let root = Integer::from(u64::try_from(i128::try_from(square).ok()?).ok()?.isqrt());
+    (&root * &root == *square).then_some(root)
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)] // a test may panic
+mod tests {
+    use super::*;
+
+    fn ratio(above: i64, below: i64) -> Number {
+        Number::exact(Rational::from(above) / Rational::from(below))
+    }
+
+    #[test]
+    fn stays_exact_while_it_can() {
+        assert_eq!(ratio(9, 4).square_root(), Some(ratio(3, 2)));
+        assert_eq!(ratio(2, 3).power(&ratio(-2, 1)), Some(ratio(9, 4)));
+        assert!(ratio(1, 1).slack().is_zero());
+        let root = ratio(2, 1).square_root().unwrap();
+        assert!(!root.slack().is_zero() && root.to_f64().to_bits() == 2_f64.sqrt().to_bits());
+    }
+
+    #[test]
+    fn refuses_what_is_no_number_or_too_large() {
+        assert_eq!(ratio(1, 1).over(&ratio(0, 1)), None);
+        assert_eq!(ratio(0, 1).power(&ratio(-1, 1)), None);
+        assert_eq!(ratio(-1, 1).square_root(), None);
+        assert_eq!(ratio(-1, 1).power(&ratio(1, 2)), None);
+        assert_eq!(ratio(9, 1).power(&ratio(i64::MAX, 1)), None);
+        assert_eq!(ratio(9, 1).power(&ratio(387_420_489, 1)), None);
+        assert_eq!(ratio(10, 1).power(&ratio(1001, 2)), None);
+    }
+}

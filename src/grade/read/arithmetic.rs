@@ -1,0 +1,354 @@
+//! The number of an answer: a decimal, a fraction or a small calculation.
+
+use std::f64::consts::PI;
+
+use crate::quantity::Rational;
+
+use super::super::number::Number;
+use super::answer::Written;
+use super::functions::{self, Function};
+use super::numeral::{self, DecimalMark};
+use super::unreadable::UnreadableKind;
+
+/// How deeply brackets, functions and powers may be nested.
+const MAX_DEPTH: usize = 16;
+
+/// A fault and its byte.
+pub(super) type At<T> = Result<T, (usize, UnreadableKind)>;
+
+/// A value and how it came to be written.
+#[derive(Clone, Debug)]
+pub(super) struct Term {
+    pub(super) number: Number,
+    pub(super) form: Form,
+}
+
+/// How a term is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Form {
+    /// A decimal, perhaps times a power of ten.
+    Decimal { least: usize, most: usize },
+    /// A power of ten, with which a decimal stays a decimal.
+    PowerOfTen,
+    /// An angle in terms of pi, which needs no unit in a sine.
+    Radians,
+    /// Anything else.
+    Computed,
+}
+
+impl Form {
+    pub(super) fn written(self) -> Written {
+        match self {
+            Self::Decimal { least, most } => Written::Figures { least, most },
+            _ => Written::Computed,
+        }
+    }
+}
+
+/// Reads the calculation at the start of a text, and how many bytes it takes; a unit may follow.
+pub(super) fn read(text: &str, mark: DecimalMark) -> At<(Term, usize)> {
+    let mut reader = Reader { text, at: 0, mark, depth: 0 };
+    let term = reader.sum()?;
+    Ok((term, reader.at))
+}
+
+/// Whether a number begins here, perhaps behind spaces, signs and opening brackets.
+pub(super) fn begins_number(text: &str) -> bool {
+    let rest = text.trim_start_matches([' ', '(', '+', '-']);
+    let decimals = rest.strip_prefix('.').unwrap_or(rest);
+    decimals.starts_with(|first: char| first.is_ascii_digit()) || begins_word(rest)
+}
+
+/// Whether a function or pi begins here.
+fn begins_word(text: &str) -> bool {
+    text.starts_with(['√', 'π']) || word(text) == "pi" || functions::find(word(text)).is_some()
+}
+
+fn word(text: &str) -> &str {
+    &text[..text.find(|next: char| !next.is_alphabetic()).unwrap_or(text.len())]
+}
+
+struct Reader<'text> {
+    text: &'text str,
+    at: usize,
+    mark: DecimalMark,
+    depth: usize,
+}
+
+impl<'text> Reader<'text> {
+    fn rest(&self) -> &'text str {
+        &self.text[self.at..]
+    }
+
+    fn skip_spaces(&mut self) {
+        self.at = self.text.len() - self.rest().trim_start().len();
+    }
+
+    fn take(&mut self, sign: &str) -> bool {
+        let found = self.rest().starts_with(sign);
+        self.at += if found { sign.len() } else { 0 };
+        found
+    }
+
+    fn fault<T>(&self, kind: UnreadableKind) -> At<T> {
+        Err((self.at, kind))
+    }
+
+    fn computed(&self, number: Option<Number>, or: UnreadableKind) -> At<Term> {
+        number.map(|number| Term { number, form: Form::Computed }).ok_or((self.at, or))
+    }
+
+    /// Terms joined by plus and minus signs, as far as numbers follow them.
+    fn sum(&mut self) -> At<Term> {
+        let mut sum = self.product()?;
+        loop {
+            let signed = self.rest().trim_start();
+            let behind = signed.strip_prefix(['+', '-']);
+            if !behind.is_some_and(begins_number) {
+                return Ok(sum);
+            }
+            self.skip_spaces();
+            self.at += 1;
+            let term = self.product()?;
+            let total =
+                if signed.starts_with('+') { sum.number.plus(&term.number) } else { sum.number.minus(&term.number) };
+            sum = self.computed(total, UnreadableKind::TooLarge)?;
+        }
+    }
+
+    fn product(&mut self) -> At<Term> {
+        let mut product = self.signed(false)?;
+        let mut divided = false;
+        loop {
+            let Some(operator) = self.operator() else { return Ok(product) };
+            let start = self.at;
+            if divided && operator == Operator::Juxtaposed {
+                return self.fault(UnreadableKind::ProductAfterBar);
+            }
+            let factor = self.signed(operator == Operator::Times)?;
+            product = match operator {
+                Operator::Over => {
+                    divided = true;
+                    let undefined = factor.number.is_zero();
+                    let number = product.number.over(&factor.number);
+                    let form = if product.form == Form::Radians { Form::Radians } else { Form::Computed };
+                    let fault = if undefined { UnreadableKind::Undefined } else { UnreadableKind::TooLarge };
+                    Term { number: number.ok_or((start, fault))?, form }
+                }
+                Operator::Times | Operator::Juxtaposed => Term {
+                    number: product.number.times(&factor.number).ok_or((start, UnreadableKind::TooLarge))?,
+                    form: form_of_product(product.form, factor.form),
+                },
+            };
+        }
+    }
+
+    /// The operator before a further factor, taken where a number follows it.
+    fn operator(&mut self) -> Option<Operator> {
+        let rest = self.rest().trim_start();
+        let times =
+            rest.strip_prefix(['*', '×', '·']).filter(|behind| !behind.starts_with('*') && begins_number(behind));
+        let over = rest.strip_prefix('/').filter(|behind| begins_number(behind));
+        // The letter stands for a product before a power of ten only.
+        let letter = rest.strip_prefix(['x', 'X']).filter(|behind| begins_ten(behind));
+        let (operator, behind) = match (times.or(letter), over) {
+            (Some(behind), _) => (Operator::Times, behind),
+            (_, Some(behind)) => (Operator::Over, behind),
+            _ if begins_word(rest) => (Operator::Juxtaposed, rest),
+            _ if self.text[..self.at].ends_with(')') && rest.starts_with('(') && begins_number(rest) => {
+                (Operator::Juxtaposed, rest)
+            }
+            _ => return None,
+        };
+        self.at = self.text.len() - behind.len();
+        Some(operator)
+    }
+
+    /// A power with at most one sign before it. After a times sign, `10-3` is probably a lost exponent.
+    fn signed(&mut self, after_times: bool) -> At<Term> {
+        self.skip_spaces();
+        let minus = self.rest().starts_with('-');
+        if minus || self.rest().starts_with('+') {
+            self.at += 1;
+            self.skip_spaces();
+            if self.rest().starts_with(['+', '-']) {
+                return self.fault(UnreadableKind::TwoSigns);
+            }
+        }
+        let start = self.at;
+        let term = self.power()?;
+        if after_times && &self.text[start..self.at] == "10" && is_glued_sign(self.rest()) {
+            return self.fault(UnreadableKind::LostExponent);
+        }
+        Ok(if minus { Term { number: term.number.negated(), ..term } } else { term })
+    }
+
+    fn power(&mut self) -> At<Term> {
+        let (start, base) = (self.at, self.primary()?);
+        let is_ten = &self.text[start..self.at] == "10";
+        let exponent = if let Some((exponent, length)) = superscript(self.rest()) {
+            self.at += length;
+            Number::exact(Rational::from(exponent))
+        } else if self.take("**") || self.take("^") {
+            self.nested(Self::exponent)?.number
+        } else {
+            return Ok(base);
+        };
+        let undefined = base.number.is_zero() || base.number.is_negative() && !exponent.value().is_int();
+        let fault = if undefined { UnreadableKind::Undefined } else { UnreadableKind::TooLarge };
+        let number = base.number.power(&exponent).ok_or((start, fault))?;
+        Ok(Term { number, form: if is_ten { Form::PowerOfTen } else { Form::Computed } })
+    }
+
+    fn exponent(&mut self) -> At<Term> {
+        self.skip_spaces();
+        if !self.take("{") {
+            return self.signed(false);
+        }
+        let inner = self.sum()?;
+        self.skip_spaces();
+        if self.take("}") { Ok(inner) } else { self.fault(UnreadableKind::OpenBracket) }
+    }
+
+    /// A number, a bracket, pi, or a function with its argument.
+    fn primary(&mut self) -> At<Term> {
+        self.skip_spaces();
+        let rest = self.rest();
+        if rest.starts_with('(') {
+            return self.nested(Self::bracket);
+        }
+        if self.take("π") || word(rest) == "pi" && self.take("pi") {
+            let pi = Number::rounded(PI);
+            return pi.map(|number| Term { number, form: Form::Radians }).ok_or((self.at, UnreadableKind::TooLarge));
+        }
+        if self.take("√") {
+            return self.nested(|reader| reader.apply(Function::SquareRoot));
+        }
+        if let Some(function) = functions::find(word(rest)) {
+            self.at += word(rest).len();
+            return self.nested(|reader| reader.apply(function));
+        }
+        self.decimal()
+    }
+
+    fn decimal(&mut self) -> At<Term> {
+        let rest = self.rest();
+        if !rest.strip_prefix('.').unwrap_or(rest).starts_with(|first: char| first.is_ascii_digit()) {
+            return self.fault(UnreadableKind::NotANumber);
+        }
+        let start = self.at;
+        let numeral = numeral::read(rest, self.mark).map_err(|(at, kind)| (start + at, kind))?;
+        self.at += numeral.length;
+        let is_fraction = self.rest().trim_start().strip_prefix('/').is_some_and(begins_number);
+        if numeral.spaced && is_fraction {
+            return Err((start, UnreadableKind::MixedOrGrouped));
+        }
+        let value = Number::exact(numeral.decimal.to_rational());
+        if let Some((part, length)) = proper_fraction(self.rest()).filter(|_| numeral.digits_only) {
+            self.at += length;
+            return self.computed(value.plus(&part), UnreadableKind::TooLarge);
+        }
+        let form = Form::Decimal { least: numeral.decimal.least_figures(), most: numeral.decimal.figures() };
+        Ok(Term { number: value, form })
+    }
+
+    fn bracket(&mut self) -> At<Term> {
+        let open = self.at;
+        self.take("(");
+        let inner = self.sum()?;
+        self.skip_spaces();
+        if !self.take(")") {
+            let kind = if self.rest().is_empty() { UnreadableKind::OpenBracket } else { UnreadableKind::NotANumber };
+            return Err((if self.rest().is_empty() { open } else { self.at }, kind));
+        }
+        Ok(Term { form: if inner.form == Form::Radians { Form::Radians } else { Form::Computed }, ..inner })
+    }
+
+    /// The value of a function; an angle needs its unit, for nobody can know what `sin(30)` means.
+    fn apply(&mut self, function: Function) -> At<Term> {
+        self.skip_spaces();
+        let start = self.at;
+        let bracketed = self.take("(");
+        let argument = if bracketed { self.sum()? } else { self.primary()? };
+        let argument = if function.takes_angle() { self.angle(argument)? } else { argument.number };
+        self.skip_spaces();
+        if bracketed && !self.take(")") {
+            return Err((start, UnreadableKind::OpenBracket));
+        }
+        let value = function.apply(&argument).ok_or((start, UnreadableKind::Undefined))?;
+        Ok(Term { number: value, form: Form::Computed })
+    }
+
+    fn angle(&mut self, argument: Term) -> At<Number> {
+        let rest = self.rest().trim_start();
+        let name = if rest.starts_with('°') { "°" } else { word(rest) };
+        match functions::find_angle_unit(name) {
+            Some(unit) => {
+                self.skip_spaces();
+                self.at += name.len();
+                unit.to_radians(&argument.number).ok_or((self.at, UnreadableKind::TooLarge))
+            }
+            None if argument.form == Form::Radians || argument.number.is_zero() => Ok(argument.number),
+            None => self.fault(UnreadableKind::AngleUnit),
+        }
+    }
+
+    fn nested<T>(&mut self, read: impl FnOnce(&mut Self) -> At<T>) -> At<T> {
+        if self.depth >= MAX_DEPTH {
+            return self.fault(UnreadableKind::TooDeep);
+        }
+        self.depth += 1;
+        let found = read(self);
+        self.depth -= 1;
+        found
+    }
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Operator {
+    Times,
+    Over,
+    /// No sign at all: `2 sqrt(3)`, `3π`.
+    Juxtaposed,
+}
+
+fn form_of_product(left: Form, right: Form) -> Form {
+    match (left, right) {
+        (Form::Decimal { most, .. }, Form::PowerOfTen) => Form::Decimal { least: most, most },
+        (Form::Radians, _) | (_, Form::Radians) => Form::Radians,
+        _ => Form::Computed,
+    }
+}
+
+/// Whether a whole ten stands here, not the beginning of 100 or 10.5.
+fn begins_ten(text: &str) -> bool {
+    let behind = text.trim_start().strip_prefix("10");
+    behind.is_some_and(|behind| !behind.starts_with(|next: char| next.is_ascii_digit() || next == '.' || next == ','))
+}
+
+/// Whether a sign stands here with a digit directly behind it.
+fn is_glued_sign(text: &str) -> bool {
+    text.strip_prefix(['+', '-']).is_some_and(|behind| behind.starts_with(|next: char| next.is_ascii_digit()))
+}
+
+/// The ` 1/2` of `2 1/2`, and its length.
+fn proper_fraction(text: &str) -> Option<(Number, usize)> {
+    let digits = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
+    let above = text.trim_start();
+    let bar = above.get(digits(above)..)?.strip_prefix('/')?;
+    let (above, below) = (above.get(..digits(above))?, bar.get(..digits(bar))?);
+    let length = text.len() - bar.len() + below.len();
+    let (above, below) = (above.parse::<u32>().ok()?, below.parse::<u32>().ok()?);
+    let is_proper = text.starts_with(' ') && 0 < above && above < below;
+    is_proper.then(|| (Number::exact(Rational::from(above) / Rational::from(below)), length))
+}
+
+/// A raised integer, `⁻³`, and its length.
+fn superscript(text: &str) -> Option<(i32, usize)> {
+    const RAISED: [char; 12] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹', '⁻', '⁺'];
+    let raised = &text[..text.find(|next: char| !RAISED.contains(&next)).unwrap_or(text.len())];
+    let lower =
+        |raised: char| RAISED.iter().position(|known| *known == raised).and_then(|at| "0123456789-+".chars().nth(at));
+    let lowered: String = raised.chars().filter_map(lower).collect();
+    lowered.parse().ok().map(|value| (value, raised.len()))
+}

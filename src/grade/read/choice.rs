@@ -1,0 +1,75 @@
+//! A choice: by its letter, its number, its text, or yes and no.
+
+use super::MAX_LENGTH;
+use super::answer::ChoiceAnswer;
+use super::unreadable::{Unreadable, UnreadableKind};
+
+const YES: [&str; 4] = ["yes", "y", "true", "t"];
+const NO: [&str; 4] = ["no", "n", "false", "f"];
+
+/// Reads which of the options is meant.
+pub(super) fn read(answer: &str, options: &[String]) -> Result<ChoiceAnswer, Unreadable> {
+    let fault = |kind| Unreadable { at: 0, kind };
+    if answer.chars().nth(MAX_LENGTH).is_some() {
+        return Err(Unreadable { at: MAX_LENGTH, kind: UnreadableKind::TooLong });
+    }
+    let written = normal(answer);
+    let found = |option: usize| options.get(option).map(|text| ChoiceAnswer { option, text: text.clone() });
+    let texts: Vec<String> = options.iter().map(|option| normal(option)).collect();
+    if let Some(exact) = texts.iter().position(|text| *text == written) {
+        // `2` may be the second option or the option `2`.
+        let by_place = place(&written, options.len()).filter(|place| *place != exact);
+        return match by_place {
+            Some(_) => Err(fault(UnreadableKind::SeveralOptions)),
+            None => found(exact).ok_or(fault(UnreadableKind::NoOption(options.len()))),
+        };
+    }
+    let is_beginning = |text: &&String| !written.is_empty() && begins(text, &written);
+    let meant: Vec<usize> = match answer_of(&written) {
+        Some(meant) => positions(&texts, |text| answer_of(first_word(text)) == Some(meant)),
+        None => Vec::new(),
+    };
+    let meant = if meant.is_empty() { place(&written, options.len()).into_iter().collect() } else { meant };
+    let meant = if meant.is_empty() { positions(&texts, |text| is_beginning(&text)) } else { meant };
+    match meant.as_slice() {
+        [one] => found(*one).ok_or(fault(UnreadableKind::NoOption(options.len()))),
+        [] => Err(fault(UnreadableKind::NoOption(options.len()))),
+        _ => Err(fault(UnreadableKind::SeveralOptions)),
+    }
+}
+
+fn positions(texts: &[String], is_meant: impl Fn(&String) -> bool) -> Vec<usize> {
+    texts.iter().enumerate().filter(|(_, text)| is_meant(text)).map(|(position, _)| position).collect()
+}
+
+/// In small letters, with single spaces, and without the brackets and stops around it.
+fn normal(text: &str) -> String {
+    let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let bare = words.trim_matches(|edge: char| "()[].:;,\"'`“”‘’ ".contains(edge));
+    bare.to_lowercase().replace('’', "'")
+}
+
+/// Yes or no.
+fn answer_of(word: &str) -> Option<bool> {
+    if YES.contains(&word) { Some(true) } else { NO.contains(&word).then_some(false) }
+}
+
+fn first_word(text: &str) -> &str {
+    text.split(|next: char| !next.is_alphanumeric()).next().unwrap_or(text)
+}
+
+/// Whether a text begins with these whole words.
+fn begins(text: &str, words: &str) -> bool {
+    text.strip_prefix(words).is_some_and(|rest| !rest.starts_with(char::is_alphanumeric))
+}
+
+/// The position of an option by its letter or number: `b` and `2` are the second.
+fn place(written: &str, count: usize) -> Option<usize> {
+    let mut letters = written.chars();
+    let position = match (letters.next(), letters.next()) {
+        (Some(letter @ 'a'..='z'), None) => (letter as usize).checked_sub('a' as usize),
+        _ if written.bytes().all(|byte| byte.is_ascii_digit()) => written.parse::<usize>().ok()?.checked_sub(1),
+        _ => None,
+    };
+    position.filter(|position| *position < count)
+}

@@ -1,0 +1,88 @@
+//! Direction words: `to the left`, `downwards`, an arrow.
+
+use super::answer::Sense;
+
+/// Words and signs of one direction.
+const DIRECTIONS: &[&[&str]] = &[
+    &["left", "leftward", "leftwards", "←", "⟵", "⬅"],
+    &["right", "rightward", "rightwards", "→", "⟶", "➡"],
+    &["up", "upward", "upwards", "↑", "⬆"],
+    &["down", "downward", "downwards", "↓", "⬇"],
+    &["north", "northward", "northwards", "N", "due north"],
+    &["south", "southward", "southwards", "S", "due south"],
+    &["east", "eastward", "eastwards", "E", "due east"],
+    &["west", "westward", "westwards", "W", "due west"],
+    &["clockwise", "cw", "↻"],
+    &["counter-clockwise", "counterclockwise", "anticlockwise", "anti-clockwise", "ccw", "↺"],
+    &["forward", "forwards", "ahead"],
+    &["backward", "backwards", "back"],
+];
+
+/// Directions that need no declaration: that in which a component is counted positive, and its opposite.
+const POSITIVE: &[&str] = &["positive", "positive x", "positive y", "+x", "+y"];
+const NEGATIVE: &[&str] = &["negative", "negative x", "negative y", "-x", "-y"];
+
+/// Words that say nothing beside a direction. `in` alone is an inch.
+const FILLERS: &[&str] =
+    &["to", "the", "toward", "towards", "direction", "in the", "along", "moving", "directed", "pointing"];
+
+/// What a phrase says about direction.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) enum Phrase {
+    /// Nothing: it is no direction.
+    None,
+    /// One of the two directions of the question.
+    Declared(Sense),
+    /// Another direction.
+    Other,
+}
+
+/// Reads a phrase, in the directions that the question declares.
+pub(super) fn read(phrase: &str, senses: Option<&[String; 2]>) -> Phrase {
+    let bare = bare(phrase);
+    if bare.is_empty() {
+        return Phrase::None;
+    }
+    if let Some([plus, minus]) = senses {
+        let sense = |positive| Phrase::Declared(Sense { positive, word: if positive { plus } else { minus }.clone() });
+        if same(&bare, &self::bare(plus)) || POSITIVE.contains(&bare.as_str()) {
+            return sense(true);
+        }
+        if same(&bare, &self::bare(minus)) || NEGATIVE.contains(&bare.as_str()) {
+            return sense(false);
+        }
+    }
+    if group(&bare).is_some() || POSITIVE.contains(&bare.as_str()) || NEGATIVE.contains(&bare.as_str()) {
+        Phrase::Other
+    } else {
+        Phrase::None
+    }
+}
+
+/// Whether a phrase is a letter of the compass, which may also be a unit.
+pub(super) fn is_compass_letter(phrase: &str) -> bool {
+    ["N", "S", "E", "W"].contains(&phrase)
+}
+
+/// Whether a character is an arrow.
+pub(super) fn is_arrow(character: char) -> bool {
+    DIRECTIONS.iter().any(|words| words.iter().any(|word| word.chars().eq([character]) && !character.is_alphabetic()))
+}
+
+fn same(left: &str, right: &str) -> bool {
+    left == right || group(left).is_some() && group(left) == group(right)
+}
+
+fn group(bare: &str) -> Option<usize> {
+    DIRECTIONS.iter().position(|words| words.contains(&bare))
+}
+
+/// The phrase in small letters, but for a letter of the compass, and without its filling.
+fn bare(phrase: &str) -> String {
+    if is_compass_letter(phrase) {
+        return phrase.to_owned();
+    }
+    let lower = phrase.to_lowercase().replace("in the ", "in\u{a0}the ");
+    let filling = |word: &&str| !FILLERS.contains(&word.replace('\u{a0}', " ").as_str());
+    lower.split(' ').filter(|word| !word.is_empty()).filter(filling).collect::<Vec<_>>().join(" ")
+}

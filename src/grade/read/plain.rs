@@ -1,0 +1,102 @@
+//! The text of an answer in plain characters, each of which still knows where it stood.
+
+use super::MAX_LENGTH;
+use super::unreadable::{Unreadable, UnreadableKind};
+
+/// The text with one kind of minus sign, space and multiplication dot, and without what LaTeX adds.
+#[derive(Debug)]
+pub(super) struct Plain {
+    text: String,
+    /// For each byte of the text, and for its end: the character of the answer.
+    places: Vec<usize>,
+}
+
+/// What stands for something plainer. Longer writings come before those that begin like them.
+const REPLACED: &[(&str, &str)] = &[
+    ("^{\\circ}", "°"),
+    ("{}^\\circ", "°"),
+    ("^\\circ", "°"),
+    ("\\times", "×"),
+    ("\\cdot", "·"),
+    ("\\%", "%"),
+    ("\\mu", "µ"),
+    ("\\pi", "π"),
+    ("\\,", " "),
+    ("\\;", " "),
+    ("\\ ", " "),
+    ("$", ""),
+];
+
+/// Commands of LaTeX with an argument, and what opens the bracket that is read instead.
+const WRAPPERS: &[(&str, &str)] = &[("\\mathrm{", "("), ("\\text{", "("), ("\\unit{", "("), ("\\sqrt{", "sqrt(")];
+
+/// The offset between a full-width form and the ASCII character that it shows.
+const FULL_WIDTH: u32 = 0xFEE0;
+
+impl Plain {
+    /// The plain form of an answer.
+    pub(super) fn new(answer: &str) -> Result<Self, Unreadable> {
+        if answer.chars().nth(MAX_LENGTH).is_some() {
+            return Err(Unreadable { at: MAX_LENGTH, kind: UnreadableKind::TooLong });
+        }
+        let mut plain = Self { text: String::new(), places: Vec::new() };
+        let mut braces: Vec<char> = Vec::new();
+        let (mut rest, mut place) = (answer, 0);
+        while let Some(first) = rest.chars().next() {
+            let (read, written) = match known(rest) {
+                Some((read, written)) => {
+                    if read.ends_with('{') {
+                        braces.push(')');
+                    }
+                    (read.len(), written.to_owned())
+                }
+                None => (first.len_utf8(), plain_character(first, &mut braces)),
+            };
+            plain.push(&written, place);
+            place += rest[..read].chars().count();
+            rest = &rest[read..];
+        }
+        plain.places.push(place);
+        Ok(plain)
+    }
+
+    fn push(&mut self, written: &str, place: usize) {
+        self.text.push_str(written);
+        self.places.resize(self.text.len(), place);
+    }
+
+    /// The plain text.
+    pub(super) fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// A fault at a byte of the plain text.
+    pub(super) fn fault(&self, byte: usize, kind: UnreadableKind) -> Unreadable {
+        let at = self.places.get(byte).or(self.places.last()).copied().unwrap_or(0);
+        Unreadable { at, kind }
+    }
+}
+
+fn known(rest: &str) -> Option<(&'static str, &'static str)> {
+    REPLACED.iter().chain(WRAPPERS).find(|(read, _)| rest.starts_with(read)).copied()
+}
+
+fn plain_character(character: char, braces: &mut Vec<char>) -> String {
+    let ascii = match u32::from(character) {
+        code @ 0xFF01..=0xFF5E => char::from_u32(code - FULL_WIDTH).unwrap_or(character),
+        _ => character,
+    };
+    match ascii {
+        '−' | '–' | '—' | '‒' | '﹣' => "-".to_owned(),
+        '\u{200b}'..='\u{200f}' | '\u{2060}' | '\u{feff}' => String::new(),
+        space if space.is_whitespace() => " ".to_owned(),
+        '⋅' | '∙' | '•' => "·".to_owned(),
+        '∕' | '⁄' | '÷' => "/".to_owned(),
+        '{' => {
+            braces.push('}');
+            ascii.to_string()
+        }
+        '}' => braces.pop().unwrap_or('}').to_string(),
+        other => other.to_string(),
+    }
+}

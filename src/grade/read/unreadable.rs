@@ -1,0 +1,120 @@
+//! Why an answer cannot be read.
+
+use std::fmt;
+
+use crate::quantity::UnitFault;
+
+use super::super::messages::Message;
+
+/// An answer that cannot be read: what is wrong, and at which character. It is never marked, and costs no attempt.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unreadable {
+    /// The character of the answer, counted from 0.
+    pub at: usize,
+    /// What is wrong there.
+    pub kind: UnreadableKind,
+}
+
+/// What can be wrong with the text of an answer.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum UnreadableKind {
+    /// More characters than are read.
+    TooLong,
+    /// No number where one must stand.
+    NotANumber,
+    /// A name and an equals sign before the value.
+    NameBefore,
+    /// An underscore between digits.
+    Underscore,
+    /// Points or commas that no number has: `3..2`, `12,34,5`.
+    Marks,
+    /// A decimal comma where a point is the decimal mark, or the other way round; the mark that is to be used.
+    OtherMark(char),
+    /// A comma or point that may group thousands or begin the decimals; the two ways to write it without doubt.
+    AmbiguousMark([String; 2]),
+    /// A second number behind the first.
+    SecondNumber,
+    /// `2 100/200`: a mixed number or a grouped one.
+    MixedOrGrouped,
+    /// `1.2 x 10-3`: a lost exponent or a difference.
+    LostExponent,
+    /// `1/2 sqrt(3)`: a product after a fraction bar, without a sign.
+    ProductAfterBar,
+    /// Two signs, one behind the other.
+    TwoSigns,
+    /// A bracket that is not closed.
+    OpenBracket,
+    /// Brackets or powers nested too deeply.
+    TooDeep,
+    /// A number, written or computed, too large or too small or with too many digits.
+    TooLarge,
+    /// A division by zero, the root of a negative number and the like.
+    Undefined,
+    /// The angle of a sine, cosine or tangent without its unit.
+    AngleUnit,
+    /// `±`, `<` and the like: not one value.
+    NotOneValue,
+    /// A unit that cannot be read.
+    Unit(UnitFault),
+    /// A unit that may also be the abbreviation of a direction: `5 N N`.
+    UnitOrDirection(String),
+    /// A direction word where the quantity has no direction.
+    NoDirection(String),
+    /// A direction word that is none of the two of the question.
+    OtherDirection {
+        /// The word.
+        word: String,
+        /// The two words of the question.
+        senses: [String; 2],
+    },
+    /// A sign together with a direction word.
+    SignAndDirection,
+    /// None of the options, or a number beyond them; how many there are.
+    NoOption(usize),
+    /// More than one of the options.
+    SeveralOptions,
+}
+
+impl UnreadableKind {
+    /// Its stable code, for tools.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::TooLong => "too_long",
+            Self::NotANumber => "not_a_number",
+            Self::NameBefore => "name_before",
+            Self::Underscore => "underscore",
+            Self::Marks => "marks",
+            Self::OtherMark(_) => "other_mark",
+            Self::AmbiguousMark(_) => "ambiguous_mark",
+            Self::SecondNumber => "second_number",
+            Self::MixedOrGrouped => "mixed_or_grouped",
+            Self::LostExponent => "lost_exponent",
+            Self::ProductAfterBar => "product_after_bar",
+            Self::TwoSigns => "two_signs",
+            Self::OpenBracket => "open_bracket",
+            Self::TooDeep => "too_deep",
+            Self::TooLarge => "too_large",
+            Self::Undefined => "undefined",
+            Self::AngleUnit => "angle_unit",
+            Self::NotOneValue => "not_one_value",
+            Self::Unit(_) => "unit",
+            Self::UnitOrDirection(_) => "unit_or_direction",
+            Self::NoDirection(_) => "no_direction",
+            Self::OtherDirection { .. } => "other_direction",
+            Self::SignAndDirection => "sign_and_direction",
+            Self::NoOption(_) => "no_option",
+            Self::SeveralOptions => "several_options",
+        }
+    }
+}
+
+/// The message that the student sees, with the place.
+impl fmt::Display for Unreadable {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(out, "{}", Message::Unreadable(self.clone()))
+    }
+}
+
+impl std::error::Error for Unreadable {}

@@ -1,0 +1,167 @@
+//! The report on a set of answers: marks, and the reason for each.
+
+use std::collections::BTreeMap;
+use std::fmt;
+
+use serde::{Serialize, Serializer};
+
+use crate::quantity::Decimal;
+use crate::quantity::Rational;
+
+use super::expected::Expected;
+use super::judge::judge;
+use super::messages::Message;
+use super::read::{DecimalMark, read};
+use super::rubric::Rubric;
+use super::verdict::Verdict;
+
+/// The decimals with which points are printed.
+const DECIMALS: u32 = 2;
+
+/// Points, exactly: fractions of marks add up without rounding. As JSON the nearest number.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Default)]
+pub struct Points(pub Rational);
+
+/// What was found about every part, in the order of the question.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Report {
+    /// The parts.
+    pub parts: Vec<PartReport>,
+    /// The points reached.
+    pub total: Points,
+    /// The points that can be reached.
+    pub out_of: u32,
+    /// Names in the answers that the question does not ask for: most likely a slip of the pen.
+    pub not_asked: Vec<String>,
+}
+
+/// What was found about one part.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct PartReport {
+    /// How the part is called in answers.
+    pub id: String,
+    /// What was found.
+    pub verdict: Verdict,
+    /// The points reached.
+    pub points: Points,
+    /// The points that can be reached.
+    pub out_of: u32,
+    /// What was understood of the answer, where it could be read.
+    pub understood: Option<String>,
+    /// Where and why the answer cannot be read.
+    pub fault: Option<InputFault>,
+    /// What the student is told; it never holds the right value.
+    pub message: String,
+}
+
+/// Where and why an answer cannot be read.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct InputFault {
+    /// The character of the answer, counted from 1.
+    pub character: usize,
+    /// The stable code of the fault.
+    pub code: &'static str,
+}
+
+/// Reads, judges and reports the answers to a question. The same arguments always give the same report.
+///
+/// ```
+/// use std::collections::BTreeMap;
+/// use momentous::grade::{DecimalMark, Expected, ExpectedKind, Rubric, grade};
+///
+/// let options = vec!["conserved".to_owned(), "not conserved".to_owned()];
+/// let because = "no external force acts along x".to_owned();
+/// let expected = Expected { id: "a".to_owned(), points: 2, kind: ExpectedKind::Choice { options, right: 0, because } };
+/// let answers = BTreeMap::from([("a".to_owned(), "Conserved".to_owned())]);
+/// let report = grade(&[expected], &answers, DecimalMark::Point, &Rubric::default());
+/// assert_eq!((report.total.to_string().as_str(), report.out_of), ("2", 2));
+/// ```
+#[must_use]
+pub fn grade(expected: &[Expected], answers: &BTreeMap<String, String>, mark: DecimalMark, rubric: &Rubric) -> Report {
+    let part = |part: &Expected| grade_part(part, answers.get(&part.id).map_or("", String::as_str), mark, rubric);
+    let parts: Vec<PartReport> = expected.iter().map(part).collect();
+    let total = parts.iter().fold(Rational::ZERO, |sum, part| sum + &part.points.0);
+    let out_of = expected.iter().fold(0, |sum: u32, part| sum.saturating_add(part.points));
+    let is_asked = |name: &&String| expected.iter().any(|part| part.id == **name);
+    let not_asked = answers.keys().filter(|name| !is_asked(name)).cloned().collect();
+    Report { parts, total: Points(total), out_of, not_asked }
+}
+
+fn grade_part(expected: &Expected, text: &str, mark: DecimalMark, rubric: &Rubric) -> PartReport {
+    let report = |verdict, fraction: Rational, understood, message: String| PartReport {
+        id: expected.id.clone(),
+        verdict,
+        points: Points(fraction * Rational::from(expected.points)),
+        out_of: expected.points,
+        understood,
+        fault: None,
+        message,
+    };
+    if text.trim().is_empty() {
+        return report(Verdict::Unanswered, Rational::ZERO, None, Message::Unanswered.to_string());
+    }
+    let answer = match read(text, &expected.kind, mark) {
+        Ok(answer) => answer,
+        Err(fault) => {
+            let place = InputFault { character: fault.at + 1, code: fault.kind.code() };
+            let unreadable = report(Verdict::Unreadable, Rational::ZERO, None, fault.to_string());
+            return PartReport { fault: Some(place), ..unreadable };
+        }
+    };
+    let judgement = judge(expected, &answer);
+    let also = judgement.also.map_or(Rational::ONE, |also| rubric.fraction(also));
+    let fraction = rubric.fraction(judgement.verdict) * also;
+    let messages: Vec<String> = judgement.messages.iter().map(ToString::to_string).collect();
+    report(judgement.verdict, fraction, Some(answer.echo()), messages.join(" "))
+}
+
+impl Report {
+    /// Whether every part is fully right.
+    #[must_use]
+    pub fn is_right(&self) -> bool {
+        self.parts.iter().all(|part| part.verdict.is_right())
+    }
+
+    /// Whether a part has an answer that cannot be read, so that it was not marked.
+    #[must_use]
+    pub fn is_unreadable(&self) -> bool {
+        self.parts.iter().any(|part| part.verdict == Verdict::Unreadable)
+    }
+}
+
+/// As text, a part a paragraph, the total last.
+impl fmt::Display for Report {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for part in &self.parts {
+            writeln!(out, "{}: {}/{} [{}] {}", part.id, part.points, part.out_of, part.verdict, part.message)?;
+            if let Some(understood) = &part.understood {
+                writeln!(out, "    read as: {understood}")?;
+            }
+        }
+        for name in &self.not_asked {
+            writeln!(out, "{name}: not asked")?;
+        }
+        writeln!(out, "total: {}/{}", self.total, self.out_of)
+    }
+}
+
+/// With at most two decimals: `1.5`, `2`.
+impl fmt::Display for Points {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let scaled = (&self.0 * Rational::from(10_u32.pow(DECIMALS))).round();
+        let printed = Decimal::from_scaled(i128::try_from(scaled).unwrap_or_default(), DECIMALS).to_string();
+        out.write_str(printed.trim_end_matches('0').trim_end_matches('.'))
+    }
+}
+
+impl Serialize for Points {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let value = self.0.to_f64().value();
+        // A whole number of points is written as one.
+        if self.0.is_int() {
+            serializer.serialize_i64(i64::try_from(self.0.numerator()).unwrap_or_default())
+        } else {
+            serializer.serialize_f64(value)
+        }
+    }
+}

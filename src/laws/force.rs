@@ -1,0 +1,75 @@
+//! Forces over time: impulse, mean force, weight, friction.
+
+use crate::expr::Expr;
+
+use super::Law;
+use super::Sides;
+
+/// The impulse of a force as its integral over time.
+pub const IMPULSE: Law = Law {
+    id: "impulse-of-a-force",
+    name: "the definition of impulse",
+    statement: "The impulse of a force is its integral over time: the area under its force-time curve.",
+    signs: "Positive along the axis.",
+    when: "Always; a constant force gives force times time.",
+    source: "Definition.",
+};
+
+/// Mean force over a duration.
+pub const MEAN_FORCE: Law = Law {
+    id: "mean-force",
+    name: "the definition of the mean force",
+    statement: "The impulse of a force is its mean value times the time for which it acts.",
+    signs: "As the impulse.",
+    when: "Always.",
+    source: "Definition.",
+};
+
+/// Weight.
+pub const WEIGHT: Law = Law {
+    id: "weight",
+    name: "the definition of weight",
+    statement: "The weight of a body is its mass times the acceleration of free fall.",
+    signs: "Positive as a magnitude; it acts downwards.",
+    when: "Near the ground.",
+    source: "Newton's second law for free fall.",
+};
+
+/// Balance of forces across a floor.
+pub const NORMAL_FORCE: Law = Law {
+    id: "normal-force",
+    name: "the balance of forces across the floor",
+    statement: "A body that stays on a level floor is pressed by it with its weight and the downward parts of the other forces.",
+    signs: "The normal force is positive as a push of the floor.",
+    when: "The body does not leave the floor.",
+    source: "Newton's second law across the floor, where nothing accelerates.",
+};
+
+/// Kinetic friction.
+pub const FRICTION: Law = Law {
+    id: "kinetic-friction",
+    name: "the law of kinetic friction",
+    statement: "A sliding body is held back by the coefficient of kinetic friction times the normal force.",
+    signs: "The magnitude is positive; it acts against the motion.",
+    when: "The body slides and does not change its direction during the stage.",
+    source: "Coulomb's law of dry friction, an experimental law.",
+};
+
+/// Static threshold.
+pub const THRESHOLD: Law = Law {
+    id: "static-friction-threshold",
+    name: "the threshold of static friction",
+    statement: "A body at rest starts to slide once the push equals the coefficient of static friction times the normal force.",
+    signs: "Magnitudes.",
+    when: "The body is at rest and the push grows.",
+    source: "Coulomb's law of dry friction, an experimental law.",
+};
+
+/// The laws of this chapter.
+pub const LAWS: &[&Law] = &[&IMPULSE, &MEAN_FORCE, &WEIGHT, &NORMAL_FORCE, &FRICTION, &THRESHOLD];
+
+/// `J = F_avg dt`.
+#[must_use]
+pub fn mean_force(impulse: &Expr, force: &Expr, duration: &Expr) -> Sides {
+    (impulse.clone(), force.clone() * duration.clone())
+}

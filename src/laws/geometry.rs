@@ -1,0 +1,93 @@
+//! Components, magnitudes and directions.
+
+use crate::expr::Expr;
+
+use super::Law;
+use super::Sides;
+
+/// Components of a vector of known magnitude and direction.
+pub const COMPONENTS: Law = Law {
+    id: "components",
+    name: "trigonometry",
+    statement: "A vector's component along an axis is its magnitude times the cosine of the angle between them; across it, times the sine.",
+    signs: "Angles are counted counter-clockwise from the axis.",
+    when: "Always.",
+    source: "Trigonometry.",
+};
+
+/// The change to axes along and across a line.
+pub const ROTATION: Law = Law {
+    id: "turned-axes",
+    name: "trigonometry",
+    statement: "Along an axis turned by an angle, a component is the sum of the old components times the cosine and the sine of that angle.",
+    signs: "n along the line, t at 90° to it, counter-clockwise.",
+    when: "Always.",
+    source: "Trigonometry.",
+};
+
+/// The magnitude from the components.
+pub const MAGNITUDE: Law = Law {
+    id: "magnitude",
+    name: "Pythagoras' theorem",
+    statement: "The square of a vector's magnitude is the sum of the squares of its components.",
+    signs: "A magnitude is never negative.",
+    when: "Always, along perpendicular axes.",
+    source: "Pythagoras' theorem.",
+};
+
+/// The direction from the components.
+pub const DIRECTION: Law = Law {
+    id: "direction",
+    name: "trigonometry",
+    statement: "The tangent of the angle between a vector and an axis is its component across the axis over that along it.",
+    signs: "Angles are counted counter-clockwise; the signs of both components tell the quadrant.",
+    when: "Always, along perpendicular axes.",
+    source: "Trigonometry.",
+};
+
+/// Speed on a circle.
+pub const ARC: Law = Law {
+    id: "speed-on-a-circle",
+    name: "the kinematics of motion on a circle",
+    statement: "A point on a circle moves with the radius times the angular velocity.",
+    signs: "Counter-clockwise is positive.",
+    when: "The distance from the centre does not change at that instant.",
+    source: "The length of an arc.",
+};
+
+/// Given by the author.
+pub const RELATION: Law = Law {
+    id: "stated-relation",
+    name: "a relation stated in the problem",
+    statement: "An equation that the problem itself states.",
+    signs: "As stated.",
+    when: "As stated.",
+    source: "The problem.",
+};
+
+/// The laws of this chapter.
+pub const LAWS: &[&Law] = &[&COMPONENTS, &ROTATION, &MAGNITUDE, &DIRECTION, &ARC, &RELATION];
+
+/// The two components of a vector of that magnitude, `angle` being counted from the first axis.
+#[must_use]
+pub fn components(magnitude: &Expr, angle: &Expr, along: &Expr, across: &Expr) -> [Sides; 2] {
+    [
+        (along.clone(), magnitude.clone() * angle.clone().cos()),
+        (across.clone(), magnitude.clone() * angle.clone().sin()),
+    ]
+}
+
+/// Components along and across a line from those of `(x, y)`; the cosine and the sine of its direction come first.
+#[must_use]
+pub fn turned([cos, sin]: [&Expr; 2], x: &Expr, y: &Expr) -> [Expr; 2] {
+    [x.clone() * cos.clone() + y.clone() * sin.clone(), y.clone() * cos.clone() - x.clone() * sin.clone()]
+}
+
+/// Components `(x, y)` from those along and across a line.
+#[must_use]
+pub fn turned_back([cos, sin]: [&Expr; 2], along: &Expr, across: &Expr) -> [Expr; 2] {
+    [
+        along.clone() * cos.clone() - across.clone() * sin.clone(),
+        along.clone() * sin.clone() + across.clone() * cos.clone(),
+    ]
+}

@@ -1,0 +1,41 @@
+//! The mass centre of a system and its motion.
+
+use crate::expr::Expr;
+
+use super::Law;
+use super::Sides;
+
+/// Velocity and position of the mass centre.
+pub const MASS_CENTRE: Law = Law {
+    id: "mass-centre",
+    name: "the definition of the mass centre",
+    statement: "The total mass times the velocity (or position) of the mass centre is the sum of each mass times its velocity (or position).",
+    signs: "As the velocities.",
+    when: "Always.",
+    source: "Definition.",
+};
+
+/// Motion of the mass centre.
+pub const MOTION: Law = Law {
+    id: "motion-of-the-mass-centre",
+    name: "the principle of impulse and momentum for the whole system",
+    statement: "The total mass times the change of the mass centre's velocity is the sum of the external impulses.",
+    signs: "Impulses along the axis are positive.",
+    when: "Always; internal impulses cancel in pairs.",
+    source: "The principle of impulse and momentum for each body, added up.",
+};
+
+/// The laws of this chapter.
+pub const LAWS: &[&Law] = &[&MASS_CENTRE, &MOTION];
+
+/// `(sum of m) q_G = sum of m q` over (mass, q), q being a position or a velocity component.
+#[must_use]
+pub fn mass_centre(centre: &Expr, parts: &[(Expr, Expr)]) -> Sides {
+    (total_mass(parts) * centre.clone(), super::momentum::total(parts))
+}
+
+/// The sum of the masses.
+#[must_use]
+pub fn total_mass(parts: &[(Expr, Expr)]) -> Expr {
+    Expr::sum(parts.iter().map(|(mass, _)| mass.clone()))
+}

@@ -1,0 +1,86 @@
+//! The forces of a push one by one, for diagrams; the equations need only their sums.
+
+use crate::expr::Expr;
+
+use super::Builder;
+use super::Direction;
+
+/// A force that acts on a body during a push.
+#[derive(Clone, Debug)]
+pub struct ActingForce {
+    /// The stage, counted from 0.
+    pub stage: usize,
+    /// The short name of the body on which it acts.
+    pub on: String,
+    /// What it is.
+    pub kind: ForceKind,
+    /// What it is called: `the thrust`, `weight`.
+    pub called: String,
+    /// Its strength, a term in the time `t` where it changes.
+    pub strength: Expr,
+    /// Where it points.
+    pub direction: Direction,
+    /// From when to when it changes the momentum of the body.
+    pub during: [Expr; 2],
+}
+
+/// What a force is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ForceKind {
+    /// A push or a pull that the problem speaks of.
+    Pull,
+    /// Weight.
+    Weight,
+    /// The push of a floor.
+    Normal,
+    /// Kinetic friction.
+    Friction,
+}
+
+/// Where and when the forces of one push act.
+#[derive(Clone, Copy)]
+pub(super) struct Acts<'a> {
+    pub stage: usize,
+    pub on: &'a str,
+    pub during: [&'a Expr; 2],
+}
+
+impl Acts<'_> {
+    fn force(self, kind: ForceKind, called: &str, strength: Expr, direction: Direction) -> ActingForce {
+        let (on, during) = (self.on.to_owned(), self.during.map(Clone::clone));
+        ActingForce { stage: self.stage, on, kind, called: called.to_owned(), strength, direction, during }
+    }
+}
+
+impl Builder<'_> {
+    /// Notes a push or a pull.
+    pub(super) fn note_pull(&mut self, acts: Acts<'_>, called: &str, strength: &Expr, direction: &Direction) {
+        self.forces.push(acts.force(ForceKind::Pull, called, strength.clone(), direction.clone()));
+    }
+
+    /// Notes the weight of a body, where it acts in the plane of the scene.
+    pub(super) fn note_weight(&mut self, acts: Acts<'_>) {
+        let Some((position, down)) = (0..self.axes.len()).find_map(|place| Some((place, self.downwards(place)?)))
+        else {
+            return;
+        };
+        let strength = self.mass(acts.on) * self.gravity();
+        let vertical = if self.axes.len() == 1 { self.upright() } else { position };
+        self.forces.push(acts.force(ForceKind::Weight, "weight", strength, Direction::axis(vertical, down < 0)));
+    }
+
+    /// Notes what a level floor has to do with a body that slides on it in the positive direction.
+    pub(super) fn note_floor(&mut self, acts: Acts<'_>, weight: Expr, normal: Expr, kinetic: Expr) {
+        let friction = kinetic * normal.clone();
+        self.forces.extend([
+            acts.force(ForceKind::Weight, "weight", weight, Direction::axis(1, true)),
+            acts.force(ForceKind::Normal, "the normal force", normal, Direction::axis(1, false)),
+            acts.force(ForceKind::Friction, "friction", friction, Direction::axis(0, true)),
+        ]);
+    }
+
+    /// Where the only axis of a scene stands among x and y.
+    fn upright(&self) -> usize {
+        usize::from(self.axes.first().is_some_and(|(axis, _)| *axis == crate::scene::Axis::Y))
+    }
+}

@@ -1,0 +1,289 @@
+//! The state of a model while it is built: symbols, equations and why each may be used.
+
+use std::collections::BTreeMap;
+use std::collections::BTreeSet;
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+use crate::expr::SymbolEntry;
+use crate::expr::SymbolTable;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::laws::Law;
+use crate::laws::Sides;
+use crate::quantity::Dimension;
+use crate::quantity::Quantity;
+use crate::quantity::dimension_name;
+use crate::scene::Axis;
+use crate::scene::Scene;
+use crate::scene::Senses;
+use crate::solve::Condition;
+use crate::solve::Equation;
+use crate::solve::Relation;
+use crate::solve::Statement;
+use crate::solve::System;
+
+use super::ActingForce;
+use super::Impulse;
+use super::Instance;
+use super::Integral;
+use super::Omission;
+use super::Reason;
+use super::Warning;
+use super::frame::Frame;
+use super::timeline::Timeline;
+
+/// What using an equation costs a plan.
+pub(super) const LAW_COST: u32 = 10;
+/// The cost of an equation that says the same as others in a way that is taught second.
+pub(super) const SECOND_COST: u32 = 11;
+
+/// One of several ways in which a stage can go, with what holds only there.
+#[derive(Clone, Debug, Default)]
+pub struct Alternative {
+    /// What happens, as a clause: `the crate stays at rest`.
+    pub what: String,
+    /// Equations that hold only there.
+    pub equations: Vec<Equation>,
+    /// When it is the way that is taken.
+    pub conditions: Vec<Condition>,
+}
+
+/// A model in the making. Stages add to it, and so does every name that somebody mentions.
+pub struct Builder<'s> {
+    pub(super) scene: &'s Scene,
+    pub(super) timeline: Timeline,
+    pub(super) axes: Vec<(Axis, Senses)>,
+    pub(super) symbols: SymbolTable,
+    pub(super) instances: Vec<Instance>,
+    pub(super) reasons: Vec<Reason>,
+    pub(super) system: System,
+    pub(super) choices: Vec<Vec<Alternative>>,
+    pub(super) omissions: Vec<Omission>,
+    pub(super) impulses: Vec<Impulse>,
+    pub(super) forces: Vec<ActingForce>,
+    pub(super) literals: Vec<(Symbol, Quantity)>,
+    pub(super) frames: Vec<Option<Frame>>,
+    pub(super) defined: BTreeSet<String>,
+    pub(super) free: BTreeSet<Symbol>,
+    pub(super) given: BTreeSet<String>,
+    pub(super) mentions: BTreeMap<String, Symbol>,
+    pub(super) faults: Vec<Fault>,
+}
+
+impl<'s> Builder<'s> {
+    /// An empty model of a scene that has been checked.
+    pub(super) fn new(scene: &'s Scene) -> Self {
+        Self {
+            scene,
+            timeline: Timeline::new(scene),
+            axes: scene.axes.rectangular(),
+            symbols: SymbolTable::default(),
+            instances: Vec::new(),
+            reasons: Vec::new(),
+            system: System::default(),
+            choices: Vec::new(),
+            omissions: Vec::new(),
+            impulses: Vec::new(),
+            forces: Vec::new(),
+            literals: Vec::new(),
+            frames: vec![None; scene.stages.len()],
+            defined: BTreeSet::new(),
+            free: BTreeSet::new(),
+            given: BTreeSet::new(),
+            mentions: BTreeMap::new(),
+            faults: Vec::new(),
+        }
+    }
+
+    /// The symbol of that name, made if need be.
+    pub(super) fn symbol(
+        &mut self,
+        name: impl Into<String>,
+        dimension: Dimension,
+        meaning: impl Into<String>,
+    ) -> Symbol {
+        let (name, meaning) = (name.into(), meaning.into());
+        let symbol = self.symbols.intern(SymbolEntry { name: name.clone(), dimension, meaning: String::new() });
+        let given = self.symbols.entry(symbol).dimension;
+        if given != dimension && self.given.contains(&name) && self.defined.insert(format!("clash {name}")) {
+            let [expected, found] = [dimension, given].map(dimension_name);
+            let message = format!("`{name}` is {expected} in this scene, but its unit makes it {found}");
+            let path = Path::root().key("given").key(name.as_str());
+            self.faults.push(Fault::new(Code::Dimension, message).help("change the unit").at_path(path));
+        }
+        if self.symbols.entry(symbol).meaning.is_empty() {
+            self.symbols.describe(symbol, meaning);
+        }
+        symbol
+    }
+
+    /// The same, for a quantity that is positive in every admissible solution.
+    pub(super) fn positive(
+        &mut self,
+        name: impl Into<String>,
+        dimension: Dimension,
+        meaning: impl Into<String>,
+    ) -> Symbol {
+        let symbol = self.symbol(name, dimension, meaning);
+        self.system.positive.insert(symbol);
+        symbol
+    }
+
+    /// Adds one use of a law.
+    pub(super) fn law(&mut self, law: &'static Law, stage: Option<usize>, because: impl Into<String>, sides: Sides) {
+        self.law_at(LAW_COST, law, stage, because, sides);
+    }
+
+    /// Adds one use of a law at a cost of its own.
+    pub(super) fn law_at(
+        &mut self,
+        cost: u32,
+        law: &'static Law,
+        stage: Option<usize>,
+        because: impl Into<String>,
+        sides: Sides,
+    ) {
+        let equation = self.stated(cost, law, stage, because, sides, None);
+        self.system.equations.push(equation);
+    }
+
+    /// One use of a law whose right side is the value of an integral.
+    pub(super) fn integral(
+        &mut self,
+        law: &'static Law,
+        stage: usize,
+        because: impl Into<String>,
+        sides: Sides,
+        integral: Integral,
+    ) {
+        let equation = self.stated(LAW_COST, law, Some(stage), because, sides, Some(integral));
+        self.system.equations.push(equation);
+    }
+
+    /// One use of a law as an equation that is not yet part of the system.
+    pub(super) fn stated(
+        &mut self,
+        cost: u32,
+        law: &'static Law,
+        stage: Option<usize>,
+        because: impl Into<String>,
+        (left, right): Sides,
+        integral: Option<Integral>,
+    ) -> Equation {
+        let tag = self.instances.len();
+        self.instances.push(Instance { law, because: because.into(), stage, integral });
+        Equation { statement: Statement::Equal { left, right }, tag, cost }
+    }
+
+    /// A condition of every admissible solution, with what to say of a root that breaks it.
+    pub(super) fn require(
+        &mut self,
+        warning: Warning,
+        left: Expr,
+        relation: Relation,
+        right: Expr,
+        reason: impl Into<String>,
+    ) {
+        let condition = self.condition(left, relation, right, reason);
+        if let Some(reason) = self.reasons.last_mut() {
+            reason.warning = Some(warning);
+        }
+        self.system.conditions.push(condition);
+    }
+
+    /// A condition that is not yet part of the system.
+    pub(super) fn condition(
+        &mut self,
+        left: Expr,
+        relation: Relation,
+        right: Expr,
+        reason: impl Into<String>,
+    ) -> Condition {
+        let tag = self.reasons.len();
+        self.reasons.push(Reason { text: reason.into(), warning: None });
+        Condition { left, relation, right, tag }
+    }
+
+    /// Says what is left out, once.
+    pub(super) fn omit(&mut self, what: impl Into<String>, why: impl Into<String>) {
+        let omission = Omission { what: what.into(), why: why.into() };
+        if !self.omissions.contains(&omission) {
+            self.omissions.push(omission);
+        }
+    }
+
+    /// How a body is called in a sentence.
+    pub(super) fn called(&self, body: &str) -> String {
+        if let Some(body) = self.scene.bodies.get(body) {
+            return body.name.clone();
+        }
+        let parts = self.parts_of(body);
+        let names: Vec<String> = parts.iter().map(|part| self.called(part)).collect();
+        if names.is_empty() { body.to_owned() } else { format!("{} together", names.join(" and ")) }
+    }
+
+    /// The bodies that became this one by staying together.
+    pub(super) fn parts_of(&self, union: &str) -> Vec<String> {
+        let made = self.scene.stages.iter().find_map(|stage| match stage {
+            crate::scene::Stage::Impact(impact) if impact.becomes.as_deref() == Some(union) => impact.between.clone(),
+            _ => None,
+        });
+        made.map(Vec::from).unwrap_or_default()
+    }
+
+    /// The mass of a body; of a union, the sum of its parts.
+    pub(super) fn mass(&mut self, body: &str) -> Expr {
+        let parts = self.parts_of(body);
+        if !parts.is_empty() {
+            let masses: Vec<Expr> = parts.iter().map(|part| self.mass(part)).collect();
+            return Expr::sum(masses);
+        }
+        let meaning = format!("the mass of {}", self.called(body));
+        let term = self.scene.bodies.get(body).and_then(|entry| entry.mass.clone());
+        match term {
+            Some(term) => {
+                let path = crate::fault::Path::root().key("scene").key("bodies").key(body).key("mass");
+                self.read_positive(&term, Dimension::MASS, &meaning, &path)
+            }
+            None => self.positive(format!("m_{body}"), Dimension::MASS, meaning).into(),
+        }
+    }
+
+    /// A velocity component at an instant; under the instant since which the body has it.
+    pub(super) fn velocity(&mut self, body: &str, instant: usize, axis: Axis) -> Expr {
+        let since = self.timeline.since(body, instant).unwrap_or(instant);
+        let owner = self.called(body);
+        let when = self.when(since);
+        if self.axes.len() == 1 {
+            return self
+                .symbol(format!("v_{body}{since}"), Dimension::VELOCITY, format!("the velocity of {owner} {when}"))
+                .into();
+        }
+        let letter = axis.letter();
+        let meaning = format!("the {letter}-component of the velocity of {owner} {when}");
+        self.symbol(format!("v_{body}{since}.{letter}"), Dimension::VELOCITY, meaning).into()
+    }
+
+    /// All velocity components at an instant, in the order of the axes.
+    pub(super) fn velocities(&mut self, body: &str, instant: usize) -> Vec<Expr> {
+        let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
+        axes.into_iter().map(|axis| self.velocity(body, instant, axis)).collect()
+    }
+
+    /// The acceleration of free fall.
+    pub(super) fn gravity(&mut self) -> Expr {
+        self.positive("g", Dimension::ACCELERATION, "the acceleration of free fall").into()
+    }
+
+    /// When an instant is, as an adverbial phrase: `just after the impact`.
+    pub(super) fn when(&self, instant: usize) -> String {
+        super::wording::when(self.scene, instant)
+    }
+
+    /// A stage as a noun phrase: `the impact`, `the second impact`.
+    pub(super) fn stage_phrase(&self, stage: usize) -> String {
+        super::wording::stage(self.scene, stage)
+    }
+}

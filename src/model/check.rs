@@ -1,0 +1,164 @@
+//! What must fit together in a scene before any law is written down.
+
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::fault::did_you_mean;
+use crate::scene::Axes;
+use crate::scene::Plane;
+use crate::scene::Scene;
+use crate::scene::Stage;
+use crate::scene::stage::Impact;
+use crate::scene::stage::Partners;
+
+use super::Name;
+use super::timeline::Timeline;
+
+/// Kinds of quantity that only a scene makes.
+const STRUCTURAL: &[&str] = &["v", "speed", "angle", "p", "J", "F_avg", "T", "T_lost", "H", "r", "W"];
+
+/// Whether a name is one that the scene makes by itself, rather than one that the author chose.
+pub(super) fn is_structural(scene: &Scene, name: &str) -> bool {
+    let Some(name) = Name::parse(name) else { return false };
+    let timeline = Timeline::new(scene);
+    let known_subject = name.subject.is_empty()
+        || name.subject == "G"
+        || scene.points.contains_key(&name.subject)
+        || timeline.bodies().any(|body| body == name.subject);
+    STRUCTURAL.contains(&name.base.as_str()) && known_subject && (name.instant.is_some() || name.base != "r")
+}
+
+/// Every way in which the parts of a scene contradict each other.
+pub(super) fn check(scene: &Scene) -> Vec<Fault> {
+    let mut faults = Vec::new();
+    let at = Path::root().key("scene");
+    for name in scene.bodies.keys() {
+        if !is_body_name(name) {
+            faults.push(bad_body_name(name).at_path(at.key("bodies").name(name.as_str())));
+        }
+    }
+    if let Axes::Rectangular(axes) = &scene.axes
+        && (axes.is_empty() || axes.len() > 2)
+    {
+        let fault = Fault::new(Code::Value, format!("a scene has one or two axes, not {}", axes.len()));
+        faults.push(
+            fault.help("write `axes: { x: to the right }` or `axes: { x: east, y: north }`").at_path(at.key("axes")),
+        );
+    }
+    for (index, name) in scene.instants.iter().enumerate() {
+        let fault = if index > scene.stages.len() {
+            Fault::new(Code::Value, format!("there is no instant for the name `{name}`"))
+                .help(format!("instants lie before, between and after the stages: {} in all", scene.stages.len() + 1))
+        } else if scene.instants[..index].contains(name) {
+            Fault::new(Code::Duplicate, format!("two instants are called `{name}`")).help("rename one of them")
+        } else {
+            continue;
+        };
+        faults.push(fault.at_path(at.key("instants").index(index)));
+    }
+    faults.extend(unions_without_a_name_of_their_own(scene));
+    if !faults.is_empty() {
+        return faults;
+    }
+    let timeline = Timeline::new(scene);
+    for (index, stage) in scene.stages.iter().enumerate() {
+        let at = at.key("stages").index(index).key(stage.key());
+        let mut body = |name: &str, key: &str| {
+            if timeline.since(name, index + 1).is_none() {
+                let known = timeline.alive(index + 1);
+                faults.push(unknown("body", name, &known).at_path(at.key(key)));
+            }
+        };
+        match stage {
+            Stage::Impact(Impact { becomes: Some(name), .. }) if !is_body_name(name) => {
+                faults.push(bad_body_name(name).at_path(at.key("becomes")));
+            }
+            Stage::Impact(impact) => match impact.partners() {
+                Some(Partners::Bodies(first, second)) => {
+                    body(first, "between");
+                    body(second, "between");
+                    if first == second {
+                        let fault = Fault::new(Code::Value, format!("`{first}` cannot collide with itself"));
+                        faults.push(fault.help("name two bodies").at_path(at.key("between")));
+                    }
+                }
+                Some(Partners::Surface(name, surface)) => {
+                    body(name, "body");
+                    if !scene.surfaces.contains_key(surface) {
+                        let known: Vec<&str> = scene.surfaces.keys().map(String::as_str).collect();
+                        faults.push(unknown("surface", surface, &known).at_path(at.key("against")));
+                    }
+                }
+                None => {
+                    let fault = Fault::new(Code::MissingKey, "an impact needs two bodies, or a body and a surface");
+                    faults.push(
+                        fault.help("write `between: [A, B]`, or `body: A` with `against: floor`").at_path(at.clone()),
+                    );
+                }
+            },
+            Stage::Push(stage) => body(&stage.body, "body"),
+            Stage::Blow(stage) => body(&stage.body, "body"),
+            Stage::Rotate(stage) => {
+                body(&stage.body, "body");
+                faults.extend(unknown_point(scene, &stage.about).map(|fault| fault.at_path(at.key("about"))));
+            }
+            Stage::Central(stage) => {
+                body(&stage.body, "body");
+                faults.extend(unknown_point(scene, &stage.about).map(|fault| fault.at_path(at.key("about"))));
+                if matches!(scene.axes, Axes::Rectangular(_)) {
+                    let fault = Fault::new(Code::Value, "a central force needs polar axes");
+                    faults.push(fault.help("write `axes: polar`").at_path(at.clone()));
+                }
+            }
+            Stage::Fall(stage) => {
+                body(&stage.body, "body");
+                if scene.plane != Plane::Vertical {
+                    let fault = Fault::new(Code::Value, "a fall needs a vertical plane");
+                    faults.push(fault.help("write `plane: vertical` under `scene`").at_path(at.clone()));
+                }
+            }
+            Stage::Bounces(stage) => body(&stage.body, "body"),
+        }
+    }
+    faults
+}
+
+/// What two bodies become is a body of its own: its name must not be that of another.
+fn unions_without_a_name_of_their_own(scene: &Scene) -> Vec<Fault> {
+    let mut taken: Vec<&str> = scene.bodies.keys().map(String::as_str).collect();
+    let mut faults = Vec::new();
+    for (index, stage) in scene.stages.iter().enumerate() {
+        let Stage::Impact(Impact { becomes: Some(union), .. }) = stage else { continue };
+        if taken.contains(&union.as_str()) {
+            let fault = Fault::new(Code::Duplicate, format!("`{union}` is the name of another body already"));
+            let path = Path::root().key("scene").key("stages").index(index).key(stage.key()).key("becomes");
+            faults.push(fault.help("give what the two become a name of its own: `becomes: C`").at_path(path));
+        }
+        taken.push(union);
+    }
+    faults
+}
+
+/// Whether names such as `v_A1` can be made of a body's short name.
+fn is_body_name(name: &str) -> bool {
+    name.ends_with(|last: char| last.is_alphabetic()) && name != "G"
+}
+
+fn bad_body_name(name: &str) -> Fault {
+    Fault::new(Code::Value, format!("a body cannot be called `{name}`"))
+        .help("end its short name in a letter (digits number the instants; `G` is the mass centre)")
+}
+
+fn unknown(kind: &str, name: &str, known: &[&str]) -> Fault {
+    let fault = Fault::new(Code::UnknownName, format!("there is no {kind} `{name}` at this point of the scene"));
+    match did_you_mean(name, known.iter().copied()) {
+        Some(near) => fault.help(format!("did you mean `{near}`?")),
+        None if known.is_empty() => fault.help(format!("declare it under the scene's {kind}s")),
+        None => fault.help(format!("the scene has: {}", known.join(", "))),
+    }
+}
+
+fn unknown_point(scene: &Scene, name: &str) -> Option<Fault> {
+    let known: Vec<&str> = scene.points.keys().map(String::as_str).collect();
+    (!scene.points.contains_key(name)).then(|| unknown("point", name, &known))
+}

@@ -1,0 +1,83 @@
+//! Kinetic energies, and what a stage loses.
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+use crate::laws::energy;
+use crate::quantity::Dimension;
+use crate::scene::Stage;
+
+use super::super::Builder;
+use super::super::Name;
+
+pub(super) fn kinetic_energy(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
+    let instant = builder.number(name)?;
+    let when = builder.when(instant);
+    let (whose, bodies) = if name.subject.is_empty() {
+        ("the system".to_owned(), builder.timeline.alive(instant).into_iter().map(str::to_owned).collect())
+    } else {
+        let (body, _) = builder.body_at(name)?;
+        (builder.called(&body), vec![body])
+    };
+    let whose = if bodies.len() == 1 { builder.called(&bodies[0]) } else { whose };
+    let spelling = builder.spelling(name);
+    let symbol = builder.symbol(spelling, Dimension::ENERGY, format!("the kinetic energy of {whose} {when}"));
+    let terms: Vec<Expr> = bodies.iter().map(|body| builder.kinetic_term(body, instant)).collect();
+    builder.law(&energy::KINETIC, None, "by definition", (symbol.into(), Expr::sum(terms)));
+    let turned: Option<Vec<Expr>> = bodies.iter().map(|body| builder.kinetic_turned(body, instant)).collect();
+    if let Some(terms) = turned {
+        builder.law(&energy::KINETIC, None, "by definition", (symbol.into(), Expr::sum(terms)));
+    }
+    Some(symbol)
+}
+
+pub(super) fn energy_lost(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
+    let stage = match &name.stage {
+        Some(stage) => {
+            builder.timeline.stage(builder.scene, stage).or_else(|| stage.parse::<usize>().ok()?.checked_sub(1))?
+        }
+        None => builder.impacts().into_iter().next().filter(|_| builder.impacts().len() == 1)?,
+    };
+    let phrase = builder.stage_phrase(stage);
+    let suffix = builder.stage_suffix(stage);
+    let symbol =
+        builder.symbol(format!("T_lost{suffix}"), Dimension::ENERGY, format!("the kinetic energy lost in {phrase}"));
+    let [before, after] = [stage + 1, stage + 2].map(|instant| builder.resolve(&format!("T_{instant}")));
+    builder.law(&energy::LOSS, Some(stage), "by definition", (symbol.into(), Expr::from(before?) - Expr::from(after?)));
+    Some(symbol)
+}
+
+impl Builder<'_> {
+    /// The stages that are impacts; all of them where none is.
+    fn impacts(&self) -> Vec<usize> {
+        let impact = |index: &usize| matches!(self.scene.stages.get(*index), Some(Stage::Impact(_)));
+        let all: Vec<usize> = (0..self.scene.stages.len()).collect();
+        let impacts: Vec<usize> = all.iter().copied().filter(impact).collect();
+        if impacts.is_empty() { all } else { impacts }
+    }
+}
+
+impl Builder<'_> {
+    /// The kinetic energy of a body as a term in its velocity.
+    fn kinetic_term(&mut self, body: &str, instant: usize) -> Expr {
+        let mass = self.mass(body);
+        if self.axes.is_empty() {
+            let speed = self.resolve(&format!("speed_{body}{instant}")).map_or_else(Expr::zero, Expr::from);
+            return energy::kinetic(&mass, &[speed]);
+        }
+        let components = self.velocities(body, instant);
+        energy::kinetic(&mass, &components)
+    }
+
+    /// The same in components along and across a line of impact, where those were made.
+    fn kinetic_turned(&mut self, body: &str, instant: usize) -> Option<Expr> {
+        let stage = [instant.checked_sub(2), instant.checked_sub(1)].into_iter().flatten().find(|stage| {
+            self.frames
+                .get(*stage)
+                .is_some_and(|frame| frame.as_ref().is_some_and(|frame| !frame.normal.turn.is_zero()))
+        })?;
+        let frame = self.frames.get(stage)?.clone()?;
+        let split = self.split(body, instant, stage, &frame);
+        let mass = self.mass(body);
+        Some(energy::kinetic(&mass, &[split.along, split.across?]))
+    }
+}

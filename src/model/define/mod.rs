@@ -1,0 +1,301 @@
+//! Quantities that exist because somebody mentions them: speeds, momenta, energies, the mass centre. A table by the
+//! beginning of the name; each row makes the symbol and the equation that defines it.
+
+mod kinetic;
+mod mass_centre;
+mod speed;
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+use crate::laws::angular;
+use crate::laws::force;
+use crate::laws::geometry;
+use crate::laws::momentum;
+use crate::quantity::Dimension;
+use crate::scene::Axis;
+
+use super::Builder;
+use super::Instant;
+use super::Name;
+use super::builder::SECOND_COST;
+use kinetic::energy_lost;
+use kinetic::kinetic_energy;
+use mass_centre::mass_centre_position;
+use mass_centre::mass_centre_velocity;
+use speed::angle;
+use speed::speed;
+
+type Define = for<'b, 's> fn(&'b mut Builder<'s>, &Name) -> Option<Symbol>;
+
+/// The beginning of a name, and what makes the quantity.
+const DEFINITIONS: &[(&str, Define)] = &[
+    ("v", velocity),
+    ("speed", speed),
+    ("angle", angle),
+    ("r", position),
+    ("p", linear_momentum),
+    ("J", impulse),
+    ("T", kinetic_energy),
+    ("T_lost", energy_lost),
+    ("H", angular_momentum),
+    ("W", weight),
+];
+
+impl Builder<'_> {
+    /// The symbol that a name stands for: one that exists, under any of its spellings, or one that the name itself defines.
+    pub(crate) fn resolve(&mut self, name: &str) -> Option<Symbol> {
+        if let Some(symbol) = self.symbols.find(name) {
+            return Some(symbol);
+        }
+        let mut name = Name::parse(name)?;
+        if let Some(Instant::Named(instant)) = &name.instant {
+            name.instant = Some(Instant::Number(self.timeline.instant(instant)?));
+        }
+        if let Some(Instant::Number(number)) = name.instant
+            && number > self.timeline.last()
+        {
+            return None;
+        }
+        if let Some(stage) = name.stage.take() {
+            let index =
+                self.timeline.stage(self.scene, &stage).or_else(|| stage.parse::<usize>().ok()?.checked_sub(1))?;
+            let suffix = self.stage_suffix(index);
+            name.stage = (!suffix.is_empty()).then(|| suffix.trim_matches(['[', ']']).to_owned());
+        }
+        // With one axis there is one component, and `r_A1.x` is `r_A1`.
+        if let [(only, _)] = self.axes[..]
+            && name.component.as_deref() == Some(only.letter())
+        {
+            name.component = None;
+        }
+        let spelling = self.spelling(&name);
+        if let Some(symbol) = self.symbols.find(&spelling) {
+            return Some(symbol);
+        }
+        let define = DEFINITIONS.iter().find(|(base, _)| *base == name.base).map(|row| row.1);
+        define.and_then(|define| define(self, &name)).or_else(|| self.only_stage(&spelling))
+    }
+
+    /// The one spelling under which a name's symbol is kept.
+    fn spelling(&self, name: &Name) -> String {
+        let mut text = name.base.clone();
+        if !name.subject.is_empty() || name.instant.is_some() {
+            text.push('_');
+            text.push_str(&name.subject);
+        }
+        if let Some(Instant::Number(number)) = name.instant {
+            let since = self.timeline.since(&name.subject, number).unwrap_or(number);
+            text.push_str(&since.to_string());
+        }
+        if let Some(component) = &name.component {
+            text.push('.');
+            text.push_str(component);
+        }
+        if let Some(stage) = &name.stage {
+            text = format!("{text}[{stage}]");
+        }
+        text
+    }
+
+    /// A name without brackets, where only one stage could be meant.
+    fn only_stage(&self, spelling: &str) -> Option<Symbol> {
+        let start = format!("{spelling}[");
+        let mut found =
+            self.symbols.iter().filter(|(_, entry)| entry.name.starts_with(&start)).map(|(symbol, _)| symbol);
+        let first = found.next()?;
+        found.next().is_none().then_some(first)
+    }
+
+    fn number(&self, name: &Name) -> Option<usize> {
+        match name.instant {
+            Some(Instant::Number(number)) if (1..=self.timeline.last()).contains(&number) => Some(number),
+            _ => None,
+        }
+    }
+
+    fn body_at(&self, name: &Name) -> Option<(String, usize)> {
+        let number = self.number(name)?;
+        Some((name.subject.clone(), self.timeline.since(&name.subject, number)?))
+    }
+
+    fn axis(&self, letter: &str) -> Option<Axis> {
+        self.axes.iter().map(|(axis, _)| *axis).find(|axis| axis.letter() == letter)
+    }
+
+    /// The axes that a name speaks of: the one of its component, or the only one.
+    fn axis_of(&self, name: &Name) -> Option<Axis> {
+        match (&name.component, &self.axes[..]) {
+            (Some(letter), _) => self.axis(letter),
+            (None, [(only, _)]) => Some(*only),
+            (None, _) => None,
+        }
+    }
+
+    fn component_phrase(name: &Name) -> String {
+        name.component.as_ref().map_or_else(String::new, |letter| format!("the {letter}-component of "))
+    }
+
+    /// Mass and velocity component of every body alive at an instant.
+    fn carriers(&mut self, instant: usize, axis: Axis) -> Vec<(Expr, Expr)> {
+        let bodies: Vec<String> = self.timeline.alive(instant).into_iter().map(str::to_owned).collect();
+        bodies.iter().map(|body| (self.mass(body), self.velocity(body, instant, axis))).collect()
+    }
+
+    /// The magnitude of a vector with these components, under the name without a component.
+    pub(super) fn resultant(&mut self, stage: usize, body: &str, components: &[Expr], meaning: &str) {
+        let suffix = self.stage_suffix(stage);
+        let magnitude =
+            self.positive(format!("J_{body}{suffix}"), Dimension::MOMENTUM, format!("the magnitude of {meaning}"));
+        let direction =
+            self.symbol(format!("angle_J_{body}{suffix}"), Dimension::NONE, format!("the direction of {meaning}"));
+        let [x, y] = components else { return };
+        let because = "the impulse is resolved along the axes";
+        for sides in geometry::components(&magnitude.into(), &direction.into(), x, y) {
+            self.law_at(SECOND_COST, &geometry::COMPONENTS, Some(stage), because, sides);
+        }
+        let angle = y.clone().atan2(x.clone());
+        self.law(&geometry::DIRECTION, Some(stage), "the components give the direction", (direction.into(), angle));
+        let because = "the components of the impulse are perpendicular";
+        let squares = Expr::sum([x.clone().powi(2), y.clone().powi(2)]);
+        self.law(&geometry::MAGNITUDE, Some(stage), because, (Expr::from(magnitude), squares.sqrt()));
+    }
+}
+
+fn velocity(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
+    if name.subject == "G" {
+        return mass_centre_velocity(builder, name);
+    }
+    let (body, instant) = builder.body_at(name)?;
+    if builder.axes.is_empty() {
+        return polar_velocity(builder, &body, instant, name.component.as_deref()?);
+    }
+    let axis = builder.axis_of(name)?;
+    match builder.velocity(&body, instant, axis) {
+        Expr::Symbol(symbol) => Some(symbol),
+        _ => None,
+    }
+}
+
+fn polar_velocity(builder: &mut Builder<'_>, body: &str, instant: usize, component: &str) -> Option<Symbol> {
+    let words = match component {
+        "r" => "radial",
+        "theta" => "transverse",
+        _ => return None,
+    };
+    let meaning = format!("the {words} velocity of {} {}", builder.called(body), builder.when(instant));
+    Some(builder.symbol(format!("v_{body}{instant}.{component}"), Dimension::VELOCITY, meaning))
+}
+
+fn position(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
+    let instant = builder.number(name)?;
+    let when = builder.when(instant);
+    if name.subject == "G" {
+        return mass_centre_position(builder, name, instant);
+    }
+    let (body, _) = builder.body_at(name)?;
+    let owner = builder.called(&body);
+    let spelling = builder.spelling(name);
+    if builder.axes.is_empty() {
+        return Some(builder.positive(
+            spelling,
+            Dimension::LENGTH,
+            format!("the distance of {owner} from the centre {when}"),
+        ));
+    }
+    builder.axis_of(name)?;
+    let meaning = format!("{}the position of {owner} {when}", Builder::component_phrase(name));
+    Some(builder.symbol(spelling, Dimension::LENGTH, meaning))
+}
+
+fn linear_momentum(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
+    let instant = builder.number(name)?;
+    let axis = builder.axis_of(name)?;
+    let spelling = builder.spelling(name);
+    let when = builder.when(instant);
+    let (whose, parts) = if name.subject.is_empty() {
+        ("the system".to_owned(), builder.carriers(instant, axis))
+    } else {
+        let (body, since) = builder.body_at(name)?;
+        (builder.called(&body), vec![(builder.mass(&body), builder.velocity(&body, since, axis))])
+    };
+    let meaning = format!("{}the momentum of {whose} {when}", Builder::component_phrase(name));
+    let symbol = builder.symbol(spelling, Dimension::MOMENTUM, meaning);
+    builder.law(&momentum::MOMENTUM, None, "by definition", (symbol.into(), momentum::total(&parts)));
+    Some(symbol)
+}
+
+fn impulse(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
+    // The impulse on a body during a push: the sum of those of its forces.
+    let axis = builder.axis_of(name)?;
+    let position = builder.axes.iter().position(|(own, _)| *own == axis)?;
+    let in_stage = |stage: usize| match &name.stage {
+        Some(wanted) => builder.stage_suffix(stage) == format!("[{wanted}]"),
+        None => true,
+    };
+    let acting: Vec<(usize, Expr)> = builder
+        .impulses
+        .iter()
+        .filter(|impulse| impulse.on == name.subject && in_stage(impulse.stage))
+        .filter_map(|impulse| Some((impulse.stage, impulse.components.get(position)?.clone())))
+        .collect();
+    let stage = acting.first()?.0;
+    if acting.iter().any(|(own, _)| *own != stage) {
+        return None;
+    }
+    let meaning = format!(
+        "{}the impulse on {} during {}",
+        Builder::component_phrase(name),
+        builder.called(&name.subject),
+        builder.stage_phrase(stage)
+    );
+    let spelling = builder.spelling(name);
+    let symbol = builder.symbol(spelling, Dimension::MOMENTUM, meaning);
+    let total = Expr::sum(acting.into_iter().map(|(_, impulse)| impulse));
+    builder.law(&force::IMPULSE, Some(stage), "by definition", (symbol.into(), total));
+    Some(symbol)
+}
+
+fn angular_momentum(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
+    let instant = builder.number(name)?;
+    if !builder.scene.points.contains_key(&name.subject) {
+        return None;
+    }
+    let (centre, when) = (builder.point(&name.subject), builder.when(instant));
+    let spelling = builder.spelling(name);
+    let symbol =
+        builder.symbol(spelling, Dimension::ANGULAR_MOMENTUM, format!("the angular momentum about {centre} {when}"));
+    let bodies: Vec<String> = builder.timeline.alive(instant).into_iter().map(str::to_owned).collect();
+    let mut terms = Vec::new();
+    for body in bodies {
+        let mass = builder.mass(&body);
+        if builder.axes.is_empty() {
+            let (radius, velocity) = builder.polar_state(&body, &name.subject, instant);
+            terms.push(Expr::product([mass, radius, velocity]));
+            continue;
+        }
+        let place = ["x", "y"].map(|letter| builder.resolve(&format!("r_{body}{instant}.{letter}")).map(Expr::from));
+        let [Some(x), Some(y)] = place else { return None };
+        let velocities = builder.velocities(&body, instant);
+        let [vx, vy] = &velocities[..] else { return None };
+        terms.push(angular::moment_of_momentum(&mass, [&x, &y], [vx, vy]));
+    }
+    builder.law(
+        &angular::ANGULAR_MOMENTUM,
+        None,
+        "angular momentum is the moment of the momentum",
+        (symbol.into(), Expr::sum(terms)),
+    );
+    Some(symbol)
+}
+
+fn weight(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
+    if !builder.scene.bodies.contains_key(&name.subject) {
+        return None;
+    }
+    let meaning = format!("the weight of {}", builder.called(&name.subject));
+    let spelling = builder.spelling(name);
+    let symbol = builder.positive(spelling, Dimension::FORCE, meaning);
+    let (mass, gravity) = (builder.mass(&name.subject), builder.gravity());
+    builder.law(&force::WEIGHT, None, "by definition", (symbol.into(), mass * gravity));
+    Some(symbol)
+}

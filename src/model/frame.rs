@@ -1,0 +1,217 @@
+//! Directions in words, and the axes along and across a line of impact.
+
+use crate::expr::Expr;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::laws::geometry;
+use crate::quantity::Dimension;
+use crate::scene::Axis;
+use crate::scene::Term;
+
+use super::Builder;
+
+/// A direction in the plane of the scene.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Direction {
+    /// Quarter turns from the first axis to the axis that the words start from.
+    pub quarters: u8,
+    /// The angle from there, counter-clockwise; zero along an axis.
+    pub turn: Expr,
+}
+
+impl Direction {
+    /// The direction along (or, with `reversed`, against) the axis of that position.
+    pub(super) fn axis(position: usize, reversed: bool) -> Self {
+        let quarters = u8::from(position == 1) + if reversed { 2 } else { 0 };
+        Self { quarters, turn: Expr::zero() }
+    }
+
+    /// Cosine and sine of the whole angle, written with the angle that the author named.
+    #[must_use]
+    pub fn cosine_and_sine(&self) -> [Expr; 2] {
+        let (cos, sin) = (self.turn.clone().cos().simplify(), self.turn.clone().sin().simplify());
+        match self.quarters % 4 {
+            0 => [cos, sin],
+            1 => [-sin, cos],
+            2 => [-cos, -sin],
+            _ => [sin, -cos],
+        }
+    }
+}
+
+/// The axes n and t of a contact.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Frame {
+    /// Where n points; t lies at 90° to it, counter-clockwise.
+    pub normal: Direction,
+}
+
+/// The components of the velocity of a body along and across a contact's normal.
+pub(super) struct Split {
+    /// Along n.
+    pub along: Expr,
+    /// Along t, where the scene has two dimensions.
+    pub across: Option<Expr>,
+}
+
+impl Builder<'_> {
+    /// Reads a direction: `to the left`, `+x`, `30 deg above +x`, `alpha below the horizontal`, `40 deg north of east`.
+    pub(super) fn direction(&mut self, term: &Term, path: &Path) -> Direction {
+        let text = term.0.trim();
+        if let Some(direction) = self.axis_direction(text) {
+            return direction;
+        }
+        for (joint, sign_of_y) in [(" above ", 1), (" below ", -1)] {
+            if let Some((turn, base)) = text.split_once(joint) {
+                return self.turned(turn, base, sign_of_y, path);
+            }
+        }
+        if let Some((turn, base)) = text.split_once(" from ") {
+            let base = self.base_direction(base, path);
+            return Direction { quarters: base.quarters, turn: self.read_angle(turn, path) };
+        }
+        if let Some((before, base)) = text.split_once(" of ")
+            && let Some((turn, towards)) = before.rsplit_once(' ')
+            && let (Some(base), Some(towards)) = (self.axis_direction(base), self.axis_direction(towards))
+        {
+            let sign = if (base.quarters + 1) % 4 == towards.quarters { 1 } else { -1 };
+            let turn = Expr::integer(sign) * self.read_angle(turn, path);
+            return Direction { quarters: base.quarters, turn };
+        }
+        let turn = self.read_angle(text, path);
+        // An angle of exactly zero is an axis, along which no components n and t need be made.
+        Direction { quarters: 0, turn: self.zero_if_so_written(turn) }
+    }
+
+    /// The axis from which an angle is counted.
+    fn base_direction(&mut self, base: &str, path: &Path) -> Direction {
+        let base = if base.trim() == "the horizontal" { "+x" } else { base };
+        self.axis_direction(base).unwrap_or_else(|| {
+            let known = self.axes.iter().map(|(axis, _)| format!("`+{0}` or `-{0}`", axis.letter()));
+            let known = known.collect::<Vec<_>>().join(", ");
+            let fault = Fault::new(Code::Value, format!("`{}` is not a direction of this scene", base.trim()));
+            let help = format!(
+                "count an angle from {known}, or write the axis with both of its directions: `x: [ahead, back]`"
+            );
+            self.faults.push(fault.help(help).at_path(path.clone()));
+            Direction::axis(0, false)
+        })
+    }
+
+    fn turned(&mut self, turn: &str, base: &str, sign_of_y: i64, path: &Path) -> Direction {
+        let base = self.base_direction(base, path);
+        // Above is towards +y: counter-clockwise from +x, clockwise from -x.
+        let sign = if base.quarters == 2 { -sign_of_y } else { sign_of_y };
+        let turn = Expr::integer(sign) * self.read_angle(turn, path);
+        Direction { quarters: base.quarters, turn }
+    }
+
+    /// The whole angle of a direction, counter-clockwise from the first axis; quarter turns as values in degrees.
+    pub(super) fn whole_angle(&mut self, direction: &Direction) -> Expr {
+        let quarters = direction.quarters % 4;
+        if quarters == 0 {
+            return direction.turn.clone();
+        }
+        let start = self.literal(&format!("{} deg", u16::from(quarters) * 90));
+        start.map_or_else(Expr::zero, Expr::from) + direction.turn.clone()
+    }
+
+    /// Where words name a direction along or against an axis.
+    pub(super) fn axis_direction(&self, text: &str) -> Option<Direction> {
+        let text = text.trim();
+        self.axes.iter().enumerate().find_map(|(position, (axis, senses))| {
+            let word = |phrase: &str| {
+                text == phrase
+                    || phrase.strip_prefix("to the ") == Some(text)
+                    || phrase.strip_suffix("wards") == Some(text)
+            };
+            let letter = axis.letter();
+            let vertical = usize::from(*axis == Axis::Y).max(position);
+            if text == letter || text.strip_prefix('+') == Some(letter) || word(&senses.positive) {
+                Some(Direction::axis(vertical, false))
+            } else {
+                (text.strip_prefix('-') == Some(letter) || word(&senses.negative))
+                    .then(|| Direction::axis(vertical, true))
+            }
+        })
+    }
+
+    fn read_angle(&mut self, text: &str, path: &Path) -> Expr {
+        self.read(&Term(text.trim().to_owned()), Dimension::NONE, "the angle", path)
+    }
+
+    /// The components of a direction along the scene's axes, in their order.
+    pub(super) fn components(&self, direction: &Direction) -> Vec<Expr> {
+        let [cos, sin] = direction.cosine_and_sine();
+        self.axes.iter().map(|(axis, _)| if *axis == Axis::Y { sin.clone() } else { cos.clone() }).collect()
+    }
+
+    /// The velocity of a body at an instant, along and across a contact's normal.
+    ///
+    /// Where the normal lies along an axis the scene's own components serve; otherwise components n and t are made.
+    pub(super) fn split(&mut self, body: &str, instant: usize, stage: usize, frame: &Frame) -> Split {
+        let velocities = self.velocities(body, instant);
+        let components = self.components(&frame.normal);
+        let [x, y] = &velocities[..] else {
+            let along = velocities.into_iter().zip(components).map(|(v, c)| v * c);
+            return Split { along: Expr::sum(along), across: None };
+        };
+        if frame.normal.turn.is_zero() {
+            let [cos, sin] = frame.normal.cosine_and_sine();
+            let along = Expr::sum([cos.clone() * x.clone(), sin.clone() * y.clone()]);
+            let across = Expr::sum([cos * y.clone(), -(sin * x.clone())]);
+            return Split { along, across: Some(across) };
+        }
+        let since = self.timeline.since(body, instant).unwrap_or(instant);
+        let suffix = self.frame_suffix(stage);
+        let (owner, when) = (self.called(body), self.when(since));
+        let [along, across] = ["n", "t"].map(|letter| {
+            let meaning = format!("the {letter}-component of the velocity of {owner} {when}");
+            let name = format!("v_{body}{since}.{letter}{suffix}");
+            Expr::Symbol(self.symbol(name, Dimension::VELOCITY, meaning))
+        });
+        self.turn_velocity(stage, frame, [x.clone(), y.clone()], [&along, &across]);
+        Split { along, across: Some(across) }
+    }
+
+    /// The velocity that an impulse along a normal changes: along the normal, or along the only axis, so that in one
+    /// dimension an impulse has the sign of its direction like every other component.
+    pub(super) fn changed(&mut self, body: &str, instant: usize, split: &Split) -> Expr {
+        match self.axes[..] {
+            [(axis, _)] => self.velocity(body, instant, axis),
+            _ => split.along.clone(),
+        }
+    }
+
+    /// The components along the axes of an impulse along a normal.
+    pub(super) fn resolved(&self, impulse: &Expr, frame: &Frame) -> Vec<Expr> {
+        match self.axes[..] {
+            [_] => vec![impulse.clone()],
+            _ => self.components(&frame.normal).into_iter().map(|part| impulse.clone() * part).collect(),
+        }
+    }
+
+    /// Relates the components n and t to x and y, both ways round.
+    fn turn_velocity(&mut self, stage: usize, frame: &Frame, [x, y]: [Expr; 2], [n, t]: [&Expr; 2]) {
+        let key = format!("turned {stage} {n:?}");
+        if !self.defined.insert(key) {
+            return;
+        }
+        let because = "the axes n and t are turned from x and y by the direction of the line of impact";
+        let [cos, sin] = frame.normal.cosine_and_sine();
+        let [along, across] = geometry::turned([&cos, &sin], &x, &y);
+        self.law(&geometry::ROTATION, Some(stage), because, (n.clone(), along));
+        self.law(&geometry::ROTATION, Some(stage), because, (t.clone(), across));
+        let back = geometry::turned_back([&cos, &sin], n, t);
+        for (old, new) in [x, y].into_iter().zip(back) {
+            self.law(&geometry::ROTATION, Some(stage), because, (old, new));
+        }
+    }
+
+    /// Distinguishes the n and t of several oblique impacts of one scene.
+    fn frame_suffix(&self, stage: usize) -> String {
+        let earlier = self.frames.iter().take(stage).flatten().any(|frame| !frame.normal.turn.is_zero());
+        if earlier { format!("[{}]", stage + 1) } else { String::new() }
+    }
+}

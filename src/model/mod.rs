@@ -1,0 +1,366 @@
+//! A scene and the laws, turned into a system of equations.
+
+mod acting;
+mod builder;
+mod check;
+mod define;
+mod frame;
+mod friction;
+mod instance;
+mod name;
+mod read;
+mod stage;
+mod timeline;
+mod wording;
+
+pub use acting::{ActingForce, ForceKind};
+pub use builder::{Alternative, Builder};
+pub use frame::{Direction, Frame};
+pub use instance::{Agent, Impulse, Instance, Integral, Omission, Reason, Warning};
+pub use name::{Instant, Name};
+pub use timeline::Timeline;
+
+use std::collections::BTreeMap;
+use std::collections::BTreeSet;
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+use crate::expr::SymbolTable;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::laws::geometry;
+use crate::laws::kinematics;
+use crate::quantity::Dimension;
+use crate::quantity::Quantity;
+use crate::scene::Scene;
+use crate::solve::Condition;
+use crate::solve::Equation;
+use crate::solve::Relation;
+use crate::solve::Statement;
+use crate::solve::System;
+
+/// A scene as equations: the symbols, the system, and why each equation may be used.
+#[derive(Clone, Debug)]
+pub struct Model {
+    /// The quantities.
+    pub symbols: SymbolTable,
+    /// The equations that hold whatever happens. Their tags count [`Model::instances`].
+    pub system: System,
+    /// For each stage that can go several ways, the ways.
+    pub choices: Vec<Vec<Alternative>>,
+    /// Which law each equation is, and why it applies.
+    pub instances: Vec<Instance>,
+    /// What to say where a condition is broken; conditions' tags count these.
+    pub reasons: Vec<Reason>,
+    /// What was left out on purpose.
+    pub omissions: Vec<Omission>,
+    /// The impulses of each stage.
+    pub impulses: Vec<Impulse>,
+    /// The forces of each push.
+    pub forces: Vec<ActingForce>,
+    /// Values that the author wrote into terms: known, and the same in every variant.
+    pub literals: Vec<(Symbol, Quantity)>,
+    /// The axes n and t of each stage that has them.
+    pub frames: Vec<Option<Frame>>,
+    /// Names that terms introduced without defining them: to be given, or asked.
+    pub free: BTreeSet<Symbol>,
+    mentions: BTreeMap<String, Symbol>,
+}
+
+impl<'s> Builder<'s> {
+    /// A model of a scene with the equations of its stages.
+    ///
+    /// # Errors
+    /// Everything in the scene that does not fit together.
+    pub fn of(scene: &'s Scene, given: &[(String, Dimension)]) -> Result<Self, Vec<Fault>> {
+        let faults = check::check(scene);
+        if !faults.is_empty() {
+            return Err(faults);
+        }
+        let mut builder = Self::new(scene);
+        builder.given = given.iter().map(|(name, _)| name.clone()).collect();
+        for (name, dimension) in given {
+            if !check::is_structural(scene, name) {
+                builder.symbol(name.clone(), *dimension, "");
+            }
+        }
+        builder.stages();
+        Ok(builder)
+    }
+
+    /// The symbol of a name that the problem mentions, with its definition added to the model.
+    pub fn mention(&mut self, name: &str) -> Option<Symbol> {
+        let symbol = self.resolve(name)?;
+        self.mentions.insert(name.to_owned(), symbol);
+        Some(symbol)
+    }
+
+    /// An equation or condition text as a term, its names defined on the way; faults are noted.
+    pub fn term(&mut self, text: &str, path: &Path) -> Expr {
+        self.read_any(text, path)
+    }
+
+    /// The fault of a name that the scene does not make.
+    #[must_use]
+    pub fn unknown(&self, name: &str) -> Fault {
+        self.unknown_name(name)
+    }
+
+    /// Adds an equation that the problem states: `left = right`.
+    pub fn relation(&mut self, equation: &str, because: &str, path: &Path) {
+        let Some((left, right)) = equation.split_once('=') else {
+            let fault = Fault::new(Code::Syntax, format!("`{equation}` is not an equation"));
+            self.faults.push(fault.help("write two sides with `=` between them").at_path(path.clone()));
+            return;
+        };
+        let sides = (self.read_any(left, path), self.read_any(right, path));
+        self.law(&geometry::RELATION, None, because, sides);
+    }
+
+    /// Takes a quantity of the author's own, given by positive values only, to be positive. Quantities that the scene makes
+    /// may be of either sign, whatever is given.
+    pub fn assume_positive(&mut self, name: &str, symbol: Symbol) {
+        if !check::is_structural(self.scene, name) {
+            self.system.positive.insert(symbol);
+        }
+    }
+
+    /// Whether a quantity has no meaning below zero.
+    #[must_use]
+    pub fn is_positive(&self, symbol: Symbol) -> bool {
+        self.system.positive.contains(&symbol)
+    }
+
+    /// A name of the author's own that stands for a term: its dimension is the term's.
+    pub fn declare(&mut self, name: &str, text: &str, meaning: &str, path: &Path) {
+        let term = self.read_any(text, path);
+        let dimension = term.dimension(&self.symbols).unwrap_or_default();
+        self.symbol(name, dimension, meaning);
+    }
+
+    /// A condition on terms; it is not added to the system.
+    pub fn compare(&mut self, left: Expr, relation: Relation, right: Expr, reason: &str) -> Condition {
+        self.condition(left, relation, right, reason)
+    }
+
+    /// A term with every quantity that a law writes in terms of `symbol` replaced by what the law says.
+    #[must_use]
+    pub fn written_out(&self, term: &Expr, symbol: Symbol) -> Expr {
+        term.substitute(&|own| {
+            self.system.equations.iter().find_map(|equation| match &equation.statement {
+                Statement::Equal { left, right } if *left == Expr::from(own) && right.contains(symbol) => {
+                    Some(right.clone())
+                }
+                _ => None,
+            })
+        })
+    }
+
+    /// Why a law writes some quantity of a term in terms of `symbol`.
+    #[must_use]
+    pub fn reason_of(&self, term: &Expr, symbol: Symbol) -> Option<&str> {
+        let defines = |left: &Expr, right: &Expr| {
+            matches!(left, Expr::Symbol(own) if term.contains(*own)) && right.contains(symbol)
+        };
+        let equation =
+            self.system.equations.iter().find(
+                |equation| matches!(&equation.statement, Statement::Equal { left, right } if defines(left, right)),
+            )?;
+        self.instances.get(equation.tag).map(|instance| instance.because.as_str())
+    }
+
+    /// The equation that `unknown` is the first integer, from `from` upwards, for which the comparison holds; `because`
+    /// says why the comparison is written as it is.
+    pub fn first_integer(
+        &mut self,
+        because: Option<&str>,
+        unknown: Symbol,
+        from: i64,
+        left: Expr,
+        relation: Relation,
+        right: Expr,
+    ) -> Equation {
+        let tag = self.instances.len();
+        let sought = "the first whole number is sought for which";
+        let because = because.map_or_else(|| sought.to_owned(), |because| format!("{because}; {sought}"));
+        self.instances.push(Instance { law: &kinematics::COUNT, because, stage: None, integral: None });
+        Equation {
+            statement: Statement::FirstInteger { unknown, from, left, relation, right },
+            tag,
+            cost: builder::LAW_COST,
+        }
+    }
+
+    /// A direction counted from an axis of the author's choice: the angle itself, or one that follows from it. `None`
+    /// where `from` is not an axis of the scene.
+    pub fn counted_from(&mut self, angle: Symbol, from: &str, clockwise: bool) -> Option<Symbol> {
+        let start = self.axis_direction(from)?;
+        if start.quarters == 0 && !clockwise {
+            return Some(angle);
+        }
+        let entry = self.symbols.entry(angle).clone();
+        let sense = if clockwise { "clockwise" } else { "counter-clockwise" };
+        let own = self.symbol(entry.name.replacen("angle", "phi", 1), Dimension::NONE, entry.meaning);
+        let turned = Expr::from(angle) - self.whole_angle(&start);
+        let value = if clockwise { -turned } else { turned };
+        self.law(
+            &geometry::DIRECTION,
+            None,
+            format!("the angle is asked {sense} from {}", from.replace('-', "\u{2212}")),
+            (own.into(), value),
+        );
+        Some(own)
+    }
+
+    /// The scene.
+    #[must_use]
+    pub fn scene(&self) -> &'s Scene {
+        self.scene
+    }
+
+    /// Every body's short name, those that impacts make included.
+    pub fn bodies(&self) -> impl Iterator<Item = &str> {
+        self.timeline.bodies()
+    }
+
+    /// How a body is called in a sentence.
+    #[must_use]
+    pub fn name_of(&self, body: &str) -> String {
+        self.called(body)
+    }
+
+    /// A stage as a noun phrase: `the impact`.
+    #[must_use]
+    pub fn phrase_of(&self, stage: usize) -> String {
+        self.stage_phrase(stage)
+    }
+
+    /// The position of the stage of that name.
+    #[must_use]
+    pub fn stage_of(&self, name: &str) -> Option<usize> {
+        self.timeline.stage(self.scene, name)
+    }
+
+    /// The letters of the scene's axes, in order.
+    #[must_use]
+    pub fn axis_letters(&self) -> Vec<&'static str> {
+        self.axes.iter().map(|(axis, _)| axis.letter()).collect()
+    }
+
+    /// The impulses of all stages so far.
+    #[must_use]
+    pub fn impulses(&self) -> &[Impulse] {
+        &self.impulses
+    }
+
+    /// The table of symbols so far.
+    #[must_use]
+    pub fn symbols(&self) -> &SymbolTable {
+        &self.symbols
+    }
+
+    /// Notes a fault found by the caller.
+    pub fn fault(&mut self, fault: Fault) {
+        self.faults.push(fault);
+    }
+
+    /// The finished model.
+    ///
+    /// # Errors
+    /// Every fault noted on the way, and every equation whose sides differ in dimension.
+    pub fn finish(mut self) -> Result<Model, Vec<Fault>> {
+        if !self.faults.is_empty() {
+            return Err(each_once(self.faults));
+        }
+        let stated = self.choices.iter().flatten().flat_map(|way| &way.equations);
+        for equation in self.system.equations.iter().chain(stated) {
+            let Statement::Equal { left, right } = &equation.statement else { continue };
+            let law = self.instances.get(equation.tag).map_or("an equation", |instance| instance.law.name);
+            match (left.clone() - right.clone()).dimension(&self.symbols) {
+                Ok(_) => {}
+                Err(clash) => self.faults.push(
+                    Fault::new(Code::Dimension, format!("the dimensions of {law} do not agree: {clash}"))
+                        .help("check the units of what is given"),
+                ),
+            }
+        }
+        if !self.faults.is_empty() {
+            return Err(self.faults);
+        }
+        Ok(Model {
+            symbols: self.symbols,
+            system: self.system,
+            choices: self.choices,
+            instances: self.instances,
+            reasons: self.reasons,
+            omissions: self.omissions,
+            impulses: self.impulses,
+            forces: self.forces,
+            literals: self.literals,
+            frames: self.frames,
+            free: self.free,
+            mentions: self.mentions,
+        })
+    }
+}
+
+/// The faults without repetition: a term that is read for several laws is wrong once.
+fn each_once(faults: Vec<Fault>) -> Vec<Fault> {
+    let mut kept: Vec<Fault> = Vec::new();
+    for fault in faults {
+        if !kept.contains(&fault) {
+            kept.push(fault);
+        }
+    }
+    kept
+}
+
+impl Model {
+    /// Every quantity that an equation or a condition of the scene speaks of.
+    #[must_use]
+    pub fn mentioned(&self) -> BTreeSet<Symbol> {
+        let ways = || self.choices.iter().flatten();
+        let equations = self.system.equations.iter().chain(ways().flat_map(|way| &way.equations));
+        let conditions = self.system.conditions.iter().chain(ways().flat_map(|way| &way.conditions));
+        let sides = conditions.flat_map(|condition| [condition.left.symbols(), condition.right.symbols()]);
+        equations.map(Equation::symbols).chain(sides).flatten().collect()
+    }
+
+    /// The quantity that a mentioned name stands for, in whichever spelling it was mentioned.
+    #[must_use]
+    pub fn symbol_of(&self, name: &str) -> Option<Symbol> {
+        self.mentions.get(name).copied().or_else(|| self.symbols.find(name))
+    }
+
+    /// When an instant of the scene is, as an adverbial phrase: `just after the impact`.
+    #[must_use]
+    pub fn when(&self, scene: &Scene, instant: usize) -> String {
+        wording::when(scene, instant)
+    }
+
+    /// A stage of the scene as a noun phrase: `the impact`.
+    #[must_use]
+    pub fn phrase(&self, scene: &Scene, stage: usize) -> String {
+        wording::stage(scene, stage)
+    }
+
+    /// The system of every combination of ways in which the stages can go, with what happens in each.
+    #[must_use]
+    pub fn systems(&self) -> Vec<(Vec<String>, System)> {
+        let mut all = vec![(Vec::new(), self.system.clone())];
+        for ways in &self.choices {
+            let extend = |(words, system): &(Vec<String>, System)| {
+                let one = |way: &Alternative| {
+                    let mut system = system.clone();
+                    system.equations.extend(way.equations.iter().cloned());
+                    system.conditions.extend(way.conditions.iter().cloned());
+                    (words.iter().cloned().chain([way.what.clone()]).collect(), system)
+                };
+                ways.iter().map(one).collect::<Vec<_>>()
+            };
+            all = all.iter().flat_map(extend).collect();
+        }
+        all
+    }
+}

@@ -1,0 +1,132 @@
+//! Reading an author's terms against the names of the scene.
+
+use crate::expr::Expr;
+use crate::expr::Names;
+use crate::expr::Symbol;
+use crate::expr::SymbolEntry;
+use crate::expr::parse;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::fault::Span;
+use crate::fault::did_you_mean;
+use crate::quantity::Dimension;
+use crate::quantity::Quantity;
+use crate::quantity::UnitSystem;
+use crate::quantity::coherent_unit;
+use crate::quantity::dimension_name;
+use crate::scene::Term;
+
+use super::Builder;
+
+/// Resolves the names of one term; names that the scene does not make are noted.
+struct Resolver<'b, 's> {
+    builder: &'b mut Builder<'s>,
+    unknown: Vec<String>,
+}
+
+impl Names for Resolver<'_, '_> {
+    fn symbol(&mut self, name: &str) -> Option<Symbol> {
+        let found = self.builder.resolve(name);
+        if found.is_none() {
+            self.unknown.push(name.to_owned());
+        }
+        found
+    }
+
+    fn literal(&mut self, text: &str) -> Option<Symbol> {
+        self.builder.literal(text)
+    }
+}
+
+impl Builder<'_> {
+    /// A value with a unit, as a symbol that is known.
+    pub(super) fn literal(&mut self, text: &str) -> Option<Symbol> {
+        let quantity = Quantity::parse(text).ok()?;
+        let entry = SymbolEntry { name: text.to_owned(), dimension: quantity.unit.dimension(), meaning: String::new() };
+        let symbol = self.symbols.intern(entry);
+        if !self.literals.iter().any(|(own, _)| *own == symbol) {
+            self.literals.push((symbol, quantity));
+        }
+        Some(symbol)
+    }
+
+    /// Reads a term that stands for a quantity of a dimension. A bare name that is not known yet becomes one, with the
+    /// meaning of the place where it stands.
+    pub(super) fn read(&mut self, term: &Term, dimension: Dimension, meaning: &str, path: &Path) -> Expr {
+        let text = term.0.trim();
+        if is_bare_name(text) && self.resolve(text).is_none() {
+            let symbol = self.symbol(text, dimension, meaning);
+            self.free.insert(symbol);
+            return symbol.into();
+        }
+        let expr = self.read_any(text, path);
+        if let Expr::Symbol(symbol) = expr
+            && self.symbols.entry(symbol).meaning.is_empty()
+        {
+            self.symbols.describe(symbol, meaning.to_owned());
+        }
+        match expr.dimension(&self.symbols) {
+            Ok(found) if found == dimension || expr.is_zero() => {}
+            Ok(found) => {
+                let message = format!(
+                    "{meaning} must be {}, but `{text}` is {}",
+                    dimension_name(dimension),
+                    dimension_name(found)
+                );
+                let help = format!("write it in a unit such as `{}`", coherent_unit(dimension, UnitSystem::Si));
+                self.faults.push(Fault::new(Code::Dimension, message).help(help).at_path(path.clone()));
+            }
+            Err(clash) => {
+                self.faults.push(Fault::new(Code::Dimension, clash.to_string()).at_path(path.clone()));
+            }
+        }
+        expr
+    }
+
+    /// The same, for a quantity that is positive.
+    pub(super) fn read_positive(&mut self, term: &Term, dimension: Dimension, meaning: &str, path: &Path) -> Expr {
+        let expr = self.read(term, dimension, meaning, path);
+        if let Expr::Symbol(symbol) = expr {
+            self.system.positive.insert(symbol);
+        }
+        expr
+    }
+
+    /// Reads a term of any dimension; faults are noted, and zero is returned in their place.
+    pub(super) fn read_any(&mut self, text: &str, path: &Path) -> Expr {
+        let mut resolver = Resolver { builder: self, unknown: Vec::new() };
+        let parsed = parse(text, &mut resolver);
+        let unknown = resolver.unknown;
+        match parsed {
+            Ok(expr) => expr,
+            Err(fault) => {
+                let mut report = match unknown.first() {
+                    Some(name) => self.unknown_name(name),
+                    None => Fault::new(Code::Syntax, fault.message.clone()),
+                };
+                if report.help.is_none() {
+                    report.help = fault.help;
+                }
+                self.faults.push(report.at_path(path.clone()).within(Span { start: fault.start, end: fault.end }));
+                Expr::zero()
+            }
+        }
+    }
+
+    /// The fault of a name that the scene does not make.
+    pub(super) fn unknown_name(&self, name: &str) -> Fault {
+        let fault = Fault::new(Code::UnknownName, format!("the name `{name}` is not known in this scene"));
+        let known: Vec<&str> = self.symbols.iter().map(|(_, entry)| entry.name.as_str()).collect();
+        match did_you_mean(name, known.iter().copied()) {
+            Some(near) => fault.help(format!("did you mean `{near}`?")),
+            None => fault.help("give it under `given`, or use a name that the scene makes, such as `v_A1`"),
+        }
+    }
+}
+
+fn is_bare_name(text: &str) -> bool {
+    text.starts_with(|first: char| first.is_alphabetic())
+        && text.chars().all(|letter| letter.is_alphanumeric() || letter == '_')
+        && text != "pi"
+}

@@ -1,0 +1,64 @@
+//! A blow of unknown history: impulse and momentum along every axis.
+
+use crate::expr::Expr;
+use crate::fault::Path;
+use crate::laws::momentum;
+use crate::model::Agent;
+use crate::model::Builder;
+use crate::model::Impulse;
+use crate::quantity::Dimension;
+use crate::scene::Axis;
+use crate::scene::Plane;
+use crate::scene::stage::Blow;
+
+impl Builder<'_> {
+    pub(in crate::model) fn blow(&mut self, index: usize, stage: &Blow, path: &Path) {
+        let body = stage.body.as_str();
+        let name = self.called(body);
+        let mass = self.mass(body);
+        let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
+        let suffix = self.stage_suffix(index);
+        let mut components = Vec::new();
+        for axis in &axes {
+            let [before, after] = [index + 1, index + 2].map(|instant| self.velocity(body, instant, *axis));
+            let (letter, along) = match axes.len() {
+                1 => (String::new(), String::new()),
+                _ => (format!(".{}", axis.letter()), format!(" along {}", axis.letter())),
+            };
+            let meaning = format!("the impulse on {name} from {}{along}", stage.by);
+            let impulse = Expr::from(self.symbol(format!("J_{body}{letter}{suffix}"), Dimension::MOMENTUM, meaning));
+            let because = format!("{} gives {name} an impulse{along}", stage.by);
+            let sides = momentum::impulse_momentum(&mass, &before, std::slice::from_ref(&impulse), &after);
+            self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
+            if axes.len() == 1 {
+                self.mean_force(index, body, &impulse, stage.duration.as_ref(), path);
+            }
+            components.push(impulse);
+        }
+        if axes.len() > 1 {
+            self.resultant(index, body, &components, &format!("the impulse on {name} from {}", stage.by));
+            if stage.duration.is_some() {
+                let magnitude = Expr::from(self.positive(
+                    format!("J_{body}{suffix}"),
+                    Dimension::MOMENTUM,
+                    format!("the magnitude of the impulse on {name} from {}", stage.by),
+                ));
+                self.mean_force(index, body, &magnitude, stage.duration.as_ref(), path);
+            }
+        }
+        self.impulses.push(Impulse {
+            stage: index,
+            on: body.to_owned(),
+            by: Agent::Outside,
+            called: stage.by.clone(),
+            components,
+            impulsive: true,
+        });
+        if self.scene.plane == Plane::Vertical {
+            self.omit(
+                "weight during the blow",
+                "it is not impulsive: its impulse in so short a time is negligible beside that of the blow",
+            );
+        }
+    }
+}

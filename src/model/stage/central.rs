@@ -1,0 +1,57 @@
+//! Motion under a central force, in polar components.
+
+use crate::expr::Expr;
+use crate::laws::angular;
+use crate::model::Agent;
+use crate::model::Builder;
+use crate::model::Impulse;
+use crate::quantity::Dimension;
+use crate::scene::stage::Central;
+
+impl Builder<'_> {
+    pub(in crate::model) fn central(&mut self, index: usize, stage: &Central) {
+        let (body, point) = (stage.body.as_str(), stage.about.as_str());
+        let centre = self.point(point);
+        let name = self.called(body);
+        let [(r1, v1), (r2, v2)] = [index + 1, index + 2].map(|instant| self.polar_state(body, point, instant));
+        let because =
+            format!("the force on {name} always points to {centre} and has no moment about it; the mass cancels");
+        let sides = (r1.clone() * v1.clone(), r2 * v2);
+        self.law(&angular::CENTRAL, Some(index), because, sides);
+        let rate = self.symbol(
+            "areal_rate",
+            Dimension::new(0, 2, -1),
+            format!("the rate at which the radius from {centre} sweeps out area"),
+        );
+        let sides = (rate.into(), Expr::product([Expr::ratio(1, 2), r1, v1]));
+        self.law(&angular::AREAL, Some(index), "in a short time the radius sweeps out a thin triangle", sides);
+        self.impulses.push(Impulse {
+            stage: index,
+            on: body.to_owned(),
+            by: Agent::Outside,
+            called: format!("the force towards {centre}"),
+            components: Vec::new(),
+            impulsive: false,
+        });
+        self.omit("the radial motion in between", "the force's moment about the centre is zero, whatever its strength");
+    }
+
+    /// How a point is called in a sentence.
+    pub(in crate::model) fn point(&self, point: &str) -> String {
+        self.scene.points.get(point).map_or_else(|| point.to_owned(), |entry| entry.name.clone())
+    }
+
+    /// Radius and transverse velocity of a body at an instant.
+    pub(in crate::model) fn polar_state(&mut self, body: &str, point: &str, instant: usize) -> (Expr, Expr) {
+        let since = self.timeline.since(body, instant).unwrap_or(instant);
+        let (name, centre, when) = (self.called(body), self.point(point), self.when(since));
+        let radius = self.positive(
+            format!("r_{body}{since}"),
+            Dimension::LENGTH,
+            format!("the distance of {name} from {centre} {when}"),
+        );
+        let meaning = format!("the transverse velocity of {name} {when}");
+        let velocity = self.symbol(format!("v_{body}{since}.theta"), Dimension::VELOCITY, meaning);
+        (radius.into(), velocity.into())
+    }
+}

@@ -1,0 +1,63 @@
+//! Free fall through a height.
+
+use crate::expr::Expr;
+use crate::fault::Path;
+use crate::laws::kinematics;
+use crate::model::Agent;
+use crate::model::Builder;
+use crate::model::Impulse;
+use crate::model::Warning;
+use crate::quantity::Dimension;
+use crate::scene::Axis;
+use crate::scene::stage::Fall;
+use crate::solve::Relation;
+
+impl Builder<'_> {
+    pub(in crate::model) fn fall(&mut self, index: usize, stage: &Fall, path: &Path) {
+        let body = stage.body.as_str();
+        let name = self.called(body);
+        let phrase = self.stage_phrase(index);
+        let meaning = format!("the height through which {name} falls");
+        let height = self.read_positive(&stage.height, Dimension::LENGTH, &meaning, &path.key("height"));
+        let gravity = self.gravity();
+        let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
+        for (position, axis) in axes.iter().enumerate() {
+            let [before, after] = [index + 1, index + 2].map(|instant| self.velocity(body, instant, *axis));
+            let Some(down) = self.downwards(position) else {
+                let because = format!("weight has no part along {}", axis.letter());
+                self.law(&crate::laws::momentum::NO_IMPULSE, Some(index), because, (after, before));
+                continue;
+            };
+            let because = format!("weight is the only force on {name} during {phrase}");
+            let sides = kinematics::fall_speed(&gravity, &height, &before, &after);
+            self.law(&kinematics::FALL_SPEED, Some(index), because.clone(), sides);
+            let downward = Expr::integer(down) * after.clone();
+            self.require(
+                Warning::Reverses,
+                downward,
+                Relation::AtLeast,
+                Expr::zero(),
+                format!("{name} moves downwards at the end of {phrase}"),
+            );
+            let suffix = self.stage_suffix(index);
+            let time = self.positive(format!("dt{suffix}"), Dimension::TIME, format!("the duration of {phrase}"));
+            let gained = Expr::product([Expr::integer(down), gravity.clone(), time.into()]);
+            self.law(&kinematics::FALL_TIME, Some(index), because, (before + gained, after));
+        }
+        let mass = self.mass(body);
+        let weight = (0..axes.len()).map(|position| match self.downwards(position) {
+            Some(down) => Expr::integer(down) * mass.clone() * gravity.clone(),
+            None => Expr::zero(),
+        });
+        let components = weight.collect();
+        self.impulses.push(Impulse {
+            stage: index,
+            on: body.to_owned(),
+            by: Agent::Outside,
+            called: "weight".into(),
+            components,
+            impulsive: false,
+        });
+        self.omit("air resistance", "the problem does not mention any");
+    }
+}

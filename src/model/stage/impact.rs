@@ -1,0 +1,392 @@
+//! Impacts of two bodies, and of a body and a surface.
+
+use crate::expr::Expr;
+use crate::fault::Path;
+use crate::laws::force;
+use crate::laws::momentum;
+use crate::laws::restitution;
+use crate::model::Agent;
+use crate::model::Builder;
+use crate::model::Impulse;
+use crate::model::Warning;
+use crate::model::frame::Direction;
+use crate::model::frame::Frame;
+use crate::model::frame::Split;
+use crate::quantity::Dimension;
+use crate::scene::Axis;
+use crate::scene::Plane;
+use crate::scene::Term;
+use crate::scene::stage::Impact;
+use crate::scene::stage::Partners;
+use crate::solve::Relation;
+
+/// What is the same for both bodies of an impact.
+struct Contact<'a> {
+    index: usize,
+    stage: &'a Impact,
+    path: &'a Path,
+}
+
+impl Builder<'_> {
+    pub(in crate::model) fn impact(&mut self, index: usize, stage: &Impact, path: &Path) {
+        let contact = Contact { index, stage, path };
+        if self.scene.plane == Plane::Vertical {
+            self.omit(
+                "weight during the impact",
+                "it is not impulsive: its impulse during the short contact is negligible",
+            );
+        }
+        match stage.partners() {
+            Some(Partners::Surface(body, surface)) => self.surface_impact(&contact, body, surface),
+            Some(Partners::Bodies(first, second)) if stage.plastic => self.plastic_impact(&contact, first, second),
+            Some(Partners::Bodies(first, second)) => self.body_impact(&contact, first, second),
+            None => {}
+        }
+    }
+
+    /// Two bodies that separate: momentum along the line of impact, restitution, nothing across it.
+    fn body_impact(&mut self, contact: &Contact<'_>, first: &str, second: &str) {
+        let (index, stage) = (contact.index, contact.stage);
+        let Some(frame) = self.line_of_impact(contact) else {
+            self.general_impact(contact, first, second);
+            return;
+        };
+        self.frames[index] = Some(frame.clone());
+        let (before, after) = (index + 1, index + 2);
+        let [a1, b1] = [first, second].map(|body| self.split(body, before, index, &frame));
+        let [a2, b2] = [first, second].map(|body| self.split(body, after, index, &frame));
+        let [mass_a, mass_b] = [first, second].map(|body| self.mass(body));
+        let (name_a, name_b) = (self.called(first), self.called(second));
+        let line = if a1.across.is_some() { " along the line of impact" } else { "" };
+
+        let along = |split: &Split| split.along.clone();
+        self.internal_impulse(contact, [first, second], &frame, [&mass_a, &mass_b], [&a1, &b1], [&a2, &b2]);
+        let because =
+            format!("the impulses that {name_a} and {name_b} give each other cancel, and no other impulse acts{line}");
+        let sides = momentum::conservation(
+            &[(mass_a.clone(), along(&a1)), (mass_b.clone(), along(&b1))],
+            &[(mass_a, along(&a2)), (mass_b, along(&b2))],
+        );
+        self.law(&momentum::CONSERVATION, Some(index), because, sides);
+        if let Some(term) = &stage.restitution {
+            let e = self.restitution_coefficient(term, &contact.path.key("restitution"));
+            let because = match a1.across {
+                Some(_) => "restitution acts along the line of impact only".to_owned(),
+                None => format!("{name_a} and {name_b} collide and separate again"),
+            };
+            let sides = restitution::restitution(&e, [&a1.along, &b1.along], [&a2.along, &b2.along]);
+            self.law(&restitution::RESTITUTION, Some(index), because, sides);
+        }
+        for (body, start, end) in [(first, &a1, &a2), (second, &b1, &b2)] {
+            self.smooth(index, body, start, end);
+        }
+        let reason = format!("{name_a} would not catch up with {name_b}, so that no impact would happen");
+        self.require(Warning::NoImpact, along(&a1), Relation::Greater, along(&b1), reason);
+        let reason = format!("{name_a} would pass through {name_b}");
+        self.require(Warning::PassesThrough, along(&b2), Relation::AtLeast, along(&a2), reason);
+        if stage.restitution.is_none() {
+            let lost = (along(&a1) - along(&b1)) - (along(&b2) - along(&a2));
+            self.require(
+                Warning::EnergyCreated,
+                lost,
+                Relation::AtLeast,
+                Expr::zero(),
+                "kinetic energy would be created",
+            );
+        }
+        if self.scene.plane == Plane::Horizontal {
+            self.omit(
+                "weight and the support of the ground",
+                "they act across the motion and cancel, and nothing impulsive presses the bodies into the ground",
+            );
+        }
+    }
+
+    /// The impulse between the two bodies, for whoever asks for it.
+    fn internal_impulse(
+        &mut self,
+        contact: &Contact<'_>,
+        bodies: [&str; 2],
+        frame: &Frame,
+        masses: [&Expr; 2],
+        before: [&Split; 2],
+        after: [&Split; 2],
+    ) {
+        let index = contact.index;
+        let names = bodies.map(|body| self.called(body));
+        let turned = if before[0].across.is_some() { ".n" } else { "" };
+        let impulses = [0, 1].map(|own| {
+            let meaning = format!("the impulse on {} from {}", names[own], names[1 - own]);
+            let suffix = self.stage_suffix(index);
+            Expr::from(self.symbol(format!("J_{}{turned}{suffix}", bodies[own]), Dimension::MOMENTUM, meaning))
+        });
+        for own in [0, 1] {
+            let because = format!("the only impulse on {} alone is that of the contact", names[own]);
+            let start = self.changed(bodies[own], index + 1, before[own]);
+            let end = self.changed(bodies[own], index + 2, after[own]);
+            let sides = momentum::impulse_momentum(masses[own], &start, std::slice::from_ref(&impulses[own]), &end);
+            self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
+            self.impulses.push(Impulse {
+                stage: index,
+                on: bodies[own].to_owned(),
+                by: Agent::Body(bodies[1 - own].to_owned()),
+                called: format!("the contact with {}", names[1 - own]),
+                components: self.resolved(&impulses[own], frame),
+                impulsive: true,
+            });
+            self.mean_force(index, bodies[own], &impulses[own], contact.stage.duration.as_ref(), contact.path);
+        }
+        let [on_first, on_second] = impulses;
+        let because = "they are action and reaction";
+        self.law(&momentum::THIRD_LAW, Some(index), because, (on_second, -on_first));
+    }
+
+    /// No impulse acts across a smooth contact.
+    fn smooth(&mut self, index: usize, body: &str, before: &Split, after: &Split) {
+        let (Some(start), Some(end)) = (&before.across, &after.across) else { return };
+        let because =
+            format!("the contact is smooth and gives {} no impulse across the line of impact", self.called(body));
+        self.law(&momentum::NO_IMPULSE, Some(index), because, (end.clone(), start.clone()));
+        self.omit("friction between the bodies", "they are smooth");
+    }
+
+    /// An impact in the plane whose line is not stated: momentum along each axis, and what the problem gives besides.
+    fn general_impact(&mut self, contact: &Contact<'_>, first: &str, second: &str) {
+        let (name_a, name_b) = (self.called(first), self.called(second));
+        self.exchange(contact, [first, second], [first, second]);
+        self.omit("weight and the support of the ground", "they act across the plane of motion and cancel");
+        self.omit(
+            "the impulse between the bodies",
+            format!("within the system it cancels: on {name_a} and on {name_b} it is equal and opposite"),
+        );
+    }
+
+    /// Momentum along every axis, for bodies that exchange impulses of unknown direction, and those impulses.
+    fn exchange(&mut self, contact: &Contact<'_>, before: [&str; 2], after: [&str; 2]) {
+        let index = contact.index;
+        let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
+        let names = before.map(|body| self.called(body));
+        let masses = before.map(|body| self.mass(body));
+        let mut components: [Vec<Expr>; 2] = [Vec::new(), Vec::new()];
+        for axis in &axes {
+            let start = before.map(|body| self.velocity(body, index + 1, *axis));
+            let end = after.map(|body| self.velocity(body, index + 2, *axis));
+            let along = if axes.len() > 1 { format!(" along {}", axis.letter()) } else { String::new() };
+            let because = format!(
+                "the impulses that {} and {} give each other cancel, and no other impulse acts{along}",
+                names[0], names[1]
+            );
+            let pair = |values: &[Expr; 2]| [0, 1].map(|own| (masses[own].clone(), values[own].clone()));
+            let united = after[0] == after[1];
+            let total = if united {
+                vec![(masses[0].clone() + masses[1].clone(), end[0].clone())]
+            } else {
+                pair(&end).to_vec()
+            };
+            self.law(&momentum::CONSERVATION, Some(index), because, momentum::conservation(&pair(&start), &total));
+            let suffix = self.stage_suffix(index);
+            let letter = if axes.len() > 1 { format!(".{}", axis.letter()) } else { String::new() };
+            let mut impulses = Vec::new();
+            for own in [0, 1] {
+                let meaning = format!("the impulse on {} from {}{along}", names[own], names[1 - own]);
+                let impulse =
+                    Expr::from(self.symbol(format!("J_{}{letter}{suffix}", before[own]), Dimension::MOMENTUM, meaning));
+                let because = format!("the only impulse on {} alone is that of the contact", names[own]);
+                let sides =
+                    momentum::impulse_momentum(&masses[own], &start[own], std::slice::from_ref(&impulse), &end[own]);
+                self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
+                components[own].push(impulse.clone());
+                impulses.push(impulse);
+            }
+            if let [on_first, on_second] = &impulses[..] {
+                let sides = (on_second.clone(), -on_first.clone());
+                self.law(&momentum::THIRD_LAW, Some(index), "they are action and reaction", sides);
+            }
+            if axes.len() == 1 {
+                for own in [0, 1] {
+                    self.mean_force(
+                        index,
+                        before[own],
+                        &impulses[own].clone(),
+                        contact.stage.duration.as_ref(),
+                        contact.path,
+                    );
+                }
+            }
+        }
+        for (own, parts) in components.into_iter().enumerate() {
+            self.impulses.push(Impulse {
+                stage: index,
+                on: before[own].to_owned(),
+                by: Agent::Body(before[1 - own].to_owned()),
+                called: format!("the contact with {}", names[1 - own]),
+                components: parts,
+                impulsive: true,
+            });
+        }
+    }
+
+    /// Two bodies that stay together.
+    fn plastic_impact(&mut self, contact: &Contact<'_>, first: &str, second: &str) {
+        let (index, stage) = (contact.index, contact.stage);
+        let (name_a, name_b) = (self.called(first), self.called(second));
+        let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
+        match &stage.becomes {
+            Some(union) => self.exchange(contact, [first, second], [union, union]),
+            None => {
+                self.exchange(contact, [first, second], [first, second]);
+                for axis in &axes {
+                    let [a, b] = [first, second].map(|body| self.velocity(body, index + 2, *axis));
+                    let because = format!("{name_a} and {name_b} stay together");
+                    self.law(&restitution::PLASTIC, Some(index), because, (b, a));
+                }
+            }
+        }
+        if axes.len() == 1 {
+            let [a, b] = [first, second].map(|body| self.velocity(body, index + 1, axes[0]));
+            self.require(Warning::NoImpact, a, Relation::Differs, b, format!("{name_a} would not meet {name_b}"));
+        }
+        self.omit("the forces between the bodies", "their impulses cancel in pairs within the system");
+        if self.scene.plane == Plane::Horizontal {
+            self.omit(
+                "friction with the ground",
+                "it is not impulsive: its impulse during the short impact is negligible",
+            );
+        }
+    }
+
+    /// A body and a surface that does not give way.
+    fn surface_impact(&mut self, contact: &Contact<'_>, body: &str, surface: &str) {
+        let (index, stage) = (contact.index, contact.stage);
+        let Some(entry) = self.scene.surfaces.get(surface) else { return };
+        let at = Path::root().key("scene").key("surfaces").key(surface);
+        let normal = self.direction(&entry.normal, &at.key("normal"));
+        let frame = Frame { normal };
+        self.frames[index] = Some(frame.clone());
+        let name = self.called(body);
+        let wall = entry.name.clone().unwrap_or_else(|| format!("the {surface}"));
+        let moves = match &entry.velocity {
+            Some(term) => self.read(
+                term,
+                Dimension::VELOCITY,
+                &format!("the velocity of {wall} along its normal"),
+                &at.key("velocity"),
+            ),
+            None => Expr::zero(),
+        };
+        let start = self.split(body, index + 1, index, &frame);
+        let end = self.split(body, index + 2, index, &frame);
+        let mass = self.mass(body);
+        if let Some(term) = &stage.restitution {
+            let e = self.restitution_coefficient(term, &contact.path.key("restitution"));
+            let because = match start.across {
+                Some(_) => format!("{wall} does not give way, and restitution acts along its normal only"),
+                None => format!("{wall} does not give way"),
+            };
+            let sides = restitution::at_surface(&e, &moves, &start.along, &end.along);
+            self.law(&restitution::RESTITUTION_SURFACE, Some(index), because, sides);
+        }
+        if stage.plastic {
+            let because = format!("{name} does not rebound from {wall}");
+            self.law(&restitution::PLASTIC, Some(index), because, (end.along.clone(), moves.clone()));
+        }
+        if let (Some(from), Some(to)) = (&start.across, &end.across) {
+            let because = format!("{wall} is smooth and gives {name} no impulse along it");
+            self.law(&momentum::NO_IMPULSE, Some(index), because, (to.clone(), from.clone()));
+            self.omit(format!("friction with {wall}"), format!("{wall} is smooth"));
+        }
+        let suffix = self.stage_suffix(index);
+        let meaning = format!("the impulse on {name} from {wall}");
+        let impulse = Expr::from(self.symbol(format!("J_{body}{suffix}"), Dimension::MOMENTUM, meaning));
+        let because = format!("along the normal, the only impulse on {name} is that of {wall}");
+        let [from, to] = [(index + 1, &start), (index + 2, &end)].map(|(at, split)| self.changed(body, at, split));
+        let sides = momentum::impulse_momentum(&mass, &from, std::slice::from_ref(&impulse), &to);
+        self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
+        self.mean_force(index, body, &impulse, stage.duration.as_ref(), contact.path);
+        let components = self.resolved(&impulse, &frame);
+        self.impulses.push(Impulse {
+            stage: index,
+            on: body.to_owned(),
+            by: Agent::Surface(surface.to_owned()),
+            called: wall.clone(),
+            components,
+            impulsive: true,
+        });
+        self.require(
+            Warning::NoImpact,
+            start.along,
+            Relation::Less,
+            moves.clone(),
+            format!("{name} would not reach {wall}"),
+        );
+        self.require(
+            Warning::PassesThrough,
+            end.along,
+            Relation::AtLeast,
+            moves,
+            format!("{name} would pass through {wall}"),
+        );
+        self.omit(
+            format!("the momentum of {wall}"),
+            format!("{wall} is held from outside, and the momentum of both together is not conserved"),
+        );
+    }
+
+    /// The coefficient of restitution: between 0 and 1.
+    pub(in crate::model) fn restitution_coefficient(&mut self, term: &Term, path: &Path) -> Expr {
+        let e = self.read(term, Dimension::NONE, "the coefficient of restitution", path);
+        self.require(
+            Warning::EnergyCreated,
+            e.clone(),
+            Relation::AtLeast,
+            Expr::zero(),
+            "a coefficient of restitution cannot be negative",
+        );
+        self.require(
+            Warning::EnergyCreated,
+            e.clone(),
+            Relation::AtMost,
+            Expr::one(),
+            "a coefficient of restitution above 1 would create energy",
+        );
+        e
+    }
+
+    /// The line of impact: stated, or the only axis.
+    fn line_of_impact(&mut self, contact: &Contact<'_>) -> Option<Frame> {
+        match &contact.stage.line_of_impact {
+            Some(term) => Some(Frame { normal: self.direction(term, &contact.path.key("line_of_impact")) }),
+            None => (self.axes.len() == 1)
+                .then(|| Frame { normal: Direction::axis(usize::from(self.axes[0].0 == Axis::Y), false) }),
+        }
+    }
+
+    /// The mean force of an impulse, where a duration is spoken of.
+    pub(in crate::model) fn mean_force(
+        &mut self,
+        index: usize,
+        body: &str,
+        impulse: &Expr,
+        duration: Option<&Term>,
+        path: &Path,
+    ) {
+        let Some(term) = duration else { return };
+        let phrase = self.stage_phrase(index);
+        let time =
+            self.read_positive(term, Dimension::TIME, &format!("the duration of {phrase}"), &path.key("duration"));
+        let suffix = self.stage_suffix(index);
+        let meaning = format!("the mean force on {} during {phrase}", self.called(body));
+        let force = Expr::from(self.symbol(format!("F_avg_{body}{suffix}"), Dimension::FORCE, meaning));
+        let because = "the mean force would give the same impulse in the same time";
+        self.law(&force::MEAN_FORCE, Some(index), because, force::mean_force(impulse, &force, &time));
+    }
+
+    /// What tells the impulses of several stages apart in their names.
+    pub(in crate::model) fn stage_suffix(&self, index: usize) -> String {
+        match self.scene.stages.get(index).and_then(crate::scene::Stage::name) {
+            Some(name) if self.scene.stages.len() > 1 => format!("[{name}]"),
+            _ if self.scene.stages.len() > 1 => format!("[{}]", index + 1),
+            _ => String::new(),
+        }
+    }
+}

@@ -1,0 +1,35 @@
+//! Each kind of stage, turned into equations: one file each, as in the scene.
+
+mod blow;
+mod bounces;
+mod central;
+mod fall;
+mod impact;
+mod push;
+mod rotate;
+
+pub(in crate::model) use push::Acting;
+
+use crate::fault::Path;
+use crate::scene::Stage;
+
+use super::Builder;
+
+impl Builder<'_> {
+    /// Adds the equations of every stage, in order.
+    pub(in crate::model) fn stages(&mut self) {
+        let scene = self.scene;
+        for (index, stage) in scene.stages.iter().enumerate() {
+            let path = Path::root().key("scene").key("stages").index(index).key(stage.key());
+            match stage {
+                Stage::Impact(stage) => self.impact(index, stage, &path),
+                Stage::Push(stage) => self.push(index, stage, &path),
+                Stage::Blow(stage) => self.blow(index, stage, &path),
+                Stage::Rotate(stage) => self.rotate(index, stage, &path),
+                Stage::Central(stage) => self.central(index, stage),
+                Stage::Fall(stage) => self.fall(index, stage, &path),
+                Stage::Bounces(stage) => self.bounces(index, stage, &path),
+            }
+        }
+    }
+}

@@ -1,0 +1,265 @@
+//! Forces of known law over a time: their impulses, weight, and friction with its normal force.
+
+use std::sync::Arc;
+
+use crate::expr::Expr;
+use crate::expr::Piecewise;
+use crate::expr::Symbol;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::laws::force;
+use crate::laws::momentum;
+use crate::model::Agent;
+use crate::model::Builder;
+use crate::model::Impulse;
+use crate::model::Integral;
+use crate::model::acting::Acts;
+use crate::model::frame::Direction;
+use crate::quantity::Dimension;
+use crate::scene::Axis;
+use crate::scene::Force;
+use crate::scene::Plane;
+use crate::scene::Pull;
+use crate::scene::Strength;
+use crate::scene::Term;
+use crate::scene::stage::During;
+use crate::scene::stage::Push;
+use crate::solve::Relation;
+
+/// A force of a push, read.
+pub(in crate::model) struct Acting {
+    pub name: String,
+    pub strength: Expr,
+    pub direction: Direction,
+}
+
+impl Builder<'_> {
+    pub(in crate::model) fn push(&mut self, index: usize, stage: &Push, path: &Path) {
+        let body = stage.body.as_str();
+        let clock = self.symbol("t", Dimension::TIME, "the time");
+        let (start, end) = self.duration(index, &stage.during, &path.key("during"));
+        let mut acting = Vec::new();
+        let mut friction = None;
+        for (position, entry) in stage.forces.iter().enumerate() {
+            let at = path.key("forces").index(position);
+            match entry {
+                Force::Pull(pull) => acting.push(self.pull(pull, &at)),
+                Force::Friction(entry) => friction = Some((&entry.friction, at.key("friction"))),
+            }
+        }
+        if let Some((friction, at)) = friction {
+            self.push_against_friction(index, stage, friction, &at, &acting, clock, [&start, &end]);
+            return;
+        }
+        let mass = self.mass(body);
+        let name = self.called(body);
+        let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
+        let parts: Vec<Vec<Expr>> = acting.iter().map(|force| self.components(&force.direction)).collect();
+        let impulses: Vec<Expr> =
+            acting.iter().map(|force| self.impulse_of(index, force, clock, [&start, &end])).collect();
+        for (position, axis) in axes.iter().enumerate() {
+            let mut along: Vec<Expr> =
+                impulses.iter().zip(&parts).map(|(impulse, part)| impulse.clone() * part[position].clone()).collect();
+            along.extend(self.weight_impulse(&mass, position, &start, &end));
+            let along: Vec<Expr> = along.into_iter().filter(|impulse| !impulse.is_zero()).collect();
+            let [before, after] = [index + 1, index + 2].map(|instant| self.velocity(body, instant, *axis));
+            let because = if along.is_empty() {
+                format!("no impulse acts on {name} along {}", axis.letter())
+            } else {
+                format!("the impulse of what acts on {name} changes its momentum")
+            };
+            let sides = momentum::impulse_momentum(&mass, &before, &along, &after);
+            self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
+        }
+        let acts = Acts { stage: index, on: body, during: [&start, &end] };
+        self.note_weight(acts);
+        for ((force, impulse), part) in acting.iter().zip(&impulses).zip(&parts) {
+            self.note_pull(acts, &force.name, &force.strength, &force.direction);
+            self.impulses.push(Impulse {
+                stage: index,
+                on: body.to_owned(),
+                by: Agent::Outside,
+                called: force.name.clone(),
+                components: part.iter().map(|part| impulse.clone() * part.clone()).collect(),
+                impulsive: false,
+            });
+        }
+        if self.scene.plane == Plane::Horizontal {
+            self.omit("weight and all else that acts across the motion", "it has no part along the motion");
+            self.omit("friction", "the problem does not mention any");
+        }
+    }
+
+    /// The impulse of weight along the axis of that position, in a vertical plane.
+    pub(in crate::model) fn weight_impulse(
+        &mut self,
+        mass: &Expr,
+        position: usize,
+        start: &Expr,
+        end: &Expr,
+    ) -> Option<Expr> {
+        let down = self.downwards(position)?;
+        let gravity = self.gravity();
+        Some(Expr::product([Expr::integer(down), mass.clone(), gravity, end.clone() - start.clone()]))
+    }
+
+    /// Whether the axis of that position points down (1) or up (-1), where weight acts in the plane of the scene.
+    pub(in crate::model) fn downwards(&self, position: usize) -> Option<i64> {
+        if self.scene.plane == Plane::Horizontal {
+            return None;
+        }
+        match self.axes.get(position)?.1.positive.as_str() {
+            "upwards" => Some(-1),
+            "downwards" => Some(1),
+            _ => None,
+        }
+    }
+
+    /// Start and end of a stage's own clock.
+    pub(in crate::model) fn duration(&mut self, index: usize, during: &During, path: &Path) -> (Expr, Expr) {
+        let phrase = self.stage_phrase(index);
+        match during {
+            During::For(term) => {
+                let meaning = format!("the duration of {phrase}");
+                (Expr::zero(), self.read_positive(term, Dimension::TIME, &meaning, path))
+            }
+            During::Between([from, to]) => {
+                let start =
+                    self.read(from, Dimension::TIME, &format!("the time at which {phrase} starts"), &path.index(0));
+                let end = self.read_positive(
+                    to,
+                    Dimension::TIME,
+                    &format!("the time at which {phrase} ends"),
+                    &path.index(1),
+                );
+                let start = self.zero_if_so_written(start);
+                self.in_order(&start, &end, &format!("{phrase} would end before it starts"));
+                (start, end)
+            }
+        }
+    }
+
+    /// Two times of which the second must not lie before the first.
+    fn in_order(&mut self, earlier: &Expr, later: &Expr, reason: &str) {
+        if earlier.is_zero() {
+            return;
+        }
+        let condition = self.condition(later.clone(), Relation::AtLeast, earlier.clone(), reason);
+        self.system.conditions.push(condition);
+    }
+
+    /// The number zero for a value that the author wrote as `0 s`, so that nothing is carried along that is not there.
+    pub(in crate::model) fn zero_if_so_written(&self, value: Expr) -> Expr {
+        let zero = self.literals.iter().any(|(own, written)| Expr::from(*own) == value && written.value.is_zero());
+        if zero { Expr::zero() } else { value }
+    }
+
+    fn pull(&mut self, pull: &Pull, path: &Path) -> Acting {
+        let name = pull.name.clone().unwrap_or_else(|| "the force".into());
+        let strength = self.strength(&pull.value, Dimension::FORCE, &name, &path.key("value"));
+        let direction = match &pull.direction {
+            Some(term) => self.direction(term, &path.key("direction")),
+            None => Direction::axis(usize::from(self.axes.first().is_some_and(|(axis, _)| *axis == Axis::Y)), false),
+        };
+        Acting { name, strength, direction }
+    }
+
+    /// A strength as a function of the time `t`.
+    pub(in crate::model) fn strength(
+        &mut self,
+        strength: &Strength,
+        dimension: Dimension,
+        meaning: &str,
+        path: &Path,
+    ) -> Expr {
+        let clock = Expr::from(self.symbol("t", Dimension::TIME, "the time"));
+        match strength {
+            Strength::Term(term) => self.read(term, dimension, meaning, path),
+            Strength::Pieces(pieces) => {
+                if pieces.is_empty() {
+                    let fault = Fault::new(Code::MissingKey, format!("{meaning} has no pieces"));
+                    self.faults.push(fault.help("write one, such as `{ is: 3 N }`").at_path(path.clone()));
+                }
+                let pieces: Vec<(Option<Expr>, Expr)> = pieces
+                    .iter()
+                    .enumerate()
+                    .map(|(position, piece)| {
+                        let at = path.index(position);
+                        let until = piece.until.as_ref().map(|term| {
+                            self.read_positive(
+                                term,
+                                Dimension::TIME,
+                                "the time at which the force changes its law",
+                                &at.key("until"),
+                            )
+                        });
+                        (until, self.read(&piece.is, dimension, meaning, &at.key("is")))
+                    })
+                    .collect();
+                let ends: Vec<Expr> = pieces.iter().filter_map(|(until, _)| until.clone()).collect();
+                for pair in ends.windows(2) {
+                    self.in_order(&pair[0], &pair[1], "the pieces of a force must follow each other in time");
+                }
+                Expr::Piecewise(Arc::new(Piecewise { variable: clock, pieces }))
+            }
+            Strength::Graph(graph) => {
+                let read = |builder: &mut Self, term: &Term, dimension, position: usize, side: usize| {
+                    let value = builder.read(term, dimension, meaning, &path.key("points").index(position).index(side));
+                    builder.zero_if_so_written(value)
+                };
+                let points: Vec<[Expr; 2]> = graph
+                    .points
+                    .iter()
+                    .enumerate()
+                    .map(|(position, [time, force])| {
+                        [read(self, time, Dimension::TIME, position, 0), read(self, force, dimension, position, 1)]
+                    })
+                    .collect();
+                if points.len() < 2 {
+                    let fault = Fault::new(Code::MissingKey, "a graph needs at least two points");
+                    let help = "write pairs of time and force: `[[0 s, 0 N], [2 s, 6 N]]`";
+                    self.faults.push(fault.help(help).at_path(path.key("points")));
+                }
+                for pair in points.windows(2) {
+                    self.in_order(&pair[0][0], &pair[1][0], "the points of a graph must follow each other in time");
+                }
+                // Two points at one time are a step, over which no time passes.
+                let pieces = points.windows(2).filter(|pair| pair[0][0] != pair[1][0]).map(|pair| {
+                    let [[t0, f0], [t1, f1]] = [pair[0].clone(), pair[1].clone()];
+                    let slope = (f1 - f0.clone()) / (t1.clone() - t0.clone());
+                    (Some(t1), (f0 + slope * (clock.clone() - t0)).simplify())
+                });
+                Expr::Piecewise(Arc::new(Piecewise { variable: clock.clone(), pieces: pieces.collect() }))
+            }
+        }
+    }
+
+    /// The impulse of a force over the stage: force times time, or a symbol with its integral.
+    pub(in crate::model) fn impulse_of(
+        &mut self,
+        index: usize,
+        force: &Acting,
+        clock: Symbol,
+        [start, end]: [&Expr; 2],
+    ) -> Expr {
+        if !force.strength.contains(clock) {
+            return force.strength.clone() * (end.clone() - start.clone());
+        }
+        let suffix = self.stage_suffix(index);
+        let count = self.symbols.iter().filter(|(_, entry)| entry.name.starts_with("I_F")).count();
+        let number = if count == 0 { String::new() } else { (count + 1).to_string() };
+        let meaning = format!("the impulse of {}", force.name);
+        let symbol = self.symbol(format!("I_F{number}{suffix}"), Dimension::MOMENTUM, meaning);
+        let Some(value) = force.strength.definite(clock, start, end) else {
+            let fault = Fault::new(Code::Stuck, format!("{} cannot be integrated over time", force.name));
+            self.faults.push(fault.help("use polynomials, sines, exponentials, pieces or points of a graph"));
+            return symbol.into();
+        };
+        let integral =
+            Integral { integrand: force.strength.clone(), variable: clock, low: start.clone(), high: end.clone() };
+        let because = format!("{} changes with time", force.name);
+        self.integral(&force::IMPULSE, index, because, (symbol.into(), value.simplify()), integral);
+        symbol.into()
+    }
+}

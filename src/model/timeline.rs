@@ -1,0 +1,107 @@
+//! Who exists when, and since when a body has had its present velocity.
+
+use std::collections::BTreeMap;
+
+use crate::scene::Scene;
+use crate::scene::Stage;
+use crate::scene::stage::Partners;
+
+/// Instants 1 to n + 1 around n stages, and which stage changes which body.
+#[derive(Clone, Debug)]
+pub struct Timeline {
+    changed: Vec<Vec<String>>,
+    lives: BTreeMap<String, (usize, usize)>,
+    names: Vec<String>,
+    stage_names: Vec<Option<String>>,
+}
+
+impl Timeline {
+    /// The timeline of a scene.
+    #[must_use]
+    pub fn new(scene: &Scene) -> Self {
+        let last = scene.stages.len() + 1;
+        let mut lives: BTreeMap<String, (usize, usize)> =
+            scene.bodies.keys().map(|body| (body.clone(), (1, last))).collect();
+        for (index, stage) in scene.stages.iter().enumerate() {
+            if let Stage::Impact(impact) = stage
+                && let (Some(union), Some(Partners::Bodies(first, second))) = (&impact.becomes, impact.partners())
+            {
+                for part in [first, second] {
+                    if let Some(life) = lives.get_mut(part) {
+                        life.1 = index + 1;
+                    }
+                }
+                lives.insert(union.clone(), (index + 2, last));
+            }
+        }
+        Self {
+            changed: scene.stages.iter().map(changed_bodies).collect(),
+            lives,
+            names: scene.instants.clone(),
+            stage_names: scene.stages.iter().map(|stage| stage.name().map(str::to_owned)).collect(),
+        }
+    }
+
+    /// The last instant.
+    #[must_use]
+    pub fn last(&self) -> usize {
+        self.changed.len() + 1
+    }
+
+    /// The bodies that exist at an instant.
+    #[must_use]
+    pub fn alive(&self, instant: usize) -> Vec<&str> {
+        self.lives
+            .iter()
+            .filter(|(_, (from, to))| (*from..=*to).contains(&instant))
+            .map(|(body, _)| body.as_str())
+            .collect()
+    }
+
+    /// Every body, those that impacts make included.
+    pub fn bodies(&self) -> impl Iterator<Item = &str> {
+        self.lives.keys().map(String::as_str)
+    }
+
+    /// The instant since which a body has had the velocity that it has at `instant`; `None` where it does not exist then.
+    #[must_use]
+    pub fn since(&self, body: &str, instant: usize) -> Option<usize> {
+        let (from, to) = *self.lives.get(body)?;
+        if !(from..=to).contains(&instant) {
+            return None;
+        }
+        let changes = self.changed.iter().enumerate().filter(|(_, bodies)| bodies.iter().any(|name| name == body));
+        Some(changes.map(|(stage, _)| stage + 2).filter(|after| *after <= instant).max().unwrap_or(from).max(from))
+    }
+
+    /// The number of a named instant.
+    #[must_use]
+    pub fn instant(&self, name: &str) -> Option<usize> {
+        self.names.iter().position(|own| own == name).map(|index| index + 1)
+    }
+
+    /// The position of the stage of that name, or of that key where only one such stage could be meant.
+    #[must_use]
+    pub fn stage(&self, scene: &Scene, name: &str) -> Option<usize> {
+        let named = self.stage_names.iter().position(|own| own.as_deref() == Some(name));
+        let of_kind: Vec<usize> =
+            scene.stages.iter().enumerate().filter(|(_, stage)| stage.key() == name).map(|(index, _)| index).collect();
+        named.or_else(|| if let [only] = of_kind[..] { Some(only) } else { None })
+    }
+}
+
+fn changed_bodies(stage: &Stage) -> Vec<String> {
+    match stage {
+        Stage::Impact(impact) => match impact.partners() {
+            Some(Partners::Bodies(first, second)) => vec![first.to_owned(), second.to_owned()],
+            Some(Partners::Surface(body, _)) => vec![body.to_owned()],
+            None => Vec::new(),
+        },
+        Stage::Push(stage) => vec![stage.body.clone()],
+        Stage::Blow(stage) => vec![stage.body.clone()],
+        Stage::Rotate(stage) => vec![stage.body.clone()],
+        Stage::Central(stage) => vec![stage.body.clone()],
+        Stage::Fall(stage) => vec![stage.body.clone()],
+        Stage::Bounces(stage) => vec![stage.body.clone()],
+    }
+}

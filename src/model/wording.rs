@@ -1,0 +1,50 @@
+//! Phrases for stages and instants.
+
+use crate::scene::Scene;
+use crate::scene::Stage;
+
+/// What a kind of stage is called, and when its two ends are: key, noun, before, after. `{}` stands for the noun phrase.
+const KINDS: &[(&str, &str, &str, &str)] = &[
+    ("impact", "impact", "just before {}", "just after {}"),
+    ("push", "push", "at the start of {}", "at the end of {}"),
+    ("blow", "blow", "just before {}", "just after {}"),
+    ("rotate", "motion", "at the start of {}", "at the end of {}"),
+    ("central", "flight", "at the first place", "at the second place"),
+    ("fall", "fall", "at the start of {}", "at the end of {}"),
+    ("bounces", "bouncing", "just before the first bounce", "after the bounces"),
+];
+
+const ORDINALS: &[&str] =
+    &["first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth"];
+
+fn kind(stage: &Stage) -> (&'static str, &'static str, &'static str) {
+    let row = KINDS.iter().find(|row| row.0 == stage.key());
+    row.map_or(("stage", "before {}", "after {}"), |row| (row.1, row.2, row.3))
+}
+
+/// A stage as a noun phrase: `the impact`; `the second impact` where there are several.
+pub(super) fn stage(scene: &Scene, index: usize) -> String {
+    let Some(own) = scene.stages.get(index) else { return "the stage".into() };
+    let noun = kind(own).0;
+    let alike = |stage: &&Stage| stage.key() == own.key();
+    let before = scene.stages.iter().take(index).filter(alike).count();
+    if scene.stages.iter().filter(alike).count() < 2 {
+        return format!("the {noun}");
+    }
+    let ordinal = ORDINALS.get(before).copied().unwrap_or("next");
+    format!("the {ordinal} {noun}")
+}
+
+/// When an instant is, as an adverbial phrase.
+pub(super) fn when(scene: &Scene, instant: usize) -> String {
+    let after = instant.checked_sub(2).and_then(|index| Some((index, scene.stages.get(index)?)));
+    let before = instant.checked_sub(1).and_then(|index| Some((index, scene.stages.get(index)?)));
+    let (index, phrase) = match (after, before) {
+        (Some((index, own)), _) => (index, kind(own).2),
+        (None, Some((index, own))) => (index, kind(own).1),
+        (None, None) => return "at the instant considered".into(),
+    };
+    // Where nothing else happens, it need not be said of what it is the end.
+    let phrase = if scene.stages.len() == 1 { phrase.trim_end_matches(" of {}") } else { phrase };
+    phrase.replace("{}", &stage(scene, index))
+}

@@ -1,0 +1,84 @@
+//! A problem asked differently than its file does: values of the user's own, other quantities sought.
+
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+
+use super::ask::Ask;
+use super::ask::Find;
+use super::entries::Entries;
+use super::given::Given;
+use super::literal::Literal;
+use super::load::Loaded;
+use super::text::Text;
+
+/// The same scene with other values and another question. Its text is left out, since it may no longer fit.
+///
+/// # Errors
+/// A fault for each value that cannot be read, and where the problem has no such form.
+pub fn ad_hoc(loaded: &Loaded, form: usize, set: &[(String, String)], find: &[String]) -> Result<Loaded, Vec<Fault>> {
+    let mut changed = loaded.clone();
+    let Some(question) = loaded.questions.get(form) else {
+        return Err(vec![Fault::new(Code::UnknownName, "the problem has no such form")]);
+    };
+    let mut question = question.clone();
+    let mut faults = Vec::new();
+    let mut given: Vec<(String, Given)> =
+        loaded.given.iter().map(|(name, own)| (name.to_owned(), own.clone())).collect();
+    for (index, (name, text)) in set.iter().enumerate() {
+        if set.iter().take(index).any(|(earlier, _)| earlier == name) {
+            faults.push(Fault::new(Code::Duplicate, format!("`{name}` is set twice")).help("set it once"));
+        }
+        let literal = match Literal::read(text) {
+            Ok(Some(literal)) => Given::Literal(literal),
+            Ok(None) => {
+                let fault = Fault::new(Code::Value, format!("`{text}` is not a value for `{name}`"));
+                faults.push(fault.help(format!("write a number with its unit: `{name}=3 kg`")));
+                continue;
+            }
+            Err(fault) => {
+                faults.push(Fault {
+                    message: format!("in the value of `{name}`: {}", fault.message),
+                    within: None,
+                    ..fault
+                });
+                continue;
+            }
+        };
+        match given.iter_mut().find(|(own, _)| own == name) {
+            Some((_, own)) => *own = literal,
+            None => given.push((name.clone(), literal)),
+        }
+    }
+    if !faults.is_empty() {
+        return Err(faults);
+    }
+    if !find.is_empty() {
+        question.ask = find.iter().map(|name| asked(&question.ask, name)).collect();
+        question.path = Path::root();
+    }
+    let told = |name: &String| set.iter().any(|(own, _)| own == name);
+    question.reveal.retain(|name| !told(name) && !find.contains(name));
+    question.text = Text::default();
+    changed.text = Text::default();
+    changed.given = given.into_iter().collect::<Entries<Given>>();
+    changed.questions = vec![question];
+    Ok(changed)
+}
+
+/// The file's own way of asking for a quantity, or a plain one.
+fn asked(parts: &[Ask], name: &str) -> Ask {
+    let own = parts.iter().find(|part| matches!(part, Ask::Find(find) if find.find == name));
+    own.cloned().unwrap_or_else(|| {
+        Ask::Find(Find {
+            find: name.to_owned(),
+            unit: None,
+            points: None,
+            tolerance: None,
+            figures: None,
+            from: Some("+x".into()).filter(|_| name.starts_with("angle")),
+            sense: Some(super::ask::Turn::CounterClockwise).filter(|_| name.starts_with("angle")),
+            label: None,
+        })
+    })
+}

@@ -1,0 +1,85 @@
+//! `any`: the proof that a quantity without a value does not matter for the answers.
+
+use std::collections::BTreeMap;
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+use crate::expr::equal;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::solve::Closed;
+
+use super::known::Known;
+use super::known::Origin;
+use super::part::AskedUnit;
+use super::part::PartKind;
+use super::planned::Form;
+use super::regimes::Leaf;
+
+/// A fault for each answer of a form that is not proven to be the same whatever its `any` givens are.
+pub(super) fn check(known: &[Known], form: &Form) -> Vec<Fault> {
+    let free: Vec<&Known> = known.iter().filter(|known| matches!(known.origin, Origin::Any)).collect();
+    let mut faults = Vec::new();
+    if free.is_empty() {
+        return faults;
+    }
+    for leaf in form.solver.leaves() {
+        let mut written = fixed(known);
+        for part in &form.parts {
+            let PartKind::Number(number) = &part.kind else { continue };
+            let mut answer = written_in_givens(leaf, number.symbol, &mut written);
+            if let AskedUnit::InTermsOf(unit) = number.unit {
+                let unit = written_in_givens(leaf, unit, &mut written);
+                answer = answer.zip(unit).map(|(answer, unit)| (answer / unit).simplify());
+            }
+            for known in &free {
+                let independent = answer.as_ref().is_some_and(|answer| does_not_depend(answer, known.symbol));
+                if !independent {
+                    let message = format!("it cannot be proven that `{}` does not depend on `{}`", part.id, known.name);
+                    let help = "give it a value, or ask for the answer in terms of it: `unit: v_A1`";
+                    let fault = Fault::new(Code::UnderDetermined, message).help(help);
+                    faults.push(fault.at_path(Path::root().key("given").key(known.name.as_str())));
+                }
+            }
+        }
+    }
+    faults
+}
+
+/// The values that never change, as exact numbers.
+fn fixed(known: &[Known]) -> BTreeMap<Symbol, Expr> {
+    let value = |known: &Known| match (&known.origin, known.unit.factor()) {
+        (Origin::Fixed(value), factor) if factor.pi == 0 => {
+            Some((known.symbol, Expr::Number(value.to_rational() * factor.rational)))
+        }
+        _ => None,
+    };
+    known.iter().filter_map(value).collect()
+}
+
+/// Whether the slope of a term with respect to a quantity is zero, proven by algebra.
+fn does_not_depend(term: &Expr, symbol: Symbol) -> bool {
+    if !term.contains(symbol) {
+        return true;
+    }
+    let slope = term.differentiate(symbol);
+    equal(&slope, &Expr::zero())
+}
+
+/// A quantity as a term in what is given, through every step of the plan; `None` where a step has no single formula.
+fn written_in_givens(leaf: &Leaf, symbol: Symbol, written: &mut BTreeMap<Symbol, Expr>) -> Option<Expr> {
+    if !written.contains_key(&symbol) {
+        for step in &leaf.audit.plan.steps {
+            let [root] = &step.roots[..] else { continue };
+            for (unknown, closed) in &root.values {
+                if let Closed::Formula(formula) = closed {
+                    let term = formula.substitute(&|own| written.get(&own).cloned()).simplify();
+                    written.insert(*unknown, term);
+                }
+            }
+        }
+    }
+    let solved = leaf.audit.plan.steps.iter().any(|step| step.unknowns.contains(&symbol));
+    if solved { written.get(&symbol).cloned() } else { Some(symbol.into()) }
+}

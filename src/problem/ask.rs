@@ -1,0 +1,163 @@
+//! What is asked of the student.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::scene::{Axis, Term};
+
+/// One part of a question. Its first key says which kind it is.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Ask {
+    /// The value of a quantity.
+    Find(Find),
+    /// The first whole number that satisfies a condition.
+    Count(Count),
+    /// Whether a quantity is conserved.
+    Conserved(Conserved),
+    /// Of which kind an impact is.
+    Classify(Classify),
+    /// Whether a force is impulsive.
+    Impulsive(Impulsive),
+}
+
+/// The value of a quantity is asked.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Find {
+    /// The name of the quantity: `v_A2`, `T_lost`, `J_A[hit]`.
+    pub find: String,
+    /// The unit of the answer, or the name of a quantity in terms of which it is asked: `m/s`, `v_A1`.
+    #[serde(default)]
+    pub unit: Option<String>,
+    /// How many points the part is worth: `2`.
+    #[serde(default)]
+    #[schemars(range(min = 0, max = 1000))]
+    pub points: Option<u32>,
+    /// How far an answer may lie from the true one: `2 %`, `0.05 m/s`.
+    #[serde(default)]
+    pub tolerance: Option<Term>,
+    /// Significant figures of the printed answer.
+    #[serde(default)]
+    #[schemars(range(min = 1, max = 12))]
+    pub figures: Option<u8>,
+    /// Of an angle: the direction from which it is measured: `+x`.
+    #[serde(default)]
+    pub from: Option<String>,
+    /// Of an angle: the sense in which it is measured.
+    #[serde(default)]
+    pub sense: Option<Turn>,
+    /// How the part is called on the sheet. Default: the meaning of the name.
+    #[serde(default)]
+    pub label: Option<String>,
+}
+
+/// The first whole number that satisfies a condition is asked.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Count {
+    /// The number and its condition: `first n with h_n < h_min`.
+    pub count: String,
+    /// How many points the part is worth: `2`.
+    #[serde(default)]
+    #[schemars(range(min = 0, max = 1000))]
+    pub points: Option<u32>,
+    /// How the part is called on the sheet.
+    #[serde(default)]
+    pub label: Option<String>,
+}
+
+/// Whether a quantity is conserved is asked; the answer is read from the scene.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Conserved {
+    /// The quantity.
+    pub conserved: Conservable,
+    /// The bodies that make up the system.
+    pub of: Vec<String>,
+    /// The axis along which a component is meant; of momentum only. Default: every axis.
+    #[serde(default)]
+    pub along: Option<Axis>,
+    /// The fixed point about which angular momentum is taken.
+    #[serde(default)]
+    pub about: Option<String>,
+    /// The name of the stage. Default: the only one.
+    #[serde(default)]
+    pub stage: Option<String>,
+    /// How many points the part is worth: `2`.
+    #[serde(default)]
+    #[schemars(range(min = 0, max = 1000))]
+    pub points: Option<u32>,
+    /// How the part is called on the sheet.
+    #[serde(default)]
+    pub label: Option<String>,
+}
+
+/// Of which kind something is, is asked; the answer is read from the scene.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Classify {
+    /// What is to be classified.
+    pub classify: Classifiable,
+    /// The name of the stage. Default: the only one.
+    #[serde(default)]
+    pub stage: Option<String>,
+    /// How many points the part is worth: `2`.
+    #[serde(default)]
+    #[schemars(range(min = 0, max = 1000))]
+    pub points: Option<u32>,
+    /// How the part is called on the sheet.
+    #[serde(default)]
+    pub label: Option<String>,
+}
+
+/// Whether a force is impulsive in a stage is asked; the answer is read from the scene.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Impulsive {
+    /// The force, as it is called in the scene: `weight`, `normal force`, `the thrust`.
+    pub impulsive: String,
+    /// The body on which it acts. Default: the only one.
+    #[serde(default)]
+    pub on: Option<String>,
+    /// The name of the stage. Default: the only one.
+    #[serde(default)]
+    pub stage: Option<String>,
+    /// How many points the part is worth: `2`.
+    #[serde(default)]
+    #[schemars(range(min = 0, max = 1000))]
+    pub points: Option<u32>,
+    /// How the part is called on the sheet.
+    #[serde(default)]
+    pub label: Option<String>,
+}
+
+/// A sense of rotation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Turn {
+    /// From x towards y.
+    CounterClockwise,
+    /// From y towards x.
+    Clockwise,
+}
+
+/// A quantity that may be conserved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Conservable {
+    /// Linear momentum.
+    Momentum,
+    /// Kinetic energy.
+    Energy,
+    /// Angular momentum.
+    AngularMomentum,
+}
+
+/// What can be classified.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Classifiable {
+    /// An impact: elastic, inelastic or plastic; direct or oblique.
+    Impact,
+}

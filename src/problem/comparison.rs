@@ -1,0 +1,20 @@
+//! Comparisons as authors write them: `v_A1 > v_B1`.
+
+use crate::solve::Relation;
+
+/// Signs of comparison, longest first.
+const RELATIONS: &[(&str, Relation)] = &[
+    ("<=", Relation::AtMost),
+    (">=", Relation::AtLeast),
+    ("!=", Relation::Differs),
+    ("<", Relation::Less),
+    (">", Relation::Greater),
+];
+
+/// The two sides of a comparison and how they compare.
+pub(super) fn split_relation(text: &str) -> Option<(&str, Relation, &str)> {
+    RELATIONS.iter().find_map(|(sign, relation)| {
+        let (left, right) = text.split_once(sign)?;
+        Some((left.trim(), *relation, right.trim()))
+    })
+}

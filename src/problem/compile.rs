@@ -1,0 +1,384 @@
+//! From a loaded file to a problem that can be drawn and solved: names become symbols, what is asked becomes plans.
+
+use std::collections::BTreeSet;
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Faults;
+use crate::fault::Path;
+use crate::fault::did_you_mean;
+use crate::model::Builder;
+use crate::model::Model;
+use crate::model::Warning;
+use crate::quantity::Decimal;
+use crate::quantity::Dimension;
+use crate::quantity::Unit;
+use crate::quantity::UnitSystem;
+use crate::quantity::dimension_name;
+use crate::scene::Stage;
+use crate::solve::Condition;
+use crate::solve::Equation;
+
+use super::any;
+use super::comparison::split_relation;
+use super::draft::Units;
+use super::form::Question;
+use super::given::Given;
+use super::known::Known;
+use super::known::Origin;
+use super::load::Loaded;
+use super::parts;
+use super::planned::Form;
+use super::planned::Problem;
+use super::planned::Reveal;
+use super::regimes::Regimes;
+use super::sampler::Rejection;
+use super::sampler::Sampler;
+use super::stream::Scheme;
+use super::stream::Streams;
+use super::text::Text;
+use super::told;
+use super::unsound;
+
+/// Acceleration of free fall where a file does not give it: value and unit.
+const GRAVITY: [(UnitSystem, &str, &str); 2] = [(UnitSystem::Si, "9.81", "m/s^2"), (UnitSystem::Us, "32.2", "ft/s^2")];
+
+/// A loaded problem with its names resolved, its equations written and every form planned.
+///
+/// # Errors
+/// Every fault that can be found without drawing numbers: unknown names, dimensions that do not agree, what does not
+/// follow from what is given.
+pub fn compile(loaded: Loaded, secret: Option<&[u8]>) -> Result<Problem, Faults> {
+    let built = build(&loaded, secret).and_then(|built| {
+        let check = |form| told::check(&loaded, &built.model, &built.known, form);
+        let faults: Vec<Fault> = built.forms.iter().flat_map(check).collect();
+        if faults.is_empty() { Ok(built) } else { Err(faults) }
+    });
+    match built {
+        Ok(built) => {
+            let problem = Problem::new(loaded, built);
+            let faults = contradictions(&problem);
+            if faults.is_empty() { Ok(problem) } else { Err(problem.loaded().locate(faults)) }
+        }
+        Err(faults) => Err(loaded.locate(faults)),
+    }
+}
+
+/// Where every number is fixed, the problem has its one variant or none: what is given may say more than can be true.
+fn contradictions(problem: &Problem) -> Vec<Fault> {
+    if problem.known().iter().any(|known| known.origin.is_drawn()) {
+        return Vec::new();
+    }
+    let trouble = |(position, form): (usize, &Form)| {
+        let reason = Sampler::new(problem, position).and_then(|mut sampler| sampler.draw(0)).err()?;
+        let code = match reason.rejection() {
+            Some(Rejection::Contradiction(_)) => Code::OverDetermined,
+            _ => Code::Unphysical,
+        };
+        let why = reason.rejection().map_or_else(String::new, |why| format!(": {why}"));
+        let fault = Fault::new(code, format!("the values have no admissible solution{why}"));
+        let help = "give fewer values, or others; what is meant to be unphysical is declared under `allow` or `expect`";
+        Some(fault.help(help).at_path(form.question.path.key("ask")))
+    };
+    problem.forms().iter().enumerate().filter_map(trouble).collect()
+}
+
+/// The same for a problem whose question was changed by [`super::ad_hoc`]: its text is not held to anything.
+///
+/// # Errors
+/// Every fault that can be found without drawing numbers.
+pub fn compile_ad_hoc(loaded: Loaded) -> Result<Problem, Faults> {
+    match build(&loaded, None) {
+        Ok(built) => Ok(Problem::new(loaded, built)),
+        Err(faults) => Err(loaded.locate(faults)),
+    }
+}
+
+/// What compiling makes of a file.
+pub(super) struct Built {
+    pub model: Model,
+    pub known: Vec<Known>,
+    pub forms: Vec<Form>,
+    pub streams: Streams,
+    pub units: UnitSystem,
+}
+
+fn build(loaded: &Loaded, secret: Option<&[u8]>) -> Result<Built, Vec<Fault>> {
+    let draft = &loaded.draft;
+    let declared: Vec<(String, Dimension)> = loaded.given.iter().filter_map(declared).collect();
+    let mut builder = Builder::of(&draft.scene, &declared)?;
+    let mut known = givens(loaded, &mut builder);
+    for (index, relation) in draft.relations.iter().enumerate() {
+        let path = Path::root().key("relations").index(index).key("equation");
+        builder.relation(&relation.equation, &relation.because, &path);
+    }
+    let require: Vec<Condition> = draft
+        .require
+        .iter()
+        .enumerate()
+        .filter_map(|(index, text)| {
+            condition(&mut builder, text, "the problem requires otherwise", &Path::root().key("require").index(index))
+        })
+        .collect();
+    mention_for_checks(&draft.scene.stages, &mut builder);
+    mention_in_texts(loaded, &mut builder);
+    let drafts: Vec<FormDraft> =
+        loaded.questions.iter().map(|question| FormDraft::read(loaded, question, &mut builder)).collect();
+    let units = unit_system(draft.units);
+    if let Some(gravity) = builder.symbols().find("g")
+        && !known.iter().any(|known| known.symbol == gravity)
+    {
+        known.extend(default_gravity(gravity, units));
+    }
+    let model = builder.finish()?;
+    let mut faults = idle(loaded, &model, &known, &drafts, &require);
+    let mut forms = Vec::new();
+    for form in drafts {
+        match form.plan(&model, &known, &require) {
+            Ok(form) => forms.push(form),
+            Err(found) => faults.extend(found),
+        }
+    }
+    faults.extend(forms.iter().flat_map(|form| any::check(&known, form)));
+    if !faults.is_empty() {
+        return Err(faults);
+    }
+    let drawn: Vec<&str> =
+        known.iter().filter(|known| known.origin.is_drawn()).map(|known| known.name.as_str()).collect();
+    let streams = Streams::new(Scheme::CURRENT, &draft.id, secret, drawn);
+    Ok(Built { model, known, forms, streams, units })
+}
+
+/// A given that no equation, condition or text speaks of is a slip of the pen.
+fn idle(loaded: &Loaded, model: &Model, known: &[Known], forms: &[FormDraft], require: &[Condition]) -> Vec<Fault> {
+    let mut used = model.mentioned();
+    let conditions = forms.iter().flat_map(|form| &form.conditions).chain(require);
+    used.extend(conditions.flat_map(|condition| [condition.left.symbols(), condition.right.symbols()]).flatten());
+    used.extend(forms.iter().flat_map(|form| &form.counts).flat_map(Equation::symbols));
+    let texts = std::iter::once(&loaded.text).chain(loaded.questions.iter().map(|question| &question.text));
+    used.extend(texts.flat_map(Text::placeholders).filter_map(|placeholder| model.symbol_of(&placeholder.name)));
+    let names: Vec<&str> = used.iter().map(|symbol| model.symbols.entry(*symbol).name.as_str()).collect();
+    // Asked anew, without its text, a problem may leave some of its own givens aside.
+    let aside = |known: &Known| loaded.text.pieces().is_empty() && loaded.draft.given.get(&known.name).is_some();
+    let idle = known.iter().filter(|known| !used.contains(&known.symbol) && !aside(known));
+    let fault = |known: &Known| {
+        let fault = Fault::new(Code::UnknownName, format!("nothing in the scene uses `{}`", known.name));
+        let near = did_you_mean(&known.name, names.iter().copied());
+        let help = near.map_or_else(|| "remove it, or use it".to_owned(), |near| format!("did you mean `{near}`?"));
+        fault.help(help).at_path(Path::root().key("given").name(known.name.as_str()))
+    };
+    idle.map(fault).collect()
+}
+
+/// The unit system of a file.
+pub(super) fn unit_system(units: Units) -> UnitSystem {
+    match units {
+        Units::Si => UnitSystem::Si,
+        Units::Us => UnitSystem::Us,
+    }
+}
+
+/// Name and dimension of a given whose unit says it.
+fn declared((name, given): (&str, &Given)) -> Option<(String, Dimension)> {
+    let unit = match given {
+        Given::Literal(literal) => &literal.unit,
+        Given::Drawn { unit, .. } => unit,
+        Given::Any | Given::Expression(_) => return None,
+    };
+    Some((name.to_owned(), unit.dimension()))
+}
+
+/// Every given with its symbol. An expression of other givens becomes a stated relation, and so needs no value here.
+fn givens(loaded: &Loaded, builder: &mut Builder<'_>) -> Vec<Known> {
+    let mut known = Vec::new();
+    for (name, given) in loaded.given.iter() {
+        let path = Path::root().key("given").key(name);
+        let place = Path::root().key("given").name(name);
+        let mut add = |builder: &mut Builder<'_>, name: &str, origin: Origin, unit: &Unit| {
+            let Some(symbol) = builder.mention(name) else {
+                let fault = builder.unknown(name).at_path(place.clone());
+                builder.fault(fault);
+                return;
+            };
+            let dimension = builder.symbols().entry(symbol).dimension;
+            if dimension != unit.dimension() && !matches!(origin, Origin::Any) {
+                let [expected, found] = [dimension, unit.dimension()].map(dimension_name);
+                let message = format!("`{name}` is {expected}, but its unit makes it {found}");
+                builder.fault(Fault::new(Code::Dimension, message).help("change the unit").at_path(path.clone()));
+            }
+            if let Some(fault) = unsound::too_small(builder, name, symbol, &origin) {
+                builder.fault(fault.at_path(path.clone()));
+            }
+            if origin.is_positive() {
+                builder.assume_positive(name, symbol);
+            }
+            known.push(Known { name: name.to_owned(), symbol, unit: unit.clone(), origin });
+        };
+        match given {
+            Given::Any => add(builder, name, Origin::Any, &Unit::none()),
+            Given::Drawn { domain, unit } => add(builder, name, Origin::Drawn(domain.clone()), unit),
+            Given::Literal(literal) => match &literal.components[..] {
+                [only] => add(builder, name, Origin::Fixed(only.clone()), &literal.unit),
+                components => {
+                    for (value, axis) in components.iter().zip(["x", "y", "z"]) {
+                        add(builder, &format!("{name}.{axis}"), Origin::Fixed(value.clone()), &literal.unit);
+                    }
+                }
+            },
+            Given::Expression(text) => {
+                if builder.mention(name).is_none() {
+                    let meaning = "the value given for it";
+                    builder.declare(name, text, meaning, &path);
+                }
+                builder.relation(&format!("{name} = {text}"), "this is given", &path);
+            }
+        }
+    }
+    unsound::circles(loaded, builder);
+    known
+}
+
+fn default_gravity(symbol: Symbol, system: UnitSystem) -> Option<Known> {
+    let (_, value, unit) = GRAVITY.iter().find(|(own, ..)| *own == system)?;
+    let (value, unit) = (Decimal::parse(value).ok()?, Unit::parse(unit).ok()?);
+    Some(Known { name: "g".into(), symbol, unit, origin: Origin::Fixed(value) })
+}
+
+/// The energies around every impact, so that the audit can judge it.
+fn mention_for_checks(stages: &[Stage], builder: &mut Builder<'_>) {
+    for (index, stage) in stages.iter().enumerate() {
+        if matches!(stage, Stage::Impact(_)) {
+            builder.mention(&format!("T_lost[{}]", index + 1));
+        }
+    }
+}
+
+/// Every placeholder names a quantity.
+fn mention_in_texts(loaded: &Loaded, builder: &mut Builder<'_>) {
+    let root = Path::root();
+    let forms = loaded.questions.iter().map(|question| (question.path.key("text"), &question.text));
+    for (path, text) in std::iter::once((root.key("text"), &loaded.text)).chain(forms) {
+        for placeholder in text.placeholders() {
+            if builder.mention(&placeholder.name).is_none() {
+                let fault = builder.unknown(&placeholder.name).at_path(path.clone()).within(placeholder.span);
+                builder.fault(fault);
+            }
+        }
+    }
+}
+
+/// Reads `v_A1 > v_B1`; a fault is noted where it cannot be read.
+pub(super) fn condition(builder: &mut Builder<'_>, text: &str, reason: &str, path: &Path) -> Option<Condition> {
+    let Some((left, relation, right)) = split_relation(text) else {
+        let fault = Fault::new(Code::Syntax, format!("`{text}` is not a condition"));
+        builder.fault(fault.help("compare two terms: `v_A1 > v_B1`").at_path(path.clone()));
+        return None;
+    };
+    let [left, right] = [left, right].map(|side| builder.term(side, path));
+    let dimension = |side: &Expr| side.dimension(builder.symbols()).ok().filter(|_| !side.is_zero());
+    if let (Some(one), Some(other)) = (dimension(&left), dimension(&right))
+        && one != other
+    {
+        let [one, other] = [one, other].map(dimension_name);
+        let fault = Fault::new(Code::Dimension, format!("`{text}` compares {one} with {other}"));
+        builder.fault(fault.help("check the units on both sides").at_path(path.clone()));
+    }
+    Some(builder.compare(left, relation, right, reason))
+}
+
+/// A form whose names are symbols, but which is not planned yet.
+struct FormDraft {
+    question: Question,
+    parts: Vec<super::part::Part>,
+    wanted: Vec<Symbol>,
+    counts: Vec<crate::solve::Equation>,
+    reveal: Vec<Reveal>,
+    conditions: Vec<Condition>,
+    allowed: Vec<Warning>,
+}
+
+impl FormDraft {
+    fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'_>) -> Self {
+        let read = parts::read(loaded, question, builder);
+        let figures = usize::from(loaded.draft.figures.unwrap_or(3));
+        let mut reveal = Vec::new();
+        for (index, name) in question.reveal.iter().enumerate() {
+            match builder.mention(name) {
+                Some(symbol) => {
+                    let dimension = builder.symbols().entry(symbol).dimension;
+                    let unit = parts::unit_for(loaded, name, dimension);
+                    reveal.push(Reveal { name: name.clone(), symbol, unit, figures });
+                }
+                None => {
+                    let fault = builder.unknown(name).at_path(question.path.key("reveal").index(index));
+                    builder.fault(fault);
+                }
+            }
+        }
+        let conditions = question.conditions.iter();
+        let conditions = conditions
+            .filter_map(|(path, text)| condition(builder, text, "the problem asks for the other solution", path))
+            .collect();
+        Self {
+            question: question.clone(),
+            parts: read.parts,
+            wanted: read.wanted,
+            counts: read.counts,
+            reveal,
+            conditions,
+            allowed: allowed(question, builder),
+        }
+    }
+
+    /// Plans the form: what it reveals from everything given, what it asks from what it tells. What stands under `where`
+    /// holds for the whole scene, so it also picks the solution from which something is revealed.
+    fn plan(self, model: &Model, known: &[Known], require: &[Condition]) -> Result<Form, Vec<Fault>> {
+        let everything: BTreeSet<Symbol> = inputs(model, known);
+        let mut told = everything.clone();
+        for symbol in &self.wanted {
+            told.remove(symbol);
+        }
+        told.extend(self.reveal.iter().map(|reveal| reveal.symbol));
+        let extra = |conditions: &[Condition]| [require, conditions].concat();
+        let revealed: Vec<Symbol> = self.reveal.iter().map(|reveal| reveal.symbol).collect();
+        let path = self.question.path.key("ask");
+        let forward = if revealed.is_empty() {
+            None
+        } else {
+            let at = self.question.path.key("reveal");
+            let planned = Regimes::plan(model, &[], &extra(&self.conditions), &everything, &revealed, &self.allowed);
+            Some(planned.map_err(|fault| vec![fault.at_path(at)])?)
+        };
+        let solver = Regimes::plan(model, &self.counts, &extra(&self.conditions), &told, &self.wanted, &self.allowed)
+            .map_err(|fault| vec![fault.at_path(path)])?;
+        Ok(Form { question: self.question, parts: self.parts, told, reveal: self.reveal, forward, solver })
+    }
+}
+
+/// The warnings that a form is meant to cause; all of them where it is meant to end in something impossible.
+fn allowed(question: &Question, builder: &mut Builder<'_>) -> Vec<Warning> {
+    if question.expect.is_some() {
+        return Warning::NAMES.iter().map(|(_, warning)| *warning).collect();
+    }
+    let mut allowed = Vec::new();
+    for (path, name) in &question.allow {
+        match Warning::NAMES.iter().find(|(own, _)| own == name) {
+            Some((_, warning)) => allowed.push(*warning),
+            None => {
+                let known = Warning::NAMES.iter().map(|(own, _)| *own);
+                let near = did_you_mean(name, known.clone()).map(|near| format!("did you mean `{near}`?"));
+                let help = near.unwrap_or_else(|| format!("known are: {}", known.collect::<Vec<_>>().join(", ")));
+                let fault = Fault::new(Code::UnknownName, format!("there is no warning `{name}`"));
+                builder.fault(fault.help(help).at_path(path.clone()));
+            }
+        }
+    }
+    allowed
+}
+
+/// Everything that has a value before anything is solved.
+fn inputs(model: &Model, known: &[Known]) -> BTreeSet<Symbol> {
+    known.iter().map(|known| known.symbol).chain(model.literals.iter().map(|(symbol, _)| *symbol)).collect()
+}

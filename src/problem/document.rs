@@ -1,0 +1,360 @@
+//! A YAML document as it was written: every scalar is still text, and everything knows its place.
+
+use saphyr_parser::{Event, Parser, ScalarStyle, StrInput};
+
+use crate::fault::{Code, Fault, Source, Span};
+
+/// How deep mappings and lists may lie in one another.
+const DEPTH_LIMIT: usize = 32;
+
+/// A part of a document.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Node {
+    /// Its bytes; of a block scalar, those of its lines, without the mark `>` or `|`.
+    pub span: Span,
+    /// What it is.
+    pub kind: Kind,
+}
+
+/// The kinds of node.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A single value.
+    Scalar(Scalar),
+    /// Items in order.
+    List(Vec<Node>),
+    /// Keys with their values, in the order of the file.
+    Mapping(Vec<Entry>),
+}
+
+/// A single value, as text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Scalar {
+    /// The text, after YAML's quotes, escapes and folds are undone.
+    pub text: String,
+    /// How it was written.
+    pub style: Style,
+}
+
+/// How a scalar is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Style {
+    /// Without marks: `3 kg`.
+    Plain,
+    /// In single or double quotes.
+    Quoted,
+    /// After `>` or `|`, on lines of its own.
+    Block,
+}
+
+/// A key and its value.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Entry {
+    /// The key.
+    pub key: String,
+    /// The bytes of the key.
+    pub key_span: Span,
+    /// The value.
+    pub value: Node,
+}
+
+/// What reading a source gave: the tree, unless the text is not YAML, and the faults of form.
+#[derive(Clone, Debug)]
+pub struct Document {
+    /// The whole document.
+    pub root: Option<Node>,
+    /// Faults of form: no YAML, a key twice, a part of YAML that the language leaves out.
+    pub faults: Vec<Fault>,
+}
+
+impl Document {
+    /// Reads a source. Of a key that stands twice the first is kept.
+    #[must_use]
+    pub fn read(source: &Source) -> Self {
+        let mut reader = Reader {
+            parser: Parser::new_from_str(&source.text),
+            text: &source.text,
+            bytes: Offsets::of(&source.text),
+            faults: Vec::new(),
+        };
+        let root = reader.document().unwrap_or_else(|fault| {
+            reader.faults.push(fault);
+            None
+        });
+        Self { root, faults: reader.faults }
+    }
+}
+
+impl Node {
+    /// The entries of a mapping; none for anything else.
+    #[must_use]
+    pub fn entries(&self) -> &[Entry] {
+        match &self.kind {
+            Kind::Mapping(entries) => entries,
+            _ => &[],
+        }
+    }
+
+    /// The items of a list; none for anything else.
+    #[must_use]
+    pub fn items(&self) -> &[Node] {
+        match &self.kind {
+            Kind::List(items) => items,
+            _ => &[],
+        }
+    }
+
+    /// The entry of that key.
+    #[must_use]
+    pub fn entry(&self, key: &str) -> Option<&Entry> {
+        self.entries().iter().find(|entry| entry.key == key)
+    }
+
+    /// Whether nothing was written, or one of YAML's words for it.
+    #[must_use]
+    pub fn is_null(&self) -> bool {
+        matches!(&self.kind, Kind::Scalar(Scalar { text, style: Style::Plain })
+            if matches!(text.as_str(), "" | "~" | "null" | "Null" | "NULL"))
+    }
+}
+
+struct Reader<'a> {
+    parser: Parser<'a, StrInput<'a>>,
+    text: &'a str,
+    bytes: Offsets,
+    faults: Vec<Fault>,
+}
+
+type Spanned<'a> = (Event<'a>, Span);
+
+impl<'a> Reader<'a> {
+    fn document(&mut self) -> Result<Option<Node>, Fault> {
+        let mut root = None;
+        loop {
+            let (event, span) = self.next()?;
+            match event {
+                Event::StreamEnd => break,
+                Event::StreamStart | Event::DocumentStart(_) | Event::DocumentEnd | Event::Nothing => {}
+                _ if root.is_some() => {
+                    return Err(Fault::new(Code::Syntax, "a second document begins here")
+                        .help("a file holds one problem: remove the line `---`, or make a second file")
+                        .at(span));
+                }
+                _ => root = Some(self.node((event, span), 0)?),
+            }
+        }
+        match root {
+            Some(root) if !root.is_null() => Ok(Some(root)),
+            _ => Err(Fault::new(Code::Syntax, "the file is empty")
+                .help("`momentous new NAME` writes a commented problem to start from")
+                .at(Span::default())),
+        }
+    }
+
+    fn next(&mut self) -> Result<Spanned<'a>, Fault> {
+        match self.parser.next_event() {
+            None => Ok((Event::StreamEnd, Span::default())),
+            Some(Ok((event, span))) => {
+                let span = Span { start: self.bytes.byte(span.start.index()), end: self.bytes.byte(span.end.index()) };
+                Ok((event, span))
+            }
+            Some(Err(error)) => Err(self.syntax(self.bytes.byte(error.marker().index()), error.info())),
+        }
+    }
+
+    fn node(&mut self, (event, span): Spanned<'a>, depth: usize) -> Result<Node, Fault> {
+        if depth > DEPTH_LIMIT {
+            return Err(Fault::new(Code::Syntax, format!("lists and mappings lie more than {DEPTH_LIMIT} deep"))
+                .help("a problem needs no such depth: is a bracket left open?")
+                .at(span));
+        }
+        match event {
+            Event::Scalar(text, style, anchor, tag) => {
+                self.refuse(anchor != 0 || tag.is_some(), span);
+                let style = match style {
+                    ScalarStyle::Plain => Style::Plain,
+                    ScalarStyle::SingleQuoted | ScalarStyle::DoubleQuoted => Style::Quoted,
+                    ScalarStyle::Literal | ScalarStyle::Folded => Style::Block,
+                };
+                Ok(Node { span: self.trim(span), kind: Kind::Scalar(Scalar { text: text.into_owned(), style }) })
+            }
+            Event::SequenceStart(anchor, tag) => {
+                self.refuse(anchor != 0 || tag.is_some(), span);
+                let mut items = Vec::new();
+                loop {
+                    let (event, end) = self.next()?;
+                    if event == Event::SequenceEnd {
+                        let span = self.trim(Span { start: span.start, end: end.end });
+                        return Ok(Node { span, kind: Kind::List(items) });
+                    }
+                    items.push(self.node((event, end), depth + 1)?);
+                }
+            }
+            Event::MappingStart(anchor, tag) => {
+                self.refuse(anchor != 0 || tag.is_some(), span);
+                self.mapping(span, depth)
+            }
+            _ => {
+                self.refuse(true, span);
+                Ok(Node { span, kind: Kind::Scalar(Scalar { text: String::new(), style: Style::Quoted }) })
+            }
+        }
+    }
+
+    fn mapping(&mut self, start: Span, depth: usize) -> Result<Node, Fault> {
+        let mut entries: Vec<Entry> = Vec::new();
+        loop {
+            let (event, span) = self.next()?;
+            if event == Event::MappingEnd {
+                let span = self.trim(Span { start: start.start, end: span.end });
+                return Ok(Node { span, kind: Kind::Mapping(entries) });
+            }
+            let key = self.node((event, span), depth + 1)?;
+            let value = self.next()?;
+            let value = self.node(value, depth + 1)?;
+            match key.kind {
+                Kind::Scalar(scalar) => match entries.iter().find(|entry| entry.key == scalar.text) {
+                    Some(first) => {
+                        let line = self.text[..first.key_span.start].matches('\n').count() + 1;
+                        let fault = Fault::new(Code::Duplicate, format!("`{}` is here a second time", scalar.text));
+                        let help = format!("it stands on line {line} already: keep one of the two, or rename one");
+                        self.faults.push(fault.help(help).at(key.span));
+                    }
+                    None => entries.push(Entry { key: scalar.text, key_span: key.span, value }),
+                },
+                Kind::List(_) | Kind::Mapping(_) => return Err(self.compound_key(start, key.span)),
+            }
+        }
+    }
+
+    fn compound_key(&self, mapping: Span, key: Span) -> Fault {
+        if self.text[mapping.start..].starts_with("{{") {
+            return Fault::new(Code::Syntax, "YAML reads a text that begins with `{{` as a mapping")
+                .help("write the text in quotes, or on the next line after `>`")
+                .at(key);
+        }
+        Fault::new(Code::Syntax, "a key must be a word, not a list or a mapping")
+            .help("write the text in quotes if it is meant as text")
+            .at(key)
+    }
+
+    fn refuse(&mut self, unwanted: bool, span: Span) {
+        if unwanted {
+            let fault =
+                Fault::new(Code::Syntax, "anchors `&`, aliases `*` and tags `!` have no place in a problem file");
+            self.faults
+                .push(fault.help("write the value out; write a text that begins with such a mark in quotes").at(span));
+        }
+    }
+
+    /// The span without the blanks and line ends that the parser counts to a block's end.
+    fn trim(&self, span: Span) -> Span {
+        let text = self.text.get(span.start..span.end).unwrap_or_default();
+        Span { start: span.start, end: span.start + text.trim_end().len() }
+    }
+
+    fn syntax(&self, byte: usize, info: &str) -> Fault {
+        let line_start = self.text[..byte].rfind('\n').map_or(0, |newline| newline + 1);
+        let line = self.text[line_start..].lines().next().unwrap_or_default();
+        let help = HELP.iter().find(|(clue, place, _)| match place {
+            Clue::InMessage => info.contains(clue),
+            Clue::InLine => line.contains(clue),
+        });
+        let help = help.map_or("check the indentation, the quotes and the brackets around this place", |row| row.2);
+        let end =
+            self.text[byte..].chars().next().filter(|next| *next != '\n').map_or(byte, |next| byte + next.len_utf8());
+        Fault::new(Code::Syntax, format!("this is not YAML: {info}")).help(help).at(Span { start: byte, end })
+    }
+}
+
+enum Clue {
+    InMessage,
+    InLine,
+}
+
+/// Ways out of faults of syntax, by a clue; the first that fits is told.
+const HELP: &[(&str, Clue, &str)] = &[
+    ("\t", Clue::InLine, "indent with spaces, not with tabs"),
+    (": {{", Clue::InLine, "write a text that begins with `{{` in quotes, or on the next line after `>`"),
+    ("- {{", Clue::InLine, "write a text that begins with `{{` in quotes"),
+    (
+        "mapping values are not allowed",
+        Clue::InMessage,
+        "write a text that contains a colon in quotes; else check the indentation",
+    ),
+    ("unexpected end of stream", Clue::InMessage, "close the quotes"),
+    ("quoted scalar", Clue::InMessage, "close the quotes, on the same line"),
+    ("invalid indentation", Clue::InMessage, "is a bracket, a brace or a quote left open above?"),
+    ("flow mapping", Clue::InMessage, "separate the entries with commas and close the brace `}`"),
+    ("flow sequence", Clue::InMessage, "separate the items with commas and close the bracket `]`"),
+    (
+        "block mapping",
+        Clue::InMessage,
+        "keys of one mapping begin in the same column, each with a colon and a blank after it",
+    ),
+    ("block collection", Clue::InMessage, "items of one list begin in the same column, each with `- `"),
+];
+
+/// From a count of characters to bytes.
+enum Offsets {
+    Ascii(usize),
+    Table(Vec<usize>),
+}
+
+impl Offsets {
+    fn of(text: &str) -> Self {
+        if text.is_ascii() {
+            return Self::Ascii(text.len());
+        }
+        Self::Table(text.char_indices().map(|(byte, _)| byte).chain([text.len()]).collect())
+    }
+
+    fn byte(&self, character: usize) -> usize {
+        match self {
+            Self::Ascii(length) => character.min(*length),
+            Self::Table(table) => table.get(character).or(table.last()).copied().unwrap_or(0),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> (Source, Document) {
+        let source = Source::new("a.yaml", text);
+        let document = Document::read(&source);
+        (source, document)
+    }
+
+    #[test]
+    fn scalars_keep_their_text_and_their_place() {
+        let (source, document) =
+            read("# é\na: 0.70\nb: [007, 'x y', .5]\nc:\n  d: 3 kg # mass\n\n  e: >\n    one\n    two\n\nf: no\n");
+        assert_eq!(document.faults, []);
+        let root = document.root.unwrap();
+        let slice = |node: &Node| source.text[node.span.start..node.span.end].to_owned();
+        let value = |key: &str| slice(&root.entry(key).unwrap().value);
+        assert_eq!([value("a"), value("b"), value("f")], ["0.70", "[007, 'x y', .5]", "no"]);
+        let inner = &root.entry("c").unwrap().value;
+        assert_eq!(slice(&inner.entries()[0].value), "3 kg");
+        assert_eq!(slice(inner), "d: 3 kg # mass\n\n  e: >\n    one\n    two");
+        assert_eq!(slice(&inner.entries()[1].value), "one\n    two");
+        assert_eq!(slice(&root.entry("b").unwrap().value.items()[1]), "'x y'");
+    }
+
+    #[test]
+    fn faults_of_form_are_collected() {
+        let (source, document) = read("a: 1\nb: &x 2\na: 3\nd: *x\nc: {{ m_A }}\n");
+        let texts: Vec<_> =
+            document.faults.iter().map(|fault| source.line_and_column(fault.span.unwrap().start)).collect();
+        assert_eq!(texts.len(), 4, "{:?}", document.faults);
+    }
+
+    #[test]
+    fn hostile_depth_is_a_fault() {
+        let (_, document) = read(&"[".repeat(100_000));
+        assert_eq!(document.faults.len(), 1);
+        assert!(document.root.is_none());
+    }
+}

@@ -1,0 +1,162 @@
+//! A problem file as its author wrote it: every key of the language, with its description.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::scene::{Scene, Term};
+
+use super::ask::Ask;
+use super::entries::Entries;
+use super::given::GivenEntry;
+
+/// A problem file: keys with their values, from `id` and `title` to what is asked.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Draft {
+    /// The problem's identity, `topic/name` in small letters, digits and hyphens: `impact/two-carts`. Drawn numbers depend on it.
+    #[schemars(regex(pattern = r"^[a-z0-9]+(-[a-z0-9]+)*(/[a-z0-9]+(-[a-z0-9]+)*)*$"))]
+    pub id: String,
+    /// The title on the sheet.
+    pub title: String,
+    /// How demanding the problem is.
+    pub level: Level,
+    /// Words by which the problem is found.
+    #[serde(default)]
+    pub tags: Vec<String>,
+    /// Where the problem comes from: a book, a page, a person.
+    #[serde(default)]
+    pub source: Option<String>,
+    /// The unit system of defaults, as that of gravity. Default: `SI`.
+    #[serde(default)]
+    pub units: Units,
+    /// What is there and what happens: axes, bodies and stages.
+    pub scene: Scene,
+    /// What is known: each name of the scene with a range, a choice, a value, an expression of other givens, or `any`.
+    #[serde(default)]
+    pub given: Entries<GivenEntry>,
+    /// Conditions that drawn values must satisfy, or they are drawn again: `v_A1 > v_B1`.
+    #[serde(default)]
+    pub require: Vec<String>,
+    /// Laws of the author's own, each with its reason.
+    #[serde(default)]
+    pub relations: Vec<Relation>,
+    /// The story, in Markdown with placeholders: `Cart A ({{ m_A }}) moves {{ v_A1 | motion }}.`
+    pub text: String,
+    /// The forms in which the problem is asked, each under a name. A problem with one form may write its keys at the top instead.
+    #[serde(default)]
+    pub forms: Entries<Form>,
+    /// What is asked, of a problem without `forms`.
+    #[serde(default)]
+    pub ask: Vec<Ask>,
+    /// Names that are solved first and then told, rounded as they are printed; of a problem without `forms`.
+    #[serde(default)]
+    pub reveal: Vec<String>,
+    /// Conditions that pick the solution that is meant among several true ones, in every form.
+    #[serde(default, rename = "where")]
+    pub conditions: Vec<String>,
+    /// `all` where every true solution is asked for, in every form.
+    #[serde(default)]
+    pub roots: Option<Roots>,
+    /// Warnings that this problem is meant to cause, by their names, in every form.
+    #[serde(default)]
+    pub allow: Vec<String>,
+    /// `unphysical` where the problem is meant to end in something impossible, in every form.
+    #[serde(default)]
+    pub expect: Option<Expect>,
+    /// Hints, shown one by one, in every form.
+    #[serde(default)]
+    pub hints: Vec<String>,
+    /// What a student is told who used a well-known wrong form, by the wrong form's name.
+    #[serde(default)]
+    pub feedback: Entries<String>,
+    /// Significant figures of printed answers. Default: 3.
+    #[serde(default)]
+    #[schemars(range(min = 1, max = 12))]
+    pub figures: Option<u8>,
+    /// How far an answer may lie from the true one: `2 %`, `0.05 m/s`.
+    #[serde(default)]
+    pub tolerance: Option<Term>,
+    /// Points of each part that does not say its own. Default: 1.
+    #[serde(default)]
+    #[schemars(range(min = 0, max = 1000))]
+    pub points: Option<u32>,
+}
+
+/// One way in which a problem is asked.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Form {
+    /// The end of the text, after the story: what is told in this form, and the question.
+    #[serde(default)]
+    pub text: Option<String>,
+    /// What is asked.
+    pub ask: Vec<Ask>,
+    /// Names that are solved first and then told, rounded as they are printed.
+    #[serde(default)]
+    pub reveal: Vec<String>,
+    /// Conditions that pick the solution that is meant among several true ones.
+    #[serde(default, rename = "where")]
+    pub conditions: Vec<String>,
+    /// `all` where every true solution is asked for.
+    #[serde(default)]
+    pub roots: Option<Roots>,
+    /// Warnings that this form is meant to cause, by their names.
+    #[serde(default)]
+    pub allow: Vec<String>,
+    /// `unphysical` where the form is meant to end in something impossible.
+    #[serde(default)]
+    pub expect: Option<Expect>,
+    /// Hints, shown one by one.
+    #[serde(default)]
+    pub hints: Vec<String>,
+}
+
+/// A law of the author's own.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Relation {
+    /// The equation, checked for its dimensions: `k*x^2/2 = m*v_A2^2/2`.
+    pub equation: String,
+    /// Why it holds, as the worked solution says it: `all its kinetic energy is stored in the spring`.
+    pub because: String,
+}
+
+/// How demanding a problem is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Level {
+    /// One law, used once.
+    Intro,
+    /// What every student should be able to do.
+    Core,
+    /// Several steps, or a turn that must be found.
+    Challenge,
+}
+
+/// A unit system.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+pub enum Units {
+    /// Metre, kilogram, second.
+    #[default]
+    #[serde(rename = "SI")]
+    Si,
+    /// Foot, slug, pound-force, second.
+    #[serde(rename = "US")]
+    Us,
+}
+
+/// Which of several true solutions are asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Roots {
+    /// Every one.
+    All,
+}
+
+/// How a problem is meant to end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Expect {
+    /// In something impossible, which the student is to notice.
+    Unphysical,
+}

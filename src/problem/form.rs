@@ -1,0 +1,78 @@
+//! The forms of a problem, each complete: what stands at the top of the file holds for every form.
+
+use crate::fault::Path;
+
+use super::ask::Ask;
+use super::draft::{Draft, Expect, Form, Roots};
+use super::text::Text;
+
+/// One way in which a problem is asked, with what the file says for all forms.
+#[derive(Clone, Debug)]
+pub struct Question {
+    /// The form's name; `None` where the file has one form without a name.
+    pub name: Option<String>,
+    /// Where the form stands in the file: `forms.forward`, or the whole document.
+    pub path: Path,
+    /// The end of the text, after the story; empty where the form has none.
+    pub text: Text,
+    /// What is asked; the parts stand under `ask` at the form's path.
+    pub ask: Vec<Ask>,
+    /// Names that are solved first and then told; they stand under `reveal` at the form's path.
+    pub reveal: Vec<String>,
+    /// Conditions that pick among true solutions, each with its place: those for every form, then the form's own.
+    pub conditions: Vec<(Path, String)>,
+    /// Whether every true solution is asked for.
+    pub roots: Option<Roots>,
+    /// Warnings that are meant, by their names, each with its place.
+    pub allow: Vec<(Path, String)>,
+    /// Whether the problem is meant to end in something impossible.
+    pub expect: Option<Expect>,
+    /// Hints, the general ones first.
+    pub hints: Vec<Text>,
+}
+
+impl Question {
+    /// The forms of a draft, in the order of the file; never empty for a draft that was loaded.
+    pub(super) fn all(draft: &Draft) -> Vec<Self> {
+        let root = Path::root();
+        if draft.forms.is_empty() {
+            let form = Form {
+                text: None,
+                ask: draft.ask.clone(),
+                reveal: draft.reveal.clone(),
+                conditions: Vec::new(),
+                roots: None,
+                allow: Vec::new(),
+                expect: None,
+                hints: Vec::new(),
+            };
+            return vec![Self::of(draft, None, &form, root)];
+        }
+        let forms = root.key("forms");
+        draft.forms.iter().map(|(name, form)| Self::of(draft, Some(name), form, forms.key(name))).collect()
+    }
+
+    fn of(draft: &Draft, name: Option<&str>, form: &Form, path: Path) -> Self {
+        let placed = |key: &str, general: &[String], own: &[String]| {
+            let at = |place: &Path, list: &[String]| {
+                let place = place.key(key);
+                list.iter().enumerate().map(|(index, text)| (place.index(index), text.clone())).collect::<Vec<_>>()
+            };
+            [at(&Path::root(), general), at(&path, own)].concat()
+        };
+        // The loader has read every text of the file before, so reading cannot fail here.
+        let read = |text: &String| Text::read(text).unwrap_or_default();
+        Self {
+            name: name.map(str::to_owned),
+            text: form.text.as_ref().map(read).unwrap_or_default(),
+            ask: form.ask.clone(),
+            reveal: form.reveal.clone(),
+            conditions: placed("where", &draft.conditions, &form.conditions),
+            roots: form.roots.or(draft.roots),
+            allow: placed("allow", &draft.allow, &form.allow),
+            expect: form.expect.or(draft.expect),
+            hints: draft.hints.iter().chain(&form.hints).map(read).collect(),
+            path,
+        }
+    }
+}

@@ -1,0 +1,78 @@
+//! One part of a question, compiled: what is asked, how it is answered and judged.
+
+use crate::expr::Symbol;
+use crate::quantity::Decimal;
+use crate::quantity::Unit;
+
+/// One part of a question.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// What the part is called in answers: the name that is asked, or `a`, `b`, ... for a question without one.
+    pub id: String,
+    /// What is asked, as a noun phrase or a question.
+    pub label: String,
+    /// Its points.
+    pub points: u32,
+    /// How it is answered.
+    pub kind: PartKind,
+}
+
+/// How a part is answered.
+#[derive(Clone, Debug)]
+pub enum PartKind {
+    /// By a number with a unit.
+    Number(NumberPart),
+    /// By one of several phrases, the right one found from the scene.
+    Choice {
+        /// The phrases, in the order in which they are offered.
+        options: Vec<String>,
+        /// The position of the right one.
+        right: usize,
+        /// Why it is right, as a sentence without a full stop.
+        because: String,
+    },
+}
+
+/// A number that is asked.
+#[derive(Clone, Debug)]
+pub struct NumberPart {
+    /// The quantity.
+    pub symbol: Symbol,
+    /// In which unit, or in terms of which quantity.
+    pub unit: AskedUnit,
+    /// Significant figures of the printed answer.
+    pub figures: usize,
+    /// How far an answer may lie from the exact one.
+    pub tolerance: Tolerance,
+    /// Whether the answer is a whole number, found by counting.
+    pub whole: bool,
+}
+
+/// The unit of an answer.
+#[derive(Clone, Debug)]
+pub enum AskedUnit {
+    /// A unit.
+    Unit(Unit),
+    /// A quantity of the problem: the answer is a multiple of it.
+    InTermsOf(Symbol),
+}
+
+/// How far an answer may lie from the exact one.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Tolerance {
+    /// A fraction of the exact value: `1/100`.
+    Relative(Decimal),
+    /// A distance, in the unit of the question.
+    Absolute(Decimal),
+}
+
+impl NumberPart {
+    /// The unit, where the answer has one of its own.
+    #[must_use]
+    pub fn plain_unit(&self) -> Unit {
+        match &self.unit {
+            AskedUnit::Unit(unit) => unit.clone(),
+            AskedUnit::InTermsOf(_) => Unit::none(),
+        }
+    }
+}

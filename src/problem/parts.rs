@@ -1,0 +1,241 @@
+//! Reading what is asked: each entry of `ask` becomes a part.
+
+use crate::expr::Symbol;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::model::Builder;
+use crate::model::Name;
+use crate::quantity::Decimal;
+use crate::quantity::Dimension;
+use crate::quantity::Unit;
+use crate::quantity::coherent_unit;
+use crate::quantity::dimension_name;
+use crate::scene::Term;
+use crate::solve::Equation;
+
+use super::ask::Ask;
+use super::ask::Count;
+use super::ask::Find;
+use super::ask::Turn;
+use super::comparison::split_relation;
+use super::concept;
+use super::form::Question;
+use super::given::Given;
+use super::load::Loaded;
+use super::part::AskedUnit;
+use super::part::NumberPart;
+use super::part::Part;
+use super::part::PartKind;
+use super::part::Tolerance;
+
+/// What reading the parts of a form gives.
+#[derive(Default)]
+pub(super) struct Read {
+    pub parts: Vec<Part>,
+    /// The quantities to be solved.
+    pub wanted: Vec<Symbol>,
+    /// The equations of parts that are found by counting.
+    pub counts: Vec<Equation>,
+}
+
+/// Reads the parts of a form; faults are noted in the builder.
+pub(super) fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'_>) -> Read {
+    let mut read = Read::default();
+    for (index, ask) in question.ask.iter().enumerate() {
+        let path = question.path.key("ask").index(index);
+        let letter = char::from_u32(u32::from('a') + u32::try_from(index % 26).unwrap_or(0)).unwrap_or('a').to_string();
+        let part = match ask {
+            Ask::Find(find) => number(loaded, find, builder, &path),
+            Ask::Count(count) => counted(count, builder, &path, &mut read.counts),
+            Ask::Conserved(ask) => concept::conserved(loaded, ask, builder, &path).map(|kind| (letter, kind.0, kind.1)),
+            Ask::Classify(ask) => concept::classify(loaded, ask, builder, &path).map(|kind| (letter, kind.0, kind.1)),
+            Ask::Impulsive(ask) => concept::impulsive(loaded, ask, builder, &path).map(|kind| (letter, kind.0, kind.1)),
+        };
+        let Some((id, label, kind)) = part else { continue };
+        if read.parts.iter().any(|part| part.id == id) {
+            let fault = Fault::new(Code::Duplicate, format!("`{id}` is asked a second time"));
+            builder.fault(fault.help("ask it once: an answer is found by its name").at_path(path));
+            continue;
+        }
+        if let PartKind::Number(number) = &kind {
+            read.wanted.push(number.symbol);
+        }
+        let (points, own_label) = points_and_label(ask);
+        let points = points.or(loaded.draft.points).unwrap_or(1);
+        read.parts.push(Part { id, label: own_label.unwrap_or(label), points, kind });
+    }
+    read
+}
+
+fn points_and_label(ask: &Ask) -> (Option<u32>, Option<String>) {
+    match ask {
+        Ask::Find(ask) => (ask.points, ask.label.clone()),
+        Ask::Count(ask) => (ask.points, ask.label.clone()),
+        Ask::Conserved(ask) => (ask.points, ask.label.clone()),
+        Ask::Classify(ask) => (ask.points, ask.label.clone()),
+        Ask::Impulsive(ask) => (ask.points, ask.label.clone()),
+    }
+}
+
+type Named = (String, String, PartKind);
+
+fn number(loaded: &Loaded, find: &Find, builder: &mut Builder<'_>, path: &Path) -> Option<Named> {
+    let Some(symbol) = builder.mention(&find.find) else {
+        let fault = builder.unknown(&find.find).at_path(path.key("find"));
+        builder.fault(fault);
+        return None;
+    };
+    let (symbol, reference) = reference(find, symbol, builder, path)?;
+    let entry = builder.symbols().entry(symbol).clone();
+    let unit = match &find.unit {
+        None => AskedUnit::Unit(unit_for(loaded, &find.find, entry.dimension)),
+        Some(text) => match (Unit::parse(text), builder.mention(text)) {
+            (Ok(unit), _) if unit.dimension() == entry.dimension => AskedUnit::Unit(unit),
+            (_, Some(other)) if builder.symbols().entry(other).dimension == entry.dimension => {
+                AskedUnit::InTermsOf(other)
+            }
+            (Ok(unit), _) => {
+                let [expected, found] = [entry.dimension, unit.dimension()].map(dimension_name);
+                let message = format!("`{}` is {expected}, but `{text}` is a unit of {found}", find.find);
+                builder.fault(
+                    Fault::new(Code::Dimension, message)
+                        .help("ask for it in a unit of its own")
+                        .at_path(path.key("unit")),
+                );
+                return None;
+            }
+            (Err(fault), _) => {
+                builder.fault(Fault::from(fault).at_path(path.key("unit")));
+                return None;
+            }
+        },
+    };
+    let tolerance = find.tolerance.as_ref().or(loaded.draft.tolerance.as_ref());
+    let tolerance = match tolerance.map(|term| read_tolerance(term, entry.dimension)) {
+        None => default_tolerance(&unit),
+        Some(Some(tolerance)) => tolerance,
+        Some(None) => {
+            let fault = Fault::new(Code::Value, "a tolerance is a percentage or a value in the unit of the question");
+            builder.fault(fault.help("write `2 %` or `0.05 m/s`").at_path(path.key("tolerance")));
+            return None;
+        }
+    };
+    let figures = usize::from(find.figures.or(loaded.draft.figures).unwrap_or(3));
+    let kind = NumberPart { symbol, unit, figures, tolerance, whole: false };
+    let meaning = if entry.meaning.is_empty() { format!("the value of {}", find.find) } else { entry.meaning };
+    let label = format!("{meaning}{reference}");
+    Some((find.find.clone(), label, PartKind::Number(kind)))
+}
+
+/// A direction is asked from a stated axis and in a stated sense; the symbol that is counted so, and the words for it.
+fn reference(find: &Find, symbol: Symbol, builder: &mut Builder<'_>, path: &Path) -> Option<(Symbol, String)> {
+    let is_direction = builder.symbols().entry(symbol).name.starts_with("angle_");
+    let (Some(from), Some(sense)) = (&find.from, find.sense) else {
+        if is_direction {
+            let message = format!("it is not said from which axis and in which sense `{}` is counted", find.find);
+            let fault = Fault::new(Code::MissingKey, message).help("write `from: +x` and `sense: counter-clockwise`");
+            builder.fault(fault.at_path(path.key("find")));
+            return None;
+        }
+        return Some((symbol, String::new()));
+    };
+    let clockwise = sense == Turn::Clockwise;
+    let Some(counted) = builder.counted_from(symbol, from, clockwise) else {
+        let fault = Fault::new(Code::Value, format!("`{from}` is not an axis of this scene"));
+        builder.fault(fault.help("write an axis with its sign, such as `+x`").at_path(path.key("from")));
+        return None;
+    };
+    let words = if clockwise { "clockwise" } else { "counter-clockwise" };
+    Some((counted, format!(", counted {words} from {}", from.replace('-', "\u{2212}"))))
+}
+
+/// The unit in which a quantity is asked where the file does not say: that in which it is given, else the system's own.
+pub(super) fn unit_for(loaded: &Loaded, name: &str, dimension: Dimension) -> Unit {
+    match loaded.given.get(name) {
+        Some(Given::Drawn { unit, .. }) => unit.clone(),
+        Some(Given::Literal(literal)) => literal.unit.clone(),
+        _ if asked_in(loaded, name).is_some() => asked_in(loaded, name).unwrap_or_default(),
+        _ if dimension == Dimension::NONE && name.starts_with("angle") => Unit::parse("deg").unwrap_or_default(),
+        _ => of_its_kind(loaded, name, dimension)
+            .unwrap_or_else(|| coherent_unit(dimension, super::compile::unit_system(loaded.draft.units))),
+    }
+}
+
+/// The unit in which some form of the file asks for a quantity.
+fn asked_in(loaded: &Loaded, name: &str) -> Option<Unit> {
+    let mut asks = loaded.questions.iter().flat_map(|question| &question.ask);
+    asks.find_map(|ask| match ask {
+        Ask::Find(find) if find.find == name => Unit::parse(find.unit.as_deref()?).ok(),
+        _ => None,
+    })
+}
+
+/// The unit of a given of the same kind: velocities of one story are told in one unit.
+fn of_its_kind(loaded: &Loaded, name: &str, dimension: Dimension) -> Option<Unit> {
+    let base = |name: &str| Name::parse(name).map(|name| name.base);
+    let own = base(name)?;
+    let alike = |(other, given): (&str, &Given)| {
+        let unit = match given {
+            Given::Drawn { unit, .. } => unit,
+            Given::Literal(literal) => &literal.unit,
+            Given::Any | Given::Expression(_) => return None,
+        };
+        let speed = |base: &str| base == "v" || base == "speed";
+        let kin = base(other).is_some_and(|base| base == own || speed(&base) && speed(&own));
+        (kin && unit.dimension() == dimension).then(|| unit.clone())
+    };
+    loaded.given.iter().find_map(alike)
+}
+
+/// One per cent; half a degree of an angle.
+fn default_tolerance(unit: &AskedUnit) -> Tolerance {
+    match unit {
+        AskedUnit::Unit(unit) if unit.factor().pi != 0 => Tolerance::Absolute(Decimal::from_scaled(5, 1)),
+        _ => Tolerance::Relative(Decimal::from_scaled(1, 2)),
+    }
+}
+
+fn read_tolerance(term: &Term, dimension: Dimension) -> Option<Tolerance> {
+    let text = term.0.trim();
+    if let Some(percent) = text.strip_suffix('%') {
+        let percent = Decimal::parse(percent.trim()).ok()?;
+        let scale = u32::try_from(percent.scale()).ok()?;
+        return Some(Tolerance::Relative(Decimal::from_scaled(percent.to_scaled(scale)?, scale + 2)));
+    }
+    let quantity = crate::quantity::Quantity::parse(text).ok()?;
+    let bare = quantity.unit.is_none() && dimension == Dimension::NONE;
+    (bare || quantity.unit.dimension() == dimension).then_some(Tolerance::Absolute(quantity.value))
+}
+
+/// Reads `first n with h_n < h_min`.
+fn counted(count: &Count, builder: &mut Builder<'_>, path: &Path, counts: &mut Vec<Equation>) -> Option<Named> {
+    let path = path.key("count");
+    let words: Option<(&str, &str)> =
+        count.count.trim().strip_prefix("first ").and_then(|rest| rest.split_once(" with "));
+    let parts = words.and_then(|(name, condition)| Some((name.trim(), split_relation(condition)?)));
+    let Some((name, (left, relation, right))) = parts else {
+        let fault = Fault::new(Code::Syntax, format!("`{}` does not say what is counted", count.count));
+        builder.fault(fault.help("write it as `first n with h_n < h_min`").at_path(path));
+        return None;
+    };
+    let Some(symbol) = builder.mention(name) else {
+        let fault = builder.unknown(name).at_path(path);
+        builder.fault(fault);
+        return None;
+    };
+    let [left, right] = [left, right].map(|side| builder.term(side, &path));
+    let because = [&left, &right].into_iter().find_map(|side| builder.reason_of(side, symbol)).map(str::to_owned);
+    let [left, right] = [left, right].map(|side| builder.written_out(&side, symbol));
+    counts.push(builder.first_integer(because.as_deref(), symbol, 1, left, relation, right));
+    let meaning = builder.symbols().entry(symbol).meaning.clone();
+    let label = format!("{} until the condition holds", if meaning.is_empty() { "the number".into() } else { meaning });
+    let kind = NumberPart {
+        symbol,
+        unit: AskedUnit::Unit(Unit::none()),
+        figures: 12,
+        tolerance: Tolerance::Absolute(Decimal::from_scaled(0, 0)),
+        whole: true,
+    };
+    Some((name.to_owned(), label, PartKind::Number(kind)))
+}

@@ -1,0 +1,164 @@
+//! A compiled problem: its equations, what is known, and its forms, each with its plans.
+
+use std::collections::BTreeSet;
+
+use crate::expr::Symbol;
+use crate::model::Model;
+use crate::quantity::Unit;
+use crate::quantity::UnitSystem;
+
+use super::compile::Built;
+use super::form::Question;
+use super::known::Known;
+use super::load::Loaded;
+use super::part::Part;
+use super::part::PartKind;
+use super::regimes::Regimes;
+use super::stream::Streams;
+
+/// A problem that can be drawn and solved; made only by [`super::compile`].
+#[derive(Clone, Debug)]
+pub struct Problem {
+    loaded: Loaded,
+    model: Model,
+    known: Vec<Known>,
+    forms: Vec<Form>,
+    streams: Streams,
+    units: UnitSystem,
+}
+
+/// One way in which a problem is asked, planned.
+#[derive(Clone, Debug)]
+pub struct Form {
+    /// What the file says of it.
+    pub question: Question,
+    /// What is asked.
+    pub parts: Vec<Part>,
+    /// What the student is told: the symbols that the solver takes as known.
+    pub told: BTreeSet<Symbol>,
+    /// What is solved first and then told.
+    pub reveal: Vec<Reveal>,
+    /// Solves what is revealed.
+    pub forward: Option<Regimes>,
+    /// Solves what is asked.
+    pub solver: Regimes,
+}
+
+/// A value that is solved first and then told, rounded as it is printed.
+#[derive(Clone, Debug)]
+pub struct Reveal {
+    /// Its name.
+    pub name: String,
+    /// Its quantity.
+    pub symbol: Symbol,
+    /// The unit in which it is told.
+    pub unit: Unit,
+    /// To how many figures.
+    pub figures: usize,
+}
+
+impl Form {
+    /// The quantities that are asked.
+    pub fn wanted(&self) -> impl Iterator<Item = Symbol> {
+        self.parts.iter().filter_map(|part| match &part.kind {
+            PartKind::Number(number) => Some(number.symbol),
+            PartKind::Choice { .. } => None,
+        })
+    }
+
+    /// What the answer plans use of what is told.
+    #[must_use]
+    pub fn needed(&self) -> BTreeSet<Symbol> {
+        let mut needed = BTreeSet::new();
+        for leaf in self.solver.leaves() {
+            let equations = leaf.answer_steps().iter().flat_map(|step| &step.equations);
+            for equation in equations.filter_map(|position| leaf.system.equations.get(*position)) {
+                needed.extend(equation.symbols().intersection(&self.told).copied());
+            }
+        }
+        needed
+    }
+}
+
+impl Problem {
+    pub(super) fn new(loaded: Loaded, built: Built) -> Self {
+        let Built { model, known, forms, streams, units } = built;
+        Self { loaded, model, known, forms, streams, units }
+    }
+
+    /// The file as it was loaded.
+    #[must_use]
+    pub fn loaded(&self) -> &Loaded {
+        &self.loaded
+    }
+
+    /// The problem's identity: `impact/two-carts`.
+    #[must_use]
+    pub fn id(&self) -> &str {
+        &self.loaded.draft.id
+    }
+
+    /// Its title.
+    #[must_use]
+    pub fn title(&self) -> &str {
+        &self.loaded.draft.title
+    }
+
+    /// The scene as equations.
+    #[must_use]
+    pub fn model(&self) -> &Model {
+        &self.model
+    }
+
+    /// What is known, in the order of the file.
+    #[must_use]
+    pub fn known(&self) -> &[Known] {
+        &self.known
+    }
+
+    /// The forms, in the order of the file; at least one.
+    #[must_use]
+    pub fn forms(&self) -> &[Form] {
+        &self.forms
+    }
+
+    /// The position of the form of that name; of the first one where no name is said.
+    #[must_use]
+    pub fn form(&self, name: Option<&str>) -> Option<usize> {
+        match name {
+            None => Some(0),
+            Some(name) => self.forms.iter().position(|form| form.question.name.as_deref() == Some(name)),
+        }
+    }
+
+    /// The streams from which its givens are drawn.
+    #[must_use]
+    pub fn streams(&self) -> &Streams {
+        &self.streams
+    }
+
+    /// The unit system of its defaults.
+    #[must_use]
+    pub fn units(&self) -> UnitSystem {
+        self.units
+    }
+
+    /// The unit in which a quantity is given, where it is.
+    #[must_use]
+    pub fn unit_given(&self, symbol: Symbol) -> Option<Unit> {
+        let known = self.known.iter().find(|known| known.symbol == symbol).map(|known| known.unit.clone());
+        let literal =
+            || self.model.literals.iter().find(|(own, _)| *own == symbol).map(|(_, value)| value.unit.clone());
+        known.or_else(literal)
+    }
+
+    /// How many different sets of numbers it can draw, before any is rejected.
+    #[must_use]
+    pub fn combinations(&self) -> u128 {
+        let counts = self.known.iter().filter_map(|known| match &known.origin {
+            super::known::Origin::Drawn(domain) => Some(u128::from(domain.count())),
+            _ => None,
+        });
+        counts.fold(1, u128::saturating_mul)
+    }
+}

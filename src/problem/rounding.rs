@@ -1,0 +1,119 @@
+//! How far honest rounding can move an answer, and the size against which a zero is judged.
+
+use std::collections::BTreeMap;
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+use crate::quantity::Dimension;
+use crate::solve::Closed;
+
+use super::part::AskedUnit;
+use super::part::NumberPart;
+use super::variant::Worked;
+
+/// What marking needs besides the answer itself, in the unit of the question.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Judged {
+    /// How far rounding every intermediate value, and the answer, to the problem's figures can move the answer.
+    pub allowance: f64,
+    /// The problem's own scale for such a quantity.
+    pub scale: f64,
+}
+
+impl Worked<'_> {
+    /// Allowance and scale of an answer.
+    #[must_use]
+    pub fn judged(&self, number: &NumberPart) -> Judged {
+        let unit = match &number.unit {
+            AskedUnit::Unit(unit) => unit.factor().to_f64(),
+            AskedUnit::InTermsOf(symbol) => self.value(*symbol).abs(),
+        };
+        let figures = number.figures.min(usize::from(self.problem.loaded().draft.figures.unwrap_or(3)));
+        Judged { allowance: self.allowance(number.symbol, figures) / unit, scale: self.scale(number.symbol) / unit }
+    }
+
+    fn value(&self, symbol: Symbol) -> f64 {
+        self.variant.value(symbol).map_or(0.0, |value| value.value)
+    }
+
+    /// `sum |dt/dx_i| (half a unit of x_i's last figure) + half a unit of t's`, over the values `x_i` on the way to t.
+    fn allowance(&self, asked: Symbol, figures: usize) -> f64 {
+        let leaf = self.leaf();
+        let mut slopes: BTreeMap<Symbol, f64> = BTreeMap::from([(asked, 1.0)]);
+        let mut total = 0.0;
+        // Backwards through the steps: the slope of t with respect to each value is the sum over the values made from it.
+        for (position, step) in leaf.answer_steps().iter().enumerate().rev() {
+            let choice = self.variant.roots().get(position).copied().unwrap_or(0);
+            let Some(root) = step.roots.get(choice).or(step.roots.first()) else { continue };
+            for (unknown, closed) in root.values.iter().rev() {
+                let Some(slope) = slopes.get(unknown).copied() else { continue };
+                total += slope.abs() * half_unit(self.value(*unknown), figures);
+                let Closed::Formula(formula) = closed else { continue };
+                for symbol in formula.symbols() {
+                    let partial = self.partial(formula, symbol);
+                    if partial.is_finite() {
+                        *slopes.entry(symbol).or_insert(0.0) += slope * partial;
+                    }
+                }
+            }
+        }
+        total
+    }
+
+    fn partial(&self, formula: &Expr, symbol: Symbol) -> f64 {
+        formula.differentiate(symbol).evaluate(&|own| self.value(own))
+    }
+
+    /// The largest given or solved quantity of the same dimension; of a momentum or an energy also what the speeds and
+    /// masses of the scene make of it.
+    fn scale(&self, asked: Symbol) -> f64 {
+        let symbols = &self.problem.model().symbols;
+        let dimension = symbols.entry(asked).dimension;
+        let largest = |wanted: Dimension| {
+            let sizes = symbols.iter().filter(|(symbol, entry)| entry.dimension == wanted && *symbol != asked);
+            sizes.map(|(symbol, _)| self.value(symbol).abs()).fold(0.0, f64::max)
+        };
+        let made = match dimension {
+            Dimension::MOMENTUM => largest(Dimension::MASS) * largest(Dimension::VELOCITY),
+            Dimension::ENERGY => largest(Dimension::MASS) * largest(Dimension::VELOCITY).powi(2) / 2.0,
+            _ => 0.0,
+        };
+        let approach = if dimension == Dimension::VELOCITY { self.approach() } else { 0.0 };
+        if approach > 0.0 { approach } else { largest(dimension).max(made) }
+    }
+
+    /// The speed of approach of the first impact, where velocities along one line tell it.
+    fn approach(&self) -> f64 {
+        let condition = self.leaf().system.conditions.iter().find(|condition| {
+            let reason = self.problem.model().reasons.get(condition.tag);
+            reason.is_some_and(|reason| reason.warning == Some(crate::model::Warning::NoImpact))
+        });
+        condition.map_or(0.0, |condition| {
+            let side = |side: &Expr| side.evaluate(&|own| self.value(own));
+            (side(&condition.left) - side(&condition.right)).abs()
+        })
+    }
+}
+
+/// Half a unit of a value's last figure, when it is written with so many figures.
+fn half_unit(value: f64, figures: usize) -> f64 {
+    if value == 0.0 || !value.is_finite() {
+        return 0.0;
+    }
+    let leading = libm::floor(libm::log10(value.abs()));
+    #[allow(clippy::cast_precision_loss, reason = "figures are at most 12")]
+    let last = leading - (figures as f64 - 1.0);
+    0.5 * libm::pow(10.0, last)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn half_a_unit_of_the_third_figure() {
+        assert!((half_unit(3.456, 3) - 0.005).abs() < 1e-15);
+        assert!((half_unit(-1234.0, 3) - 5.0).abs() < 1e-12);
+        assert!(half_unit(0.0, 3) < 1e-300);
+    }
+}

@@ -1,0 +1,297 @@
+//! Drawing variants: numbers from their streams, revealed values rounded as they are printed, everything else solved.
+
+use crate::expr::Symbol;
+use crate::quantity::Decimal;
+use crate::quantity::Printed;
+use crate::quantity::Unit;
+use crate::solve::Bounded;
+use crate::solve::Cause;
+
+use super::domain::Domain;
+use super::input::Input;
+use super::known::Origin;
+use super::planned::Form;
+use super::planned::Problem;
+use super::regimes::Scratch;
+use super::stream::Words;
+use super::variant::Variant;
+
+/// Tries for one seed before the problem is given up as one that cannot be drawn.
+pub const MOST_ATTEMPTS: u64 = 256;
+
+/// Why a seed has no variant.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum NoVariant {
+    /// No attempt satisfied what the problem requires and had exactly one admissible solution; why the last one did not.
+    #[error("no admissible numbers were found within {MOST_ATTEMPTS} attempts{}", because(.0.as_ref()))]
+    Exhausted(Option<Rejection>),
+    /// The problem has no form at that position.
+    #[error("the problem has no such form")]
+    NoForm,
+    /// The values leave no admissible solution, or more than one.
+    #[error("with these values the problem has {count} admissible solutions{}", because(.reason.as_ref()))]
+    Solutions {
+        /// How many.
+        count: usize,
+        /// Why there is none, where that is known.
+        reason: Option<Rejection>,
+    },
+}
+
+/// Why numbers were rejected.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Rejection {
+    /// They say more than can be true: an equation that was not needed does not hold.
+    #[error("what is given contradicts {0}")]
+    Contradiction(&'static str),
+    /// They break a condition of the scene or of the problem.
+    #[error("{0}")]
+    Condition(String),
+    /// They leave several solutions.
+    #[error("there are {0} solutions; pick one with `where`, or ask for all with `roots: all`")]
+    Several(usize),
+    /// They leave no real solution.
+    #[error("there is no real solution")]
+    NotReal,
+    /// They make a quantity negative that never is.
+    #[error("a quantity that must be positive would be negative")]
+    NotPositive,
+}
+
+impl NoVariant {
+    /// Why numbers were rejected, where that is known.
+    #[must_use]
+    pub fn rejection(&self) -> Option<&Rejection> {
+        match self {
+            Self::Exhausted(reason) | Self::Solutions { reason, .. } => reason.as_ref(),
+            Self::NoForm => None,
+        }
+    }
+}
+
+fn because(reason: Option<&Rejection>) -> String {
+    reason.map_or_else(String::new, |reason| format!(": {reason}"))
+}
+
+/// Draws variants of one form, reusing its own memory; each thread takes its own.
+pub struct Sampler<'p> {
+    problem: &'p Problem,
+    form: &'p Form,
+    position: usize,
+    words: Words,
+    drawn: Vec<u64>,
+    inputs: Vec<Input>,
+    domains: Vec<Option<Domain>>,
+    scratch: Scratch,
+    forward: Scratch,
+    rejected: u64,
+}
+
+impl<'p> Sampler<'p> {
+    /// A sampler of the form at that position.
+    ///
+    /// # Errors
+    /// [`NoVariant::NoForm`] where there is none.
+    pub fn new(problem: &'p Problem, form: usize) -> Result<Self, NoVariant> {
+        let own = problem.forms().get(form).ok_or(NoVariant::NoForm)?;
+        let count = problem.model().symbols.len();
+        Ok(Self {
+            problem,
+            form: own,
+            position: form,
+            words: problem.streams().words(),
+            drawn: vec![0; problem.known().len()],
+            inputs: Input::all(problem, count),
+            domains: domains(problem, count),
+            scratch: Scratch::default(),
+            forward: Scratch::default(),
+            rejected: 0,
+        })
+    }
+
+    /// How many attempts were rejected so far.
+    #[must_use]
+    pub fn rejected(&self) -> u64 {
+        self.rejected
+    }
+
+    /// Draws and solves a seed without keeping the variant; the certificate is within [`Self::answer`].
+    ///
+    /// # Errors
+    /// [`NoVariant::Exhausted`] where no attempt was admissible.
+    pub fn draw(&mut self, seed: u64) -> Result<(), NoVariant> {
+        for attempt in 0..MOST_ATTEMPTS {
+            self.draw_attempt(seed, attempt);
+            let count = self.solve();
+            if self.is_admissible(count) {
+                return Ok(());
+            }
+            self.rejected += 1;
+        }
+        Err(NoVariant::Exhausted(self.why()))
+    }
+
+    /// A quantity of the variant drawn last, in SI units, with a bound on its error.
+    #[must_use]
+    pub fn answer(&self, symbol: Symbol) -> Option<Bounded> {
+        self.scratch
+            .value(&self.form.solver, symbol)
+            .or_else(|| self.inputs.get(symbol.index()).and_then(Input::bounded))
+    }
+
+    /// The variant of a seed.
+    ///
+    /// # Errors
+    /// [`NoVariant::Exhausted`] where no attempt was admissible.
+    pub fn variant(&mut self, seed: u64) -> Result<Variant, NoVariant> {
+        self.draw(seed)?;
+        Ok(self.keep(Some(seed)))
+    }
+
+    /// The variant in which these quantities have these values instead of drawn ones.
+    ///
+    /// # Errors
+    /// [`NoVariant::Solutions`] where the values leave none, or several admissible solutions.
+    pub fn with_values(&mut self, seed: u64, values: &[(Symbol, Decimal, Unit)]) -> Result<Variant, NoVariant> {
+        self.draw_attempt(seed, 0);
+        for (symbol, value, unit) in values {
+            if let Some(input) = self.inputs.get_mut(symbol.index()) {
+                *input = Input::of(value, unit);
+            }
+        }
+        match self.solve() {
+            count if self.is_admissible(count) => {
+                let mut variant = self.keep(None);
+                for (symbol, value, unit) in values {
+                    variant.given.retain(|(own, ..)| own != symbol);
+                    variant.given.push((*symbol, value.clone(), unit.clone()));
+                }
+                Ok(variant)
+            }
+            count => Err(NoVariant::Solutions { count, reason: self.why() }),
+        }
+    }
+
+    /// Why the numbers solved last have no admissible solution.
+    fn why(&self) -> Option<Rejection> {
+        let several = self.scratch.survivors(&self.form.solver);
+        if several > 1 {
+            return Some(Rejection::Several(several));
+        }
+        let mut dead = self.scratch.dead(&self.form.solver);
+        let mut regimes = &self.form.solver;
+        if let (true, Some(forward)) = (dead.is_empty(), &self.form.forward) {
+            dead = self.forward.dead(forward);
+            regimes = forward;
+        }
+        let leaf = regimes.leaf(0);
+        let model = self.problem.model();
+        dead.first().map(|dead| match dead.cause {
+            Cause::Condition(position) => {
+                let condition = leaf.system.conditions.get(position);
+                let reason = condition.and_then(|condition| model.reasons.get(condition.tag));
+                Rejection::Condition(reason.map_or_else(String::new, |reason| reason.text.clone()))
+            }
+            Cause::Equation(position) => {
+                let equation = leaf.system.equations.get(position);
+                let instance = equation.and_then(|equation| model.instances.get(equation.tag));
+                Rejection::Contradiction(instance.map_or("one of the equations", |own| own.law.name))
+            }
+            Cause::NotReal => Rejection::NotReal,
+            Cause::NotPositive => Rejection::NotPositive,
+        })
+    }
+
+    /// One solution, or any number of them where every one is asked for.
+    fn is_admissible(&self, solutions: usize) -> bool {
+        solutions == 1 || solutions > 1 && self.form.question.roots.is_some()
+    }
+
+    fn draw_attempt(&mut self, seed: u64, attempt: u64) {
+        let mut stream = 0;
+        for (known, drawn) in self.problem.known().iter().zip(&mut self.drawn) {
+            let Origin::Drawn(domain) = &known.origin else { continue };
+            *drawn = domain.pick(self.words.word(stream, seed, attempt));
+            stream += 1;
+            if let Some(input) = self.inputs.get_mut(known.symbol.index()) {
+                input.draw(domain, *drawn);
+            }
+        }
+    }
+
+    /// Solves what is revealed, then what is asked; gives the number of admissible solutions.
+    fn solve(&mut self) -> usize {
+        if let Some(forward) = &self.form.forward {
+            let count = self.forward.run(forward, &self.inputs, &self.domains);
+            if count != 1 {
+                return count;
+            }
+            for reveal in &self.form.reveal {
+                let value = self.forward.value(forward, reveal.symbol);
+                let printed = value
+                    .and_then(|value| Printed::new(value.for_print() / reveal.unit.factor().to_f64(), reveal.figures));
+                let (Some(printed), Some(input)) = (printed, self.inputs.get_mut(reveal.symbol.index())) else {
+                    return 0;
+                };
+                *input = Input::of(&printed.to_decimal(), &reveal.unit);
+            }
+        }
+        self.scratch.run(&self.form.solver, &self.inputs, &self.domains)
+    }
+
+    fn keep(&self, seed: Option<u64>) -> Variant {
+        let mut given = Vec::new();
+        for (known, drawn) in self.problem.known().iter().zip(&self.drawn) {
+            if !self.form.told.contains(&known.symbol) {
+                continue;
+            }
+            match &known.origin {
+                Origin::Drawn(domain) => given.push((known.symbol, domain.value(*drawn), known.unit.clone())),
+                Origin::Fixed(value) => given.push((known.symbol, value.clone(), known.unit.clone())),
+                Origin::Any => {}
+            }
+        }
+        for reveal in &self.form.reveal {
+            if let Some(value) = self.inputs.get(reveal.symbol.index()).and_then(Input::decimal) {
+                given.push((reveal.symbol, value, reveal.unit.clone()));
+            }
+        }
+        for (symbol, quantity) in &self.problem.model().literals {
+            given.push((*symbol, quantity.value.clone(), quantity.unit.clone()));
+        }
+        let symbols = || self.problem.model().symbols.iter().map(|(symbol, _)| symbol);
+        let told = |symbol: Symbol| {
+            let input = self.inputs.get(symbol.index()).and_then(Input::bounded);
+            input.filter(|_| self.form.told.contains(&symbol))
+        };
+        let forward = self.form.forward.as_ref();
+        Variant {
+            form: self.position,
+            seed,
+            given,
+            values: symbols()
+                .map(|symbol| told(symbol).or_else(|| self.scratch.value(&self.form.solver, symbol)))
+                .collect(),
+            forward: symbols().map(|symbol| forward.and_then(|forward| self.forward.value(forward, symbol))).collect(),
+            others: self
+                .form
+                .wanted()
+                .map(|symbol| (symbol, self.scratch.other_values(&self.form.solver, symbol)))
+                .collect(),
+            leaf: self.scratch.leaf(),
+            roots: self.scratch.roots(&self.form.solver),
+            dead: self.scratch.dead(&self.form.solver),
+        }
+    }
+}
+
+/// The domain of each drawn symbol.
+fn domains(problem: &Problem, count: usize) -> Vec<Option<Domain>> {
+    let mut domains = vec![None; count];
+    for known in problem.known() {
+        if let (Origin::Drawn(domain), Some(place)) = (&known.origin, domains.get_mut(known.symbol.index())) {
+            *place = Some(domain.clone());
+        }
+    }
+    domains
+}

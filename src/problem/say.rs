@@ -1,0 +1,200 @@
+//! Filling an author's text: how a quantity is said in a sentence.
+
+use crate::expr::Symbol;
+use crate::quantity::Decimal;
+use crate::quantity::Printed;
+use crate::quantity::Unit;
+use crate::scene::Scene;
+use crate::scene::Senses;
+
+use super::planned::Problem;
+use super::text::Filter;
+use super::text::Piece;
+use super::text::Text;
+use super::variant::Variant;
+
+/// Verbs after which only "at 2 m/s to the right" may follow: stem, and its endings.
+const VERBS_OF_MOTION: &[(&str, &[&str])] = &[
+    ("mov", &["e", "es", "ed", "ing"]),
+    ("travel", &["", "s", "led", "ling"]),
+    ("slid", &["e", "es", "ing"]),
+    ("roll", &["", "s", "ed", "ing"]),
+    ("run", &["", "s", "ning"]),
+    ("fl", &["y", "ies", "ying"]),
+    ("go", &["es", "ing"]),
+    ("glid", &["e", "es", "ing"]),
+    ("drift", &["", "s", "ed", "ing"]),
+    ("walk", &["", "s", "ing"]),
+    ("skat", &["e", "es", "ing"]),
+    ("driv", &["e", "es", "ing"]),
+    ("com", &["e", "es", "ing"]),
+    ("rebound", &["", "s"]),
+    ("leav", &["e", "es", "ing"]),
+    ("arriv", &["e", "es", "ing"]),
+    ("approach", &["es", "ing"]),
+    ("ris", &["e", "es", "ing"]),
+    ("fall", &["", "s", "ing"]),
+    ("coast", &["", "s", "ing"]),
+    ("sail", &["", "s", "ing"]),
+    ("swim", &["", "s", "ming"]),
+    ("spin", &["s", "ning"]),
+    ("thrown", &[""]),
+    ("kicked", &[""]),
+    ("launched", &[""]),
+    ("fired", &[""]),
+];
+
+/// Marks that end a clause, after which a new verb is needed.
+const CLAUSE_ENDS: &[char] = &['.', ';', ':', '!', '?', '\n'];
+/// Words that begin a new clause behind a comma.
+const CLAUSE_STARTS: &[&str] = &["and", "but", "while", "whereas", "when", "so"];
+
+/// The text with every placeholder said for this variant.
+pub(super) fn fill(text: &Text, problem: &Problem, variant: &Variant) -> String {
+    let mut filled = String::new();
+    for piece in text.pieces() {
+        match piece {
+            Piece::Text(words) => filled.push_str(words),
+            Piece::Placeholder(placeholder) => {
+                let said = problem.model().symbol_of(&placeholder.name).map(|symbol| {
+                    let speaker = Speaker { problem, variant, symbol, name: &placeholder.name };
+                    speaker.say(placeholder.filter, &filled)
+                });
+                filled.push_str(&said.unwrap_or_else(|| placeholder.name.clone()));
+            }
+        }
+    }
+    filled
+}
+
+/// Says one quantity.
+struct Speaker<'a> {
+    problem: &'a Problem,
+    variant: &'a Variant,
+    symbol: Symbol,
+    name: &'a str,
+}
+
+impl Speaker<'_> {
+    fn say(&self, filter: Filter, before: &str) -> String {
+        let (value, unit) = self.variant.told(self.problem, self.symbol);
+        // The zeros of a rounded value are figures; those of a drawn one come from its step and are left out.
+        let value = if self.is_rounded() { value } else { trimmed(&value) };
+        match filter {
+            Filter::Quantity => quantity(&value, &unit),
+            Filter::Value => number(&value),
+            Filter::Unit => unit.to_string(),
+            Filter::Magnitude => quantity(&value.abs(), &unit),
+            Filter::Direction => self.direction(&value),
+            Filter::Motion => self.motion(&value, &unit, before),
+        }
+    }
+
+    fn is_rounded(&self) -> bool {
+        !self.problem.known().iter().any(|known| known.symbol == self.symbol)
+    }
+
+    fn senses(&self) -> Option<Senses> {
+        senses_of(&self.problem.loaded().draft.scene, self.name)
+    }
+
+    fn direction(&self, value: &Decimal) -> String {
+        let Some(senses) = self.senses() else { return String::new() };
+        if value.is_negative() { senses.negative } else { senses.positive }
+    }
+
+    fn motion(&self, value: &Decimal, unit: &Unit, before: &str) -> String {
+        if value.is_zero() {
+            return "is at rest".into();
+        }
+        let speed = quantity(&value.abs(), unit);
+        let how = match self.direction(value) {
+            direction if direction.is_empty() => format!("at {speed}"),
+            direction => format!("at {speed} {direction}"),
+        };
+        if has_verb_of_motion(before) { how } else { format!("moves {how}") }
+    }
+}
+
+/// The words for the two directions of a component: of the axis that its name ends in, or of the only one.
+#[must_use]
+pub fn senses_of(scene: &Scene, name: &str) -> Option<Senses> {
+    let axes = scene.axes.rectangular();
+    let letter = name.rsplit_once('.').map(|(_, letter)| letter.split(['@', '[']).next().unwrap_or(letter));
+    let found = match letter {
+        Some(letter) => axes.iter().find(|(axis, _)| axis.letter() == letter),
+        None => (axes.len() == 1).then(|| axes.first()).flatten(),
+    };
+    found.map(|(_, senses)| senses.clone())
+}
+
+/// Whether the clause that is being written already has a verb of motion.
+fn has_verb_of_motion(before: &str) -> bool {
+    let ends = |(at, letter): &(usize, char)| {
+        let rest = &before[at + letter.len_utf8()..];
+        // A point inside a number does not end a clause.
+        let stops = CLAUSE_ENDS.contains(letter) && rest.chars().next().is_none_or(char::is_whitespace);
+        let first = rest.split_whitespace().next().unwrap_or_default();
+        stops || *letter == ',' && CLAUSE_STARTS.contains(&first)
+    };
+    let clause =
+        before.char_indices().rev().find(ends).map_or(before, |(at, letter)| &before[at + letter.len_utf8()..]);
+    let is_verb = |word: &str| {
+        let word = word.to_lowercase();
+        VERBS_OF_MOTION.iter().any(|(stem, ends)| word.strip_prefix(stem).is_some_and(|end| ends.contains(&end)))
+    };
+    clause.split(|letter: char| !letter.is_alphabetic()).any(is_verb)
+}
+
+/// A number as it stands in a sentence, with a true minus sign.
+#[must_use]
+pub fn number(value: &Decimal) -> String {
+    let plain = value.to_string();
+    let long = plain.len() > 9;
+    let plain =
+        if long { Printed::exact(&value.to_rational(), value.least_figures().clamp(1, 12)).plain() } else { plain };
+    plain.replace('-', "\u{2212}")
+}
+
+/// A decimal without a fraction of zeros: 2.0 is 2, and 0.70 stays as it is.
+#[must_use]
+pub fn trimmed(value: &Decimal) -> Decimal {
+    let text = value.to_string();
+    let whole = text.split_once('.').filter(|(_, fraction)| fraction.bytes().all(|digit| digit == b'0'));
+    whole.and_then(|(whole, _)| Decimal::parse(whole).ok()).unwrap_or_else(|| value.clone())
+}
+
+/// A value with its unit as it stands in a sentence; a no-break space keeps them together.
+#[must_use]
+pub fn quantity(value: &Decimal, unit: &Unit) -> String {
+    let number = number(value);
+    match (unit.is_none(), unit.is_attached()) {
+        (true, _) => number,
+        (false, true) => format!("{number}{}", unit.unicode()),
+        (false, false) => format!("{number}\u{a0}{}", unit.unicode()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_clause_with_a_verb_of_motion_needs_no_other() {
+        assert!(has_verb_of_motion("Cart A (2.5 kg) moves along a level track "));
+        assert!(!has_verb_of_motion("Cart A moves at 2 m/s to the right; cart B (3 kg) "));
+        assert!(!has_verb_of_motion("They collide. Afterwards cart A "));
+        assert!(!has_verb_of_motion("Car A moves at 2 m/s to the right, and in front of it car B "));
+        assert!(!has_verb_of_motion("A goods wagon B "));
+        assert!(!has_verb_of_motion("At the end of the push it "));
+    }
+
+    #[test]
+    fn numbers_read_as_in_print() {
+        let said =
+            |text: &str, unit: &str| quantity(&trimmed(&Decimal::parse(text).unwrap()), &Unit::parse(unit).unwrap());
+        assert_eq!(said("2.0", "kg"), "2\u{a0}kg");
+        assert_eq!(said("-0.70", ""), "\u{2212}0.70");
+        assert_eq!(said("30", "deg"), "30°");
+    }
+}

@@ -1,0 +1,53 @@
+//! The JSON Schema of problem files, from the same types that read them.
+
+use std::sync::LazyLock;
+
+use schemars::Schema;
+use schemars::generate::SchemaSettings;
+use schemars::transform::RecursiveTransform;
+use serde_json::Value;
+
+use super::draft::Draft;
+
+/// The schema, made once.
+static SCHEMA: LazyLock<Value> = LazyLock::new(|| {
+    let settings = SchemaSettings::draft2020_12().with_transform(RecursiveTransform(without_null));
+    let mut schema = settings.into_generator().into_root_schema_for::<Draft>();
+    schema.insert("title".to_owned(), "A problem for momentous".into());
+    schema.to_value()
+});
+
+/// The JSON Schema (draft 2020-12) of a problem file, with a description for every key: an editor completes and checks by it.
+///
+/// ```
+/// let schema = momentous::problem::json_schema();
+/// assert_eq!(schema["properties"]["title"]["description"], "The title on the sheet.");
+/// ```
+#[must_use]
+pub fn json_schema() -> &'static Value {
+    &SCHEMA
+}
+
+/// Takes `null` out of what a key may hold: a key that is not wanted is left out.
+fn without_null(schema: &mut Schema) {
+    if let Some(Value::Array(types)) = schema.get_mut("type") {
+        types.retain(|kind| kind != "null");
+        if let [only] = types.as_slice() {
+            let only = only.clone();
+            schema.insert("type".to_owned(), only);
+        }
+    }
+    if let Some(Value::Array(alternatives)) = schema.get_mut("anyOf") {
+        alternatives.retain(|alternative| alternative["type"] != "null");
+        if let [Value::Object(only)] = alternatives.as_slice() {
+            let only = only.clone();
+            schema.remove("anyOf");
+            for (key, value) in only {
+                if schema.get(&key).is_none() {
+                    schema.insert(key, value);
+                }
+            }
+        }
+    }
+    schema.remove("default");
+}

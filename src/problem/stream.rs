@@ -1,0 +1,153 @@
+//! Random words, each fixed for ever by scheme, problem, seed, name and attempt.
+
+use hmac::{Hmac, KeyInit, Mac};
+use rand::rngs::ChaCha8Rng;
+use rand::{Rng, SeedableRng};
+use sha2::Sha256;
+
+/// How numbers are drawn; a change of it changes the numbers of every variant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Scheme(u32);
+
+impl Scheme {
+    /// The present scheme: a key by HMAC-SHA-256 of scheme and problem, `ChaCha8` with a stream for each name, the seed as the
+    /// block counter, and a word for each attempt.
+    pub const CURRENT: Self = Self(1);
+
+    /// The number that stands in outputs.
+    #[must_use]
+    pub fn number(self) -> u32 {
+        self.0
+    }
+}
+
+/// Words of a block of `ChaCha8`, as 64 bits.
+const BLOCK: u64 = 8;
+/// Blocks that the generator makes at once: those of neighbouring seeds.
+const TOGETHER: u64 = 4;
+/// Words made at once.
+const BUFFER: usize = 32;
+
+/// The streams of one problem, one for each name. Names do not touch each other's words, so a given may be added or
+/// removed and the others stay.
+///
+/// ```
+/// use momentous::problem::{Scheme, Streams};
+/// let mut two = Streams::new(Scheme::CURRENT, "impact/two-carts", None, ["m_A", "m_B"]).words();
+/// let mut one = Streams::new(Scheme::CURRENT, "impact/two-carts", None, ["m_B"]).words();
+/// assert_eq!(two.word(1, 7, 0), one.word(0, 7, 0));
+/// ```
+#[derive(Clone, Debug)]
+pub struct Streams {
+    key: [u8; 32],
+    ids: Vec<u64>,
+}
+
+impl Streams {
+    /// The streams of a problem, in the order of the names. With a course secret, nobody without it can find the words.
+    pub fn new<'a>(
+        scheme: Scheme,
+        problem: &str,
+        secret: Option<&[u8]>,
+        names: impl IntoIterator<Item = &'a str>,
+    ) -> Self {
+        let kind: &[u8] = if secret.is_some() { b"secret" } else { b"open" };
+        let scheme = scheme.0.to_le_bytes();
+        let key = digest(secret.unwrap_or_default(), &[b"momentous", &scheme, kind, problem.as_bytes()]);
+        let id = |name: &str| {
+            let bytes = digest(&key, &[b"stream", name.as_bytes()]);
+            bytes.iter().take(8).rev().fold(0, |word, byte| word << 8 | u64::from(*byte))
+        };
+        Self { key, ids: names.into_iter().map(id).collect() }
+    }
+
+    /// A maker of words; each thread takes its own.
+    #[must_use]
+    pub fn words(&self) -> Words {
+        Words {
+            generator: ChaCha8Rng::from_seed(self.key),
+            made: self.ids.iter().map(|id| Made { id: *id, place: None, words: [0; BUFFER] }).collect(),
+        }
+    }
+}
+
+/// Makes the words of a problem's streams. A word is found by seed and attempt alone, in any order; words of neighbouring
+/// seeds are made together, so running through seeds in order is cheapest.
+#[derive(Debug)]
+pub struct Words {
+    generator: ChaCha8Rng,
+    made: Vec<Made>,
+}
+
+/// The words of one stream that were made last.
+#[derive(Debug)]
+struct Made {
+    id: u64,
+    /// The block of attempts and the first seed of the words.
+    place: Option<(u64, u64)>,
+    words: [u64; BUFFER],
+}
+
+impl Words {
+    /// The random word of the `index`-th name for a seed and an attempt, both from 0; nought where there is no such name.
+    pub fn word(&mut self, index: usize, seed: u64, attempt: u64) -> u64 {
+        let Some(made) = self.made.get_mut(index) else { return 0 };
+        let place = (attempt / BLOCK, seed - seed % TOGETHER);
+        if made.place != Some(place) {
+            self.generator.set_stream(made.id.wrapping_add(place.0));
+            self.generator.set_block_pos(place.1);
+            made.words.fill_with(|| self.generator.next_u64());
+            made.place = Some(place);
+        }
+        // Both remainders are small, so the word is within the buffer.
+        let word = (seed % TOGETHER) * BLOCK + attempt % BLOCK;
+        usize::try_from(word).ok().and_then(|word| made.words.get(word)).copied().unwrap_or(0)
+    }
+}
+
+/// HMAC-SHA-256 of parts, each with its length before it, so that no two lists of parts have one message.
+fn digest(key: &[u8], parts: &[&[u8]]) -> [u8; 32] {
+    // HMAC takes a key of any length; the fallback is never used.
+    let Ok(mut mac) = Hmac::<Sha256>::new_from_slice(key) else { return [0; 32] };
+    for part in parts {
+        mac.update(&(part.len() as u64).to_le_bytes());
+        mac.update(part);
+    }
+    mac.finalize().into_bytes().into()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn streams(problem: &str, secret: Option<&[u8]>) -> Words {
+        Streams::new(Scheme::CURRENT, problem, secret, ["m_A", "m_B", "v_A1"]).words()
+    }
+
+    #[test]
+    fn words_do_not_depend_on_the_order_in_which_they_are_taken() {
+        let asked = [(0, 5, 0), (2, u64::MAX, 17), (0, 5, 9), (1, 0, 0), (0, 6, 0), (0, 5, 0)];
+        let mut kept = streams("a", None);
+        for (index, seed, attempt) in asked {
+            assert_eq!(kept.word(index, seed, attempt), streams("a", None).word(index, seed, attempt));
+        }
+    }
+
+    #[test]
+    fn every_part_of_the_identity_changes_the_word() {
+        let base = streams("a", None).word(0, 1, 0);
+        let empty: &[u8] = b"";
+        let others = [
+            streams("b", None).word(0, 1, 0),
+            streams("a", Some(empty)).word(0, 1, 0),
+            streams("a", Some(b"s")).word(0, 1, 0),
+            streams("a", None).word(1, 1, 0),
+            streams("a", None).word(0, 2, 0),
+            streams("a", None).word(0, 1, 1),
+            streams("a", None).word(0, 1, 8),
+        ];
+        for (index, other) in others.iter().enumerate() {
+            assert!(*other != base && !others[..index].contains(other), "{index}");
+        }
+    }
+}

@@ -1,0 +1,214 @@
+//! One variant of one form: the numbers of a seed, and everything that follows from them.
+
+use std::collections::BTreeSet;
+
+use crate::expr::Symbol;
+use crate::quantity::Decimal;
+use crate::quantity::Dimension;
+use crate::quantity::Unit;
+use crate::solve::Bounded;
+use crate::solve::Real;
+
+use super::known::Known;
+use super::known::Origin;
+use super::part::AskedUnit;
+use super::part::NumberPart;
+use super::planned::Form;
+use super::planned::Problem;
+use super::regimes::Dead;
+use super::regimes::Leaf;
+use super::say;
+
+/// The numbers of one variant. Made only by [`super::Sampler`]: its givens satisfy what the problem requires, and exactly
+/// one admissible solution belongs to them.
+#[derive(Clone, Debug)]
+pub struct Variant {
+    pub(super) form: usize,
+    pub(super) seed: Option<u64>,
+    pub(super) given: Vec<(Symbol, Decimal, Unit)>,
+    pub(super) values: Vec<Option<Bounded>>,
+    pub(super) forward: Vec<Option<Bounded>>,
+    pub(super) others: Vec<(Symbol, Vec<Bounded>)>,
+    pub(super) leaf: usize,
+    pub(super) roots: Vec<usize>,
+    pub(super) dead: Vec<Dead>,
+}
+
+impl Variant {
+    /// The position of its form.
+    #[must_use]
+    pub fn form(&self) -> usize {
+        self.form
+    }
+
+    /// Its seed; none where the values were given by hand.
+    #[must_use]
+    pub fn seed(&self) -> Option<u64> {
+        self.seed
+    }
+
+    /// The same numbers without a seed: they were not drawn.
+    #[must_use]
+    pub fn without_seed(mut self) -> Self {
+        self.seed = None;
+        self
+    }
+
+    /// The value of a quantity in SI units, with a bound on its error; `None` where the form neither tells nor solves it.
+    #[must_use]
+    pub fn value(&self, symbol: Symbol) -> Option<Bounded> {
+        self.values.get(symbol.index()).copied().flatten()
+    }
+
+    /// What is told of a quantity, exactly as it is printed: value and unit.
+    #[must_use]
+    pub fn given(&self, symbol: Symbol) -> Option<(Decimal, Unit)> {
+        self.given.iter().find(|(own, ..)| *own == symbol).map(|(_, value, unit)| (value.clone(), unit.clone()))
+    }
+
+    /// Everything that is told, in the order of the file, revealed values last.
+    #[must_use]
+    pub fn all_given(&self) -> &[(Symbol, Decimal, Unit)] {
+        &self.given
+    }
+
+    /// Which regime it belongs to.
+    #[must_use]
+    pub fn leaf(&self) -> usize {
+        self.leaf
+    }
+
+    /// Which root was taken in each step of the plan.
+    #[must_use]
+    pub fn roots(&self) -> &[usize] {
+        &self.roots
+    }
+
+    /// The roots that are not solutions.
+    #[must_use]
+    pub fn dead(&self) -> &[Dead] {
+        &self.dead
+    }
+
+    /// The value and unit with which a text prints a quantity: as given, else rounded to the problem's figures.
+    pub(super) fn told(&self, problem: &Problem, symbol: Symbol) -> (Decimal, Unit) {
+        if let Some(told) = self.given(symbol) {
+            return told;
+        }
+        let name = &problem.model().symbols.entry(symbol).name;
+        let unit = super::parts::unit_for(problem.loaded(), name, problem.model().symbols.entry(symbol).dimension);
+        let figures = usize::from(problem.loaded().draft.figures.unwrap_or(3));
+        let solved = self.value(symbol).or_else(|| self.forward.get(symbol.index()).copied().flatten());
+        let value = solved
+            .and_then(|value| crate::quantity::round_to_figures(value.for_print() / unit.factor().to_f64(), figures));
+        (value.unwrap_or_else(|| Decimal::from(0)), unit)
+    }
+
+    /// The story and the question of its form, placeholders filled in.
+    #[must_use]
+    pub fn text(&self, problem: &Problem) -> String {
+        let story = say::fill(&problem.loaded().text, problem, self);
+        let question = problem.forms().get(self.form).map(|form| say::fill(&form.question.text, problem, self));
+        match question.filter(|question| !question.trim().is_empty()) {
+            Some(question) => format!("{}\n\n{}", story.trim_end(), question.trim()),
+            None => story.trim_end().to_owned(),
+        }
+    }
+
+    /// The hints of its form, placeholders filled in.
+    #[must_use]
+    pub fn hints(&self, problem: &Problem) -> Vec<String> {
+        let form = problem.forms().get(self.form);
+        form.map(|form| form.question.hints.iter().map(|hint| say::fill(hint, problem, self)).collect())
+            .unwrap_or_default()
+    }
+}
+
+/// The size of a unit in SI units, as the nearest double.
+fn factor(unit: &Unit) -> Bounded {
+    let value = unit.factor().to_f64();
+    let exact = value.fract() == 0.0 && value < 9e15;
+    Bounded { value, error: if exact { 0.0 } else { value * f64::EPSILON / 2.0 } }
+}
+
+/// A variant with the problem that it belongs to: what explanations, figures and marking read.
+#[derive(Clone, Copy, Debug)]
+pub struct Worked<'a> {
+    /// The problem.
+    pub problem: &'a Problem,
+    /// The form.
+    pub form: &'a Form,
+    /// The numbers.
+    pub variant: &'a Variant,
+}
+
+impl<'a> Worked<'a> {
+    /// The variant of that problem; `None` where it is not one of its own.
+    #[must_use]
+    pub fn new(problem: &'a Problem, variant: &'a Variant) -> Option<Self> {
+        Some(Self { problem, form: problem.forms().get(variant.form)?, variant })
+    }
+
+    /// The answer to a part in the unit in which it is asked, with a bound on its error.
+    #[must_use]
+    pub fn answer(&self, number: &NumberPart) -> Bounded {
+        let Some(value) = self.variant.value(number.symbol) else {
+            return Bounded { value: f64::NAN, error: f64::INFINITY };
+        };
+        self.in_unit(value, number)
+    }
+
+    /// The quantities that have no value of their own because something they depend on may be anything.
+    #[must_use]
+    pub fn free(&self) -> BTreeSet<Symbol> {
+        let any = |known: &&Known| matches!(known.origin, Origin::Any);
+        let mut free: BTreeSet<Symbol> = self.problem.known().iter().filter(any).map(|known| known.symbol).collect();
+        if free.is_empty() {
+            return free;
+        }
+        for step in &self.leaf().audit.plan.steps {
+            for (unknown, closed) in step.roots.iter().flat_map(|root| &root.values) {
+                let pure = self.problem.model().symbols.entry(*unknown).dimension == Dimension::NONE;
+                if !pure && closed.symbols().iter().any(|symbol| free.contains(symbol)) {
+                    free.insert(*unknown);
+                }
+            }
+        }
+        free
+    }
+
+    /// Every answer to a part: the first, and those of further solutions where all roots are asked for.
+    #[must_use]
+    pub fn answers(&self, number: &NumberPart) -> Vec<Bounded> {
+        let first = self.answer(number);
+        let others = self.variant.others.iter().filter(|(own, _)| *own == number.symbol).flat_map(|(_, values)| values);
+        std::iter::once(first).chain(others.map(|value| self.in_unit(*value, number))).collect()
+    }
+
+    fn in_unit(&self, value: Bounded, number: &NumberPart) -> Bounded {
+        let unit = match &number.unit {
+            AskedUnit::Unit(unit) => Some(factor(unit)),
+            AskedUnit::InTermsOf(symbol) => self.variant.value(*symbol),
+        };
+        unit.map_or(value, |unit| value.div(&unit))
+    }
+
+    /// The regime that the variant belongs to.
+    #[must_use]
+    pub fn leaf(&self) -> &'a Leaf {
+        self.form.solver.leaf(self.variant.leaf)
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test says bluntly what it expects")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_unit_larger_than_whole_doubles_reach_is_not_exact() {
+        let error = |unit: &str| factor(&Unit::parse(unit).unwrap()).error;
+        assert_eq!((error("km"), error("h")), (0.0, 0.0));
+        assert!(error("t Tm^2/s^2") > 0.0 && error("km/h") > 0.0);
+    }
+}

@@ -1,0 +1,290 @@
+//! A decimal number as it was written.
+
+use std::cmp::Ordering;
+use std::fmt;
+use std::ops::Neg;
+
+use dashu::base::{Abs, Sign};
+
+use super::{Integer, Rational};
+
+/// The most digits that a written number may have.
+const MAX_DIGITS: usize = 40;
+/// The largest power of ten, either way, that a written number may carry.
+const MAX_EXPONENT: i32 = 400;
+
+/// A decimal number that remembers how it was written: `0.70` and `0.7` have the same value but not the same figures.
+///
+/// Two decimals are equal (`==`) when they are written alike; [`Decimal::compare`] compares values.
+///
+/// ```
+/// use momentous::quantity::{Decimal, Rational};
+/// let e = Decimal::parse("0.70")?;
+/// assert_eq!((e.to_string().as_str(), e.figures()), ("0.70", 2));
+/// assert_eq!(e.to_rational(), Rational::from(7) / Rational::from(10));
+/// # Ok::<(), momentous::quantity::DecimalFault>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Decimal {
+    unscaled: Integer,
+    scale: i32,
+}
+
+/// Why a text is not a decimal number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum DecimalFault {
+    /// A character that no number has there, or the end where a digit must stand.
+    #[error("this is not a decimal number")]
+    NotANumber {
+        /// The byte of the text at which reading stopped.
+        at: usize,
+    },
+    /// More than 40 digits.
+    #[error("a number has at most {MAX_DIGITS} digits")]
+    TooManyDigits,
+    /// A power of ten beyond 400.
+    #[error("a power of ten lies between -{MAX_EXPONENT} and {MAX_EXPONENT}")]
+    ExponentTooLarge,
+}
+
+impl Decimal {
+    /// Reads `0.7`, `-3`, `+3`, `.5`, `3.`, `1.2e3`, with no space around it.
+    ///
+    /// # Errors
+    /// Where the text is anything else, or beyond 40 digits or a power of ten of 400.
+    pub fn parse(text: &str) -> Result<Self, DecimalFault> {
+        let end = number_length(text);
+        if end != text.len() || end == 0 {
+            return Err(DecimalFault::NotANumber { at: end });
+        }
+        let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
+        let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+        let digits = whole.trim_start_matches(['+', '-']).len() + fraction.len();
+        if digits > MAX_DIGITS {
+            return Err(DecimalFault::TooManyDigits);
+        }
+        let exponent: i32 = exponent.parse().map_err(|_| DecimalFault::ExponentTooLarge)?;
+        if exponent.abs() > MAX_EXPONENT {
+            return Err(DecimalFault::ExponentTooLarge);
+        }
+        let unscaled = Integer::from_str_radix(&format!("{whole}{fraction}"), 10);
+        let unscaled = unscaled.map_err(|_| DecimalFault::NotANumber { at: 0 })?;
+        let scale = i32::try_from(fraction.len()).map_err(|_| DecimalFault::TooManyDigits)? - exponent;
+        Ok(Self { unscaled, scale })
+    }
+
+    /// `unscaled / 10^scale`: a point of a grid whose step has `scale` decimals.
+    ///
+    /// ```
+    /// use momentous::quantity::Decimal;
+    /// assert_eq!(Decimal::from_scaled(-250, 2).to_string(), "-2.50");
+    /// ```
+    #[must_use]
+    pub fn from_scaled(unscaled: i128, scale: u32) -> Self {
+        Self::new(Integer::from(unscaled), i32::try_from(scale).unwrap_or(i32::MAX))
+    }
+
+    /// `unscaled / 10^scale`; a negative scale stands for zeros that are not figures.
+    pub(super) fn new(unscaled: Integer, scale: i32) -> Self {
+        Self { unscaled, scale }
+    }
+
+    /// The digits as an integer, with the sign.
+    #[must_use]
+    pub fn unscaled(&self) -> &Integer {
+        &self.unscaled
+    }
+
+    /// How many of the digits stand behind the point; negative for `1.2e3`.
+    #[must_use]
+    pub fn scale(&self) -> i32 {
+        self.scale
+    }
+
+    /// The value times `10^scale`, where that is an integer and fits.
+    #[must_use]
+    pub fn to_scaled(&self, scale: u32) -> Option<i128> {
+        let shift = i64::from(scale) - i64::from(self.scale);
+        let power = power_of_ten(usize::try_from(shift.unsigned_abs()).ok().filter(|places| *places <= 1000)?);
+        if shift >= 0 {
+            return i128::try_from(&self.unscaled * power).ok();
+        }
+        let quotient = &self.unscaled / &power;
+        if &quotient * power == self.unscaled { i128::try_from(quotient).ok() } else { None }
+    }
+
+    /// How many figures are written: leading zeros do not count, trailing zeros do; at least one.
+    #[must_use]
+    pub fn figures(&self) -> usize {
+        digits_of(&self.unscaled).len()
+    }
+
+    /// The fewest figures that the writing can mean: in an integer such as `1200` trailing zeros may only hold the place.
+    #[must_use]
+    pub fn least_figures(&self) -> usize {
+        let digits = digits_of(&self.unscaled);
+        if self.scale == 0 { digits.trim_end_matches('0').len().max(1) } else { digits.len() }
+    }
+
+    /// The exact value.
+    #[must_use]
+    pub fn to_rational(&self) -> Rational {
+        let power = power_of_ten(self.scale.unsigned_abs() as usize);
+        let value = Rational::from(self.unscaled.clone());
+        if self.scale >= 0 { value / Rational::from(power) } else { value * Rational::from(power) }
+    }
+
+    /// The nearest double.
+    #[must_use]
+    pub fn to_f64(&self) -> f64 {
+        self.to_rational().to_f64().value()
+    }
+
+    /// Whether the value is zero.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        self.unscaled.is_zero()
+    }
+
+    /// Whether the value is below zero.
+    #[must_use]
+    pub fn is_negative(&self) -> bool {
+        self.unscaled.sign() == Sign::Negative
+    }
+
+    /// The absolute value, written with the same figures.
+    #[must_use]
+    pub fn abs(&self) -> Self {
+        Self::new(self.unscaled.clone().abs(), self.scale)
+    }
+
+    /// Compares values: `0.70` with `0.7` is `Equal`.
+    #[must_use]
+    pub fn compare(&self, other: &Self) -> Ordering {
+        self.to_rational().cmp(&other.to_rational())
+    }
+}
+
+impl Neg for Decimal {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self::new(-self.unscaled, self.scale)
+    }
+}
+
+impl From<i64> for Decimal {
+    fn from(value: i64) -> Self {
+        Self::new(Integer::from(value), 0)
+    }
+}
+
+/// Without a power of ten: `.5` prints as `0.5`, `1.2e3` as `1200`, and zero never has a sign.
+impl fmt::Display for Decimal {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let sign = if self.is_negative() { "-" } else { "" };
+        let digits = digits_of(&self.unscaled);
+        let places = self.scale.unsigned_abs() as usize;
+        if self.scale <= 0 {
+            let zeros = if self.is_zero() { 0 } else { places };
+            return write!(out, "{sign}{digits}{}", "0".repeat(zeros));
+        }
+        let digits = format!("{}{digits}", "0".repeat((places + 1).saturating_sub(digits.len())));
+        let (whole, fraction) = digits.split_at(digits.len() - places);
+        write!(out, "{sign}{whole}.{fraction}")
+    }
+}
+
+/// How many bytes at the start of the text are a number; 0 where none is.
+pub(super) fn number_length(text: &str) -> usize {
+    let digits = |from: usize| text.bytes().skip(from).take_while(u8::is_ascii_digit).count();
+    let byte = |at: usize| text.as_bytes().get(at).copied();
+    let start = usize::from(matches!(byte(0), Some(b'+' | b'-')));
+    let whole = digits(start);
+    let mut end = start + whole;
+    if byte(end) == Some(b'.') {
+        let fraction = digits(end + 1);
+        if whole + fraction == 0 {
+            return 0;
+        }
+        end += 1 + fraction;
+    } else if whole == 0 {
+        return 0;
+    }
+    if matches!(byte(end), Some(b'e' | b'E')) {
+        let sign = usize::from(matches!(byte(end + 1), Some(b'+' | b'-')));
+        let exponent = digits(end + 1 + sign);
+        if exponent > 0 {
+            end += 1 + sign + exponent;
+        }
+    }
+    end
+}
+
+/// `10^places`.
+pub(super) fn power_of_ten(places: usize) -> Integer {
+    Integer::from(10).pow(places)
+}
+
+/// The digits without the sign.
+fn digits_of(value: &Integer) -> String {
+    value.clone().abs().to_string()
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)] // a test may panic
+mod tests {
+    use super::*;
+
+    #[test]
+    fn prints_what_was_written() {
+        let cases = [
+            ("0.7", "0.7", 1),
+            ("0.70", "0.70", 2),
+            ("-3", "-3", 1),
+            ("+3", "3", 1),
+            (".5", "0.5", 1),
+            ("3.", "3", 1),
+            ("1.2e3", "1200", 2),
+            ("1.2E+3", "1200", 2),
+            ("-1.25e-3", "-0.00125", 3),
+            ("007", "7", 1),
+            ("-0.0", "0.0", 1),
+            ("0e5", "0", 1),
+            ("100", "100", 3),
+            ("10.0", "10.0", 3),
+        ];
+        for (text, printed, figures) in cases {
+            let decimal = Decimal::parse(text).unwrap();
+            assert_eq!((decimal.to_string().as_str(), decimal.figures()), (printed, figures), "{text}");
+        }
+    }
+
+    #[test]
+    fn refuses_what_is_not_a_number() {
+        let faults = [("", 0), ("-", 0), (".", 0), ("e3", 0), ("3..2", 2), ("3,14", 1), ("1_200", 1), ("1.2e", 3)];
+        for (text, at) in faults {
+            assert_eq!(Decimal::parse(text), Err(DecimalFault::NotANumber { at }), "{text}");
+        }
+        assert_eq!(Decimal::parse(&"1".repeat(41)), Err(DecimalFault::TooManyDigits));
+        for text in ["1e401", "1e-401", "1e99999999999999999999"] {
+            assert_eq!(Decimal::parse(text), Err(DecimalFault::ExponentTooLarge), "{text}");
+        }
+    }
+
+    #[test]
+    fn knows_its_value() {
+        let value = |text| Decimal::parse(text).unwrap();
+        assert_eq!(value("0.70").compare(&value("0.7")), Ordering::Equal);
+        assert_eq!(value("-1.5").compare(&value("-1.25")), Ordering::Less);
+        assert_eq!(value("0.1").to_f64().to_bits(), 0.1_f64.to_bits());
+        assert_eq!(
+            (value("0.5").to_scaled(2), value("2").to_scaled(0), value("1e3").to_scaled(1)),
+            (Some(50), Some(2), Some(10000))
+        );
+        assert_eq!((value("0.05").to_scaled(1), value("1e400").to_scaled(0)), (None, None));
+        assert_eq!(
+            (value("1200").least_figures(), value("1200.").least_figures(), value("0.70").least_figures()),
+            (2, 2, 2)
+        );
+    }
+}

@@ -1,0 +1,31 @@
+//! Numbers with units: dimensions, units, prefixes, decimals as they were written.
+
+mod decimal;
+mod dimension;
+mod dimension_name;
+mod factor;
+mod figures;
+mod prefix;
+mod unit;
+mod unit_fault;
+mod unit_lookup;
+mod unit_parse;
+mod unit_print;
+mod unit_token;
+mod units_table;
+mod value;
+
+pub use decimal::{Decimal, DecimalFault};
+pub use dimension::Dimension;
+pub use dimension_name::{UnitSystem, coherent_unit, dimension_name};
+pub use factor::Factor;
+pub use figures::{Printed, round_rational, round_to_figures};
+pub use unit::Unit;
+pub use unit_fault::{UnitFault, UnitFaultKind};
+pub use value::{Quantity, QuantityFault};
+
+/// An exact rational number. `0.7` in a problem file is `7/10` until the numeric kernel.
+pub type Rational = dashu::Rational;
+
+/// An integer of any size.
+pub type Integer = dashu::Integer;

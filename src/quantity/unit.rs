@@ -1,0 +1,193 @@
+//! A unit: a product of named units with integer powers.
+
+use std::fmt;
+
+use super::prefix::Prefix;
+use super::unit_lookup::find_symbol;
+use super::units_table::{UNITS_OF_WEIGHT_AND_MASS, UnitRow};
+use super::{Dimension, Factor};
+
+/// A unit with a symbol of its own, perhaps prefixed: `km`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) struct Symbol {
+    pub(super) prefix: Option<&'static Prefix>,
+    pub(super) row: &'static UnitRow,
+}
+
+/// A symbol to a power other than zero.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) struct Power {
+    pub(super) symbol: Symbol,
+    pub(super) exponent: i8,
+}
+
+/// A product of units, as it is printed: `kg m/s` and `N s` are different units of the same dimension and size.
+///
+/// Symbols stay in the order in which they were written, those with positive powers first; equal ones are joined.
+///
+/// ```
+/// use momentous::quantity::{Dimension, Unit};
+/// let momentum = Unit::parse("N-s")?;
+/// assert_eq!(momentum.to_string(), "N s");
+/// assert_eq!(momentum.dimension(), Dimension::MOMENTUM);
+/// assert_eq!(Unit::parse("km/h")?.factor().to_f64(), 1.0 / 3.6);
+/// # Ok::<(), momentous::quantity::UnitFault>(())
+/// ```
+#[derive(Clone, PartialEq, Eq, Hash, Default)]
+pub struct Unit {
+    powers: Vec<Power>,
+    dimension: Dimension,
+}
+
+impl Unit {
+    /// The unit of pure numbers, which prints as nothing.
+    #[must_use]
+    pub fn none() -> Self {
+        Self::default()
+    }
+
+    /// The product of these powers; `None` where an exponent, of a symbol, of the dimension or of pi, does not fit.
+    pub(super) fn from_powers(written: impl IntoIterator<Item = (Symbol, i32)>) -> Option<Self> {
+        let mut joined: Vec<(Symbol, i32)> = Vec::new();
+        for (symbol, exponent) in written {
+            match joined.iter_mut().find(|(known, _)| *known == symbol) {
+                Some((_, sum)) => *sum = sum.checked_add(exponent)?,
+                None => joined.push((symbol, exponent)),
+            }
+        }
+        let fit = |(symbol, exponent): (Symbol, i32)| Some(Power { symbol, exponent: i8::try_from(exponent).ok()? });
+        let mut powers: Vec<Power> =
+            joined.into_iter().filter(|(_, exponent)| *exponent != 0).map(fit).collect::<Option<_>>()?;
+        powers.sort_by_key(|power| power.exponent < 0);
+        let total = |exponent_of: fn(&UnitRow) -> i8| {
+            let each = powers.iter().map(|power| i32::from(exponent_of(power.symbol.row)) * i32::from(power.exponent));
+            i8::try_from(each.sum::<i32>()).ok()
+        };
+        let mass = total(|row| row.dimension.mass)?;
+        let length = total(|row| row.dimension.length)?;
+        let time = total(|row| row.dimension.time)?;
+        total(|row| row.factor.pi())?;
+        Some(Self { powers, dimension: Dimension::new(mass, length, time) })
+    }
+
+    /// The powers of which it is the product, those above the fraction bar first.
+    pub(super) fn powers(&self) -> &[Power] {
+        &self.powers
+    }
+
+    /// The powers again, as [`Unit::from_powers`] takes them.
+    fn written(&self, times: i8) -> impl Iterator<Item = (Symbol, i32)> {
+        self.powers.iter().map(move |power| (power.symbol, i32::from(power.exponent) * i32::from(times)))
+    }
+
+    /// The same without prefixes: `kN m` becomes `N m`, and `kg` becomes `g`.
+    #[must_use]
+    pub fn without_prefixes(&self) -> Self {
+        let bare = |power: &Power| Power { symbol: Symbol::plain(power.symbol.row), exponent: power.exponent };
+        Self { powers: self.powers.iter().map(bare).collect(), dimension: self.dimension }
+    }
+
+    /// The product with another unit; `None` where an exponent does not fit.
+    #[must_use]
+    pub fn times(&self, other: &Self) -> Option<Self> {
+        Self::from_powers(self.written(1).chain(other.written(1)))
+    }
+
+    /// The quotient by another unit; `None` where an exponent does not fit.
+    #[must_use]
+    pub fn per(&self, other: &Self) -> Option<Self> {
+        Self::from_powers(self.written(1).chain(other.written(-1)))
+    }
+
+    /// An integer power; `None` where an exponent does not fit.
+    #[must_use]
+    pub fn power(&self, exponent: i8) -> Option<Self> {
+        Self::from_powers(self.written(exponent))
+    }
+
+    /// The same with pounds and ounces read as units of mass: `lb ft/s` as `lbm ft/s`.
+    ///
+    /// Here a pound is a force; who is asked for a mass and answers in `lb` means this.
+    #[must_use]
+    pub fn with_pounds_as_mass(&self) -> Option<Self> {
+        let as_mass = |(symbol, exponent): (Symbol, i32)| {
+            let twin = UNITS_OF_WEIGHT_AND_MASS.iter().find(|(weight, _)| *weight == symbol.row.symbol);
+            (twin.and_then(|(_, mass)| find_symbol(mass)).unwrap_or(symbol), exponent)
+        };
+        Self::from_powers(self.written(1).map(as_mass))
+    }
+
+    /// Whether it is the unit of pure numbers.
+    #[must_use]
+    pub fn is_none(&self) -> bool {
+        self.powers.is_empty()
+    }
+
+    /// What it measures.
+    #[must_use]
+    pub fn dimension(&self) -> Dimension {
+        self.dimension
+    }
+
+    /// Its size in the coherent SI unit of its dimension (kilogram, metre, second, radian).
+    #[must_use]
+    pub fn factor(&self) -> Factor {
+        self.powers.iter().fold(Factor::ONE, |product, power| product * power.symbol.factor().power(power.exponent))
+    }
+
+    /// Whether it stands directly behind its number, without a space: `30°`, `5%`.
+    #[must_use]
+    pub fn is_attached(&self) -> bool {
+        self.powers.first().is_some_and(|power| power.exponent == 1 && power.symbol.row.attached)
+    }
+}
+
+impl Symbol {
+    /// The symbol without a prefix.
+    pub(super) fn plain(row: &'static UnitRow) -> Self {
+        Self { prefix: None, row }
+    }
+
+    fn factor(self) -> Factor {
+        let size = Factor::from(self.row.factor);
+        match self.prefix {
+            None => size,
+            Some(prefix) => size * Factor::from(prefix.factor),
+        }
+    }
+}
+
+impl fmt::Debug for Unit {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(out, "Unit({self})")
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)] // a test may panic
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pounds_can_be_read_as_mass() {
+        let unit = Unit::parse("lb ft/s").unwrap();
+        assert_eq!(unit.with_pounds_as_mass(), Unit::parse("lbm ft/s").ok());
+        assert_eq!(unit.with_pounds_as_mass().unwrap().dimension(), Dimension::MOMENTUM);
+        assert_eq!(Unit::parse("kg m").unwrap().with_pounds_as_mass(), Unit::parse("kg m").ok());
+    }
+
+    #[test]
+    fn prefixes_can_be_left_out() {
+        for (with, without) in [("kN m", "N m"), ("kg m/s", "g m/s"), ("ft/s", "ft/s"), ("", "")] {
+            assert_eq!(Unit::parse(with).unwrap().without_prefixes(), Unit::parse(without).unwrap());
+        }
+    }
+
+    #[test]
+    fn exponents_that_do_not_fit_are_refused() {
+        let metre = Unit::parse("m^9").unwrap().power(14).unwrap();
+        assert_eq!((metre.dimension().length, metre.power(2)), (126, None));
+        assert_eq!(Unit::parse("J^9").unwrap().power(9), None);
+        assert_eq!(Unit::parse("rev^9").unwrap().power(127), None);
+    }
+}

@@ -1,0 +1,159 @@
+//! Units in print: plain, Unicode and LaTeX; and in words.
+
+use std::fmt;
+
+use super::Unit;
+use super::unit::{Power, Symbol};
+
+/// How a form of print writes the parts of a unit.
+struct Style {
+    between: &'static str,
+    symbol: fn(&str) -> String,
+    exponent: fn(u8) -> String,
+}
+
+const PLAIN: Style = Style { between: " ", symbol: str::to_owned, exponent: |exponent| format!("^{exponent}") };
+const UNICODE: Style = Style { between: "·", symbol: str::to_owned, exponent: superscript };
+const LATEX: Style = Style { between: "\\,", symbol: latex_symbol, exponent: latex_exponent };
+
+impl Unit {
+    /// With raised exponents and dots: `kg·m/s²`.
+    #[must_use]
+    pub fn unicode(&self) -> String {
+        self.print(&UNICODE)
+    }
+
+    /// For LaTeX's mathematics: `\mathrm{kg\,m/s^2}`; alone `^\circ` and `\%`, which follow their number at once.
+    #[must_use]
+    pub fn latex(&self) -> String {
+        let unit = self.print(&LATEX);
+        match self.powers() {
+            [] => unit,
+            [_] if self.is_attached() => unit.trim_start_matches("{}").to_owned(),
+            _ => format!("\\mathrm{{{unit}}}"),
+        }
+    }
+
+    /// In words, for one or for several: `metres per second`, `newton seconds`, `kilogram metres per second`.
+    #[must_use]
+    pub fn spoken(&self, plural: bool) -> String {
+        let (above, below) = self.fraction();
+        let last = above.len().saturating_sub(1);
+        let mut words: Vec<String> = Vec::new();
+        for (position, power) in above.iter().enumerate() {
+            words.push(spoken_power(power, plural && position == last, above.len() == 1));
+        }
+        for power in below {
+            words.push(format!("per {}", spoken_power(power, false, true)));
+        }
+        words.join(" ")
+    }
+
+    /// The powers above and below the fraction bar.
+    fn fraction(&self) -> (&[Power], &[Power]) {
+        let powers = self.powers();
+        powers.split_at(powers.partition_point(|power| power.exponent > 0))
+    }
+
+    fn print(&self, style: &Style) -> String {
+        let (above, below) = self.fraction();
+        let product = |powers: &[Power]| {
+            let parts: Vec<String> = powers.iter().map(|power| print_power(power, style)).collect();
+            parts.join(style.between)
+        };
+        let numerator = if above.is_empty() && !below.is_empty() { "1".to_owned() } else { product(above) };
+        match below.len() {
+            0 => numerator,
+            1 => format!("{numerator}/{}", product(below)),
+            _ => format!("{numerator}/({})", product(below)),
+        }
+    }
+}
+
+/// Plain text that [`Unit::parse`] reads back: `kg m/s^2`, `m/(s kg)`, `1/s`.
+impl fmt::Display for Unit {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str(&self.print(&PLAIN))
+    }
+}
+
+impl fmt::Display for Symbol {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(out, "{}{}", self.prefix.map_or("", |prefix| prefix.symbol), self.row.symbol)
+    }
+}
+
+/// A power without its sign, which the fraction bar already shows.
+fn print_power(power: &Power, style: &Style) -> String {
+    let symbol = (style.symbol)(&power.symbol.to_string());
+    match power.exponent.unsigned_abs() {
+        1 => symbol,
+        exponent => symbol + &(style.exponent)(exponent),
+    }
+}
+
+fn superscript(exponent: u8) -> String {
+    let digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    exponent.to_string().chars().filter_map(|digit| digits.get(digit.to_digit(10)? as usize)).collect()
+}
+
+fn latex_symbol(symbol: &str) -> String {
+    symbol.replace('%', "\\%").replace('°', "{}^\\circ").replace('µ', "\\mu ")
+}
+
+fn latex_exponent(exponent: u8) -> String {
+    if exponent < 10 { format!("^{exponent}") } else { format!("^{{{exponent}}}") }
+}
+
+/// `alone`: nothing is multiplied with it, so that an area may be `square metres`.
+fn spoken_power(power: &Power, plural: bool, alone: bool) -> String {
+    let row = power.symbol.row;
+    let name = if plural { row.plural } else { row.singular };
+    let name = format!("{}{name}", power.symbol.prefix.map_or("", |prefix| prefix.name));
+    let is_length = row.dimension == super::Dimension::LENGTH;
+    match power.exponent.unsigned_abs() {
+        1 => name,
+        2 if is_length && alone => format!("square {name}"),
+        3 if is_length && alone => format!("cubic {name}"),
+        2 => format!("{name} squared"),
+        3 => format!("{name} cubed"),
+        exponent => format!("{name} to the power of {exponent}"),
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)] // a test may panic
+mod tests {
+    use super::*;
+
+    #[test]
+    fn prints_in_every_form() {
+        let cases = [
+            ("kg m/s", "kg·m/s", r"\mathrm{kg\,m/s}", "kilogram metres per second"),
+            ("N s", "N·s", r"\mathrm{N\,s}", "newton seconds"),
+            ("m/s^2", "m/s²", r"\mathrm{m/s^2}", "metres per second squared"),
+            ("°", "°", r"^\circ", "degrees"),
+            ("°/s", "°/s", r"\mathrm{{}^\circ/s}", "degrees per second"),
+            ("%", "%", r"\%", "per cent"),
+            ("µs", "µs", r"\mathrm{\mu s}", "microseconds"),
+            ("ft lb", "ft·lb", r"\mathrm{ft\,lb}", "foot pounds"),
+            ("1/s", "1/s", r"\mathrm{1/s}", "per second"),
+            ("m^2", "m²", r"\mathrm{m^2}", "square metres"),
+            ("kg m^2/s", "kg·m²/s", r"\mathrm{kg\,m^2/s}", "kilogram metres squared per second"),
+            ("N/m^2", "N/m²", r"\mathrm{N/m^2}", "newtons per square metre"),
+            ("m/(s kg)", "m/(s·kg)", r"\mathrm{m/(s\,kg)}", "metres per second per kilogram"),
+            ("lb s", "lb·s", r"\mathrm{lb\,s}", "pound seconds"),
+            ("mph", "mph", r"\mathrm{mph}", "miles per hour"),
+            ("", "", "", ""),
+        ];
+        for (plain, unicode, latex, spoken) in cases {
+            let unit = Unit::parse(plain).unwrap();
+            let printed = (unit.to_string(), unit.unicode(), unit.latex(), unit.spoken(true));
+            assert_eq!(printed, (plain.into(), unicode.into(), latex.into(), spoken.into()));
+        }
+        assert_eq!(Unit::parse("ft/s").unwrap().spoken(false), "foot per second");
+        assert_eq!(Unit::parse("m^12").ok(), None);
+        let tall = Unit::parse("m^6").unwrap().power(2).unwrap();
+        assert_eq!((tall.unicode(), tall.latex()), ("m¹²".into(), r"\mathrm{m^{12}}".into()));
+    }
+}

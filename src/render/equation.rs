@@ -1,0 +1,198 @@
+//! Displayed equations: where they align, and where long ones break.
+
+use crate::expr::Math;
+use crate::expr::Operator;
+
+/// One row of a displayed equation; rows are aligned where the right side begins.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Row {
+    left: Vec<Math>,
+    right: Vec<Math>,
+}
+
+impl Row {
+    /// What stands before the alignment; empty where the row continues the one above.
+    pub fn left(&self) -> Math {
+        Math::Row(self.left.clone())
+    }
+
+    /// A relation and what follows it, or a continuation.
+    pub fn right(&self) -> Math {
+        Math::Row(self.right.clone())
+    }
+
+    /// The whole row, where there is nothing to align it with.
+    pub fn whole(&self) -> Math {
+        Math::Row([self.left.as_slice(), self.right.as_slice()].concat())
+    }
+}
+
+/// How much too wide the rows are where they could not be broken: 1 for those that fit.
+pub(super) fn excess(rows: &[Row]) -> f64 {
+    let widest = |side: fn(&Row) -> &Vec<Math>| rows.iter().map(|row| width(side(row))).fold(0.0, f64::max);
+    ((widest(|row| &row.left) + widest(|row| &row.right)) / WIDEST).max(1.0)
+}
+
+/// The widest row, in widths of a digit: what fits the text of a page at 11 pt and of a screen column.
+const WIDEST: f64 = 62.0;
+
+/// The rows of an equation of those lines, each aligned at its first relation and broken where it is too long.
+pub(super) fn rows(lines: &[Math]) -> Vec<Row> {
+    lines.iter().flat_map(|line| line_rows(flatten(line))).collect()
+}
+
+fn line_rows(items: Vec<Math>) -> Vec<Row> {
+    let relation = items.iter().position(is_relation);
+    let (left, rest) = match relation {
+        Some(at) if width(&items[..at]) <= WIDEST / 2.0 => (items[..at].to_vec(), items[at..].to_vec()),
+        _ => (Vec::new(), items),
+    };
+    let room = WIDEST - width(&left);
+    let mut left = Some(left);
+    let row = |right: Vec<Math>| match left.take() {
+        Some(left) => Row { left, right },
+        None if right.first().is_some_and(is_sum) => Row { left: Vec::new(), right: [indent(), right].concat() },
+        None => Row { left: Vec::new(), right },
+    };
+    fill(rest, room).into_iter().map(row).collect()
+}
+
+/// What a continued sum begins with: a gap, and an empty operand, so that its sign is spaced as one between two.
+fn indent() -> Vec<Math> {
+    vec![Math::Text("\u{2003}".to_owned()), Math::Identifier(String::new())]
+}
+
+/// Breaks before relations first, and before plus and minus only within a part that is still too long.
+fn fill(items: Vec<Math>, room: f64) -> Vec<Vec<Math>> {
+    let mut pieces = Vec::new();
+    for part in split_before(items, is_relation) {
+        if width(&part) <= room {
+            pieces.push(part);
+        } else {
+            pieces.extend(split_before(part, is_sum));
+        }
+    }
+    let mut rows: Vec<Vec<Math>> = Vec::new();
+    for piece in pieces {
+        match rows.last_mut() {
+            Some(row) if width(row) + width(&piece) <= room => row.extend(piece),
+            _ => rows.push(piece),
+        }
+    }
+    rows
+}
+
+/// Splits before each marked item, but never right after the start or another operator: a sign is no place to break.
+fn split_before(items: Vec<Math>, marked: fn(&Math) -> bool) -> Vec<Vec<Math>> {
+    let mut parts: Vec<Vec<Math>> = vec![Vec::new()];
+    for item in items {
+        let after_operand =
+            parts.last().and_then(|part| part.last()).is_some_and(|last| !matches!(last, Math::Operator(_)));
+        match parts.last_mut() {
+            Some(part) if !(marked(&item) && after_operand) => part.push(item),
+            _ => parts.push(vec![item]),
+        }
+    }
+    parts
+}
+
+fn is_relation(item: &Math) -> bool {
+    use Operator::{Approximately, AtLeast, AtMost, Differs, Equals, Greater, Implies, Less};
+    matches!(item, Math::Operator(Equals | Approximately | Less | AtMost | Greater | AtLeast | Differs | Implies))
+}
+
+fn is_sum(item: &Math) -> bool {
+    matches!(item, Math::Operator(Operator::Plus | Operator::Minus | Operator::PlusMinus))
+}
+
+/// The items of a row, with rows inside rows opened.
+fn flatten(math: &Math) -> Vec<Math> {
+    match math {
+        Math::Row(parts) => parts.iter().flat_map(flatten).collect(),
+        other => vec![other.clone()],
+    }
+}
+
+fn width(items: &[Math]) -> f64 {
+    items.iter().map(item_width).sum()
+}
+
+/// A rough width, in widths of a digit.
+fn item_width(math: &Math) -> f64 {
+    const SCRIPT: f64 = 0.7;
+    match math {
+        Math::Row(parts) => width(parts),
+        Math::Number(text) | Math::Identifier(text) | Math::Text(text) | Math::Function(text) | Math::Vector(text) => {
+            text.chars().map(|_| 1.0).sum()
+        }
+        Math::Operator(Operator::Juxtapose) => 0.4,
+        Math::Operator(Operator::Comma) => 1.0,
+        Math::Operator(_) => 2.4,
+        Math::Fraction(over, under) => item_width(over).max(item_width(under)) + 0.5,
+        Math::Sub(base, script) | Math::Sup(base, script) => item_width(base) + SCRIPT * item_width(script),
+        Math::SubSup(base, low, high) => item_width(base) + SCRIPT * item_width(low).max(item_width(high)),
+        Math::Root(inner) | Math::Bracketed(inner) | Math::Squared(inner) | Math::Bars(inner) => {
+            item_width(inner) + 1.5
+        }
+        Math::Cases(cases) => {
+            cases.iter().map(|(when, value)| item_width(when) + item_width(value) + 3.0).fold(0.0, f64::max)
+        }
+        Math::Integral(low, high, inner, variable) => {
+            2.0 + SCRIPT * item_width(low).max(item_width(high)) + item_width(inner) + item_width(variable)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn identifier(name: &str) -> Math {
+        Math::Identifier(name.into())
+    }
+
+    #[test]
+    fn a_short_chain_stays_on_one_row() {
+        let line = Math::relation(identifier("p"), Operator::Equals, identifier("q"));
+        let rows = rows(&[line]);
+        assert_eq!(rows.len(), 1);
+        assert_eq!(rows[0].left, [identifier("p")]);
+    }
+
+    #[test]
+    fn a_long_chain_breaks_before_relations_and_keeps_every_item() {
+        let long = identifier(&"x".repeat(40));
+        let line = Math::Row(vec![
+            identifier("v"),
+            Math::Operator(Operator::Equals),
+            long.clone(),
+            Math::Operator(Operator::Equals),
+            long.clone(),
+        ]);
+        let rows = rows(std::slice::from_ref(&line));
+        assert_eq!(rows.len(), 2);
+        assert_eq!(rows[1].left, []);
+        assert_eq!(rows[1].right, [Math::Operator(Operator::Equals), long]);
+        let again: Vec<Math> = rows.into_iter().flat_map(|row| [row.left, row.right].concat()).collect();
+        assert_eq!(again, flatten(&line));
+    }
+
+    #[test]
+    fn a_long_sum_breaks_before_its_signs_but_not_at_a_leading_one() {
+        let term = identifier(&"y".repeat(30));
+        let minus = Math::Operator(Operator::Minus);
+        let line = Math::Row(vec![
+            identifier("v"),
+            Math::Operator(Operator::Equals),
+            minus.clone(),
+            term.clone(),
+            minus.clone(),
+            term.clone(),
+            Math::Operator(Operator::Plus),
+            term.clone(),
+        ]);
+        let rows = rows(&[line]);
+        assert_eq!(rows.len(), 3);
+        assert_eq!(rows[0].right, [Math::Operator(Operator::Equals), minus, term]);
+    }
+}

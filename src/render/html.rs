@@ -1,0 +1,102 @@
+//! HTML with `MathML` and SVG, which needs no script and no network.
+
+use std::fmt::Write;
+
+use pulldown_cmark::{Event, HeadingLevel, Tag, TagEnd};
+
+use crate::expr::Math;
+use crate::figure;
+use crate::figure::Drawing;
+
+use super::authored::Authored;
+use super::authored::Piece;
+use super::equation::Row;
+use super::writer::Writer;
+
+/// The writer of HTML.
+pub(super) struct Html;
+
+impl Writer for Html {
+    fn text(&self, text: &str) -> String {
+        escape(text)
+    }
+
+    fn emphasis(&self, text: &str) -> String {
+        format!("<em>{}</em>", escape(text))
+    }
+
+    fn strong(&self, text: &str) -> String {
+        format!("<strong>{}</strong>", escape(text))
+    }
+
+    fn math(&self, math: &Math) -> String {
+        math.mathml(false)
+    }
+
+    fn equation(&self, rows: &[Row], number: Option<u32>) -> String {
+        let mut out = String::from("<div class=\"equation\"><math display=\"block\">");
+        if let [row] = rows {
+            out.push_str(&row.whole().element());
+        } else {
+            out.push_str("<mtable displaystyle=\"true\" class=\"aligned\">");
+            for row in rows {
+                let (left, right) = (row.left().element(), row.right().element());
+                let _ = write!(out, "<mtr><mtd>{left}</mtd><mtd>{right}</mtd></mtr>");
+            }
+            out.push_str("</mtable>");
+        }
+        out.push_str("</math>");
+        if let Some(number) = number {
+            let _ = write!(out, "<span class=\"number\">({number})</span>");
+        }
+        out.push_str("</div>");
+        out
+    }
+
+    fn figure(&self, drawing: &Drawing) -> String {
+        figure::svg(drawing)
+    }
+
+    fn authored(&self, text: &Authored, level: usize) -> String {
+        let events = text.pieces.iter().map(|piece| match piece {
+            Piece::Event(event) => lower_heading(event.clone(), level),
+            Piece::Math { mathml, display: false, .. } => Event::InlineHtml(mathml.as_str().into()),
+            Piece::Math { mathml, display: true, .. } => {
+                Event::InlineHtml(format!("<span class=\"equation\">{mathml}</span>").into())
+            }
+        });
+        let mut out = String::new();
+        pulldown_cmark::html::push_html(&mut out, events);
+        out.trim_end().to_owned()
+    }
+}
+
+/// The author's first level of headings is that level of the page.
+fn lower_heading(event: Event, level: usize) -> Event {
+    let lower = |own: HeadingLevel| HeadingLevel::try_from((own as usize + level - 1).min(6)).unwrap_or(own);
+    match event {
+        Event::Start(Tag::Heading { level: own, id, classes, attrs }) => {
+            Event::Start(Tag::Heading { level: lower(own), id, classes, attrs })
+        }
+        Event::End(TagEnd::Heading(own)) => Event::End(TagEnd::Heading(lower(own))),
+        other => other,
+    }
+}
+
+/// Text that HTML prints as it is, in elements and in quoted attributes.
+pub(super) fn escape(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for character in text.chars() {
+        match character {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            '\'' => out.push_str("&#39;"),
+            // Control characters are not allowed in HTML, not even by number.
+            character if character.is_control() => out.push(' '),
+            character => out.push(character),
+        }
+    }
+    out
+}

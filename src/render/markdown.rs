@@ -1,0 +1,152 @@
+//! Markdown with `$`-mathematics, as GitHub and pandoc read it.
+
+use crate::expr::Math;
+use crate::figure;
+use crate::figure::Drawing;
+
+use super::authored::Authored;
+use super::equation::Row;
+use super::latex_text;
+use super::writer::Writer;
+
+/// The writer of Markdown.
+pub(super) struct Markdown;
+
+impl Writer for Markdown {
+    fn text(&self, text: &str) -> String {
+        escape(text)
+    }
+
+    fn emphasis(&self, text: &str) -> String {
+        wrapped(text, "*")
+    }
+
+    fn strong(&self, text: &str) -> String {
+        wrapped(text, "**")
+    }
+
+    fn math(&self, math: &Math) -> String {
+        // A bar would end a cell where the text stands in a table.
+        format!("${}$", without_dollars(&math.latex()).replace('|', r"\vert "))
+    }
+
+    fn equation(&self, rows: &[Row], number: Option<u32>) -> String {
+        format!("$$\n{}\n$$", without_dollars(&latex_text::equation(rows, number)))
+    }
+
+    fn figure(&self, drawing: &Drawing) -> String {
+        // A blank line would end a block of raw HTML.
+        let svg = figure::svg(drawing);
+        svg.lines().filter(|line| !line.trim().is_empty()).collect::<Vec<_>>().join("\n")
+    }
+
+    fn authored(&self, text: &Authored, _level: usize) -> String {
+        let mut out = String::with_capacity(text.source.len());
+        let mut done = 0;
+        for range in &text.raw_html {
+            out.push_str(text.source.get(done..range.start).unwrap_or_default());
+            out.push_str(&text.source.get(range.clone()).unwrap_or_default().replace('<', "&lt;"));
+            done = range.end;
+        }
+        out.push_str(text.source.get(done..).unwrap_or_default());
+        out.trim_end().to_owned()
+    }
+}
+
+fn wrapped(text: &str, mark: &str) -> String {
+    match text.trim() {
+        "" => String::new(),
+        inner => format!("{mark}{}{mark}", escape(inner)),
+    }
+}
+
+/// Text that Markdown prints as it is: no emphasis, code, link, HTML, mathematics, heading or list comes of it.
+pub(super) fn escape(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut at_start = true;
+    let mut characters = text.chars().peekable();
+    while let Some(character) = characters.next() {
+        // What begins a list stands before a space: `3. May`, but not `3.5 m` or `-3`.
+        let apart = characters.peek().is_none_or(|next| next.is_whitespace());
+        let special = matches!(character, '\\' | '`' | '*' | '_' | '[' | ']' | '<' | '>' | '&' | '$' | '|' | '~')
+            || (at_start && matches!(character, '#' | '='))
+            || (at_start && (apart || characters.peek() == Some(&character)) && matches!(character, '+' | '-'))
+            || (apart && matches!(character, '.' | ')') && is_list_number(&out));
+        if special {
+            out.push('\\');
+        }
+        out.push(if character.is_control() { ' ' } else { character });
+        at_start &= character.is_whitespace();
+    }
+    out
+}
+
+/// The same mathematics without mathematics inside text: `\text{m/s$^2$}` is `\text{m/s}^2`, since a dollar inside
+/// would end the whole.
+fn without_dollars(tex: &str) -> String {
+    const OPEN: &str = r"\text{";
+    let mut out = String::with_capacity(tex.len());
+    let mut inside = false;
+    let mut rest = tex.chars().peekable();
+    while let Some(character) = rest.next() {
+        match character {
+            '\\' => {
+                out.push(character);
+                out.extend(rest.next());
+            }
+            '$' if inside => {
+                if rest.next_if_eq(&'}').is_none() {
+                    out.push_str(OPEN);
+                }
+                inside = false;
+            }
+            '$' => {
+                match out.strip_suffix(OPEN).map(str::len) {
+                    Some(length) => {
+                        out.truncate(length);
+                        out.push_str("{}");
+                    }
+                    None => out.push('}'),
+                }
+                inside = true;
+            }
+            other => out.push(other),
+        }
+    }
+    out
+}
+
+/// Whether what was written so far is a number only, which a full stop would make the start of a list.
+fn is_list_number(written: &str) -> bool {
+    let written = written.trim_start();
+    !written.is_empty() && written.bytes().all(|byte| byte.is_ascii_digit())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_dollar_is_left_inside_mathematics() {
+        assert_eq!(without_dollars(r"9.81\ \text{m/s$^{2}$}"), r"9.81\ \text{m/s}^{2}");
+        assert_eq!(without_dollars(r"30\text{$^\circ$ left}"), r"30{}^\circ\text{ left}");
+        assert_eq!(without_dollars(r"\text{5 \$}"), r"\text{5 \$}");
+    }
+
+    #[test]
+    fn text_stays_text() {
+        let hostile = "<b>*x* _y_ `z` [l](u) $m$ a|b ~c~ &amp;";
+        let escaped = escape(hostile);
+        let html = {
+            let mut html = String::new();
+            let options = pulldown_cmark::Options::all();
+            pulldown_cmark::html::push_html(&mut html, pulldown_cmark::Parser::new_ext(&escaped, options));
+            html
+        };
+        assert_eq!(html, "<p>&lt;b&gt;*x* _y_ `z` [l](u) $m$ a|b ~c~ &amp;amp;</p>\n");
+        assert_eq!(escape("# 1"), "\\# 1");
+        assert_eq!(escape("12. May"), "12\\. May");
+        assert_eq!((escape("3.5 m").as_str(), escape("-3 m").as_str()), ("3.5 m", "-3 m"));
+        assert_eq!((escape("- 3").as_str(), escape("---").as_str()), ("\\- 3", "\\---"));
+    }
+}

@@ -1,0 +1,23 @@
+//! Documents: sheets, worked solutions and answer keys as Markdown, LaTeX and HTML.
+//!
+//! The words and the layout are tera files under `templates/`, which a user's own folder overrides file by file.
+//! What reaches them is already in the tongue of the format: escaped text, typeset mathematics, drawn figures.
+
+mod authored;
+mod document;
+mod equation;
+mod fade;
+mod html;
+mod latex;
+mod latex_text;
+mod markdown;
+mod page;
+mod renderer;
+mod templates;
+mod view;
+mod writer;
+
+pub use document::{BesideFile, Document, Figures, Format};
+pub use fade::fade;
+pub use page::{Identity, Key, KeyRow, Page, Sheet, SheetPart, Solution};
+pub use renderer::Renderer;

@@ -1,0 +1,102 @@
+//! What goes in: sheets, solutions and keys, before any format.
+
+use crate::explain::Audience;
+use crate::explain::Inline;
+use crate::explain::Outline;
+use crate::expr::Math;
+use crate::figure::Drawing;
+
+/// One page, or run of pages, of a document.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Page {
+    /// A problem sheet.
+    Sheet(Sheet),
+    /// A worked solution.
+    Solution(Solution),
+    /// An answer key.
+    Key(Key),
+}
+
+/// What a variant is made from; printed small, so that the same numbers can be made again.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Identity {
+    /// The problem's id, `impact/two-carts`.
+    pub problem: String,
+    /// The form asked, where the problem has forms.
+    pub form: Option<String>,
+    /// The seed; none where the numbers are literal.
+    pub seed: Option<u64>,
+    /// The digest of the problem's file, as it is to be printed.
+    pub digest: Option<String>,
+    /// The version of the scheme that draws numbers.
+    pub scheme: Option<u32>,
+}
+
+/// A problem sheet: what a student is given.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Sheet {
+    /// The problem's title.
+    pub title: String,
+    /// What the variant is made from.
+    pub identity: Identity,
+    /// The student's name, where the sheet is one student's.
+    pub student: Option<String>,
+    /// The author's Markdown with its placeholders filled in; it may hold `$`-mathematics.
+    pub statement: String,
+    /// What is asked, in order.
+    pub parts: Vec<SheetPart>,
+    /// Constants and conventions to use, such as g.
+    pub note: Vec<Inline>,
+    /// The figure, which shows only what is given.
+    pub figure: Option<Drawing>,
+    /// Hints in Markdown, to be read one by one.
+    pub hints: Vec<String>,
+}
+
+/// One thing that is asked.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SheetPart {
+    /// Its label without brackets, `a`.
+    pub label: String,
+    /// What is asked; without its full stop where a unit follows, which is printed before it.
+    pub text: Vec<Inline>,
+    /// The unit the answer is to be given in.
+    pub unit: Option<Math>,
+    /// What it is worth.
+    pub points: Option<f64>,
+}
+
+/// A worked solution and how much of it is shown.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solution {
+    /// The whole solution.
+    pub outline: Outline,
+    /// What the variant is made from.
+    pub identity: Identity,
+    /// Whether the instructor's sections are shown.
+    pub audience: Audience,
+    /// Only so many steps of the solving section; the rest is left to the student (see [`super::fade`]).
+    pub faded: Option<usize>,
+}
+
+/// The answers of one or more variants.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Key {
+    /// Its title.
+    pub title: String,
+    /// One row for each part of each variant.
+    pub rows: Vec<KeyRow>,
+}
+
+/// One answer of a key.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct KeyRow {
+    /// The variant.
+    pub identity: Identity,
+    /// Whose variant it is, where it is one student's.
+    pub student: Option<String>,
+    /// The label of the part, without brackets.
+    pub part: String,
+    /// The answer with its unit.
+    pub answer: Vec<Inline>,
+}

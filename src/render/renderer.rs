@@ -1,0 +1,105 @@
+//! From pages to a document.
+
+use std::path::Path;
+
+use crate::fault::Faults;
+
+use super::document::{Document, Figures, Format};
+use super::page::{Key, Page, Sheet, Solution};
+use super::templates::Templates;
+use super::view::View;
+
+/// Renders pages through templates.
+///
+/// ```
+/// use momentous::render::{Format, Identity, Renderer, Sheet};
+///
+/// let sheet = Sheet {
+///     title: "Two carts".into(),
+///     identity: Identity { problem: "impact/two-carts".into(), seed: Some(1), ..Identity::default() },
+///     statement: "Cart A moves at $v = 2$ m/s & cart B is at rest.".into(),
+///     ..Sheet::default()
+/// };
+/// let renderer = Renderer::new(None)?;
+/// assert!(renderer.render_sheets(&[sheet.clone()], Format::Html)?.text.contains("m/s &amp; cart B"));
+/// assert!(renderer.render_sheets(&[sheet], Format::Latex)?.text.contains(r"m/s \& cart B"));
+/// # Ok::<(), momentous::fault::Faults>(())
+/// ```
+pub struct Renderer {
+    templates: [Templates; 3],
+    figures: Figures,
+    language: String,
+}
+
+impl Renderer {
+    /// A renderer with the built-in templates, or with a folder's files in their place.
+    ///
+    /// The folder is laid out as `templates/` is: `markdown/sheet.tera`, `html/style.css`. Further `.tera` files in it
+    /// may be included or extended from there.
+    ///
+    /// # Errors
+    /// Where the folder cannot be read, or a template is not well formed.
+    pub fn new(overrides: Option<&Path>) -> Result<Self, Faults> {
+        let [markdown, latex, html] = Format::ALL;
+        let load = |format| Templates::load(format, overrides);
+        let templates = [load(markdown)?, load(latex)?, load(html)?];
+        Ok(Self { templates, figures: Figures::Inline, language: "en".to_owned() })
+    }
+
+    /// The same renderer, with the figures of Markdown documents elsewhere.
+    #[must_use]
+    pub fn figures(mut self, figures: Figures) -> Self {
+        self.figures = figures;
+        self
+    }
+
+    /// The same renderer, for texts in that language (a BCP 47 tag such as `en` or `de-CH`).
+    #[must_use]
+    pub fn language(mut self, tag: &str) -> Self {
+        tag.clone_into(&mut self.language);
+        self
+    }
+
+    /// A document of problem sheets, each on a page of its own where it is printed.
+    ///
+    /// # Errors
+    /// Where a statement is not fit to print, or a template fails.
+    pub fn render_sheets(&self, sheets: &[Sheet], format: Format) -> Result<Document, Faults> {
+        let pages: Vec<Page> = sheets.iter().cloned().map(Page::Sheet).collect();
+        self.render(&pages, format)
+    }
+
+    /// A document of one worked solution, faded where it says so.
+    ///
+    /// # Errors
+    /// Where the author's text in it is not fit to print, or a template fails.
+    pub fn render_solution(&self, solution: &Solution, format: Format) -> Result<Document, Faults> {
+        self.render(&[Page::Solution(solution.clone())], format)
+    }
+
+    /// A document of one answer key.
+    ///
+    /// # Errors
+    /// Where a template fails.
+    pub fn render_key(&self, key: &Key, format: Format) -> Result<Document, Faults> {
+        self.render(&[Page::Key(key.clone())], format)
+    }
+
+    /// A document of any pages: a sheet with its solution, a whole class's sheets with the key.
+    ///
+    /// # Errors
+    /// Where an author's text is not fit to print, or a template fails.
+    pub fn render(&self, pages: &[Page], format: Format) -> Result<Document, Faults> {
+        let templates = match format {
+            Format::Markdown => &self.templates[0],
+            Format::Latex => &self.templates[1],
+            Format::Html => &self.templates[2],
+        };
+        let mut view = View::new(format, &self.figures);
+        let mut context = view.document(pages)?;
+        context.insert("language", &self.language);
+        context.insert_value("style", tera::Value::safe_string(&templates.style));
+        let text = templates.render(&context)?;
+        Ok(Document { text, beside: view.beside })
+    }
+}

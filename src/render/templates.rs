@@ -1,0 +1,196 @@
+//! The built-in templates, the user's in their place, and faults in either.
+
+use std::collections::BTreeMap;
+use std::io::Write;
+use std::path::Path;
+
+use tera::{Delimiters, Error, ErrorKind, Tera};
+
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Faults;
+use crate::fault::Source;
+use crate::fault::Span;
+
+use super::document::Format;
+use super::html;
+use super::latex_text;
+use super::markdown;
+
+macro_rules! built_in {
+    ($($path:literal),* $(,)?) => { [$(($path, include_str!(concat!("../../templates/", $path)))),*] };
+}
+
+/// Every built-in file by its path below `templates/`.
+const BUILT_IN: [(&str, &str); 16] = built_in![
+    "html/blocks.tera",
+    "html/document.tera",
+    "html/key.tera",
+    "html/sheet.tera",
+    "html/solution.tera",
+    "html/style.css",
+    "latex/blocks.tera",
+    "latex/document.tera",
+    "latex/key.tera",
+    "latex/sheet.tera",
+    "latex/solution.tera",
+    "markdown/blocks.tera",
+    "markdown/document.tera",
+    "markdown/key.tera",
+    "markdown/sheet.tera",
+    "markdown/solution.tera",
+];
+
+/// The style sheet's path, which is not a template.
+const STYLE: &str = "html/style.css";
+
+/// The template that a document starts from.
+const ROOT: &str = "document.tera";
+
+/// The templates of one format, compiled, and their sources for faults.
+pub(super) struct Templates {
+    tera: Tera,
+    format: Format,
+    sources: BTreeMap<String, Source>,
+    /// The style sheet; empty in formats without one.
+    pub style: String,
+}
+
+impl Templates {
+    /// Loads the templates of a format, a user's file instead of the built-in one of the same path.
+    pub fn load(format: Format, overrides: Option<&Path>) -> Result<Self, Faults> {
+        let mut sources = BTreeMap::new();
+        for (path, text) in BUILT_IN {
+            if path.split('/').next() == Some(format.name()) {
+                sources.insert(path.to_owned(), Source::new(&format!("templates/{path}"), text));
+            }
+        }
+        if let Some(folder) = overrides {
+            add_overrides(format, folder, &mut sources)?;
+        }
+        let style = sources.remove(STYLE).map(|source| source.text.to_string()).unwrap_or_default();
+        let mut templates = Self { tera: engine(format), format, sources, style };
+        let texts: Vec<(&str, &str)> =
+            templates.sources.iter().map(|(name, source)| (name.as_str(), source.text.as_ref())).collect();
+        templates.tera.add_raw_templates(texts).map_err(|error| locate(&error, format, &templates.sources))?;
+        Ok(templates)
+    }
+
+    /// Renders a document from its values.
+    pub fn render(&self, context: &tera::Context) -> Result<String, Faults> {
+        let root = format!("{}/{ROOT}", self.format.name());
+        self.tera.render(&root, context).map_err(|error| locate(&error, self.format, &self.sources))
+    }
+}
+
+/// A template engine that speaks the format: its escapes, and in LaTeX signs that LaTeX does not use.
+fn engine(format: Format) -> Tera {
+    let mut tera = Tera::new();
+    tera.autoescape_on([".tera"]);
+    match format {
+        Format::Html => tera.set_escape_fn(|text, out| out.write_all(html::escape(text).as_bytes())),
+        Format::Markdown => tera.set_escape_fn(|text, out| out.write_all(markdown::escape(text).as_bytes())),
+        Format::Latex => {
+            tera.set_escape_fn(|text, out: &mut dyn Write| out.write_all(latex_text::escape(text).as_bytes()));
+            let set = tera.set_delimiters(Delimiters {
+                block_start: "<%".into(),
+                block_end: "%>".into(),
+                variable_start: "<<".into(),
+                variable_end: ">>".into(),
+                comment_start: "<#".into(),
+                comment_end: "#>".into(),
+            });
+            debug_assert!(set.is_ok(), "the delimiters differ from each other, and no template is loaded yet");
+        }
+    }
+    tera
+}
+
+/// Adds the user's files of that format: each `.tera` file of its folder, and the style sheet.
+fn add_overrides(format: Format, folder: &Path, sources: &mut BTreeMap<String, Source>) -> Result<(), Faults> {
+    let unreadable = |path: &Path, error: &std::io::Error| Faults {
+        source: Source::new(&path.display().to_string(), ""),
+        list: vec![Fault::new(Code::Unreadable, format!("these templates cannot be read: {error}"))],
+    };
+    std::fs::read_dir(folder).map_err(|error| unreadable(folder, &error))?;
+    let own = folder.join(format.name());
+    if !own.is_dir() {
+        return Ok(());
+    }
+    for entry in std::fs::read_dir(&own).map_err(|error| unreadable(&own, &error))? {
+        let path = entry.map_err(|error| unreadable(&own, &error))?.path();
+        let Some(name) = path.file_name().and_then(|name| name.to_str()) else { continue };
+        let key = format!("{}/{name}", format.name());
+        if key != STYLE && path.extension().is_none_or(|extension| extension != "tera") {
+            continue;
+        }
+        let text = std::fs::read_to_string(&path).map_err(|error| unreadable(&path, &error))?;
+        sources.insert(key, Source::new(&path.display().to_string(), &text));
+    }
+    Ok(())
+}
+
+/// A fault of tera's as ours, at its file and place.
+fn locate(error: &Error, format: Format, sources: &BTreeMap<String, Source>) -> Faults {
+    let placed = match error.kind() {
+        ErrorKind::SyntaxError(report) | ErrorKind::RenderingError(report) => {
+            let range = &report.span().range;
+            vec![Placed {
+                file: report.filename().to_owned(),
+                message: report.message().to_owned(),
+                span: Some(Span { start: range.start, end: range.end }),
+            }]
+        }
+        kind => reports(&kind.to_string(), sources),
+    };
+    let file = placed.first().map_or_else(String::new, |first| first.file.clone());
+    let root = format!("{}/{ROOT}", format.name());
+    let source = sources.get(&file).or_else(|| sources.get(&root)).cloned();
+    let list = placed.into_iter().filter(|fault| fault.file == file).map(Placed::into_fault).collect();
+    Faults { source: source.unwrap_or_else(|| Source::new(&root, "")), list }
+}
+
+/// A message of tera's and where it points.
+struct Placed {
+    file: String,
+    message: String,
+    span: Option<Span>,
+}
+
+impl Placed {
+    fn into_fault(self) -> Fault {
+        let message = self.message.trim_end_matches('.').to_owned();
+        Fault::new(Code::Template, message).at_maybe(self.span)
+    }
+}
+
+/// Unknown filters, components and the like, which tera reports all at once but only as text:
+/// `error: MESSAGE`, then ` --> FILE:LINE:COLUMN`.
+fn reports(text: &str, sources: &BTreeMap<String, Source>) -> Vec<Placed> {
+    let mut placed = Vec::new();
+    let mut message = None;
+    for line in text.lines() {
+        if let Some(found) = line.strip_prefix("error: ") {
+            message = Some(found.to_owned());
+        } else if let Some(place) = line.trim_start().strip_prefix("--> ") {
+            let mut fields = place.rsplitn(3, ':');
+            let mut number = || fields.next().and_then(|field| field.parse::<usize>().ok()).unwrap_or(1);
+            let (column, line) = (number(), number());
+            let file = fields.next().unwrap_or_default().to_owned();
+            let span = sources.get(&file).map(|source| byte_at(source, line, column));
+            placed.extend(message.take().map(|message| Placed { file, message, span }));
+        }
+    }
+    if placed.is_empty() {
+        placed.push(Placed { file: String::new(), message: text.to_owned(), span: None });
+    }
+    placed
+}
+
+fn byte_at(source: &Source, line: usize, column: usize) -> Span {
+    let before: usize = source.text.split_inclusive('\n').take(line.saturating_sub(1)).map(str::len).sum();
+    let within: usize = source.text[before..].chars().take(column.saturating_sub(1)).map(char::len_utf8).sum();
+    let start = before + within;
+    let next = source.text[start..].chars().next().map_or(0, char::len_utf8);
+    Span { start, end: start + next }
+}

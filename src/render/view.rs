@@ -1,0 +1,226 @@
+//! What a template sees: plain values, whose marked-safe strings are already in the tongue of the format.
+
+use std::collections::BTreeMap;
+
+use tera::{Context, Value};
+
+use crate::explain::Audience;
+use crate::explain::Block;
+use crate::explain::Inline;
+use crate::explain::Section;
+use crate::fault::Faults;
+use crate::figure;
+use crate::figure::Drawing;
+
+use super::authored::Authored;
+use super::document::{BesideFile, Figures, Format};
+use super::equation;
+use super::fade::fade;
+use super::page::{Identity, Key, KeyRow, Page, Sheet, SheetPart, Solution};
+use super::writer::{Writer, writer};
+
+/// Makes the values of one document, and collects the files that go beside it.
+pub(super) struct View<'a> {
+    writer: &'static dyn Writer,
+    /// Where figures go; only Markdown has the choice.
+    beside_prefix: Option<&'a str>,
+    /// The level of the headings of a page.
+    level: usize,
+    /// The files that go beside the document.
+    pub beside: Vec<BesideFile>,
+}
+
+type Fields<const N: usize> = [(&'static str, Value); N];
+
+fn map<const N: usize>(fields: Fields<N>) -> Value {
+    Value::from(BTreeMap::from(fields))
+}
+
+fn ready(text: &str) -> Value {
+    Value::safe_string(text)
+}
+
+fn optional<T>(value: Option<T>, make: impl FnOnce(T) -> Value) -> Value {
+    value.map_or_else(Value::none, make)
+}
+
+impl<'a> View<'a> {
+    /// A view for one document.
+    pub fn new(format: Format, figures: &'a Figures) -> Self {
+        let beside_prefix = match (format, figures) {
+            (Format::Markdown, Figures::Beside(prefix)) => Some(prefix.as_str()),
+            _ => None,
+        };
+        Self { writer: writer(format), beside_prefix, level: 1, beside: Vec::new() }
+    }
+
+    /// The values of the whole document: `title`, `level` and `pages`.
+    pub fn document(&mut self, pages: &[Page]) -> Result<Context, Faults> {
+        self.level = if pages.len() > 1 { 2 } else { 1 };
+        let values = pages.iter().map(|page| self.page(page)).collect::<Result<Vec<Value>, Faults>>()?;
+        let mut context = Context::new();
+        context.insert("title", &document_title(pages));
+        context.insert("level", &self.level);
+        context.insert_value("pages", Value::from(values));
+        Ok(context)
+    }
+
+    fn page(&mut self, page: &Page) -> Result<Value, Faults> {
+        match page {
+            Page::Sheet(sheet) => self.sheet(sheet),
+            Page::Solution(solution) => self.solution(solution),
+            Page::Key(key) => Ok(self.key(key)),
+        }
+    }
+
+    fn sheet(&mut self, sheet: &Sheet) -> Result<Value, Faults> {
+        let id = &sheet.identity.problem;
+        let statement = self.authored(&format!("{id}: text"), &sheet.statement)?;
+        let mut hints = Vec::new();
+        for (index, hint) in sheet.hints.iter().enumerate() {
+            hints.push(self.authored(&format!("{id}: hint {}", index + 1), hint)?);
+        }
+        let total: f64 = sheet.parts.iter().filter_map(|part| part.points).sum();
+        Ok(map([
+            ("kind", "sheet".into()),
+            ("title", sheet.title.as_str().into()),
+            ("identity", identity(&sheet.identity)),
+            ("student", sheet.student.clone().into()),
+            ("statement", statement),
+            ("parts", Value::from(sheet.parts.iter().map(|part| self.part(part)).collect::<Vec<_>>())),
+            ("points", points(Some(total).filter(|total| *total > 0.0))),
+            ("note", optional(Some(&sheet.note).filter(|note| !note.is_empty()), |note| self.inline(note))),
+            ("figure", optional(sheet.figure.as_ref(), |figure| self.figure(figure))),
+            ("hints", Value::from(hints)),
+        ]))
+    }
+
+    fn part(&self, part: &SheetPart) -> Value {
+        map([
+            ("label", part.label.as_str().into()),
+            ("text", self.inline(&part.text)),
+            ("unit", optional(part.unit.as_ref(), |unit| ready(&self.writer.math(unit)))),
+            ("points", points(part.points)),
+        ])
+    }
+
+    fn solution(&mut self, solution: &Solution) -> Result<Value, Faults> {
+        let shown = match solution.faded {
+            Some(steps) => fade(&solution.outline, steps),
+            None => solution.outline.clone(),
+        };
+        let id = &solution.identity.problem;
+        let reads =
+            |section: &&Section| section.audience == Audience::Everyone || solution.audience == Audience::Instructor;
+        let mut sections = Vec::new();
+        for section in shown.sections.iter().filter(reads) {
+            let blocks =
+                section.blocks.iter().map(|block| self.block(id, block)).collect::<Result<Vec<Value>, Faults>>()?;
+            sections.push(map([
+                ("heading", section.heading.as_str().into()),
+                ("instructor", (section.audience == Audience::Instructor).into()),
+                ("blocks", Value::from(blocks)),
+            ]));
+        }
+        Ok(map([
+            ("kind", "solution".into()),
+            ("title", shown.title.as_str().into()),
+            ("identity", identity(&solution.identity)),
+            ("faded", solution.faded.is_some().into()),
+            ("sections", Value::from(sections)),
+        ]))
+    }
+
+    fn key(&self, key: &Key) -> Value {
+        let row = |row: &KeyRow| {
+            map([
+                ("identity", identity(&row.identity)),
+                ("student", row.student.clone().into()),
+                ("part", row.part.as_str().into()),
+                ("answer", self.inline(&row.answer)),
+            ])
+        };
+        map([
+            ("kind", "key".into()),
+            ("title", key.title.as_str().into()),
+            ("has_students", key.rows.iter().any(|row| row.student.is_some()).into()),
+            ("rows", Value::from(key.rows.iter().map(row).collect::<Vec<_>>())),
+        ])
+    }
+
+    fn block(&mut self, id: &str, block: &Block) -> Result<Value, Faults> {
+        let cells = |row: &[Vec<Inline>]| Value::from(row.iter().map(|cell| self.inline(cell)).collect::<Vec<_>>());
+        Ok(match block {
+            Block::Paragraph(run) => map([("kind", "paragraph".into()), ("text", self.inline(run))]),
+            Block::Equation { lines, number } => map([
+                ("kind", "equation".into()),
+                ("text", ready(&self.writer.equation(&equation::rows(lines), *number))),
+            ]),
+            Block::List(items) => map([("kind", "list".into()), ("items", cells(items))]),
+            Block::Figure(drawing) => map([("kind", "figure".into()), ("figure", self.figure(drawing))]),
+            Block::Table { head, rows } => map([
+                ("kind", "table".into()),
+                ("head", cells(head)),
+                ("rows", Value::from(rows.iter().map(|row| cells(row)).collect::<Vec<_>>())),
+            ]),
+            Block::Authored(text) => {
+                map([("kind", "authored".into()), ("text", self.authored(&format!("{id}: text"), text)?)])
+            }
+            Block::Space { lines } => map([("kind", "space".into()), ("lines", (*lines).into())]),
+        })
+    }
+
+    fn inline(&self, run: &[Inline]) -> Value {
+        ready(&self.writer.inline(run))
+    }
+
+    fn authored(&self, name: &str, text: &str) -> Result<Value, Faults> {
+        let checked = Authored::check(name, text)?;
+        Ok(ready(&self.writer.authored(&checked, self.level + 1)))
+    }
+
+    fn figure(&mut self, drawing: &Drawing) -> Value {
+        let file = self.beside_prefix.map(|prefix| format!("{prefix}-{}.svg", self.beside.len() + 1));
+        if let Some(name) = &file {
+            self.beside.push(BesideFile { name: name.clone(), text: figure::svg(drawing) });
+        }
+        let inline = if file.is_some() { String::new() } else { self.writer.figure(drawing) };
+        map([
+            ("title", drawing.title.as_str().into()),
+            ("description", drawing.description.as_str().into()),
+            ("caption", drawing.caption.as_str().into()),
+            ("file", file.map(|name| name.replace(' ', "%20")).into()),
+            ("body", ready(&inline)),
+        ])
+    }
+}
+
+fn identity(identity: &Identity) -> Value {
+    map([
+        ("problem", identity.problem.as_str().into()),
+        ("form", identity.form.clone().into()),
+        // A seed has 64 bits; as text it reaches every template whole.
+        ("seed", identity.seed.map(|seed| seed.to_string()).into()),
+        ("digest", identity.digest.clone().into()),
+        ("scheme", identity.scheme.into()),
+    ])
+}
+
+/// Points as they are written: 2, not 2.0.
+fn points(points: Option<f64>) -> Value {
+    points.map(|points| points.to_string()).into()
+}
+
+fn document_title(pages: &[Page]) -> String {
+    let title = |page: &Page| match page {
+        Page::Sheet(sheet) => sheet.title.clone(),
+        Page::Solution(solution) => solution.outline.title.clone(),
+        Page::Key(key) => key.title.clone(),
+    };
+    let mut titles: Vec<String> = pages.iter().map(title).collect();
+    titles.dedup();
+    match <[String; 1]>::try_from(titles) {
+        Ok([only]) => only,
+        Err(_) => "Problems".to_owned(),
+    }
+}

@@ -1,0 +1,50 @@
+//! What each format must be able to write; the templates arrange what a writer wrote.
+
+use crate::explain::Inline;
+use crate::expr::Math;
+use crate::figure::Drawing;
+
+use super::authored::Authored;
+use super::document::Format;
+use super::equation::Row;
+use super::html::Html;
+use super::latex::Latex;
+use super::markdown::Markdown;
+
+/// The pieces of a document in one format. Every string returned is ready for it: escaped, and complete by itself.
+pub(super) trait Writer {
+    /// Plain text.
+    fn text(&self, text: &str) -> String;
+    /// Emphasised text.
+    fn emphasis(&self, text: &str) -> String;
+    /// Strong text.
+    fn strong(&self, text: &str) -> String;
+    /// Mathematics within a line.
+    fn math(&self, math: &Math) -> String;
+    /// A displayed equation.
+    fn equation(&self, rows: &[Row], number: Option<u32>) -> String;
+    /// A figure without its caption.
+    fn figure(&self, drawing: &Drawing) -> String;
+    /// The author's text, its own headings at least of that level.
+    fn authored(&self, text: &Authored, level: usize) -> String;
+
+    /// A run of text and mathematics.
+    fn inline(&self, run: &[Inline]) -> String {
+        let write = |part: &Inline| match part {
+            Inline::Text(text) => self.text(text),
+            Inline::Emphasis(text) => self.emphasis(text),
+            Inline::Strong(text) => self.strong(text),
+            Inline::Math(math) => self.math(math),
+        };
+        run.iter().map(write).collect()
+    }
+}
+
+/// The writer of a format.
+pub(super) fn writer(format: Format) -> &'static dyn Writer {
+    match format {
+        Format::Markdown => &Markdown,
+        Format::Latex => &Latex,
+        Format::Html => &Html,
+    }
+}

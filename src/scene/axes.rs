@@ -1,0 +1,133 @@
+//! Axes and the words for their directions.
+
+use std::collections::BTreeMap;
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// The axes of a scene.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Axes {
+    /// The word `polar`: radius and transverse direction about a point.
+    Polar(Polar),
+    /// Rectangular axes, each with where it points.
+    #[schemars(extend("propertyNames" = { "enum": ["x", "y", "z"] }))]
+    Rectangular(BTreeMap<Axis, Sense>),
+}
+
+/// The word `polar`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Polar {
+    /// Radius and transverse direction.
+    Polar,
+}
+
+/// A component of a vector.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Axis {
+    /// The first rectangular axis.
+    X,
+    /// The second rectangular axis.
+    Y,
+    /// The third rectangular axis.
+    Z,
+}
+
+impl Axis {
+    /// The axis as it stands in names, after the point.
+    #[must_use]
+    pub fn letter(self) -> &'static str {
+        match self {
+            Self::X => "x",
+            Self::Y => "y",
+            Self::Z => "z",
+        }
+    }
+}
+
+/// Where an axis points: one phrase (`to the right`), or two where the opposite is not known to us (`[uphill, downhill]`).
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Sense {
+    /// The positive direction.
+    Positive(String),
+    /// The positive and the negative direction.
+    Both([String; 2]),
+}
+
+/// Adverbial phrases for the two directions of an axis: "moves to the right", "moves to the left".
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Senses {
+    /// Along the axis.
+    pub positive: String,
+    /// Against the axis.
+    pub negative: String,
+}
+
+/// Words for a direction, how it is said, and the word for its opposite.
+const OPPOSITES: &[(&str, &str, &str, &str)] = &[
+    ("right", "to the right", "left", "to the left"),
+    ("east", "east", "west", "west"),
+    ("north", "north", "south", "south"),
+    ("up", "upwards", "down", "downwards"),
+    ("upwards", "upwards", "downwards", "downwards"),
+    ("forwards", "forwards", "backwards", "backwards"),
+    ("forward", "forwards", "backward", "backwards"),
+    ("up the slope", "up the slope", "down the slope", "down the slope"),
+    ("up the incline", "up the incline", "down the incline", "down the incline"),
+    ("uphill", "uphill", "downhill", "downhill"),
+    ("ahead", "ahead", "back", "back"),
+    ("along the track", "forwards along the track", "back along the track", "back along the track"),
+    ("along the floor", "forwards along the floor", "back along the floor", "back along the floor"),
+];
+
+impl Sense {
+    /// How both directions of the axis are said; unknown phrases are kept, and their opposite is "in the negative x direction".
+    ///
+    /// ```
+    /// use momentous::scene::{Axis, Sense};
+    /// let senses = Sense::Positive("to the left".into()).senses(Axis::X);
+    /// assert_eq!((senses.positive.as_str(), senses.negative.as_str()), ("to the left", "to the right"));
+    /// assert_eq!(Sense::Positive("towards the net".into()).senses(Axis::X).negative, "away from the net");
+    /// ```
+    #[must_use]
+    pub fn senses(&self, axis: Axis) -> Senses {
+        let phrase = match self {
+            Self::Both([positive, negative]) => {
+                return Senses { positive: positive.clone(), negative: negative.clone() };
+            }
+            Self::Positive(phrase) => phrase.as_str(),
+        };
+        let word = phrase.trim_start_matches("to the ").trim_start_matches("due ").trim();
+        let row = OPPOSITES.iter().find_map(|&(word_a, said_a, word_b, said_b)| {
+            if word == word_a || phrase == said_a {
+                Some((said_a, said_b))
+            } else {
+                (word == word_b || phrase == said_b).then_some((said_b, said_a))
+            }
+        });
+        let reversed = |from: &str, to: &str| phrase.strip_prefix(from).map(|target| format!("{to}{target}"));
+        match row {
+            Some((positive, negative)) => Senses { positive: positive.into(), negative: negative.into() },
+            None => {
+                let negative = reversed("towards ", "away from ").or_else(|| reversed("away from ", "towards "));
+                let negative = negative.unwrap_or_else(|| format!("in the negative {} direction", axis.letter()));
+                Senses { positive: phrase.into(), negative }
+            }
+        }
+    }
+}
+
+impl Axes {
+    /// The rectangular axes in order, with the words for their directions; none for polar axes.
+    #[must_use]
+    pub fn rectangular(&self) -> Vec<(Axis, Senses)> {
+        match self {
+            Self::Polar(_) => Vec::new(),
+            Self::Rectangular(map) => map.iter().map(|(axis, sense)| (*axis, sense.senses(*axis))).collect(),
+        }
+    }
+}

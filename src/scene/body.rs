@@ -1,0 +1,50 @@
+//! Bodies, the surfaces that they strike, and the points about which moments are taken.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::Term;
+
+/// Whether weight acts in the plane of the drawing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Plane {
+    /// A level table, ice, a track: weight has no part in the motion.
+    #[default]
+    Horizontal,
+    /// A drop, a throw, a wall seen from the side.
+    Vertical,
+}
+
+/// A particle.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Body {
+    /// How the body is called in a sentence: `cart A`, `the ball`.
+    pub name: String,
+    /// Its mass: a name from `given`, a value or an expression. Default: the name `m_` and the body's short name.
+    #[serde(default)]
+    pub mass: Option<Term>,
+}
+
+/// A smooth surface of a body too heavy to be moved.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Surface {
+    /// How the surface is called in a sentence. Default: "the" and its short name.
+    #[serde(default)]
+    pub name: Option<String>,
+    /// Where its outward normal points, away from the surface: `up`, `to the left`, `120 deg above +x`.
+    pub normal: Term,
+    /// Its velocity along its normal, where it moves: a name, a value or an expression. Default: at rest.
+    #[serde(default)]
+    pub velocity: Option<Term>,
+}
+
+/// A fixed point.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Point {
+    /// How the point is called in a sentence: `the pivot`.
+    pub name: String,
+}

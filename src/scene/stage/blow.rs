@@ -1,0 +1,22 @@
+//! A blow of unknown history.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::scene::Term;
+
+/// A body is struck, caught or thrown: only the impulse, or the mean force and the duration, is spoken of.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Blow {
+    /// A name for the stage, used in brackets: `J_A[kick]`.
+    #[serde(default)]
+    pub name: Option<String>,
+    /// The body.
+    pub body: String,
+    /// What strikes it, as it is called in a sentence: `the bat`.
+    pub by: String,
+    /// How long it lasts, where the mean force is spoken of.
+    #[serde(default)]
+    pub duration: Option<Term>,
+}

@@ -1,0 +1,60 @@
+//! An impact: of two bodies, or of a body and a surface.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::scene::Term;
+
+/// An impact. Contacts are smooth: the impulse acts along the line of impact, unless the bodies stick.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Impact {
+    /// A name for the stage, used in brackets: `J_A[hit]`.
+    #[serde(default)]
+    pub name: Option<String>,
+    /// The two bodies; the line of impact points from the first to the second, so the second lies ahead of the first.
+    #[serde(default)]
+    pub between: Option<[String; 2]>,
+    /// The one body that strikes a surface (with `against`).
+    #[serde(default)]
+    pub body: Option<String>,
+    /// The surface that is struck.
+    #[serde(default)]
+    pub against: Option<String>,
+    /// The coefficient of restitution: a name, a value or an expression.
+    #[serde(default)]
+    pub restitution: Option<Term>,
+    /// Whether the bodies stay together.
+    #[serde(default)]
+    pub plastic: bool,
+    /// The short name of the body that the two become where they stay together: `C`.
+    #[serde(default)]
+    pub becomes: Option<String>,
+    /// In two dimensions, the direction of the line of impact, from the first body to the second: `30 deg above +x`.
+    #[serde(default)]
+    pub line_of_impact: Option<Term>,
+    /// How long the contact lasts, where the mean force is spoken of.
+    #[serde(default)]
+    pub duration: Option<Term>,
+}
+
+/// Who takes part in an impact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Partners<'a> {
+    /// Two bodies.
+    Bodies(&'a str, &'a str),
+    /// A body and a surface.
+    Surface(&'a str, &'a str),
+}
+
+impl Impact {
+    /// Who takes part; `None` where the keys contradict each other or are missing.
+    #[must_use]
+    pub fn partners(&self) -> Option<Partners<'_>> {
+        match (&self.between, &self.body, &self.against) {
+            (Some([first, second]), None, None) => Some(Partners::Bodies(first, second)),
+            (None, Some(body), Some(surface)) => Some(Partners::Surface(body, surface)),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,71 @@
+//! The kinds of stage, one file each: what can happen between two instants.
+
+mod blow;
+mod bounces;
+mod central;
+mod fall;
+mod impact;
+mod push;
+mod rotate;
+
+pub use blow::Blow;
+pub use bounces::Bounces;
+pub use central::Central;
+pub use fall::Fall;
+pub use impact::{Impact, Partners};
+pub use push::{During, Push};
+pub use rotate::{Arm, Rotate};
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// What happens between one instant and the next.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Stage {
+    /// Two bodies collide, or one strikes a surface.
+    Impact(Impact),
+    /// Forces of known law act on a body for a time.
+    Push(Push),
+    /// A blow of unknown history: only its impulse, or its mean force and duration, is spoken of.
+    Blow(Blow),
+    /// A particle is held on an arm about a fixed point, and a moment acts.
+    Rotate(Rotate),
+    /// A particle moves under a force that always points to a fixed point.
+    Central(Central),
+    /// A body falls freely through a height.
+    Fall(Fall),
+    /// A body bounces on a level floor, again and again.
+    Bounces(Bounces),
+}
+
+impl Stage {
+    /// The key that introduces the stage in a problem file.
+    #[must_use]
+    pub fn key(&self) -> &'static str {
+        match self {
+            Self::Impact(_) => "impact",
+            Self::Push(_) => "push",
+            Self::Blow(_) => "blow",
+            Self::Rotate(_) => "rotate",
+            Self::Central(_) => "central",
+            Self::Fall(_) => "fall",
+            Self::Bounces(_) => "bounces",
+        }
+    }
+
+    /// The name that the author gave the stage, used in brackets: `J_A[hit]`.
+    #[must_use]
+    pub fn name(&self) -> Option<&str> {
+        let name = match self {
+            Self::Impact(stage) => &stage.name,
+            Self::Push(stage) => &stage.name,
+            Self::Blow(stage) => &stage.name,
+            Self::Rotate(stage) => &stage.name,
+            Self::Central(stage) => &stage.name,
+            Self::Fall(stage) => &stage.name,
+            Self::Bounces(stage) => &stage.name,
+        };
+        name.as_deref()
+    }
+}

@@ -1,0 +1,60 @@
+//! The audit plan: what else follows cheaply, and which equations then serve as checks.
+
+use std::collections::BTreeSet;
+
+use crate::expr::Symbol;
+
+use super::tactics::{Block, close};
+use super::{Plan, Statement, System, Tactic};
+
+/// A plan extended for judging.
+#[derive(Clone, Debug)]
+pub struct Audit {
+    /// The steps of the answer plan, then the steps that only judging needs.
+    pub plan: Plan,
+    /// How many of the steps are the answer plan's.
+    pub answer_steps: usize,
+    /// Positions of the equations that no step uses, and whose symbols are all found: each must hold at the answer.
+    pub checks: Vec<usize>,
+}
+
+/// Extends a plan by every symbol that a single equation gives in closed form with one root, again and again.
+#[must_use]
+pub fn audit(system: &System, known: &BTreeSet<Symbol>, plan: &Plan) -> Audit {
+    let mut found = known.clone();
+    let mut used: BTreeSet<usize> = BTreeSet::new();
+    for step in &plan.steps {
+        found.extend(&step.unknowns);
+        used.extend(&step.equations);
+    }
+    let mut extended = plan.clone();
+    let symbols: Vec<BTreeSet<Symbol>> = system.equations.iter().map(super::Equation::symbols).collect();
+    let mut order: Vec<usize> = (0..system.equations.len()).collect();
+    order.sort_by_key(|place| system.equations[*place].cost);
+    let mut progress = true;
+    while progress {
+        progress = false;
+        for place in &order {
+            let mut unknowns = symbols[*place].difference(&found).copied();
+            let (Some(unknown), None) = (unknowns.next(), unknowns.next()) else { continue };
+            if used.contains(place) {
+                continue;
+            }
+            let block = Block { system, equations: vec![*place], unknowns: vec![unknown] };
+            let Ok(step) = close(&block) else { continue };
+            if step.tactic != Tactic::Isolate || step.roots.len() != 1 {
+                continue;
+            }
+            found.insert(unknown);
+            used.insert(*place);
+            extended.steps.push(step);
+            progress = true;
+        }
+    }
+    let is_check = |place: &usize| {
+        let equal = matches!(system.equations[*place].statement, Statement::Equal { .. });
+        equal && !used.contains(place) && symbols[*place].is_subset(&found)
+    };
+    let checks = (0..system.equations.len()).filter(is_check).collect();
+    Audit { plan: extended, answer_steps: plan.steps.len(), checks }
+}

@@ -1,0 +1,101 @@
+//! What must hold, tested as soon as it can be.
+
+use std::collections::BTreeSet;
+
+use crate::expr::Expr;
+use crate::expr::Function;
+use crate::expr::Symbol;
+
+use super::tape::Register;
+use super::writer::Writer;
+use super::{Audit, Relation, Statement, System};
+
+/// Which equations are tested at the answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verify {
+    /// Those that no step uses, and those whose solution may add a root.
+    Redundant,
+    /// All whose symbols are found.
+    All,
+}
+
+/// What is tested: a difference of sides.
+#[derive(Clone, Debug)]
+pub(super) struct Test {
+    pub(super) what: Tested,
+    pub(super) difference: Register,
+}
+
+/// What a test belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Tested {
+    /// A condition of the system, by position.
+    Condition(usize, Relation),
+    /// An equation of the system, by position.
+    Equation(usize),
+}
+
+/// The conditions and equations that are still to be tested, each as soon as its symbols are found.
+pub(super) struct Pending<'a> {
+    waiting: Vec<(Tested, &'a Expr, &'a Expr)>,
+}
+
+impl<'a> Pending<'a> {
+    pub(super) fn new(system: &'a System, audit: &Audit, verify: Verify) -> Self {
+        let conditions = system.conditions.iter().enumerate().map(|(place, condition)| {
+            (Tested::Condition(place, condition.relation), &condition.left, &condition.right)
+        });
+        let redundant: BTreeSet<usize> = audit.checks.iter().copied().collect();
+        let doubtful = |place: &usize| {
+            let mut steps = audit.plan.steps.iter().filter(|step| step.equations.contains(place));
+            steps.any(|step| match &system.equations[*place].statement {
+                Statement::Equal { left, right } => {
+                    may_add_roots(left, &step.unknowns) || may_add_roots(right, &step.unknowns)
+                }
+                Statement::FirstInteger { .. } => false,
+            })
+        };
+        let tested = |place: &usize| verify == Verify::All || redundant.contains(place) || doubtful(place);
+        let equations =
+            system.equations.iter().enumerate().filter(|(place, _)| tested(place)).filter_map(|(place, equation)| {
+                match &equation.statement {
+                    Statement::Equal { left, right } => Some((Tested::Equation(place), left, right)),
+                    Statement::FirstInteger { .. } => None,
+                }
+            });
+        Self { waiting: conditions.chain(equations).collect() }
+    }
+
+    /// Writes the tests whose symbols are found.
+    pub(super) fn ready(&mut self, writer: &mut Writer) -> Vec<Test> {
+        let mut tests = Vec::new();
+        self.waiting.retain(|(what, left, right)| {
+            let symbols: BTreeSet<Symbol> = left.symbols().union(&right.symbols()).copied().collect();
+            if !symbols.iter().all(|symbol| writer.symbols.contains_key(symbol)) {
+                return true;
+            }
+            let difference = writer.difference(left, right);
+            tests.extend(difference.map(|difference| Test { what: *what, difference }));
+            difference.is_none()
+        });
+        tests
+    }
+
+    /// The conditions that are left.
+    pub(super) fn conditions(&self) -> Vec<usize> {
+        let place = |tested: &Tested| if let Tested::Condition(place, _) = tested { Some(*place) } else { None };
+        self.waiting.iter().filter_map(|(tested, _, _)| place(tested)).collect()
+    }
+}
+
+/// Whether undoing what is done to the unknowns may give values that do not satisfy the equation: a root, an absolute
+/// value or a principal angle is never of the other sign.
+fn may_add_roots(expr: &Expr, unknowns: &[Symbol]) -> bool {
+    let involved = unknowns.iter().any(|unknown| expr.contains(*unknown));
+    let adds = match expr {
+        Expr::Power(pair) => pair.1.as_number().is_none_or(|exponent| !exponent.denominator().is_one()),
+        Expr::Apply(Function::Abs | Function::Asin | Function::Acos | Function::Atan2, _) | Expr::Piecewise(_) => true,
+        _ => false,
+    };
+    involved && (adds || expr.children().into_iter().any(|part| may_add_roots(part, unknowns)))
+}

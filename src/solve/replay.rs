@@ -1,0 +1,238 @@
+//! Replaying a program: every root is followed until it breaks something.
+
+use super::bounded::Bounded;
+use super::bracketing::root_above_zero;
+use super::counting::first_integer;
+use super::pending::Tested;
+use super::precise::Precise;
+use super::program::{Program, Stage, Work};
+use super::real::{Real, Sign};
+use super::tape::{Register, run};
+use super::workspace::{Cause, Death, Workspace, Workspaces};
+use super::{Exact, Outcome, Relation};
+
+/// At most this many branches are followed.
+const MOST_BRANCHES: usize = 4096;
+
+/// A wanted value whose bound is a larger share of it than this is computed again, exactly.
+const TIGHT: f64 = 1e-11;
+
+impl Program {
+    /// Replays in floating point. A condition whose two sides agree within their error counts as satisfied, and the
+    /// outcome is not decided; [`Program::solve`] decides it.
+    pub fn run<'a>(&'a self, inputs: &[Bounded], workspace: &'a mut Workspace<Bounded>) -> Outcome<'a, Bounded> {
+        workspace.prepare(&self.fast, &self.inputs, inputs.iter());
+        Replay { program: self, workspace, last: false }.stage(0);
+        Outcome { program: self, workspace, exact: false }
+    }
+
+    /// Replays exactly as long as operations are rational, and with 77 digits from there on. What is then still within its
+    /// error of zero is taken to be zero: a strict inequality is broken by it, the others are satisfied.
+    pub fn run_exact<'a>(&'a self, inputs: &[Exact], workspace: &'a mut Workspace<Precise>) -> Outcome<'a, Precise> {
+        let inputs: Vec<Precise> = inputs.iter().map(Precise::from_exact).collect();
+        workspace.prepare(&self.precise, &self.inputs, inputs.iter());
+        Replay { program: self, workspace, last: true }.stage(0);
+        Outcome { program: self, workspace, exact: true }
+    }
+
+    /// Solves one variant: in floating point, and again exactly where that leaves something open: a condition that is
+    /// not decided, several solutions, or a wanted value whose bound is not tight. Values are rounded to floating point
+    /// with bounds that cover the rounding.
+    pub fn solve<'a>(&'a self, inputs: &[Exact], workspaces: &'a mut Workspaces) -> Outcome<'a, Bounded> {
+        let bounded: Vec<Bounded> = inputs.iter().map(Bounded::from_exact).collect();
+        self.solve_from(&bounded, &|| inputs.to_vec(), workspaces)
+    }
+
+    /// The same from floating-point inputs with bounds; `exact` gives the inputs themselves, and is asked only where the
+    /// replay in floating point leaves something open.
+    pub fn solve_from<'a>(
+        &'a self,
+        inputs: &[Bounded],
+        exact: &dyn Fn() -> Vec<Exact>,
+        workspaces: &'a mut Workspaces,
+    ) -> Outcome<'a, Bounded> {
+        let outcome = self.run(inputs, &mut workspaces.fast);
+        let loose = |value: &Bounded| value.error > TIGHT * value.value.abs();
+        let open = !outcome.is_decided()
+            || outcome.survivors() > 1
+            || outcome.survivors() == 1 && self.wanted.iter().any(|symbol| outcome.value(*symbol).is_none_or(loose));
+        if open {
+            self.run_exact(&exact(), &mut workspaces.precise);
+            round(&workspaces.precise, &mut workspaces.fast);
+        }
+        workspaces.replayed = open;
+        Outcome { program: self, workspace: &workspaces.fast, exact: open }
+    }
+}
+
+/// Puts what an exact replay found in place of what a floating-point replay found.
+fn round(precise: &Workspace<Precise>, fast: &mut Workspace<Bounded>) {
+    fast.chosen.clear();
+    fast.chosen.extend(precise.chosen.iter().map(Precise::to_bounded));
+    fast.others = precise.others.iter().map(|found| found.iter().map(Precise::to_bounded).collect()).collect();
+    fast.death_values.clear();
+    fast.death_values.extend(precise.death_values.iter().map(Precise::to_bounded));
+    fast.choices.clone_from(&precise.choices);
+    fast.deaths.clone_from(&precise.deaths);
+    fast.death_paths.clone_from(&precise.death_paths);
+    (fast.survivors, fast.decided) = (precise.survivors, precise.decided);
+}
+
+/// A replay under way.
+struct Replay<'a, R> {
+    program: &'a Program,
+    workspace: &'a mut Workspace<R>,
+    /// Whether no better arithmetic follows.
+    last: bool,
+}
+
+impl<R: Real> Replay<'_, R> {
+    /// Follows every root of a stage. Recursion is as deep as the plan has steps.
+    fn stage(&mut self, index: usize) {
+        let program = self.program;
+        let Some(stage) = program.stages.get(index) else {
+            self.survive();
+            return;
+        };
+        run(&program.tape, &stage.prelude, &mut self.workspace.registers);
+        for (root, branch) in stage.roots.iter().enumerate() {
+            if self.workspace.branches > MOST_BRANCHES {
+                self.workspace.decided = false;
+                return;
+            }
+            self.workspace.branches += 1;
+            self.workspace.path.truncate(index);
+            self.workspace.path.push(root);
+            branch.work.iter().for_each(|work| self.work(work));
+            match self.judge(stage) {
+                None => self.stage(index + 1),
+                Some(cause) => self.die(stage, root, cause),
+            }
+        }
+    }
+
+    fn work(&mut self, work: &Work) {
+        let program = self.program;
+        let registers = &mut self.workspace.registers;
+        match work {
+            Work::Run(stretch) => run(&program.tape, stretch, registers),
+            Work::Count { variable, from, code, difference, relation } => {
+                let mut decided = true;
+                let found = first_integer(*from, |candidate| {
+                    registers[*variable as usize] = R::integer(candidate);
+                    run(&program.tape, code, registers);
+                    let verdict = verdict(*relation, &registers[*difference as usize], self.last);
+                    decided &= verdict.is_some();
+                    verdict.unwrap_or(false)
+                });
+                self.workspace.decided &= decided;
+                self.workspace.registers[*variable as usize] = found.map_or_else(R::not_real, R::integer);
+            }
+            Work::Bracket { variable, code, residual, index } => {
+                let found = root_above_zero(*index, |candidate: &R| {
+                    registers[*variable as usize] = candidate.clone();
+                    run(&program.tape, code, registers);
+                    registers[*residual as usize].clone()
+                });
+                registers[*variable as usize] = found.unwrap_or_else(R::not_real);
+            }
+        }
+    }
+
+    /// Why the branch dies at this stage, if it does.
+    fn judge(&mut self, stage: &Stage) -> Option<Cause> {
+        let value = |workspace: &Workspace<R>, register: Register| workspace.registers[register as usize].clone();
+        if stage.unknowns.iter().any(|(register, _)| !value(self.workspace, *register).is_real()) {
+            return Some(Cause::NotReal);
+        }
+        run(&self.program.tape, &stage.tests_code, &mut self.workspace.registers);
+        for test in &stage.tests {
+            let difference = value(self.workspace, test.difference);
+            match test.what {
+                Tested::Condition(place, relation) => match verdict(relation, &difference, self.last) {
+                    Some(true) => {}
+                    Some(false) => return Some(Cause::Condition(place)),
+                    None => self.workspace.decided = false,
+                },
+                Tested::Equation(place) => {
+                    if !matches!(difference.sign(), Sign::Zero | Sign::Unsure) {
+                        return Some(Cause::Equation(place));
+                    }
+                }
+            }
+        }
+        let negative = |register: Register| value(self.workspace, register).sign() == Sign::Negative;
+        let broken = stage.unknowns.iter().any(|(register, positive)| *positive && negative(*register));
+        broken.then_some(Cause::NotPositive)
+    }
+
+    fn die(&mut self, stage: &Stage, root: usize, cause: Cause) {
+        let workspace = &mut *self.workspace;
+        let (values, path) = (workspace.death_values.len(), workspace.death_paths.len());
+        for (register, _) in &stage.unknowns {
+            workspace.death_values.push(workspace.registers[*register as usize].clone());
+        }
+        workspace.death_paths.extend_from_slice(&workspace.path);
+        workspace.deaths.push(Death {
+            step: stage.step,
+            root,
+            cause,
+            values: (values, workspace.death_values.len()),
+            path: (path, workspace.death_paths.len()),
+        });
+    }
+
+    /// The branch is a solution: the first, or another if it differs from the first.
+    fn survive(&mut self) {
+        let workspace = &mut *self.workspace;
+        if workspace.survivors == 0 {
+            if self.program.is_straight() {
+                std::mem::swap(&mut workspace.chosen, &mut workspace.registers);
+            } else {
+                workspace.chosen.clone_from(&workspace.registers);
+            }
+            workspace.choices.clone_from(&workspace.path);
+            workspace.survivors = 1;
+            return;
+        }
+        let registers = &workspace.registers;
+        let unknowns = || self.program.stages.iter().flat_map(|stage| &stage.unknowns);
+        let (mut seen, mut unsure) = (false, false);
+        for found in std::iter::once(&workspace.chosen).chain(&workspace.others) {
+            let signs = unknowns().map(|(place, _)| found[*place as usize].sub(&registers[*place as usize]).sign());
+            let (mut differs, mut open) = (false, false);
+            for sign in signs {
+                match sign {
+                    Sign::Zero => {}
+                    Sign::Unsure => open = true,
+                    _ => differs = true,
+                }
+            }
+            seen |= !differs;
+            unsure |= !differs && open;
+        }
+        if !seen {
+            let found = workspace.registers.clone();
+            workspace.others.push(found);
+            workspace.survivors += 1;
+        }
+        workspace.decided &= !unsure || self.last;
+    }
+}
+
+/// Whether a difference compares with zero as the relation says; `None` where that is not decided.
+fn verdict<R: Real>(relation: Relation, difference: &R, last: bool) -> Option<bool> {
+    let sign = match difference.sign() {
+        Sign::Unsure if last && !difference.is_unbounded() => Sign::Zero,
+        sign => sign,
+    };
+    match (relation, sign) {
+        (_, Sign::Unsure) => None,
+        (_, Sign::NotReal) => Some(false),
+        (Relation::Less, sign) => Some(sign == Sign::Negative),
+        (Relation::AtMost, sign) => Some(sign != Sign::Positive),
+        (Relation::Greater, sign) => Some(sign == Sign::Positive),
+        (Relation::AtLeast, sign) => Some(sign != Sign::Negative),
+        (Relation::Differs, sign) => Some(sign != Sign::Zero),
+    }
+}

@@ -1,0 +1,175 @@
+//! Which equation contains which unknown: all that the choice of equations looks at.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::expr::{Expr, Symbol};
+
+use super::bits::Bits;
+use super::matching::Matching;
+use super::{Equation, Statement, System};
+
+/// The incidence of equations (rows) and unknowns (columns).
+#[derive(Clone, Debug)]
+pub(super) struct Structure {
+    /// The unknown of each column.
+    pub(super) unknowns: Vec<Symbol>,
+    /// The equations that contain an unknown.
+    pub(super) rows: Vec<Row>,
+}
+
+/// One equation, as the choice of equations sees it.
+#[derive(Clone, Debug)]
+pub(super) struct Row {
+    /// Its position in the system.
+    pub(super) equation: usize,
+    /// What using it costs.
+    pub(super) cost: u32,
+    /// The columns that it contains.
+    pub(super) unknowns: Bits,
+    /// The columns that it may be solved for: one only where the equation is a count.
+    pub(super) finds: Bits,
+    /// The column that stands alone on one side, and not on the other: it is found without any algebra.
+    pub(super) alone: Option<usize>,
+}
+
+impl Structure {
+    /// The incidence of a system, once `known` is known.
+    pub(super) fn new(system: &System, known: &BTreeSet<Symbol>) -> Self {
+        let contents: Vec<BTreeSet<Symbol>> =
+            system.equations.iter().map(|equation| equation.symbols().difference(known).copied().collect()).collect();
+        let unknowns: Vec<Symbol> = contents.iter().flatten().copied().collect::<BTreeSet<_>>().into_iter().collect();
+        let columns: BTreeMap<Symbol, usize> = unknowns.iter().copied().zip(0..).collect();
+        let bits = |symbols: &mut dyn Iterator<Item = &Symbol>| {
+            Bits::of(unknowns.len(), symbols.filter_map(|symbol| columns.get(symbol).copied()))
+        };
+        let rows = contents.iter().zip(&system.equations).enumerate().filter_map(|(equation, (content, stated))| {
+            let all = bits(&mut content.iter());
+            let finds = stated.counts().map_or_else(|| all.clone(), |integer| bits(&mut std::iter::once(&integer)));
+            let alone = stated.alone().and_then(|symbol| columns.get(&symbol).copied());
+            (!finds.is_empty()).then_some(Row { equation, cost: stated.cost, unknowns: all, finds, alone })
+        });
+        Self { rows: rows.collect(), unknowns }
+    }
+
+    /// The columns that any of these rows contains.
+    pub(super) fn columns(&self, rows: &[usize]) -> Bits {
+        Bits::of(self.unknowns.len(), rows.iter().flat_map(|row| self.rows[*row].unknowns.iter()))
+    }
+
+    /// The column of a symbol, where it is an unknown.
+    pub(super) fn column(&self, symbol: Symbol) -> Option<usize> {
+        self.unknowns.binary_search(&symbol).ok()
+    }
+
+    /// The columns that the equations determine, counting equations only: everything outside the under-determined
+    /// part of the Dulmage-Mendelsohn decomposition. `known` columns count as known.
+    pub(super) fn determined(&self, known: &Bits) -> Bits {
+        let mut usable: Vec<usize> = (0..self.rows.len()).collect();
+        loop {
+            let matching = Matching::new(self, &usable, known);
+            let mut under: Vec<usize> = (0..self.unknowns.len())
+                .filter(|column| !known.contains(*column) && !matching.finds(*column))
+                .collect();
+            let mut lost = Bits::empty(self.unknowns.len());
+            while let Some(column) = under.pop() {
+                if lost.contains(column) {
+                    continue;
+                }
+                lost.insert(column);
+                let rows = usable.iter().filter(|row| self.rows[**row].finds.contains(column));
+                under.extend(rows.filter_map(|row| matching.found_by(*row)));
+            }
+            let before = usable.len();
+            usable.retain(|row| {
+                self.rows[*row].finds == self.rows[*row].unknowns || !self.rows[*row].unknowns.meets(&lost)
+            });
+            if usable.len() == before {
+                let mut determined = Bits::of(self.unknowns.len(), 0..self.unknowns.len());
+                determined.subtract(&lost);
+                return determined;
+            }
+        }
+    }
+
+    /// Some rows that determine the wanted columns, the cheap ones preferred, though not the cheapest set; found
+    /// without any search. They are what the wanted columns depend on in one maximum matching of the rows not `avoided`.
+    pub(super) fn sufficient(&self, wanted: &Bits, avoided: &Bits) -> Option<Vec<usize>> {
+        let mut rows: Vec<usize> = (0..self.rows.len()).filter(|row| !avoided.contains(*row)).collect();
+        rows.sort_by_key(|row| (self.rows[*row].cost, self.rows[*row].unknowns.len()));
+        let matching = Matching::new(self, &rows, &Bits::empty(self.unknowns.len()));
+        let mut chosen = Bits::empty(self.rows.len());
+        let mut open: Vec<usize> = wanted.iter().collect();
+        while let Some(column) = open.pop() {
+            let row = matching.finder(column)?;
+            if !chosen.contains(row) {
+                chosen.insert(row);
+                open.extend(self.rows[row].unknowns.iter());
+            }
+        }
+        Some(chosen.iter().collect())
+    }
+
+    /// How many of these blocks take algebra: all but single equations with their unknown alone on one side.
+    pub(super) fn rearranged(&self, blocks: &[Vec<usize>]) -> usize {
+        let mut found = Bits::empty(self.unknowns.len());
+        let mut count = 0;
+        for rows in blocks {
+            let mut columns = self.columns(rows);
+            columns.subtract(&found);
+            let alone =
+                matches!(rows[..], [row] if self.rows[row].alone.is_some_and(|column| columns.contains(column)));
+            count += usize::from(!alone);
+            found.join(&columns);
+        }
+        count
+    }
+
+    /// Drops the rows that cannot serve: those with a column that is not determined, and (again and again) those
+    /// with a column that stands nowhere else and is not wanted.
+    pub(super) fn prune(&mut self, determined: &Bits, wanted: &Bits) {
+        self.rows.retain(|row| determined.covers(&row.unknowns));
+        loop {
+            let mut count = vec![0_usize; self.unknowns.len()];
+            for column in self.rows.iter().flat_map(|row| row.unknowns.iter()) {
+                count[column] += 1;
+            }
+            let before = self.rows.len();
+            self.rows.retain(|row| row.unknowns.iter().all(|column| count[column] > 1 || wanted.contains(column)));
+            if self.rows.len() == before {
+                return;
+            }
+        }
+    }
+}
+
+impl Equation {
+    /// Every symbol that the equation contains.
+    #[must_use]
+    pub fn symbols(&self) -> BTreeSet<Symbol> {
+        match &self.statement {
+            Statement::Equal { left, right } => left.symbols().union(&right.symbols()).copied().collect(),
+            Statement::FirstInteger { unknown, left, right, .. } => {
+                left.symbols().union(&right.symbols()).copied().chain([*unknown]).collect()
+            }
+        }
+    }
+
+    /// The symbol that stands alone on one side and does not stand on the other; the left side's first.
+    fn alone(&self) -> Option<Symbol> {
+        let Statement::Equal { left, right } = &self.statement else { return None };
+        let alone = |side: &Expr, other: &Expr| match side {
+            Expr::Symbol(symbol) if !other.contains(*symbol) => Some(*symbol),
+            _ => None,
+        };
+        alone(left, right).or_else(|| alone(right, left))
+    }
+
+    /// The integer that the equation finds by counting, where it is a count.
+    #[must_use]
+    pub fn counts(&self) -> Option<Symbol> {
+        match &self.statement {
+            Statement::Equal { .. } => None,
+            Statement::FirstInteger { unknown, .. } => Some(*unknown),
+        }
+    }
+}

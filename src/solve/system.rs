@@ -1,0 +1,80 @@
+//! A system of equations with the conditions under which it holds.
+
+use std::collections::BTreeSet;
+
+use crate::expr::{Expr, Symbol};
+
+/// Equations and conditions over one problem's symbols. What is known and what is wanted is said when it is planned.
+#[derive(Clone, Debug, Default)]
+pub struct System {
+    /// An independent set, and combinations derived from it that a plan may prefer.
+    pub equations: Vec<Equation>,
+    /// What every true solution satisfies; a root that breaks one is not a solution.
+    pub conditions: Vec<Condition>,
+    /// Symbols whose value is positive in every admissible solution: masses, speeds, durations, distances.
+    pub positive: BTreeSet<Symbol>,
+}
+
+/// One equation, as it is taught.
+#[derive(Clone, Debug)]
+pub struct Equation {
+    /// What it states.
+    pub statement: Statement,
+    /// The caller's own number for it: which instance of which law.
+    pub tag: usize,
+    /// What using it costs a plan; 1 as a rule, more for what is taught only when nothing else serves.
+    pub cost: u32,
+}
+
+/// What an equation states.
+#[derive(Clone, Debug)]
+pub enum Statement {
+    /// Two sides are equal.
+    Equal {
+        /// The left side.
+        left: Expr,
+        /// The right side.
+        right: Expr,
+    },
+    /// `unknown` is the first integer, from `from` upwards, for which `left relation right` holds.
+    FirstInteger {
+        /// The integer.
+        unknown: Symbol,
+        /// Where counting starts.
+        from: i64,
+        /// The left side; it contains `unknown`.
+        left: Expr,
+        /// How the sides compare.
+        relation: Relation,
+        /// The right side.
+        right: Expr,
+    },
+}
+
+/// How two sides compare.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Relation {
+    /// Strictly less.
+    Less,
+    /// Less or equal.
+    AtMost,
+    /// Strictly greater.
+    Greater,
+    /// Greater or equal.
+    AtLeast,
+    /// Different.
+    Differs,
+}
+
+/// An inequality that holds in every true solution.
+#[derive(Clone, Debug)]
+pub struct Condition {
+    /// The left side.
+    pub left: Expr,
+    /// How the sides compare.
+    pub relation: Relation,
+    /// The right side.
+    pub right: Expr,
+    /// The caller's own number for it: which reason to give where it is broken.
+    pub tag: usize,
+}

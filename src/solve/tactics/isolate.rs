@@ -1,0 +1,88 @@
+//! # Isolate
+//!
+//! *Closes:* one equation whose only unknown is linear in it, or is written once.
+//!
+//! *On paper:* bring the unknown to one side: `m v2 = m v1 + J` gives `v2 = v1 + J / m`.
+//!
+//! *Refuses:* an unknown of second degree together with its first power, and one inside and outside a function.
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+
+use super::inverse::undo;
+use super::tidy::{cancelled, difference, forward, is_negative, negative, occurrences, over};
+use super::{Block, Closing, Refusal};
+use crate::solve::{Closed, Move, Root};
+
+pub(super) fn close(block: &Block) -> Result<Closing, Refusal> {
+    let (equation, left, right, unknown) = block.single().ok_or(Refusal::NotApplicable)?;
+    let values = isolated(left, right, unknown, &|symbol| block.positive(symbol))?;
+    let value = values.first().cloned().ok_or(Refusal::NotApplicable)?;
+    let root = |value| Root { values: vec![(unknown, Closed::Formula(value))] };
+    Ok(Closing {
+        unknowns: vec![unknown],
+        moves: vec![Move::Isolate { equation, unknown, value }],
+        roots: values.into_iter().map(root).collect(),
+    })
+}
+
+/// Every value of `unknown` for which the sides are equal, where it can be brought to one side.
+pub(super) fn isolated(
+    left: &Expr,
+    right: &Expr,
+    unknown: Symbol,
+    positive: &dyn Fn(Symbol) -> bool,
+) -> Result<Vec<Expr>, Refusal> {
+    if *left == Expr::Symbol(unknown) && !right.contains(unknown) {
+        return Ok(vec![right.clone()]);
+    }
+    if *right == Expr::Symbol(unknown) && !left.contains(unknown) {
+        return Ok(vec![left.clone()]);
+    }
+    let residual = difference(left, right);
+    if let Some((coefficients, rest)) = residual.linear_coefficients(&[unknown])
+        && let Some(coefficient) = coefficients.into_iter().next()
+    {
+        return linear_root(&coefficient, &rest).map(|value| vec![value]);
+    }
+    let once = |side: &Expr, other: &Expr| occurrences(side, unknown) == 1 && !other.contains(unknown);
+    let found = if once(left, right) {
+        undo(left, right.clone(), unknown, positive)
+    } else if once(right, left) {
+        undo(right, left.clone(), unknown, positive)
+    } else {
+        None
+    };
+    let found = found.or_else(|| pure_power(&residual, unknown, positive)).ok_or(Refusal::NotApplicable)?;
+    Ok(found.into_iter().map(cancelled).collect())
+}
+
+/// The root of `coefficient x + rest`.
+fn linear_root(coefficient: &Expr, rest: &Expr) -> Result<Expr, Refusal> {
+    if coefficient.is_zero() {
+        return Err(dropped_out(rest));
+    }
+    let minus = is_negative(coefficient);
+    let value = if minus { over(rest, &negative(coefficient)) } else { over(&negative(rest), coefficient) };
+    Ok(forward(cancelled(value)))
+}
+
+/// What an equation says from which the unknown drops out.
+pub(super) fn dropped_out(rest: &Expr) -> Refusal {
+    match rest.simplify().as_number() {
+        Some(value) if !value.is_zero() => Refusal::Contradiction,
+        _ => Refusal::Dependent,
+    }
+}
+
+/// The roots of `a x^n + c` or `a x + c` after algebra.
+fn pure_power(residual: &Expr, unknown: Symbol, positive: &dyn Fn(Symbol) -> bool) -> Option<Vec<Expr>> {
+    let coefficients = residual.collect(unknown)?;
+    let mut powers = (1..).zip(coefficients.iter().skip(1)).filter(|(_, coefficient)| !coefficient.is_zero());
+    let (power, coefficient) = powers.next()?;
+    if powers.next().is_some() {
+        return None;
+    }
+    let value = over(&negative(coefficients.first()?), coefficient);
+    undo(&Expr::Symbol(unknown).powi(power), value, unknown, positive)
+}

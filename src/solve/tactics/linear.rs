@@ -1,0 +1,23 @@
+//! # Linear
+//!
+//! *Closes:* k equations that are linear in k unknowns together, k at least 2.
+//!
+//! *On paper:* multiply one equation by a factor and add it to another so that an unknown drops out, until one is left;
+//! the unknown that is asked for is the one that stays.
+//!
+//! *Refuses:* products of unknowns; equations that say the same twice.
+
+use super::elimination::eliminate;
+use super::{Block, Closing, Refusal};
+use crate::solve::{Closed, Root};
+
+pub(super) fn close(block: &Block) -> Result<Closing, Refusal> {
+    if block.unknowns.len() < 2 {
+        return Err(Refusal::NotApplicable);
+    }
+    let residuals = block.residuals().ok_or(Refusal::NotApplicable)?;
+    let equations: Vec<_> = block.equations.iter().copied().zip(residuals).collect();
+    let found = eliminate(&equations, &block.unknowns)?;
+    let values = found.values.into_iter().map(|(unknown, value)| (unknown, Closed::Formula(value))).collect();
+    Ok(Closing { unknowns: block.unknowns.clone(), moves: found.moves, roots: vec![Root { values }] })
+}

@@ -1,0 +1,106 @@
+//! The tactics that close a block of equations, one file each.
+
+mod bracketed;
+mod count;
+mod elimination;
+mod inverse;
+mod isolate;
+mod linear;
+mod polar;
+mod quadratic;
+mod tear;
+mod tidy;
+
+use crate::expr::{Expr, Symbol};
+
+use super::{Move, Root, Statement, Step, System, Tactic};
+
+/// A tactic: what it makes of a block, or why it does not serve.
+type Try = fn(&Block) -> Result<Closing, Refusal>;
+
+/// The tactics in the order in which they are tried: what a student would try first, stands first.
+/// A new tactic is a file beside this one and a line in this list.
+const TACTICS: &[(Tactic, Try)] = &[
+    (Tactic::Isolate, isolate::close),         // one unknown, brought to one side
+    (Tactic::Linear, linear::close),           // k linear equations: add multiples until one unknown is left
+    (Tactic::Tear, tear::close),               // all but one written in the last, and substituted
+    (Tactic::Quadratic, quadratic::close),     // second degree: both roots
+    (Tactic::Polar, polar::close),             // magnitude and angle from two components
+    (Tactic::Count, count::close),             // the first integer that satisfies a condition
+    (Tactic::BracketedRoot, bracketed::close), // no formula: between bounds
+];
+
+/// An irreducible block: as many equations as unknowns, and all other symbols known.
+#[derive(Clone, Debug)]
+pub(super) struct Block<'a> {
+    /// The system.
+    pub(super) system: &'a System,
+    /// Positions of the equations.
+    pub(super) equations: Vec<usize>,
+    /// The unknowns; those that are asked for first.
+    pub(super) unknowns: Vec<Symbol>,
+}
+
+/// What closes a block.
+#[derive(Clone, Debug)]
+pub(super) struct Closing {
+    /// The unknowns in the order in which they are found.
+    unknowns: Vec<Symbol>,
+    /// The moves on paper.
+    moves: Vec<Move>,
+    /// The roots.
+    roots: Vec<Root>,
+}
+
+/// Why a tactic does not close a block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Refusal {
+    /// It is not for blocks of this kind.
+    NotApplicable,
+    /// The equations say the same twice, so that they do not determine the unknowns.
+    Dependent,
+    /// The unknowns drop out, and what is left is false.
+    Contradiction,
+}
+
+/// The step made by the first tactic that closes the block.
+pub(super) fn close(block: &Block) -> Result<Step, Refusal> {
+    for (tactic, attempt) in TACTICS {
+        match attempt(block) {
+            Ok(closing) => {
+                let Closing { unknowns, moves, roots } = closing;
+                return Ok(Step { equations: block.equations.clone(), unknowns, tactic: *tactic, moves, roots });
+            }
+            Err(Refusal::NotApplicable) => {}
+            Err(refusal) => return Err(refusal),
+        }
+    }
+    Err(Refusal::NotApplicable)
+}
+
+impl Block<'_> {
+    /// The only equation and unknown of a block of one; position, left side, right side, unknown.
+    fn single(&self) -> Option<(usize, &Expr, &Expr, Symbol)> {
+        let ([equation], [unknown]) = (self.equations.as_slice(), self.unknowns.as_slice()) else { return None };
+        let (left, right) = self.sides(*equation)?;
+        Some((*equation, left, right, *unknown))
+    }
+
+    /// The two sides of an equation that has two sides.
+    fn sides(&self, equation: usize) -> Option<(&Expr, &Expr)> {
+        match &self.system.equations.get(equation)?.statement {
+            Statement::Equal { left, right } => Some((left, right)),
+            Statement::FirstInteger { .. } => None,
+        }
+    }
+
+    /// Left sides minus right sides, in the order of the equations; `None` where one is a count.
+    fn residuals(&self) -> Option<Vec<Expr>> {
+        let residual = |equation: &usize| self.sides(*equation).map(|(left, right)| tidy::difference(left, right));
+        self.equations.iter().map(residual).collect()
+    }
+
+    fn positive(&self, symbol: Symbol) -> bool {
+        self.system.positive.contains(&symbol)
+    }
+}

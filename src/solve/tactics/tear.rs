@@ -1,0 +1,100 @@
+//! # Tear
+//!
+//! *Closes:* k equations of which k - 1 are linear in k - 1 of the unknowns, when what is left after substitution can be
+//! isolated or is of second degree.
+//!
+//! *On paper:* write all other unknowns in one, substitute, solve for the one; then the others follow.
+//! Momentum and energy together: `v_A2` from momentum, put into the energy.
+//!
+//! *Refuses:* more than [`LARGEST`] equations, and blocks that are nonlinear in more than one equation.
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+
+use super::elimination::{Eliminated, eliminate};
+use super::isolate::isolated;
+use super::quadratic::Quadratic;
+use super::tidy::shorter;
+use super::{Block, Closing, Refusal};
+use crate::solve::{Closed, Move, Root};
+
+/// The largest block that is torn.
+const LARGEST: usize = 6;
+
+pub(super) fn close(block: &Block) -> Result<Closing, Refusal> {
+    let size = block.unknowns.len();
+    if !(2..=LARGEST).contains(&size) {
+        return Err(Refusal::NotApplicable);
+    }
+    let residuals = block.residuals().ok_or(Refusal::NotApplicable)?;
+    let equations: Vec<(usize, Expr)> = block.equations.iter().copied().zip(residuals).collect();
+    let linear = |residual: &Expr| residual.linear_coefficients(&block.unknowns).is_some();
+    let mut last: Vec<usize> = (0..size).collect();
+    last.sort_by_cached_key(|place| linear(&equations[*place].1));
+    let mut refusal = Refusal::NotApplicable;
+    for unknown in &block.unknowns {
+        for place in &last {
+            match torn(block, &equations, *place, *unknown) {
+                Ok(closing) => return Ok(closing),
+                Err(Refusal::NotApplicable) => {}
+                Err(other) => refusal = other,
+            }
+        }
+    }
+    Err(refusal)
+}
+
+/// Writes all other unknowns in `unknown` and puts them into the equation at `place`.
+fn torn(block: &Block, equations: &[(usize, Expr)], place: usize, unknown: Symbol) -> Result<Closing, Refusal> {
+    let others: Vec<Symbol> = block.unknowns.iter().copied().filter(|other| *other != unknown).collect();
+    let mut linear = equations.to_vec();
+    let (equation, residual) = linear.remove(place);
+    let Eliminated { mut moves, values } = eliminate(&linear, &others)?;
+    let (mut left, mut right) =
+        block.sides(equation).map(|(left, right)| (left.clone(), right.clone())).ok_or(Refusal::NotApplicable)?;
+    let mut rest = residual;
+    let mut written: Vec<(Symbol, Expr)> = Vec::new();
+    for (other, value) in &values {
+        let value = shorter(put(value, &written));
+        let step = [(*other, value.clone())];
+        (left, right, rest) = (put(&left, &step), put(&right, &step), put(&rest, &step));
+        moves.push(Move::Substitute {
+            equation,
+            unknown: *other,
+            value: value.clone(),
+            left: left.clone(),
+            right: right.clone(),
+        });
+        written.extend(step);
+    }
+    let roots = match isolated(&shorter(rest.clone()), &Expr::zero(), unknown, &|symbol| block.positive(symbol)) {
+        Ok(roots) => {
+            let value = roots.first().cloned().ok_or(Refusal::NotApplicable)?;
+            moves.push(Move::Isolate { equation, unknown, value });
+            roots
+        }
+        Err(Refusal::NotApplicable) => {
+            let quadratic = Quadratic::of(&rest, unknown).ok_or(Refusal::NotApplicable)?;
+            let roots = quadratic.roots();
+            moves.push(quadratic.into_move(unknown));
+            roots
+        }
+        Err(other) => return Err(other),
+    };
+    let root = |root: Expr| Root {
+        values: [(unknown, root)]
+            .into_iter()
+            .chain(values.iter().cloned())
+            .map(|(symbol, value)| (symbol, Closed::Formula(value)))
+            .collect(),
+    };
+    Ok(Closing {
+        unknowns: [unknown].into_iter().chain(others).collect(),
+        roots: roots.into_iter().map(root).collect(),
+        moves,
+    })
+}
+
+fn put(expr: &Expr, values: &[(Symbol, Expr)]) -> Expr {
+    expr.substitute(&|symbol| values.iter().find(|(own, _)| *own == symbol).map(|(_, value)| value.clone()))
+}

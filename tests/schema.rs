@@ -1,0 +1,88 @@
+//! The schema of problem files: complete, and of one mind with the loader.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test says bluntly what it expects")]
+
+use std::path::Path;
+
+use insta::glob;
+use momentous::fault::Source;
+use momentous::problem::{json_schema, load};
+use serde_json::Value;
+
+/// Faults that no schema can see: of YAML's form, of meaning, or of what one key says about another.
+const BEYOND_A_SCHEMA: &[&str] = &[
+    "yaml_",
+    "placeholder_",
+    "given_",
+    "key_twice",
+    "ask_beside_forms",
+    "nothing_asked",
+    "empty_ask",
+    "yes_for_text",
+    "yes_for_a_value",
+];
+
+fn is_valid(path: &Path) -> bool {
+    let text = std::fs::read_to_string(path).unwrap();
+    let value: Value = serde_yaml::from_str(&text).unwrap_or_default();
+    jsonschema::draft202012::is_valid(json_schema(), &value)
+}
+
+#[test]
+fn an_independent_validator_accepts_what_the_loader_accepts() {
+    glob!("fixtures/problems/*.yaml", |path| assert!(is_valid(path)));
+}
+
+#[test]
+fn an_independent_validator_refuses_the_same_files() {
+    glob!("fixtures/bad_problems/*.yaml", |path| {
+        let name = path.file_name().unwrap().to_str().unwrap();
+        if !BEYOND_A_SCHEMA.iter().any(|prefix| name.starts_with(prefix)) {
+            assert!(!is_valid(path), "{name}");
+        }
+    });
+}
+
+#[test]
+fn every_key_has_a_description() {
+    fn walk(schema: &Value, place: &str, bare: &mut Vec<String>) {
+        let Value::Object(map) = schema else { return };
+        for (name, property) in map.get("properties").and_then(Value::as_object).into_iter().flatten() {
+            let place = format!("{place}.{name}");
+            // A key that introduces a kind, as `impact:`, is described beside it.
+            if property.get("description").or(map.get("description")).is_none() {
+                bare.push(place.clone());
+            }
+            walk(property, &place, bare);
+        }
+        for part in ["$defs", "anyOf", "oneOf", "items", "additionalProperties"] {
+            match map.get(part) {
+                Some(Value::Array(schemas)) => schemas.iter().for_each(|schema| walk(schema, place, bare)),
+                Some(Value::Object(schemas)) if part == "$defs" => {
+                    schemas.iter().for_each(|(name, schema)| walk(schema, name, bare));
+                }
+                Some(schema) => walk(schema, place, bare),
+                None => {}
+            }
+        }
+    }
+    let mut bare = Vec::new();
+    walk(json_schema(), "", &mut bare);
+    assert_eq!(bare, [""; 0]);
+}
+
+#[test]
+fn decimals_stay_as_they_were_written() {
+    for (written, kept) in
+        [("0.7", "0.7"), ("0.70", "0.70"), ("1e3", "1e3"), (".5", ".5"), ("3 kg", "3 kg"), ("\"0.70\"", "0.70")]
+    {
+        let file = include_str!("fixtures/problems/two_carts.yaml")
+            .replace("restitution: e", &format!("restitution: {written}"))
+            .replace("  e: { min: 0.3, max: 0.9, step: 0.05 }\n", &format!("  e: {written}\n"));
+        let loaded = load(Source::new("a.yaml", &file)).unwrap();
+        let momentous::scene::Stage::Impact(impact) = &loaded.draft.scene.stages[0] else { panic!("an impact") };
+        assert_eq!(impact.restitution.as_ref().unwrap().0, kept);
+        let momentous::problem::Given::Literal(literal) = loaded.given.get("e").unwrap() else { panic!("a value") };
+        assert_eq!(literal.components[0].figures(), if kept == "0.70" { 2 } else { 1 });
+    }
+}
