@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use crate::fault::Source;
 use crate::problem::NoVariant;
-use crate::problem::PlannedForm;
 use crate::problem::Problem;
 use crate::problem::compile;
 use crate::problem::digest;
@@ -73,7 +72,7 @@ fn form_audit(problem: &Arc<Problem>, position: usize, seeds: u64, idle: &Outcom
         combinations: u64::try_from(problem.combinations()).unwrap_or(u64::MAX),
         variants,
         acceptance: samples.acceptance(),
-        laws: laws(problem, form),
+        laws: problem.laws(form).iter().map(|law| law.name.to_owned()).collect(),
         answers: answers::spreads(&form.parts, &problem.model().symbols, &samples),
         promises: Promise::all().map(|promise| Finding { promise, outcome: look(promise) }).collect(),
     })
@@ -116,18 +115,4 @@ fn idle_requires(problem: &Problem, seeds: u64) -> Outcome {
         (rejected(&without) == all).then(|| format!("`{text}` never rejects a draw"))
     };
     noted(&require.iter().enumerate().filter_map(idle).collect::<Vec<_>>())
-}
-
-/// The names of the laws in the answer plans, each once.
-fn laws(problem: &Problem, form: &PlannedForm) -> Vec<String> {
-    let mut names: Vec<String> = Vec::new();
-    for leaf in form.solver.leaves() {
-        for position in leaf.answer_steps().iter().flat_map(|step| &step.equations) {
-            let equation = leaf.system.equations.get(*position);
-            let instance = equation.and_then(|equation| problem.model().instances.get(equation.tag));
-            let name = instance.map(|instance| instance.law.name.to_owned());
-            names.extend(name.filter(|name| !names.contains(name)));
-        }
-    }
-    names
 }

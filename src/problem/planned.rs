@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use crate::expr::Symbol;
+use crate::laws::Law;
 use crate::model::Model;
 use crate::quantity::Unit;
 use crate::quantity::UnitSystem;
@@ -81,6 +82,21 @@ impl Form {
 }
 
 impl Problem {
+    /// The laws in a form's answer plans, each once, in the order of their use.
+    #[must_use]
+    pub fn laws(&self, form: &Form) -> Vec<&'static Law> {
+        let mut laws: Vec<&'static Law> = Vec::new();
+        for leaf in form.solver.leaves() {
+            for position in leaf.answer_steps().iter().flat_map(|step| &step.equations) {
+                let equation = leaf.system.equations.get(*position);
+                let law =
+                    equation.and_then(|equation| self.model.instances.get(equation.tag)).map(|instance| instance.law);
+                laws.extend(law.filter(|law| !laws.contains(law)));
+            }
+        }
+        laws
+    }
+
     pub(super) fn new(loaded: Loaded, built: Built) -> Self {
         let Built { model, known, forms, streams, units } = built;
         Self { loaded, model, known, forms, streams, units }

@@ -1,0 +1,47 @@
+//! A page for each law, from its row.
+
+use std::fmt::Write;
+
+use momentous::laws::{CHAPTERS, Law};
+
+use crate::bank_page::Survey;
+
+const START: &str = "<!-- laws: from here to the next mark, written by UPDATE_DOCS=1 cargo test --test book -->\n";
+const END: &str = "<!-- end -->";
+
+fn title(law: &Law) -> String {
+    let name = law.name.strip_prefix("the ").unwrap_or(law.name);
+    let mut letters = name.chars();
+    letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
+}
+
+/// The page of one law.
+pub fn page(chapter: &str, law: &Law, bank: &Survey) -> String {
+    let mut page = format!("# {}\n\n*{chapter}* · `{}`\n\n{}\n", title(law), law.id, law.statement);
+    for (head, text) in [("Signs", law.signs), ("When it applies", law.when), ("Source", law.source)] {
+        write!(page, "\n## {head}\n\n{text}\n").unwrap();
+    }
+    let users = bank.using(law);
+    page.push_str("\n## In the bank\n\n");
+    if users.is_empty() {
+        page.push_str("No answer of the bank's problems needs it; a problem of your own may.\n");
+    }
+    for (id, title) in users {
+        writeln!(page, "- `{id}`: {title}").unwrap();
+    }
+    page
+}
+
+/// The summary, with every law between its marks.
+pub fn listed(summary: &str) -> String {
+    let (head, rest) = summary.split_once(START).unwrap();
+    let (_, tail) = rest.split_once(END).unwrap();
+    let mut list = String::new();
+    for (chapter, laws) in CHAPTERS {
+        writeln!(list, "- [{chapter}]()").unwrap();
+        for law in *laws {
+            writeln!(list, "  - [{}](laws/{}.md)", title(law), law.id).unwrap();
+        }
+    }
+    format!("{head}{START}{list}{END}{tail}")
+}
