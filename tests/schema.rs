@@ -17,6 +17,7 @@ const BEYOND_A_SCHEMA: &[&str] = &[
     "key_twice",
     "ask_beside_forms",
     "nothing_asked",
+    "asked_twice",
     "empty_ask",
     "yes_for_text",
     "yes_for_a_value",

@@ -42,6 +42,8 @@ pub(super) fn float(value: f64) -> Float {
 impl Ball {
     /// A computed middle: its rounding, of a few units in its last place, joins the radius.
     pub(super) fn rounded(middle: Float, radius: Radius) -> Self {
+        // A zero that a function returns, ln 1, carries no precision, and the next function refuses it.
+        let middle = middle.with_precision(BITS).value();
         if middle.repr().significand().is_zero() {
             return Self { middle, radius };
         }

@@ -71,6 +71,16 @@ fn angle() -> impl Strategy<Value = Exact> {
     (-180_i64..=180).prop_map(|degrees| Exact { rational: Rational::from(degrees) / Rational::from(180), pi_power: 1 })
 }
 
+#[test]
+fn of_the_simplest_numbers() {
+    let mut world = World::new(&["z = ln(v) + v^(1/3) + exp(ln(v)) + acos(cos(b)) + asin(sin(b))"]);
+    let (program, wanted) = program(&mut world, "v b", "z");
+    for v in [1, 8] {
+        let [v, b] = [v, 0].map(|value| Exact { rational: Rational::from(value), pi_power: 0 });
+        check(&program, &wanted, &[v, b]).unwrap();
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 96, failure_persistence: None, ..ProptestConfig::default() })]
 
