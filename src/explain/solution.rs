@@ -86,7 +86,7 @@ fn system(worked: Worked<'_>) -> Vec<Block> {
 
 /// What happens in a stage, as a noun phrase.
 fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
-    let name = |body: &String| scene.bodies.get(body).map_or_else(|| body.clone(), |entry| entry.name.clone());
+    let name = |body: &String| scene.called(body);
     match stage {
         Stage::Impact(impact) => match (&impact.between, &impact.body, &impact.against) {
             (Some([a, b]), ..) => format!("{phrase} of {} and {}", name(a), name(b)),
@@ -99,6 +99,13 @@ fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
         Stage::Central(central) => format!("{} moves under the central force", name(&central.body)),
         Stage::Fall(fall) => format!("{} falls", name(&fall.body)),
         Stage::Bounces(bounces) => format!("{} bounces", name(&bounces.body)),
+        Stage::Flight(flight) => {
+            let bodies: Vec<String> = flight.flying().map(|body| scene.called(body)).collect();
+            format!("{} {} freely", list(&bodies), if bodies.len() > 1 { "move" } else { "moves" })
+        }
+        Stage::Separate(separate) => {
+            format!("{phrase} of {}", list(&separate.into.iter().map(name).collect::<Vec<_>>()))
+        }
     }
 }
 
