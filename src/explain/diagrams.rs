@@ -56,7 +56,9 @@ fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) -> Option<S
             let guides: Vec<String> = impulses
                 .iter()
                 .filter(|impulse| impulse.by == Agent::Guide)
-                .map(|impulse| format!("{} gives {} an impulse at right angles to its way", impulse.called, name(&impulse.on)))
+                .map(|impulse| {
+                    format!("{} gives {} an impulse at right angles to its way", impulse.called, name(&impulse.on))
+                })
                 .collect();
             let also = if guides.is_empty() { "nothing else is impulsive".to_owned() } else { list(&guides) };
             format!("During {phrase}, {bodies} give each other {equal}; {also}.")

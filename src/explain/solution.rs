@@ -55,7 +55,10 @@ fn section(heading: &str, blocks: Vec<Block>) -> Section {
 /// Who belongs to the system, and from when to when it is looked at.
 fn system(worked: Worked<'_>) -> Vec<Block> {
     let scene = &worked.problem.loaded().draft.scene;
-    let names: Vec<String> = scene.bodies.values().map(|body| body.name.clone()).collect();
+    // What comes apart belongs to the system as its parts.
+    let whole = |body: &String| !scene.division_of(body).is_empty();
+    let names: Vec<String> =
+        scene.bodies.iter().filter(|(own, _)| !whole(own)).map(|(_, body)| body.name.clone()).collect();
     let together = if names.len() > 1 { " together" } else { "" };
     let who = capitalised(&format!("{}{together}", list(&names)));
     let when = if scene.stages.is_empty() {

@@ -126,7 +126,20 @@ pub const COUNT: Law = Law {
 };
 
 /// The laws of this chapter.
-pub const LAWS: &[&Law] = &[&FALL_SPEED, &FALL_TIME, &UNIFORM, &FLIGHT_PLACE, &FLIGHT_SPEED, &TOP, &UNTIL, &BOUNCE_HEIGHT, &BOUNCE_SPEED, &BOUNCE_TIME, &BOUNCE_PATH, &COUNT];
+pub const LAWS: &[&Law] = &[
+    &FALL_SPEED,
+    &FALL_TIME,
+    &UNIFORM,
+    &FLIGHT_PLACE,
+    &FLIGHT_SPEED,
+    &TOP,
+    &UNTIL,
+    &BOUNCE_HEIGHT,
+    &BOUNCE_SPEED,
+    &BOUNCE_TIME,
+    &BOUNCE_PATH,
+    &COUNT,
+];
 
 /// `v_2^2 = v_1^2 + 2 g h`.
 #[must_use]

@@ -238,6 +238,10 @@ impl<'s> Builder<'s> {
                 let path = crate::fault::Path::root().key("scene").key("bodies").key(body).key("mass");
                 self.read_positive(&term, Dimension::MASS, &meaning, &path)
             }
+            None if !self.given.contains(&format!("m_{body}")) && !self.scene.division_of(body).is_empty() => {
+                let scene = self.scene;
+                Expr::sum(scene.division_of(body).into_iter().map(|part| self.mass(part)).collect::<Vec<_>>())
+            }
             None => self.positive(format!("m_{body}"), Dimension::MASS, meaning).into(),
         }
     }

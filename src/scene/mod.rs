@@ -61,6 +61,16 @@ impl Scene {
         parts.unwrap_or_default().into_iter().map(String::as_str).collect()
     }
 
+    /// The parts into which a body comes apart, whether it is declared or not; empty where it does not.
+    #[must_use]
+    pub fn division_of(&self, whole: &str) -> Vec<&str> {
+        let parts = self.stages.iter().find_map(|stage| match stage {
+            Stage::Separate(separate) if separate.from.as_deref() == Some(whole) => Some(&separate.into),
+            _ => None,
+        });
+        parts.into_iter().flatten().map(String::as_str).collect()
+    }
+
     /// The declared bodies that a body consists of; of a declared body, itself.
     #[must_use]
     pub fn members<'a>(&'a self, body: &'a str) -> Vec<&'a str> {

@@ -35,7 +35,10 @@ pub(super) fn diagram(quantities: &Quantities<'_>, compass: &Compass, stage: usi
     }
     let mut balances: Vec<Balance> =
         bodies.iter().map(|participant| balance(quantities, own, stage, participant, bodies.len())).collect();
-    complete(&mut balances, matches!(own, Stage::Separate(_)) || matches!(own, Stage::Impact(impact) if impact.between.is_some()));
+    complete(
+        &mut balances,
+        matches!(own, Stage::Separate(_)) || matches!(own, Stage::Impact(impact) if impact.between.is_some()),
+    );
     let frame = quantities.model().frames.get(stage)?.as_ref();
     let normal = frame.and_then(|frame| quantities.direction(&frame.normal)).map(|normal| compass.angle(normal));
     let turned = frame.is_some_and(|frame| !frame.normal.turn.is_zero());

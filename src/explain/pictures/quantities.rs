@@ -200,6 +200,9 @@ impl<'a> Quantities<'a> {
             Some(term) => self.evaluate(&self.term(term)?),
             None => self.named(&format!("m_{body}")),
         };
+        let parts = self.scene().division_of(body);
+        let sum = || parts.iter().map(|part| self.mass(part)).sum::<Option<f64>>().filter(|_| !parts.is_empty());
+        let own = own.or_else(sum);
         own.or_else(|| Some(self.named(&format!("W_{body}"))? / self.named("g")?))
     }
 

@@ -83,7 +83,9 @@ impl Builder<'_> {
         let mut text = name.base.clone();
         // A part begins where the whole was.
         let place = name.instant.as_ref().and_then(|instant| match instant {
-            Instant::Number(number) if name.base == "r" => Some(self.place_since(&name.subject, *number)),
+            Instant::Number(number) if name.base == "r" && name.subject != "G" => {
+                Some(self.place_since(&name.subject, *number))
+            }
             _ => None,
         });
         let (subject, since) = place.map_or((name.subject.clone(), None), |(body, since)| (body, Some(since)));

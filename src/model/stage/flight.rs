@@ -16,12 +16,7 @@ use crate::scene::stage::Flight;
 
 impl Builder<'_> {
     pub(in crate::model) fn flight(&mut self, index: usize, stage: &Flight, path: &Path) {
-        let phrase = self.stage_phrase(index);
-        let meaning = format!("the duration of {phrase}");
-        let time = match &stage.during {
-            Some(term) => self.read_positive(term, Dimension::TIME, &meaning, &path.key("during")),
-            None => self.positive(format!("dt{}", self.stage_suffix(index)), Dimension::TIME, meaning).into(),
-        };
+        let time = self.flight_time(index, stage);
         let bodies: Vec<&str> = stage.flying().collect();
         for body in &bodies {
             self.free_motion(index, body, &time);
@@ -32,6 +27,16 @@ impl Builder<'_> {
         match self.scene.plane {
             Plane::Vertical => self.omit("air resistance", "the problem does not mention any"),
             Plane::Horizontal => self.omit("friction", "the problem does not mention any"),
+        }
+    }
+
+    /// How long a flight lasts.
+    pub(in crate::model) fn flight_time(&mut self, index: usize, stage: &Flight) -> Expr {
+        let meaning = format!("the duration of {}", self.stage_phrase(index));
+        let path = Path::root().key("scene").key("stages").index(index).key("flight").key("during");
+        match &stage.during {
+            Some(term) => self.read_positive(term, Dimension::TIME, &meaning, &path),
+            None => self.positive(format!("dt{}", self.stage_suffix(index)), Dimension::TIME, meaning).into(),
         }
     }
 
@@ -55,7 +60,12 @@ impl Builder<'_> {
             let because = format!("weight is the only force on {name} in {}", self.stage_phrase(index));
             let gravity = Expr::integer(down) * self.gravity();
             let gained = gravity.clone() * time.clone();
-            self.law(&kinematics::FALL_TIME, Some(index), because.clone(), (after.clone(), before.clone() + gained.clone()));
+            self.law(
+                &kinematics::FALL_TIME,
+                Some(index),
+                because.clone(),
+                (after.clone(), before.clone() + gained.clone()),
+            );
             let sides = kinematics::accelerated(&from, &before, &gravity, time, &to);
             self.law(&kinematics::FLIGHT_PLACE, Some(index), because.clone(), sides);
             let sides = kinematics::flight_speed(&gravity, [&from, &to], &before, &after);
@@ -95,7 +105,7 @@ impl Builder<'_> {
         };
         let [left, right] = [left, right].map(|side| self.places_in(side, index + 2, bodies));
         let sides = (self.read_any(&left, path), self.read_any(&right, path));
-        self.law(&kinematics::UNTIL, Some(index), format!("so {} ends", self.stage_phrase(index)), sides);
+        self.law(&kinematics::UNTIL, Some(index), format!("{} ends there", self.stage_phrase(index)), sides);
     }
 
     /// A text with the names `x`, `y_A` of places replaced by the names that they have at an instant.

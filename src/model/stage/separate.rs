@@ -42,9 +42,15 @@ impl Builder<'_> {
         }
         let phrase = self.stage_phrase(index);
         if self.scene.plane == Plane::Vertical {
-            self.omit(format!("weight during {phrase}"), "it is not impulsive: its impulse in so short a time is negligible");
+            self.omit(
+                format!("weight during {phrase}"),
+                "it is not impulsive: its impulse in so short a time is negligible",
+            );
         } else {
-            self.omit("weight and the support of the ground", "they act across the motion and cancel");
+            self.omit(
+                "weight and whatever supports the bodies",
+                "they act across the motion, and nothing impulsive presses on the support",
+            );
         }
         self.omit(
             "the forces between the parts",
@@ -128,8 +134,10 @@ impl Builder<'_> {
                     _ => (format!(".{}", axis.letter()), format!(" along {}", axis.letter())),
                 };
                 let meaning = format!("the impulse on {name} in {}{along}", self.stage_phrase(index));
-                let impulse = Expr::from(self.symbol(format!("J_{part}{letter}{suffix}"), Dimension::MOMENTUM, meaning));
-                let [start, end] = [(whole, index + 1), (part, index + 2)].map(|(own, at)| self.velocity(own, at, *axis));
+                let impulse =
+                    Expr::from(self.symbol(format!("J_{part}{letter}{suffix}"), Dimension::MOMENTUM, meaning));
+                let [start, end] =
+                    [(whole, index + 1), (part, index + 2)].map(|(own, at)| self.velocity(own, at, *axis));
                 // On a part that is guided, its guide acts, too.
                 if !held {
                     let because = format!("what drives {name} off gives it its change of momentum{along}");
