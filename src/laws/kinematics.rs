@@ -13,6 +13,7 @@ pub const FALL_SPEED: Law = Law {
     signs: "The height fallen is positive.",
     when: "Weight is the only force; air resistance is left out.",
     source: "Work and energy with weight alone.",
+    wrong: &[],
 };
 
 /// Velocity and time in a fall.
@@ -23,6 +24,7 @@ pub const FALL_TIME: Law = Law {
     signs: "Velocities along the axis are positive.",
     when: "Weight is the only force; air resistance is left out.",
     source: "The principle of impulse and momentum, divided by the mass.",
+    wrong: &[],
 };
 
 /// Uniform motion.
@@ -33,6 +35,7 @@ pub const UNIFORM: Law = Law {
     signs: "Along the axis positive.",
     when: "No force acts along the axis.",
     source: "The definition of velocity, integrated over time.",
+    wrong: &[],
 };
 
 /// Place in free flight.
@@ -43,6 +46,7 @@ pub const FLIGHT_PLACE: Law = Law {
     signs: "Along the axis positive; g counts as negative where the axis points up.",
     when: "Weight is the only force; air resistance is left out.",
     source: "The velocity under constant acceleration, integrated over time.",
+    wrong: &[],
 };
 
 /// Vertical velocity and height in free flight.
@@ -53,6 +57,7 @@ pub const FLIGHT_SPEED: Law = Law {
     signs: "Along the axis positive; g counts as negative where the axis points up.",
     when: "Weight is the only force; air resistance is left out.",
     source: "Work and energy with weight alone, less the kinetic energy of the horizontal motion, which stays.",
+    wrong: &[],
 };
 
 /// The top of a path.
@@ -63,6 +68,7 @@ pub const TOP: Law = Law {
     signs: "As the velocities.",
     when: "Always.",
     source: "The height is greatest where its rate of change is zero.",
+    wrong: &[],
 };
 
 /// Where a stage ends.
@@ -73,6 +79,7 @@ pub const UNTIL: Law = Law {
     signs: "As the positions.",
     when: "As the problem states.",
     source: "The problem.",
+    wrong: &[],
 };
 
 /// Heights of successive bounces.
@@ -83,6 +90,7 @@ pub const BOUNCE_HEIGHT: Law = Law {
     signs: "Heights are positive.",
     when: "Dropped from rest on a level fixed floor; air resistance is left out.",
     source: "Restitution at a surface, and energy between bounces.",
+    wrong: &[],
 };
 
 /// Speeds of successive bounces.
@@ -93,6 +101,7 @@ pub const BOUNCE_SPEED: Law = Law {
     signs: "Speeds are positive.",
     when: "Dropped from rest on a level fixed floor; air resistance is left out.",
     source: "Restitution at a surface; the ball returns with the speed with which it left.",
+    wrong: &[],
 };
 
 /// Times of bounces.
@@ -103,6 +112,7 @@ pub const BOUNCE_TIME: Law = Law {
     signs: "Counted from the release.",
     when: "Dropped from rest on a level fixed floor; air resistance is left out.",
     source: "Restitution at a surface, and a geometric series.",
+    wrong: &[],
 };
 
 /// The whole path of a bouncing body.
@@ -113,6 +123,7 @@ pub const BOUNCE_PATH: Law = Law {
     signs: "Lengths are positive.",
     when: "Dropped from rest on a level fixed floor; air resistance is left out.",
     source: "The height after n bounces, and a geometric series.",
+    wrong: &[],
 };
 
 /// Counting until a condition holds.
@@ -123,6 +134,7 @@ pub const COUNT: Law = Law {
     signs: "Whole numbers from 1 upwards.",
     when: "What is compared grows or shrinks steadily with the number.",
     source: "The meaning of the question.",
+    wrong: &[],
 };
 
 /// The laws of this chapter.

@@ -13,6 +13,7 @@ pub const MASS_CENTRE: Law = Law {
     signs: "As the velocities.",
     when: "Always.",
     source: "Definition.",
+    wrong: &[],
 };
 
 /// Motion of the mass centre.
@@ -23,6 +24,7 @@ pub const MOTION: Law = Law {
     signs: "Impulses along the axis are positive.",
     when: "Always; internal impulses cancel in pairs.",
     source: "The principle of impulse and momentum for each body, added up.",
+    wrong: &[],
 };
 
 /// The path of the mass centre.
@@ -33,6 +35,7 @@ pub const PATH: Law = Law {
     signs: "Along the axis positive; g counts as negative where the axis points up.",
     when: "Weight is the only force from outside, and no part has landed.",
     source: "The principle of impulse and momentum for the whole system, integrated over time.",
+    wrong: &[],
 };
 
 /// The laws of this chapter.

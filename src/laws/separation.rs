@@ -13,6 +13,7 @@ pub const MASS: Law = Law {
     signs: "Masses are positive.",
     when: "Nothing is lost when a body comes apart or bodies become one.",
     source: "Conservation of mass.",
+    wrong: &[],
 };
 
 /// Bodies that move as one.
@@ -23,6 +24,7 @@ pub const TOGETHER: Law = Law {
     signs: "As the velocities.",
     when: "Before they part, the bodies do not move relative to each other.",
     source: "Kinematics.",
+    wrong: &[],
 };
 
 /// Energy that becomes motion.
@@ -33,6 +35,7 @@ pub const ENERGY: Law = Law {
     signs: "Energy that becomes kinetic energy is positive.",
     when: "The energy of an explosive, a spring or muscles becomes kinetic energy; any part that does not is left out of it.",
     source: "The principle of work and energy for all bodies together.",
+    wrong: &[],
 };
 
 /// Relative velocity.
@@ -43,6 +46,7 @@ pub const RELATIVE: Law = Law {
     signs: "Along the axis positive, for the velocities and for the relative velocity.",
     when: "Always; of the other body's velocity, that of the instant of which the relative velocity is told.",
     source: "Kinematics.",
+    wrong: &[],
 };
 
 /// A guided body.
@@ -53,6 +57,7 @@ pub const GUIDE: Law = Law {
     signs: "As the velocities.",
     when: "The guide does not give way and the body does not leave it.",
     source: "Kinematics.",
+    wrong: &[],
 };
 
 /// The laws of this chapter.
