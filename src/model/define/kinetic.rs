@@ -32,25 +32,25 @@ pub(super) fn kinetic_energy(builder: &mut Builder<'_>, name: &Name) -> Option<S
 }
 
 pub(super) fn energy_lost(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
-    let stage = balanced_stage(builder, name, |builder| builder.impacts())?;
+    let stage = balanced_stage(builder, name, &builder.impacts())?;
     let meaning = format!("the kinetic energy lost in {}", builder.stage_phrase(stage));
     balance_of_energy(builder, &energy::LOSS, stage, "T_lost", meaning)
 }
 
 pub(super) fn energy_gained(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
-    let stage = balanced_stage(builder, name, |builder| (0..builder.scene.stages.len()).collect())?;
+    let stage = balanced_stage(builder, name, &(0..builder.scene.stages.len()).collect::<Vec<_>>())?;
     let meaning = format!("the kinetic energy gained in {}", builder.stage_phrase(stage));
     balance_of_energy(builder, &energy::GAIN, stage, "T_gained", meaning)
 }
 
 /// The stage that a name says, or the only one that could be meant.
-fn balanced_stage(builder: &Builder<'_>, name: &Name, meant: fn(&Builder<'_>) -> Vec<usize>) -> Option<usize> {
+fn balanced_stage(builder: &Builder<'_>, name: &Name, meant: &[usize]) -> Option<usize> {
     match &name.stage {
         Some(stage) => {
             builder.timeline.stage(builder.scene, stage).or_else(|| stage.parse::<usize>().ok()?.checked_sub(1))
         }
-        None => match meant(builder)[..] {
-            [only] => Some(only),
+        None => match meant {
+            [only] => Some(*only),
             _ => None,
         },
     }
