@@ -102,6 +102,8 @@ fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
         Stage::Central(central) => format!("{} moves under the central force", name(&central.body)),
         Stage::Fall(fall) => format!("{} falls", name(&fall.body)),
         Stage::Bounces(bounces) => format!("{} bounces", name(&bounces.body)),
+        Stage::SlideOff(slide) => format!("{} slides down {}", name(&slide.body), name(&slide.on)),
+        Stage::Walk(walk) => format!("{} walks along {}", name(&walk.body), name(&walk.on)),
         Stage::Flight(flight) => {
             let bodies: Vec<String> = flight.flying().map(|body| scene.called(body)).collect();
             format!("{} {} freely", list(&bodies), if bodies.len() > 1 { "move" } else { "moves" })

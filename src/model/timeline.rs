@@ -126,6 +126,9 @@ fn changed_bodies(stage: &Stage) -> Vec<String> {
         Stage::Fall(stage) => vec![stage.body.clone()],
         Stage::Bounces(stage) => vec![stage.body.clone()],
         Stage::Separate(stage) => stage.into.clone(),
+        Stage::SlideOff(stage) => vec![stage.body.clone(), stage.on.clone()],
+        // From rest to rest, with the velocities that they had.
+        Stage::Walk(_) => Vec::new(),
         Stage::Flight(stage) => stage.flying().map(str::to_owned).collect(),
     }
 }

@@ -12,6 +12,8 @@ const KINDS: &[(&str, &str, &str, &str)] = &[
     ("rotate", "motion", "at the start of {}", "at the end of {}"),
     ("central", "flight", "at the first place", "at the second place"),
     ("fall", "fall", "at the start of {}", "at the end of {}"),
+    ("slide_off", "slide", "at the start of {}", "at the end of {}"),
+    ("walk", "walk", "before {}", "after {}"),
     ("flight", "flight", "at the start of {}", "at the end of {}"),
     ("separate", "separation", "just before {}", "just after {}"),
     ("bounces", "bouncing", "just before the first bounce", "after the bounces"),

@@ -106,7 +106,7 @@ fn participants(stage: &Stage) -> Vec<Participant> {
         Stage::Push(stage) => alone(&stage.body),
         Stage::Blow(stage) => alone(&stage.body),
         Stage::Fall(stage) => alone(&stage.body),
-        Stage::Rotate(_) | Stage::Central(_) | Stage::Bounces(_) => Vec::new(),
+        Stage::Rotate(_) | Stage::Central(_) | Stage::Bounces(_) | Stage::SlideOff(_) | Stage::Walk(_) => Vec::new(),
     }
 }
 

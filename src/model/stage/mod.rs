@@ -10,7 +10,9 @@ mod impact;
 mod push;
 mod rotate;
 mod separate;
+mod slide_off;
 mod surface;
+mod walk;
 
 pub(in crate::model) use push::Acting;
 
@@ -34,6 +36,8 @@ impl Builder<'_> {
                 Stage::Fall(stage) => self.fall(index, stage, &path),
                 Stage::Bounces(stage) => self.bounces(index, stage, &path),
                 Stage::Flight(stage) => self.flight(index, stage, &path),
+                Stage::SlideOff(stage) => self.slide_off(index, stage, &path),
+                Stage::Walk(stage) => self.walk(index, stage, &path),
                 Stage::Separate(stage) => self.separate(index, stage, &path),
             }
         }

@@ -9,6 +9,8 @@ mod impact;
 mod push;
 mod rotate;
 mod separate;
+mod slide_off;
+mod walk;
 
 pub use blow::Blow;
 pub use bounces::Bounces;
@@ -19,6 +21,8 @@ pub use impact::{Impact, Partners};
 pub use push::{During, Push};
 pub use rotate::{Arm, Rotate};
 pub use separate::{Relative, Separate, When};
+pub use slide_off::SlideOff;
+pub use walk::Walk;
 
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -43,6 +47,11 @@ pub enum Stage {
     Bounces(Bounces),
     /// A body comes apart: an explosion, a recoil, a jump, a shot.
     Separate(Separate),
+    /// A body slides down another, which is free to move.
+    #[serde(rename = "slide_off")]
+    SlideOff(SlideOff),
+    /// A body walks along another, which is free to move.
+    Walk(Walk),
     /// Bodies move freely until something is so.
     Flight(Flight),
 }
@@ -60,6 +69,8 @@ impl Stage {
             Self::Fall(_) => "fall",
             Self::Bounces(_) => "bounces",
             Self::Separate(_) => "separate",
+            Self::SlideOff(_) => "slide_off",
+            Self::Walk(_) => "walk",
             Self::Flight(_) => "flight",
         }
     }
@@ -76,6 +87,8 @@ impl Stage {
             Self::Fall(stage) => &stage.name,
             Self::Bounces(stage) => &stage.name,
             Self::Separate(stage) => &stage.name,
+            Self::SlideOff(stage) => &stage.name,
+            Self::Walk(stage) => &stage.name,
             Self::Flight(stage) => &stage.name,
         };
         name.as_deref()
