@@ -6,6 +6,7 @@ use crate::quantity::Printed;
 use crate::quantity::Unit;
 use crate::solve::Bounded;
 use crate::solve::Cause;
+use crate::solve::Equation;
 
 use super::domain::Domain;
 use super::input::Input;
@@ -200,7 +201,7 @@ impl<'p> Sampler<'p> {
             Cause::Equation(position) => {
                 let equation = leaf.system.equations.get(position);
                 let instance = equation.and_then(|equation| model.instances.get(equation.tag));
-                let names = equation.map(|equation| equation.symbols()).unwrap_or_default();
+                let names = equation.map(Equation::symbols).unwrap_or_default();
                 let names = names.into_iter().map(|symbol| format!("`{}`", model.symbols.entry(symbol).name));
                 let law = instance.map_or("one of the equations", |own| own.law.name);
                 Rejection::Contradiction { law, names: names.collect::<Vec<_>>().join(", ") }
