@@ -55,7 +55,8 @@ impl Exercise {
         }
     }
 
-    /// Marks answers to this variant, by part.
+    /// Marks answers to this variant, by part. Of wrong answers it says what they follow from, or which usual mistake leads
+    /// to them.
     #[must_use]
     pub fn grade(&self, answers: &BTreeMap<String, String>, mark: grade::DecimalMark) -> grade::Report {
         let mut expected = Vec::new();
@@ -68,7 +69,11 @@ impl Exercise {
             }
             expected.extend(roots);
         }
-        grade::grade(&expected, &answers, mark, &grade::Rubric::default())
+        let mut report = grade::grade(&expected, &answers, mark, &grade::Rubric::default());
+        if !report.is_right() {
+            self.diagnose(&mut report, &answers, mark, 0);
+        }
+        report
     }
 
     /// An answer in terms of a quantity is read as the number before it: `0.75 v_A1` as 0.75.

@@ -1,7 +1,9 @@
 //! The whole path of a problem as one type: a variant is drawn and solved, printed, explained and marked.
 
+mod diagnosis;
 mod marking;
 mod record;
+mod students;
 
 use std::sync::Arc;
 

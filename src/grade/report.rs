@@ -8,7 +8,9 @@ use serde::{Serialize, Serializer};
 use crate::quantity::Decimal;
 use crate::quantity::Rational;
 
+use super::diagnose::Diagnosis;
 use super::expected::Expected;
+use super::follow::Follows;
 use super::judge::judge;
 use super::messages::Message;
 use super::read::{DecimalMark, read};
@@ -52,6 +54,10 @@ pub struct PartReport {
     pub fault: Option<InputFault>,
     /// What the student is told; it never holds the right value.
     pub message: String,
+    /// Which usual mistake leads to a wrong answer, where one does.
+    pub diagnosis: Option<Diagnosis>,
+    /// From which earlier answers of the student's own a wrong answer follows, where it does.
+    pub follows: Option<Follows>,
 }
 
 /// Where and why an answer cannot be read.
@@ -96,6 +102,8 @@ fn grade_part(expected: &Expected, text: &str, mark: DecimalMark, rubric: &Rubri
         understood,
         fault: None,
         message,
+        diagnosis: None,
+        follows: None,
     };
     if text.trim().is_empty() {
         return report(Verdict::Unanswered, Rational::ZERO, None, Message::Unanswered.to_string());

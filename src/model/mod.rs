@@ -7,6 +7,7 @@ mod define;
 mod frame;
 mod friction;
 mod instance;
+mod mistaken;
 mod name;
 mod read;
 mod stage;
@@ -17,6 +18,7 @@ pub use acting::{ActingForce, ForceKind};
 pub use builder::{Alternative, Builder};
 pub use frame::{Direction, Frame};
 pub use instance::{Agent, Impulse, Instance, Integral, Omission, Reason, Warning};
+pub use mistaken::Mistaken;
 pub use name::{Instant, Name};
 pub use timeline::Timeline;
 

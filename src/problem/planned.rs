@@ -12,6 +12,7 @@ use super::compile::Built;
 use super::form::Question;
 use super::known::Known;
 use super::load::Loaded;
+use super::mistakes::Mistakes;
 use super::part::Part;
 use super::part::PartKind;
 use super::regimes::Regimes;
@@ -43,6 +44,8 @@ pub struct Form {
     pub forward: Option<Regimes>,
     /// Solves what is asked.
     pub solver: Regimes,
+    /// What comes of the usual mistakes; planned when a wrong answer first asks for it.
+    pub(super) mistakes: Mistakes,
 }
 
 /// A value that is solved first and then told, rounded as it is printed.
