@@ -1,6 +1,7 @@
 //! The whole path of a problem as one type: a variant is drawn and solved, printed, explained and marked.
 
 mod diagnosis;
+mod follow_through;
 mod marking;
 mod record;
 mod students;
@@ -32,6 +33,8 @@ use crate::render::KeyRow;
 use crate::render::Sheet;
 use crate::render::SheetPart;
 use crate::solve::Bounded;
+
+pub use marking::Sitting;
 
 /// What stands between several roots of one part, printed or typed.
 const ROOTS_JOINED: &str = " or ";

@@ -24,6 +24,7 @@ use crate::solve::Equation;
 use super::any;
 use super::comparison::split_relation;
 use super::draft::Units;
+use super::follow::Followings;
 use super::form::Question;
 use super::given::Given;
 use super::known::Known;
@@ -362,6 +363,7 @@ impl FormDraft {
             forward,
             solver,
             mistakes: Mistakes::default(),
+            followings: Followings::default(),
         })
     }
 }

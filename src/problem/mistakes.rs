@@ -135,6 +135,11 @@ impl Solver {
         Some(Self { wanted: wanted.to_vec(), strict, loose: compile(&bare)?, inputs })
     }
 
+    /// What the program takes, in order.
+    pub(super) fn inputs(&self) -> &[Symbol] {
+        &self.inputs
+    }
+
     /// The values of a quantity in every solution: those that can be, or where none can, all.
     pub(super) fn values(&self, symbol: Symbol, input: &dyn Fn(Symbol) -> Option<Bounded>) -> Vec<f64> {
         if !self.wanted.contains(&symbol) {

@@ -32,13 +32,6 @@ pub const ONE_BODY: Misconception = Misconception {
     ask: "Whose kinetic energies belong to the system?",
     hint: "Energy lost is that of all bodies before less that of all bodies after.",
 };
-/// Gain for loss.
-pub const REVERSED: Misconception = Misconception {
-    id: "loss-reversed",
-    does: "subtracts the energy before from the energy after",
-    ask: "Is there more kinetic energy before the impact, or after it? What sign does a loss have?",
-    hint: "A loss is what was there before less what is there afterwards.",
-};
 /// What is left for what is lost.
 pub const REMAINDER: Misconception = Misconception {
     id: "remainder-for-loss",
@@ -69,7 +62,6 @@ pub const KINETIC: &[WrongForm] = &[
 ];
 /// Wrong forms of the loss.
 pub const LOSS: &[WrongForm] = &[
-    WrongForm { of: &REVERSED, write: |law| one((law.left(), -law.right())) },
     WrongForm { of: &REMAINDER, write: remainder },
     WrongForm { of: &SHARE, write: share },
     WrongForm { of: &DIFFERENCE, write: difference },

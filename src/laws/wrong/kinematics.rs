@@ -41,8 +41,8 @@ pub const SPEED_BY_E_SQUARED: Misconception = Misconception {
 pub const ONE_OFF: Misconception = Misconception {
     id: "bounces-miscounted",
     does: "counts one bounce too few or too many",
-    ask: "How many bounces has the body made at this moment? Write the first two down one by one.",
-    hint: "Begin with the release: nothing has bounced yet.",
+    ask: "How many bounces has the body made at this moment?",
+    hint: "Write the first two bounces down one by one, and begin with the release, when nothing has bounced yet.",
 };
 /// Flights counted one way only.
 pub const ONE_WAY: Misconception = Misconception {

@@ -29,7 +29,7 @@ pub const DEGREES: Misconception = Misconception {
     id: "degrees-as-radians",
     does: "works out sines and cosines of degrees as if they were radians",
     ask: "Does your calculator work in degrees or in radians?",
-    hint: "Work out the sine of 30 degrees with it: it must be one half.",
+    hint: "Work out the sine of a right angle with it: it must be one.",
 };
 /// Lengths in a multiple of the metre.
 pub const LENGTHS: Misconception = Misconception {
