@@ -216,7 +216,7 @@ fn numbers(text: &str) -> Vec<f64> {
 fn no_message_tells_the_right_value() {
     for source in Bank::built_in().sources() {
         let problem = Arc::new(compile(load(source.clone()).expect("it loads"), None).expect("it compiles"));
-        for (form, seed) in (0..problem.forms().len()).flat_map(|form| [(form, 1), (form, 2)]) {
+        for (form, seed) in (0..problem.forms().len()).map(|form| (form, 1)) {
             let exercise = Exercise::draw(&problem, form, seed).unwrap_or_else(|reason| panic!("{reason}"));
             let worked = exercise.worked();
             for part in &worked.form.parts {
@@ -244,7 +244,7 @@ fn no_message_tells_the_right_value() {
 fn one_mistake_is_found_and_honest_rounding_is_never_taken_for_one() {
     let found: Vec<_> = Bank::built_in()
         .sources()
-        .map(|source| diagnosed(source, 4).unwrap_or_else(|faults| panic!("{faults}")))
+        .map(|source| diagnosed(source, 2).unwrap_or_else(|faults| panic!("{faults}")))
         .collect();
     let total = found.iter().fold(Tally::default(), |sum, own| sum.plus(&own.tally));
     assert_eq!(total.wronged, 0, "{:?}", found.iter().filter(|own| own.tally.wronged > 0).collect::<Vec<_>>());

@@ -55,10 +55,13 @@ pub struct PartReport {
     /// What the student is told; it never holds the right value.
     pub message: String,
     /// Which usual mistake leads to a wrong answer, where one does.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub diagnosis: Option<Diagnosis>,
     /// From which earlier answers of the student's own a wrong answer follows, where it does.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub follows: Option<Follows>,
     /// What would have followed from the student's own earlier answers; said only once the question is closed.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub own_values: Option<String>,
 }
 
