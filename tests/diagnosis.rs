@@ -17,8 +17,8 @@ fn problem(text: &str) -> Arc<Problem> {
     Arc::new(compile(loaded, None).unwrap_or_else(|faults| panic!("{faults}")))
 }
 
-/// m_A = 3 kg at 3 m/s, m_B = 2 kg at -2 m/s, e = 0.7. By hand: the total momentum is 5 kg m/s, the speed of approach 5 m/s,
-/// that of separation 3.5 m/s; v_A2 = -0.4 m/s, v_B2 = 3.1 m/s, 17.5 J before, 9.85 J after.
+/// Cart A, 3 kg, at 3 m/s, cart B, 2 kg, at -2 m/s, e = 0.7. By hand: the total momentum is 5 kg m/s, the speed of approach 5 m/s,
+/// that of separation 3.5 m/s; A leaves at -0.4 m/s, B at 3.1 m/s; 17.5 J before, 9.85 J after.
 fn collision() -> Exercise {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures/problems/two_carts.yaml");
     let two_carts = problem(&std::fs::read_to_string(path).expect("the fixture is there"));

@@ -12,6 +12,7 @@ mod number;
 pub mod read;
 pub mod report;
 mod rubric;
+mod statistics;
 mod verdict;
 
 pub use diagnose::Diagnosis;
@@ -23,4 +24,5 @@ pub use number::Number;
 pub use read::{Answer, DecimalMark, Unreadable, UnreadableKind, read};
 pub use report::{InputFault, PartReport, Points, Report, grade};
 pub use rubric::Rubric;
+pub use statistics::{Gathering, Item, ItemStatistics, Statistics, VerdictCount};
 pub use verdict::Verdict;

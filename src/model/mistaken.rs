@@ -56,7 +56,9 @@ impl Model {
                 let system = self.in_place(system, used, chosen);
                 mistaken.push(Mistaken { of: first.of, instance: first.instance, system });
             };
-            alike.iter().for_each(|way| add(&[way]));
+            for way in alike {
+                add(&[way]);
+            }
             let equations: BTreeSet<usize> = alike.iter().map(|way| way.equation).collect();
             let most = alike.iter().map(|way| way.variant + 1).max().unwrap_or(0);
             for variant in (0..most).filter(|_| equations.len() > 1) {

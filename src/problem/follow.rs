@@ -14,6 +14,7 @@ use crate::model::Warning;
 use crate::solve::Bounded;
 use crate::solve::Cause;
 use crate::solve::Condition;
+use crate::solve::Equation;
 use crate::solve::Plan;
 use crate::solve::Program;
 use crate::solve::Relation;
@@ -127,7 +128,7 @@ fn planned(problem: &Problem, form: &Form, leaf: &Leaf, asked: Symbol, from: &BT
         let mut equations: Vec<usize> = found.steps.iter().flat_map(|step| step.equations.iter().copied()).collect();
         equations.sort_unstable();
         let symbols: BTreeSet<Symbol> =
-            equations.iter().filter_map(|own| kept.system.equations.get(*own)).flat_map(|own| own.symbols()).collect();
+            equations.iter().filter_map(|own| kept.system.equations.get(*own)).flat_map(Equation::symbols).collect();
         let places: Vec<usize> = equations.iter().filter_map(|own| kept.places.get(*own).copied()).collect();
         // What does not need all of the earlier answers follows from fewer of them.
         if !from.is_subset(&symbols) || ways.iter().any(|(own, _)| *own == places) {
@@ -173,7 +174,7 @@ fn determining(leaf: &Leaf, symbol: Symbol) -> Vec<usize> {
         }
         found.extend(&step.equations);
         let equations = step.equations.iter().filter_map(|place| leaf.system.equations.get(*place));
-        wanted.extend(equations.flat_map(|equation| equation.symbols()));
+        wanted.extend(equations.flat_map(Equation::symbols));
     }
     found
 }
