@@ -3,6 +3,7 @@
 //! The three stand apart. Reading knows no right value, so nothing can be read "towards" it; judging knows no text;
 //! reporting knows only verdicts and the rubric.
 
+pub mod catalogue;
 mod expected;
 pub mod judge;
 mod messages;
@@ -10,13 +11,17 @@ mod number;
 pub mod read;
 pub mod report;
 mod rubric;
+mod swapped;
 mod verdict;
 
-pub use expected::{Expected, ExpectedKind, ExpectedNumber, Tolerance};
+pub use expected::{
+    Expected, ExpectedEnd, ExpectedFormula, ExpectedInterval, ExpectedKind, ExpectedNumber, ExpectedVector, Frame,
+    FrameAxis, Reference, Tolerance, Writing,
+};
 pub use judge::{Judgement, judge};
 pub use messages::Message;
 pub use number::Number;
-pub use read::{Answer, DecimalMark, Unreadable, UnreadableKind, read};
+pub use read::{Answer, DecimalMark, Unreadable, UnreadableKind, read, read_several};
 pub use report::{InputFault, PartReport, Points, Report, grade};
-pub use rubric::Rubric;
+pub use rubric::{Attempts, Keep, Rubric};
 pub use verdict::Verdict;
