@@ -9,6 +9,7 @@ pub mod kinematics;
 pub mod mass_centre;
 pub mod momentum;
 pub mod restitution;
+pub mod separation;
 pub mod wrong;
 
 /// One law, as a row of its chapter's table.
@@ -45,6 +46,7 @@ pub const CHAPTERS: &[(&str, &[&Law])] = &[
     ("Linear impulse and momentum", momentum::LAWS),
     ("Systems of particles", mass_centre::LAWS),
     ("Impact and restitution", restitution::LAWS),
+    ("Separation and guided bodies", separation::LAWS),
     ("Energy", energy::LAWS),
     ("Angular impulse and momentum", angular::LAWS),
     ("Motion between impacts", kinematics::LAWS),

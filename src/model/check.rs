@@ -10,12 +10,13 @@ use crate::scene::Scene;
 use crate::scene::Stage;
 use crate::scene::stage::Impact;
 use crate::scene::stage::Partners;
+use crate::scene::stage::Separate;
 
 use super::Name;
 use super::timeline::Timeline;
 
 /// Kinds of quantity that only a scene makes.
-const STRUCTURAL: &[&str] = &["v", "speed", "angle", "p", "J", "F_avg", "T", "T_lost", "H", "r", "W"];
+const STRUCTURAL: &[&str] = &["v", "speed", "angle", "p", "J", "F_avg", "T", "T_lost", "T_gained", "H", "r", "W"];
 
 /// Whether a name is one that the scene makes by itself, rather than one that the author chose.
 pub(super) fn is_structural(scene: &Scene, name: &str) -> bool {
@@ -118,6 +119,15 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
                 }
             }
             Stage::Bounces(stage) => body(&stage.body, "body"),
+            Stage::Flight(stage) => {
+                stage.body.iter().for_each(|name| body(name, "body"));
+                stage.bodies.iter().for_each(|name| body(name, "bodies"));
+                if stage.flying().next().is_none() {
+                    let fault = Fault::new(Code::MissingKey, "a flight needs a body");
+                    faults.push(fault.help("write `body: A`, or `bodies: [A, B]`").at_path(at.clone()));
+                }
+            }
+            Stage::Separate(stage) => faults.extend(separation(scene, &timeline, index, stage, &at)),
         }
     }
     faults
@@ -135,6 +145,49 @@ fn unions_without_a_name_of_their_own(scene: &Scene) -> Vec<Fault> {
             faults.push(fault.help("give what the two become a name of its own: `becomes: C`").at_path(path));
         }
         taken.push(union);
+    }
+    faults
+}
+
+/// Who parts, and from what.
+fn separation(scene: &Scene, timeline: &Timeline, index: usize, stage: &Separate, at: &Path) -> Vec<Fault> {
+    let mut faults = Vec::new();
+    if stage.into.len() < 2 {
+        let fault = Fault::new(Code::MissingKey, "a separation needs two parts or more");
+        faults.push(fault.help("name them: `into: [A, B]`").at_path(at.key("into")));
+    }
+    let later = |name: &String| {
+        let rest = scene.stages.iter().skip(index + 1);
+        rest.into_iter().any(|own| matches!(own, Stage::Separate(Separate { from: Some(whole), .. }) if whole == name))
+    };
+    for (position, part) in stage.into.iter().enumerate() {
+        let at = at.key("into").index(position);
+        let known = match &stage.from {
+            Some(_) => scene.bodies.contains_key(part) || later(part),
+            None => timeline.since(part, index + 1).is_some(),
+        };
+        if !known {
+            let known: Vec<&str> = scene.bodies.keys().map(String::as_str).collect();
+            faults.push(unknown("body", part, &known).at_path(at));
+        } else if stage.into[..position].contains(part) || stage.from.as_ref() == Some(part) {
+            let fault = Fault::new(Code::Duplicate, format!("`{part}` cannot be a part twice, or be a part of itself"));
+            faults.push(fault.help("name each part once").at_path(at));
+        }
+    }
+    if let Some(whole) = &stage.from {
+        if !is_body_name(whole) {
+            faults.push(bad_body_name(whole).at_path(at.key("from")));
+        } else if timeline.since(whole, index + 1).is_none() {
+            faults.push(unknown("body", whole, &timeline.alive(index + 1)).at_path(at.key("from")));
+        }
+    }
+    if let Some(relative) = &stage.relative {
+        for (name, key) in [(&relative.of, "of"), (&relative.to, "to")] {
+            if !stage.into.contains(name) {
+                let known: Vec<&str> = stage.into.iter().map(String::as_str).collect();
+                faults.push(unknown("part", name, &known).at_path(at.key("relative").key(key)));
+            }
+        }
     }
     faults
 }

@@ -4,9 +4,13 @@ mod blow;
 mod bounces;
 mod central;
 mod fall;
+mod flight;
+mod guided;
 mod impact;
 mod push;
 mod rotate;
+mod separate;
+mod surface;
 
 pub(in crate::model) use push::Acting;
 
@@ -29,6 +33,8 @@ impl Builder<'_> {
                 Stage::Central(stage) => self.central(index, stage),
                 Stage::Fall(stage) => self.fall(index, stage, &path),
                 Stage::Bounces(stage) => self.bounces(index, stage, &path),
+                Stage::Flight(stage) => self.flight(index, stage, &path),
+                Stage::Separate(stage) => self.separate(index, stage, &path),
             }
         }
     }

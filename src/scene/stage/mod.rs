@@ -4,17 +4,21 @@ mod blow;
 mod bounces;
 mod central;
 mod fall;
+mod flight;
 mod impact;
 mod push;
 mod rotate;
+mod separate;
 
 pub use blow::Blow;
 pub use bounces::Bounces;
 pub use central::Central;
 pub use fall::Fall;
+pub use flight::Flight;
 pub use impact::{Impact, Partners};
 pub use push::{During, Push};
 pub use rotate::{Arm, Rotate};
+pub use separate::{Relative, Separate, When};
 
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -37,6 +41,10 @@ pub enum Stage {
     Fall(Fall),
     /// A body bounces on a level floor, again and again.
     Bounces(Bounces),
+    /// A body comes apart: an explosion, a recoil, a jump, a shot.
+    Separate(Separate),
+    /// Bodies move freely until something is so.
+    Flight(Flight),
 }
 
 impl Stage {
@@ -51,6 +59,8 @@ impl Stage {
             Self::Central(_) => "central",
             Self::Fall(_) => "fall",
             Self::Bounces(_) => "bounces",
+            Self::Separate(_) => "separate",
+            Self::Flight(_) => "flight",
         }
     }
 
@@ -65,6 +75,8 @@ impl Stage {
             Self::Central(stage) => &stage.name,
             Self::Fall(stage) => &stage.name,
             Self::Bounces(stage) => &stage.name,
+            Self::Separate(stage) => &stage.name,
+            Self::Flight(stage) => &stage.name,
         };
         name.as_deref()
     }
