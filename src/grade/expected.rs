@@ -31,7 +31,7 @@ pub enum ExpectedKind {
     /// By a formula in what the sheet gives.
     Formula(ExpectedFormula),
     /// By an interval, or a condition such as `e <= 0.5`.
-    Interval(ExpectedInterval),
+    Interval(Box<ExpectedInterval>),
     /// By one of several phrases.
     Choice {
         /// The phrases, in the order in which they are offered.
@@ -70,14 +70,22 @@ pub struct ExpectedNumber {
     pub magnitude: bool,
     /// Whether it is a whole number, found by counting.
     pub whole: bool,
-    /// Whether only the unit of the question will do; otherwise any other of its dimension is as good.
-    pub fixed_unit: bool,
-    /// Whether the value must be right to the asked figures, instead of within the tolerance.
-    pub strict: bool,
+    /// Which units will do.
+    pub units: Units,
     /// What is made of the figures with which a right value is written.
     pub writing: Writing,
     /// Of a direction: how it is counted, so that it may be answered in words: `36° N of E`.
     pub reference: Option<Reference>,
+}
+
+/// Which units of the right dimension will do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Units {
+    /// Any.
+    #[default]
+    Any,
+    /// That of the question.
+    AsAsked,
 }
 
 /// What is made of the figures with which a right value is written.
@@ -188,8 +196,7 @@ impl ExpectedNumber {
             senses: None,
             magnitude: false,
             whole: false,
-            fixed_unit: false,
-            strict: false,
+            units: Units::Any,
             writing: Writing::Advise,
             reference: None,
         }
@@ -203,4 +210,6 @@ pub enum Tolerance {
     Relative(Decimal),
     /// A distance, in the unit of the question.
     Absolute(Decimal),
+    /// Half a unit of the exact value's last asked figure: strict, and without any allowance for rounding in between.
+    ToFigures,
 }

@@ -12,7 +12,7 @@ use crate::quantity::Factor;
 use crate::quantity::Unit;
 use crate::quantity::dimension_name;
 
-use super::expected::{Expected, ExpectedKind, ExpectedNumber};
+use super::expected::{Expected, ExpectedKind, ExpectedNumber, Units};
 use super::messages::Message;
 use super::number::Number;
 use super::read::{Answer, ChoiceAnswer, NumberAnswer, Written};
@@ -154,7 +154,7 @@ fn fitting(target: &Target, answer: &NumberAnswer, number: &Number, found: Found
     if !judgement.verdict.is_right() {
         return if answer.pounds_as_mass { judgement.noted(Message::PoundsAsMass) } else { judgement };
     }
-    if converted && expected.fixed_unit {
+    if converted && expected.units == Units::AsAsked {
         return Judgement::of(Verdict::UnitNotAsked, Message::UnitNotAsked(expected.unit.to_string()));
     }
     let judgement = if answer.pounds_as_mass { judgement.noted(Message::PoundsAsMass) } else { judgement };

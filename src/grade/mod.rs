@@ -16,7 +16,7 @@ mod verdict;
 
 pub use expected::{
     Expected, ExpectedEnd, ExpectedFormula, ExpectedInterval, ExpectedKind, ExpectedNumber, ExpectedVector, Frame,
-    FrameAxis, Reference, Tolerance, Writing,
+    FrameAxis, Reference, Tolerance, Units, Writing,
 };
 pub use judge::{Judgement, judge};
 pub use messages::Message;

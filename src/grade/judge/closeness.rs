@@ -52,7 +52,7 @@ impl<'a> Target<'a> {
         let value = turn.map_or(expected.value, |turn| nearest(expected.value, turn));
         let tolerance = match &expected.tolerance {
             _ if expected.whole => 0.0,
-            _ if expected.strict => half_unit(value, expected),
+            Tolerance::ToFigures => half_unit(value, expected),
             Tolerance::Absolute(distance) => distance.to_f64().abs(),
             Tolerance::Relative(fraction) => fraction.to_f64().abs() * reference(value, expected.scale),
         };
@@ -91,7 +91,7 @@ impl<'a> Target<'a> {
         let distance = self.turn.map_or(difference, |turn| nearest(difference, turn)).abs();
         let limit_near = match limit {
             Limit::Tolerance => self.tolerance,
-            Limit::Allowance if self.expected.whole || self.expected.strict => 0.0,
+            Limit::Allowance if gives_nothing_away(self.expected) => 0.0,
             Limit::Allowance => self.expected.allowance,
         } + self.expected.error;
         let unsure =
@@ -117,12 +117,11 @@ impl Exact {
         };
         let tolerance = match &expected.tolerance {
             _ if expected.whole => Rational::ZERO,
-            _ if expected.strict => half_unit_exactly(&value, expected),
+            Tolerance::ToFigures => half_unit_exactly(&value, expected),
             Tolerance::Absolute(distance) => distance.to_rational().abs(),
             Tolerance::Relative(fraction) => fraction.to_rational().abs() * exact_reference(expected, &value),
         };
-        let none = expected.whole || expected.strict;
-        let allowance = if none { Rational::ZERO } else { bound(expected.allowance) };
+        let allowance = if gives_nothing_away(expected) { Rational::ZERO } else { bound(expected.allowance) };
         Self { value, error, tolerance, allowance, turn }
     }
 
@@ -141,6 +140,11 @@ impl Exact {
             None => difference.abs(),
         }
     }
+}
+
+/// Whether rounding in between is not allowed for.
+fn gives_nothing_away(expected: &ExpectedNumber) -> bool {
+    expected.whole || expected.tolerance == Tolerance::ToFigures
 }
 
 /// What a relative tolerance is a fraction of: the value, or the problem's own scale where the value is nothing beside it.

@@ -95,7 +95,7 @@ fn point(expected: &ExpectedFormula, number: u64) -> Point {
     expected.domain.iter().enumerate().map(place).collect()
 }
 
-/// SplitMix64: the same points on every platform.
+/// `SplitMix64`: the same points on every platform.
 fn mixed(seed: u64) -> u64 {
     let mut state = seed.wrapping_add(1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
     state = (state ^ (state >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);

@@ -4,13 +4,13 @@ use crate::quantity::Rational;
 use crate::quantity::Unit;
 use crate::quantity::dimension_name;
 
-use super::super::expected::{ExpectedVector, Tolerance};
+use super::super::expected::{ExpectedVector, Tolerance, Units};
 use super::super::messages::Message;
 use super::super::number::Number;
 use super::super::read::VectorAnswer;
 use super::super::verdict::Verdict;
 use super::Judgement;
-use super::closeness::reference;
+use super::closeness::{half_unit, reference};
 
 /// How far doubles may be off.
 const SLACK: f64 = 1e-12;
@@ -38,7 +38,7 @@ pub(super) fn judge(expected: &ExpectedVector, answer: &VectorAnswer) -> Judgeme
         return Judgement::of(Verdict::Wrong, Message::Wrong);
     };
     match found(expected, &converted) {
-        Some(verdict) if verdict.is_right() && first.fixed_unit && unit.factor() != asked.factor() => {
+        Some(verdict) if verdict.is_right() && first.units == Units::AsAsked && unit.factor() != asked.factor() => {
             Judgement::of(Verdict::UnitNotAsked, Message::UnitNotAsked(asked.to_string()))
         }
         None if as_written.is_some() => with_unit(Verdict::UnitWrong, Message::UnitWrong(unit.to_string())),
@@ -112,6 +112,7 @@ fn found(expected: &ExpectedVector, given: &[Number]) -> Option<Verdict> {
 fn tolerance(expected: &ExpectedVector, right: &[f64]) -> f64 {
     let Some(first) = expected.components.first() else { return 0.0 };
     match &first.tolerance {
+        Tolerance::ToFigures => half_unit(size(right), first),
         Tolerance::Absolute(distance) => distance.to_f64().abs(),
         Tolerance::Relative(fraction) => fraction.to_f64().abs() * reference(size(right), first.scale),
     }
@@ -126,6 +127,7 @@ fn within_exactly(expected: &ExpectedVector, given: &[Number]) -> bool {
     let off = exact.iter().zip(given).map(|(right, given)| given.value() - *right).fold(Rational::ZERO, square);
     let length = exact.iter().map(|right| (*right).clone()).fold(Rational::ZERO, square);
     match &first.tolerance {
+        Tolerance::ToFigures => false,
         Tolerance::Absolute(distance) => off <= distance.to_rational() * distance.to_rational(),
         Tolerance::Relative(fraction) => off <= fraction.to_rational() * fraction.to_rational() * length,
     }

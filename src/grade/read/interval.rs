@@ -39,6 +39,9 @@ const WORDS: [(&str, bool, bool); 10] = [
 /// An end that was read, with its unit; nothing where it is infinite.
 type End = Option<NumberAnswer>;
 
+/// The lower and the upper end, each with whether it belongs to the interval.
+type Ends = [Option<(End, bool)>; 2];
+
 /// Reads an interval.
 pub(super) fn read(answer: &str, asked: &ExpectedInterval, mark: DecimalMark) -> Result<IntervalAnswer, Unreadable> {
     let plain = Plain::new(answer)?;
@@ -95,7 +98,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The lower and the upper end of a chain of comparisons, each with whether it belongs to the interval.
-    fn chain(&self, (start, text): Piece<'a>) -> At<Option<[Option<(End, bool)>; 2]>> {
+    fn chain(&self, (start, text): Piece<'a>) -> At<Option<Ends>> {
         let mut pieces: Vec<Piece> = Vec::new();
         let mut signs = Vec::new();
         let (mut from, mut at) = (0, 0);

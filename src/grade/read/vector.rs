@@ -53,8 +53,8 @@ fn bracketed(text: &str, start: usize) -> Option<(usize, usize, usize)> {
     let (_, close) = BRACKETS.iter().find(|(open, _)| *open == first)?;
     let (from, mut depth) = (start + first.len_utf8(), 1);
     for (offset, next) in text[from..].char_indices() {
-        depth += if next == first { 1 } else { 0 };
-        depth -= if next == *close { 1 } else { 0 };
+        depth += i32::from(next == first);
+        depth -= i32::from(next == *close);
         if depth == 0 {
             let to = from + offset;
             let inside = &text[from..to];
@@ -223,7 +223,6 @@ fn polar(text: &str, asked: &ExpectedVector, mark: DecimalMark) -> At<VectorAnsw
             })
         }
         (Ok(_), _) => Err((0, UnreadableKind::Components(asked.components.len()))),
-        (Err(_), Some(fault)) => Err(fault),
-        (Err(fault), None) => Err(fault),
+        (Err(_), Some(fault)) | (Err(fault), None) => Err(fault),
     }
 }
