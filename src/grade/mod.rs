@@ -11,6 +11,7 @@ mod number;
 pub mod read;
 pub mod report;
 mod rubric;
+mod statistics;
 mod swapped;
 mod verdict;
 
@@ -24,4 +25,5 @@ pub use number::Number;
 pub use read::{Answer, DecimalMark, Unreadable, UnreadableKind, read, read_several};
 pub use report::{InputFault, PartReport, Points, Report, grade};
 pub use rubric::{Attempts, Keep, Rubric};
+pub use statistics::{Gathering, Item, ItemStatistics, Statistics, VerdictCount};
 pub use verdict::Verdict;
