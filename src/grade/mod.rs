@@ -4,7 +4,9 @@
 //! reporting knows only verdicts and the rubric.
 
 pub mod catalogue;
+pub mod diagnose;
 mod expected;
+mod follow;
 pub mod judge;
 mod messages;
 mod number;
@@ -15,10 +17,12 @@ mod statistics;
 mod swapped;
 mod verdict;
 
+pub use diagnose::Diagnosis;
 pub use expected::{
     Expected, ExpectedEnd, ExpectedFormula, ExpectedInterval, ExpectedKind, ExpectedNumber, ExpectedVector, Frame,
     FrameAxis, Reference, Tolerance, Units, Writing,
 };
+pub use follow::Follows;
 pub use judge::{Judgement, judge};
 pub use messages::Message;
 pub use number::Number;
