@@ -65,6 +65,46 @@ pub const BOUNCE_PATH: Law = Law {
     source: "The height after n bounces, and a geometric series.",
 };
 
+/// Motion at constant velocity.
+pub const EVEN_MOTION: Law = Law {
+    id: "even-motion",
+    name: "the kinematics of even motion",
+    statement: "At constant velocity a place changes by velocity times time.",
+    signs: "Places and velocities along the axis are positive, against it negative.",
+    when: "Nothing acts along the axis.",
+    source: "The definition of velocity.",
+};
+
+/// What ends a free motion.
+pub const UNTIL: Law = Law {
+    id: "until",
+    name: "the condition that ends a motion",
+    statement: "A motion lasts until the stated condition on the places holds.",
+    signs: "As the places.",
+    when: "As stated.",
+    source: "The problem.",
+};
+
+/// Bodies that stay together are where they met.
+pub const SAME_PLACE: Law = Law {
+    id: "same-place",
+    name: "the kinematics of bodies that stay together",
+    statement: "Bodies that stay together start where they met.",
+    signs: "As the places.",
+    when: "They are taken as particles.",
+    source: "Kinematics.",
+};
+
+/// Times add up.
+pub const CLOCK: Law = Law {
+    id: "times-add-up",
+    name: "the sum of the times",
+    statement: "The time from the start is the sum of the durations of all stages so far; impacts take no time.",
+    signs: "Counted from the start.",
+    when: "Always.",
+    source: "The meaning of a duration.",
+};
+
 /// Counting until a condition holds.
 pub const COUNT: Law = Law {
     id: "count",
@@ -76,7 +116,19 @@ pub const COUNT: Law = Law {
 };
 
 /// The laws of this chapter.
-pub const LAWS: &[&Law] = &[&FALL_SPEED, &FALL_TIME, &BOUNCE_HEIGHT, &BOUNCE_SPEED, &BOUNCE_TIME, &BOUNCE_PATH, &COUNT];
+pub const LAWS: &[&Law] = &[
+    &FALL_SPEED,
+    &FALL_TIME,
+    &BOUNCE_HEIGHT,
+    &BOUNCE_SPEED,
+    &BOUNCE_TIME,
+    &BOUNCE_PATH,
+    &COUNT,
+    &EVEN_MOTION,
+    &SAME_PLACE,
+    &UNTIL,
+    &CLOCK,
+];
 
 /// `v_2^2 = v_1^2 + 2 g h`.
 #[must_use]

@@ -9,6 +9,7 @@ pub mod kinematics;
 pub mod mass_centre;
 pub mod momentum;
 pub mod restitution;
+pub mod variable_mass;
 
 /// One law, as a row of its chapter's table.
 #[derive(Debug, PartialEq, Eq)]
@@ -37,6 +38,7 @@ pub const CHAPTERS: &[(&str, &[&Law])] = &[
     ("Energy", energy::LAWS),
     ("Angular impulse and momentum", angular::LAWS),
     ("Motion between impacts", kinematics::LAWS),
+    ("Streams and variable mass", variable_mass::LAWS),
 ];
 
 /// The law of that id.

@@ -15,7 +15,9 @@ use super::Name;
 use super::timeline::Timeline;
 
 /// Kinds of quantity that only a scene makes.
-const STRUCTURAL: &[&str] = &["v", "speed", "angle", "p", "J", "F_avg", "T", "T_lost", "H", "r", "W"];
+const STRUCTURAL: &[&str] = &["v", "speed", "angle", "p", "J", "F_avg", "T", "T_lost", "H", "W"];
+/// Kinds of place, of a body at an instant.
+const PLACES: &[&str] = &["r", "x", "y", "z"];
 
 /// Whether a name is one that the scene makes by itself, rather than one that the author chose.
 pub(super) fn is_structural(scene: &Scene, name: &str) -> bool {
@@ -25,7 +27,8 @@ pub(super) fn is_structural(scene: &Scene, name: &str) -> bool {
         || name.subject == "G"
         || scene.points.contains_key(&name.subject)
         || timeline.bodies().any(|body| body == name.subject);
-    STRUCTURAL.contains(&name.base.as_str()) && known_subject && (name.instant.is_some() || name.base != "r")
+    let is_place = PLACES.contains(&name.base.as_str()) && !name.subject.is_empty() && name.instant.is_some();
+    known_subject && (STRUCTURAL.contains(&name.base.as_str()) || is_place)
 }
 
 /// Every way in which the parts of a scene contradict each other.
@@ -118,6 +121,9 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
                 }
             }
             Stage::Bounces(stage) => body(&stage.body, "body"),
+            Stage::Stream(stage) => body(&stage.body, "body"),
+            Stage::Thrust(stage) => body(&stage.body, "body"),
+            Stage::Drift(_) => {}
         }
     }
     faults

@@ -10,6 +10,7 @@ use crate::scene::stage::Partners;
 #[derive(Clone, Debug)]
 pub struct Timeline {
     changed: Vec<Vec<String>>,
+    moving: Vec<bool>,
     lives: BTreeMap<String, (usize, usize)>,
     names: Vec<String>,
     stage_names: Vec<Option<String>>,
@@ -35,6 +36,7 @@ impl Timeline {
             }
         }
         Self {
+            moving: scene.stages.iter().map(takes_time).collect(),
             changed: scene.stages.iter().map(changed_bodies).collect(),
             lives,
             names: scene.instants.clone(),
@@ -74,6 +76,23 @@ impl Timeline {
         Some(changes.map(|(stage, _)| stage + 2).filter(|after| *after <= instant).max().unwrap_or(from).max(from))
     }
 
+    /// The instant since which a body has been in the place where it is at `instant`: in an impact nobody gets anywhere.
+    #[must_use]
+    pub fn placed_since(&self, body: &str, instant: usize) -> Option<usize> {
+        let (from, to) = *self.lives.get(body)?;
+        if !(from..=to).contains(&instant) {
+            return None;
+        }
+        let moves = self.moving.iter().enumerate().filter(|(_, moves)| **moves).map(|(stage, _)| stage + 2);
+        Some(moves.filter(|after| *after <= instant).max().unwrap_or(from).max(from))
+    }
+
+    /// Whether a body has come into being at that instant.
+    #[must_use]
+    pub fn is_new(&self, body: &str, instant: usize) -> bool {
+        instant > 1 && self.lives.get(body).is_some_and(|(from, _)| *from == instant)
+    }
+
     /// The number of a named instant.
     #[must_use]
     pub fn instant(&self, name: &str) -> Option<usize> {
@@ -90,6 +109,11 @@ impl Timeline {
     }
 }
 
+/// Whether bodies change their places in a stage, rather than only their velocities.
+fn takes_time(stage: &Stage) -> bool {
+    !matches!(stage, Stage::Impact(_) | Stage::Blow(_) | Stage::Stream(_))
+}
+
 fn changed_bodies(stage: &Stage) -> Vec<String> {
     match stage {
         Stage::Impact(impact) => match impact.partners() {
@@ -103,5 +127,7 @@ fn changed_bodies(stage: &Stage) -> Vec<String> {
         Stage::Central(stage) => vec![stage.body.clone()],
         Stage::Fall(stage) => vec![stage.body.clone()],
         Stage::Bounces(stage) => vec![stage.body.clone()],
+        Stage::Thrust(stage) => vec![stage.body.clone()],
+        Stage::Stream(_) | Stage::Drift(_) => Vec::new(),
     }
 }

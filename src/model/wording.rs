@@ -11,6 +11,9 @@ const KINDS: &[(&str, &str, &str, &str)] = &[
     ("rotate", "motion", "at the start of {}", "at the end of {}"),
     ("central", "flight", "at the first place", "at the second place"),
     ("fall", "fall", "at the start of {}", "at the end of {}"),
+    ("stream", "stream", "while {} flows", "while {} flows"),
+    ("thrust", "burn", "at the start of {}", "at the end of {}"),
+    ("drift", "free motion", "at the start of {}", "at the end of {}"),
     ("bounces", "bouncing", "just before the first bounce", "after the bounces"),
 ];
 

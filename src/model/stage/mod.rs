@@ -3,10 +3,13 @@
 mod blow;
 mod bounces;
 mod central;
+mod drift;
 mod fall;
 mod impact;
 mod push;
 mod rotate;
+mod stream;
+mod thrust;
 
 pub(in crate::model) use push::Acting;
 
@@ -29,6 +32,9 @@ impl Builder<'_> {
                 Stage::Central(stage) => self.central(index, stage),
                 Stage::Fall(stage) => self.fall(index, stage, &path),
                 Stage::Bounces(stage) => self.bounces(index, stage, &path),
+                Stage::Stream(stage) => self.stream(index, stage, &path),
+                Stage::Thrust(stage) => self.thrust(index, stage, &path),
+                Stage::Drift(stage) => self.drift(index, stage, &path),
             }
         }
     }

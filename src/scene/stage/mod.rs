@@ -3,18 +3,24 @@
 mod blow;
 mod bounces;
 mod central;
+mod drift;
 mod fall;
 mod impact;
 mod push;
 mod rotate;
+mod stream;
+mod thrust;
 
 pub use blow::Blow;
 pub use bounces::Bounces;
 pub use central::Central;
+pub use drift::Drift;
 pub use fall::Fall;
 pub use impact::{Impact, Partners};
 pub use push::{During, Push};
 pub use rotate::{Arm, Rotate};
+pub use stream::Stream;
+pub use thrust::{BurningMass, Exhaust, Jet, Thrust};
 
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -37,6 +43,12 @@ pub enum Stage {
     Fall(Fall),
     /// A body bounces on a level floor, again and again.
     Bounces(Bounces),
+    /// A steady stream meets a body.
+    Stream(Stream),
+    /// A body is driven by mass that it throws away.
+    Thrust(Thrust),
+    /// Nothing acts: the bodies go on evenly, for a time or until something holds.
+    Drift(Drift),
 }
 
 impl Stage {
@@ -51,6 +63,9 @@ impl Stage {
             Self::Central(_) => "central",
             Self::Fall(_) => "fall",
             Self::Bounces(_) => "bounces",
+            Self::Stream(_) => "stream",
+            Self::Thrust(_) => "thrust",
+            Self::Drift(_) => "drift",
         }
     }
 
@@ -65,6 +80,9 @@ impl Stage {
             Self::Central(stage) => &stage.name,
             Self::Fall(stage) => &stage.name,
             Self::Bounces(stage) => &stage.name,
+            Self::Stream(stage) => &stage.name,
+            Self::Thrust(stage) => &stage.name,
+            Self::Drift(stage) => &stage.name,
         };
         name.as_deref()
     }
