@@ -67,13 +67,14 @@ fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) -> Option<S
         (Stage::Bounces(_), _) => {
             during(format!("{body} is acted on by its weight and, at each bounce, by {}", first.called))
         }
-        (Stage::Stream(_), _) => during(format!("{body} is acted on by {}", first.called)),
         (Stage::Thrust(_), _) => {
             let acting: Vec<String> = impulses.iter().map(|impulse| impulse.called.clone()).collect();
             during(format!("{body} is acted on by {}", list(&acting)))
         }
         (Stage::Drift(_), _) => return None,
-        (Stage::Rotate(_) | Stage::Central(_), _) => during(format!("{body} is acted on by {}", first.called)),
+        (Stage::Rotate(_) | Stage::Central(_) | Stage::Stream(_), _) => {
+            during(format!("{body} is acted on by {}", first.called))
+        }
     })
 }
 

@@ -12,6 +12,7 @@ pub const KINETIC: Law = Law {
     signs: "Never negative, whatever the direction of motion.",
     when: "Always.",
     source: "Definition.",
+    wrong: &[],
 };
 
 /// Energy lost in a stage.
@@ -22,6 +23,7 @@ pub const LOSS: Law = Law {
     signs: "A loss is positive.",
     when: "Always; in an impact without a source of energy it is never negative.",
     source: "Definition.",
+    wrong: &[],
 };
 
 /// The laws of this chapter.

@@ -13,6 +13,7 @@ pub const FALL_SPEED: Law = Law {
     signs: "The height fallen is positive.",
     when: "Weight is the only force; air resistance is left out.",
     source: "Work and energy with weight alone.",
+    wrong: &[],
 };
 
 /// Velocity and time in a fall.
@@ -23,6 +24,7 @@ pub const FALL_TIME: Law = Law {
     signs: "Velocities along the axis are positive.",
     when: "Weight is the only force; air resistance is left out.",
     source: "The principle of impulse and momentum, divided by the mass.",
+    wrong: &[],
 };
 
 /// Heights of successive bounces.
@@ -33,6 +35,7 @@ pub const BOUNCE_HEIGHT: Law = Law {
     signs: "Heights are positive.",
     when: "Dropped from rest on a level fixed floor; air resistance is left out.",
     source: "Restitution at a surface, and energy between bounces.",
+    wrong: &[],
 };
 
 /// Speeds of successive bounces.
@@ -43,6 +46,7 @@ pub const BOUNCE_SPEED: Law = Law {
     signs: "Speeds are positive.",
     when: "Dropped from rest on a level fixed floor; air resistance is left out.",
     source: "Restitution at a surface; the ball returns with the speed with which it left.",
+    wrong: &[],
 };
 
 /// Times of bounces.
@@ -53,6 +57,7 @@ pub const BOUNCE_TIME: Law = Law {
     signs: "Counted from the release.",
     when: "Dropped from rest on a level fixed floor; air resistance is left out.",
     source: "Restitution at a surface, and a geometric series.",
+    wrong: &[],
 };
 
 /// The whole path of a bouncing body.
@@ -63,6 +68,7 @@ pub const BOUNCE_PATH: Law = Law {
     signs: "Lengths are positive.",
     when: "Dropped from rest on a level fixed floor; air resistance is left out.",
     source: "The height after n bounces, and a geometric series.",
+    wrong: &[],
 };
 
 /// Motion at constant velocity.
@@ -73,6 +79,7 @@ pub const EVEN_MOTION: Law = Law {
     signs: "Places and velocities along the axis are positive, against it negative.",
     when: "Nothing acts along the axis.",
     source: "The definition of velocity.",
+    wrong: &[],
 };
 
 /// What ends a free motion.
@@ -83,6 +90,7 @@ pub const UNTIL: Law = Law {
     signs: "As the places.",
     when: "As stated.",
     source: "The problem.",
+    wrong: &[],
 };
 
 /// Bodies that stay together are where they met.
@@ -93,6 +101,7 @@ pub const SAME_PLACE: Law = Law {
     signs: "As the places.",
     when: "They are taken as particles.",
     source: "Kinematics.",
+    wrong: &[],
 };
 
 /// Times add up.
@@ -103,6 +112,7 @@ pub const CLOCK: Law = Law {
     signs: "Counted from the start.",
     when: "Always.",
     source: "The meaning of a duration.",
+    wrong: &[],
 };
 
 /// Counting until a condition holds.
@@ -113,6 +123,7 @@ pub const COUNT: Law = Law {
     signs: "Whole numbers from 1 upwards.",
     when: "What is compared grows or shrinks steadily with the number.",
     source: "The meaning of the question.",
+    wrong: &[],
 };
 
 /// The laws of this chapter.

@@ -13,6 +13,7 @@ pub const MASS_CENTRE: Law = Law {
     signs: "As the velocities.",
     when: "Always.",
     source: "Definition.",
+    wrong: &[],
 };
 
 /// Motion of the mass centre.
@@ -23,6 +24,7 @@ pub const MOTION: Law = Law {
     signs: "Impulses along the axis are positive.",
     when: "Always; internal impulses cancel in pairs.",
     source: "The principle of impulse and momentum for each body, added up.",
+    wrong: &[],
 };
 
 /// The laws of this chapter.

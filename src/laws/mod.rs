@@ -10,9 +10,10 @@ pub mod mass_centre;
 pub mod momentum;
 pub mod restitution;
 pub mod variable_mass;
+pub mod wrong;
 
 /// One law, as a row of its chapter's table.
-#[derive(Debug, PartialEq, Eq)]
+#[derive(Debug)]
 pub struct Law {
     /// A stable name for tools and tests: `conservation-of-momentum`.
     pub id: &'static str,
@@ -26,7 +27,17 @@ pub struct Law {
     pub when: &'static str,
     /// Where it comes from: the chapter of mechanics, or the law that it follows from.
     pub source: &'static str,
+    /// The forms in which it is usually got wrong.
+    pub wrong: &'static [wrong::WrongForm],
 }
+
+impl PartialEq for Law {
+    fn eq(&self, other: &Self) -> bool {
+        self.id == other.id
+    }
+}
+
+impl Eq for Law {}
 
 /// Every chapter's laws, in the order in which a course teaches them.
 pub const CHAPTERS: &[(&str, &[&Law])] = &[

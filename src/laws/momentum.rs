@@ -13,6 +13,7 @@ pub const IMPULSE_MOMENTUM: Law = Law {
     signs: "Velocities and impulses along the axis are positive, against it negative.",
     when: "Always, for each body and each axis.",
     source: "Newton's second law, integrated over time.",
+    wrong: &[],
 };
 
 /// Action and reaction of an internal impulse.
@@ -23,6 +24,7 @@ pub const THIRD_LAW: Law = Law {
     signs: "Each impulse is positive along the axis.",
     when: "Always, for the impulses between two bodies.",
     source: "Newton's third law, integrated over time.",
+    wrong: &[],
 };
 
 /// Conservation along an axis along which no external impulse acts.
@@ -33,6 +35,7 @@ pub const CONSERVATION: Law = Law {
     signs: "Velocities along the axis are positive, against it negative.",
     when: "The impulses within the system cancel in pairs, and no external impulse acts along the axis.",
     source: "The principle of impulse and momentum for each body, added up.",
+    wrong: &[],
 };
 
 /// A velocity component along which no impulse acts.
@@ -43,6 +46,7 @@ pub const NO_IMPULSE: Law = Law {
     signs: "Velocities along the axis are positive, against it negative.",
     when: "The contact is smooth, so that its impulse has no component along the axis.",
     source: "The principle of impulse and momentum for the body alone.",
+    wrong: &[],
 };
 
 /// Momentum as the product of mass and velocity.
@@ -53,6 +57,7 @@ pub const MOMENTUM: Law = Law {
     signs: "As the velocity.",
     when: "Always.",
     source: "Definition.",
+    wrong: &[],
 };
 
 /// The laws of this chapter.

@@ -14,6 +14,7 @@ pub const FLOW: Law = Law {
     signs: "A flow is positive.",
     when: "The stream is steady. Where many vanes follow each other nothing passes by, and the whole speed of the stream counts.",
     source: "The volume of the stream that arrives in a short time.",
+    wrong: &[],
 };
 
 /// The force of a steady stream.
@@ -24,6 +25,7 @@ pub const STREAM: Law = Law {
     signs: "Components along the axes; the velocities are relative to the body, which moves evenly.",
     when: "The stream is steady, so that the momentum of what is just passing stays the same.",
     source: "The principle of impulse and momentum for what arrives in a short time, and the third law.",
+    wrong: &[],
 };
 
 /// Power of a force.
@@ -34,6 +36,7 @@ pub const POWER: Law = Law {
     signs: "Positive where the force drives the body.",
     when: "Always.",
     source: "Definition.",
+    wrong: &[],
 };
 
 /// The support of a body that catches a stream.
@@ -44,6 +47,7 @@ pub const SUPPORT: Law = Law {
     signs: "The push of the support is positive upwards.",
     when: "The body stays at rest.",
     source: "Newton's second law, where nothing accelerates but the stream.",
+    wrong: &[],
 };
 
 /// Thrust.
@@ -54,6 +58,7 @@ pub const THRUST: Law = Law {
     signs: "Positive against the direction of the exhaust.",
     when: "The exhaust leaves with a steady speed relative to the rocket.",
     source: "The principle of impulse and momentum for the rocket and what it throws away in a short time.",
+    wrong: &[],
 };
 
 /// The rocket equation.
@@ -64,6 +69,7 @@ pub const ROCKET: Law = Law {
     signs: "Positive along the axis; the exhaust speed is relative to the rocket.",
     when: "The exhaust leaves with a steady speed relative to the rocket, and no other force than weight acts.",
     source: "The thrust divided by the mass that is left, integrated over time.",
+    wrong: &[],
 };
 
 /// The rocket equation with resistance.
@@ -74,6 +80,7 @@ pub const ROCKET_DRAG: Law = Law {
     signs: "The velocity is positive in the direction of flight.",
     when: "Flow and exhaust speed are steady, the resistance grows with the square of the speed, and weight has no part.",
     source: "m dv/dt = thrust - k v^2 with dm/dt = -flow, integrated.",
+    wrong: &[],
 };
 
 /// The speed at which resistance equals thrust.
@@ -84,6 +91,7 @@ pub const EVEN_SPEED: Law = Law {
     signs: "Speeds are positive.",
     when: "The resistance grows with the square of the speed.",
     source: "Newton's second law where nothing accelerates.",
+    wrong: &[],
 };
 
 /// Mass used up.
@@ -94,6 +102,7 @@ pub const USED: Law = Law {
     signs: "A flow is positive.",
     when: "The flow is steady.",
     source: "The meaning of a flow.",
+    wrong: &[],
 };
 
 /// When a rocket lifts off.
@@ -104,6 +113,7 @@ pub const LIFT_OFF: Law = Law {
     signs: "Magnitudes.",
     when: "The rocket stands on the ground until then.",
     source: "Newton's second law: the push of the ground becomes zero.",
+    wrong: &[],
 };
 
 /// The way of a rocket while it burns.
@@ -114,6 +124,7 @@ pub const BURN_HEIGHT: Law = Law {
     signs: "Positive along the axis.",
     when: "The flow and the exhaust speed are steady, and g does not change.",
     source: "The rocket equation, its logarithm integrated by parts.",
+    wrong: &[],
 };
 
 /// The laws of this chapter.

@@ -71,6 +71,8 @@ pub struct Builder<'s> {
     pub(super) places_at: Option<usize>,
     pub(super) literals: Vec<(Symbol, Quantity)>,
     pub(super) frames: Vec<Option<Frame>>,
+    /// The components along the axes from which a direction follows.
+    pub(super) directions: BTreeMap<Symbol, [Expr; 2]>,
     pub(super) defined: BTreeSet<String>,
     pub(super) free: BTreeSet<Symbol>,
     pub(super) given: BTreeSet<String>,
@@ -98,6 +100,7 @@ impl<'s> Builder<'s> {
             places_at: None,
             literals: Vec::new(),
             frames: vec![None; scene.stages.len()],
+            directions: BTreeMap::new(),
             defined: BTreeSet::new(),
             free: BTreeSet::new(),
             given: BTreeSet::new(),

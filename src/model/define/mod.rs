@@ -161,6 +161,7 @@ impl Builder<'_> {
         let direction =
             self.symbol(format!("angle_J_{body}{suffix}"), Dimension::NONE, format!("the direction of {meaning}"));
         let [x, y] = components else { return };
+        self.directions.insert(direction, [x.clone(), y.clone()]);
         let because = "the impulse is resolved along the axes";
         for sides in geometry::components(&magnitude.into(), &direction.into(), x, y) {
             self.law_at(SECOND_COST, &geometry::COMPONENTS, Some(stage), because, sides);
