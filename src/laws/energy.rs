@@ -26,8 +26,19 @@ pub const LOSS: Law = Law {
     wrong: &[],
 };
 
+/// Energy gained in a stage.
+pub const GAIN: Law = Law {
+    id: "energy-gained",
+    name: "the balance of kinetic energy",
+    statement: "The kinetic energy gained is the kinetic energy after less the kinetic energy before.",
+    signs: "A gain is positive.",
+    when: "Always; in a separation something supplies it: an explosive, a spring, muscles.",
+    source: "Definition.",
+    wrong: &[],
+};
+
 /// The laws of this chapter.
-pub const LAWS: &[&Law] = &[&KINETIC, &LOSS];
+pub const LAWS: &[&Law] = &[&KINETIC, &LOSS, &GAIN];
 
 /// `m v^2 / 2`, with the square of the speed as a sum of squared components.
 #[must_use]

@@ -27,6 +27,61 @@ pub const FALL_TIME: Law = Law {
     wrong: &[],
 };
 
+/// Uniform motion.
+pub const UNIFORM: Law = Law {
+    id: "uniform-motion",
+    name: "the kinematics of uniform motion",
+    statement: "A body that nothing acts on along an axis moves along it by its velocity times the time.",
+    signs: "Along the axis positive.",
+    when: "No force acts along the axis.",
+    source: "The definition of velocity, integrated over time.",
+    wrong: &[],
+};
+
+/// Place in free flight.
+pub const FLIGHT_PLACE: Law = Law {
+    id: "flight-place",
+    name: "the kinematics of free flight",
+    statement: "In a time, a body in free flight moves by its first velocity times the time, and falls by half of g times the time squared besides.",
+    signs: "Along the axis positive; g counts as negative where the axis points up.",
+    when: "Weight is the only force; air resistance is left out.",
+    source: "The velocity under constant acceleration, integrated over time.",
+    wrong: &[],
+};
+
+/// Vertical velocity and height in free flight.
+pub const FLIGHT_SPEED: Law = Law {
+    id: "flight-speed",
+    name: "conservation of energy in free flight",
+    statement: "The square of the vertical velocity changes by 2 g times the height fallen; the horizontal velocity stays.",
+    signs: "Along the axis positive; g counts as negative where the axis points up.",
+    when: "Weight is the only force; air resistance is left out.",
+    source: "Work and energy with weight alone, less the kinetic energy of the horizontal motion, which stays.",
+    wrong: &[],
+};
+
+/// The top of a path.
+pub const TOP: Law = Law {
+    id: "top-of-the-path",
+    name: "the condition at the top of the path",
+    statement: "At the top of its path a body has no vertical velocity.",
+    signs: "As the velocities.",
+    when: "Always.",
+    source: "The height is greatest where its rate of change is zero.",
+    wrong: &[],
+};
+
+/// Where a stage ends.
+pub const UNTIL: Law = Law {
+    id: "end-of-the-motion",
+    name: "the condition at the end of the motion",
+    statement: "The motion is followed until a body reaches a place, or bodies meet.",
+    signs: "As the positions.",
+    when: "As the problem states.",
+    source: "The problem.",
+    wrong: &[],
+};
+
 /// Heights of successive bounces.
 pub const BOUNCE_HEIGHT: Law = Law {
     id: "bounce-height",
@@ -71,39 +126,6 @@ pub const BOUNCE_PATH: Law = Law {
     wrong: &[],
 };
 
-/// Motion at constant velocity.
-pub const EVEN_MOTION: Law = Law {
-    id: "even-motion",
-    name: "the kinematics of even motion",
-    statement: "At constant velocity a place changes by velocity times time.",
-    signs: "Places and velocities along the axis are positive, against it negative.",
-    when: "Nothing acts along the axis.",
-    source: "The definition of velocity.",
-    wrong: &[],
-};
-
-/// What ends a free motion.
-pub const UNTIL: Law = Law {
-    id: "until",
-    name: "the condition that ends a motion",
-    statement: "A motion lasts until the stated condition on the places holds.",
-    signs: "As the places.",
-    when: "As stated.",
-    source: "The problem.",
-    wrong: &[],
-};
-
-/// Bodies that stay together are where they met.
-pub const SAME_PLACE: Law = Law {
-    id: "same-place",
-    name: "the kinematics of bodies that stay together",
-    statement: "Bodies that stay together start where they met.",
-    signs: "As the places.",
-    when: "They are taken as particles.",
-    source: "Kinematics.",
-    wrong: &[],
-};
-
 /// Times add up.
 pub const CLOCK: Law = Law {
     id: "times-add-up",
@@ -130,14 +152,16 @@ pub const COUNT: Law = Law {
 pub const LAWS: &[&Law] = &[
     &FALL_SPEED,
     &FALL_TIME,
+    &UNIFORM,
+    &FLIGHT_PLACE,
+    &FLIGHT_SPEED,
+    &TOP,
+    &UNTIL,
     &BOUNCE_HEIGHT,
     &BOUNCE_SPEED,
     &BOUNCE_TIME,
     &BOUNCE_PATH,
     &COUNT,
-    &EVEN_MOTION,
-    &SAME_PLACE,
-    &UNTIL,
     &CLOCK,
 ];
 
@@ -146,6 +170,26 @@ pub const LAWS: &[&Law] = &[
 pub fn fall_speed(gravity: &Expr, height: &Expr, before: &Expr, after: &Expr) -> Sides {
     let gained = Expr::product([Expr::integer(2), gravity.clone(), height.clone()]);
     (after.clone().powi(2), before.clone().powi(2) + gained)
+}
+
+/// `r_2 = r_1 + v t`.
+#[must_use]
+pub fn uniform(from: &Expr, velocity: &Expr, time: &Expr, to: &Expr) -> Sides {
+    (to.clone(), from.clone() + velocity.clone() * time.clone())
+}
+
+/// `r_2 = r_1 + v_1 t + a t^2 / 2`.
+#[must_use]
+pub fn accelerated(from: &Expr, velocity: &Expr, acceleration: &Expr, time: &Expr, to: &Expr) -> Sides {
+    let gained = Expr::product([Expr::ratio(1, 2), acceleration.clone(), time.clone().powi(2)]);
+    (to.clone(), Expr::sum([from.clone(), velocity.clone() * time.clone(), gained]))
+}
+
+/// `v_2^2 = v_1^2 + 2 a (r_2 - r_1)`.
+#[must_use]
+pub fn flight_speed(acceleration: &Expr, [from, to]: [&Expr; 2], before: &Expr, after: &Expr) -> Sides {
+    let moved = to.clone() - from.clone();
+    (after.clone().powi(2), before.clone().powi(2) + Expr::product([Expr::integer(2), acceleration.clone(), moved]))
 }
 
 /// `h_n = e^(2 n) h_0`.

@@ -9,6 +9,7 @@ pub mod kinematics;
 pub mod mass_centre;
 pub mod momentum;
 pub mod restitution;
+pub mod separation;
 pub mod variable_mass;
 pub mod wrong;
 
@@ -46,6 +47,7 @@ pub const CHAPTERS: &[(&str, &[&Law])] = &[
     ("Linear impulse and momentum", momentum::LAWS),
     ("Systems of particles", mass_centre::LAWS),
     ("Impact and restitution", restitution::LAWS),
+    ("Separation and guided bodies", separation::LAWS),
     ("Energy", energy::LAWS),
     ("Angular impulse and momentum", angular::LAWS),
     ("Motion between impacts", kinematics::LAWS),

@@ -38,6 +38,17 @@ pub const CONSERVATION: Law = Law {
     wrong: &[],
 };
 
+/// Impulses from outside on a system.
+pub const SYSTEM: Law = Law {
+    id: "impulse-momentum-of-a-system",
+    name: "the principle of impulse and momentum for the system",
+    statement: "The total momentum of a system at the end equals that at the start plus the impulses from outside.",
+    signs: "Velocities and impulses along the axis are positive, against it negative.",
+    when: "Always, for each axis; the impulses within the system cancel in pairs.",
+    source: "The principle of impulse and momentum for each body, added up.",
+    wrong: &[],
+};
+
 /// A velocity component along which no impulse acts.
 pub const NO_IMPULSE: Law = Law {
     id: "no-impulse-no-change",
@@ -61,7 +72,7 @@ pub const MOMENTUM: Law = Law {
 };
 
 /// The laws of this chapter.
-pub const LAWS: &[&Law] = &[&MOMENTUM, &IMPULSE_MOMENTUM, &THIRD_LAW, &CONSERVATION, &NO_IMPULSE];
+pub const LAWS: &[&Law] = &[&MOMENTUM, &IMPULSE_MOMENTUM, &THIRD_LAW, &CONSERVATION, &SYSTEM, &NO_IMPULSE];
 
 /// `m v_1 + sum of impulses = m v_2`.
 #[must_use]
@@ -74,6 +85,12 @@ pub fn impulse_momentum(mass: &Expr, before: &Expr, impulses: &[Expr], after: &E
 #[must_use]
 pub fn total(parts: &[(Expr, Expr)]) -> Expr {
     Expr::sum(parts.iter().map(|(mass, velocity)| mass.clone() * velocity.clone()))
+}
+
+/// `sum of m v_1 + J = sum of m v_2`, with an impulse from outside.
+#[must_use]
+pub fn system(before: &[(Expr, Expr)], outside: &Expr, after: &[(Expr, Expr)]) -> Sides {
+    (total(before) + outside.clone(), total(after))
 }
 
 /// The total momentum before and after.

@@ -10,12 +10,13 @@ use crate::scene::Scene;
 use crate::scene::Stage;
 use crate::scene::stage::Impact;
 use crate::scene::stage::Partners;
+use crate::scene::stage::Separate;
 
 use super::Name;
 use super::timeline::Timeline;
 
 /// Kinds of quantity that only a scene makes.
-const STRUCTURAL: &[&str] = &["v", "speed", "angle", "p", "J", "F_avg", "T", "T_lost", "H", "W"];
+const STRUCTURAL: &[&str] = &["v", "speed", "angle", "p", "J", "F_avg", "T", "T_lost", "T_gained", "H", "W"];
 /// Kinds of place, of a body at an instant.
 const PLACES: &[&str] = &["r", "x", "y", "z"];
 
@@ -48,17 +49,7 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
             fault.help("write `axes: { x: to the right }` or `axes: { x: east, y: north }`").at_path(at.key("axes")),
         );
     }
-    for (index, name) in scene.instants.iter().enumerate() {
-        let fault = if index > scene.stages.len() {
-            Fault::new(Code::Value, format!("there is no instant for the name `{name}`"))
-                .help(format!("instants lie before, between and after the stages: {} in all", scene.stages.len() + 1))
-        } else if scene.instants[..index].contains(name) {
-            Fault::new(Code::Duplicate, format!("two instants are called `{name}`")).help("rename one of them")
-        } else {
-            continue;
-        };
-        faults.push(fault.at_path(at.key("instants").index(index)));
-    }
+    faults.extend(names_of_instants(scene));
     faults.extend(unions_without_a_name_of_their_own(scene));
     if !faults.is_empty() {
         return faults;
@@ -124,7 +115,34 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
             Stage::Stream(stage) => body(&stage.body, "body"),
             Stage::Thrust(stage) => body(&stage.body, "body"),
             Stage::Drift(_) => {}
+            Stage::Flight(stage) => {
+                stage.body.iter().for_each(|name| body(name, "body"));
+                stage.bodies.iter().for_each(|name| body(name, "bodies"));
+                if stage.flying().next().is_none() {
+                    let fault = Fault::new(Code::MissingKey, "a flight needs a body");
+                    faults.push(fault.help("write `body: A`, or `bodies: [A, B]`").at_path(at.clone()));
+                }
+            }
+            Stage::Separate(stage) => faults.extend(separation(scene, &timeline, index, stage, &at)),
         }
+    }
+    faults
+}
+
+/// Every instant has at most one name, and every name an instant.
+fn names_of_instants(scene: &Scene) -> Vec<Fault> {
+    let at = Path::root().key("scene").key("instants");
+    let mut faults = Vec::new();
+    for (index, name) in scene.instants.iter().enumerate() {
+        let fault = if index > scene.stages.len() {
+            Fault::new(Code::Value, format!("there is no instant for the name `{name}`"))
+                .help(format!("instants lie before, between and after the stages: {} in all", scene.stages.len() + 1))
+        } else if scene.instants[..index].contains(name) {
+            Fault::new(Code::Duplicate, format!("two instants are called `{name}`")).help("rename one of them")
+        } else {
+            continue;
+        };
+        faults.push(fault.at_path(at.index(index)));
     }
     faults
 }
@@ -141,6 +159,49 @@ fn unions_without_a_name_of_their_own(scene: &Scene) -> Vec<Fault> {
             faults.push(fault.help("give what the two become a name of its own: `becomes: C`").at_path(path));
         }
         taken.push(union);
+    }
+    faults
+}
+
+/// Who parts, and from what.
+fn separation(scene: &Scene, timeline: &Timeline, index: usize, stage: &Separate, at: &Path) -> Vec<Fault> {
+    let mut faults = Vec::new();
+    if stage.into.len() < 2 {
+        let fault = Fault::new(Code::MissingKey, "a separation needs two parts or more");
+        faults.push(fault.help("name them: `into: [A, B]`").at_path(at.key("into")));
+    }
+    let later = |name: &String| {
+        let rest = scene.stages.iter().skip(index + 1);
+        rest.into_iter().any(|own| matches!(own, Stage::Separate(Separate { from: Some(whole), .. }) if whole == name))
+    };
+    for (position, part) in stage.into.iter().enumerate() {
+        let at = at.key("into").index(position);
+        let known = match &stage.from {
+            Some(_) => scene.bodies.contains_key(part) || later(part),
+            None => timeline.since(part, index + 1).is_some(),
+        };
+        if !known {
+            let known: Vec<&str> = scene.bodies.keys().map(String::as_str).collect();
+            faults.push(unknown("body", part, &known).at_path(at));
+        } else if stage.into[..position].contains(part) || stage.from.as_ref() == Some(part) {
+            let fault = Fault::new(Code::Duplicate, format!("`{part}` cannot be a part twice, or be a part of itself"));
+            faults.push(fault.help("name each part once").at_path(at));
+        }
+    }
+    if let Some(whole) = &stage.from {
+        if !is_body_name(whole) {
+            faults.push(bad_body_name(whole).at_path(at.key("from")));
+        } else if timeline.since(whole, index + 1).is_none() {
+            faults.push(unknown("body", whole, &timeline.alive(index + 1)).at_path(at.key("from")));
+        }
+    }
+    if let Some(relative) = &stage.relative {
+        for (name, key) in [(&relative.of, "of"), (&relative.to, "to")] {
+            if !stage.into.contains(name) {
+                let known: Vec<&str> = stage.into.iter().map(String::as_str).collect();
+                faults.push(unknown("part", name, &known).at_path(at.key("relative").key(key)));
+            }
+        }
     }
     faults
 }

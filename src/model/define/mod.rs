@@ -20,6 +20,7 @@ use super::Builder;
 use super::Instant;
 use super::Name;
 use super::builder::SECOND_COST;
+use kinetic::energy_gained;
 use kinetic::energy_lost;
 use kinetic::kinetic_energy;
 use mass_centre::mass_centre_position;
@@ -43,6 +44,7 @@ const DEFINITIONS: &[(&str, Define)] = &[
     ("J", impulse),
     ("T", kinetic_energy),
     ("T_lost", energy_lost),
+    ("T_gained", energy_gained),
     ("H", angular_momentum),
     ("W", weight),
 ];
@@ -56,9 +58,6 @@ impl Builder<'_> {
         let mut name = Name::parse(name)?;
         if let Some(Instant::Named(instant)) = &name.instant {
             name.instant = Some(Instant::Number(self.timeline.instant(instant)?));
-        }
-        if name.instant.is_none() && ["r", "x", "y", "z"].contains(&name.base.as_str()) {
-            name.instant = self.places_at.map(Instant::Number);
         }
         if let Some(Instant::Number(number)) = name.instant
             && number > self.timeline.last()
@@ -88,16 +87,21 @@ impl Builder<'_> {
     /// The one spelling under which a name's symbol is kept.
     fn spelling(&self, name: &Name) -> String {
         let mut text = name.base.clone();
+        // A part begins where the whole was.
+        let place = name.instant.as_ref().and_then(|instant| match instant {
+            Instant::Number(number) if name.base == "r" && name.subject != "G" => {
+                Some(self.place_since(&name.subject, *number))
+            }
+            _ => None,
+        });
+        let (subject, since) = place.map_or((name.subject.clone(), None), |(body, since)| (body, Some(since)));
         if !name.subject.is_empty() || name.instant.is_some() {
             text.push('_');
-            text.push_str(&name.subject);
+            text.push_str(&subject);
         }
         if let Some(Instant::Number(number)) = name.instant {
-            let since = match name.base.as_str() {
-                "r" => self.timeline.placed_since(&name.subject, number),
-                _ => self.timeline.since(&name.subject, number),
-            };
-            text.push_str(&since.unwrap_or(number).to_string());
+            let since = since.unwrap_or_else(|| self.timeline.since(&name.subject, number).unwrap_or(number));
+            text.push_str(&since.to_string());
         }
         if let Some(component) = &name.component {
             text.push('.');
@@ -215,9 +219,11 @@ fn position(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
             format!("the distance of {owner} from the centre {when}"),
         ));
     }
-    builder.axis_of(name)?;
-    let meaning = format!("{}the position of {owner} {when}", Builder::component_phrase(name));
-    Some(builder.symbol(spelling, Dimension::LENGTH, meaning))
+    let axis = builder.axis_of(name)?;
+    match builder.place(&body, instant, axis) {
+        Expr::Symbol(symbol) => Some(symbol),
+        _ => None,
+    }
 }
 
 /// `x_A1` is another spelling of the place of A along x.
@@ -235,7 +241,7 @@ fn clock(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let instant = builder.number(name).filter(|_| name.subject.is_empty())?;
     let lasting = builder.lasting.iter().zip(&builder.scene.stages).take(instant - 1);
     let durations: Vec<Expr> = lasting
-        .filter(|(_, stage)| !matches!(stage, Stage::Impact(_) | Stage::Blow(_)))
+        .filter(|(_, stage)| !matches!(stage, Stage::Impact(_) | Stage::Blow(_) | Stage::Separate(_)))
         .map(|(duration, _)| duration.clone())
         .collect::<Option<_>>()?;
     let meaning = format!("the time {}, counted from the start", builder.when(instant));

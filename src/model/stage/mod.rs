@@ -5,10 +5,14 @@ mod bounces;
 mod central;
 mod drift;
 mod fall;
+mod flight;
+mod guided;
 mod impact;
 mod push;
 mod rotate;
+mod separate;
 mod stream;
+mod surface;
 mod thrust;
 
 pub(in crate::model) use push::Acting;
@@ -35,6 +39,8 @@ impl Builder<'_> {
                 Stage::Stream(stage) => self.stream(index, stage, &path),
                 Stage::Thrust(stage) => self.thrust(index, stage, &path),
                 Stage::Drift(stage) => self.drift(index, stage, &path),
+                Stage::Flight(stage) => self.flight(index, stage, &path),
+                Stage::Separate(stage) => self.separate(index, stage, &path),
             }
         }
     }

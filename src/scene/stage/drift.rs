@@ -17,5 +17,5 @@ pub struct Drift {
     pub during: Option<Term>,
     /// Until when: an equation in the places of the bodies, without instants: `x_A = d`, `x_A = x_B`.
     #[serde(default)]
-    pub until: Option<String>,
+    pub until: Option<Term>,
 }

@@ -5,9 +5,11 @@ mod bounces;
 mod central;
 mod drift;
 mod fall;
+mod flight;
 mod impact;
 mod push;
 mod rotate;
+mod separate;
 mod stream;
 mod thrust;
 
@@ -16,9 +18,11 @@ pub use bounces::Bounces;
 pub use central::Central;
 pub use drift::Drift;
 pub use fall::Fall;
+pub use flight::Flight;
 pub use impact::{Impact, Partners};
 pub use push::{During, Push};
 pub use rotate::{Arm, Rotate};
+pub use separate::{Relative, Separate, When};
 pub use stream::Stream;
 pub use thrust::{BurningMass, Exhaust, Jet, Thrust};
 
@@ -49,6 +53,10 @@ pub enum Stage {
     Thrust(Thrust),
     /// Nothing acts: the bodies go on evenly, for a time or until something holds.
     Drift(Drift),
+    /// A body comes apart: an explosion, a recoil, a jump, a shot.
+    Separate(Separate),
+    /// Bodies move freely until something is so.
+    Flight(Flight),
 }
 
 impl Stage {
@@ -66,6 +74,8 @@ impl Stage {
             Self::Stream(_) => "stream",
             Self::Thrust(_) => "thrust",
             Self::Drift(_) => "drift",
+            Self::Separate(_) => "separate",
+            Self::Flight(_) => "flight",
         }
     }
 
@@ -83,6 +93,8 @@ impl Stage {
             Self::Stream(stage) => &stage.name,
             Self::Thrust(stage) => &stage.name,
             Self::Drift(stage) => &stage.name,
+            Self::Separate(stage) => &stage.name,
+            Self::Flight(stage) => &stage.name,
         };
         name.as_deref()
     }
