@@ -120,7 +120,7 @@ impl Builder<'_> {
         self.require(Warning::Reverses, before.clone(), Relation::AtLeast, Expr::zero(), reason);
     }
 
-    /// A body that starts from rest: it slides from the time at which the push reaches the threshold, or not at all.
+    /// A body that starts from rest: it slides at once, from the time at which the push reaches the threshold, or not at all.
     #[allow(clippy::too_many_arguments, reason = "the two forces, and the stage's two ends")]
     fn start_from_rest(
         &mut self,
@@ -145,40 +145,50 @@ impl Builder<'_> {
         ));
         let integral = Integral { integrand: net.clone(), variable: clock, low: begins.clone(), high: end.clone() };
 
-        let mut moves = Alternative { what: format!("{name} starts to slide"), ..Alternative::default() };
+        let alternative = |what: String| Alternative { what, ..Alternative::default() };
+        let mut at_once = alternative(format!("{name} starts to slide at once"));
+        let mut moves = alternative(format!("{name} starts to slide"));
+        let mut stays = alternative(format!("{name} stays at rest"));
+
+        let because = "the push exceeds the greatest static friction from the beginning";
+        let sides = (begins.clone(), start.clone());
+        at_once.equations.push(self.stated(LAW_COST, &force::THRESHOLD, Some(index), because.to_owned(), sides, None));
         let because = format!("{name} is at rest until the push reaches the greatest static friction");
         let sides = (at(along, &begins), at(threshold, &begins));
         moves.equations.push(self.stated(LAW_COST, &force::THRESHOLD, Some(index), because, sides, None));
-        let because = "from then on the impulse is that of the push less kinetic friction".to_owned();
-        moves.equations.push(self.stated(
-            LAW_COST,
-            &force::IMPULSE,
-            Some(index),
-            because,
-            (gained.clone(), value),
-            Some(integral),
-        ));
-        let because = format!("{name} starts from rest");
-        let sides = (gained, mass.clone() * after.clone());
-        moves.equations.push(self.stated(LAW_COST, &momentum::IMPULSE_MOMENTUM, Some(index), because, sides, None));
+        for (sliding, since) in [(&mut at_once, ""), (&mut moves, "from then on ")] {
+            let because = format!("{since}the impulse is that of the push less kinetic friction");
+            let sides = (gained.clone(), value.clone());
+            let integral = Some(integral.clone());
+            sliding.equations.push(self.stated(LAW_COST, &force::IMPULSE, Some(index), because, sides, integral));
+            let because = format!("{name} starts from rest");
+            let sides = (gained.clone(), mass.clone() * after.clone());
+            sliding.equations.push(self.stated(
+                LAW_COST,
+                &momentum::IMPULSE_MOMENTUM,
+                Some(index),
+                because,
+                sides,
+                None,
+            ));
+        }
+        let weak = "the push does not exceed static friction when it begins";
+        at_once.conditions.push(self.condition(at(along, start), Relation::Greater, at(threshold, start), weak));
         let early = "the push would exceed static friction before it began";
         moves.conditions.push(self.condition(begins.clone(), Relation::AtLeast, start.clone(), early));
+        let at_first = "the push exceeds static friction from the beginning";
+        moves.conditions.push(self.condition(at(along, start), Relation::AtMost, at(threshold, start), at_first));
         let late = format!("the push never exceeds static friction, so that {name} stays at rest");
         moves.conditions.push(self.condition(begins, Relation::Less, end.clone(), late));
 
-        let mut stays = Alternative { what: format!("{name} stays at rest"), ..Alternative::default() };
         let because = format!("the push stays below the greatest static friction, and {name} does not move");
-        stays.equations.push(self.stated(
-            LAW_COST,
-            &force::THRESHOLD,
-            Some(index),
-            because,
-            (after.clone(), Expr::zero()),
-            None,
-        ));
+        let sides = (after.clone(), Expr::zero());
+        stays.equations.push(self.stated(LAW_COST, &force::THRESHOLD, Some(index), because, sides, None));
         let reason = format!("the push exceeds static friction, so that {name} does not stay at rest");
         stays.conditions.push(self.condition(at(along, end), Relation::AtMost, at(threshold, end), reason));
-        self.choices.push(vec![moves, stays]);
+        let reason = format!("the push exceeds static friction backwards, so that {name} does not stay at rest");
+        stays.conditions.push(self.condition(at(along, end), Relation::AtLeast, -at(threshold, end), reason));
+        self.choices.push(vec![moves, at_once, stays]);
     }
 
     /// The time at which a body at rest starts to slide.
