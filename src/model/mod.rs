@@ -8,6 +8,7 @@ mod frame;
 mod friction;
 mod guide;
 mod instance;
+mod mistaken;
 mod name;
 mod place;
 mod read;
@@ -19,6 +20,7 @@ pub use acting::{ActingForce, Flowing, ForceKind};
 pub use builder::{Alternative, Builder};
 pub use frame::{Direction, Frame};
 pub use instance::{Agent, Impulse, Instance, Integral, Omission, Reason, Warning};
+pub use mistaken::Mistaken;
 pub use name::{Instant, Name};
 pub use timeline::Timeline;
 
