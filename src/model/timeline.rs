@@ -127,8 +127,9 @@ fn changed_bodies(stage: &Stage) -> Vec<String> {
         Stage::Bounces(stage) => vec![stage.body.clone()],
         Stage::Separate(stage) => stage.into.clone(),
         Stage::SlideOff(stage) => vec![stage.body.clone(), stage.on.clone()],
-        // From rest to rest, with the velocities that they had.
-        Stage::Walk(_) => Vec::new(),
+        Stage::Thrust(stage) => vec![stage.body.clone()],
+        // All keep the velocities that they had; a walk goes from rest to rest.
+        Stage::Stream(_) | Stage::Drift(_) | Stage::Walk(_) => Vec::new(),
         Stage::Flight(stage) => stage.flying().map(str::to_owned).collect(),
     }
 }

@@ -3,6 +3,7 @@
 mod blow;
 mod bounces;
 mod central;
+mod drift;
 mod fall;
 mod flight;
 mod guided;
@@ -11,7 +12,9 @@ mod push;
 mod rotate;
 mod separate;
 mod slide_off;
+mod stream;
 mod surface;
+mod thrust;
 mod walk;
 
 pub(in crate::model) use push::Acting;
@@ -35,6 +38,9 @@ impl Builder<'_> {
                 Stage::Central(stage) => self.central(index, stage),
                 Stage::Fall(stage) => self.fall(index, stage, &path),
                 Stage::Bounces(stage) => self.bounces(index, stage, &path),
+                Stage::Stream(stage) => self.stream(index, stage, &path),
+                Stage::Thrust(stage) => self.thrust(index, stage, &path),
+                Stage::Drift(stage) => self.drift(index, stage, &path),
                 Stage::Flight(stage) => self.flight(index, stage, &path),
                 Stage::SlideOff(stage) => self.slide_off(index, stage, &path),
                 Stage::Walk(stage) => self.walk(index, stage, &path),

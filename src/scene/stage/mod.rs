@@ -3,6 +3,7 @@
 mod blow;
 mod bounces;
 mod central;
+mod drift;
 mod fall;
 mod flight;
 mod impact;
@@ -10,11 +11,14 @@ mod push;
 mod rotate;
 mod separate;
 mod slide_off;
+mod stream;
+mod thrust;
 mod walk;
 
 pub use blow::Blow;
 pub use bounces::Bounces;
 pub use central::Central;
+pub use drift::Drift;
 pub use fall::Fall;
 pub use flight::Flight;
 pub use impact::{Impact, Partners};
@@ -22,6 +26,8 @@ pub use push::{During, Push};
 pub use rotate::{Arm, Rotate};
 pub use separate::{Relative, Separate, When};
 pub use slide_off::SlideOff;
+pub use stream::Stream;
+pub use thrust::{BurningMass, Exhaust, Jet, Thrust};
 pub use walk::Walk;
 
 use schemars::JsonSchema;
@@ -45,6 +51,12 @@ pub enum Stage {
     Fall(Fall),
     /// A body bounces on a level floor, again and again.
     Bounces(Bounces),
+    /// A steady stream meets a body.
+    Stream(Stream),
+    /// A body is driven by mass that it throws away.
+    Thrust(Thrust),
+    /// Nothing acts: the bodies go on evenly, for a time or until something holds.
+    Drift(Drift),
     /// A body comes apart: an explosion, a recoil, a jump, a shot.
     Separate(Separate),
     /// A body slides down another, which is free to move.
@@ -68,6 +80,9 @@ impl Stage {
             Self::Central(_) => "central",
             Self::Fall(_) => "fall",
             Self::Bounces(_) => "bounces",
+            Self::Stream(_) => "stream",
+            Self::Thrust(_) => "thrust",
+            Self::Drift(_) => "drift",
             Self::Separate(_) => "separate",
             Self::SlideOff(_) => "slide_off",
             Self::Walk(_) => "walk",
@@ -86,6 +101,9 @@ impl Stage {
             Self::Central(stage) => &stage.name,
             Self::Fall(stage) => &stage.name,
             Self::Bounces(stage) => &stage.name,
+            Self::Stream(stage) => &stage.name,
+            Self::Thrust(stage) => &stage.name,
+            Self::Drift(stage) => &stage.name,
             Self::Separate(stage) => &stage.name,
             Self::SlideOff(stage) => &stage.name,
             Self::Walk(stage) => &stage.name,
