@@ -1,11 +1,36 @@
 //! Small matters of English.
 
+use crate::scene::Scene;
+use crate::scene::Stage;
+
 use super::Inline;
+
+/// How a body is called in a sentence; what two bodies become, by both of their names.
+pub(super) fn called(scene: &Scene, body: &str) -> String {
+    if let Some(entry) = scene.bodies.get(body) {
+        return entry.name.clone();
+    }
+    let made = scene.stages.iter().find_map(|stage| match stage {
+        Stage::Impact(impact) if impact.becomes.as_deref() == Some(body) => impact.between.as_ref(),
+        _ => None,
+    });
+    match made {
+        Some([first, second]) if first != body && second != body => {
+            format!("{} and {} together", called(scene, first), called(scene, second))
+        }
+        _ => body.to_owned(),
+    }
+}
 
 /// The sentence with its first letter large.
 pub(super) fn capitalised(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().collect::<String>() + letters.as_str())
+}
+
+/// The form of a verb for one body, or for two that stay together.
+pub(super) fn agree<'a>(name: &str, [one, several]: [&'a str; 2]) -> &'a str {
+    if name.ends_with(" together") { several } else { one }
 }
 
 /// `a`, `a and b`, `a, b and c`.

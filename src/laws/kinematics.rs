@@ -65,6 +65,26 @@ pub const BOUNCE_PATH: Law = Law {
     source: "The height after n bounces, and a geometric series.",
 };
 
+/// A body that has come to rest.
+pub const REST: Law = Law {
+    id: "rest",
+    name: "the meaning of rest",
+    statement: "A body that has come to rest has no velocity.",
+    signs: "None are needed.",
+    when: "At the instant of rest.",
+    source: "Kinematics.",
+};
+
+/// Bodies that move with one velocity.
+pub const TOGETHER: Law = Law {
+    id: "same-velocity",
+    name: "the condition that both move with one velocity",
+    statement: "Bodies whose distance does not change at an instant have the same velocity along the line that joins them; so have the ends of a taut string.",
+    signs: "As the velocities.",
+    when: "A string is taut, or a spring between the bodies is deformed most.",
+    source: "Kinematics.",
+};
+
 /// Counting until a condition holds.
 pub const COUNT: Law = Law {
     id: "count",
@@ -76,7 +96,8 @@ pub const COUNT: Law = Law {
 };
 
 /// The laws of this chapter.
-pub const LAWS: &[&Law] = &[&FALL_SPEED, &FALL_TIME, &BOUNCE_HEIGHT, &BOUNCE_SPEED, &BOUNCE_TIME, &BOUNCE_PATH, &COUNT];
+pub const LAWS: &[&Law] =
+    &[&FALL_SPEED, &FALL_TIME, &BOUNCE_HEIGHT, &BOUNCE_SPEED, &BOUNCE_TIME, &BOUNCE_PATH, &REST, &TOGETHER, &COUNT];
 
 /// `v_2^2 = v_1^2 + 2 g h`.
 #[must_use]

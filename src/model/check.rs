@@ -8,6 +8,7 @@ use crate::scene::Axes;
 use crate::scene::Plane;
 use crate::scene::Scene;
 use crate::scene::Stage;
+use crate::scene::stage::Ends;
 use crate::scene::stage::Impact;
 use crate::scene::stage::Partners;
 
@@ -97,6 +98,29 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
                 }
             },
             Stage::Push(stage) => body(&stage.body, "body"),
+            Stage::Slide(stage) => body(&stage.body, "body"),
+            Stage::Spring(stage) => match stage.ends() {
+                Some(Ends::Fixed(name)) => body(name, "body"),
+                Some(Ends::Free(first, second)) => [first, second].into_iter().for_each(|name| body(name, "between")),
+                None => {
+                    let fault =
+                        Fault::new(Code::MissingKey, "a spring needs a body, or two bodies between which it lies");
+                    faults.push(fault.help("write `body: A`, or `between: [A, B]`").at_path(at.clone()));
+                }
+            },
+            Stage::Swing(stage) => {
+                body(&stage.body, "body");
+                faults.extend(not_vertical(scene, "a swing").map(|fault| fault.at_path(at.clone())));
+            }
+            Stage::Taut(stage) => stage.between.iter().for_each(|name| body(name, "between")),
+            Stage::Connected(stage) => {
+                body(&stage.trailing.body, "trailing");
+                body(&stage.leading.body, "leading");
+                if !matches!(&scene.axes, Axes::Rectangular(axes) if axes.len() == 1) {
+                    let fault = Fault::new(Code::Value, "bodies on a string over a pulley need a scene with one axis");
+                    faults.push(fault.help("write `axes: { x: along the string }`").at_path(at.clone()));
+                }
+            }
             Stage::Blow(stage) => body(&stage.body, "body"),
             Stage::Rotate(stage) => {
                 body(&stage.body, "body");
@@ -112,15 +136,18 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
             }
             Stage::Fall(stage) => {
                 body(&stage.body, "body");
-                if scene.plane != Plane::Vertical {
-                    let fault = Fault::new(Code::Value, "a fall needs a vertical plane");
-                    faults.push(fault.help("write `plane: vertical` under `scene`").at_path(at.clone()));
-                }
+                faults.extend(not_vertical(scene, "a fall").map(|fault| fault.at_path(at.clone())));
             }
             Stage::Bounces(stage) => body(&stage.body, "body"),
         }
     }
     faults
+}
+
+/// What moves by its weight needs a plane in which weight acts.
+fn not_vertical(scene: &Scene, what: &str) -> Option<Fault> {
+    let fault = || Fault::new(Code::Value, format!("{what} needs a vertical plane"));
+    (scene.plane != Plane::Vertical).then(|| fault().help("write `plane: vertical` under `scene`"))
 }
 
 /// What two bodies become is a body of its own: its name must not be that of another.

@@ -87,6 +87,8 @@ pub enum Warning {
     EnergyCreated,
     /// A body would move the other way than its stage says.
     Reverses,
+    /// A cord or a string would go slack.
+    GoesSlack,
 }
 
 impl Warning {
@@ -96,5 +98,6 @@ impl Warning {
         ("passes-through", Self::PassesThrough),
         ("energy-created", Self::EnergyCreated),
         ("reverses", Self::Reverses),
+        ("goes-slack", Self::GoesSlack),
     ];
 }

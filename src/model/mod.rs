@@ -6,11 +6,14 @@ mod check;
 mod define;
 mod frame;
 mod friction;
+mod incline;
 mod instance;
 mod name;
+mod pair;
 mod read;
 mod stage;
 mod timeline;
+mod way;
 mod wording;
 
 pub use acting::{ActingForce, ForceKind};

@@ -5,6 +5,7 @@ use crate::figure::Drawing;
 use crate::figure::MomentumDiagram;
 use crate::model::ForceKind;
 use crate::scene::Stage;
+use crate::scene::stage::Ends;
 use crate::scene::stage::Partners;
 
 use super::compass::Compass;
@@ -35,7 +36,13 @@ pub(super) fn diagram(quantities: &Quantities<'_>, compass: &Compass, stage: usi
     }
     let mut balances: Vec<Balance> =
         bodies.iter().map(|pair| balance(quantities, own, stage, pair, bodies.len())).collect();
-    complete(&mut balances, matches!(own, Stage::Impact(impact) if impact.between.is_some()));
+    let act_on_each_other = match own {
+        Stage::Impact(impact) => impact.between.is_some(),
+        Stage::Spring(spring) => spring.between.is_some(),
+        Stage::Taut(taut) => taut.over.is_none(),
+        _ => false,
+    };
+    complete(&mut balances, act_on_each_other);
     let frame = quantities.model().frames.get(stage)?.as_ref();
     let normal = frame.and_then(|frame| quantities.direction(&frame.normal)).map(|normal| compass.angle(normal));
     let turned = frame.is_some_and(|frame| !frame.normal.turn.is_zero());
@@ -59,6 +66,12 @@ pub(super) fn diagram(quantities: &Quantities<'_>, compass: &Compass, stage: usi
     Some(diagram.drawing())
 }
 
+/// Whether nothing tells for how long the forces of a stage act, so that their impulses are not known.
+pub(super) fn has_no_time(quantities: &Quantities<'_>, stage: usize) -> bool {
+    let mut own = quantities.model().forces.iter().filter(|force| force.stage == stage);
+    own.any(|force| quantities.evaluate(&force.during[1]).is_none())
+}
+
 /// Whether anything in the problem speaks of the mass centre.
 pub(super) fn concerns_mass_centre(quantities: &Quantities<'_>) -> bool {
     let is_of_centre = |name: &str| name.starts_with("v_G") || name.starts_with("r_G");
@@ -78,9 +91,16 @@ fn participants(stage: &Stage) -> Vec<(String, String)> {
             None => Vec::new(),
         },
         Stage::Push(stage) => alone(&stage.body),
+        Stage::Slide(stage) => alone(&stage.body),
+        Stage::Spring(stage) => match stage.ends() {
+            Some(Ends::Free(first, second)) => [first, second].map(|body| (body.to_owned(), body.to_owned())).to_vec(),
+            Some(Ends::Fixed(body)) => alone(body),
+            None => Vec::new(),
+        },
+        Stage::Taut(stage) => stage.between.clone().map(|body| (body.clone(), body)).to_vec(),
         Stage::Blow(stage) => alone(&stage.body),
         Stage::Fall(stage) => alone(&stage.body),
-        Stage::Rotate(_) | Stage::Central(_) | Stage::Bounces(_) => Vec::new(),
+        Stage::Swing(_) | Stage::Connected(_) | Stage::Rotate(_) | Stage::Central(_) | Stage::Bounces(_) => Vec::new(),
     }
 }
 
@@ -95,7 +115,7 @@ fn balance(
     let scale = quantities.mass(body).or((count == 1).then_some(1.0));
     let model = quantities.model();
     let impulses = match own {
-        Stage::Push(_) => {
+        Stage::Push(_) | Stage::Slide(_) => {
             let forces = model.forces.iter().filter(|force| force.stage == stage && force.on == *body);
             // Where the body never starts to move, no force has a time in which it changes the momentum.
             let forces = forces.filter(|force| quantities.evaluate(&force.during[0]).is_some());

@@ -3,18 +3,30 @@
 mod blow;
 mod bounces;
 mod central;
+mod connected;
 mod fall;
 mod impact;
 mod push;
 mod rotate;
+mod slide;
+mod spring;
+mod swing;
+mod taut;
+mod until;
 
 pub use blow::Blow;
 pub use bounces::Bounces;
 pub use central::Central;
+pub use connected::{Connected, Strand};
 pub use fall::Fall;
 pub use impact::{Impact, Partners};
 pub use push::{During, Push};
 pub use rotate::{Arm, Rotate};
+pub use slide::Slide;
+pub use spring::{Ends, Spring};
+pub use swing::{Place, Swing, Way};
+pub use taut::Taut;
+pub use until::Until;
 
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -27,6 +39,16 @@ pub enum Stage {
     Impact(Impact),
     /// Forces of known law act on a body for a time.
     Push(Push),
+    /// A body slides over a floor or along a slope.
+    Slide(Slide),
+    /// A spring acts on a body, or between two bodies.
+    Spring(Spring),
+    /// A body swings on a cord.
+    Swing(Swing),
+    /// A string between two bodies goes taut.
+    Taut(Taut),
+    /// Two bodies move on the ends of a taut string over a pulley.
+    Connected(Connected),
     /// A blow of unknown history: only its impulse, or its mean force and duration, is spoken of.
     Blow(Blow),
     /// A particle is held on an arm about a fixed point, and a moment acts.
@@ -46,6 +68,11 @@ impl Stage {
         match self {
             Self::Impact(_) => "impact",
             Self::Push(_) => "push",
+            Self::Slide(_) => "slide",
+            Self::Spring(_) => "spring",
+            Self::Swing(_) => "swing",
+            Self::Taut(_) => "taut",
+            Self::Connected(_) => "connected",
             Self::Blow(_) => "blow",
             Self::Rotate(_) => "rotate",
             Self::Central(_) => "central",
@@ -60,6 +87,11 @@ impl Stage {
         let name = match self {
             Self::Impact(stage) => &stage.name,
             Self::Push(stage) => &stage.name,
+            Self::Slide(stage) => &stage.name,
+            Self::Spring(stage) => &stage.name,
+            Self::Swing(stage) => &stage.name,
+            Self::Taut(stage) => &stage.name,
+            Self::Connected(stage) => &stage.name,
             Self::Blow(stage) => &stage.name,
             Self::Rotate(stage) => &stage.name,
             Self::Central(stage) => &stage.name,
