@@ -1,5 +1,6 @@
 //! The section on momentum and impulse: the figures, what acts, what is left out and why.
 
+use crate::model::Agent;
 use crate::model::ForceKind;
 use crate::model::Impulse;
 use crate::model::Model;
@@ -12,7 +13,6 @@ use super::Inline;
 use super::pictures;
 use super::steps::text;
 use super::wording::agree;
-use super::wording::called;
 use super::wording::capitalised;
 use super::wording::list;
 
@@ -41,7 +41,7 @@ pub(super) fn diagrams(worked: Worked<'_>) -> Vec<Block> {
 fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) -> Option<String> {
     let impulses: Vec<&Impulse> = model.impulses.iter().filter(|impulse| impulse.stage == index).collect();
     let first = impulses.first()?;
-    let name = |body: &str| called(scene, body);
+    let name = |body: &str| scene.called(body);
     let body = name(&first.on);
     let [is, its] = [["is", "are"], ["its", "their"]].map(|forms| agree(&body, forms));
     let phrase = model.phrase(scene, index);
@@ -50,11 +50,27 @@ fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) -> Option<S
         _ => format!("During {phrase} {sentence}."),
     };
     Some(match (stage, &impulses[..]) {
-        (Stage::Impact(_), [one, other, ..]) => format!(
-            "During {phrase}, {} and {} give each other equal and opposite impulses; nothing else is impulsive.",
-            name(&one.on),
-            name(&other.on)
-        ),
+        (Stage::Impact(_) | Stage::Separate(_), [_, _, ..]) => {
+            let inner = impulses.iter().filter(|impulse| matches!(impulse.by, Agent::Body(_)));
+            let bodies = inner.map(|impulse| name(&impulse.on)).collect::<Vec<_>>();
+            let equal = if bodies.len() == 2 { "equal and opposite impulses" } else { "impulses that cancel" };
+            let bodies = list(&bodies);
+            let guides: Vec<String> = impulses
+                .iter()
+                .filter(|impulse| impulse.by == Agent::Guide)
+                .map(|impulse| {
+                    format!("{} gives {} an impulse at right angles to its way", impulse.called, name(&impulse.on))
+                })
+                .collect();
+            let also = if guides.is_empty() { "nothing else is impulsive".to_owned() } else { list(&guides) };
+            format!("During {phrase}, {bodies} give each other {equal}; {also}.")
+        }
+        (Stage::Flight(flight), _) => {
+            let bodies: Vec<String> = flight.flying().map(name).collect();
+            let (are, their) = if bodies.len() > 1 { ("are", "their") } else { ("is", "its") };
+            during(format!("{} {are} acted on by {their} weight alone", list(&bodies)))
+        }
+        (Stage::Separate(_), _) => return None,
         (Stage::Impact(_) | Stage::Blow(_), _) => {
             format!("During {phrase} the only impulsive force on {body} is that of {}.", first.called)
         }

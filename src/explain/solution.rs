@@ -24,7 +24,6 @@ use super::steps::Figures;
 use super::steps::Steps;
 use super::steps::text;
 use super::wording::agree;
-use super::wording::called;
 use super::wording::capitalised;
 use super::wording::list;
 
@@ -58,7 +57,10 @@ fn section(heading: &str, blocks: Vec<Block>) -> Section {
 /// Who belongs to the system, and from when to when it is looked at.
 fn system(worked: Worked<'_>) -> Vec<Block> {
     let scene = &worked.problem.loaded().draft.scene;
-    let names: Vec<String> = scene.bodies.values().map(|body| body.name.clone()).collect();
+    // What comes apart belongs to the system as its parts.
+    let whole = |body: &String| !scene.division_of(body).is_empty();
+    let names: Vec<String> =
+        scene.bodies.iter().filter(|(own, _)| !whole(own)).map(|(_, body)| body.name.clone()).collect();
     let together = if names.len() > 1 { " together" } else { "" };
     let who = capitalised(&format!("{}{together}", list(&names)));
     let when = if scene.stages.is_empty() {
@@ -89,7 +91,7 @@ fn system(worked: Worked<'_>) -> Vec<Block> {
 
 /// What happens in a stage, as a noun phrase.
 fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
-    let name = |body: &str| called(scene, body);
+    let name = |body: &str| scene.called(body);
     let does = |body: &str, forms: [&str; 2]| format!("{} {}", name(body), agree(&name(body), forms));
     match stage {
         Stage::Impact(impact) => match (&impact.between, &impact.body, &impact.against) {
@@ -117,6 +119,13 @@ fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
         Stage::Central(central) => format!("{} moves under the central force", name(&central.body)),
         Stage::Fall(fall) => format!("{} falls", name(&fall.body)),
         Stage::Bounces(bounces) => format!("{} bounces", name(&bounces.body)),
+        Stage::Flight(flight) => {
+            let bodies: Vec<String> = flight.flying().map(|body| scene.called(body)).collect();
+            format!("{} {} freely", list(&bodies), if bodies.len() > 1 { "move" } else { "moves" })
+        }
+        Stage::Separate(separate) => {
+            format!("{phrase} of {}", list(&separate.into.iter().map(|part| name(part)).collect::<Vec<_>>()))
+        }
     }
 }
 

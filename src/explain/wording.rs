@@ -1,26 +1,6 @@
 //! Small matters of English.
 
-use crate::scene::Scene;
-use crate::scene::Stage;
-
 use super::Inline;
-
-/// How a body is called in a sentence; what two bodies become, by both of their names.
-pub(super) fn called(scene: &Scene, body: &str) -> String {
-    if let Some(entry) = scene.bodies.get(body) {
-        return entry.name.clone();
-    }
-    let made = scene.stages.iter().find_map(|stage| match stage {
-        Stage::Impact(impact) if impact.becomes.as_deref() == Some(body) => impact.between.as_ref(),
-        _ => None,
-    });
-    match made {
-        Some([first, second]) if first != body && second != body => {
-            format!("{} and {} together", called(scene, first), called(scene, second))
-        }
-        _ => body.to_owned(),
-    }
-}
 
 /// The sentence with its first letter large.
 pub(super) fn capitalised(text: &str) -> String {

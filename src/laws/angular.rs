@@ -12,6 +12,7 @@ pub const ANGULAR_MOMENTUM: Law = Law {
     signs: "Counter-clockwise is positive.",
     when: "About a fixed point, or about the mass centre.",
     source: "Definition, H = r x m v.",
+    wrong: &[],
 };
 
 /// Angular impulse and momentum.
@@ -22,6 +23,7 @@ pub const ANGULAR_IMPULSE: Law = Law {
     signs: "Counter-clockwise is positive.",
     when: "About a fixed point, or about the mass centre.",
     source: "Newton's second law, its moment integrated over time.",
+    wrong: &[],
 };
 
 /// The integral of a moment.
@@ -32,6 +34,7 @@ pub const MOMENT_IMPULSE: Law = Law {
     signs: "Counter-clockwise is positive.",
     when: "Always; a constant moment gives moment times time.",
     source: "Definition.",
+    wrong: &[],
 };
 
 /// Conservation about the centre of a central force.
@@ -42,6 +45,7 @@ pub const CENTRAL: Law = Law {
     signs: "Counter-clockwise is positive.",
     when: "Every force on the particle points to or from the fixed point.",
     source: "The principle of angular impulse and momentum, divided by the mass.",
+    wrong: &[],
 };
 
 /// Kepler's second law.
@@ -52,6 +56,7 @@ pub const AREAL: Law = Law {
     signs: "Counter-clockwise is positive.",
     when: "Under a central force.",
     source: "The area of a thin triangle, and conservation of angular momentum.",
+    wrong: &[],
 };
 
 /// The laws of this chapter.

@@ -13,6 +13,7 @@ pub const KINETIC: Law = Law {
     signs: "Never negative, whatever the direction of motion.",
     when: "Always.",
     source: "Definition.",
+    wrong: &[],
 };
 
 /// Energy lost in a stage.
@@ -23,6 +24,18 @@ pub const LOSS: Law = Law {
     signs: "A loss is positive.",
     when: "Always; in an impact without a source of energy it is never negative.",
     source: "Definition.",
+    wrong: &[],
+};
+
+/// Energy gained in a stage.
+pub const GAIN: Law = Law {
+    id: "energy-gained",
+    name: "the balance of kinetic energy",
+    statement: "The kinetic energy gained is the kinetic energy after less the kinetic energy before.",
+    signs: "A gain is positive.",
+    when: "Always; in a separation something supplies it: an explosive, a spring, muscles.",
+    source: "Definition.",
+    wrong: &[],
 };
 
 /// Work and kinetic energy.
@@ -33,6 +46,7 @@ pub const WORK_ENERGY: Law = Law {
     signs: "A force along the motion does positive work, one against it negative work.",
     when: "Always; forces at right angles to the motion do no work.",
     source: "Newton's second law, integrated over the distance.",
+    wrong: &[],
 };
 
 /// Conservation of mechanical energy.
@@ -43,10 +57,11 @@ pub const CONSERVATION: Law = Law {
     signs: "Heights count upwards; the energy of a spring is never negative.",
     when: "No friction and no impact between the two instants.",
     source: "The principle of work and energy, for forces whose work depends on the place alone.",
+    wrong: &[],
 };
 
 /// The laws of this chapter.
-pub const LAWS: &[&Law] = &[&KINETIC, &LOSS, &WORK_ENERGY, &CONSERVATION];
+pub const LAWS: &[&Law] = &[&KINETIC, &LOSS, &GAIN, &WORK_ENERGY, &CONSERVATION];
 
 /// What is there at the start and the work on the way make up what is there at the end.
 #[must_use]

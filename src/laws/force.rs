@@ -13,6 +13,7 @@ pub const IMPULSE: Law = Law {
     signs: "Positive along the axis.",
     when: "Always; a constant force gives force times time.",
     source: "Definition.",
+    wrong: &[],
 };
 
 /// Mean force over a duration.
@@ -23,6 +24,7 @@ pub const MEAN_FORCE: Law = Law {
     signs: "As the impulse.",
     when: "Always.",
     source: "Definition.",
+    wrong: &[],
 };
 
 /// Weight.
@@ -33,6 +35,7 @@ pub const WEIGHT: Law = Law {
     signs: "Positive as a magnitude; it acts downwards.",
     when: "Near the ground.",
     source: "Newton's second law for free fall.",
+    wrong: &[],
 };
 
 /// Balance of forces across a floor.
@@ -43,6 +46,7 @@ pub const NORMAL_FORCE: Law = Law {
     signs: "The normal force is positive as a push of the floor.",
     when: "The body does not leave the floor.",
     source: "Newton's second law across the floor, where nothing accelerates.",
+    wrong: &[],
 };
 
 /// Kinetic friction.
@@ -53,6 +57,7 @@ pub const FRICTION: Law = Law {
     signs: "The magnitude is positive; it acts against the motion.",
     when: "The body slides and does not change its direction during the stage.",
     source: "Coulomb's law of dry friction, an experimental law.",
+    wrong: &[],
 };
 
 /// Static threshold.
@@ -63,6 +68,7 @@ pub const THRESHOLD: Law = Law {
     signs: "Magnitudes.",
     when: "The body is at rest and the push grows.",
     source: "Coulomb's law of dry friction, an experimental law.",
+    wrong: &[],
 };
 
 /// Force of a spring.
@@ -73,6 +79,7 @@ pub const HOOKE: Law = Law {
     signs: "Magnitudes; the force acts against the deformation.",
     when: "The spring is light and not overstretched.",
     source: "Hooke's law, an experimental law.",
+    wrong: &[],
 };
 
 /// Pull of a cord on a circle.
@@ -83,6 +90,7 @@ pub const CORD: Law = Law {
     signs: "Positive towards the centre; the angle is counted from the vertical below the centre.",
     when: "The body moves on a circle.",
     source: "Newton's second law and the acceleration of motion on a circle.",
+    wrong: &[],
 };
 
 /// The laws of this chapter.

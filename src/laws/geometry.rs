@@ -13,6 +13,7 @@ pub const COMPONENTS: Law = Law {
     signs: "Angles are counted counter-clockwise from the axis.",
     when: "Always.",
     source: "Trigonometry.",
+    wrong: &[],
 };
 
 /// The change to axes along and across a line.
@@ -23,6 +24,7 @@ pub const ROTATION: Law = Law {
     signs: "n along the line, t at 90° to it, counter-clockwise.",
     when: "Always.",
     source: "Trigonometry.",
+    wrong: &[],
 };
 
 /// The magnitude from the components.
@@ -33,6 +35,7 @@ pub const MAGNITUDE: Law = Law {
     signs: "A magnitude is never negative.",
     when: "Always, along perpendicular axes.",
     source: "Pythagoras' theorem.",
+    wrong: &[],
 };
 
 /// The direction from the components.
@@ -43,6 +46,7 @@ pub const DIRECTION: Law = Law {
     signs: "Angles are counted counter-clockwise; the signs of both components tell the quadrant.",
     when: "Always, along perpendicular axes.",
     source: "Trigonometry.",
+    wrong: &[],
 };
 
 /// Speed on a circle.
@@ -53,6 +57,7 @@ pub const ARC: Law = Law {
     signs: "Counter-clockwise is positive.",
     when: "The distance from the centre does not change at that instant.",
     source: "The length of an arc.",
+    wrong: &[],
 };
 
 /// Height on a circle.
@@ -63,6 +68,7 @@ pub const HEIGHT_ON_CIRCLE: Law = Law {
     signs: "Heights and lengths are positive.",
     when: "The cord is straight.",
     source: "Trigonometry.",
+    wrong: &[],
 };
 
 /// Height of a slope.
@@ -73,6 +79,7 @@ pub const HEIGHT_OF_SLOPE: Law = Law {
     signs: "Heights and lengths are positive.",
     when: "The slope is straight.",
     source: "Trigonometry.",
+    wrong: &[],
 };
 
 /// Given by the author.
@@ -83,6 +90,7 @@ pub const RELATION: Law = Law {
     signs: "As stated.",
     when: "As stated.",
     source: "The problem.",
+    wrong: &[],
 };
 
 /// The laws of this chapter.

@@ -38,6 +38,18 @@ impl Direction {
             _ => [sin, -cos],
         }
     }
+
+    /// Components along the axis from which the direction is counted, and at 90° to it counter-clockwise.
+    #[must_use]
+    pub fn from_axis(&self, x: &Expr, y: &Expr) -> [Expr; 2] {
+        let (x, y) = (x.clone(), y.clone());
+        match self.quarters % 4 {
+            0 => [x, y],
+            1 => [y, -x],
+            2 => [-x, -y],
+            _ => [-y, x],
+        }
+    }
 }
 
 /// The axes n and t of a contact.

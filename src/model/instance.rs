@@ -63,6 +63,8 @@ pub enum Agent {
     Body(String),
     /// A surface of the scene.
     Surface(String),
+    /// What guides a body, at right angles to the way in which it lets it move.
+    Guide,
     /// Something outside the scene: a hand, an engine, the earth.
     Outside,
 }

@@ -6,10 +6,12 @@ mod check;
 mod define;
 mod frame;
 mod friction;
+mod guide;
 mod incline;
 mod instance;
 mod name;
 mod pair;
+mod place;
 mod read;
 mod stage;
 mod timeline;
@@ -205,14 +207,19 @@ impl<'s> Builder<'s> {
         let entry = self.symbols.entry(angle).clone();
         let sense = if clockwise { "clockwise" } else { "counter-clockwise" };
         let own = self.symbol(entry.name.replacen("angle", "phi", 1), Dimension::NONE, entry.meaning);
-        let turned = Expr::from(angle) - self.whole_angle(&start);
-        let value = if clockwise { -turned } else { turned };
-        self.law(
-            &geometry::DIRECTION,
-            None,
-            format!("the angle is asked {sense} from {}", from.replace('-', "\u{2212}")),
-            (own.into(), value),
-        );
+        let (because, value) = match self.directions.get(&angle) {
+            Some([x, y]) => {
+                let [along, across] = start.from_axis(x, y);
+                let across = if clockwise { -across } else { across };
+                ("the components give the angle", across.atan2(along))
+            }
+            None => {
+                let turned = Expr::from(angle) - self.whole_angle(&start);
+                ("the angle is asked", if clockwise { -turned } else { turned })
+            }
+        };
+        let because = format!("{because}, counted {sense} from {}", from.replace('-', "\u{2212}"));
+        self.law(&geometry::DIRECTION, None, because, (own.into(), value));
         Some(own)
     }
 

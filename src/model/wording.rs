@@ -2,6 +2,7 @@
 
 use crate::scene::Scene;
 use crate::scene::Stage;
+use crate::scene::stage::Separate;
 
 /// What a kind of stage is called, and when its two ends are: key, noun, before, after. `{}` stands for the noun phrase.
 const KINDS: &[(&str, &str, &str, &str)] = &[
@@ -16,6 +17,8 @@ const KINDS: &[(&str, &str, &str, &str)] = &[
     ("rotate", "motion", "at the start of {}", "at the end of {}"),
     ("central", "flight", "at the first place", "at the second place"),
     ("fall", "fall", "at the start of {}", "at the end of {}"),
+    ("flight", "flight", "at the start of {}", "at the end of {}"),
+    ("separate", "separation", "just before {}", "just after {}"),
     ("bounces", "bouncing", "just before the first bounce", "after the bounces"),
 ];
 
@@ -27,11 +30,19 @@ fn kind(stage: &Stage) -> (&'static str, &'static str, &'static str) {
     row.map_or(("stage", "before {}", "after {}"), |row| (row.1, row.2, row.3))
 }
 
+/// What a stage is called: by its kind, or as the author calls it.
+fn noun(stage: &Stage) -> &str {
+    match stage {
+        Stage::Separate(Separate { called: Some(noun), .. }) => noun,
+        _ => kind(stage).0,
+    }
+}
+
 /// A stage as a noun phrase: `the impact`; `the second impact` where there are several.
 pub(super) fn stage(scene: &Scene, index: usize) -> String {
     let Some(own) = scene.stages.get(index) else { return "the stage".into() };
-    let noun = kind(own).0;
-    let alike = |stage: &&Stage| stage.key() == own.key();
+    let noun = noun(own);
+    let alike = |stage: &&Stage| self::noun(stage) == noun;
     let before = scene.stages.iter().take(index).filter(alike).count();
     if scene.stages.iter().filter(alike).count() < 2 {
         return format!("the {noun}");

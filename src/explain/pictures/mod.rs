@@ -16,6 +16,7 @@ use crate::problem::PartKind;
 use crate::problem::Sampler;
 use crate::problem::Variant;
 use crate::problem::Worked;
+use crate::scene::Plane;
 use crate::scene::Stage;
 
 use compass::Compass;
@@ -45,7 +46,15 @@ pub(super) fn solution(worked: Worked<'_>) -> Vec<Drawing> {
         Stage::Swing(_) | Stage::Connected(_) => Vec::new(),
         // What a ball gains before it bounces on is not asked for; the figure of the bounces shows its fall.
         Stage::Fall(_) if matches!(stages.get(index + 1), Some(Stage::Bounces(_))) => Vec::new(),
-        Stage::Impact(_) | Stage::Slide(_) | Stage::Spring(_) | Stage::Taut(_) | Stage::Blow(_) | Stage::Fall(_) => {
+        Stage::Flight(_) if quantities.scene().plane == Plane::Horizontal => Vec::new(),
+        Stage::Impact(_)
+        | Stage::Slide(_)
+        | Stage::Spring(_)
+        | Stage::Taut(_)
+        | Stage::Blow(_)
+        | Stage::Fall(_)
+        | Stage::Separate(_)
+        | Stage::Flight(_) => {
             vec![momentum::diagram(&quantities, &compass, index)]
         }
     });

@@ -18,6 +18,7 @@ use super::Builder;
 use super::Instant;
 use super::Name;
 use super::builder::SECOND_COST;
+use kinetic::energy_gained;
 use kinetic::energy_lost;
 use kinetic::kinetic_energy;
 use mass_centre::mass_centre_position;
@@ -37,6 +38,7 @@ const DEFINITIONS: &[(&str, Define)] = &[
     ("J", impulse),
     ("T", kinetic_energy),
     ("T_lost", energy_lost),
+    ("T_gained", energy_gained),
     ("H", angular_momentum),
     ("W", weight),
 ];
@@ -79,12 +81,20 @@ impl Builder<'_> {
     /// The one spelling under which a name's symbol is kept.
     fn spelling(&self, name: &Name) -> String {
         let mut text = name.base.clone();
+        // A part begins where the whole was.
+        let place = name.instant.as_ref().and_then(|instant| match instant {
+            Instant::Number(number) if name.base == "r" && name.subject != "G" => {
+                Some(self.place_since(&name.subject, *number))
+            }
+            _ => None,
+        });
+        let (subject, since) = place.map_or((name.subject.clone(), None), |(body, since)| (body, Some(since)));
         if !name.subject.is_empty() || name.instant.is_some() {
             text.push('_');
-            text.push_str(&name.subject);
+            text.push_str(&subject);
         }
         if let Some(Instant::Number(number)) = name.instant {
-            let since = self.timeline.since(&name.subject, number).unwrap_or(number);
+            let since = since.unwrap_or_else(|| self.timeline.since(&name.subject, number).unwrap_or(number));
             text.push_str(&since.to_string());
         }
         if let Some(component) = &name.component {
@@ -149,6 +159,7 @@ impl Builder<'_> {
         let direction =
             self.symbol(format!("angle_J_{body}{suffix}"), Dimension::NONE, format!("the direction of {meaning}"));
         let [x, y] = components else { return };
+        self.directions.insert(direction, [x.clone(), y.clone()]);
         let because = "the impulse is resolved along the axes";
         for sides in geometry::components(&magnitude.into(), &direction.into(), x, y) {
             self.law_at(SECOND_COST, &geometry::COMPONENTS, Some(stage), because, sides);
@@ -202,9 +213,11 @@ fn position(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
             format!("the distance of {owner} from the centre {when}"),
         ));
     }
-    builder.axis_of(name)?;
-    let meaning = format!("{}the position of {owner} {when}", Builder::component_phrase(name));
-    Some(builder.symbol(spelling, Dimension::LENGTH, meaning))
+    let axis = builder.axis_of(name)?;
+    match builder.place(&body, instant, axis) {
+        Expr::Symbol(symbol) => Some(symbol),
+        _ => None,
+    }
 }
 
 fn linear_momentum(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {

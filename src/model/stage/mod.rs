@@ -5,11 +5,15 @@ mod bounces;
 mod central;
 mod connected;
 mod fall;
+mod flight;
+mod guided;
 mod impact;
 mod push;
 mod rotate;
+mod separate;
 mod slide;
 mod spring;
+mod surface;
 mod swing;
 mod taut;
 
@@ -39,6 +43,8 @@ impl Builder<'_> {
                 Stage::Central(stage) => self.central(index, stage),
                 Stage::Fall(stage) => self.fall(index, stage, &path),
                 Stage::Bounces(stage) => self.bounces(index, stage, &path),
+                Stage::Flight(stage) => self.flight(index, stage, &path),
+                Stage::Separate(stage) => self.separate(index, stage, &path),
             }
         }
     }

@@ -5,9 +5,11 @@ mod bounces;
 mod central;
 mod connected;
 mod fall;
+mod flight;
 mod impact;
 mod push;
 mod rotate;
+mod separate;
 mod slide;
 mod spring;
 mod swing;
@@ -19,9 +21,11 @@ pub use bounces::Bounces;
 pub use central::Central;
 pub use connected::{Connected, Strand};
 pub use fall::Fall;
+pub use flight::Flight;
 pub use impact::{Impact, Partners};
 pub use push::{During, Push};
 pub use rotate::{Arm, Rotate};
+pub use separate::{Relative, Separate, When};
 pub use slide::Slide;
 pub use spring::{Ends, Spring};
 pub use swing::{Place, Swing, Way};
@@ -59,6 +63,10 @@ pub enum Stage {
     Fall(Fall),
     /// A body bounces on a level floor, again and again.
     Bounces(Bounces),
+    /// A body comes apart: an explosion, a recoil, a jump, a shot.
+    Separate(Separate),
+    /// Bodies move freely until something is so.
+    Flight(Flight),
 }
 
 impl Stage {
@@ -78,6 +86,8 @@ impl Stage {
             Self::Central(_) => "central",
             Self::Fall(_) => "fall",
             Self::Bounces(_) => "bounces",
+            Self::Separate(_) => "separate",
+            Self::Flight(_) => "flight",
         }
     }
 
@@ -97,6 +107,8 @@ impl Stage {
             Self::Central(stage) => &stage.name,
             Self::Fall(stage) => &stage.name,
             Self::Bounces(stage) => &stage.name,
+            Self::Separate(stage) => &stage.name,
+            Self::Flight(stage) => &stage.name,
         };
         name.as_deref()
     }

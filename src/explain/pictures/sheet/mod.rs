@@ -25,9 +25,15 @@ pub(super) fn drawing(quantities: &Quantities<'_>, compass: &Compass) -> Option<
             contact::drawing(quantities, compass, impact).or_else(|| line::drawing(quantities, compass, 0))
         }
         Some(Stage::Push(push)) if is_graph(push) => plot::force_plot(quantities, 0),
-        Some(Stage::Push(_) | Stage::Slide(_) | Stage::Spring(_) | Stage::Taut(_) | Stage::Blow(_)) => {
-            line::drawing(quantities, compass, 0)
-        }
+        Some(
+            Stage::Push(_)
+            | Stage::Slide(_)
+            | Stage::Spring(_)
+            | Stage::Taut(_)
+            | Stage::Blow(_)
+            | Stage::Separate(_)
+            | Stage::Flight(_),
+        ) => line::drawing(quantities, compass, 0),
         Some(Stage::Rotate(rotate)) => central::on_arm(quantities, rotate),
         Some(Stage::Central(stage)) => central::under_force(quantities, stage),
         Some(Stage::Swing(_) | Stage::Connected(_)) => None,

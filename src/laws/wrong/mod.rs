@@ -1,0 +1,65 @@
+//! The usual mistakes, as data: what a student does, what to ask about it, and the equation that comes of it. A law's row
+//! lists its wrong forms.
+
+use std::collections::BTreeSet;
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+use crate::expr::SymbolTable;
+use crate::solve::Relation;
+
+use super::Sides;
+
+/// A usual mistake, as a row of its chapter's table.
+#[derive(Debug)]
+pub struct Misconception {
+    /// A stable name for tools, tables and an author's `feedback`: `restitution-inverted`.
+    pub id: &'static str,
+    /// What the student does, as it follows a subject: `divides by the coefficient of restitution`.
+    pub does: &'static str,
+    /// What the student is told, a question first, each hint plainer than the one before. None holds a value.
+    pub hints: &'static [&'static str],
+}
+
+/// A wrong form of a law.
+#[derive(Debug)]
+pub struct WrongForm {
+    /// The mistake behind it.
+    pub of: &'static Misconception,
+    /// The wrong equations that come of it, one for each way of making the mistake; none where it cannot be made.
+    pub write: fn(&Taught<'_>) -> Vec<Wrong>,
+}
+
+/// A law as it stands in one scene: what a wrong form is made from.
+#[derive(Clone, Copy, Debug)]
+pub struct Taught<'a> {
+    /// The two sides, as they are taught.
+    pub sides: &'a Sides,
+    /// The integral of which the right side is the value: integrand and variable, from where and to where.
+    pub integral: Option<(&'a Expr, Symbol, [&'a Expr; 2])>,
+    /// The other laws of the same stage, each with its sides; those of a single instant stand with every stage.
+    pub beside: &'a [(&'static str, &'a Sides)],
+    /// The quantities.
+    pub symbols: &'a SymbolTable,
+    /// What is known before anything is solved.
+    pub known: &'a BTreeSet<Symbol>,
+    /// The coherent unit of acceleration of the problem's unit system, in SI units: what `g` is to one who leaves it out.
+    pub unit_acceleration: &'a Expr,
+}
+
+/// What stands in place of a law for a student who made a mistake.
+#[derive(Clone, Debug)]
+pub struct Wrong {
+    /// The equations in its place.
+    pub equations: Vec<Sides>,
+    /// Laws of the same stage that the student leaves aside, by their ids.
+    pub without: &'static [&'static str],
+    /// When the mistake can be made: no sign is lost where there is none.
+    pub when: Vec<(Expr, Relation, Expr)>,
+}
+
+impl From<Sides> for Wrong {
+    fn from(sides: Sides) -> Self {
+        Self { equations: vec![sides], without: &[], when: Vec::new() }
+    }
+}
