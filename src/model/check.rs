@@ -32,36 +32,12 @@ pub(super) fn is_structural(scene: &Scene, name: &str) -> bool {
 
 /// Every way in which the parts of a scene contradict each other.
 pub(super) fn check(scene: &Scene) -> Vec<Fault> {
-    let mut faults = Vec::new();
-    let at = Path::root().key("scene");
-    for name in scene.bodies.keys() {
-        if !is_body_name(name) {
-            faults.push(bad_body_name(name).at_path(at.key("bodies").name(name.as_str())));
-        }
-    }
-    if let Axes::Rectangular(axes) = &scene.axes
-        && (axes.is_empty() || axes.len() > 2)
-    {
-        let fault = Fault::new(Code::Value, format!("a scene has one or two axes, not {}", axes.len()));
-        faults.push(
-            fault.help("write `axes: { x: to the right }` or `axes: { x: east, y: north }`").at_path(at.key("axes")),
-        );
-    }
-    for (index, name) in scene.instants.iter().enumerate() {
-        let fault = if index > scene.stages.len() {
-            Fault::new(Code::Value, format!("there is no instant for the name `{name}`"))
-                .help(format!("instants lie before, between and after the stages: {} in all", scene.stages.len() + 1))
-        } else if scene.instants[..index].contains(name) {
-            Fault::new(Code::Duplicate, format!("two instants are called `{name}`")).help("rename one of them")
-        } else {
-            continue;
-        };
-        faults.push(fault.at_path(at.key("instants").index(index)));
-    }
+    let mut faults = names_and_axes(scene);
     faults.extend(unions_without_a_name_of_their_own(scene));
     if !faults.is_empty() {
         return faults;
     }
+    let at = Path::root().key("scene");
     let timeline = Timeline::new(scene);
     for (index, stage) in scene.stages.iter().enumerate() {
         let at = at.key("stages").index(index).key(stage.key());
@@ -134,6 +110,37 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
             }
             Stage::Separate(stage) => faults.extend(separation(scene, &timeline, index, stage, &at)),
         }
+    }
+    faults
+}
+
+/// What is wrong with the names of bodies and instants, and with the axes.
+fn names_and_axes(scene: &Scene) -> Vec<Fault> {
+    let mut faults = Vec::new();
+    let at = Path::root().key("scene");
+    for name in scene.bodies.keys() {
+        if !is_body_name(name) {
+            faults.push(bad_body_name(name).at_path(at.key("bodies").name(name.as_str())));
+        }
+    }
+    if let Axes::Rectangular(axes) = &scene.axes
+        && (axes.is_empty() || axes.len() > 2)
+    {
+        let fault = Fault::new(Code::Value, format!("a scene has one or two axes, not {}", axes.len()));
+        faults.push(
+            fault.help("write `axes: { x: to the right }` or `axes: { x: east, y: north }`").at_path(at.key("axes")),
+        );
+    }
+    for (index, name) in scene.instants.iter().enumerate() {
+        let fault = if index > scene.stages.len() {
+            Fault::new(Code::Value, format!("there is no instant for the name `{name}`"))
+                .help(format!("instants lie before, between and after the stages: {} in all", scene.stages.len() + 1))
+        } else if scene.instants[..index].contains(name) {
+            Fault::new(Code::Duplicate, format!("two instants are called `{name}`")).help("rename one of them")
+        } else {
+            continue;
+        };
+        faults.push(fault.at_path(at.key("instants").index(index)));
     }
     faults
 }

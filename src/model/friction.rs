@@ -140,57 +140,51 @@ impl Builder<'_> {
         let begins = self.begins(index, &name);
         let at = |expr: &Expr, time: &Expr| expr.substitute(&|symbol| (symbol == pushed.clock).then(|| time.clone()));
         let changes = along.contains(pushed.clock) || threshold.contains(pushed.clock);
-        let on_slope = !pushed.incline.is_level();
-        let backwards = format!("{name} would slide the other way");
+        let alternative = |what: String| Alternative { what, ..Alternative::default() };
+        let backwards = format!("the push exceeds static friction backwards, so that {name} does not stay at rest");
         let mut ways = Vec::new();
 
+        // A push that does not change reaches the threshold at no time of its own.
         if changes {
-            let mut moves = Alternative { what: format!("{name} starts to slide"), ..Alternative::default() };
+            let mut moves = alternative(format!("{name} starts to slide"));
             let because = format!("{name} is at rest until the push reaches the greatest static friction");
             let sides = (at(along, &begins), at(threshold, &begins));
             moves.equations.push(self.stated(LAW_COST, &force::THRESHOLD, Some(index), because, sides, None));
-            moves.equations.extend(self.gains(pushed, contact, &begins));
+            moves.equations.extend(self.gains(pushed, contact, &begins, "from then on "));
             let early = "the push would exceed static friction before it began";
             moves.conditions.push(self.condition(begins.clone(), Relation::AtLeast, start.clone(), early));
+            let at_first = "the push exceeds static friction from the beginning";
+            moves.conditions.push(self.condition(at(along, start), Relation::AtMost, at(threshold, start), at_first));
+            if !pushed.incline.is_level() {
+                let held = -at(threshold, start);
+                moves.conditions.push(self.condition(at(along, start), Relation::AtLeast, held, backwards.clone()));
+            }
             let late = format!("the push never exceeds static friction, so that {name} stays at rest");
             moves.conditions.push(self.condition(begins.clone(), Relation::Less, end.clone(), late));
-            if on_slope {
-                let held =
-                    self.condition(at(along, start), Relation::AtLeast, -at(threshold, start), backwards.clone());
-                moves.conditions.push(held);
-            }
             ways.push(moves);
         }
-        if !changes || on_slope {
-            let mut moves = Alternative { what: format!("{name} slides from the start"), ..Alternative::default() };
-            let because = format!("what drives {name} exceeds the greatest static friction from the start");
-            let sides = (begins, start.clone());
-            moves.equations.push(self.stated(LAW_COST, &force::THRESHOLD, Some(index), because, sides, None));
-            moves.equations.extend(self.gains(pushed, contact, start));
-            let reason = format!("what drives {name} does not exceed static friction, and it stays at rest");
-            moves.conditions.push(self.condition(at(along, start), Relation::Greater, at(threshold, start), reason));
-            ways.push(moves);
-        }
-        let mut stays = Alternative { what: format!("{name} stays at rest"), ..Alternative::default() };
+        let mut at_once = alternative(format!("{name} starts to slide at once"));
+        let because = "the push exceeds the greatest static friction from the beginning";
+        let sides = (begins, start.clone());
+        at_once.equations.push(self.stated(LAW_COST, &force::THRESHOLD, Some(index), because, sides, None));
+        at_once.equations.extend(self.gains(pushed, contact, start, ""));
+        let weak = "the push does not exceed static friction when it begins";
+        at_once.conditions.push(self.condition(at(along, start), Relation::Greater, at(threshold, start), weak));
+        ways.push(at_once);
+
+        let mut stays = alternative(format!("{name} stays at rest"));
         let because = format!("the push stays below the greatest static friction, and {name} does not move");
         let sides = (contact.after.clone(), Expr::zero());
         stays.equations.push(self.stated(LAW_COST, &force::THRESHOLD, Some(index), because, sides, None));
         let reason = format!("the push exceeds static friction, so that {name} does not stay at rest");
         stays.conditions.push(self.condition(at(along, end), Relation::AtMost, at(threshold, end), reason));
-        if on_slope {
-            stays.conditions.push(self.condition(
-                at(along, start),
-                Relation::AtLeast,
-                -at(threshold, start),
-                backwards,
-            ));
-        }
+        stays.conditions.push(self.condition(at(along, end), Relation::AtLeast, -at(threshold, end), backwards));
         ways.push(stays);
         self.choices.push(ways);
     }
 
     /// What a body that was at rest gains from the time on at which it starts to slide.
-    fn gains(&mut self, pushed: &Pushed<'_>, contact: &Contact, begins: &Expr) -> Vec<Equation> {
+    fn gains(&mut self, pushed: &Pushed<'_>, contact: &Contact, begins: &Expr, since: &str) -> Vec<Equation> {
         let (index, net) = (pushed.index, contact.net());
         let name = self.called(pushed.body);
         let mass = self.mass(pushed.body);
@@ -204,10 +198,7 @@ impl Builder<'_> {
             low: begins.clone(),
             high: pushed.end.clone(),
         });
-        let because = match integral {
-            Some(_) => "from then on the impulse is that of the push less kinetic friction",
-            None => "the impulse is that of what drives it less kinetic friction",
-        };
+        let because = format!("{since}the impulse is that of the push less kinetic friction");
         let sides = (gained.clone(), value);
         let impulse = self.stated(LAW_COST, &force::IMPULSE, Some(index), because, sides, integral);
         let because = format!("{name} starts from rest");

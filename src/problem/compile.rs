@@ -74,7 +74,7 @@ fn contradictions(problem: &Problem) -> Vec<Fault> {
     let trouble = |(position, form): (usize, &Form)| {
         let reason = Sampler::new(problem, position).and_then(|mut sampler| sampler.draw(0)).err()?;
         let code = match reason.rejection() {
-            Some(Rejection::Contradiction(_)) => Code::OverDetermined,
+            Some(Rejection::Contradiction { .. }) => Code::OverDetermined,
             _ => Code::Unphysical,
         };
         let why = reason.rejection().map_or_else(String::new, |why| format!(": {why}"));

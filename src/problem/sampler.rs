@@ -6,6 +6,7 @@ use crate::quantity::Printed;
 use crate::quantity::Unit;
 use crate::solve::Bounded;
 use crate::solve::Cause;
+use crate::solve::Equation;
 
 use super::domain::Domain;
 use super::input::Input;
@@ -42,8 +43,13 @@ pub enum NoVariant {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Rejection {
     /// They say more than can be true: an equation that was not needed does not hold.
-    #[error("what is given contradicts {0}")]
-    Contradiction(&'static str),
+    #[error("what is given contradicts {law}, which connects {names}")]
+    Contradiction {
+        /// The law.
+        law: &'static str,
+        /// The quantities that it connects.
+        names: String,
+    },
     /// They break a condition of the scene or of the problem.
     #[error("{0}")]
     Condition(String),
@@ -195,7 +201,10 @@ impl<'p> Sampler<'p> {
             Cause::Equation(position) => {
                 let equation = leaf.system.equations.get(position);
                 let instance = equation.and_then(|equation| model.instances.get(equation.tag));
-                Rejection::Contradiction(instance.map_or("one of the equations", |own| own.law.name))
+                let names = equation.map(Equation::symbols).unwrap_or_default();
+                let names = names.into_iter().map(|symbol| format!("`{}`", model.symbols.entry(symbol).name));
+                let law = instance.map_or("one of the equations", |own| own.law.name);
+                Rejection::Contradiction { law, names: names.collect::<Vec<_>>().join(", ") }
             }
             Cause::NotReal => Rejection::NotReal,
             Cause::NotPositive => Rejection::NotPositive,
