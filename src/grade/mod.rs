@@ -3,7 +3,9 @@
 //! The three stand apart. Reading knows no right value, so nothing can be read "towards" it; judging knows no text;
 //! reporting knows only verdicts and the rubric.
 
+pub mod diagnose;
 mod expected;
+mod follow;
 pub mod judge;
 mod messages;
 mod number;
@@ -13,7 +15,9 @@ mod rubric;
 mod statistics;
 mod verdict;
 
+pub use diagnose::Diagnosis;
 pub use expected::{Expected, ExpectedKind, ExpectedNumber, Tolerance};
+pub use follow::Follows;
 pub use judge::{Judgement, judge};
 pub use messages::Message;
 pub use number::Number;

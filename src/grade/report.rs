@@ -8,7 +8,9 @@ use serde::{Serialize, Serializer};
 use crate::quantity::Decimal;
 use crate::quantity::Rational;
 
+use super::diagnose::Diagnosis;
 use super::expected::Expected;
+use super::follow::Follows;
 use super::judge::judge;
 use super::messages::Message;
 use super::read::{DecimalMark, read};
@@ -52,6 +54,15 @@ pub struct PartReport {
     pub fault: Option<InputFault>,
     /// What the student is told; it never holds the right value.
     pub message: String,
+    /// Which usual mistake leads to a wrong answer, where one does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub diagnosis: Option<Diagnosis>,
+    /// From which earlier answers of the student's own a wrong answer follows, where it does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub follows: Option<Follows>,
+    /// What would have followed from the student's own earlier answers; said only once the question is closed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub own_values: Option<String>,
 }
 
 /// Where and why an answer cannot be read.
@@ -96,6 +107,9 @@ fn grade_part(expected: &Expected, text: &str, mark: DecimalMark, rubric: &Rubri
         understood,
         fault: None,
         message,
+        diagnosis: None,
+        follows: None,
+        own_values: None,
     };
     if text.trim().is_empty() {
         return report(Verdict::Unanswered, Rational::ZERO, None, Message::Unanswered.to_string());
@@ -122,6 +136,11 @@ impl Report {
         self.parts.iter().all(|part| part.verdict.is_right())
     }
 
+    /// Adds the points up again, where the points of a part were changed.
+    pub fn recount(&mut self) {
+        self.total = Points(self.parts.iter().fold(Rational::ZERO, |sum, part| sum + &part.points.0));
+    }
+
     /// Whether a part has an answer that cannot be read, so that it was not marked.
     #[must_use]
     pub fn is_unreadable(&self) -> bool {
@@ -136,6 +155,9 @@ impl fmt::Display for Report {
             writeln!(out, "{}: {}/{} [{}] {}", part.id, part.points, part.out_of, part.verdict, part.message)?;
             if let Some(understood) = &part.understood {
                 writeln!(out, "    read as: {understood}")?;
+            }
+            if let Some(own) = &part.own_values {
+                writeln!(out, "    {own}")?;
             }
         }
         for name in &self.not_asked {

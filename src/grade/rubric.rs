@@ -24,6 +24,10 @@ pub struct Rubric {
     pub sense: Rational,
     /// The right magnitude in the opposite direction. Default: 0.
     pub sense_reversed: Rational,
+    /// A wrong answer that follows from an earlier one. Default: 1, since the step itself is right.
+    pub follow_through: Rational,
+    /// The same, where the earlier answer makes something impossible happen, which the student might have seen. Default: 1/2.
+    pub follow_through_unphysical: Rational,
 }
 
 impl Default for Rubric {
@@ -37,6 +41,8 @@ impl Default for Rubric {
             order_of_magnitude: Rational::ZERO,
             sense: half(),
             sense_reversed: Rational::ZERO,
+            follow_through: Rational::ONE,
+            follow_through_unphysical: half(),
         }
     }
 }
@@ -54,6 +60,8 @@ impl Rubric {
             Verdict::Right | Verdict::RightRounded | Verdict::RightWithNote => &Rational::ONE,
             Verdict::Sense => &self.sense,
             Verdict::SenseReversed => &self.sense_reversed,
+            Verdict::FollowThrough => &self.follow_through,
+            Verdict::FollowThroughUnphysical => &self.follow_through_unphysical,
             Verdict::UnitMissing => &self.unit_missing,
             Verdict::UnitWrong => &self.unit_wrong,
             Verdict::UnitWrongDimension => &self.unit_wrong_dimension,

@@ -36,6 +36,10 @@ pub enum Verdict {
     OrderOfMagnitude,
     /// Not right.
     Wrong,
+    /// Wrong, but it follows from an earlier answer of the student's own.
+    FollowThrough,
+    /// The same, where the earlier answer makes something impossible happen.
+    FollowThroughUnphysical,
     /// Another phrase was chosen.
     ChoiceWrong,
     /// The answer cannot be read; it is not marked.
@@ -46,7 +50,7 @@ pub enum Verdict {
 
 impl Verdict {
     /// Every verdict.
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 16] = [
         Self::Right,
         Self::RightRounded,
         Self::RightWithNote,
@@ -58,6 +62,8 @@ impl Verdict {
         Self::UnitPrefix,
         Self::OrderOfMagnitude,
         Self::Wrong,
+        Self::FollowThrough,
+        Self::FollowThroughUnphysical,
         Self::ChoiceWrong,
         Self::Unreadable,
         Self::Unanswered,
@@ -78,6 +84,8 @@ impl Verdict {
             Self::UnitPrefix => "unit_prefix",
             Self::OrderOfMagnitude => "order_of_magnitude",
             Self::Wrong => "wrong",
+            Self::FollowThrough => "follow_through",
+            Self::FollowThroughUnphysical => "follow_through_unphysical",
             Self::ChoiceWrong => "choice_wrong",
             Self::Unreadable => "unreadable",
             Self::Unanswered => "unanswered",

@@ -17,7 +17,9 @@ use super::Name;
 use super::timeline::Timeline;
 
 /// Kinds of quantity that only a scene makes.
-const STRUCTURAL: &[&str] = &["v", "speed", "angle", "p", "J", "F_avg", "T", "T_lost", "T_gained", "H", "r", "W"];
+const STRUCTURAL: &[&str] = &["v", "speed", "angle", "p", "J", "F_avg", "T", "T_lost", "T_gained", "H", "W"];
+/// Kinds of place, of a body at an instant.
+const PLACES: &[&str] = &["r", "x", "y", "z"];
 
 /// Whether a name is one that the scene makes by itself, rather than one that the author chose.
 pub(super) fn is_structural(scene: &Scene, name: &str) -> bool {
@@ -27,12 +29,28 @@ pub(super) fn is_structural(scene: &Scene, name: &str) -> bool {
         || name.subject == "G"
         || scene.points.contains_key(&name.subject)
         || timeline.bodies().any(|body| body == name.subject);
-    STRUCTURAL.contains(&name.base.as_str()) && known_subject && (name.instant.is_some() || name.base != "r")
+    let is_place = PLACES.contains(&name.base.as_str()) && !name.subject.is_empty() && name.instant.is_some();
+    known_subject && (STRUCTURAL.contains(&name.base.as_str()) || is_place)
 }
 
 /// Every way in which the parts of a scene contradict each other.
 pub(super) fn check(scene: &Scene) -> Vec<Fault> {
-    let mut faults = names_and_axes(scene);
+    let mut faults = Vec::new();
+    let at = Path::root().key("scene");
+    for name in scene.bodies.keys() {
+        if !is_body_name(name) {
+            faults.push(bad_body_name(name).at_path(at.key("bodies").name(name.as_str())));
+        }
+    }
+    if let Axes::Rectangular(axes) = &scene.axes
+        && (axes.is_empty() || axes.len() > 2)
+    {
+        let fault = Fault::new(Code::Value, format!("a scene has one or two axes, not {}", axes.len()));
+        faults.push(
+            fault.help("write `axes: { x: to the right }` or `axes: { x: east, y: north }`").at_path(at.key("axes")),
+        );
+    }
+    faults.extend(names_of_instants(scene));
     faults.extend(unions_without_a_name_of_their_own(scene));
     if !faults.is_empty() {
         return faults;
@@ -100,6 +118,9 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
                 }
             }
             Stage::Bounces(stage) => body(&stage.body, "body"),
+            Stage::Stream(stage) => body(&stage.body, "body"),
+            Stage::Thrust(stage) => body(&stage.body, "body"),
+            Stage::Drift(_) => {}
             Stage::Flight(stage) => {
                 stage.body.iter().for_each(|name| body(name, "body"));
                 stage.bodies.iter().for_each(|name| body(name, "bodies"));
@@ -114,23 +135,10 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
     faults
 }
 
-/// What is wrong with the names of bodies and instants, and with the axes.
-fn names_and_axes(scene: &Scene) -> Vec<Fault> {
+/// Every instant has at most one name, and every name an instant.
+fn names_of_instants(scene: &Scene) -> Vec<Fault> {
+    let at = Path::root().key("scene").key("instants");
     let mut faults = Vec::new();
-    let at = Path::root().key("scene");
-    for name in scene.bodies.keys() {
-        if !is_body_name(name) {
-            faults.push(bad_body_name(name).at_path(at.key("bodies").name(name.as_str())));
-        }
-    }
-    if let Axes::Rectangular(axes) = &scene.axes
-        && (axes.is_empty() || axes.len() > 2)
-    {
-        let fault = Fault::new(Code::Value, format!("a scene has one or two axes, not {}", axes.len()));
-        faults.push(
-            fault.help("write `axes: { x: to the right }` or `axes: { x: east, y: north }`").at_path(at.key("axes")),
-        );
-    }
     for (index, name) in scene.instants.iter().enumerate() {
         let fault = if index > scene.stages.len() {
             Fault::new(Code::Value, format!("there is no instant for the name `{name}`"))
@@ -140,7 +148,7 @@ fn names_and_axes(scene: &Scene) -> Vec<Fault> {
         } else {
             continue;
         };
-        faults.push(fault.at_path(at.key("instants").index(index)));
+        faults.push(fault.at_path(at.index(index)));
     }
     faults
 }

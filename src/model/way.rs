@@ -26,7 +26,14 @@ pub(super) struct Way {
 
 impl Builder<'_> {
     /// The way of a body during a stage. Along one axis its direction is stated; in a plane its speed is all that is needed.
-    pub(super) fn way(&mut self, index: usize, body: &str, direction: Option<&Term>, stops: bool, path: &Path) -> Way {
+    pub(super) fn one_way(
+        &mut self,
+        index: usize,
+        body: &str,
+        direction: Option<&Term>,
+        stops: bool,
+        path: &Path,
+    ) -> Way {
         if stops {
             self.comes_to_rest(index, body);
         }

@@ -24,11 +24,13 @@ use crate::solve::Equation;
 use super::any;
 use super::comparison::split_relation;
 use super::draft::Units;
+use super::follow::Followings;
 use super::form::Question;
 use super::given::Given;
 use super::known::Known;
 use super::known::Origin;
 use super::load::Loaded;
+use super::mistakes::Mistakes;
 use super::parts;
 use super::planned::Form;
 use super::planned::Problem;
@@ -353,7 +355,16 @@ impl FormDraft {
         };
         let solver = Regimes::plan(model, &self.counts, &extra(&self.conditions), &told, &self.wanted, &self.allowed)
             .map_err(|fault| vec![fault.at_path(path)])?;
-        Ok(Form { question: self.question, parts: self.parts, told, reveal: self.reveal, forward, solver })
+        Ok(Form {
+            question: self.question,
+            parts: self.parts,
+            told,
+            reveal: self.reveal,
+            forward,
+            solver,
+            mistakes: Mistakes::default(),
+            followings: Followings::default(),
+        })
     }
 }
 

@@ -124,7 +124,14 @@ fn participants(stage: &Stage) -> Vec<Participant> {
         Stage::Taut(stage) => stage.between.iter().map(|body| Participant::alone(body)).collect(),
         Stage::Blow(stage) => alone(&stage.body),
         Stage::Fall(stage) => alone(&stage.body),
-        Stage::Swing(_) | Stage::Connected(_) | Stage::Rotate(_) | Stage::Central(_) | Stage::Bounces(_) => Vec::new(),
+        Stage::Swing(_)
+        | Stage::Connected(_)
+        | Stage::Rotate(_)
+        | Stage::Central(_)
+        | Stage::Bounces(_)
+        | Stage::Stream(_)
+        | Stage::Thrust(_)
+        | Stage::Drift(_) => Vec::new(),
     }
 }
 

@@ -4,6 +4,7 @@ mod blow;
 mod bounces;
 mod central;
 mod connected;
+mod drift;
 mod fall;
 mod flight;
 mod guided;
@@ -13,9 +14,11 @@ mod rotate;
 mod separate;
 mod slide;
 mod spring;
+mod stream;
 mod surface;
 mod swing;
 mod taut;
+mod thrust;
 
 pub(in crate::model) use push::Pushed;
 
@@ -43,6 +46,9 @@ impl Builder<'_> {
                 Stage::Central(stage) => self.central(index, stage),
                 Stage::Fall(stage) => self.fall(index, stage, &path),
                 Stage::Bounces(stage) => self.bounces(index, stage, &path),
+                Stage::Stream(stage) => self.stream(index, stage, &path),
+                Stage::Thrust(stage) => self.thrust(index, stage, &path),
+                Stage::Drift(stage) => self.drift(index, stage, &path),
                 Stage::Flight(stage) => self.flight(index, stage, &path),
                 Stage::Separate(stage) => self.separate(index, stage, &path),
             }

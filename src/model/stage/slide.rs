@@ -29,7 +29,7 @@ impl Builder<'_> {
         let name = self.called(body);
         let phrase = self.stage_phrase(index);
         let stops = stage.until == Some(Until::Rest);
-        let way = self.way(index, body, stage.direction.as_ref(), stops, path);
+        let way = self.one_way(index, body, stage.direction.as_ref(), stops, path);
         let incline = self.incline(stage.incline.as_ref(), path);
         let friction = stage.friction.as_ref().map(|term| {
             self.read_positive(term, Dimension::NONE, "the coefficient of kinetic friction", &path.key("friction"))

@@ -94,7 +94,7 @@ impl Builder<'_> {
         let name = self.called(body);
         let mass = self.mass(body);
         let stops = stage.until == Some(Until::Rest);
-        let way = self.way(index, body, stage.direction.as_ref(), stops, path);
+        let way = self.one_way(index, body, stage.direction.as_ref(), stops, path);
         let incline = self.incline(stage.incline.as_ref(), path);
         let energy_of =
             |own: &Expr, deformation: &Expr| mass.clone() * own.clone() + energy::of_spring(stiffness, deformation);

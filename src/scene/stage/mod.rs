@@ -4,6 +4,7 @@ mod blow;
 mod bounces;
 mod central;
 mod connected;
+mod drift;
 mod fall;
 mod flight;
 mod impact;
@@ -12,14 +13,17 @@ mod rotate;
 mod separate;
 mod slide;
 mod spring;
+mod stream;
 mod swing;
 mod taut;
+mod thrust;
 mod until;
 
 pub use blow::Blow;
 pub use bounces::Bounces;
 pub use central::Central;
 pub use connected::{Connected, Strand};
+pub use drift::Drift;
 pub use fall::Fall;
 pub use flight::Flight;
 pub use impact::{Impact, Partners};
@@ -28,8 +32,10 @@ pub use rotate::{Arm, Rotate};
 pub use separate::{Relative, Separate, When};
 pub use slide::Slide;
 pub use spring::{Ends, Spring};
+pub use stream::Stream;
 pub use swing::{Place, Swing, Way};
 pub use taut::Taut;
+pub use thrust::{BurningMass, Exhaust, Jet, Thrust};
 pub use until::Until;
 
 use schemars::JsonSchema;
@@ -63,6 +69,12 @@ pub enum Stage {
     Fall(Fall),
     /// A body bounces on a level floor, again and again.
     Bounces(Bounces),
+    /// A steady stream meets a body.
+    Stream(Stream),
+    /// A body is driven by mass that it throws away.
+    Thrust(Thrust),
+    /// Nothing acts: the bodies go on evenly, for a time or until something holds.
+    Drift(Drift),
     /// A body comes apart: an explosion, a recoil, a jump, a shot.
     Separate(Separate),
     /// Bodies move freely until something is so.
@@ -86,6 +98,9 @@ impl Stage {
             Self::Central(_) => "central",
             Self::Fall(_) => "fall",
             Self::Bounces(_) => "bounces",
+            Self::Stream(_) => "stream",
+            Self::Thrust(_) => "thrust",
+            Self::Drift(_) => "drift",
             Self::Separate(_) => "separate",
             Self::Flight(_) => "flight",
         }
@@ -107,6 +122,9 @@ impl Stage {
             Self::Central(stage) => &stage.name,
             Self::Fall(stage) => &stage.name,
             Self::Bounces(stage) => &stage.name,
+            Self::Stream(stage) => &stage.name,
+            Self::Thrust(stage) => &stage.name,
+            Self::Drift(stage) => &stage.name,
             Self::Separate(stage) => &stage.name,
             Self::Flight(stage) => &stage.name,
         };
