@@ -276,7 +276,7 @@ fn an_author_s_feedback_takes_the_place_of_the_question() {
 #[test]
 fn faults_of_feedback_are_told() {
     let faults = |keys: &str| {
-        let loaded = load(Source::new("test.yaml", &*trolleys(keys))).unwrap_or_else(|faults| panic!("{faults}"));
+        let loaded = load(Source::new("test.yaml", &trolleys(keys))).unwrap_or_else(|faults| panic!("{faults}"));
         compile(loaded, None).expect_err("it is faulty").to_string()
     };
     let unknown = faults("feedback: { restitution-inverte: What? }");

@@ -45,7 +45,7 @@ fn unknown(name: &str, path: Path) -> Option<Fault> {
         return None;
     }
     let names: Vec<&str> = wrong::all().into_iter().flat_map(|(_, kinds)| kinds).map(|kind| kind.id).collect();
-    let near = did_you_mean(name, names.into_iter()).map(|near| format!("did you mean `{near}`?"));
+    let near = did_you_mean(name, names).map(|near| format!("did you mean `{near}`?"));
     let help = near.unwrap_or_else(|| "`momentous diagnose --list` lists them".to_owned());
     Some(Fault::new(Code::UnknownName, format!("there is no usual mistake `{name}`")).help(help).at_path(path))
 }
