@@ -3,6 +3,7 @@
 mod blow;
 mod bounces;
 mod central;
+mod connected;
 mod drift;
 mod fall;
 mod flight;
@@ -11,13 +12,17 @@ mod impact;
 mod push;
 mod rotate;
 mod separate;
+mod slide;
 mod slide_off;
+mod spring;
 mod stream;
 mod surface;
+mod swing;
+mod taut;
 mod thrust;
 mod walk;
 
-pub(in crate::model) use push::Acting;
+pub(in crate::model) use push::Pushed;
 
 use crate::fault::Path;
 use crate::scene::Stage;
@@ -33,6 +38,11 @@ impl Builder<'_> {
             match stage {
                 Stage::Impact(stage) => self.impact(index, stage, &path),
                 Stage::Push(stage) => self.push(index, stage, &path),
+                Stage::Slide(stage) => self.slide(index, stage, &path),
+                Stage::Spring(stage) => self.spring(index, stage, &path),
+                Stage::Swing(stage) => self.swing(index, stage, &path),
+                Stage::Taut(stage) => self.taut(index, stage, &path),
+                Stage::Connected(stage) => self.connected(index, stage, &path),
                 Stage::Blow(stage) => self.blow(index, stage, &path),
                 Stage::Rotate(stage) => self.rotate(index, stage, &path),
                 Stage::Central(stage) => self.central(index, stage),
