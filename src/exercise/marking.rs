@@ -54,7 +54,11 @@ impl Exercise {
             tolerance: match &number.tolerance {
                 problem::Tolerance::Relative(fraction) => grade::Tolerance::Relative(fraction.clone()),
                 problem::Tolerance::Absolute(distance) => grade::Tolerance::Absolute(distance.clone()),
+                problem::Tolerance::ToFigures => grade::Tolerance::ToFigures,
             },
+            units: self.units(),
+            writing: self.writing(),
+            reference: self.reference(part),
             figures: number.figures,
             allowance: judged.allowance,
             scale: judged.scale,
@@ -90,7 +94,7 @@ impl Exercise {
             }
             expected.extend(roots);
         }
-        let rubric = grade::Rubric::default();
+        let rubric = self.rubric();
         let mut report = grade::grade(&expected, &answers, mark, &rubric);
         if !report.is_right() {
             self.follow_through(&mut report, &answers, mark, &rubric, sitting.closed);
