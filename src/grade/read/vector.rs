@@ -227,7 +227,6 @@ fn polar(text: &str, asked: &ExpectedVector, mark: DecimalMark) -> At<VectorAnsw
         }
         (Ok(_), None) => Err((0, UnreadableKind::Components(asked.components.len()))),
         (Ok(size), Some(_)) if size.unit.is_some() => Err((0, UnreadableKind::Components(asked.components.len()))),
-        (Ok(_), Some(fault)) => Err(fault),
-        (Err(_), Some(fault)) | (Err(fault), None) => Err(fault),
+        (Ok(_) | Err(_), Some(fault)) | (Err(fault), None) => Err(fault),
     }
 }
