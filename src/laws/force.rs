@@ -50,6 +50,17 @@ pub const NORMAL_FORCE: Law = Law {
     wrong: wrong::force::NORMAL_FORCE,
 };
 
+/// Balance of forces on a body that does not accelerate.
+pub const BALANCE: Law = Law {
+    id: "balance-of-forces",
+    name: "the balance of forces",
+    statement: "The forces on a body that is at rest or moves evenly add up to zero.",
+    signs: "Positive along the axis.",
+    when: "The velocity of the body does not change.",
+    source: "Newton's second law, where nothing accelerates.",
+    wrong: &[],
+};
+
 /// Kinetic friction.
 pub const FRICTION: Law = Law {
     id: "kinetic-friction",
@@ -73,7 +84,7 @@ pub const THRESHOLD: Law = Law {
 };
 
 /// The laws of this chapter.
-pub const LAWS: &[&Law] = &[&IMPULSE, &MEAN_FORCE, &WEIGHT, &NORMAL_FORCE, &FRICTION, &THRESHOLD];
+pub const LAWS: &[&Law] = &[&IMPULSE, &MEAN_FORCE, &WEIGHT, &BALANCE, &NORMAL_FORCE, &FRICTION, &THRESHOLD];
 
 /// `J = F_avg dt`.
 #[must_use]

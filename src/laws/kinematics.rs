@@ -127,6 +127,17 @@ pub const BOUNCE_PATH: Law = Law {
     wrong: wrong::kinematics::BOUNCE_PATH,
 };
 
+/// Times add up.
+pub const CLOCK: Law = Law {
+    id: "times-add-up",
+    name: "the sum of the times",
+    statement: "The time from the start is the sum of the durations of all stages so far; impacts take no time.",
+    signs: "Counted from the start.",
+    when: "Always.",
+    source: "The meaning of a duration.",
+    wrong: &[],
+};
+
 /// Counting until a condition holds.
 pub const COUNT: Law = Law {
     id: "count",
@@ -152,6 +163,7 @@ pub const LAWS: &[&Law] = &[
     &BOUNCE_TIME,
     &BOUNCE_PATH,
     &COUNT,
+    &CLOCK,
 ];
 
 /// `v_2^2 = v_1^2 + 2 g h`.
