@@ -218,13 +218,13 @@ fn formulas_are_equal_as_functions() {
 #[test]
 fn long_formulas_are_judged_at_once() {
     let right = "(1+e) m_A v_A1/(m_A+m_B)";
-    let sums = vec!["(m_A+m_B)"; 12].join("*");
+    let sums = ["(m_A+m_B)"; 12].join("*");
     let hard = [
         format!("{right}*({sums})/({sums})"),
         format!("{right}*(m_A+m_B+m_A*e)^12/(m_A+m_B+m_A*e)^12"),
         format!("{right}*sin(e)/sin(e)*cos(e)/cos(e)*exp(e)/exp(e)"),
-        format!("{right} + 0*{}", vec!["v_A1"; 30].join(" + 0*")),
-        vec!["v_A1"; 100].join("+"),
+        format!("{right} + 0*{}", ["v_A1"; 30].join(" + 0*")),
+        ["v_A1"; 100].join("+"),
     ];
     for text in hard {
         let start = Instant::now();
@@ -233,6 +233,6 @@ fn long_formulas_are_judged_at_once() {
         let Ok(answer) = read(&text, &part.kind, DecimalMark::Point) else { panic!("{text}") };
         let _ = judge(&part, &answer);
         // A build without optimisation, on a busy machine; the bound of a release build is 5 ms.
-        assert!(start.elapsed() < Duration::from_millis(1000), "{text}: {:?}", start.elapsed());
+        assert!(start.elapsed() < Duration::from_secs(1), "{text}: {:?}", start.elapsed());
     }
 }
