@@ -13,6 +13,7 @@ mod document;
 mod domain;
 mod draft;
 mod entries;
+mod feedback;
 mod follow;
 mod form;
 mod given;
