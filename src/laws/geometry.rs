@@ -61,6 +61,17 @@ pub const ARC: Law = Law {
     wrong: wrong::geometry::ARC,
 };
 
+/// Acceleration on a circle.
+pub const TURNING: Law = Law {
+    id: "acceleration-on-a-circle",
+    name: "the kinematics of motion on a circle",
+    statement: "A point on a circle accelerates towards the centre with the square of its speed over the radius.",
+    signs: "Positive towards the centre.",
+    when: "The point moves at right angles to the radius at that instant.",
+    source: "The change of the direction of a velocity.",
+    wrong: &[],
+};
+
 /// Given by the author.
 pub const RELATION: Law = Law {
     id: "stated-relation",
@@ -73,7 +84,7 @@ pub const RELATION: Law = Law {
 };
 
 /// The laws of this chapter.
-pub const LAWS: &[&Law] = &[&COMPONENTS, &ROTATION, &MAGNITUDE, &DIRECTION, &ARC, &RELATION];
+pub const LAWS: &[&Law] = &[&COMPONENTS, &ROTATION, &MAGNITUDE, &DIRECTION, &ARC, &TURNING, &RELATION];
 
 /// The two components of a vector of that magnitude, `angle` being counted from the first axis.
 #[must_use]

@@ -15,7 +15,7 @@ mod thrust;
 
 pub use blow::Blow;
 pub use bounces::Bounces;
-pub use central::Central;
+pub use central::{Central, Orbit};
 pub use drift::Drift;
 pub use fall::Fall;
 pub use flight::Flight;
