@@ -1,7 +1,7 @@
 //! Orbits against a direct integration of Newton's law of gravity, which shares nothing with the laws of the program; and orbits that
 //! are nearly parabolas, against their own energy in other words.
 
-#![allow(clippy::unwrap_used, reason = "a test says bluntly what it expects")]
+#![allow(clippy::unwrap_used, clippy::cast_precision_loss, reason = "a test says bluntly what it expects")]
 
 use std::sync::Arc;
 
