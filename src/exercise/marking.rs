@@ -61,6 +61,7 @@ impl Exercise {
             magnitude: senses.is_none() && answer.value >= 0.0,
             senses: senses.map(|senses| [senses.positive, senses.negative]),
             whole: number.whole,
+            ..grade::ExpectedNumber::new(answer.value, number.plain_unit())
         }
     }
 

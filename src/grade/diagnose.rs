@@ -28,7 +28,12 @@ const ROUNDED_ON_THE_WAY: f64 = 0.006;
 pub fn is_open(verdict: Verdict) -> bool {
     matches!(
         verdict,
-        Verdict::Wrong | Verdict::Sense | Verdict::SenseReversed | Verdict::UnitPrefix | Verdict::OrderOfMagnitude
+        Verdict::Wrong
+            | Verdict::RoundingSlip
+            | Verdict::Sense
+            | Verdict::SenseReversed
+            | Verdict::UnitPrefix
+            | Verdict::OrderOfMagnitude
     )
 }
 

@@ -13,8 +13,9 @@ use super::expected::Expected;
 use super::follow::Follows;
 use super::judge::judge;
 use super::messages::Message;
-use super::read::{DecimalMark, read};
+use super::read::{Answer, DecimalMark, read};
 use super::rubric::Rubric;
+use super::swapped;
 use super::verdict::Verdict;
 
 /// The decimals with which points are printed.
@@ -89,8 +90,20 @@ pub struct InputFault {
 /// ```
 #[must_use]
 pub fn grade(expected: &[Expected], answers: &BTreeMap<String, String>, mark: DecimalMark, rubric: &Rubric) -> Report {
-    let part = |part: &Expected| grade_part(part, answers.get(&part.id).map_or("", String::as_str), mark, rubric);
-    let parts: Vec<PartReport> = expected.iter().map(part).collect();
+    let mut parts = Vec::with_capacity(expected.len());
+    let mut not_right = Vec::new();
+    for (position, part) in expected.iter().enumerate() {
+        let (report, answer) = grade_part(part, answers.get(&part.id).map_or("", String::as_str), mark, rubric);
+        not_right.extend(answer.filter(|_| !report.verdict.is_right()).map(|answer| (position, answer)));
+        parts.push(report);
+    }
+    for position in swapped::find(expected, &not_right) {
+        if let Some(part) = parts.get_mut(position) {
+            part.verdict = Verdict::BodiesSwapped;
+            part.points = Points(rubric.fraction(Verdict::BodiesSwapped) * Rational::from(part.out_of));
+            part.message = Message::BodiesSwapped.to_string();
+        }
+    }
     let total = parts.iter().fold(Rational::ZERO, |sum, part| sum + &part.points.0);
     let out_of = expected.iter().fold(0, |sum: u32, part| sum.saturating_add(part.points));
     let is_asked = |name: &&String| expected.iter().any(|part| part.id == **name);
@@ -98,7 +111,8 @@ pub fn grade(expected: &[Expected], answers: &BTreeMap<String, String>, mark: De
     Report { parts, total: Points(total), out_of, not_asked }
 }
 
-fn grade_part(expected: &Expected, text: &str, mark: DecimalMark, rubric: &Rubric) -> PartReport {
+/// The report on a part, and its answer where it could be read.
+fn grade_part(expected: &Expected, text: &str, mark: DecimalMark, rubric: &Rubric) -> (PartReport, Option<Answer>) {
     let report = |verdict, fraction: Rational, understood, message: String| PartReport {
         id: expected.id.clone(),
         verdict,
@@ -112,21 +126,21 @@ fn grade_part(expected: &Expected, text: &str, mark: DecimalMark, rubric: &Rubri
         own_values: None,
     };
     if text.trim().is_empty() {
-        return report(Verdict::Unanswered, Rational::ZERO, None, Message::Unanswered.to_string());
+        return (report(Verdict::Unanswered, Rational::ZERO, None, Message::Unanswered.to_string()), None);
     }
     let answer = match read(text, &expected.kind, mark) {
         Ok(answer) => answer,
         Err(fault) => {
             let place = InputFault { character: fault.at + 1, code: fault.kind.code() };
             let unreadable = report(Verdict::Unreadable, Rational::ZERO, None, fault.to_string());
-            return PartReport { fault: Some(place), ..unreadable };
+            return (PartReport { fault: Some(place), ..unreadable }, None);
         }
     };
     let judgement = judge(expected, &answer);
     let also = judgement.also.map_or(Rational::ONE, |also| rubric.fraction(also));
     let fraction = rubric.fraction(judgement.verdict) * also;
     let messages: Vec<String> = judgement.messages.iter().map(ToString::to_string).collect();
-    report(judgement.verdict, fraction, Some(answer.echo()), messages.join(" "))
+    (report(judgement.verdict, fraction, Some(answer.echo()), messages.join(" ")), Some(answer))
 }
 
 impl Report {

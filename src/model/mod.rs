@@ -7,13 +7,16 @@ mod define;
 mod frame;
 mod friction;
 mod guide;
+mod incline;
 mod instance;
 mod mistaken;
 mod name;
+mod pair;
 mod place;
 mod read;
 mod stage;
 mod timeline;
+mod way;
 mod wording;
 
 pub use acting::{ActingForce, Flowing, ForceKind};
