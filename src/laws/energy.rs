@@ -36,7 +36,7 @@ pub const GAIN: Law = Law {
     signs: "A gain is positive.",
     when: "Always; in a separation something supplies it: an explosive, a spring, muscles.",
     source: "Definition.",
-    wrong: &[],
+    wrong: wrong::separation::GAIN,
 };
 
 /// Work and kinetic energy.

@@ -47,7 +47,7 @@ pub const FLIGHT_PLACE: Law = Law {
     signs: "Along the axis positive; g counts as negative where the axis points up.",
     when: "Weight is the only force; air resistance is left out.",
     source: "The velocity under constant acceleration, integrated over time.",
-    wrong: &[],
+    wrong: wrong::kinematics::FLIGHT_PLACE,
 };
 
 /// Vertical velocity and height in free flight.
@@ -58,7 +58,7 @@ pub const FLIGHT_SPEED: Law = Law {
     signs: "Along the axis positive; g counts as negative where the axis points up.",
     when: "Weight is the only force; air resistance is left out.",
     source: "Work and energy with weight alone, less the kinetic energy of the horizontal motion, which stays.",
-    wrong: &[],
+    wrong: wrong::kinematics::FALL_SPEED,
 };
 
 /// The top of a path.

@@ -11,6 +11,7 @@ mod document;
 mod domain;
 mod draft;
 mod entries;
+mod feedback;
 mod follow;
 mod form;
 mod given;
