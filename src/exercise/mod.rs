@@ -1,7 +1,10 @@
 //! The whole path of a problem as one type: a variant is drawn and solved, printed, explained and marked.
 
+mod drawer;
 mod marking;
 mod record;
+
+pub use drawer::Drawer;
 
 use std::sync::Arc;
 
@@ -47,8 +50,7 @@ impl Exercise {
     /// # Errors
     /// [`NoVariant`] where the seed has no admissible numbers.
     pub fn draw(problem: &Arc<Problem>, form: usize, seed: u64) -> Result<Self, NoVariant> {
-        let variant = Sampler::new(problem, form)?.variant(seed)?;
-        Ok(Self { problem: Arc::clone(problem), variant })
+        Drawer::new(problem, form)?.draw(seed)
     }
 
     /// The same scene with values of the user's own in place of given ones, and other quantities asked.

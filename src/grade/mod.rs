@@ -10,6 +10,7 @@ mod number;
 pub mod read;
 pub mod report;
 mod rubric;
+mod statistics;
 mod verdict;
 
 pub use expected::{Expected, ExpectedKind, ExpectedNumber, Tolerance};
@@ -19,4 +20,5 @@ pub use number::Number;
 pub use read::{Answer, DecimalMark, Unreadable, UnreadableKind, read};
 pub use report::{InputFault, PartReport, Points, Report, grade};
 pub use rubric::Rubric;
+pub use statistics::{Gathering, Item, ItemStatistics, Statistics, VerdictCount};
 pub use verdict::Verdict;
