@@ -12,6 +12,8 @@ use super::compile::Built;
 use super::form::Question;
 use super::known::Known;
 use super::load::Loaded;
+use super::part::AskedUnit;
+use super::part::NumberPart;
 use super::part::Part;
 use super::part::PartKind;
 use super::regimes::Regimes;
@@ -64,6 +66,14 @@ impl Form {
         self.parts.iter().filter_map(|part| match &part.kind {
             PartKind::Number(number) => Some(number.symbol),
             PartKind::Choice { .. } => None,
+        })
+    }
+
+    /// The quantities in terms of which answers are asked.
+    pub fn units(&self) -> impl Iterator<Item = Symbol> {
+        self.parts.iter().filter_map(|part| match &part.kind {
+            PartKind::Number(NumberPart { unit: AskedUnit::InTermsOf(symbol), .. }) => Some(*symbol),
+            _ => None,
         })
     }
 
