@@ -3,6 +3,7 @@
 mod answers;
 mod audit;
 mod collection;
+mod diagnosis;
 mod entry;
 mod promise;
 mod repeat;
@@ -11,6 +12,7 @@ mod sample;
 
 pub use audit::audit;
 pub use collection::{Bank, FOLDER, files_under};
+pub use diagnosis::{Diagnosed, Tally, diagnosed};
 pub use entry::Card;
 pub use promise::{Finding, Outcome, Promise};
 pub use report::{AnswerSpread, Audit, FormAudit};

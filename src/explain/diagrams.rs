@@ -68,7 +68,7 @@ fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) -> Option<S
             let (are, their) = if bodies.len() > 1 { ("are", "their") } else { ("is", "its") };
             during(format!("{} {are} acted on by {their} weight alone", list(&bodies)))
         }
-        (Stage::Separate(_), _) => return None,
+        (Stage::Separate(_) | Stage::Drift(_), _) => return None,
         (Stage::Impact(_) | Stage::Blow(_), _) => {
             format!("During {phrase} the only impulsive force on {body} is that of {}.", first.called)
         }
@@ -84,7 +84,13 @@ fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) -> Option<S
         (Stage::Bounces(_), _) => {
             during(format!("{body} is acted on by its weight and, at each bounce, by {}", first.called))
         }
-        (Stage::Rotate(_) | Stage::Central(_), _) => during(format!("{body} is acted on by {}", first.called)),
+        (Stage::Thrust(_), _) => {
+            let acting: Vec<String> = impulses.iter().map(|impulse| impulse.called.clone()).collect();
+            during(format!("{body} is acted on by {}", list(&acting)))
+        }
+        (Stage::Rotate(_) | Stage::Central(_) | Stage::Stream(_), _) => {
+            during(format!("{body} is acted on by {}", first.called))
+        }
     })
 }
 

@@ -61,8 +61,11 @@ fn system(worked: Worked<'_>) -> Vec<Block> {
         scene.bodies.iter().filter(|(own, _)| !whole(own)).map(|(_, body)| body.name.clone()).collect();
     let together = if names.len() > 1 { " together" } else { "" };
     let who = capitalised(&format!("{}{together}", list(&names)));
+    let last = worked.problem.model().when(scene, scene.stages.len() + 1);
     let when = if scene.stages.is_empty() {
         "at one instant".to_owned()
+    } else if worked.problem.model().when(scene, 1) == last {
+        last
     } else {
         let last = scene.stages.len() + 1;
         format!(
@@ -102,6 +105,9 @@ fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
         Stage::Central(central) => format!("{} moves under the central force", name(&central.body)),
         Stage::Fall(fall) => format!("{} falls", name(&fall.body)),
         Stage::Bounces(bounces) => format!("{} bounces", name(&bounces.body)),
+        Stage::Stream(stream) => format!("{} acts on {}", stream.by, name(&stream.body)),
+        Stage::Thrust(thrust) => format!("{} burns its fuel", name(&thrust.body)),
+        Stage::Drift(_) => "nothing acts, and all go on evenly".to_owned(),
         Stage::Flight(flight) => {
             let bodies: Vec<String> = flight.flying().map(|body| scene.called(body)).collect();
             format!("{} {} freely", list(&bodies), if bodies.len() > 1 { "move" } else { "moves" })

@@ -3,6 +3,7 @@
 use crate::expr::Expr;
 
 use super::Law;
+use super::wrong;
 
 /// Kinetic energy.
 pub const KINETIC: Law = Law {
@@ -12,7 +13,7 @@ pub const KINETIC: Law = Law {
     signs: "Never negative, whatever the direction of motion.",
     when: "Always.",
     source: "Definition.",
-    wrong: &[],
+    wrong: wrong::energy::KINETIC,
 };
 
 /// Energy lost in a stage.
@@ -23,7 +24,7 @@ pub const LOSS: Law = Law {
     signs: "A loss is positive.",
     when: "Always; in an impact without a source of energy it is never negative.",
     source: "Definition.",
-    wrong: &[],
+    wrong: wrong::energy::LOSS,
 };
 
 /// Energy gained in a stage.

@@ -4,6 +4,7 @@ use crate::expr::Expr;
 
 use super::Law;
 use super::Sides;
+use super::wrong;
 
 /// The impulse of a force as its integral over time.
 pub const IMPULSE: Law = Law {
@@ -13,7 +14,7 @@ pub const IMPULSE: Law = Law {
     signs: "Positive along the axis.",
     when: "Always; a constant force gives force times time.",
     source: "Definition.",
-    wrong: &[],
+    wrong: wrong::force::IMPULSE,
 };
 
 /// Mean force over a duration.
@@ -24,7 +25,7 @@ pub const MEAN_FORCE: Law = Law {
     signs: "As the impulse.",
     when: "Always.",
     source: "Definition.",
-    wrong: &[],
+    wrong: wrong::force::MEAN_FORCE,
 };
 
 /// Weight.
@@ -35,7 +36,7 @@ pub const WEIGHT: Law = Law {
     signs: "Positive as a magnitude; it acts downwards.",
     when: "Near the ground.",
     source: "Newton's second law for free fall.",
-    wrong: &[],
+    wrong: wrong::force::WEIGHT,
 };
 
 /// Balance of forces across a floor.
@@ -46,6 +47,17 @@ pub const NORMAL_FORCE: Law = Law {
     signs: "The normal force is positive as a push of the floor.",
     when: "The body does not leave the floor.",
     source: "Newton's second law across the floor, where nothing accelerates.",
+    wrong: wrong::force::NORMAL_FORCE,
+};
+
+/// Balance of forces on a body that does not accelerate.
+pub const BALANCE: Law = Law {
+    id: "balance-of-forces",
+    name: "the balance of forces",
+    statement: "The forces on a body that is at rest or moves evenly add up to zero.",
+    signs: "Positive along the axis.",
+    when: "The velocity of the body does not change.",
+    source: "Newton's second law, where nothing accelerates.",
     wrong: &[],
 };
 
@@ -68,11 +80,11 @@ pub const THRESHOLD: Law = Law {
     signs: "Magnitudes.",
     when: "The body is at rest and the push grows.",
     source: "Coulomb's law of dry friction, an experimental law.",
-    wrong: &[],
+    wrong: wrong::force::THRESHOLD,
 };
 
 /// The laws of this chapter.
-pub const LAWS: &[&Law] = &[&IMPULSE, &MEAN_FORCE, &WEIGHT, &NORMAL_FORCE, &FRICTION, &THRESHOLD];
+pub const LAWS: &[&Law] = &[&IMPULSE, &MEAN_FORCE, &WEIGHT, &BALANCE, &NORMAL_FORCE, &FRICTION, &THRESHOLD];
 
 /// `J = F_avg dt`.
 #[must_use]

@@ -37,6 +37,21 @@ pub enum ForceKind {
     Friction,
 }
 
+/// A stream that meets a body.
+#[derive(Clone, Debug)]
+pub struct Flowing {
+    /// The stage, counted from 0.
+    pub stage: usize,
+    /// Its speed.
+    pub speed: Expr,
+    /// Where it goes before the body.
+    pub direction: Direction,
+    /// Where it goes after a vane, seen from there.
+    pub leaving: Option<Direction>,
+    /// Its speed relative to the body.
+    pub relative: Expr,
+}
+
 /// Where and when the forces of one push act.
 #[derive(Clone, Copy)]
 pub(super) struct Acts<'a> {

@@ -16,7 +16,9 @@ use super::Name;
 use super::timeline::Timeline;
 
 /// Kinds of quantity that only a scene makes.
-const STRUCTURAL: &[&str] = &["v", "speed", "angle", "p", "J", "F_avg", "T", "T_lost", "T_gained", "H", "r", "W"];
+const STRUCTURAL: &[&str] = &["v", "speed", "angle", "p", "J", "F_avg", "T", "T_lost", "T_gained", "H", "W"];
+/// Kinds of place, of a body at an instant.
+const PLACES: &[&str] = &["r", "x", "y", "z"];
 
 /// Whether a name is one that the scene makes by itself, rather than one that the author chose.
 pub(super) fn is_structural(scene: &Scene, name: &str) -> bool {
@@ -26,7 +28,8 @@ pub(super) fn is_structural(scene: &Scene, name: &str) -> bool {
         || name.subject == "G"
         || scene.points.contains_key(&name.subject)
         || timeline.bodies().any(|body| body == name.subject);
-    STRUCTURAL.contains(&name.base.as_str()) && known_subject && (name.instant.is_some() || name.base != "r")
+    let is_place = PLACES.contains(&name.base.as_str()) && !name.subject.is_empty() && name.instant.is_some();
+    known_subject && (STRUCTURAL.contains(&name.base.as_str()) || is_place)
 }
 
 /// Every way in which the parts of a scene contradict each other.
@@ -46,17 +49,7 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
             fault.help("write `axes: { x: to the right }` or `axes: { x: east, y: north }`").at_path(at.key("axes")),
         );
     }
-    for (index, name) in scene.instants.iter().enumerate() {
-        let fault = if index > scene.stages.len() {
-            Fault::new(Code::Value, format!("there is no instant for the name `{name}`"))
-                .help(format!("instants lie before, between and after the stages: {} in all", scene.stages.len() + 1))
-        } else if scene.instants[..index].contains(name) {
-            Fault::new(Code::Duplicate, format!("two instants are called `{name}`")).help("rename one of them")
-        } else {
-            continue;
-        };
-        faults.push(fault.at_path(at.key("instants").index(index)));
-    }
+    faults.extend(names_of_instants(scene));
     faults.extend(unions_without_a_name_of_their_own(scene));
     faults.extend(stages_of_one_name(scene));
     if !faults.is_empty() {
@@ -105,6 +98,9 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
                 }
             }
             Stage::Bounces(stage) => body(&stage.body, "body"),
+            Stage::Stream(stage) => body(&stage.body, "body"),
+            Stage::Thrust(stage) => body(&stage.body, "body"),
+            Stage::Drift(_) => {}
             Stage::Flight(stage) => {
                 stage.body.iter().for_each(|name| body(name, "body"));
                 stage.bodies.iter().for_each(|name| body(name, "bodies"));
@@ -169,6 +165,24 @@ fn collision(scene: &Scene, impact: &Impact, at: &Path) -> Vec<Fault> {
         let message = format!("`{second}` cannot stand beside `{first}`: each says how the bodies part");
         let fault = Fault::new(Code::OverDetermined, message);
         faults.push(fault.help(format!("remove `{first}` or `{second}`")).at_path(at.key(second)));
+    }
+    faults
+}
+
+/// Every instant has at most one name, and every name an instant.
+fn names_of_instants(scene: &Scene) -> Vec<Fault> {
+    let at = Path::root().key("scene").key("instants");
+    let mut faults = Vec::new();
+    for (index, name) in scene.instants.iter().enumerate() {
+        let fault = if index > scene.stages.len() {
+            Fault::new(Code::Value, format!("there is no instant for the name `{name}`"))
+                .help(format!("instants lie before, between and after the stages: {} in all", scene.stages.len() + 1))
+        } else if scene.instants[..index].contains(name) {
+            Fault::new(Code::Duplicate, format!("two instants are called `{name}`")).help("rename one of them")
+        } else {
+            continue;
+        };
+        faults.push(fault.at_path(at.index(index)));
     }
     faults
 }

@@ -138,7 +138,8 @@ impl Builder<'_> {
 /// Whether a part of a term that is made of numbers alone is too large for any use, or has no value.
 fn is_beyond_numbers(expr: &Expr) -> bool {
     if expr.symbols().is_empty() {
-        return expr.as_number().is_none() && !(expr.evaluate(&|_| 0.0).abs() < 1e300);
+        let size = expr.evaluate(&|_| 0.0).abs();
+        return expr.as_number().is_none() && (size.is_nan() || size >= 1e300);
     }
     expr.children().into_iter().any(is_beyond_numbers)
 }

@@ -126,6 +126,8 @@ fn changed_bodies(stage: &Stage) -> Vec<String> {
         Stage::Fall(stage) => vec![stage.body.clone()],
         Stage::Bounces(stage) => vec![stage.body.clone()],
         Stage::Separate(stage) => stage.into.clone(),
+        Stage::Thrust(stage) => vec![stage.body.clone()],
+        Stage::Stream(_) | Stage::Drift(_) => Vec::new(),
         Stage::Flight(stage) => stage.flying().map(str::to_owned).collect(),
     }
 }

@@ -24,12 +24,14 @@ use super::any;
 use super::comparison::split_relation;
 use super::declared::declared;
 use super::draft::Units;
+use super::follow::Followings;
 use super::form::Question;
 use super::given::Given;
 use super::known::Known;
 use super::known::Origin;
 use super::load::Loaded;
 use super::mentions::mention_in_texts;
+use super::mistakes::Mistakes;
 use super::parts;
 use super::planned::Form;
 use super::planned::Problem;
@@ -346,7 +348,16 @@ impl FormDraft {
                 None => fault,
             })
             .map_err(|fault| vec![fault.at_path(path)])?;
-        Ok(Form { question: self.question, parts: self.parts, told, reveal: self.reveal, forward, solver })
+        Ok(Form {
+            question: self.question,
+            parts: self.parts,
+            told,
+            reveal: self.reveal,
+            forward,
+            solver,
+            mistakes: Mistakes::default(),
+            followings: Followings::default(),
+        })
     }
 }
 

@@ -18,8 +18,7 @@ pub(super) fn declared(loaded: &Loaded) -> Vec<(String, Dimension)> {
 fn of_given((name, given): (&str, &Given)) -> Option<(String, Dimension)> {
     let unit = match given {
         Given::Literal(literal) => &literal.unit,
-        Given::Drawn { unit, .. } => unit,
-        Given::Any(Some(unit)) => unit,
+        Given::Drawn { unit, .. } | Given::Any(Some(unit)) => unit,
         Given::Any(None) | Given::Expression(_) => return None,
     };
     Some((name.to_owned(), unit.dimension()))

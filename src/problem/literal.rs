@@ -172,7 +172,7 @@ mod tests {
             ("3,5 m", "`3,5 m` is not a number at 3,5 m"),
             ("(2, x) m", "`x` is not a number at x"),
             ("(1, 2, 3, 4)", "a vector has two or three components, not 4 at (1, 2, 3, 4)"),
-            ("1e999 kg", "a power of ten lies between -300 and 300 at 1e999"),
+            ("1e999 kg", "a power of ten lies between -400 and 400 at 1e999"),
             ("3 kgg", "the unit `kgg` is not known at kgg"),
         ];
         for (text, expected) in cases {

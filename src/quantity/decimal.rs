@@ -11,7 +11,7 @@ use super::{Integer, Rational};
 /// The most digits that a written number may have.
 const MAX_DIGITS: usize = 40;
 /// The largest power of ten, either way, that a written number may carry.
-const MAX_EXPONENT: i32 = 300;
+const MAX_EXPONENT: i32 = 400;
 
 /// A decimal number that remembers how it was written: `0.70` and `0.7` have the same value but not the same figures.
 ///
@@ -42,7 +42,7 @@ pub enum DecimalFault {
     /// More than 40 digits.
     #[error("a number has at most {MAX_DIGITS} digits")]
     TooManyDigits,
-    /// A power of ten beyond 300.
+    /// A power of ten beyond 400.
     #[error("a power of ten lies between -{MAX_EXPONENT} and {MAX_EXPONENT}")]
     ExponentTooLarge,
 }
@@ -51,7 +51,7 @@ impl Decimal {
     /// Reads `0.7`, `-3`, `+3`, `.5`, `3.`, `1.2e3`, with no space around it.
     ///
     /// # Errors
-    /// Where the text is anything else, or beyond 40 digits or a power of ten of 300.
+    /// Where the text is anything else, or beyond 40 digits or a power of ten of 400.
     pub fn parse(text: &str) -> Result<Self, DecimalFault> {
         let end = number_length(text);
         if end != text.len() || end == 0 {

@@ -41,6 +41,9 @@ pub(super) fn solution(worked: Worked<'_>) -> Vec<Drawing> {
             let plot = plot::force_plot(&quantities, index);
             [plot, momentum::diagram(&quantities, &compass, index)].into_iter().collect()
         }
+        Stage::Stream(stream) => vec![sheet::stream::drawing(&quantities, &compass, index, stream)],
+        Stage::Thrust(thrust) => vec![sheet::stream::rocket(&quantities, &compass, index, thrust)],
+        Stage::Drift(_) => Vec::new(),
         // What a ball gains before it bounces on is not asked for; the figure of the bounces shows its fall.
         Stage::Fall(_) if matches!(stages.get(index + 1), Some(Stage::Bounces(_))) => Vec::new(),
         Stage::Flight(_) if quantities.scene().plane == Plane::Horizontal => Vec::new(),

@@ -106,7 +106,12 @@ fn participants(stage: &Stage) -> Vec<Participant> {
         Stage::Push(stage) => alone(&stage.body),
         Stage::Blow(stage) => alone(&stage.body),
         Stage::Fall(stage) => alone(&stage.body),
-        Stage::Rotate(_) | Stage::Central(_) | Stage::Bounces(_) => Vec::new(),
+        Stage::Rotate(_)
+        | Stage::Central(_)
+        | Stage::Bounces(_)
+        | Stage::Stream(_)
+        | Stage::Thrust(_)
+        | Stage::Drift(_) => Vec::new(),
     }
 }
 

@@ -3,6 +3,7 @@
 mod blow;
 mod bounces;
 mod central;
+mod drift;
 mod fall;
 mod flight;
 mod guided;
@@ -10,7 +11,9 @@ mod impact;
 mod push;
 mod rotate;
 mod separate;
+mod stream;
 mod surface;
+mod thrust;
 
 pub(in crate::model) use push::Acting;
 
@@ -33,6 +36,9 @@ impl Builder<'_> {
                 Stage::Central(stage) => self.central(index, stage),
                 Stage::Fall(stage) => self.fall(index, stage, &path),
                 Stage::Bounces(stage) => self.bounces(index, stage, &path),
+                Stage::Stream(stage) => self.stream(index, stage, &path),
+                Stage::Thrust(stage) => self.thrust(index, stage, &path),
+                Stage::Drift(stage) => self.drift(index, stage, &path),
                 Stage::Flight(stage) => self.flight(index, stage, &path),
                 Stage::Separate(stage) => self.separate(index, stage, &path),
             }

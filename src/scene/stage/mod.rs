@@ -3,22 +3,28 @@
 mod blow;
 mod bounces;
 mod central;
+mod drift;
 mod fall;
 mod flight;
 mod impact;
 mod push;
 mod rotate;
 mod separate;
+mod stream;
+mod thrust;
 
 pub use blow::Blow;
 pub use bounces::Bounces;
 pub use central::Central;
+pub use drift::Drift;
 pub use fall::Fall;
 pub use flight::Flight;
 pub use impact::{Impact, Partners};
 pub use push::{During, Push};
 pub use rotate::{Arm, Rotate};
 pub use separate::{Relative, Separate, When};
+pub use stream::Stream;
+pub use thrust::{BurningMass, Exhaust, Jet, Thrust};
 
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -41,6 +47,12 @@ pub enum Stage {
     Fall(Fall),
     /// A body bounces on a level floor, again and again.
     Bounces(Bounces),
+    /// A steady stream meets a body.
+    Stream(Stream),
+    /// A body is driven by mass that it throws away.
+    Thrust(Thrust),
+    /// Nothing acts: the bodies go on evenly, for a time or until something holds.
+    Drift(Drift),
     /// A body comes apart: an explosion, a recoil, a jump, a shot.
     Separate(Separate),
     /// Bodies move freely until something is so.
@@ -59,6 +71,9 @@ impl Stage {
             Self::Central(_) => "central",
             Self::Fall(_) => "fall",
             Self::Bounces(_) => "bounces",
+            Self::Stream(_) => "stream",
+            Self::Thrust(_) => "thrust",
+            Self::Drift(_) => "drift",
             Self::Separate(_) => "separate",
             Self::Flight(_) => "flight",
         }
@@ -75,6 +90,9 @@ impl Stage {
             Self::Central(stage) => &stage.name,
             Self::Fall(stage) => &stage.name,
             Self::Bounces(stage) => &stage.name,
+            Self::Stream(stage) => &stage.name,
+            Self::Thrust(stage) => &stage.name,
+            Self::Drift(stage) => &stage.name,
             Self::Separate(stage) => &stage.name,
             Self::Flight(stage) => &stage.name,
         };
