@@ -252,3 +252,55 @@ fn one_mistake_is_found_and_honest_rounding_is_never_taken_for_one() {
     let kinds: BTreeSet<&str> = found.iter().flat_map(|own| own.mistakes.iter().copied()).collect();
     assert!(kinds.len() >= 30, "{kinds:?}");
 }
+
+/// The trolleys of the collision with more keys at the top of the file.
+fn trolleys(keys: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures/problems/two_carts.yaml");
+    let text = std::fs::read_to_string(path).expect("the fixture is there");
+    text.replace("forms:\n", &format!("{keys}\nforms:\n"))
+}
+
+#[test]
+fn an_author_s_feedback_takes_the_place_of_the_question() {
+    let own = "feedback: { restitution-inverted: \"Cart A has {{ m_A }}; does restitution know of masses?\" }";
+    let two_carts = problem(&trolleys(own));
+    let exercise = Exercise::draw(&two_carts, 0, 7).unwrap_or_else(|reason| panic!("{reason}"));
+    let part_a = &exercise.worked().form.parts[0];
+    let answers = exercise.mistaken_answers(part_a);
+    let (_, answer) = answers.iter().find(|(code, _)| *code == "restitution-inverted").expect("it can be made");
+    let report = mark(&exercise, &[("v_A2", answer)], false);
+    assert!(report.parts[0].message.contains("; does restitution know of masses?"), "{report}");
+    assert!(!report.parts[0].message.contains("{{"), "{report}");
+}
+
+#[test]
+fn faults_of_feedback_are_told() {
+    let faults = |keys: &str| {
+        let loaded = load(Source::new("test.yaml", &trolleys(keys))).unwrap_or_else(|faults| panic!("{faults}"));
+        compile(loaded, None).expect_err("it is faulty").to_string()
+    };
+    let unknown = faults("feedback: { restitution-inverte: What? }");
+    assert!(
+        unknown.contains("no usual mistake") && unknown.contains("did you mean `restitution-inverted`?"),
+        "{unknown}"
+    );
+    let telling = faults("feedback: { restitution-inverted: \"It is {{ v_A2 }}.\" }");
+    assert!(telling.contains("the feedback prints `v_A2`, which a form asks"), "{telling}");
+    let listed = faults("discriminate: [nothing-known]");
+    assert!(listed.contains("there is no usual mistake `nothing-known`"), "{listed}");
+}
+
+#[test]
+fn numbers_with_which_a_mistake_hides_are_drawn_again() {
+    let hidden = |keys: &str| {
+        let two_carts = problem(&trolleys(keys));
+        let hides = |seed: &u64| {
+            let exercise = Exercise::draw(&two_carts, 0, *seed).unwrap_or_else(|reason| panic!("{reason}"));
+            !exercise.worked().tells_apart("sign-lost")
+        };
+        (1..=40).filter(hides).count()
+    };
+    // v_B1 runs from -4 to 1 m/s: on some of 40 seeds nothing moves to the left.
+    assert!(hidden("points: 1") > 0);
+    assert_eq!(hidden("discriminate: [sign-lost]"), 0);
+}

@@ -12,7 +12,6 @@ use crate::laws::mass_centre;
 use crate::laws::momentum;
 use crate::laws::restitution;
 use crate::model::Warning;
-use crate::problem::PartKind;
 use crate::solve::Equation;
 use crate::solve::Statement;
 
@@ -46,7 +45,7 @@ const BALANCES: &[(&str, &str)] = &[
 
 /// The checks of a variant; none for a form that only asks for concepts.
 pub(super) fn checks(display: Display<'_>) -> Vec<Block> {
-    if !display.worked.form.parts.iter().any(|part| matches!(part.kind, PartKind::Number(_))) {
+    if display.worked.form.wanted().next().is_none() {
         return Vec::new();
     }
     let mut blocks = Vec::new();
@@ -80,7 +79,9 @@ fn balances(display: Display<'_>) -> Vec<Block> {
         let Statement::Equal { left, right } = &equation.statement else { continue };
         let Some(words) = words_of(display, equation) else { continue };
         let told = |side: &Expr| side.symbols().is_subset(&known) && display.has_value(side);
-        let computes = [left, right].into_iter().any(|side| !matches!(side, Expr::Symbol(_)));
+        // A side that is nothing tells nothing.
+        let is_nothing = left.is_zero() || right.is_zero();
+        let computes = !is_nothing && [left, right].into_iter().any(|side| !matches!(side, Expr::Symbol(_)));
         if told(left) && told(right) && computes && !is_read_off(place, left, right) {
             let lines = [left, right].map(|side| evaluated(display, side));
             rows.push([text(words), Block::Equation { lines: lines.to_vec(), number: None }]);

@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 
 use crate::expr::Symbol;
-use crate::problem::PartKind;
 use crate::problem::Worked;
 use crate::scene::Scene;
 use crate::scene::Stage;
+use crate::scene::stage::Ends;
 
 use super::Audience;
 use super::Block;
@@ -22,6 +22,7 @@ use super::instructor;
 use super::steps::Figures;
 use super::steps::Steps;
 use super::steps::text;
+use super::wording::agree;
 use super::wording::capitalised;
 use super::wording::list;
 
@@ -92,7 +93,8 @@ fn system(worked: Worked<'_>) -> Vec<Block> {
 
 /// What happens in a stage, as a noun phrase.
 fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
-    let name = |body: &String| scene.called(body);
+    let name = |body: &str| scene.called(body);
+    let does = |body: &str, forms: [&str; 2]| format!("{} {}", name(body), agree(&name(body), forms));
     match stage {
         Stage::Impact(impact) => match (&impact.between, &impact.body, &impact.against) {
             (Some([a, b]), ..) => format!("{phrase} of {} and {}", name(a), name(b)),
@@ -100,6 +102,20 @@ fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
             _ => phrase.to_owned(),
         },
         Stage::Push(push) => format!("forces act on {}", name(&push.body)),
+        Stage::Slide(slide) => does(&slide.body, ["slides", "slide"]),
+        Stage::Spring(spring) => match spring.ends() {
+            Some(Ends::Free(first, second)) => format!("the spring acts between {} and {}", name(first), name(second)),
+            Some(Ends::Fixed(body)) => format!("the spring acts on {}", name(body)),
+            None => phrase.to_owned(),
+        },
+        Stage::Swing(swing) => does(&swing.body, ["swings on its cord", "swing on their cord"]),
+        Stage::Taut(taut) => {
+            format!("the string between {} and {} goes taut", name(&taut.between[0]), name(&taut.between[1]))
+        }
+        Stage::Connected(connected) => {
+            let [leading, trailing] = [&connected.leading, &connected.trailing].map(|strand| name(&strand.body));
+            format!("{leading} draws {trailing} along by the string")
+        }
         Stage::Blow(blow) => format!("{} acts on {}", blow.by, name(&blow.body)),
         Stage::Rotate(rotate) => format!("{} moves round on its arm", name(&rotate.body)),
         Stage::Central(central) => format!("{} moves under the central force", name(&central.body)),
@@ -113,7 +129,7 @@ fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
             format!("{} {} freely", list(&bodies), if bodies.len() > 1 { "move" } else { "moves" })
         }
         Stage::Separate(separate) => {
-            format!("{phrase} of {}", list(&separate.into.iter().map(name).collect::<Vec<_>>()))
+            format!("{phrase} of {}", list(&separate.into.iter().map(|part| name(part)).collect::<Vec<_>>()))
         }
     }
 }
@@ -126,15 +142,7 @@ fn surface_name(scene: &Scene, surface: &str) -> String {
 /// The steps of the answer plan.
 fn laws(display: Display<'_>) -> Vec<Block> {
     let worked = display.worked;
-    let asked: Vec<Symbol> = worked
-        .form
-        .parts
-        .iter()
-        .filter_map(|part| match &part.kind {
-            PartKind::Number(number) => Some(number.symbol),
-            PartKind::Choice { .. } => None,
-        })
-        .collect();
+    let asked: Vec<Symbol> = worked.form.wanted().collect();
     let answer = usize::from(worked.problem.loaded().draft.figures.unwrap_or(3));
     let figures = Figures { answer, intermediate: answer + 1 };
     let mut steps = Steps { display, figures, numbers: BTreeMap::new(), asked, angle_explained: false };

@@ -61,6 +61,28 @@ pub const ARC: Law = Law {
     wrong: wrong::geometry::ARC,
 };
 
+/// Height on a circle.
+pub const HEIGHT_ON_CIRCLE: Law = Law {
+    id: "height-on-a-circle",
+    name: "trigonometry",
+    statement: "A cord that makes an angle with the vertical ends lower than its fixed end by its length times the cosine of the angle.",
+    signs: "Heights and lengths are positive.",
+    when: "The cord is straight.",
+    source: "Trigonometry.",
+    wrong: &[],
+};
+
+/// Height of a slope.
+pub const HEIGHT_OF_SLOPE: Law = Law {
+    id: "height-of-a-slope",
+    name: "trigonometry",
+    statement: "A way along a slope leads up or down by its length times the sine of the slope's angle.",
+    signs: "Heights and lengths are positive.",
+    when: "The slope is straight.",
+    source: "Trigonometry.",
+    wrong: &[],
+};
+
 /// Given by the author.
 pub const RELATION: Law = Law {
     id: "stated-relation",
@@ -73,7 +95,8 @@ pub const RELATION: Law = Law {
 };
 
 /// The laws of this chapter.
-pub const LAWS: &[&Law] = &[&COMPONENTS, &ROTATION, &MAGNITUDE, &DIRECTION, &ARC, &RELATION];
+pub const LAWS: &[&Law] =
+    &[&COMPONENTS, &ROTATION, &MAGNITUDE, &DIRECTION, &ARC, &HEIGHT_ON_CIRCLE, &HEIGHT_OF_SLOPE, &RELATION];
 
 /// The two components of a vector of that magnitude, `angle` being counted from the first axis.
 #[must_use]

@@ -47,7 +47,7 @@ pub const FLIGHT_PLACE: Law = Law {
     signs: "Along the axis positive; g counts as negative where the axis points up.",
     when: "Weight is the only force; air resistance is left out.",
     source: "The velocity under constant acceleration, integrated over time.",
-    wrong: &[],
+    wrong: wrong::kinematics::FLIGHT_PLACE,
 };
 
 /// Vertical velocity and height in free flight.
@@ -58,7 +58,7 @@ pub const FLIGHT_SPEED: Law = Law {
     signs: "Along the axis positive; g counts as negative where the axis points up.",
     when: "Weight is the only force; air resistance is left out.",
     source: "Work and energy with weight alone, less the kinetic energy of the horizontal motion, which stays.",
-    wrong: &[],
+    wrong: wrong::kinematics::FALL_SPEED,
 };
 
 /// The top of a path.
@@ -138,6 +138,28 @@ pub const CLOCK: Law = Law {
     wrong: &[],
 };
 
+/// A body that has come to rest.
+pub const REST: Law = Law {
+    id: "rest",
+    name: "the meaning of rest",
+    statement: "A body that has come to rest has no velocity.",
+    signs: "None are needed.",
+    when: "At the instant of rest.",
+    source: "Kinematics.",
+    wrong: &[],
+};
+
+/// Bodies that move with one velocity.
+pub const TOGETHER: Law = Law {
+    id: "same-velocity",
+    name: "the condition that both move with one velocity",
+    statement: "Bodies whose distance does not change at an instant have the same velocity along the line that joins them; so have the ends of a taut string.",
+    signs: "As the velocities.",
+    when: "A string is taut, or a spring between the bodies is deformed most.",
+    source: "Kinematics.",
+    wrong: &[],
+};
+
 /// Counting until a condition holds.
 pub const COUNT: Law = Law {
     id: "count",
@@ -162,6 +184,8 @@ pub const LAWS: &[&Law] = &[
     &BOUNCE_SPEED,
     &BOUNCE_TIME,
     &BOUNCE_PATH,
+    &REST,
+    &TOGETHER,
     &COUNT,
     &CLOCK,
 ];

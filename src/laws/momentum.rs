@@ -47,7 +47,7 @@ pub const SYSTEM: Law = Law {
     signs: "Velocities and impulses along the axis are positive, against it negative.",
     when: "Always, for each axis; the impulses within the system cancel in pairs.",
     source: "The principle of impulse and momentum for each body, added up.",
-    wrong: &[],
+    wrong: wrong::momentum::SYSTEM,
 };
 
 /// A velocity component along which no impulse acts.

@@ -8,6 +8,7 @@ use crate::scene::Axes;
 use crate::scene::Plane;
 use crate::scene::Scene;
 use crate::scene::Stage;
+use crate::scene::stage::Ends;
 use crate::scene::stage::Impact;
 use crate::scene::stage::Partners;
 use crate::scene::stage::Separate;
@@ -55,6 +56,7 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
     if !faults.is_empty() {
         return faults;
     }
+    let at = Path::root().key("scene");
     let timeline = Timeline::new(scene);
     for (index, stage) in scene.stages.iter().enumerate() {
         let at = at.key("stages").index(index).key(stage.key());
@@ -77,6 +79,17 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
                 faults.extend(collision(scene, impact, &at));
             }
             Stage::Push(stage) => body(&stage.body, "body"),
+            Stage::Fall(_)
+            | Stage::Slide(_)
+            | Stage::Spring(_)
+            | Stage::Swing(_)
+            | Stage::Taut(_)
+            | Stage::Connected(_) => {
+                for (name, key) in held_bodies(stage) {
+                    body(name, key);
+                }
+                faults.extend(held(scene, stage).map(|fault| fault.at_path(at)));
+            }
             Stage::Blow(stage) => body(&stage.body, "body"),
             Stage::Rotate(stage) => {
                 body(&stage.body, "body");
@@ -88,13 +101,6 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
                 if matches!(scene.axes, Axes::Rectangular(_)) {
                     let fault = Fault::new(Code::Value, "a central force needs polar axes");
                     faults.push(fault.help("write `axes: polar`").at_path(at.clone()));
-                }
-            }
-            Stage::Fall(stage) => {
-                body(&stage.body, "body");
-                if scene.plane != Plane::Vertical {
-                    let fault = Fault::new(Code::Value, "a fall needs a vertical plane");
-                    faults.push(fault.help("write `plane: vertical` under `scene`").at_path(at.clone()));
                 }
             }
             Stage::Bounces(stage) => body(&stage.body, "body"),
@@ -185,6 +191,47 @@ fn names_of_instants(scene: &Scene) -> Vec<Fault> {
         faults.push(fault.at_path(at.index(index)));
     }
     faults
+}
+
+/// What moves by its weight needs a plane in which weight acts.
+fn not_vertical(scene: &Scene, what: &str) -> Option<Fault> {
+    let fault = || Fault::new(Code::Value, format!("{what} needs a vertical plane"));
+    (scene.plane != Plane::Vertical).then(|| fault().help("write `plane: vertical` under `scene`"))
+}
+
+/// The bodies that fall, or are held by floors, cords and springs, each with the key that names it.
+fn held_bodies(stage: &Stage) -> Vec<(&str, &str)> {
+    match stage {
+        Stage::Fall(stage) => vec![(&stage.body, "body")],
+        Stage::Slide(stage) => vec![(&stage.body, "body")],
+        Stage::Swing(stage) => vec![(&stage.body, "body")],
+        Stage::Spring(stage) => match stage.ends() {
+            Some(Ends::Fixed(name)) => vec![(name, "body")],
+            Some(Ends::Free(first, second)) => vec![(first, "between"), (second, "between")],
+            None => Vec::new(),
+        },
+        Stage::Taut(stage) => stage.between.iter().map(|name| (name.as_str(), "between")).collect(),
+        Stage::Connected(stage) => vec![(&stage.trailing.body, "trailing"), (&stage.leading.body, "leading")],
+        _ => Vec::new(),
+    }
+}
+
+/// What does not fit a stage in which a body falls, or is held by a floor, a cord or a spring.
+fn held(scene: &Scene, stage: &Stage) -> Option<Fault> {
+    let one_axis = matches!(&scene.axes, Axes::Rectangular(axes) if axes.len() == 1);
+    match stage {
+        Stage::Spring(spring) if spring.ends().is_none() => {
+            let fault = Fault::new(Code::MissingKey, "a spring needs a body, or two bodies between which it lies");
+            Some(fault.help("write `body: A`, or `between: [A, B]`"))
+        }
+        Stage::Fall(_) => not_vertical(scene, "a fall"),
+        Stage::Swing(_) => not_vertical(scene, "a swing"),
+        Stage::Connected(_) if !one_axis => {
+            let fault = Fault::new(Code::Value, "bodies on a string over a pulley need a scene with one axis");
+            Some(fault.help("write `axes: { x: along the string }`"))
+        }
+        _ => None,
+    }
 }
 
 /// What two bodies become is a body of its own: its name must not be that of another.

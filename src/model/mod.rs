@@ -7,13 +7,16 @@ mod define;
 mod frame;
 mod friction;
 mod guide;
+mod incline;
 mod instance;
 mod mistaken;
 mod name;
+mod pair;
 mod place;
 mod read;
 mod stage;
 mod timeline;
+mod way;
 mod wording;
 
 pub use acting::{ActingForce, Flowing, ForceKind};
@@ -251,6 +254,12 @@ impl<'s> Builder<'s> {
     #[must_use]
     pub fn stage_of(&self, name: &str) -> Option<usize> {
         self.timeline.stage(self.scene, name)
+    }
+
+    /// Whether a symbol stands for a number with a unit that the author wrote: `2 m/s`.
+    #[must_use]
+    pub fn is_literal(&self, symbol: Symbol) -> bool {
+        self.literals.iter().any(|(own, _)| *own == symbol)
     }
 
     /// The letters of the scene's axes, in order.

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::scene::Scene;
 use crate::scene::Stage;
+use crate::scene::stage::Ends;
 use crate::scene::stage::Partners;
 use crate::scene::stage::Separate;
 
@@ -120,6 +121,15 @@ fn changed_bodies(stage: &Stage) -> Vec<String> {
             None => Vec::new(),
         },
         Stage::Push(stage) => vec![stage.body.clone()],
+        Stage::Slide(stage) => vec![stage.body.clone()],
+        Stage::Spring(stage) => match stage.ends() {
+            Some(Ends::Fixed(body)) => vec![body.to_owned()],
+            Some(Ends::Free(first, second)) => vec![first.to_owned(), second.to_owned()],
+            None => Vec::new(),
+        },
+        Stage::Swing(stage) => vec![stage.body.clone()],
+        Stage::Taut(stage) => stage.between.to_vec(),
+        Stage::Connected(stage) => vec![stage.trailing.body.clone(), stage.leading.body.clone()],
         Stage::Blow(stage) => vec![stage.body.clone()],
         Stage::Rotate(stage) => vec![stage.body.clone()],
         Stage::Central(stage) => vec![stage.body.clone()],

@@ -8,6 +8,11 @@ use crate::scene::stage::Separate;
 const KINDS: &[(&str, &str, &str, &str)] = &[
     ("impact", "impact", "just before {}", "just after {}"),
     ("push", "push", "at the start of {}", "at the end of {}"),
+    ("slide", "slide", "at the start of {}", "at the end of {}"),
+    ("spring", "motion with the spring", "at the start of {}", "at the end of {}"),
+    ("swing", "swing", "at the start of {}", "at the end of {}"),
+    ("taut", "jerk of the string", "just before {}", "just after {}"),
+    ("connected", "motion on the string", "at the start of {}", "at the end of {}"),
     ("blow", "blow", "just before {}", "just after {}"),
     ("rotate", "motion", "at the start of {}", "at the end of {}"),
     ("central", "flight", "at the first place", "at the second place"),

@@ -24,6 +24,7 @@ use super::any;
 use super::comparison::split_relation;
 use super::declared::declared;
 use super::draft::Units;
+use super::feedback;
 use super::follow::Followings;
 use super::form::Question;
 use super::given::Given;
@@ -56,7 +57,8 @@ const GRAVITY: [(UnitSystem, &str, &str); 2] = [(UnitSystem::Si, "9.81", "m/s^2"
 pub fn compile(loaded: Loaded, secret: Option<&[u8]>) -> Result<Problem, Faults> {
     let built = build(&loaded, secret).and_then(|built| {
         let check = |form| told::check(&loaded, &built.model, &built.known, form);
-        let faults: Vec<Fault> = built.forms.iter().flat_map(check).collect();
+        let mut faults: Vec<Fault> = built.forms.iter().flat_map(check).collect();
+        faults.extend(feedback::check(&loaded, &built.model, &built.forms));
         if faults.is_empty() { Ok(built) } else { Err(faults) }
     });
     match built {

@@ -19,6 +19,8 @@ use crate::solve::Verify;
 use crate::solve::Workspace;
 
 use super::part::NumberPart;
+use super::part::PartKind;
+use super::part::Tolerance;
 use super::planned::Form;
 use super::planned::Problem;
 use super::regimes::Leaf;
@@ -198,6 +200,35 @@ impl<'a> Worked<'a> {
             }
         };
         values.into_iter().map(|value| value / unit).filter(|value| value.is_finite()).collect()
+    }
+
+    /// Whether a mistake changes some answer by more than its tolerance; true where it cannot be made.
+    #[must_use]
+    pub fn tells_apart(&self, mistake: &str) -> bool {
+        let mut possible = false;
+        let numbers = || {
+            self.form.parts.iter().filter_map(|part| match &part.kind {
+                PartKind::Number(number) => Some(number),
+                PartKind::Choice { .. } => None,
+            })
+        };
+        for mistake in self.mistakes().iter().filter(|own| own.of.id == mistake) {
+            for number in numbers() {
+                let right = self.answer(number).value;
+                let allowed = match &number.tolerance {
+                    Tolerance::Relative(share) => share.to_f64() * right.abs(),
+                    Tolerance::Absolute(distance) => distance.to_f64(),
+                };
+                let allowed = allowed.max(self.judged(number).allowance);
+                for value in self.mistaken(mistake, number) {
+                    possible = true;
+                    if (value - right).abs() > allowed {
+                        return true;
+                    }
+                }
+            }
+        }
+        !possible
     }
 
     /// Whether the sign of a number says a direction, so that it can be got wrong.

@@ -69,10 +69,7 @@ pub struct Reveal {
 impl Form {
     /// The quantities that are asked.
     pub fn wanted(&self) -> impl Iterator<Item = Symbol> {
-        self.parts.iter().filter_map(|part| match &part.kind {
-            PartKind::Number(number) => Some(number.symbol),
-            PartKind::Choice { .. } => None,
-        })
+        self.parts.iter().flat_map(|part| part.kind.wanted())
     }
 
     /// The quantities in terms of which answers are asked.

@@ -11,8 +11,6 @@ mod vectors;
 mod words;
 
 use crate::figure::Drawing;
-use crate::problem::Part;
-use crate::problem::PartKind;
 use crate::problem::Sampler;
 use crate::problem::Variant;
 use crate::problem::Worked;
@@ -41,13 +39,22 @@ pub(super) fn solution(worked: Worked<'_>) -> Vec<Drawing> {
             let plot = plot::force_plot(&quantities, index);
             [plot, momentum::diagram(&quantities, &compass, index)].into_iter().collect()
         }
+        Stage::Slide(_) if momentum::has_no_time(&quantities, index) => Vec::new(),
+        Stage::Spring(spring) if spring.between.is_none() => Vec::new(),
         Stage::Stream(stream) => vec![sheet::stream::drawing(&quantities, &compass, index, stream)],
         Stage::Thrust(thrust) => vec![sheet::stream::rocket(&quantities, &compass, index, thrust)],
-        Stage::Drift(_) => Vec::new(),
+        Stage::Swing(_) | Stage::Connected(_) | Stage::Drift(_) => Vec::new(),
         // What a ball gains before it bounces on is not asked for; the figure of the bounces shows its fall.
         Stage::Fall(_) if matches!(stages.get(index + 1), Some(Stage::Bounces(_))) => Vec::new(),
         Stage::Flight(_) if quantities.scene().plane == Plane::Horizontal => Vec::new(),
-        Stage::Impact(_) | Stage::Blow(_) | Stage::Fall(_) | Stage::Separate(_) | Stage::Flight(_) => {
+        Stage::Impact(_)
+        | Stage::Slide(_)
+        | Stage::Spring(_)
+        | Stage::Taut(_)
+        | Stage::Blow(_)
+        | Stage::Fall(_)
+        | Stage::Separate(_)
+        | Stage::Flight(_) => {
             vec![momentum::diagram(&quantities, &compass, index)]
         }
     });
@@ -56,12 +63,11 @@ pub(super) fn solution(worked: Worked<'_>) -> Vec<Drawing> {
 
 /// The same numbers in a form that solves something, for a form that only asks for concepts and has nothing to draw.
 fn solved_sibling(worked: Worked<'_>) -> Option<Variant> {
-    let is_number = |part: &Part| matches!(part.kind, PartKind::Number(_));
-    if worked.form.parts.iter().any(is_number) {
+    if worked.form.wanted().next().is_some() {
         return None;
     }
     let forms = worked.problem.forms();
-    let solving = forms.iter().position(|form| form.reveal.is_empty() && form.parts.iter().any(is_number))?;
+    let solving = forms.iter().position(|form| form.reveal.is_empty() && form.wanted().next().is_some())?;
     let mut sampler = Sampler::new(worked.problem, solving).ok()?;
     sampler.with_values(worked.variant.seed().unwrap_or(0), worked.variant.all_given()).ok()
 }

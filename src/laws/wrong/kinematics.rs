@@ -59,9 +59,29 @@ pub const FIRST_TWICE: Misconception = Misconception {
     hint: "The body is let go from above: the first fall has no rise before it.",
 };
 
+/// `a t^2`.
+pub const FALL_HALF: Misconception = Misconception {
+    id: "fall-half-forgotten",
+    does: "leaves out the factor of one half in the way fallen",
+    ask: "The velocity of a fall grows from the first moment on: what is its mean over the time?",
+    hint: "Draw the velocity over the time: the way is the area under a triangle.",
+};
+/// The first velocity left out.
+pub const FIRST_VELOCITY: Misconception = Misconception {
+    id: "first-velocity-forgotten",
+    does: "leaves out the velocity with which the flight begins",
+    ask: "Does the body start from rest along this axis?",
+    hint: "Without gravity, where would the body be after this time?",
+};
+
 /// Wrong forms of the speed after a fall.
 pub const FALL_SPEED: &[WrongForm] =
     &[WrongForm { of: &TWO, write: two_forgotten }, WrongForm { of: &ROOT, write: root_forgotten }];
+/// Wrong forms of the place in a flight.
+pub const FLIGHT_PLACE: &[WrongForm] = &[
+    WrongForm { of: &FALL_HALF, write: |law| law.both(|side| doubled(law, side)) },
+    WrongForm { of: &FIRST_VELOCITY, write: |law| law.without(&|term| law.has(term, Dimension::VELOCITY)) },
+];
 /// Wrong forms of a bounce's height.
 pub const BOUNCE_HEIGHT: &[WrongForm] =
     &[WrongForm { of: &HEIGHT_BY_E, write: |law| e_to(law, Expr::sqrt) }, WrongForm { of: &ONE_OFF, write: one_off }];
@@ -97,6 +117,13 @@ fn halved(law: &Taught<'_>, term: &Expr) -> Expr {
     match term {
         Expr::Product(_) if law.has_gravity(term) => Expr::ratio(1, 2) * term.clone(),
         other => other.map_children(|part| halved(law, part)),
+    }
+}
+
+fn doubled(law: &Taught<'_>, term: &Expr) -> Expr {
+    match term {
+        Expr::Product(_) if law.has_gravity(term) => Expr::integer(2) * term.clone(),
+        other => other.map_children(|part| doubled(law, part)),
     }
 }
 

@@ -19,6 +19,7 @@ pub mod momentum;
 pub mod reading;
 pub mod restitution;
 mod rewrite;
+pub mod separation;
 
 /// A usual mistake, as a row of its chapter's table.
 #[derive(Debug)]

@@ -126,6 +126,11 @@ pub const IMPULSE_MOMENTUM: &[WrongForm] = &[
     WrongForm { of: &FRICTION_REVERSED, write: friction_reversed },
     WrongForm { of: &super::geometry::SINE_COSINE, write: sine_and_cosine },
 ];
+/// Wrong forms of impulse and momentum of a system.
+pub const SYSTEM: &[WrongForm] = &[
+    WrongForm { of: &SIGN_LOST, write: sign_lost },
+    WrongForm { of: &super::geometry::SINE_COSINE, write: sine_and_cosine },
+];
 /// Wrong forms of the third law.
 pub const THIRD_LAW: &[WrongForm] =
     &[WrongForm { of: &SAME_SIGN, write: same_sign }, WrongForm { of: &HEAVIER_HARDER, write: heavier_harder }];

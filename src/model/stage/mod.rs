@@ -3,6 +3,7 @@
 mod blow;
 mod bounces;
 mod central;
+mod connected;
 mod drift;
 mod fall;
 mod flight;
@@ -11,11 +12,15 @@ mod impact;
 mod push;
 mod rotate;
 mod separate;
+mod slide;
+mod spring;
 mod stream;
 mod surface;
+mod swing;
+mod taut;
 mod thrust;
 
-pub(in crate::model) use push::Acting;
+pub(in crate::model) use push::Pushed;
 
 use crate::fault::Path;
 use crate::scene::Stage;
@@ -31,6 +36,11 @@ impl Builder<'_> {
             match stage {
                 Stage::Impact(stage) => self.impact(index, stage, &path),
                 Stage::Push(stage) => self.push(index, stage, &path),
+                Stage::Slide(stage) => self.slide(index, stage, &path),
+                Stage::Spring(stage) => self.spring(index, stage, &path),
+                Stage::Swing(stage) => self.swing(index, stage, &path),
+                Stage::Taut(stage) => self.taut(index, stage, &path),
+                Stage::Connected(stage) => self.connected(index, stage, &path),
                 Stage::Blow(stage) => self.blow(index, stage, &path),
                 Stage::Rotate(stage) => self.rotate(index, stage, &path),
                 Stage::Central(stage) => self.central(index, stage),

@@ -3,6 +3,7 @@
 mod blow;
 mod bounces;
 mod central;
+mod connected;
 mod drift;
 mod fall;
 mod flight;
@@ -10,12 +11,18 @@ mod impact;
 mod push;
 mod rotate;
 mod separate;
+mod slide;
+mod spring;
 mod stream;
+mod swing;
+mod taut;
 mod thrust;
+mod until;
 
 pub use blow::Blow;
 pub use bounces::Bounces;
 pub use central::Central;
+pub use connected::{Connected, Strand};
 pub use drift::Drift;
 pub use fall::Fall;
 pub use flight::Flight;
@@ -23,8 +30,13 @@ pub use impact::{Impact, Partners};
 pub use push::{During, Push};
 pub use rotate::{Arm, Rotate};
 pub use separate::{Relative, Separate, When};
+pub use slide::Slide;
+pub use spring::{Ends, Spring};
 pub use stream::Stream;
+pub use swing::{Place, Swing, Way};
+pub use taut::Taut;
 pub use thrust::{BurningMass, Exhaust, Jet, Thrust};
+pub use until::Until;
 
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -37,6 +49,16 @@ pub enum Stage {
     Impact(Impact),
     /// Forces of known law act on a body for a time.
     Push(Push),
+    /// A body slides over a floor or along a slope.
+    Slide(Slide),
+    /// A spring acts on a body, or between two bodies.
+    Spring(Spring),
+    /// A body swings on a cord.
+    Swing(Swing),
+    /// A string between two bodies goes taut.
+    Taut(Taut),
+    /// Two bodies move on the ends of a taut string over a pulley.
+    Connected(Connected),
     /// A blow of unknown history: only its impulse, or its mean force and duration, is spoken of.
     Blow(Blow),
     /// A particle is held on an arm about a fixed point, and a moment acts.
@@ -66,6 +88,11 @@ impl Stage {
         match self {
             Self::Impact(_) => "impact",
             Self::Push(_) => "push",
+            Self::Slide(_) => "slide",
+            Self::Spring(_) => "spring",
+            Self::Swing(_) => "swing",
+            Self::Taut(_) => "taut",
+            Self::Connected(_) => "connected",
             Self::Blow(_) => "blow",
             Self::Rotate(_) => "rotate",
             Self::Central(_) => "central",
@@ -85,6 +112,11 @@ impl Stage {
         let name = match self {
             Self::Impact(stage) => &stage.name,
             Self::Push(stage) => &stage.name,
+            Self::Slide(stage) => &stage.name,
+            Self::Spring(stage) => &stage.name,
+            Self::Swing(stage) => &stage.name,
+            Self::Taut(stage) => &stage.name,
+            Self::Connected(stage) => &stage.name,
             Self::Blow(stage) => &stage.name,
             Self::Rotate(stage) => &stage.name,
             Self::Central(stage) => &stage.name,
