@@ -18,6 +18,7 @@ use super::ask::Ask;
 use super::ask::Count;
 use super::ask::Find;
 use super::ask::Turn;
+use super::comparing;
 use super::comparison::split_relation;
 use super::concept;
 use super::form::Question;
@@ -28,6 +29,7 @@ use super::part::NumberPart;
 use super::part::Part;
 use super::part::PartKind;
 use super::part::Tolerance;
+use super::rubric::fraction;
 
 /// What reading the parts of a form gives.
 #[derive(Default)]
@@ -42,6 +44,7 @@ pub(super) struct Read {
 /// Reads the parts of a form; faults are noted in the builder.
 pub(super) fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'_>) -> Read {
     let mut read = Read::default();
+    check_rubric(loaded, builder);
     for (index, ask) in question.ask.iter().enumerate() {
         let path = question.path.key("ask").index(index);
         let letter = char::from_u32(u32::from('a') + u32::try_from(index % 26).unwrap_or(0)).unwrap_or('a').to_string();
@@ -51,6 +54,8 @@ pub(super) fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'
             Ask::Conserved(ask) => concept::conserved(loaded, ask, builder, &path).map(|kind| (letter, kind.0, kind.1)),
             Ask::Classify(ask) => concept::classify(loaded, ask, builder, &path).map(|kind| (letter, kind.0, kind.1)),
             Ask::Impulsive(ask) => concept::impulsive(loaded, ask, builder, &path).map(|kind| (letter, kind.0, kind.1)),
+            Ask::Holds(ask) => comparing::holds(loaded, ask, builder, &path).map(|kind| (letter, kind.0, kind.1)),
+            Ask::Order(ask) => comparing::order(ask, builder, &path).map(|kind| (letter, kind.0, kind.1)),
         };
         let Some((id, label, kind)) = part else { continue };
         if read.parts.iter().any(|part| part.id == id) {
@@ -58,14 +63,21 @@ pub(super) fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'
             builder.fault(fault.help("ask it once: an answer is found by its name").at_path(path));
             continue;
         }
-        if let PartKind::Number(number) = &kind {
-            read.wanted.push(number.symbol);
-        }
+        read.wanted.extend(kind.wanted());
         let (points, own_label) = points_and_label(ask);
         let points = points.or(loaded.draft.points).unwrap_or(1);
         read.parts.push(Part { id, label: own_label.unwrap_or(label), points, kind });
     }
     read
+}
+
+/// Every fraction of the rubric can be read; it is the same for all forms, so its faults are told once.
+fn check_rubric(loaded: &Loaded, builder: &mut Builder<'_>) {
+    for (key, term) in loaded.draft.rubric.fractions().filter(|(_, term)| fraction(term).is_none()) {
+        let fault = Fault::new(Code::Value, format!("`{}` is no fraction of the points", term.0));
+        let path = Path::root().key("rubric").key(key);
+        builder.fault(fault.help("write a fraction from 0 to 1: `50 %`, `0.5` or `1/2`").at_path(path));
+    }
 }
 
 fn points_and_label(ask: &Ask) -> (Option<u32>, Option<String>) {
@@ -75,6 +87,8 @@ fn points_and_label(ask: &Ask) -> (Option<u32>, Option<String>) {
         Ask::Conserved(ask) => (ask.points, ask.label.clone()),
         Ask::Classify(ask) => (ask.points, ask.label.clone()),
         Ask::Impulsive(ask) => (ask.points, ask.label.clone()),
+        Ask::Holds(ask) => (ask.points, ask.label.clone()),
+        Ask::Order(ask) => (ask.points, ask.label.clone()),
     }
 }
 
@@ -117,7 +131,7 @@ fn number(loaded: &Loaded, find: &Find, builder: &mut Builder<'_>, path: &Path) 
         Some(Some(tolerance)) => tolerance,
         Some(None) => {
             let fault = Fault::new(Code::Value, "a tolerance is a percentage or a value in the unit of the question");
-            builder.fault(fault.help("write `2 %` or `0.05 m/s`").at_path(path.key("tolerance")));
+            builder.fault(fault.help("write `2 %`, `0.05 m/s` or `to figures`").at_path(path.key("tolerance")));
             return None;
         }
     };
@@ -130,7 +144,8 @@ fn number(loaded: &Loaded, find: &Find, builder: &mut Builder<'_>, path: &Path) 
 
 /// A direction is asked from a stated axis and in a stated sense; the symbol that is counted so, and the words for it.
 fn reference(find: &Find, symbol: Symbol, builder: &mut Builder<'_>, path: &Path) -> Option<(Symbol, String)> {
-    let is_direction = builder.symbols().entry(symbol).name.starts_with("angle_");
+    // Along one axis there are no directions to count: an angle is one between a cord and the vertical.
+    let is_direction = builder.symbols().entry(symbol).name.starts_with("angle_") && builder.axis_letters().len() > 1;
     let (Some(from), Some(sense)) = (&find.from, find.sense) else {
         if is_direction {
             let message = format!("it is not said from which axis and in which sense `{}` is counted", find.find);
@@ -198,6 +213,9 @@ fn default_tolerance(unit: &AskedUnit) -> Tolerance {
 
 fn read_tolerance(term: &Term, dimension: Dimension) -> Option<Tolerance> {
     let text = term.0.trim();
+    if text == "to figures" {
+        return Some(Tolerance::ToFigures);
+    }
     if let Some(percent) = text.strip_suffix('%') {
         let percent = Decimal::parse(percent.trim()).ok()?;
         let scale = u32::try_from(percent.scale()).ok()?;
