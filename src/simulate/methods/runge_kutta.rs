@@ -160,7 +160,7 @@ impl<const D: usize> Run<'_, D> {
                     break;
                 }
                 let next = (length - geometry.gap / rate).max(length / 2.0);
-                if next == length {
+                if (next - length).abs() <= f64::EPSILON * length * 0.25 {
                     break;
                 }
                 length = next;
