@@ -34,7 +34,19 @@ fn is_valid(path: &Path) -> bool {
 
 #[test]
 fn an_independent_validator_accepts_what_the_loader_accepts() {
-    glob!("fixtures/problems/*.yaml", |path| assert!(is_valid(path)));
+    for (folder, files) in [
+        ("fixtures/problems", "*.yaml"),
+        ("golden", "*_*.yaml"),
+        ("reference", "*-*.yaml"),
+        ("../problem_bank", "**/*.yaml"),
+    ] {
+        let mut seen = 0;
+        glob!(folder, files, |path| {
+            seen += 1;
+            assert!(is_valid(path), "{}", path.display());
+        });
+        assert!(seen > 0, "{folder} has no problems");
+    }
 }
 
 #[test]

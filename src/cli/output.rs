@@ -1,4 +1,4 @@
-//! Where results go: standard output, or a file that appears whole or not at all.
+//! Where results go: standard output, a file that appears whole or not at all, or a device that takes what comes.
 
 use std::fs;
 use std::fs::File;
@@ -11,10 +11,15 @@ use std::path::PathBuf;
 
 use super::failure::Failure;
 
+/// How many links one after the other are followed, as the kernel does.
+const LINKS: usize = 40;
+
 /// A place to write to. A file gets its name only in [`Output::finish`]; before, it is a temporary one beside it.
 #[derive(Debug)]
 pub(super) enum Output {
     Stdout(BufWriter<StdoutLock<'static>>),
+    /// What is there and is no regular file: a device, a pipe. It is written to; it is never replaced.
+    Device(BufWriter<File>, PathBuf),
     File(Box<Pending>),
 }
 
@@ -29,18 +34,20 @@ pub(super) struct Pending {
 impl Output {
     /// Standard output where no path is given.
     pub(super) fn to(path: Option<&Path>) -> Result<Self, Failure> {
-        let Some(path) = path else { return Ok(Self::Stdout(BufWriter::new(io::stdout().lock()))) };
-        if path.is_dir() {
-            return Err(Failure::unusable(format!("{} is a folder; name a file", path.display())));
-        }
+        let Some(path) = path.filter(|path| *path != "/dev/stdout") else {
+            return Ok(Self::Stdout(BufWriter::new(io::stdout().lock())));
+        };
         let written = |error: io::Error| Failure::file(path, "written", &error);
-        let name = path.file_name().ok_or_else(|| Failure::unusable(format!("{} is no file", path.display())))?;
-        if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
-            fs::create_dir_all(folder).map_err(written)?;
+        match fs::metadata(path) {
+            Ok(found) if found.is_dir() => {
+                Err(Failure::unusable(format!("{} is a folder; name a file", path.display())))
+            }
+            Ok(found) if !found.is_file() => {
+                let device = File::options().write(true).open(path).map_err(written)?;
+                Ok(Self::Device(BufWriter::new(device), path.to_owned()))
+            }
+            found => Ok(Self::File(Box::new(Pending::at(behind_links(path), found.ok()).map_err(written)?))),
         }
-        let temporary = path.with_file_name(format!(".{}.{}.tmp", name.to_string_lossy(), std::process::id()));
-        let writer = Some(BufWriter::new(File::create(&temporary).map_err(written)?));
-        Ok(Self::File(Box::new(Pending { writer, temporary, path: path.to_owned() })))
     }
 
     /// Writes a whole file, or a whole text to standard output.
@@ -54,6 +61,7 @@ impl Output {
     pub(super) fn finish(self) -> Result<(), Failure> {
         match self {
             Self::Stdout(mut stdout) => Ok(stdout.flush()?),
+            Self::Device(mut device, path) => device.flush().map_err(|error| Failure::file(&path, "written", &error)),
             Self::File(mut pending) => {
                 let done = pending.complete();
                 done.map_err(|error| Failure::file(&pending.path, "written", &error))
@@ -62,7 +70,37 @@ impl Output {
     }
 }
 
+/// Whether something is there that is neither a file nor a folder, and so has nothing beside it.
+pub(super) fn is_device(path: &Path) -> bool {
+    path.metadata().is_ok_and(|found| !found.is_file() && !found.is_dir())
+}
+
+/// The path at which a chain of symbolic links ends, also where nothing is there yet: a link stays a link.
+fn behind_links(path: &Path) -> PathBuf {
+    let mut path = path.to_owned();
+    for _ in 0..LINKS {
+        let Ok(target) = fs::read_link(&path) else { break };
+        path = path.parent().unwrap_or(Path::new("")).join(target);
+    }
+    path
+}
+
 impl Pending {
+    /// Begins a file in the place of the one that was found there, which only those may read who could read that one.
+    fn at(path: PathBuf, found: Option<fs::Metadata>) -> io::Result<Self> {
+        let name = path.file_name().ok_or_else(|| io::Error::other("it names no file"))?;
+        if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
+            fs::create_dir_all(folder)?;
+        }
+        let temporary = path.with_file_name(format!(".{}.{}.tmp", name.to_string_lossy(), std::process::id()));
+        let file = File::create(&temporary)?;
+        let pending = Self { writer: Some(BufWriter::new(file)), temporary, path };
+        if let Some(found) = found {
+            fs::set_permissions(&pending.temporary, found.permissions())?;
+        }
+        Ok(pending)
+    }
+
     fn complete(&mut self) -> io::Result<()> {
         if let Some(writer) = self.writer.take() {
             writer.into_inner().map_err(io::IntoInnerError::into_error)?.sync_all()?;
@@ -84,6 +122,7 @@ impl Write for Output {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         match self {
             Self::Stdout(stdout) => stdout.write(bytes),
+            Self::Device(device, _) => device.write(bytes),
             Self::File(pending) => match &mut pending.writer {
                 Some(writer) => writer.write(bytes),
                 None => Err(io::Error::other("the file is finished")),
@@ -94,6 +133,7 @@ impl Write for Output {
     fn flush(&mut self) -> io::Result<()> {
         match self {
             Self::Stdout(stdout) => stdout.flush(),
+            Self::Device(device, _) => device.flush(),
             Self::File(pending) => pending.writer.as_mut().map_or(Ok(()), Write::flush),
         }
     }
@@ -122,6 +162,63 @@ mod tests {
         Output::whole(Some(&path), "whole").unwrap();
         assert_eq!(fs::read_to_string(&path).unwrap(), "whole");
         assert_eq!(fs::read_dir(folder.path().join("deep")).unwrap().count(), 1);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_stays_a_link_and_its_target_is_replaced() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        fs::create_dir(at("far")).unwrap();
+        std::os::unix::fs::symlink("far/target.md", at("second.md")).unwrap();
+        std::os::unix::fs::symlink("second.md", at("first.md")).unwrap();
+        for text in ["nothing was there", "something was there"] {
+            Output::whole(Some(&at("first.md")), text).unwrap();
+            assert_eq!(fs::read_to_string(at("far/target.md")).unwrap(), text);
+            assert!(at("first.md").is_symlink() && at("second.md").is_symlink() && !at("far/target.md").is_symlink());
+        }
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_file_that_is_private_stays_private() {
+        use std::os::unix::fs::PermissionsExt;
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("key.md");
+        fs::write(&path, "old").unwrap();
+        fs::set_permissions(&path, fs::Permissions::from_mode(0o600)).unwrap();
+        Output::whole(Some(&path), "new").unwrap();
+        assert_eq!(fs::metadata(&path).unwrap().permissions().mode() & 0o777, 0o600);
+        assert_eq!(fs::read_to_string(&path).unwrap(), "new");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_pipe_is_written_to_and_stays_a_pipe() {
+        use std::os::unix::fs::FileTypeExt;
+        let folder = tempfile::tempdir().unwrap();
+        let pipe = folder.path().join("pipe");
+        assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+        let read = std::thread::spawn({
+            let pipe = pipe.clone();
+            move || fs::read_to_string(pipe).unwrap()
+        });
+        Output::whole(Some(&pipe), "whole").unwrap();
+        assert_eq!(read.join().unwrap(), "whole");
+        assert!(fs::metadata(&pipe).unwrap().file_type().is_fifo());
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_device_stays_a_device_behind_a_link_too() {
+        use std::os::unix::fs::FileTypeExt;
+        let folder = tempfile::tempdir().unwrap();
+        let link = folder.path().join("nowhere");
+        std::os::unix::fs::symlink("/dev/null", &link).unwrap();
+        Output::whole(Some(&link), "lost").unwrap();
+        assert!(is_device(&link) && link.is_symlink());
+        assert!(fs::metadata("/dev/null").unwrap().file_type().is_char_device());
     }
 
     #[test]

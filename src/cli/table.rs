@@ -12,6 +12,7 @@ pub(super) struct Table {
     /// The headings, without spaces around them and without the byte order mark that some programs write.
     pub headings: Vec<String>,
     rows: csv::Reader<BufReader<File>>,
+    last: u64,
 }
 
 impl Table {
@@ -28,7 +29,7 @@ impl Table {
         let headings = rows.headers().map_err(|error| said(&error))?;
         let headings =
             headings.iter().map(|heading| heading.trim_start_matches('\u{feff}').trim().to_owned()).collect();
-        Ok(Self { headings, rows })
+        Ok(Self { headings, rows, last: 1 })
     }
 
     /// The position of the column with that heading, in small or capital letters.
@@ -36,19 +37,25 @@ impl Table {
         self.headings.iter().position(|own| own.eq_ignore_ascii_case(heading))
     }
 
-    /// The rows with their line numbers, or what is wrong with a row.
-    pub(super) fn rows(&mut self) -> impl Iterator<Item = (u64, Result<csv::StringRecord, String>)> + '_ {
-        let mut last = 1;
-        self.rows.records().map(move |row| match row {
-            Ok(row) => {
-                last = row.position().map_or(last + 1, csv::Position::line);
-                (last, Ok(row))
+    /// The next row with its line number, or what is wrong with it.
+    pub(super) fn next_row(&mut self) -> Option<(u64, Result<csv::StringRecord, String>)> {
+        let mut row = csv::StringRecord::new();
+        match self.rows.read_record(&mut row) {
+            Ok(false) => None,
+            Ok(true) => {
+                self.last = row.position().map_or(self.last + 1, csv::Position::line);
+                Some((self.last, Ok(row)))
             }
             Err(error) => {
-                last = error.position().map_or(last + 1, csv::Position::line);
-                (last, Err(malformed(error.kind())))
+                self.last = error.position().map_or(self.last + 1, csv::Position::line);
+                Some((self.last, Err(malformed(error.kind()))))
             }
-        })
+        }
+    }
+
+    /// The rows with their line numbers, or what is wrong with a row.
+    pub(super) fn rows(&mut self) -> impl Iterator<Item = (u64, Result<csv::StringRecord, String>)> + '_ {
+        std::iter::from_fn(|| self.next_row())
     }
 }
 

@@ -1,7 +1,13 @@
 //! The whole path of a problem as one type: a variant is drawn and solved, printed, explained and marked.
 
+mod diagnosis;
+mod drawer;
+mod follow_through;
 mod marking;
 mod record;
+mod students;
+
+pub use drawer::Drawer;
 
 use std::sync::Arc;
 
@@ -31,6 +37,8 @@ use crate::render::Sheet;
 use crate::render::SheetPart;
 use crate::solve::Bounded;
 
+pub use marking::Sitting;
+
 /// What stands between several roots of one part, printed or typed.
 const ROOTS_JOINED: &str = " or ";
 
@@ -47,8 +55,7 @@ impl Exercise {
     /// # Errors
     /// [`NoVariant`] where the seed has no admissible numbers.
     pub fn draw(problem: &Arc<Problem>, form: usize, seed: u64) -> Result<Self, NoVariant> {
-        let variant = Sampler::new(problem, form)?.variant(seed)?;
-        Ok(Self { problem: Arc::clone(problem), variant })
+        Drawer::new(problem, form)?.draw(seed)
     }
 
     /// The same scene with values of the user's own in place of given ones, and other quantities asked.

@@ -6,6 +6,7 @@ use crate::expr::Expr;
 use crate::expr::Function;
 use crate::expr::Math;
 use crate::expr::Operator;
+use crate::quantity::Rational;
 use crate::solve::Move;
 
 use super::Block;
@@ -41,10 +42,10 @@ pub(super) fn blocks(display: Display<'_>, numbers: &BTreeMap<usize, u32>, step_
         Move::Substitute { equation, unknown, value, left, right } => {
             let words = vec![
                 Inline::Text("Put ".into()),
-                Inline::Math(display.equation(&Expr::from(*unknown), value)),
+                Inline::Math(display.equation(&Expr::from(*unknown), &positive_first(display, value))),
                 Inline::Text(format!(" into {}:", number(equation))),
             ];
-            (words, display.equation(left, right))
+            (words, display.equation(&positive_first(display, left), &positive_first(display, right)))
         }
         Move::Polar { .. } => {
             return vec![text(
@@ -82,14 +83,35 @@ pub(super) fn without_common_minus(display: Display<'_>, left: &Expr, right: &Ex
 
 /// The term with every sum led by a positive part, where it has one: `b - a` for `-a + b`.
 pub(super) fn positive_first(display: Display<'_>, expr: &Expr) -> Expr {
-    let expr = expr.map_children(|part| positive_first(display, part));
-    let Expr::Sum(parts) = &expr else { return expr };
-    let mut parts = parts.to_vec();
+    match expr {
+        Expr::Sum(_) => led_by_positive(display, expr),
+        _ => without_outer_minus(display, led_by_positive(display, expr)),
+    }
+}
+
+/// The same for a part of a sum, which keeps its sign: in `m v - e (a - b)` the difference is that of a law.
+fn led_by_positive(display: Display<'_>, expr: &Expr) -> Expr {
+    let Expr::Sum(parts) = expr else { return expr.map_children(|part| positive_first(display, part)) };
+    let mut parts: Vec<Expr> = parts.iter().map(|part| led_by_positive(display, part)).collect();
     let leads = parts.iter().position(|part| !begins_with_minus(&display.symbolic(part)));
     if let Some(lead) = leads.filter(|lead| *lead > 0) {
         parts[..=lead].rotate_right(1);
     }
     Expr::sum(parts)
+}
+
+/// `(b - a)/c` for `-(a - b)/c`.
+fn without_outer_minus(display: Display<'_>, expr: Expr) -> Expr {
+    let Expr::Product(factors) = &expr else { return expr };
+    let mut factors = factors.to_vec();
+    let negative = factors.first().and_then(Expr::as_number).is_some_and(|number| *number < Rational::ZERO);
+    let turns = |factor: &Expr| matches!(factor, Expr::Sum(parts) if parts.iter().skip(1).any(|part| begins_with_minus(&display.symbolic(part))));
+    let (true, Some(place)) = (negative, factors.iter().position(turns)) else { return expr };
+    let Expr::Sum(parts) = &factors[place] else { return expr };
+    let turned = Expr::sum(parts.iter().map(|part| (-part.clone()).simplify()));
+    factors[place] = positive_first(display, &turned);
+    factors[0] = (-factors[0].clone()).simplify();
+    Expr::product(factors)
 }
 
 fn begins_with_minus(math: &Math) -> bool {

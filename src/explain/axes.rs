@@ -74,7 +74,7 @@ fn directions(display: Display<'_>) -> Vec<Vec<Inline>> {
 /// Where n points at the contact of an impact, and t.
 fn contact(display: Display<'_>, scene: &Scene, frame: &Frame, stage: &Stage) -> Option<Vec<Inline>> {
     let Stage::Impact(impact) = stage else { return None };
-    let name = |body: &str| scene.bodies.get(body).map_or_else(|| body.to_owned(), |entry| entry.name.clone());
+    let name = |body: &str| scene.called(body);
     let line = match impact.partners()? {
         Partners::Bodies(first, second) => {
             format!("along the line of impact, from {} towards {}", name(first), name(second))

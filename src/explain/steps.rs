@@ -174,6 +174,9 @@ impl Steps<'_> {
             if self.display.free.contains(&unknown) {
                 return Block::Equation { lines, number: None };
             }
+            if formula.is_zero() {
+                return Block::Equation { lines, number: None };
+            }
             let numbers = self.display.substituted(formula);
             if numbers != symbols && numbers != value {
                 lines.push(Math::Row(vec![Math::Operator(Operator::Equals), numbers]));

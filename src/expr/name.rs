@@ -3,7 +3,7 @@
 use super::{Math, Operator};
 
 /// Names that are typeset as letters of the Greek alphabet, or that the subject abbreviates.
-const LETTERS: [(&str, &str); 22] = [
+const LETTERS: [(&str, &str); 23] = [
     ("alpha", "\u{3b1}"),
     ("beta", "\u{3b2}"),
     ("gamma", "\u{3b3}"),
@@ -26,9 +26,10 @@ const LETTERS: [(&str, &str); 22] = [
     ("pi", "\u{3c0}"),
     ("speed", "v"),
     ("angle", "\u{3b8}"),
+    ("flow", "q"),
 ];
 
-/// The typeset form of a quantity's name. A stage in square brackets is not shown.
+/// The typeset form of a quantity's name. A stage in square brackets is shown for durations only.
 ///
 /// ```
 /// use momentous::expr::name_math;
@@ -42,6 +43,10 @@ pub fn name_math(name: &str) -> Math {
         let parts = inside.split(',').flat_map(|part| [Math::Operator(Operator::Comma), name_math(part.trim())]);
         let inside = Math::Row(parts.skip(1).collect());
         return Math::Row(vec![Math::Function(function.to_owned()), Math::Bracketed(Box::new(inside))]);
+    }
+    // Several durations in one solution are told apart by their stages.
+    if let Some(stage) = name.strip_prefix("dt[").and_then(|rest| rest.strip_suffix(']')) {
+        return with_subscript(base_math("dt"), stage);
     }
     let name = without_stage(name);
     let (name, instant) = split_mark(&name, '@');
@@ -120,7 +125,7 @@ mod tests {
             ("T_lost[hit]", "T_lost", r"T_{\text{lost}}"),
             ("J_A[hit]", "J_A", "J_{A}"),
             ("F_avg_A", "F_avg,A", r"F_{\text{avg},A}"),
-            ("dt[hit]", "\u{394}t", r"\Delta t"),
+            ("dt[hit]", "\u{394}t_hit", r"\Delta t_{\text{hit}}"),
             ("mu_s", "\u{3bc}_s", r"\mu_{s}"),
             ("omega_1", "\u{3c9}_1", r"\omega_{1}"),
             ("t_2", "t_2", "t_{2}"),

@@ -4,6 +4,7 @@ use crate::expr::Expr;
 
 use super::Law;
 use super::Sides;
+use super::wrong;
 
 /// Components of a vector of known magnitude and direction.
 pub const COMPONENTS: Law = Law {
@@ -13,6 +14,7 @@ pub const COMPONENTS: Law = Law {
     signs: "Angles are counted counter-clockwise from the axis.",
     when: "Always.",
     source: "Trigonometry.",
+    wrong: wrong::geometry::COMPONENTS,
 };
 
 /// The change to axes along and across a line.
@@ -23,6 +25,7 @@ pub const ROTATION: Law = Law {
     signs: "n along the line, t at 90° to it, counter-clockwise.",
     when: "Always.",
     source: "Trigonometry.",
+    wrong: wrong::geometry::COMPONENTS,
 };
 
 /// The magnitude from the components.
@@ -33,6 +36,7 @@ pub const MAGNITUDE: Law = Law {
     signs: "A magnitude is never negative.",
     when: "Always, along perpendicular axes.",
     source: "Pythagoras' theorem.",
+    wrong: wrong::geometry::MAGNITUDE,
 };
 
 /// The direction from the components.
@@ -43,6 +47,7 @@ pub const DIRECTION: Law = Law {
     signs: "Angles are counted counter-clockwise; the signs of both components tell the quadrant.",
     when: "Always, along perpendicular axes.",
     source: "Trigonometry.",
+    wrong: wrong::geometry::DIRECTION,
 };
 
 /// Speed on a circle.
@@ -53,6 +58,29 @@ pub const ARC: Law = Law {
     signs: "Counter-clockwise is positive.",
     when: "The distance from the centre does not change at that instant.",
     source: "The length of an arc.",
+    wrong: wrong::geometry::ARC,
+};
+
+/// Height on a circle.
+pub const HEIGHT_ON_CIRCLE: Law = Law {
+    id: "height-on-a-circle",
+    name: "trigonometry",
+    statement: "A cord that makes an angle with the vertical ends lower than its fixed end by its length times the cosine of the angle.",
+    signs: "Heights and lengths are positive.",
+    when: "The cord is straight.",
+    source: "Trigonometry.",
+    wrong: &[],
+};
+
+/// Height of a slope.
+pub const HEIGHT_OF_SLOPE: Law = Law {
+    id: "height-of-a-slope",
+    name: "trigonometry",
+    statement: "A way along a slope leads up or down by its length times the sine of the slope's angle.",
+    signs: "Heights and lengths are positive.",
+    when: "The slope is straight.",
+    source: "Trigonometry.",
+    wrong: &[],
 };
 
 /// Given by the author.
@@ -63,10 +91,12 @@ pub const RELATION: Law = Law {
     signs: "As stated.",
     when: "As stated.",
     source: "The problem.",
+    wrong: &[],
 };
 
 /// The laws of this chapter.
-pub const LAWS: &[&Law] = &[&COMPONENTS, &ROTATION, &MAGNITUDE, &DIRECTION, &ARC, &RELATION];
+pub const LAWS: &[&Law] =
+    &[&COMPONENTS, &ROTATION, &MAGNITUDE, &DIRECTION, &ARC, &HEIGHT_ON_CIRCLE, &HEIGHT_OF_SLOPE, &RELATION];
 
 /// The two components of a vector of that magnitude, `angle` being counted from the first axis.
 #[must_use]

@@ -4,6 +4,7 @@ use crate::expr::Expr;
 
 use super::Law;
 use super::Sides;
+use super::wrong;
 
 /// Speed reached in a fall.
 pub const FALL_SPEED: Law = Law {
@@ -13,6 +14,7 @@ pub const FALL_SPEED: Law = Law {
     signs: "The height fallen is positive.",
     when: "Weight is the only force; air resistance is left out.",
     source: "Work and energy with weight alone.",
+    wrong: wrong::kinematics::FALL_SPEED,
 };
 
 /// Velocity and time in a fall.
@@ -23,6 +25,62 @@ pub const FALL_TIME: Law = Law {
     signs: "Velocities along the axis are positive.",
     when: "Weight is the only force; air resistance is left out.",
     source: "The principle of impulse and momentum, divided by the mass.",
+    wrong: &[],
+};
+
+/// Uniform motion.
+pub const UNIFORM: Law = Law {
+    id: "uniform-motion",
+    name: "the kinematics of uniform motion",
+    statement: "A body that nothing acts on along an axis moves along it by its velocity times the time.",
+    signs: "Along the axis positive.",
+    when: "No force acts along the axis.",
+    source: "The definition of velocity, integrated over time.",
+    wrong: &[],
+};
+
+/// Place in free flight.
+pub const FLIGHT_PLACE: Law = Law {
+    id: "flight-place",
+    name: "the kinematics of free flight",
+    statement: "In a time, a body in free flight moves by its first velocity times the time, and falls by half of g times the time squared besides.",
+    signs: "Along the axis positive; g counts as negative where the axis points up.",
+    when: "Weight is the only force; air resistance is left out.",
+    source: "The velocity under constant acceleration, integrated over time.",
+    wrong: wrong::kinematics::FLIGHT_PLACE,
+};
+
+/// Vertical velocity and height in free flight.
+pub const FLIGHT_SPEED: Law = Law {
+    id: "flight-speed",
+    name: "conservation of energy in free flight",
+    statement: "The square of the vertical velocity changes by 2 g times the height fallen; the horizontal velocity stays.",
+    signs: "Along the axis positive; g counts as negative where the axis points up.",
+    when: "Weight is the only force; air resistance is left out.",
+    source: "Work and energy with weight alone, less the kinetic energy of the horizontal motion, which stays.",
+    wrong: wrong::kinematics::FALL_SPEED,
+};
+
+/// The top of a path.
+pub const TOP: Law = Law {
+    id: "top-of-the-path",
+    name: "the condition at the top of the path",
+    statement: "At the top of its path a body has no vertical velocity.",
+    signs: "As the velocities.",
+    when: "Always.",
+    source: "The height is greatest where its rate of change is zero.",
+    wrong: &[],
+};
+
+/// Where a stage ends.
+pub const UNTIL: Law = Law {
+    id: "end-of-the-motion",
+    name: "the condition at the end of the motion",
+    statement: "The motion is followed until a body reaches a place, or bodies meet.",
+    signs: "As the positions.",
+    when: "As the problem states.",
+    source: "The problem.",
+    wrong: &[],
 };
 
 /// Heights of successive bounces.
@@ -33,6 +91,7 @@ pub const BOUNCE_HEIGHT: Law = Law {
     signs: "Heights are positive.",
     when: "Dropped from rest on a level fixed floor; air resistance is left out.",
     source: "Restitution at a surface, and energy between bounces.",
+    wrong: wrong::kinematics::BOUNCE_HEIGHT,
 };
 
 /// Speeds of successive bounces.
@@ -43,6 +102,7 @@ pub const BOUNCE_SPEED: Law = Law {
     signs: "Speeds are positive.",
     when: "Dropped from rest on a level fixed floor; air resistance is left out.",
     source: "Restitution at a surface; the ball returns with the speed with which it left.",
+    wrong: wrong::kinematics::BOUNCE_SPEED,
 };
 
 /// Times of bounces.
@@ -53,6 +113,7 @@ pub const BOUNCE_TIME: Law = Law {
     signs: "Counted from the release.",
     when: "Dropped from rest on a level fixed floor; air resistance is left out.",
     source: "Restitution at a surface, and a geometric series.",
+    wrong: wrong::kinematics::BOUNCE_TIME,
 };
 
 /// The whole path of a bouncing body.
@@ -63,6 +124,40 @@ pub const BOUNCE_PATH: Law = Law {
     signs: "Lengths are positive.",
     when: "Dropped from rest on a level fixed floor; air resistance is left out.",
     source: "The height after n bounces, and a geometric series.",
+    wrong: wrong::kinematics::BOUNCE_PATH,
+};
+
+/// Times add up.
+pub const CLOCK: Law = Law {
+    id: "times-add-up",
+    name: "the sum of the times",
+    statement: "The time from the start is the sum of the durations of all stages so far; impacts take no time.",
+    signs: "Counted from the start.",
+    when: "Always.",
+    source: "The meaning of a duration.",
+    wrong: &[],
+};
+
+/// A body that has come to rest.
+pub const REST: Law = Law {
+    id: "rest",
+    name: "the meaning of rest",
+    statement: "A body that has come to rest has no velocity.",
+    signs: "None are needed.",
+    when: "At the instant of rest.",
+    source: "Kinematics.",
+    wrong: &[],
+};
+
+/// Bodies that move with one velocity.
+pub const TOGETHER: Law = Law {
+    id: "same-velocity",
+    name: "the condition that both move with one velocity",
+    statement: "Bodies whose distance does not change at an instant have the same velocity along the line that joins them; so have the ends of a taut string.",
+    signs: "As the velocities.",
+    when: "A string is taut, or a spring between the bodies is deformed most.",
+    source: "Kinematics.",
+    wrong: &[],
 };
 
 /// Counting until a condition holds.
@@ -73,16 +168,53 @@ pub const COUNT: Law = Law {
     signs: "Whole numbers from 1 upwards.",
     when: "What is compared grows or shrinks steadily with the number.",
     source: "The meaning of the question.",
+    wrong: &[],
 };
 
 /// The laws of this chapter.
-pub const LAWS: &[&Law] = &[&FALL_SPEED, &FALL_TIME, &BOUNCE_HEIGHT, &BOUNCE_SPEED, &BOUNCE_TIME, &BOUNCE_PATH, &COUNT];
+pub const LAWS: &[&Law] = &[
+    &FALL_SPEED,
+    &FALL_TIME,
+    &UNIFORM,
+    &FLIGHT_PLACE,
+    &FLIGHT_SPEED,
+    &TOP,
+    &UNTIL,
+    &BOUNCE_HEIGHT,
+    &BOUNCE_SPEED,
+    &BOUNCE_TIME,
+    &BOUNCE_PATH,
+    &REST,
+    &TOGETHER,
+    &COUNT,
+    &CLOCK,
+];
 
 /// `v_2^2 = v_1^2 + 2 g h`.
 #[must_use]
 pub fn fall_speed(gravity: &Expr, height: &Expr, before: &Expr, after: &Expr) -> Sides {
     let gained = Expr::product([Expr::integer(2), gravity.clone(), height.clone()]);
     (after.clone().powi(2), before.clone().powi(2) + gained)
+}
+
+/// `r_2 = r_1 + v t`.
+#[must_use]
+pub fn uniform(from: &Expr, velocity: &Expr, time: &Expr, to: &Expr) -> Sides {
+    (to.clone(), from.clone() + velocity.clone() * time.clone())
+}
+
+/// `r_2 = r_1 + v_1 t + a t^2 / 2`.
+#[must_use]
+pub fn accelerated(from: &Expr, velocity: &Expr, acceleration: &Expr, time: &Expr, to: &Expr) -> Sides {
+    let gained = Expr::product([Expr::ratio(1, 2), acceleration.clone(), time.clone().powi(2)]);
+    (to.clone(), Expr::sum([from.clone(), velocity.clone() * time.clone(), gained]))
+}
+
+/// `v_2^2 = v_1^2 + 2 a (r_2 - r_1)`.
+#[must_use]
+pub fn flight_speed(acceleration: &Expr, [from, to]: [&Expr; 2], before: &Expr, after: &Expr) -> Sides {
+    let moved = to.clone() - from.clone();
+    (after.clone().powi(2), before.clone().powi(2) + Expr::product([Expr::integer(2), acceleration.clone(), moved]))
 }
 
 /// `h_n = e^(2 n) h_0`.

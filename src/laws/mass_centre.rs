@@ -4,6 +4,7 @@ use crate::expr::Expr;
 
 use super::Law;
 use super::Sides;
+use super::wrong;
 
 /// Velocity and position of the mass centre.
 pub const MASS_CENTRE: Law = Law {
@@ -13,6 +14,7 @@ pub const MASS_CENTRE: Law = Law {
     signs: "As the velocities.",
     when: "Always.",
     source: "Definition.",
+    wrong: wrong::mass_centre::MASS_CENTRE,
 };
 
 /// Motion of the mass centre.
@@ -23,10 +25,22 @@ pub const MOTION: Law = Law {
     signs: "Impulses along the axis are positive.",
     when: "Always; internal impulses cancel in pairs.",
     source: "The principle of impulse and momentum for each body, added up.",
+    wrong: wrong::mass_centre::MOTION,
+};
+
+/// The path of the mass centre.
+pub const PATH: Law = Law {
+    id: "path-of-the-mass-centre",
+    name: "the motion of the mass centre",
+    statement: "In free flight the mass centre of a system moves as a single body would, whatever its parts do to each other.",
+    signs: "Along the axis positive; g counts as negative where the axis points up.",
+    when: "Weight is the only force from outside, and no part has landed.",
+    source: "The principle of impulse and momentum for the whole system, integrated over time.",
+    wrong: &[],
 };
 
 /// The laws of this chapter.
-pub const LAWS: &[&Law] = &[&MASS_CENTRE, &MOTION];
+pub const LAWS: &[&Law] = &[&MASS_CENTRE, &MOTION, &PATH];
 
 /// `(sum of m) q_G = sum of m q` over (mass, q), q being a position or a velocity component.
 #[must_use]

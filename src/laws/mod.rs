@@ -9,9 +9,12 @@ pub mod kinematics;
 pub mod mass_centre;
 pub mod momentum;
 pub mod restitution;
+pub mod separation;
+pub mod variable_mass;
+pub mod wrong;
 
 /// One law, as a row of its chapter's table.
-#[derive(Debug, PartialEq, Eq)]
+#[derive(Debug)]
 pub struct Law {
     /// A stable name for tools and tests: `conservation-of-momentum`.
     pub id: &'static str,
@@ -25,7 +28,17 @@ pub struct Law {
     pub when: &'static str,
     /// Where it comes from: the chapter of mechanics, or the law that it follows from.
     pub source: &'static str,
+    /// The forms in which it is usually got wrong.
+    pub wrong: &'static [wrong::WrongForm],
 }
+
+impl PartialEq for Law {
+    fn eq(&self, other: &Self) -> bool {
+        self.id == other.id
+    }
+}
+
+impl Eq for Law {}
 
 /// Every chapter's laws, in the order in which a course teaches them.
 pub const CHAPTERS: &[(&str, &[&Law])] = &[
@@ -34,9 +47,11 @@ pub const CHAPTERS: &[(&str, &[&Law])] = &[
     ("Linear impulse and momentum", momentum::LAWS),
     ("Systems of particles", mass_centre::LAWS),
     ("Impact and restitution", restitution::LAWS),
+    ("Separation and guided bodies", separation::LAWS),
     ("Energy", energy::LAWS),
     ("Angular impulse and momentum", angular::LAWS),
     ("Motion between impacts", kinematics::LAWS),
+    ("Streams and variable mass", variable_mass::LAWS),
 ];
 
 /// The law of that id.

@@ -4,6 +4,7 @@ use crate::expr::Expr;
 
 use super::Law;
 use super::Sides;
+use super::wrong;
 
 /// The principle of impulse and momentum for one body along one axis.
 pub const IMPULSE_MOMENTUM: Law = Law {
@@ -13,6 +14,7 @@ pub const IMPULSE_MOMENTUM: Law = Law {
     signs: "Velocities and impulses along the axis are positive, against it negative.",
     when: "Always, for each body and each axis.",
     source: "Newton's second law, integrated over time.",
+    wrong: wrong::momentum::IMPULSE_MOMENTUM,
 };
 
 /// Action and reaction of an internal impulse.
@@ -23,6 +25,7 @@ pub const THIRD_LAW: Law = Law {
     signs: "Each impulse is positive along the axis.",
     when: "Always, for the impulses between two bodies.",
     source: "Newton's third law, integrated over time.",
+    wrong: wrong::momentum::THIRD_LAW,
 };
 
 /// Conservation along an axis along which no external impulse acts.
@@ -33,6 +36,18 @@ pub const CONSERVATION: Law = Law {
     signs: "Velocities along the axis are positive, against it negative.",
     when: "The impulses within the system cancel in pairs, and no external impulse acts along the axis.",
     source: "The principle of impulse and momentum for each body, added up.",
+    wrong: wrong::momentum::CONSERVATION,
+};
+
+/// Impulses from outside on a system.
+pub const SYSTEM: Law = Law {
+    id: "impulse-momentum-of-a-system",
+    name: "the principle of impulse and momentum for the system",
+    statement: "The total momentum of a system at the end equals that at the start plus the impulses from outside.",
+    signs: "Velocities and impulses along the axis are positive, against it negative.",
+    when: "Always, for each axis; the impulses within the system cancel in pairs.",
+    source: "The principle of impulse and momentum for each body, added up.",
+    wrong: wrong::momentum::SYSTEM,
 };
 
 /// A velocity component along which no impulse acts.
@@ -43,6 +58,7 @@ pub const NO_IMPULSE: Law = Law {
     signs: "Velocities along the axis are positive, against it negative.",
     when: "The contact is smooth, so that its impulse has no component along the axis.",
     source: "The principle of impulse and momentum for the body alone.",
+    wrong: wrong::momentum::NO_IMPULSE,
 };
 
 /// Momentum as the product of mass and velocity.
@@ -53,10 +69,11 @@ pub const MOMENTUM: Law = Law {
     signs: "As the velocity.",
     when: "Always.",
     source: "Definition.",
+    wrong: &[],
 };
 
 /// The laws of this chapter.
-pub const LAWS: &[&Law] = &[&MOMENTUM, &IMPULSE_MOMENTUM, &THIRD_LAW, &CONSERVATION, &NO_IMPULSE];
+pub const LAWS: &[&Law] = &[&MOMENTUM, &IMPULSE_MOMENTUM, &THIRD_LAW, &CONSERVATION, &SYSTEM, &NO_IMPULSE];
 
 /// `m v_1 + sum of impulses = m v_2`.
 #[must_use]
@@ -69,6 +86,12 @@ pub fn impulse_momentum(mass: &Expr, before: &Expr, impulses: &[Expr], after: &E
 #[must_use]
 pub fn total(parts: &[(Expr, Expr)]) -> Expr {
     Expr::sum(parts.iter().map(|(mass, velocity)| mass.clone() * velocity.clone()))
+}
+
+/// `sum of m v_1 + J = sum of m v_2`, with an impulse from outside.
+#[must_use]
+pub fn system(before: &[(Expr, Expr)], outside: &Expr, after: &[(Expr, Expr)]) -> Sides {
+    (total(before) + outside.clone(), total(after))
 }
 
 /// The total momentum before and after.

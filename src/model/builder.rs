@@ -25,6 +25,7 @@ use crate::solve::Statement;
 use crate::solve::System;
 
 use super::ActingForce;
+use super::Flowing;
 use super::Impulse;
 use super::Instance;
 use super::Integral;
@@ -63,8 +64,13 @@ pub struct Builder<'s> {
     pub(super) omissions: Vec<Omission>,
     pub(super) impulses: Vec<Impulse>,
     pub(super) forces: Vec<ActingForce>,
+    pub(super) flowing: Vec<Flowing>,
+    /// How long each stage lasts, where that is spoken of.
+    pub(super) lasting: Vec<Option<Expr>>,
     pub(super) literals: Vec<(Symbol, Quantity)>,
     pub(super) frames: Vec<Option<Frame>>,
+    /// The components along the axes from which a direction follows.
+    pub(super) directions: BTreeMap<Symbol, [Expr; 2]>,
     pub(super) defined: BTreeSet<String>,
     pub(super) free: BTreeSet<Symbol>,
     pub(super) given: BTreeSet<String>,
@@ -87,8 +93,11 @@ impl<'s> Builder<'s> {
             omissions: Vec::new(),
             impulses: Vec::new(),
             forces: Vec::new(),
+            flowing: Vec::new(),
+            lasting: vec![None; scene.stages.len()],
             literals: Vec::new(),
             frames: vec![None; scene.stages.len()],
+            directions: BTreeMap::new(),
             defined: BTreeSet::new(),
             free: BTreeSet::new(),
             given: BTreeSet::new(),
@@ -216,21 +225,12 @@ impl<'s> Builder<'s> {
 
     /// How a body is called in a sentence.
     pub(super) fn called(&self, body: &str) -> String {
-        if let Some(body) = self.scene.bodies.get(body) {
-            return body.name.clone();
-        }
-        let parts = self.parts_of(body);
-        let names: Vec<String> = parts.iter().map(|part| self.called(part)).collect();
-        if names.is_empty() { body.to_owned() } else { format!("{} together", names.join(" and ")) }
+        self.scene.called(body)
     }
 
-    /// The bodies that became this one by staying together.
+    /// The bodies of which a body consists that a stage makes or divides.
     pub(super) fn parts_of(&self, union: &str) -> Vec<String> {
-        let made = self.scene.stages.iter().find_map(|stage| match stage {
-            crate::scene::Stage::Impact(impact) if impact.becomes.as_deref() == Some(union) => impact.between.clone(),
-            _ => None,
-        });
-        made.map(Vec::from).unwrap_or_default()
+        self.scene.parts_of(union).into_iter().map(str::to_owned).collect()
     }
 
     /// The mass of a body; of a union, the sum of its parts.
@@ -246,6 +246,10 @@ impl<'s> Builder<'s> {
             Some(term) => {
                 let path = crate::fault::Path::root().key("scene").key("bodies").key(body).key("mass");
                 self.read_positive(&term, Dimension::MASS, &meaning, &path)
+            }
+            None if !self.given.contains(&format!("m_{body}")) && !self.scene.division_of(body).is_empty() => {
+                let scene = self.scene;
+                Expr::sum(scene.division_of(body).into_iter().map(|part| self.mass(part)).collect::<Vec<_>>())
             }
             None => self.positive(format!("m_{body}"), Dimension::MASS, meaning).into(),
         }

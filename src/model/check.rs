@@ -8,14 +8,18 @@ use crate::scene::Axes;
 use crate::scene::Plane;
 use crate::scene::Scene;
 use crate::scene::Stage;
+use crate::scene::stage::Ends;
 use crate::scene::stage::Impact;
 use crate::scene::stage::Partners;
+use crate::scene::stage::Separate;
 
 use super::Name;
 use super::timeline::Timeline;
 
 /// Kinds of quantity that only a scene makes.
-const STRUCTURAL: &[&str] = &["v", "speed", "angle", "p", "J", "F_avg", "T", "T_lost", "H", "r", "W"];
+const STRUCTURAL: &[&str] = &["v", "speed", "angle", "p", "J", "F_avg", "T", "T_lost", "T_gained", "H", "W"];
+/// Kinds of place, of a body at an instant.
+const PLACES: &[&str] = &["r", "x", "y", "z"];
 
 /// Whether a name is one that the scene makes by itself, rather than one that the author chose.
 pub(super) fn is_structural(scene: &Scene, name: &str) -> bool {
@@ -25,7 +29,8 @@ pub(super) fn is_structural(scene: &Scene, name: &str) -> bool {
         || name.subject == "G"
         || scene.points.contains_key(&name.subject)
         || timeline.bodies().any(|body| body == name.subject);
-    STRUCTURAL.contains(&name.base.as_str()) && known_subject && (name.instant.is_some() || name.base != "r")
+    let is_place = PLACES.contains(&name.base.as_str()) && !name.subject.is_empty() && name.instant.is_some();
+    known_subject && (STRUCTURAL.contains(&name.base.as_str()) || is_place)
 }
 
 /// Every way in which the parts of a scene contradict each other.
@@ -45,21 +50,12 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
             fault.help("write `axes: { x: to the right }` or `axes: { x: east, y: north }`").at_path(at.key("axes")),
         );
     }
-    for (index, name) in scene.instants.iter().enumerate() {
-        let fault = if index > scene.stages.len() {
-            Fault::new(Code::Value, format!("there is no instant for the name `{name}`"))
-                .help(format!("instants lie before, between and after the stages: {} in all", scene.stages.len() + 1))
-        } else if scene.instants[..index].contains(name) {
-            Fault::new(Code::Duplicate, format!("two instants are called `{name}`")).help("rename one of them")
-        } else {
-            continue;
-        };
-        faults.push(fault.at_path(at.key("instants").index(index)));
-    }
+    faults.extend(names_of_instants(scene));
     faults.extend(unions_without_a_name_of_their_own(scene));
     if !faults.is_empty() {
         return faults;
     }
+    let at = Path::root().key("scene");
     let timeline = Timeline::new(scene);
     for (index, stage) in scene.stages.iter().enumerate() {
         let at = at.key("stages").index(index).key(stage.key());
@@ -97,6 +93,17 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
                 }
             },
             Stage::Push(stage) => body(&stage.body, "body"),
+            Stage::Fall(_)
+            | Stage::Slide(_)
+            | Stage::Spring(_)
+            | Stage::Swing(_)
+            | Stage::Taut(_)
+            | Stage::Connected(_) => {
+                for (name, key) in held_bodies(stage) {
+                    body(name, key);
+                }
+                faults.extend(held(scene, stage).map(|fault| fault.at_path(at)));
+            }
             Stage::Blow(stage) => body(&stage.body, "body"),
             Stage::Rotate(stage) => {
                 body(&stage.body, "body");
@@ -110,17 +117,81 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
                     faults.push(fault.help("write `axes: polar`").at_path(at.clone()));
                 }
             }
-            Stage::Fall(stage) => {
-                body(&stage.body, "body");
-                if scene.plane != Plane::Vertical {
-                    let fault = Fault::new(Code::Value, "a fall needs a vertical plane");
-                    faults.push(fault.help("write `plane: vertical` under `scene`").at_path(at.clone()));
+            Stage::Bounces(stage) => body(&stage.body, "body"),
+            Stage::Stream(stage) => body(&stage.body, "body"),
+            Stage::Thrust(stage) => body(&stage.body, "body"),
+            Stage::Drift(_) => {}
+            Stage::Flight(stage) => {
+                stage.body.iter().for_each(|name| body(name, "body"));
+                stage.bodies.iter().for_each(|name| body(name, "bodies"));
+                if stage.flying().next().is_none() {
+                    let fault = Fault::new(Code::MissingKey, "a flight needs a body");
+                    faults.push(fault.help("write `body: A`, or `bodies: [A, B]`").at_path(at.clone()));
                 }
             }
-            Stage::Bounces(stage) => body(&stage.body, "body"),
+            Stage::Separate(stage) => faults.extend(separation(scene, &timeline, index, stage, &at)),
         }
     }
     faults
+}
+
+/// Every instant has at most one name, and every name an instant.
+fn names_of_instants(scene: &Scene) -> Vec<Fault> {
+    let at = Path::root().key("scene").key("instants");
+    let mut faults = Vec::new();
+    for (index, name) in scene.instants.iter().enumerate() {
+        let fault = if index > scene.stages.len() {
+            Fault::new(Code::Value, format!("there is no instant for the name `{name}`"))
+                .help(format!("instants lie before, between and after the stages: {} in all", scene.stages.len() + 1))
+        } else if scene.instants[..index].contains(name) {
+            Fault::new(Code::Duplicate, format!("two instants are called `{name}`")).help("rename one of them")
+        } else {
+            continue;
+        };
+        faults.push(fault.at_path(at.index(index)));
+    }
+    faults
+}
+
+/// What moves by its weight needs a plane in which weight acts.
+fn not_vertical(scene: &Scene, what: &str) -> Option<Fault> {
+    let fault = || Fault::new(Code::Value, format!("{what} needs a vertical plane"));
+    (scene.plane != Plane::Vertical).then(|| fault().help("write `plane: vertical` under `scene`"))
+}
+
+/// The bodies that fall, or are held by floors, cords and springs, each with the key that names it.
+fn held_bodies(stage: &Stage) -> Vec<(&str, &str)> {
+    match stage {
+        Stage::Fall(stage) => vec![(&stage.body, "body")],
+        Stage::Slide(stage) => vec![(&stage.body, "body")],
+        Stage::Swing(stage) => vec![(&stage.body, "body")],
+        Stage::Spring(stage) => match stage.ends() {
+            Some(Ends::Fixed(name)) => vec![(name, "body")],
+            Some(Ends::Free(first, second)) => vec![(first, "between"), (second, "between")],
+            None => Vec::new(),
+        },
+        Stage::Taut(stage) => stage.between.iter().map(|name| (name.as_str(), "between")).collect(),
+        Stage::Connected(stage) => vec![(&stage.trailing.body, "trailing"), (&stage.leading.body, "leading")],
+        _ => Vec::new(),
+    }
+}
+
+/// What does not fit a stage in which a body falls, or is held by a floor, a cord or a spring.
+fn held(scene: &Scene, stage: &Stage) -> Option<Fault> {
+    let one_axis = matches!(&scene.axes, Axes::Rectangular(axes) if axes.len() == 1);
+    match stage {
+        Stage::Spring(spring) if spring.ends().is_none() => {
+            let fault = Fault::new(Code::MissingKey, "a spring needs a body, or two bodies between which it lies");
+            Some(fault.help("write `body: A`, or `between: [A, B]`"))
+        }
+        Stage::Fall(_) => not_vertical(scene, "a fall"),
+        Stage::Swing(_) => not_vertical(scene, "a swing"),
+        Stage::Connected(_) if !one_axis => {
+            let fault = Fault::new(Code::Value, "bodies on a string over a pulley need a scene with one axis");
+            Some(fault.help("write `axes: { x: along the string }`"))
+        }
+        _ => None,
+    }
 }
 
 /// What two bodies become is a body of its own: its name must not be that of another.
@@ -135,6 +206,49 @@ fn unions_without_a_name_of_their_own(scene: &Scene) -> Vec<Fault> {
             faults.push(fault.help("give what the two become a name of its own: `becomes: C`").at_path(path));
         }
         taken.push(union);
+    }
+    faults
+}
+
+/// Who parts, and from what.
+fn separation(scene: &Scene, timeline: &Timeline, index: usize, stage: &Separate, at: &Path) -> Vec<Fault> {
+    let mut faults = Vec::new();
+    if stage.into.len() < 2 {
+        let fault = Fault::new(Code::MissingKey, "a separation needs two parts or more");
+        faults.push(fault.help("name them: `into: [A, B]`").at_path(at.key("into")));
+    }
+    let later = |name: &String| {
+        let rest = scene.stages.iter().skip(index + 1);
+        rest.into_iter().any(|own| matches!(own, Stage::Separate(Separate { from: Some(whole), .. }) if whole == name))
+    };
+    for (position, part) in stage.into.iter().enumerate() {
+        let at = at.key("into").index(position);
+        let known = match &stage.from {
+            Some(_) => scene.bodies.contains_key(part) || later(part),
+            None => timeline.since(part, index + 1).is_some(),
+        };
+        if !known {
+            let known: Vec<&str> = scene.bodies.keys().map(String::as_str).collect();
+            faults.push(unknown("body", part, &known).at_path(at));
+        } else if stage.into[..position].contains(part) || stage.from.as_ref() == Some(part) {
+            let fault = Fault::new(Code::Duplicate, format!("`{part}` cannot be a part twice, or be a part of itself"));
+            faults.push(fault.help("name each part once").at_path(at));
+        }
+    }
+    if let Some(whole) = &stage.from {
+        if !is_body_name(whole) {
+            faults.push(bad_body_name(whole).at_path(at.key("from")));
+        } else if timeline.since(whole, index + 1).is_none() {
+            faults.push(unknown("body", whole, &timeline.alive(index + 1)).at_path(at.key("from")));
+        }
+    }
+    if let Some(relative) = &stage.relative {
+        for (name, key) in [(&relative.of, "of"), (&relative.to, "to")] {
+            if !stage.into.contains(name) {
+                let known: Vec<&str> = stage.into.iter().map(String::as_str).collect();
+                faults.push(unknown("part", name, &known).at_path(at.key("relative").key(key)));
+            }
+        }
     }
     faults
 }

@@ -38,6 +38,18 @@ impl Direction {
             _ => [sin, -cos],
         }
     }
+
+    /// Components along the axis from which the direction is counted, and at 90° to it counter-clockwise.
+    #[must_use]
+    pub fn from_axis(&self, x: &Expr, y: &Expr) -> [Expr; 2] {
+        let (x, y) = (x.clone(), y.clone());
+        match self.quarters % 4 {
+            0 => [x, y],
+            1 => [y, -x],
+            2 => [-x, -y],
+            _ => [-y, x],
+        }
+    }
 }
 
 /// The axes n and t of a contact.
@@ -137,7 +149,7 @@ impl Builder<'_> {
         })
     }
 
-    fn read_angle(&mut self, text: &str, path: &Path) -> Expr {
+    pub(super) fn read_angle(&mut self, text: &str, path: &Path) -> Expr {
         self.read(&Term(text.trim().to_owned()), Dimension::NONE, "the angle", path)
     }
 

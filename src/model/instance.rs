@@ -63,6 +63,8 @@ pub enum Agent {
     Body(String),
     /// A surface of the scene.
     Surface(String),
+    /// What guides a body, at right angles to the way in which it lets it move.
+    Guide,
     /// Something outside the scene: a hand, an engine, the earth.
     Outside,
 }
@@ -87,6 +89,8 @@ pub enum Warning {
     EnergyCreated,
     /// A body would move the other way than its stage says.
     Reverses,
+    /// A cord or a string would go slack.
+    GoesSlack,
 }
 
 impl Warning {
@@ -96,5 +100,6 @@ impl Warning {
         ("passes-through", Self::PassesThrough),
         ("energy-created", Self::EnergyCreated),
         ("reverses", Self::Reverses),
+        ("goes-slack", Self::GoesSlack),
     ];
 }

@@ -6,17 +6,24 @@ mod check;
 mod define;
 mod frame;
 mod friction;
+mod guide;
+mod incline;
 mod instance;
+mod mistaken;
 mod name;
+mod pair;
+mod place;
 mod read;
 mod stage;
 mod timeline;
+mod way;
 mod wording;
 
-pub use acting::{ActingForce, ForceKind};
+pub use acting::{ActingForce, Flowing, ForceKind};
 pub use builder::{Alternative, Builder};
 pub use frame::{Direction, Frame};
 pub use instance::{Agent, Impulse, Instance, Integral, Omission, Reason, Warning};
+pub use mistaken::Mistaken;
 pub use name::{Instant, Name};
 pub use timeline::Timeline;
 
@@ -59,6 +66,8 @@ pub struct Model {
     pub impulses: Vec<Impulse>,
     /// The forces of each push.
     pub forces: Vec<ActingForce>,
+    /// The streams that meet bodies.
+    pub flowing: Vec<Flowing>,
     /// Values that the author wrote into terms: known, and the same in every variant.
     pub literals: Vec<(Symbol, Quantity)>,
     /// The axes n and t of each stage that has them.
@@ -202,14 +211,19 @@ impl<'s> Builder<'s> {
         let entry = self.symbols.entry(angle).clone();
         let sense = if clockwise { "clockwise" } else { "counter-clockwise" };
         let own = self.symbol(entry.name.replacen("angle", "phi", 1), Dimension::NONE, entry.meaning);
-        let turned = Expr::from(angle) - self.whole_angle(&start);
-        let value = if clockwise { -turned } else { turned };
-        self.law(
-            &geometry::DIRECTION,
-            None,
-            format!("the angle is asked {sense} from {}", from.replace('-', "\u{2212}")),
-            (own.into(), value),
-        );
+        let (because, value) = match self.directions.get(&angle) {
+            Some([x, y]) => {
+                let [along, across] = start.from_axis(x, y);
+                let across = if clockwise { -across } else { across };
+                ("the components give the angle", across.atan2(along))
+            }
+            None => {
+                let turned = Expr::from(angle) - self.whole_angle(&start);
+                ("the angle is asked", if clockwise { -turned } else { turned })
+            }
+        };
+        let because = format!("{because}, counted {sense} from {}", from.replace('-', "\u{2212}"));
+        self.law(&geometry::DIRECTION, None, because, (own.into(), value));
         Some(own)
     }
 
@@ -297,6 +311,7 @@ impl<'s> Builder<'s> {
             omissions: self.omissions,
             impulses: self.impulses,
             forces: self.forces,
+            flowing: self.flowing,
             literals: self.literals,
             frames: self.frames,
             free: self.free,

@@ -4,13 +4,16 @@ use std::collections::BTreeMap;
 
 use crate::scene::Scene;
 use crate::scene::Stage;
+use crate::scene::stage::Ends;
 use crate::scene::stage::Partners;
+use crate::scene::stage::Separate;
 
 /// Instants 1 to n + 1 around n stages, and which stage changes which body.
 #[derive(Clone, Debug)]
 pub struct Timeline {
     changed: Vec<Vec<String>>,
-    lives: BTreeMap<String, (usize, usize)>,
+    /// From which instant to which a body exists; twice where it was part of another in between.
+    lives: BTreeMap<String, Vec<(usize, usize)>>,
     names: Vec<String>,
     stage_names: Vec<Option<String>>,
 }
@@ -19,21 +22,7 @@ impl Timeline {
     /// The timeline of a scene.
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
-        let last = scene.stages.len() + 1;
-        let mut lives: BTreeMap<String, (usize, usize)> =
-            scene.bodies.keys().map(|body| (body.clone(), (1, last))).collect();
-        for (index, stage) in scene.stages.iter().enumerate() {
-            if let Stage::Impact(impact) = stage
-                && let (Some(union), Some(Partners::Bodies(first, second))) = (&impact.becomes, impact.partners())
-            {
-                for part in [first, second] {
-                    if let Some(life) = lives.get_mut(part) {
-                        life.1 = index + 1;
-                    }
-                }
-                lives.insert(union.clone(), (index + 2, last));
-            }
-        }
+        let lives = lives(scene);
         Self {
             changed: scene.stages.iter().map(changed_bodies).collect(),
             lives,
@@ -53,7 +42,7 @@ impl Timeline {
     pub fn alive(&self, instant: usize) -> Vec<&str> {
         self.lives
             .iter()
-            .filter(|(_, (from, to))| (*from..=*to).contains(&instant))
+            .filter(|(_, lives)| lives.iter().any(|(from, to)| (*from..=*to).contains(&instant)))
             .map(|(body, _)| body.as_str())
             .collect()
     }
@@ -66,10 +55,8 @@ impl Timeline {
     /// The instant since which a body has had the velocity that it has at `instant`; `None` where it does not exist then.
     #[must_use]
     pub fn since(&self, body: &str, instant: usize) -> Option<usize> {
-        let (from, to) = *self.lives.get(body)?;
-        if !(from..=to).contains(&instant) {
-            return None;
-        }
+        let lives = self.lives.get(body)?;
+        let (from, _) = *lives.iter().find(|(from, to)| (*from..=*to).contains(&instant))?;
         let changes = self.changed.iter().enumerate().filter(|(_, bodies)| bodies.iter().any(|name| name == body));
         Some(changes.map(|(stage, _)| stage + 2).filter(|after| *after <= instant).max().unwrap_or(from).max(from))
     }
@@ -90,6 +77,42 @@ impl Timeline {
     }
 }
 
+/// From when to when each body exists. Bodies end where they become one or come apart, and begin where that makes them.
+fn lives(scene: &Scene) -> BTreeMap<String, Vec<(usize, usize)>> {
+    let last = scene.stages.len() + 1;
+    let mut lives: BTreeMap<String, Vec<(usize, usize)>> =
+        scene.bodies.keys().map(|body| (body.clone(), vec![(1, last)])).collect();
+    for (index, stage) in scene.stages.iter().enumerate() {
+        let (ended, begun): (Vec<&str>, Vec<&str>) = match stage {
+            Stage::Impact(impact) => match (&impact.becomes, impact.partners()) {
+                (Some(union), Some(Partners::Bodies(first, second))) => (vec![first, second], vec![union]),
+                _ => continue,
+            },
+            Stage::Separate(separate) => match &separate.from {
+                Some(whole) => (vec![whole], separate.into.iter().map(String::as_str).collect()),
+                None => continue,
+            },
+            _ => continue,
+        };
+        if let Stage::Separate(Separate { from: Some(whole), .. }) = stage {
+            // A whole that nothing made was there from the beginning.
+            lives.entry(whole.clone()).or_insert_with(|| vec![(1, last)]);
+        }
+        for body in ended {
+            if let Some(life) = lives.get_mut(body).and_then(|own| own.last_mut()) {
+                life.1 = index + 1;
+            }
+        }
+        for body in begun {
+            let own = lives.entry(body.to_owned()).or_default();
+            // A declared body that begins as a part was not there before, unless it ended before.
+            own.retain(|(_, to)| *to < last);
+            own.push((index + 2, last));
+        }
+    }
+    lives
+}
+
 fn changed_bodies(stage: &Stage) -> Vec<String> {
     match stage {
         Stage::Impact(impact) => match impact.partners() {
@@ -98,10 +121,23 @@ fn changed_bodies(stage: &Stage) -> Vec<String> {
             None => Vec::new(),
         },
         Stage::Push(stage) => vec![stage.body.clone()],
+        Stage::Slide(stage) => vec![stage.body.clone()],
+        Stage::Spring(stage) => match stage.ends() {
+            Some(Ends::Fixed(body)) => vec![body.to_owned()],
+            Some(Ends::Free(first, second)) => vec![first.to_owned(), second.to_owned()],
+            None => Vec::new(),
+        },
+        Stage::Swing(stage) => vec![stage.body.clone()],
+        Stage::Taut(stage) => stage.between.to_vec(),
+        Stage::Connected(stage) => vec![stage.trailing.body.clone(), stage.leading.body.clone()],
         Stage::Blow(stage) => vec![stage.body.clone()],
         Stage::Rotate(stage) => vec![stage.body.clone()],
         Stage::Central(stage) => vec![stage.body.clone()],
         Stage::Fall(stage) => vec![stage.body.clone()],
         Stage::Bounces(stage) => vec![stage.body.clone()],
+        Stage::Separate(stage) => stage.into.clone(),
+        Stage::Thrust(stage) => vec![stage.body.clone()],
+        Stage::Stream(_) | Stage::Drift(_) => Vec::new(),
+        Stage::Flight(stage) => stage.flying().map(str::to_owned).collect(),
     }
 }

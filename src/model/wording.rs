@@ -2,15 +2,26 @@
 
 use crate::scene::Scene;
 use crate::scene::Stage;
+use crate::scene::stage::Separate;
 
 /// What a kind of stage is called, and when its two ends are: key, noun, before, after. `{}` stands for the noun phrase.
 const KINDS: &[(&str, &str, &str, &str)] = &[
     ("impact", "impact", "just before {}", "just after {}"),
     ("push", "push", "at the start of {}", "at the end of {}"),
+    ("slide", "slide", "at the start of {}", "at the end of {}"),
+    ("spring", "motion with the spring", "at the start of {}", "at the end of {}"),
+    ("swing", "swing", "at the start of {}", "at the end of {}"),
+    ("taut", "jerk of the string", "just before {}", "just after {}"),
+    ("connected", "motion on the string", "at the start of {}", "at the end of {}"),
     ("blow", "blow", "just before {}", "just after {}"),
     ("rotate", "motion", "at the start of {}", "at the end of {}"),
     ("central", "flight", "at the first place", "at the second place"),
     ("fall", "fall", "at the start of {}", "at the end of {}"),
+    ("stream", "stream", "while {} flows", "while {} flows"),
+    ("thrust", "burn", "at the start of {}", "at the end of {}"),
+    ("drift", "free motion", "at the start of {}", "at the end of {}"),
+    ("flight", "flight", "at the start of {}", "at the end of {}"),
+    ("separate", "separation", "just before {}", "just after {}"),
     ("bounces", "bouncing", "just before the first bounce", "after the bounces"),
 ];
 
@@ -22,11 +33,19 @@ fn kind(stage: &Stage) -> (&'static str, &'static str, &'static str) {
     row.map_or(("stage", "before {}", "after {}"), |row| (row.1, row.2, row.3))
 }
 
+/// What a stage is called: by its kind, or as the author calls it.
+fn noun(stage: &Stage) -> &str {
+    match stage {
+        Stage::Separate(Separate { called: Some(noun), .. }) => noun,
+        _ => kind(stage).0,
+    }
+}
+
 /// A stage as a noun phrase: `the impact`; `the second impact` where there are several.
 pub(super) fn stage(scene: &Scene, index: usize) -> String {
     let Some(own) = scene.stages.get(index) else { return "the stage".into() };
-    let noun = kind(own).0;
-    let alike = |stage: &&Stage| stage.key() == own.key();
+    let noun = noun(own);
+    let alike = |stage: &&Stage| self::noun(stage) == noun;
     let before = scene.stages.iter().take(index).filter(alike).count();
     if scene.stages.iter().filter(alike).count() < 2 {
         return format!("the {noun}");

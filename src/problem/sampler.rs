@@ -6,6 +6,7 @@ use crate::quantity::Printed;
 use crate::quantity::Unit;
 use crate::solve::Bounded;
 use crate::solve::Cause;
+use crate::solve::Equation;
 
 use super::domain::Domain;
 use super::input::Input;
@@ -15,6 +16,7 @@ use super::planned::Problem;
 use super::regimes::Scratch;
 use super::stream::Words;
 use super::variant::Variant;
+use super::variant::Worked;
 
 /// Tries for one seed before the problem is given up as one that cannot be drawn.
 pub const MOST_ATTEMPTS: u64 = 256;
@@ -42,8 +44,13 @@ pub enum NoVariant {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Rejection {
     /// They say more than can be true: an equation that was not needed does not hold.
-    #[error("what is given contradicts {0}")]
-    Contradiction(&'static str),
+    #[error("what is given contradicts {law}, which connects {names}")]
+    Contradiction {
+        /// The law.
+        law: &'static str,
+        /// The quantities that it connects.
+        names: String,
+    },
     /// They break a condition of the scene or of the problem.
     #[error("{0}")]
     Condition(String),
@@ -123,7 +130,7 @@ impl<'p> Sampler<'p> {
         for attempt in 0..MOST_ATTEMPTS {
             self.draw_attempt(seed, attempt);
             let count = self.solve();
-            if self.is_admissible(count) {
+            if self.is_admissible(count) && self.discriminates(seed) {
                 return Ok(());
             }
             self.rejected += 1;
@@ -195,7 +202,10 @@ impl<'p> Sampler<'p> {
             Cause::Equation(position) => {
                 let equation = leaf.system.equations.get(position);
                 let instance = equation.and_then(|equation| model.instances.get(equation.tag));
-                Rejection::Contradiction(instance.map_or("one of the equations", |own| own.law.name))
+                let names = equation.map(Equation::symbols).unwrap_or_default();
+                let names = names.into_iter().map(|symbol| format!("`{}`", model.symbols.entry(symbol).name));
+                let law = instance.map_or("one of the equations", |own| own.law.name);
+                Rejection::Contradiction { law, names: names.collect::<Vec<_>>().join(", ") }
             }
             Cause::NotReal => Rejection::NotReal,
             Cause::NotPositive => Rejection::NotPositive,
@@ -205,6 +215,17 @@ impl<'p> Sampler<'p> {
     /// One solution, or any number of them where every one is asked for.
     fn is_admissible(&self, solutions: usize) -> bool {
         solutions == 1 || solutions > 1 && self.form.question.roots.is_some()
+    }
+
+    /// Whether every mistake that the author wants to see changes some answer.
+    fn discriminates(&self, seed: u64) -> bool {
+        let wanted = &self.problem.loaded().draft.discriminate;
+        if wanted.is_empty() {
+            return true;
+        }
+        let variant = self.keep(Some(seed));
+        let worked = Worked { problem: self.problem, form: self.form, variant: &variant };
+        wanted.iter().all(|mistake| worked.tells_apart(mistake))
     }
 
     fn draw_attempt(&mut self, seed: u64, attempt: u64) {

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use crate::fault::Faults;
+use crate::grade::Statistics;
 
 use super::document::{Document, Figures, Format};
 use super::page::{Key, Page, Sheet, Solution};
@@ -83,6 +84,20 @@ impl Renderer {
     /// Where a template fails.
     pub fn render_key(&self, key: &Key, format: Format) -> Result<Document, Faults> {
         self.render(&[Page::Key(key.clone())], format)
+    }
+
+    /// A page with the statistics of a class's answers, as HTML.
+    ///
+    /// # Errors
+    /// Where a template fails.
+    pub fn render_statistics(&self, statistics: &Statistics) -> Result<String, Faults> {
+        let templates = &self.templates[2];
+        let mut context = tera::Context::new();
+        context.insert("language", &self.language);
+        context.insert_value("style", tera::Value::safe_string(&templates.style));
+        context.insert("statistics", statistics);
+        context.insert("most", &statistics.histogram.iter().max());
+        templates.render_from("statistics.tera", &context)
     }
 
     /// A document of any pages: a sheet with its solution, a whole class's sheets with the key.

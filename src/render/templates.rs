@@ -22,12 +22,13 @@ macro_rules! built_in {
 }
 
 /// Every built-in file by its path below `templates/`.
-const BUILT_IN: [(&str, &str); 16] = built_in![
+const BUILT_IN: [(&str, &str); 17] = built_in![
     "html/blocks.tera",
     "html/document.tera",
     "html/key.tera",
     "html/sheet.tera",
     "html/solution.tera",
+    "html/statistics.tera",
     "html/style.css",
     "latex/blocks.tera",
     "latex/document.tera",
@@ -78,7 +79,12 @@ impl Templates {
 
     /// Renders a document from its values.
     pub fn render(&self, context: &tera::Context) -> Result<String, Faults> {
-        let root = format!("{}/{ROOT}", self.format.name());
+        self.render_from(ROOT, context)
+    }
+
+    /// Renders another template of the format.
+    pub fn render_from(&self, root: &str, context: &tera::Context) -> Result<String, Faults> {
+        let root = format!("{}/{root}", self.format.name());
         self.tera.render(&root, context).map_err(|error| locate(&error, self.format, &self.sources))
     }
 }

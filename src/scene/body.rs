@@ -25,6 +25,20 @@ pub struct Body {
     /// Its mass: a name from `given`, a value or an expression. Default: the name `m_` and the body's short name.
     #[serde(default)]
     pub mass: Option<Term>,
+    /// What lets it move along one direction only: the rails under a wedge, the floor under a gun, the cord of a sphere.
+    #[serde(default)]
+    pub guide: Option<Guide>,
+}
+
+/// A smooth guide: it gives a body whatever impulse is needed at right angles to it, and none along it.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Guide {
+    /// The direction along which the body can move: `x`, `30 deg above +x`.
+    pub along: Term,
+    /// What guides it, as it is called in a sentence: `the rails`. Default: `the ground`.
+    #[serde(default)]
+    pub by: Option<String>,
 }
 
 /// A smooth surface of a body too heavy to be moved.

@@ -7,7 +7,7 @@ pub mod stage;
 mod term;
 
 pub use axes::{Axes, Axis, Sense, Senses};
-pub use body::{Body, Plane, Point, Surface};
+pub use body::{Body, Guide, Plane, Point, Surface};
 pub use force::{Force, Friction, Piece, Pull, Strength};
 pub use stage::Stage;
 pub use term::Term;
@@ -40,4 +40,52 @@ pub struct Scene {
     /// Names for the instants, in order, to be used after `@`: `[before, after]` lets `v_A@after` be written.
     #[serde(default)]
     pub instants: Vec<String>,
+}
+
+impl Scene {
+    /// What a body consists of that is not declared because a stage makes it, or divides it; empty for any other body.
+    #[must_use]
+    pub fn parts_of(&self, whole: &str) -> Vec<&str> {
+        if self.bodies.contains_key(whole) {
+            return Vec::new();
+        }
+        let parts = self.stages.iter().find_map(|stage| match stage {
+            Stage::Impact(impact) if impact.becomes.as_deref() == Some(whole) => {
+                impact.between.as_ref().map(|pair| pair.iter().collect::<Vec<_>>())
+            }
+            Stage::Separate(separate) if separate.from.as_deref() == Some(whole) => {
+                Some(separate.into.iter().filter(|part| *part != whole).collect())
+            }
+            _ => None,
+        });
+        parts.unwrap_or_default().into_iter().map(String::as_str).collect()
+    }
+
+    /// The parts into which a body comes apart, whether it is declared or not; empty where it does not.
+    #[must_use]
+    pub fn division_of(&self, whole: &str) -> Vec<&str> {
+        let parts = self.stages.iter().find_map(|stage| match stage {
+            Stage::Separate(separate) if separate.from.as_deref() == Some(whole) => Some(&separate.into),
+            _ => None,
+        });
+        parts.into_iter().flatten().map(String::as_str).collect()
+    }
+
+    /// The declared bodies that a body consists of; of a declared body, itself.
+    #[must_use]
+    pub fn members<'a>(&'a self, body: &'a str) -> Vec<&'a str> {
+        let parts = self.parts_of(body);
+        if parts.is_empty() { vec![body] } else { parts.into_iter().flat_map(|part| self.members(part)).collect() }
+    }
+
+    /// How a body is called in a sentence: `the boat`, `Ana, Ben and the boat together`.
+    #[must_use]
+    pub fn called(&self, body: &str) -> String {
+        let names: Vec<&str> =
+            self.members(body).into_iter().map(|own| self.bodies.get(own).map_or(own, |entry| &entry.name)).collect();
+        match &names[..] {
+            [rest @ .., last] if !rest.is_empty() => format!("{} and {last} together", rest.join(", ")),
+            _ => names.concat(),
+        }
+    }
 }

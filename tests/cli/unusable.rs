@@ -20,6 +20,7 @@ const UNUSABLE: &[Unusable] = &[
     (&["generate", "impact/two-carts", "--format", "pdf"], "markdown"),
     (&["generate", "impact/two-carts", "--roster", "class.csv"], "--output"),
     (&["generate", "impact/two-carts", "--roster", "none.csv", "-o", "a/"], "none.csv cannot be read"),
+    (&["generate", "impact/two-carts", "--roster", "good.csv", "-o", "/dev/null"], "has no folder for seeds.csv"),
     (
         &["generate", "impact/two-carts", "--roster", "class.csv", "-o", "a/"],
         "class.csv:3: `s1` stands in line 2 already",
@@ -53,6 +54,7 @@ fn input_that_cannot_be_used_is_said_and_ends_with_2() {
         ("bad.yaml", "id: a/b\ntitel: B\nlevel: hard\n"),
         ("class.csv", "id\ns1\ns1\n"),
         ("empty.txt", "\n"),
+        ("good.csv", "id\ns1\n"),
         ("file.txt", ""),
     ];
     for (arguments, message) in UNUSABLE {

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use crate::cli::failure::Failure;
 use crate::cli::output::Output;
+use crate::cli::output::is_device;
 
 /// The file in a folder that says who has which seed.
 const SEEDS: &str = "seeds.csv";
@@ -44,6 +45,10 @@ impl Destination {
     pub(super) fn write_seeds(&self, table: &str) -> Result<(), Failure> {
         let path = match self {
             Self::Folder(folder) => folder.join(SEEDS),
+            Self::File(file) if is_device(file) => {
+                let place = file.display();
+                return Err(Failure::unusable(format!("{place} has no folder for {SEEDS}; name a folder, or a file")));
+            }
             Self::File(file) => {
                 let stem = file.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
                 file.with_file_name(format!("{stem}-{SEEDS}"))

@@ -1,13 +1,22 @@
 //! `momentous grade`
 
+mod changes;
+mod junit;
+mod marked;
+mod problems;
 mod single;
-mod submissions;
+mod sink;
+mod source;
+mod submission;
+mod summary;
+mod table;
 
 use std::path::PathBuf;
 
 use clap::Args;
 use clap::ValueEnum;
 
+use crate::exercise::Sitting;
 use crate::grade::DecimalMark;
 
 use super::exit::Exit;
@@ -17,18 +26,25 @@ use super::open;
 use super::open::Secret;
 use super::solve::assignment;
 
+use sink::MarksFormat;
+
 const HELP: &str = "\
 Examples:
   momentous grade --problem impact/two-carts --seed 7 --answer \"v_A2=-0.4 m/s\" --answer \"v_B2=3.1 m/s\"
   momentous grade --problem impact/two-carts --seed 7 --decimal comma --answer \"v_A2=-0,4 m/s\" --format json
   momentous grade submissions.csv -o marks.csv
   momentous grade submissions.csv --secret secret.txt -o marks.csv
+  momentous grade submissions.jsonl -o marks.jsonl --summary class --junit junit.xml
+  momentous grade submissions.csv -o marks-2.csv --changes marks.csv
 
 A table of submissions has the columns `problem` and `seed`, and may have `student`, `digest`, `form` and `attempt`; every
 other column is a part, named as in the JSON of `momentous generate`:
 
   student,problem,seed,form,attempt,v_A2,v_B2,T_lost
   s17,impact/two-carts,7,forward,1,-0.4 m/s,3.1 m/s,7.65 J
+
+The same keys may stand in JSON lines, `{\"problem\": \"impact/two-carts\", \"seed\": 7, \"answers\": {\"v_A2\": \"-0.4 m/s\"}}`, or in a
+folder of YAML files, one a submission.
 
 The result has a row for each part. A row that cannot be used is reported with its line number, and the others are
 marked. It exits with 0 where every answer is right, with 1 where one is not, with 2 where an answer given by --answer
@@ -38,8 +54,8 @@ cannot be read or a row cannot be used.";
 #[derive(Args, Debug)]
 #[command(after_help = HELP, group = clap::ArgGroup::new("what").required(true).args(["submissions", "problem"]))]
 pub(super) struct Grade {
-    /// A table of submissions
-    #[arg(value_name = "SUBMISSIONS.csv", conflicts_with_all = ["seed", "form", "answer", "format"])]
+    /// Submissions: a table, JSON lines (.jsonl), or a folder of YAML files
+    #[arg(value_name = "SUBMISSIONS", conflicts_with_all = ["seed", "form", "answer", "format"])]
     submissions: Option<PathBuf>,
     /// The problem's identity, or the path of its file
     #[arg(long, value_name = "PROBLEM|FILE", requires = "seed", requires = "answer")]
@@ -56,12 +72,30 @@ pub(super) struct Grade {
     /// The answer to a part
     #[arg(long, value_name = "NAME=TEXT", value_parser = assignment)]
     answer: Vec<(String, String)>,
+    /// Say so many further hints about wrong answers
+    #[arg(long, value_name = "N", default_value_t = 0, conflicts_with = "submissions")]
+    hints: usize,
+    /// No attempts are left: show what would have followed from the student's own wrong answers
+    #[arg(long, conflicts_with = "submissions")]
+    closed: bool,
     /// Of one set of answers: for people, or one JSON object
     #[arg(long, value_name = "FORMAT", default_value = "text")]
     format: Listing,
-    /// Write the marks of a table to this file instead of printing them
-    #[arg(short, long, value_name = "OUT.csv", requires = "submissions")]
+    /// Write the marks of submissions to this file instead of printing them
+    #[arg(short, long, value_name = "OUT", requires = "submissions")]
     output: Option<PathBuf>,
+    /// The format of the marks of submissions; by default what the name of the file says, else a table
+    #[arg(long, value_name = "FORMAT", requires = "submissions")]
+    marks: Option<MarksFormat>,
+    /// Write statistics of the parts and the wrong answers to PATH.json and PATH.html
+    #[arg(long, value_name = "PATH", requires = "submissions")]
+    summary: Option<PathBuf>,
+    /// Write the marks as a test report in the form that CI services show (JUnit XML)
+    #[arg(long, value_name = "FILE", requires = "submissions")]
+    junit: Option<PathBuf>,
+    /// Print every mark that differs from these, which an earlier run wrote for the same submissions
+    #[arg(long, value_name = "OLD.csv", requires = "output")]
+    changes: Option<PathBuf>,
     #[command(flatten)]
     secret: Secret,
 }
@@ -85,6 +119,10 @@ impl From<Mark> for DecimalMark {
 }
 
 impl Grade {
+    fn sitting(&self) -> Sitting {
+        Sitting { hints: self.hints, closed: self.closed }
+    }
+
     pub(super) fn run(&self) -> Result<Exit, Failure> {
         match (&self.submissions, &self.problem, self.seed) {
             (Some(submissions), ..) => self.table(submissions),

@@ -5,6 +5,7 @@ use crate::figure::Drawing;
 use crate::figure::MomentumDiagram;
 use crate::model::ForceKind;
 use crate::scene::Stage;
+use crate::scene::stage::Ends;
 use crate::scene::stage::Partners;
 
 use super::compass::Compass;
@@ -27,15 +28,22 @@ pub(super) fn diagram(quantities: &Quantities<'_>, compass: &Compass, stage: usi
     let own = quantities.scene().stages.get(stage)?;
     let mut bodies = participants(own);
     if concerns_mass_centre(quantities) {
-        let taken = |body: &str| bodies.iter().any(|(own, _)| own == body);
+        let taken = |body: &str| bodies.iter().any(|own| own.body == body || own.before == body);
         let others: Vec<String> =
             quantities.timeline.alive(stage + 1).into_iter().filter(|body| !taken(body)).map(str::to_owned).collect();
-        bodies.extend(others.into_iter().map(|body| (body.clone(), body)));
+        bodies.extend(others.iter().map(|body| Participant::alone(body)));
         bodies.sort();
     }
     let mut balances: Vec<Balance> =
-        bodies.iter().map(|pair| balance(quantities, own, stage, pair, bodies.len())).collect();
-    complete(&mut balances, matches!(own, Stage::Impact(impact) if impact.between.is_some()));
+        bodies.iter().map(|participant| balance(quantities, own, stage, participant, bodies.len())).collect();
+    let act_on_each_other = match own {
+        Stage::Impact(impact) => impact.between.is_some(),
+        Stage::Spring(spring) => spring.between.is_some(),
+        Stage::Taut(taut) => taut.over.is_none(),
+        Stage::Separate(_) => true,
+        _ => false,
+    };
+    complete(&mut balances, act_on_each_other);
     let frame = quantities.model().frames.get(stage)?.as_ref();
     let normal = frame.and_then(|frame| quantities.direction(&frame.normal)).map(|normal| compass.angle(normal));
     let turned = frame.is_some_and(|frame| !frame.normal.turn.is_zero());
@@ -59,28 +67,71 @@ pub(super) fn diagram(quantities: &Quantities<'_>, compass: &Compass, stage: usi
     Some(diagram.drawing())
 }
 
+/// Whether nothing tells for how long the forces of a stage act, so that their impulses are not known.
+pub(super) fn has_no_time(quantities: &Quantities<'_>, stage: usize) -> bool {
+    let mut own = quantities.model().forces.iter().filter(|force| force.stage == stage);
+    own.any(|force| quantities.evaluate(&force.during[1]).is_none())
+}
+
 /// Whether anything in the problem speaks of the mass centre.
 pub(super) fn concerns_mass_centre(quantities: &Quantities<'_>) -> bool {
     let is_of_centre = |name: &str| name.starts_with("v_G") || name.starts_with("r_G");
     quantities.model().symbols.iter().any(|(_, entry)| is_of_centre(&entry.name))
 }
 
-/// Who takes part in a stage, and as which body it leaves it.
-fn participants(stage: &Stage) -> Vec<(String, String)> {
-    let alone = |body: &str| vec![(body.to_owned(), body.to_owned())];
+/// Who takes part in a stage, and with which body it moves at either end.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Participant {
+    body: String,
+    before: String,
+    after: String,
+}
+
+impl Participant {
+    fn alone(body: &str) -> Self {
+        Self::between(body, body, body)
+    }
+
+    fn between(body: &str, before: &str, after: &str) -> Self {
+        let [body, before, after] = [body, before, after].map(str::to_owned);
+        Self { body, before, after }
+    }
+}
+
+fn participants(stage: &Stage) -> Vec<Participant> {
+    let alone = |body: &str| vec![Participant::alone(body)];
     match stage {
         Stage::Impact(impact) => match impact.partners() {
             Some(Partners::Bodies(first, second)) => {
-                let after = |body: &str| impact.becomes.clone().unwrap_or_else(|| body.to_owned());
-                [first, second].map(|body| (body.to_owned(), after(body))).to_vec()
+                let after = |body| Participant::between(body, body, impact.becomes.as_deref().unwrap_or(body));
+                [first, second].map(after).to_vec()
             }
             Some(Partners::Surface(body, _)) => alone(body),
             None => Vec::new(),
         },
+        Stage::Separate(separate) => {
+            let before = |part| Participant::between(part, separate.from.as_deref().unwrap_or(part), part);
+            separate.into.iter().map(|part| before(part)).collect()
+        }
+        Stage::Flight(stage) => stage.flying().map(Participant::alone).collect(),
         Stage::Push(stage) => alone(&stage.body),
+        Stage::Slide(stage) => alone(&stage.body),
+        Stage::Spring(stage) => match stage.ends() {
+            Some(Ends::Free(first, second)) => [first, second].map(Participant::alone).to_vec(),
+            Some(Ends::Fixed(body)) => alone(body),
+            None => Vec::new(),
+        },
+        Stage::Taut(stage) => stage.between.iter().map(|body| Participant::alone(body)).collect(),
         Stage::Blow(stage) => alone(&stage.body),
         Stage::Fall(stage) => alone(&stage.body),
-        Stage::Rotate(_) | Stage::Central(_) | Stage::Bounces(_) => Vec::new(),
+        Stage::Swing(_)
+        | Stage::Connected(_)
+        | Stage::Rotate(_)
+        | Stage::Central(_)
+        | Stage::Bounces(_)
+        | Stage::Stream(_)
+        | Stage::Thrust(_)
+        | Stage::Drift(_) => Vec::new(),
     }
 }
 
@@ -88,20 +139,20 @@ fn balance(
     quantities: &Quantities<'_>,
     own: &Stage,
     stage: usize,
-    (body, becomes): &(String, String),
+    Participant { body, before, after }: &Participant,
     count: usize,
 ) -> Balance {
     // Alone in its diagram, a body of unknown mass is drawn to the scale of its velocities.
     let scale = quantities.mass(body).or((count == 1).then_some(1.0));
     let model = quantities.model();
     let impulses = match own {
-        Stage::Push(_) => {
+        Stage::Push(_) | Stage::Slide(_) => {
             let forces = model.forces.iter().filter(|force| force.stage == stage && force.on == *body);
             // Where the body never starts to move, no force has a time in which it changes the momentum.
             let forces = forces.filter(|force| quantities.evaluate(&force.during[0]).is_some());
             forces.map(|force| quantities.impulse_of_force(force)).collect()
         }
-        Stage::Fall(_) => vec![quantities.impulse_of_weight(body)],
+        Stage::Fall(_) | Stage::Flight(_) => vec![quantities.impulse_of_weight(body)],
         _ => {
             let impulses = model.impulses.iter().filter(|impulse| impulse.stage == stage && impulse.on == *body);
             impulses.map(|impulse| quantities.impulse(impulse)).collect()
@@ -109,9 +160,9 @@ fn balance(
     };
     Balance {
         body: body.clone(),
-        before: quantities.momentum(body, body, stage + 1, scale),
+        before: quantities.momentum(body, before, stage + 1, scale),
         impulses,
-        after: quantities.momentum(body, becomes, stage + 2, scale),
+        after: quantities.momentum(body, after, stage + 2, scale),
     }
 }
 
@@ -145,7 +196,8 @@ impl Balance {
     }
 
     fn take_reaction(&mut self, other: &Self) {
-        if let ([own], [other]) = (&mut self.impulses[..], &other.impulses[..]) {
+        // The first impulse is the one that the two give each other; a guide may add another.
+        if let ([own, ..], [other, ..]) = (&mut self.impulses[..], &other.impulses[..]) {
             own.value = own.value.or(other.value.map(|[x, y]| [-x, -y]));
         }
     }

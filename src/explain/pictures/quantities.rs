@@ -15,7 +15,6 @@ use crate::problem::Origin;
 use crate::problem::Worked;
 use crate::scene::Axis;
 use crate::scene::Scene;
-use crate::scene::Stage;
 use crate::scene::Term;
 
 use super::super::display::Display;
@@ -191,34 +190,34 @@ impl<'a> Quantities<'a> {
         self.along_axes(&components)
     }
 
-    /// The bodies that became this one by staying together.
-    pub(super) fn parts_of(&self, union: &str) -> Option<&'a [String; 2]> {
-        if self.scene().bodies.contains_key(union) {
-            return None;
-        }
-        self.scene().stages.iter().find_map(|stage| match stage {
-            Stage::Impact(impact) if impact.becomes.as_deref() == Some(union) => impact.between.as_ref(),
-            _ => None,
-        })
-    }
-
     /// The mass of a body, from its weight if need be.
     pub(super) fn mass(&self, body: &str) -> Option<f64> {
-        if let Some(parts) = self.parts_of(body) {
+        let parts = self.scene().parts_of(body);
+        if !parts.is_empty() {
             return parts.iter().map(|part| self.mass(part)).sum();
         }
         let own = match self.mass_term(body) {
             Some(term) => self.evaluate(&self.term(term)?),
             None => self.named(&format!("m_{body}")),
         };
+        let parts = self.scene().division_of(body);
+        let sum = || parts.iter().map(|part| self.mass(part)).sum::<Option<f64>>().filter(|_| !parts.is_empty());
+        let own = own.or_else(sum);
         own.or_else(|| Some(self.named(&format!("W_{body}"))? / self.named("g")?))
     }
 
     /// How the mass of a body is written.
     pub(super) fn mass_math(&self, body: &str) -> Math {
-        if let Some([first, second]) = self.parts_of(body) {
-            let plus = Math::Operator(crate::expr::Operator::Plus);
-            return Math::Bracketed(Box::new(Math::Row(vec![self.mass_math(first), plus, self.mass_math(second)])));
+        let members = self.scene().members(body);
+        if members.len() > 1 {
+            let mut sum = Vec::new();
+            for member in members {
+                if !sum.is_empty() {
+                    sum.push(Math::Operator(crate::expr::Operator::Plus));
+                }
+                sum.push(self.mass_math(member));
+            }
+            return Math::Bracketed(Box::new(Math::Row(sum)));
         }
         let term = self.mass_term(body).and_then(|term| self.term(term));
         term.map_or_else(|| name_math(&format!("m_{body}")), |term| self.symbolic(&term))
@@ -235,10 +234,6 @@ impl<'a> Quantities<'a> {
 
     /// How a body is called in a sentence.
     pub(super) fn called(&self, body: &str) -> String {
-        match (self.scene().bodies.get(body), self.parts_of(body)) {
-            (Some(entry), _) => entry.name.clone(),
-            (None, Some([first, second])) => format!("{} and {} together", self.called(first), self.called(second)),
-            (None, None) => body.to_owned(),
-        }
+        self.scene().called(body)
     }
 }

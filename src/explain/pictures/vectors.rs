@@ -7,6 +7,7 @@ use crate::expr::name_math;
 use crate::figure::Form;
 use crate::figure::LabelledVector;
 use crate::model::ActingForce;
+use crate::model::Agent;
 use crate::model::ForceKind;
 use crate::model::Impulse;
 use crate::scene::Axis;
@@ -85,7 +86,8 @@ impl Quantities<'_> {
     pub(super) fn impulse(&self, impulse: &Impulse) -> Labelled {
         let components: Option<Vec<f64>> = impulse.components.iter().map(|part| self.evaluate(part)).collect();
         let value = components.and_then(|components| self.along_axes(&components));
-        Labelled { label: name_math(&format!("J_{}", impulse.on)), value }
+        let letter = if impulse.by == Agent::Guide { "R" } else { "J" };
+        Labelled { label: name_math(&format!("{letter}_{}", impulse.on)), value }
     }
 
     /// The impulse of a force over the time for which it acts.

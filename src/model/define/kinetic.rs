@@ -2,6 +2,7 @@
 
 use crate::expr::Expr;
 use crate::expr::Symbol;
+use crate::laws::Law;
 use crate::laws::energy;
 use crate::quantity::Dimension;
 use crate::scene::Stage;
@@ -31,18 +32,44 @@ pub(super) fn kinetic_energy(builder: &mut Builder<'_>, name: &Name) -> Option<S
 }
 
 pub(super) fn energy_lost(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
-    let stage = match &name.stage {
+    let stage = balanced_stage(builder, name, &builder.impacts())?;
+    let meaning = format!("the kinetic energy lost in {}", builder.stage_phrase(stage));
+    balance_of_energy(builder, &energy::LOSS, stage, "T_lost", meaning)
+}
+
+pub(super) fn energy_gained(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
+    let stage = balanced_stage(builder, name, &(0..builder.scene.stages.len()).collect::<Vec<_>>())?;
+    let meaning = format!("the kinetic energy gained in {}", builder.stage_phrase(stage));
+    balance_of_energy(builder, &energy::GAIN, stage, "T_gained", meaning)
+}
+
+/// The stage that a name says, or the only one that could be meant.
+fn balanced_stage(builder: &Builder<'_>, name: &Name, meant: &[usize]) -> Option<usize> {
+    match &name.stage {
         Some(stage) => {
-            builder.timeline.stage(builder.scene, stage).or_else(|| stage.parse::<usize>().ok()?.checked_sub(1))?
+            builder.timeline.stage(builder.scene, stage).or_else(|| stage.parse::<usize>().ok()?.checked_sub(1))
         }
-        None => builder.impacts().into_iter().next().filter(|_| builder.impacts().len() == 1)?,
-    };
-    let phrase = builder.stage_phrase(stage);
+        None => match meant {
+            [only] => Some(*only),
+            _ => None,
+        },
+    }
+}
+
+/// A name for how much the kinetic energy of all bodies changes in a stage.
+fn balance_of_energy(
+    builder: &mut Builder<'_>,
+    law: &'static Law,
+    stage: usize,
+    base: &str,
+    meaning: String,
+) -> Option<Symbol> {
     let suffix = builder.stage_suffix(stage);
-    let symbol =
-        builder.symbol(format!("T_lost{suffix}"), Dimension::ENERGY, format!("the kinetic energy lost in {phrase}"));
+    let symbol = builder.symbol(format!("{base}{suffix}"), Dimension::ENERGY, meaning);
     let [before, after] = [stage + 1, stage + 2].map(|instant| builder.resolve(&format!("T_{instant}")));
-    builder.law(&energy::LOSS, Some(stage), "by definition", (symbol.into(), Expr::from(before?) - Expr::from(after?)));
+    let [before, after] = [Expr::from(before?), Expr::from(after?)];
+    let change = if law.id == energy::LOSS.id { before - after } else { after - before };
+    builder.law(law, Some(stage), "by definition", (symbol.into(), change));
     Some(symbol)
 }
 
@@ -57,8 +84,13 @@ impl Builder<'_> {
 }
 
 impl Builder<'_> {
+    /// The kinetic energy of a body as a term in the components that its impact has made.
+    pub(in crate::model) fn kinetic_of(&mut self, body: &str, instant: usize) -> Expr {
+        self.kinetic_turned(body, instant).unwrap_or_else(|| self.kinetic_term(body, instant))
+    }
+
     /// The kinetic energy of a body as a term in its velocity.
-    fn kinetic_term(&mut self, body: &str, instant: usize) -> Expr {
+    pub(in crate::model) fn kinetic_term(&mut self, body: &str, instant: usize) -> Expr {
         let mass = self.mass(body);
         if self.axes.is_empty() {
             let speed = self.resolve(&format!("speed_{body}{instant}")).map_or_else(Expr::zero, Expr::from);

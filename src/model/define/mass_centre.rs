@@ -2,11 +2,13 @@
 
 use crate::expr::Expr;
 use crate::expr::Symbol;
+use crate::laws::kinematics;
 use crate::laws::mass_centre;
 use crate::laws::momentum;
 use crate::quantity::Dimension;
 use crate::scene::Axis;
 use crate::scene::Stage;
+use crate::scene::stage::Separate;
 
 use super::super::Agent;
 use super::super::Builder;
@@ -94,5 +96,47 @@ pub(super) fn mass_centre_position(builder: &mut Builder<'_>, name: &Name, insta
         "the mass centre is the mean position, each body counted by its mass",
         sides,
     );
+    builder.path_of_mass_centre(instant, axis, symbol);
     Some(symbol)
+}
+
+impl Builder<'_> {
+    /// Place and velocity of the mass centre when a stage starts; those of the whole, where that has just come apart.
+    fn centre_at_start(&mut self, index: usize, axis: Axis, alive: usize) -> Option<(Expr, Expr)> {
+        let scene = self.scene;
+        let burst = index.checked_sub(1).and_then(|before| scene.stages.get(before));
+        if let Some(Stage::Separate(Separate { from: Some(whole), into, .. })) = burst
+            && into.len() == alive
+            && self.guided(whole).is_none()
+        {
+            return Some((self.place(whole, index, axis), self.velocity(whole, index, axis)));
+        }
+        let letter = if self.axes.len() > 1 { format!(".{}", axis.letter()) } else { String::new() };
+        let [from, velocity] = ["r", "v"].map(|base| self.resolve(&format!("{base}_G{}{letter}", index + 1)));
+        Some((from?.into(), velocity?.into()))
+    }
+
+    /// In a flight of all bodies, the mass centre moves as one body of the whole mass would.
+    fn path_of_mass_centre(&mut self, instant: usize, axis: Axis, after: Symbol) {
+        let Some(index) = instant.checked_sub(2) else { return };
+        let scene = self.scene;
+        let Some(Stage::Flight(flight)) = scene.stages.get(index) else { return };
+        let alive: Vec<String> = self.timeline.alive(instant).into_iter().map(str::to_owned).collect();
+        if alive.len() < 2 || !alive.iter().all(|body| flight.flying().any(|own| own == body)) {
+            return;
+        }
+        let Some((from, velocity)) = self.centre_at_start(index, axis, alive.len()) else { return };
+        let time = self.flight_time(index, flight);
+        let position = self.axes.iter().position(|(own, _)| *own == axis).unwrap_or(0);
+        let sides = match self.downwards(position) {
+            Some(down) => {
+                let gravity = Expr::integer(down) * self.gravity();
+                kinematics::accelerated(&from, &velocity, &gravity, &time, &after.into())
+            }
+            None => kinematics::uniform(&from, &velocity, &time, &after.into()),
+        };
+        let because =
+            "the forces within the system cancel, and the mass centre moves as one body of the whole mass would";
+        self.law(&mass_centre::PATH, Some(index), because, sides);
+    }
 }

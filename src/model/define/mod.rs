@@ -10,14 +10,17 @@ use crate::expr::Symbol;
 use crate::laws::angular;
 use crate::laws::force;
 use crate::laws::geometry;
+use crate::laws::kinematics;
 use crate::laws::momentum;
 use crate::quantity::Dimension;
 use crate::scene::Axis;
+use crate::scene::Stage;
 
 use super::Builder;
 use super::Instant;
 use super::Name;
 use super::builder::SECOND_COST;
+use kinetic::energy_gained;
 use kinetic::energy_lost;
 use kinetic::kinetic_energy;
 use mass_centre::mass_centre_position;
@@ -33,10 +36,15 @@ const DEFINITIONS: &[(&str, Define)] = &[
     ("speed", speed),
     ("angle", angle),
     ("r", position),
+    ("x", coordinate),
+    ("y", coordinate),
+    ("z", coordinate),
+    ("t", clock),
     ("p", linear_momentum),
     ("J", impulse),
     ("T", kinetic_energy),
     ("T_lost", energy_lost),
+    ("T_gained", energy_gained),
     ("H", angular_momentum),
     ("W", weight),
 ];
@@ -79,12 +87,20 @@ impl Builder<'_> {
     /// The one spelling under which a name's symbol is kept.
     fn spelling(&self, name: &Name) -> String {
         let mut text = name.base.clone();
+        // A part begins where the whole was.
+        let place = name.instant.as_ref().and_then(|instant| match instant {
+            Instant::Number(number) if name.base == "r" && name.subject != "G" => {
+                Some(self.place_since(&name.subject, *number))
+            }
+            _ => None,
+        });
+        let (subject, since) = place.map_or((name.subject.clone(), None), |(body, since)| (body, Some(since)));
         if !name.subject.is_empty() || name.instant.is_some() {
             text.push('_');
-            text.push_str(&name.subject);
+            text.push_str(&subject);
         }
         if let Some(Instant::Number(number)) = name.instant {
-            let since = self.timeline.since(&name.subject, number).unwrap_or(number);
+            let since = since.unwrap_or_else(|| self.timeline.since(&name.subject, number).unwrap_or(number));
             text.push_str(&since.to_string());
         }
         if let Some(component) = &name.component {
@@ -149,6 +165,7 @@ impl Builder<'_> {
         let direction =
             self.symbol(format!("angle_J_{body}{suffix}"), Dimension::NONE, format!("the direction of {meaning}"));
         let [x, y] = components else { return };
+        self.directions.insert(direction, [x.clone(), y.clone()]);
         let because = "the impulse is resolved along the axes";
         for sides in geometry::components(&magnitude.into(), &direction.into(), x, y) {
             self.law_at(SECOND_COST, &geometry::COMPONENTS, Some(stage), because, sides);
@@ -202,9 +219,36 @@ fn position(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
             format!("the distance of {owner} from the centre {when}"),
         ));
     }
-    builder.axis_of(name)?;
-    let meaning = format!("{}the position of {owner} {when}", Builder::component_phrase(name));
-    Some(builder.symbol(spelling, Dimension::LENGTH, meaning))
+    let axis = builder.axis_of(name)?;
+    match builder.place(&body, instant, axis) {
+        Expr::Symbol(symbol) => Some(symbol),
+        _ => None,
+    }
+}
+
+/// `x_A1` is another spelling of the place of A along x.
+fn coordinate(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
+    let axis = builder.axis(&name.base)?;
+    let (body, _) = builder.body_at(name)?;
+    match builder.place(&body, builder.number(name)?, axis) {
+        Expr::Symbol(symbol) => Some(symbol),
+        _ => None,
+    }
+}
+
+/// `t_3`: the time from the start to an instant, where the durations of all stages before it are spoken of.
+fn clock(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
+    let instant = builder.number(name).filter(|_| name.subject.is_empty())?;
+    let lasting = builder.lasting.iter().zip(&builder.scene.stages).take(instant - 1);
+    let durations: Vec<Expr> = lasting
+        .filter(|(_, stage)| !matches!(stage, Stage::Impact(_) | Stage::Blow(_) | Stage::Separate(_)))
+        .map(|(duration, _)| duration.clone())
+        .collect::<Option<_>>()?;
+    let meaning = format!("the time {}, counted from the start", builder.when(instant));
+    let symbol = builder.symbol(format!("t_{instant}"), Dimension::TIME, meaning);
+    let because = "all durations are counted from the start".to_owned();
+    builder.law(&kinematics::CLOCK, None, because, (symbol.into(), Expr::sum(durations)));
+    Some(symbol)
 }
 
 fn linear_momentum(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {

@@ -64,15 +64,18 @@ impl Builder<'_> {
                     "the components of the velocity are perpendicular",
                     (speed_expr.clone(), squares.sqrt()),
                 );
-                self.turned_speed(body, instant, &speed_expr, &angle_expr);
+                if !self.turned_speed(body, instant, &speed_expr, &angle_expr) && self.axes.len() == 2 {
+                    self.directions.insert(angle, [x.clone(), y.clone()]);
+                }
             }
             _ => {}
         }
         (speed, angle)
     }
 
-    /// Speed and direction against components along and across a line of impact.
-    fn turned_speed(&mut self, body: &str, instant: usize, speed: &Expr, angle: &Expr) {
+    /// Speed and direction against components along and across a line of impact; whether they follow from those.
+    fn turned_speed(&mut self, body: &str, instant: usize, speed: &Expr, angle: &Expr) -> bool {
+        let mut follows = false;
         for stage in [instant.checked_sub(1), instant.checked_sub(2)].into_iter().flatten() {
             let Some(Some(frame)) = self.frames.get(stage).cloned() else { continue };
             if frame.normal.turn.is_zero() || !self.takes_part(stage, body) {
@@ -95,7 +98,9 @@ impl Builder<'_> {
             let direction = line + across.atan2(split.along);
             let because = "the components give the angle to the line of impact, which is added to that of the line";
             self.law(&geometry::DIRECTION, Some(stage), because, (angle.clone(), direction));
+            follows = true;
         }
+        follows
     }
 
     fn takes_part(&self, stage: usize, body: &str) -> bool {

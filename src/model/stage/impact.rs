@@ -1,7 +1,8 @@
-//! Impacts of two bodies, and of a body and a surface.
+//! Impacts of two bodies.
 
 use crate::expr::Expr;
 use crate::fault::Path;
+use crate::laws::energy;
 use crate::laws::force;
 use crate::laws::momentum;
 use crate::laws::restitution;
@@ -21,10 +22,10 @@ use crate::scene::stage::Partners;
 use crate::solve::Relation;
 
 /// What is the same for both bodies of an impact.
-struct Contact<'a> {
-    index: usize,
-    stage: &'a Impact,
-    path: &'a Path,
+pub(super) struct Contact<'a> {
+    pub index: usize,
+    pub stage: &'a Impact,
+    pub path: &'a Path,
 }
 
 impl Builder<'_> {
@@ -38,15 +39,57 @@ impl Builder<'_> {
         }
         match stage.partners() {
             Some(Partners::Surface(body, surface)) => self.surface_impact(&contact, body, surface),
-            Some(Partners::Bodies(first, second)) if stage.plastic => self.plastic_impact(&contact, first, second),
-            Some(Partners::Bodies(first, second)) => self.body_impact(&contact, first, second),
+            Some(Partners::Bodies(first, second)) => {
+                let guided = [first, second].iter().any(|body| self.guided(body).is_some());
+                match (stage.plastic, guided) {
+                    (true, true) => self.guided_union(&contact, first, second),
+                    (true, false) => self.plastic_impact(&contact, first, second),
+                    (false, true) => self.guided_impact(&contact, first, second),
+                    (false, false) => self.body_impact(&contact, first, second),
+                }
+            }
             None => {}
+        }
+        self.told_loss(&contact);
+    }
+
+    /// The balance of energy, where the loss is told in place of a coefficient of restitution.
+    fn told_loss(&mut self, contact: &Contact<'_>) {
+        let stage = contact.stage;
+        let of_energy = stage.elastic && !self.has_coefficient(contact.index, stage);
+        let loss = match &stage.loss {
+            Some(term) => self.read(term, Dimension::ENERGY, "the kinetic energy lost", &contact.path.key("loss")),
+            None if of_energy => Expr::zero(),
+            None => return,
+        };
+        let bodies: Vec<&str> = match stage.partners() {
+            Some(Partners::Bodies(first, second)) => vec![first, second],
+            Some(Partners::Surface(body, _)) => vec![body],
+            None => return,
+        };
+        let after: Vec<&str> = stage.becomes.as_deref().map_or_else(|| bodies.clone(), |union| vec![union]);
+        let [start, end] = [(bodies, contact.index + 1), (after, contact.index + 2)]
+            .map(|(own, instant)| Expr::sum(own.iter().map(|body| self.kinetic_of(body, instant)).collect::<Vec<_>>()));
+        let because = if of_energy { "no kinetic energy is lost" } else { "the loss of kinetic energy is told" };
+        self.law(&energy::LOSS, Some(contact.index), because, (start - loss, end));
+    }
+
+    /// Whether an elastic impact is told by e = 1: along a line of impact, or at a surface.
+    fn has_coefficient(&self, index: usize, stage: &Impact) -> bool {
+        stage.against.is_some() || self.frames.get(index).is_some_and(Option::is_some)
+    }
+
+    /// The coefficient of restitution that the stage tells: its own, or 1.
+    pub(super) fn coefficient(&mut self, contact: &Contact<'_>) -> Option<Expr> {
+        match &contact.stage.restitution {
+            Some(term) => Some(self.restitution_coefficient(term, &contact.path.key("restitution"))),
+            None => contact.stage.elastic.then(Expr::one),
         }
     }
 
     /// Two bodies that separate: momentum along the line of impact, restitution, nothing across it.
     fn body_impact(&mut self, contact: &Contact<'_>, first: &str, second: &str) {
-        let (index, stage) = (contact.index, contact.stage);
+        let index = contact.index;
         let Some(frame) = self.line_of_impact(contact) else {
             self.general_impact(contact, first, second);
             return;
@@ -68,8 +111,7 @@ impl Builder<'_> {
             &[(mass_a, along(&a2)), (mass_b, along(&b2))],
         );
         self.law(&momentum::CONSERVATION, Some(index), because, sides);
-        if let Some(term) = &stage.restitution {
-            let e = self.restitution_coefficient(term, &contact.path.key("restitution"));
+        if let Some(e) = self.coefficient(contact) {
             let because = match a1.across {
                 Some(_) => "restitution acts along the line of impact only".to_owned(),
                 None => format!("{name_a} and {name_b} collide and separate again"),
@@ -84,7 +126,7 @@ impl Builder<'_> {
         self.require(Warning::NoImpact, along(&a1), Relation::Greater, along(&b1), reason);
         let reason = format!("{name_a} would pass through {name_b}");
         self.require(Warning::PassesThrough, along(&b2), Relation::AtLeast, along(&a2), reason);
-        if stage.restitution.is_none() {
+        if contact.stage.restitution.is_none() {
             let lost = (along(&a1) - along(&b1)) - (along(&b2) - along(&a2));
             self.require(
                 Warning::EnergyCreated,
@@ -142,7 +184,7 @@ impl Builder<'_> {
     }
 
     /// No impulse acts across a smooth contact.
-    fn smooth(&mut self, index: usize, body: &str, before: &Split, after: &Split) {
+    pub(super) fn smooth(&mut self, index: usize, body: &str, before: &Split, after: &Split) {
         let (Some(start), Some(end)) = (&before.across, &after.across) else { return };
         let because =
             format!("the contact is smooth and gives {} no impulse across the line of impact", self.called(body));
@@ -255,83 +297,6 @@ impl Builder<'_> {
         }
     }
 
-    /// A body and a surface that does not give way.
-    fn surface_impact(&mut self, contact: &Contact<'_>, body: &str, surface: &str) {
-        let (index, stage) = (contact.index, contact.stage);
-        let Some(entry) = self.scene.surfaces.get(surface) else { return };
-        let at = Path::root().key("scene").key("surfaces").key(surface);
-        let normal = self.direction(&entry.normal, &at.key("normal"));
-        let frame = Frame { normal };
-        self.frames[index] = Some(frame.clone());
-        let name = self.called(body);
-        let wall = entry.name.clone().unwrap_or_else(|| format!("the {surface}"));
-        let moves = match &entry.velocity {
-            Some(term) => self.read(
-                term,
-                Dimension::VELOCITY,
-                &format!("the velocity of {wall} along its normal"),
-                &at.key("velocity"),
-            ),
-            None => Expr::zero(),
-        };
-        let start = self.split(body, index + 1, index, &frame);
-        let end = self.split(body, index + 2, index, &frame);
-        let mass = self.mass(body);
-        if let Some(term) = &stage.restitution {
-            let e = self.restitution_coefficient(term, &contact.path.key("restitution"));
-            let because = match start.across {
-                Some(_) => format!("{wall} does not give way, and restitution acts along its normal only"),
-                None => format!("{wall} does not give way"),
-            };
-            let sides = restitution::at_surface(&e, &moves, &start.along, &end.along);
-            self.law(&restitution::RESTITUTION_SURFACE, Some(index), because, sides);
-        }
-        if stage.plastic {
-            let because = format!("{name} does not rebound from {wall}");
-            self.law(&restitution::PLASTIC, Some(index), because, (end.along.clone(), moves.clone()));
-        }
-        if let (Some(from), Some(to)) = (&start.across, &end.across) {
-            let because = format!("{wall} is smooth and gives {name} no impulse along it");
-            self.law(&momentum::NO_IMPULSE, Some(index), because, (to.clone(), from.clone()));
-            self.omit(format!("friction with {wall}"), format!("{wall} is smooth"));
-        }
-        let suffix = self.stage_suffix(index);
-        let meaning = format!("the impulse on {name} from {wall}");
-        let impulse = Expr::from(self.symbol(format!("J_{body}{suffix}"), Dimension::MOMENTUM, meaning));
-        let because = format!("along the normal, the only impulse on {name} is that of {wall}");
-        let [from, to] = [(index + 1, &start), (index + 2, &end)].map(|(at, split)| self.changed(body, at, split));
-        let sides = momentum::impulse_momentum(&mass, &from, std::slice::from_ref(&impulse), &to);
-        self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
-        self.mean_force(index, body, &impulse, stage.duration.as_ref(), contact.path);
-        let components = self.resolved(&impulse, &frame);
-        self.impulses.push(Impulse {
-            stage: index,
-            on: body.to_owned(),
-            by: Agent::Surface(surface.to_owned()),
-            called: wall.clone(),
-            components,
-            impulsive: true,
-        });
-        self.require(
-            Warning::NoImpact,
-            start.along,
-            Relation::Less,
-            moves.clone(),
-            format!("{name} would not reach {wall}"),
-        );
-        self.require(
-            Warning::PassesThrough,
-            end.along,
-            Relation::AtLeast,
-            moves,
-            format!("{name} would pass through {wall}"),
-        );
-        self.omit(
-            format!("the momentum of {wall}"),
-            format!("{wall} is held from outside, and the momentum of both together is not conserved"),
-        );
-    }
-
     /// The coefficient of restitution: between 0 and 1.
     pub(in crate::model) fn restitution_coefficient(&mut self, term: &Term, path: &Path) -> Expr {
         let e = self.read(term, Dimension::NONE, "the coefficient of restitution", path);
@@ -353,7 +318,7 @@ impl Builder<'_> {
     }
 
     /// The line of impact: stated, or the only axis.
-    fn line_of_impact(&mut self, contact: &Contact<'_>) -> Option<Frame> {
+    pub(super) fn line_of_impact(&mut self, contact: &Contact<'_>) -> Option<Frame> {
         match &contact.stage.line_of_impact {
             Some(term) => Some(Frame { normal: self.direction(term, &contact.path.key("line_of_impact")) }),
             None => (self.axes.len() == 1)

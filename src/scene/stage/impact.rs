@@ -24,6 +24,12 @@ pub struct Impact {
     /// The coefficient of restitution: a name, a value or an expression.
     #[serde(default)]
     pub restitution: Option<Term>,
+    /// Whether no kinetic energy is lost: e = 1 along a line of impact, and a balance of energy where no line is known.
+    #[serde(default)]
+    pub elastic: bool,
+    /// The kinetic energy lost, where it is told in place of e: `40 J`, `T_A1/2`.
+    #[serde(default)]
+    pub loss: Option<Term>,
     /// Whether the bodies stay together.
     #[serde(default)]
     pub plastic: bool,

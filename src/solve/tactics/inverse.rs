@@ -22,7 +22,11 @@ pub(super) fn undo(side: &Expr, value: Expr, unknown: Symbol, positive: &dyn Fn(
             (inner, vec![over(&value, &Expr::product(others))])
         }
         Expr::Power(pair) if pair.1.contains(unknown) => (&pair.1, vec![over(&ln(value), &ln(pair.0.clone()))]),
-        Expr::Power(pair) => (&pair.0, roots(value, pair.1.as_number()?, sure(&pair.0))),
+        Expr::Power(pair) => match pair.1.as_number() {
+            Some(exponent) => (&pair.0, roots(value, exponent, sure(&pair.0))),
+            // Of a power that is not told, only a positive base has one root.
+            None => (&pair.0, sure(&pair.0).then(|| value.power(over(&Expr::one(), &pair.1))).into_iter().collect()),
+        },
         Expr::Apply(Function::Atan2, parts) => match parts.as_ref() {
             [y, x] if y.contains(unknown) => (y, vec![x.clone() * tan(value)]),
             [y, x] => (x, vec![y.clone() / tan(value)]),
@@ -34,6 +38,9 @@ pub(super) fn undo(side: &Expr, value: Expr, unknown: Symbol, positive: &dyn Fn(
         }
         Expr::Number(_) | Expr::Pi | Expr::Piecewise(_) => return None,
     };
+    if values.is_empty() {
+        return None;
+    }
     let mut found = Vec::new();
     for value in values {
         found.extend(undo(part, value, unknown, positive)?);
@@ -49,7 +56,7 @@ fn apart(parts: &[Expr], unknown: Symbol) -> Option<(&Expr, Vec<Expr>)> {
 
 /// The bases whose power is `value`.
 fn roots(value: Expr, exponent: &Rational, positive: bool) -> Vec<Expr> {
-    let even = (exponent.numerator() % 2_u8) == 0;
+    let even = (exponent.numerator() % 2_i8) == 0;
     let root = value.power(Expr::Number(Rational::ONE / exponent.clone()));
     if even && !positive { vec![root.clone(), -root] } else { vec![root] }
 }

@@ -14,7 +14,7 @@ use crate::expr::Symbol;
 use super::elimination::{Eliminated, eliminate};
 use super::isolate::isolated;
 use super::quadratic::Quadratic;
-use super::tidy::shorter;
+use super::tidy::{difference, shorter};
 use super::{Block, Closing, Refusal};
 use crate::solve::{Closed, Move, Root};
 
@@ -67,6 +67,9 @@ fn torn(block: &Block, equations: &[(usize, Expr)], place: usize, unknown: Symbo
         });
         written.extend(step);
     }
+    if let Some(square) = squared(&left, &right, &|symbol| block.positive(symbol)) {
+        rest = square;
+    }
     let roots = match isolated(&shorter(rest.clone()), &Expr::zero(), unknown, &|symbol| block.positive(symbol)) {
         Ok(roots) => {
             let value = roots.first().cloned().ok_or(Refusal::NotApplicable)?;
@@ -93,6 +96,18 @@ fn torn(block: &Block, equations: &[(usize, Expr)], place: usize, unknown: Symbo
         roots: roots.into_iter().map(root).collect(),
         moves,
     })
+}
+
+/// `s^2 - x` from `s = sqrt(x)`, where s is positive, so that squaring adds no root.
+fn squared(left: &Expr, right: &Expr, positive: &dyn Fn(Symbol) -> bool) -> Option<Expr> {
+    let half = |side: &Expr| match side {
+        Expr::Power(pair) if pair.1 == Expr::ratio(1, 2) => Some(pair.0.clone()),
+        _ => None,
+    };
+    match left {
+        Expr::Symbol(size) if positive(*size) => Some(difference(&left.clone().powi(2), &half(right)?)),
+        _ => None,
+    }
 }
 
 fn put(expr: &Expr, values: &[(Symbol, Expr)]) -> Expr {

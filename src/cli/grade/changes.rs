@@ -1,0 +1,96 @@
+//! Which marks moved when the same submissions are marked again.
+
+use std::io::Write;
+use std::path::Path;
+
+use crate::cli::failure::Failure;
+use crate::cli::output::Output;
+use crate::cli::table::Table;
+use crate::grade::PartReport;
+
+use super::sink::HEAD;
+use super::submission::Submission;
+
+/// The marks of an earlier run, read beside those of this one: both are in the order of the submissions.
+pub(super) struct Changes {
+    name: String,
+    old: Table,
+    columns: [usize; HEAD.len()],
+    output: Output,
+    moved: u64,
+    compared: u64,
+}
+
+impl Changes {
+    /// Opens the marks of an earlier run, a table that `momentous grade` wrote.
+    pub(super) fn since(path: &Path) -> Result<Self, Failure> {
+        let old = Table::open(path)?;
+        let mut columns = [0; HEAD.len()];
+        for (index, heading) in HEAD.iter().enumerate() {
+            columns[index] = old.column(heading).ok_or_else(|| {
+                let help = "give the file that an earlier `momentous grade -o` wrote";
+                Failure::unusable(format!("{} has no column `{heading}`\nhelp: {help}", path.display()))
+            })?;
+        }
+        Ok(Self { name: path.display().to_string(), old, columns, output: Output::to(None)?, moved: 0, compared: 0 })
+    }
+
+    /// Compares what was found about one part with the earlier marks.
+    pub(super) fn part(&mut self, submission: &Submission, part: &PartReport) -> Result<(), Failure> {
+        let [line, student, problem, seed, form, attempt, name, marks, out_of, verdict, ..] = self.columns;
+        let key = [
+            submission.place.to_string(),
+            submission.key("student").to_owned(),
+            submission.key("problem").to_owned(),
+            submission.key("seed").to_owned(),
+            submission.key("form").to_owned(),
+            submission.key("attempt").to_owned(),
+            part.id.clone(),
+        ];
+        let same = |row: &csv::StringRecord| {
+            let cells = [line, student, problem, seed, form, attempt, name].map(|column| row.get(column));
+            cells.into_iter().zip(&key).all(|(cell, own)| cell == Some(own.as_str()))
+        };
+        let row = match self.old.next_row() {
+            Some((_, Ok(row))) if same(&row) => row,
+            Some((place, Err(message))) => return Err(Failure::unusable(format!("{}:{place}: {message}", self.name))),
+            other => {
+                let place = other.map_or_else(|| "its end".to_owned(), |(place, _)| format!("line {place}"));
+                return Err(Failure::unusable(format!(
+                    "{} is not of these submissions: at {place} it does not have part `{}` of line {}\n\
+                     help: mark the same file that was marked then",
+                    self.name, part.id, submission.place
+                )));
+            }
+        };
+        self.compared += 1;
+        let old = |column: usize| row.get(column).unwrap_or_default();
+        let new = [part.points.to_string(), part.out_of.to_string(), part.verdict.code().to_owned()];
+        if [old(marks), old(out_of), old(verdict)].into_iter().eq(new.iter().map(String::as_str)) {
+            return Ok(());
+        }
+        self.moved += 1;
+        let who = if key[1].is_empty() { String::new() } else { format!("{}, ", key[1]) };
+        writeln!(
+            self.output,
+            "line {}: {who}{} `{}`: {}/{} [{}] -> {}/{} [{}]",
+            key[0],
+            key[2],
+            part.id,
+            old(marks),
+            old(out_of),
+            old(verdict),
+            new[0],
+            new[1],
+            new[2]
+        )?;
+        Ok(())
+    }
+
+    /// Says how many marks moved.
+    pub(super) fn finish(mut self) -> Result<(), Failure> {
+        let marks = if self.compared == 1 { "mark" } else { "marks" };
+        writeln!(self.output, "{} of {} {marks} moved", self.moved, self.compared)?;
+        self.output.finish()
+    }
+}

@@ -1,0 +1,47 @@
+//! Many variants of one form, one after the other.
+
+use std::sync::Arc;
+
+use crate::problem::NoVariant;
+use crate::problem::Problem;
+use crate::problem::Sampler;
+
+use super::Exercise;
+
+/// Draws variants of one form with memory of its own, which is faster than drawing each by itself; each thread takes its own.
+///
+/// ```
+/// use std::sync::Arc;
+/// use momentous::bank::Bank;
+/// use momentous::exercise::{Drawer, Exercise};
+/// use momentous::problem::{compile, load};
+///
+/// let source = Bank::built_in().find("impact/two-carts")?.clone();
+/// let problem = Arc::new(compile(load(source)?, None)?);
+/// let mut drawer = Drawer::new(&problem, 0)?;
+/// let alone = Exercise::draw(&problem, 0, 7)?;
+/// assert_eq!(drawer.draw(7)?.record(None), alone.record(None));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct Drawer<'p> {
+    problem: &'p Arc<Problem>,
+    sampler: Sampler<'p>,
+}
+
+impl<'p> Drawer<'p> {
+    /// A drawer for the form at that position.
+    ///
+    /// # Errors
+    /// [`NoVariant::NoForm`] where there is none.
+    pub fn new(problem: &'p Arc<Problem>, form: usize) -> Result<Self, NoVariant> {
+        Ok(Self { problem, sampler: Sampler::new(problem, form)? })
+    }
+
+    /// The variant of a seed.
+    ///
+    /// # Errors
+    /// [`NoVariant`] where the seed has no admissible numbers.
+    pub fn draw(&mut self, seed: u64) -> Result<Exercise, NoVariant> {
+        Ok(Exercise { problem: Arc::clone(self.problem), variant: self.sampler.variant(seed)? })
+    }
+}

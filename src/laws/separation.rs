@@ -1,0 +1,78 @@
+//! Bodies that come apart, and bodies that a guide holds.
+
+use crate::expr::Expr;
+
+use super::Law;
+use super::Sides;
+use super::wrong;
+
+/// The mass of the parts.
+pub const MASS: Law = Law {
+    id: "mass-of-the-parts",
+    name: "conservation of mass",
+    statement: "The masses of the parts add up to that of the whole.",
+    signs: "Masses are positive.",
+    when: "Nothing is lost when a body comes apart or bodies become one.",
+    source: "Conservation of mass.",
+    wrong: &[],
+};
+
+/// Bodies that move as one.
+pub const TOGETHER: Law = Law {
+    id: "together-before",
+    name: "the condition of moving together",
+    statement: "Bodies that move together have one velocity.",
+    signs: "As the velocities.",
+    when: "Before they part, the bodies do not move relative to each other.",
+    source: "Kinematics.",
+    wrong: &[],
+};
+
+/// Energy that becomes motion.
+pub const ENERGY: Law = Law {
+    id: "energy-released",
+    name: "the balance of energy",
+    statement: "The kinetic energy before, with the energy released into motion, is the kinetic energy after.",
+    signs: "Energy that becomes kinetic energy is positive.",
+    when: "The energy of an explosive, a spring or muscles becomes kinetic energy; any part that does not is left out of it.",
+    source: "The principle of work and energy for all bodies together.",
+    wrong: wrong::separation::ENERGY,
+};
+
+/// Relative velocity.
+pub const RELATIVE: Law = Law {
+    id: "relative-velocity",
+    name: "the definition of relative velocity",
+    statement: "The velocity of one body relative to another is its own velocity less that of the other.",
+    signs: "Along the axis positive, for the velocities and for the relative velocity.",
+    when: "Always; of the other body's velocity, that of the instant of which the relative velocity is told.",
+    source: "Kinematics.",
+    wrong: wrong::separation::RELATIVE,
+};
+
+/// A guided body.
+pub const GUIDE: Law = Law {
+    id: "guided-motion",
+    name: "the constraint of the guide",
+    statement: "A guided body has no velocity at right angles to its guide.",
+    signs: "As the velocities.",
+    when: "The guide does not give way and the body does not leave it.",
+    source: "Kinematics.",
+    wrong: &[],
+};
+
+/// The laws of this chapter.
+pub const LAWS: &[&Law] = &[&MASS, &TOGETHER, &ENERGY, &RELATIVE, &GUIDE];
+
+/// `E + T_1 = T_2`, over the kinetic energies of each body.
+#[must_use]
+pub fn energy(released: &Expr, before: &[Expr], after: &[Expr]) -> Sides {
+    let start = before.iter().cloned().chain([released.clone()]);
+    (Expr::sum(start), Expr::sum(after.iter().cloned()))
+}
+
+/// `v_A - v_B = u`.
+#[must_use]
+pub fn relative(own: &Expr, other: &Expr, relative: &Expr) -> Sides {
+    (own.clone() - other.clone(), relative.clone())
+}

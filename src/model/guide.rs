@@ -1,0 +1,128 @@
+//! Bodies that a guide lets move along one direction only, and the momentum of what they belong to.
+
+use crate::expr::Expr;
+use crate::fault::Path;
+use crate::laws::momentum;
+use crate::laws::separation;
+use crate::quantity::Dimension;
+use crate::scene::Axis;
+
+use super::Agent;
+use super::Builder;
+use super::Impulse;
+use super::frame::Direction;
+
+/// The guide of a body, read.
+#[derive(Clone, Debug)]
+pub(super) struct Guided {
+    /// The body.
+    pub body: String,
+    /// What guides it.
+    pub by: String,
+    /// Where the body can move.
+    pub along: Direction,
+}
+
+impl Guided {
+    /// The direction at right angles to the guide, counter-clockwise.
+    fn across(&self) -> Direction {
+        Direction { quarters: self.along.quarters + 1, turn: self.along.turn.clone() }
+    }
+}
+
+/// The bodies of a stage with mass and velocities, before or after.
+pub(super) type Carriers = Vec<(Expr, Vec<Expr>)>;
+
+impl Builder<'_> {
+    /// The guide of a body, or of one of the bodies of which it consists.
+    pub(super) fn guided(&mut self, body: &str) -> Option<Guided> {
+        if self.axes.len() != 2 {
+            return None;
+        }
+        let scene = self.scene;
+        let members: Vec<String> = scene.members(body).into_iter().map(str::to_owned).collect();
+        let (member, guide) = members.iter().find_map(|own| Some((own, scene.bodies.get(own)?.guide.as_ref()?)))?;
+        let path = Path::root().key("scene").key("bodies").key(member.as_str()).key("guide").key("along");
+        let along = self.direction(&guide.along, &path);
+        let by = guide.by.clone().unwrap_or_else(|| "the ground".into());
+        Some(Guided { body: body.to_owned(), by, along })
+    }
+
+    /// That a guided body does not move at right angles to its guide.
+    pub(super) fn hold(&mut self, guide: &Guided, instant: usize) {
+        let since = self.timeline.since(&guide.body, instant).unwrap_or(instant);
+        if !self.defined.insert(format!("guided {}{since}", guide.body)) {
+            return;
+        }
+        let across = self.components(&guide.across());
+        let velocity = self.velocities(&guide.body, instant);
+        let because = format!("{} lets {} move along it only", guide.by, self.called(&guide.body));
+        self.law(&separation::GUIDE, None, because, (dot(&velocity, &across), Expr::zero()));
+    }
+
+    /// Mass and velocities of bodies at an instant.
+    pub(super) fn carrying(&mut self, bodies: &[&str], instant: usize) -> Carriers {
+        bodies.iter().map(|body| (self.mass(body), self.velocities(body, instant))).collect()
+    }
+
+    /// The momentum of the bodies of a stage before and after it: conserved along every axis; where one of them is guided,
+    /// conserved along the guide, and changed across it by the impulse of the guide.
+    pub(super) fn momentum_of_all(&mut self, stage: usize, because: &str, [before, after]: [&[&str]; 2]) {
+        let [start, end] = [(before, stage + 1), (after, stage + 2)].map(|(own, instant)| self.carrying(own, instant));
+        let guided: Vec<Guided> = after.iter().filter_map(|body| self.guided(body)).collect();
+        let Some(guide) = guided.first().cloned() else {
+            let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
+            for (position, axis) in axes.iter().enumerate() {
+                let along = if axes.len() > 1 { format!(" along {}", axis.letter()) } else { String::new() };
+                let because = format!("{because}, and no other impulse acts{along}");
+                let [from, to] = [&start, &end].map(|own| component(own, position));
+                self.law(&momentum::CONSERVATION, Some(stage), because, momentum::conservation(&from, &to));
+            }
+            return;
+        };
+        for own in &guided {
+            self.hold(own, stage + 2);
+        }
+        for body in before {
+            if let Some(own) = self.guided(body) {
+                self.hold(&own, stage + 1);
+            }
+        }
+        let [along, across] = [guide.along.clone(), guide.across()].map(|direction| self.components(&direction));
+        let name = self.called(&guide.body);
+        let line = format!("{because}, and {} gives no impulse along the way in which it lets {name} move", guide.by);
+        let [from, to] = [&start, &end].map(|own| projected(own, &along));
+        self.law(&momentum::CONSERVATION, Some(stage), line, momentum::conservation(&from, &to));
+        let suffix = self.stage_suffix(stage);
+        let meaning = format!("the impulse of {} on {name}", guide.by);
+        let reaction = Expr::from(self.symbol(format!("R_{}{suffix}", guide.body), Dimension::MOMENTUM, meaning));
+        let line = format!("at right angles to its way {} holds {name}; this impulse acts from outside", guide.by);
+        let [from, to] = [&start, &end].map(|own| projected(own, &across));
+        self.law(&momentum::SYSTEM, Some(stage), line, momentum::system(&from, &reaction, &to));
+        let components = across.into_iter().map(|part| if part.is_zero() { part } else { reaction.clone() * part });
+        self.impulses.push(Impulse {
+            stage,
+            on: guide.body.clone(),
+            by: Agent::Guide,
+            called: guide.by.clone(),
+            components: components.collect(),
+            impulsive: true,
+        });
+        self.omit(format!("friction with {}", guide.by), format!("{} is smooth", guide.by));
+    }
+}
+
+/// The part of a vector along a direction.
+pub(super) fn dot(vector: &[Expr], direction: &[Expr]) -> Expr {
+    let parts = vector.iter().zip(direction).filter(|(_, part)| !part.is_zero());
+    Expr::sum(parts.map(|(own, part)| if part.is_one() { own.clone() } else { own.clone() * part.clone() }))
+}
+
+fn component(carriers: &Carriers, position: usize) -> Vec<(Expr, Expr)> {
+    let at = |(mass, velocity): &(Expr, Vec<Expr>)| Some((mass.clone(), velocity.get(position)?.clone()));
+    carriers.iter().filter_map(at).collect()
+}
+
+fn projected(carriers: &Carriers, direction: &[Expr]) -> Vec<(Expr, Expr)> {
+    carriers.iter().map(|(mass, velocity)| (mass.clone(), dot(velocity, direction))).collect()
+}

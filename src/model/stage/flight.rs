@@ -1,0 +1,137 @@
+//! Free flight: velocities and places at the end from those at the start.
+
+use crate::expr::Expr;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::laws::kinematics;
+use crate::model::Agent;
+use crate::model::Builder;
+use crate::model::Impulse;
+use crate::quantity::Dimension;
+use crate::scene::Axis;
+use crate::scene::Plane;
+use crate::scene::Term;
+use crate::scene::stage::Flight;
+
+impl Builder<'_> {
+    pub(in crate::model) fn flight(&mut self, index: usize, stage: &Flight, path: &Path) {
+        let time = self.flight_time(index, stage);
+        self.lasting[index] = Some(time.clone());
+        let bodies: Vec<&str> = stage.flying().collect();
+        for body in &bodies {
+            self.free_motion(index, body, &time);
+        }
+        if let Some(until) = &stage.until {
+            self.end_of_flight(index, &bodies, until, &path.key("until"));
+        }
+        match self.scene.plane {
+            Plane::Vertical => self.omit("air resistance", "the problem does not mention any"),
+            Plane::Horizontal => self.omit("friction", "the problem does not mention any"),
+        }
+    }
+
+    /// How long a flight lasts.
+    pub(in crate::model) fn flight_time(&mut self, index: usize, stage: &Flight) -> Expr {
+        let meaning = format!("the duration of {}", self.stage_phrase(index));
+        let path = Path::root().key("scene").key("stages").index(index).key("flight").key("during");
+        match &stage.during {
+            Some(term) => self.read_positive(term, Dimension::TIME, &meaning, &path),
+            None => self.positive(format!("dt{}", self.stage_suffix(index)), Dimension::TIME, meaning).into(),
+        }
+    }
+
+    /// Velocity and place of one body at the end.
+    fn free_motion(&mut self, index: usize, body: &str, time: &Expr) {
+        let name = self.called(body);
+        let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
+        let mut weight = Vec::new();
+        for (position, axis) in axes.iter().enumerate() {
+            let [before, after] = [index + 1, index + 2].map(|instant| self.velocity(body, instant, *axis));
+            let [from, to] = [index + 1, index + 2].map(|instant| self.place(body, instant, *axis));
+            let along = if axes.len() > 1 { format!(" along {}", axis.letter()) } else { String::new() };
+            let Some(down) = self.downwards(position) else {
+                let because = format!("nothing acts on {name}{along}");
+                self.law(&crate::laws::momentum::NO_IMPULSE, Some(index), because.clone(), (after, before.clone()));
+                let sides = kinematics::uniform(&from, &before, time, &to);
+                self.law(&kinematics::UNIFORM, Some(index), because, sides);
+                weight.push(Expr::zero());
+                continue;
+            };
+            let because = format!("weight is the only force on {name} in {}", self.stage_phrase(index));
+            let gravity = Expr::integer(down) * self.gravity();
+            let gained = gravity.clone() * time.clone();
+            self.law(
+                &kinematics::FALL_TIME,
+                Some(index),
+                because.clone(),
+                (after.clone(), before.clone() + gained.clone()),
+            );
+            let sides = kinematics::accelerated(&from, &before, &gravity, time, &to);
+            self.law(&kinematics::FLIGHT_PLACE, Some(index), because.clone(), sides);
+            let sides = kinematics::flight_speed(&gravity, [&from, &to], &before, &after);
+            self.law(&kinematics::FLIGHT_SPEED, Some(index), because, sides);
+            weight.push(self.mass(body) * gained);
+        }
+        if self.scene.plane == Plane::Vertical {
+            self.impulses.push(Impulse {
+                stage: index,
+                on: body.to_owned(),
+                by: Agent::Outside,
+                called: "weight".into(),
+                components: weight,
+                impulsive: false,
+            });
+        }
+    }
+
+    /// What is so at the end: the top of the path, or a place.
+    pub(in crate::model) fn end_of_flight(&mut self, index: usize, bodies: &[&str], until: &Term, path: &Path) {
+        let text = until.0.trim();
+        if text == "top" {
+            let upright = (0..self.axes.len()).find(|position| self.downwards(*position).is_some());
+            let axis = upright.and_then(|position| Some(self.axes.get(position)?.0));
+            for (body, axis) in bodies.iter().zip(axis) {
+                let velocity = self.velocity(body, index + 2, axis);
+                let because = format!("at the top of its path {} moves neither up nor down", self.called(body));
+                self.law(&kinematics::TOP, Some(index), because, (velocity, Expr::zero()));
+            }
+            return;
+        }
+        let Some((left, right)) = text.split_once('=') else {
+            let fault = Fault::new(Code::Syntax, format!("`{text}` does not say when a flight ends"));
+            let help = "write `top`, or an equation in the places then, such as `y = 0 m` or `x_A = d`";
+            self.faults.push(fault.help(help).at_path(path.clone()));
+            return;
+        };
+        let [left, right] = [left, right].map(|side| self.places_in(side, index + 2, bodies));
+        let sides = (self.read_any(&left, path), self.read_any(&right, path));
+        self.law(&kinematics::UNTIL, Some(index), format!("{} ends there", self.stage_phrase(index)), sides);
+    }
+
+    /// A text with the names `x`, `y_A` of places replaced by the names that they have at an instant.
+    fn places_in(&mut self, text: &str, instant: usize, bodies: &[&str]) -> String {
+        let is_of_name = |letter: char| letter.is_alphanumeric() || letter == '_';
+        let mut written = String::new();
+        let mut rest = text;
+        while let Some(start) = rest.find(is_of_name) {
+            let end = rest[start..].find(|letter| !is_of_name(letter)).map_or(rest.len(), |length| start + length);
+            let word = &rest[start..end];
+            written.push_str(&rest[..start]);
+            written.push_str(&self.place_name(word, instant, bodies).unwrap_or_else(|| word.to_owned()));
+            rest = &rest[end..];
+        }
+        written + rest
+    }
+
+    fn place_name(&mut self, word: &str, instant: usize, bodies: &[&str]) -> Option<String> {
+        let (letter, body) = word.split_once('_').unwrap_or((word, ""));
+        let axis = self.axes.iter().map(|(axis, _)| *axis).find(|axis| axis.letter() == letter)?;
+        let body = match bodies {
+            [only] if body.is_empty() => only,
+            _ => bodies.iter().find(|own| **own == body)?,
+        };
+        let Expr::Symbol(place) = self.place(body, instant, axis) else { return None };
+        Some(self.symbols.entry(place).name.clone())
+    }
+}

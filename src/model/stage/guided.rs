@@ -1,0 +1,84 @@
+//! Impacts in which a body is guided: a ball and a wedge on rails, a ball and a sphere on a cord.
+
+use crate::expr::Expr;
+use crate::laws::momentum;
+use crate::laws::restitution;
+use crate::model::Agent;
+use crate::model::Builder;
+use crate::model::Impulse;
+use crate::model::Warning;
+use crate::quantity::Dimension;
+use crate::scene::Axis;
+use crate::solve::Relation;
+
+use super::impact::Contact;
+
+impl Builder<'_> {
+    /// Two bodies of which one can move along its guide only: momentum along the guide, restitution along the line of
+    /// impact, nothing across that for the body that is free.
+    pub(super) fn guided_impact(&mut self, contact: &Contact<'_>, first: &str, second: &str) {
+        let index = contact.index;
+        let frame = self.line_of_impact(contact);
+        let (name_a, name_b) = (self.called(first), self.called(second));
+        let because = format!("the impulses that {name_a} and {name_b} give each other cancel");
+        let Some(frame) = frame else {
+            self.momentum_of_all(index, &because, [&[first, second], &[first, second]]);
+            return;
+        };
+        self.frames[index] = Some(frame.clone());
+        let [[a1, b1], [a2, b2]] =
+            [index + 1, index + 2].map(|instant| [first, second].map(|body| self.split(body, instant, index, &frame)));
+        let suffix = self.stage_suffix(index);
+        let meaning = format!("the impulse on {name_b} from {name_a} along the line of impact");
+        let impulse = Expr::from(self.symbol(format!("J_{second}.n{suffix}"), Dimension::MOMENTUM, meaning));
+        for (body, other, own, [start, end]) in
+            [(first, second, -impulse.clone(), [&a1, &a2]), (second, first, impulse.clone(), [&b1, &b2])]
+        {
+            self.impulses.push(Impulse {
+                stage: index,
+                on: body.to_owned(),
+                by: Agent::Body(other.to_owned()),
+                called: format!("the contact with {}", self.called(other)),
+                components: self.resolved(&own, &frame),
+                impulsive: true,
+            });
+            if self.guided(body).is_none() {
+                self.smooth(index, body, start, end);
+                let mass = self.mass(body);
+                let because = format!("the only impulse on {} alone is that of the contact", self.called(body));
+                let sides = momentum::impulse_momentum(&mass, &start.along, &[own], &end.along);
+                self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
+            }
+        }
+        self.momentum_of_all(index, &because, [&[first, second], &[first, second]]);
+        if let Some(e) = self.coefficient(contact) {
+            let because = "restitution acts along the line of impact only, whatever holds the bodies";
+            let sides = restitution::restitution(&e, [&a1.along, &b1.along], [&a2.along, &b2.along]);
+            self.law(&restitution::RESTITUTION, Some(index), because, sides);
+        }
+        let reason = format!("{name_a} would not catch up with {name_b}, so that no impact would happen");
+        self.require(Warning::NoImpact, a1.along, Relation::Greater, b1.along, reason);
+        let reason = format!("{name_a} would pass through {name_b}");
+        self.require(Warning::PassesThrough, b2.along, Relation::AtLeast, a2.along, reason);
+    }
+
+    /// Two bodies that stay together and move along the guide of one of them.
+    pub(super) fn guided_union(&mut self, contact: &Contact<'_>, first: &str, second: &str) {
+        let index = contact.index;
+        let (name_a, name_b) = (self.called(first), self.called(second));
+        let because = format!("the impulses that {name_a} and {name_b} give each other cancel");
+        match &contact.stage.becomes {
+            Some(union) => self.momentum_of_all(index, &because, [&[first, second], &[union]]),
+            None => {
+                self.momentum_of_all(index, &because, [&[first, second], &[first, second]]);
+                let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
+                for axis in axes {
+                    let [a, b] = [first, second].map(|body| self.velocity(body, index + 2, axis));
+                    let because = format!("{name_a} and {name_b} stay together");
+                    self.law(&restitution::PLASTIC, Some(index), because, (b, a));
+                }
+            }
+        }
+        self.omit("the forces between the bodies", "their impulses cancel in pairs within the system");
+    }
+}

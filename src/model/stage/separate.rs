@@ -1,0 +1,179 @@
+//! Bodies that come apart: momentum, the energy released, relative velocities.
+
+use crate::expr::Expr;
+use crate::fault::Path;
+use crate::laws::momentum;
+use crate::laws::separation;
+use crate::model::Agent;
+use crate::model::Builder;
+use crate::model::Impulse;
+use crate::model::Warning;
+use crate::model::frame::Direction;
+use crate::quantity::Dimension;
+use crate::scene::Axis;
+use crate::scene::Plane;
+use crate::scene::stage::Relative;
+use crate::scene::stage::Separate;
+use crate::scene::stage::When;
+use crate::solve::Relation;
+
+impl Builder<'_> {
+    pub(in crate::model) fn separate(&mut self, index: usize, stage: &Separate, path: &Path) {
+        let parts: Vec<&str> = stage.into.iter().map(String::as_str).collect();
+        let before: Vec<&str> = stage.from.as_deref().map_or_else(|| parts.clone(), |whole| vec![whole]);
+        match &stage.from {
+            Some(whole) => self.mass_of_parts(index, whole, &parts),
+            None => self.together(index, &parts),
+        }
+        self.impulses_of_parts(index, stage, &before, &parts, path);
+        let because = "the impulses that the parts give each other cancel";
+        self.momentum_of_all(index, because, [&before, &parts]);
+        if let Some(term) = &stage.energy {
+            let meaning = "the energy that becomes kinetic energy";
+            let released = self.read_positive(term, Dimension::ENERGY, meaning, &path.key("energy"));
+            let [start, end] = [(&before, index + 1), (&parts, index + 2)]
+                .map(|(own, instant)| own.iter().map(|body| self.kinetic_term(body, instant)).collect::<Vec<_>>());
+            let because = "the energy released becomes kinetic energy of the parts";
+            self.law(&separation::ENERGY, Some(index), because, separation::energy(&released, &start, &end));
+            self.in_order_along_the_axis(index, &parts);
+        }
+        if let Some(relative) = &stage.relative {
+            self.relative_velocity(index, relative, &before, &path.key("relative"));
+        }
+        let phrase = self.stage_phrase(index);
+        if self.scene.plane == Plane::Vertical {
+            self.omit(
+                format!("weight during {phrase}"),
+                "it is not impulsive: its impulse in so short a time is negligible",
+            );
+        } else {
+            self.omit(
+                "weight and whatever supports the bodies",
+                "they act across the motion, and nothing impulsive presses on the support",
+            );
+        }
+        self.omit(
+            "the forces between the parts",
+            "their impulses cancel in pairs, however long and however unevenly they act",
+        );
+    }
+
+    /// That the masses of the parts add up, where the whole has a mass of its own.
+    fn mass_of_parts(&mut self, index: usize, whole: &str, parts: &[&str]) {
+        let (mass, sum) = (self.mass(whole), parts.iter().map(|part| self.mass(part)).collect::<Vec<_>>());
+        let sum = Expr::sum(sum);
+        if mass != sum {
+            let because = format!("{} comes apart into them", self.called(whole));
+            self.law(&separation::MASS, Some(index), because, (sum, mass));
+        }
+    }
+
+    /// That bodies which part had one velocity before.
+    fn together(&mut self, index: usize, parts: &[&str]) {
+        let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
+        for (axis, pair) in axes.iter().flat_map(|axis| parts.windows(2).map(move |pair| (axis, pair))) {
+            let [first, second] = [0, 1].map(|own| self.velocity(pair[own], index + 1, *axis));
+            let [one, other] = [0, 1].map(|own| self.called(pair[own]));
+            let because = format!("{one} and {other} move together at first");
+            self.law(&separation::TOGETHER, Some(index), because, (second, first));
+        }
+    }
+
+    /// Named from back to front, parts that are driven apart do not pass through each other.
+    fn in_order_along_the_axis(&mut self, index: usize, parts: &[&str]) {
+        let [(axis, _)] = self.axes[..] else { return };
+        for pair in parts.windows(2) {
+            let [behind, ahead] = [0, 1].map(|own| self.velocity(pair[own], index + 2, axis));
+            let [name, other] = [0, 1].map(|own| self.called(pair[own]));
+            let reason = format!("{name} would pass through {other}");
+            self.require(Warning::PassesThrough, ahead, Relation::AtLeast, behind, reason);
+        }
+    }
+
+    /// `v_A - v_B = u` along every axis.
+    fn relative_velocity(&mut self, index: usize, relative: &Relative, before: &[&str], path: &Path) {
+        let (of, to) = (relative.of.as_str(), relative.to.as_str());
+        let [name, other] = [of, to].map(|body| self.called(body));
+        let meaning = format!("the velocity of {name} relative to {other}");
+        let size = self.read(&relative.velocity, Dimension::VELOCITY, &meaning, &path.key("velocity"));
+        let direction = match &relative.direction {
+            Some(term) => self.direction(term, &path.key("direction")),
+            None => Direction::axis(usize::from(self.axes.first().is_some_and(|(axis, _)| *axis == Axis::Y)), false),
+        };
+        // Before, the other part moves with the whole.
+        let (seen_from, instant, when) = match relative.when {
+            When::After => (to, index + 2, "after"),
+            When::Before if before.contains(&to) => (to, index + 1, "before"),
+            When::Before => (before[0], index + 1, "before"),
+        };
+        let phrase = self.stage_phrase(index);
+        let because = format!("the velocity of {name} is told relative to the one that {other} has {when} {phrase}");
+        let parts = self.components(&direction);
+        let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
+        for (axis, part) in axes.iter().zip(parts) {
+            let own = self.velocity(of, index + 2, *axis);
+            let other = self.velocity(seen_from, instant, *axis);
+            let value = if part.is_zero() { part } else { size.clone() * part };
+            self.law(&separation::RELATIVE, Some(index), because.clone(), separation::relative(&own, &other, &value));
+        }
+    }
+
+    /// The impulse on each part, for whoever asks for it, and for the diagram.
+    fn impulses_of_parts(&mut self, index: usize, stage: &Separate, before: &[&str], parts: &[&str], path: &Path) {
+        let suffix = self.stage_suffix(index);
+        let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
+        let mut all: Vec<Vec<Expr>> = Vec::new();
+        for part in parts {
+            let name = self.called(part);
+            let whole = if before.contains(part) { part } else { before[0] };
+            let (mass, held) = (self.mass(part), self.guided(part).is_some());
+            let mut components = Vec::new();
+            for axis in &axes {
+                let (letter, along) = match axes.len() {
+                    1 => (String::new(), String::new()),
+                    _ => (format!(".{}", axis.letter()), format!(" along {}", axis.letter())),
+                };
+                let meaning = format!("the impulse on {name} in {}{along}", self.stage_phrase(index));
+                let impulse =
+                    Expr::from(self.symbol(format!("J_{part}{letter}{suffix}"), Dimension::MOMENTUM, meaning));
+                let [start, end] =
+                    [(whole, index + 1), (part, index + 2)].map(|(own, at)| self.velocity(own, at, *axis));
+                // On a part that is guided, its guide acts, too.
+                if !held {
+                    let because = format!("what drives {name} off gives it its change of momentum{along}");
+                    let sides = momentum::impulse_momentum(&mass, &start, std::slice::from_ref(&impulse), &end);
+                    self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
+                }
+                if axes.len() == 1 {
+                    self.mean_force(index, part, &impulse, stage.duration.as_ref(), path);
+                }
+                components.push(impulse);
+            }
+            if axes.len() > 1 {
+                self.resultant(index, part, &components, &format!("the impulse on {name}"));
+            }
+            all.push(components);
+        }
+        if let [on_first, on_second] = &all[..] {
+            for (first, second) in on_first.iter().zip(on_second) {
+                let sides = (second.clone(), -first.clone());
+                self.law(&momentum::THIRD_LAW, Some(index), "they are action and reaction", sides);
+            }
+        }
+        for (position, components) in all.into_iter().enumerate() {
+            let other = parts[(position + 1) % parts.len()];
+            let called = match parts.len() {
+                2 => self.called(other),
+                _ => "the other parts".into(),
+            };
+            self.impulses.push(Impulse {
+                stage: index,
+                on: parts[position].to_owned(),
+                by: Agent::Body(other.to_owned()),
+                called,
+                components,
+                impulsive: true,
+            });
+        }
+    }
+}

@@ -1,0 +1,92 @@
+//! Impacts of a body and a surface that does not give way.
+
+use crate::expr::Expr;
+use crate::fault::Path;
+use crate::laws::momentum;
+use crate::laws::restitution;
+use crate::model::Agent;
+use crate::model::Builder;
+use crate::model::Impulse;
+use crate::model::Warning;
+use crate::model::frame::Frame;
+use crate::quantity::Dimension;
+use crate::solve::Relation;
+
+use super::impact::Contact;
+
+impl Builder<'_> {
+    pub(super) fn surface_impact(&mut self, contact: &Contact<'_>, body: &str, surface: &str) {
+        let (index, stage) = (contact.index, contact.stage);
+        let Some(entry) = self.scene.surfaces.get(surface) else { return };
+        let at = Path::root().key("scene").key("surfaces").key(surface);
+        let normal = self.direction(&entry.normal, &at.key("normal"));
+        let frame = Frame { normal };
+        self.frames[index] = Some(frame.clone());
+        let name = self.called(body);
+        let wall = entry.name.clone().unwrap_or_else(|| format!("the {surface}"));
+        let moves = match &entry.velocity {
+            Some(term) => self.read(
+                term,
+                Dimension::VELOCITY,
+                &format!("the velocity of {wall} along its normal"),
+                &at.key("velocity"),
+            ),
+            None => Expr::zero(),
+        };
+        let start = self.split(body, index + 1, index, &frame);
+        let end = self.split(body, index + 2, index, &frame);
+        let mass = self.mass(body);
+        if let Some(e) = self.coefficient(contact) {
+            let because = match start.across {
+                Some(_) => format!("{wall} does not give way, and restitution acts along its normal only"),
+                None => format!("{wall} does not give way"),
+            };
+            let sides = restitution::at_surface(&e, &moves, &start.along, &end.along);
+            self.law(&restitution::RESTITUTION_SURFACE, Some(index), because, sides);
+        }
+        if stage.plastic {
+            let because = format!("{name} does not rebound from {wall}");
+            self.law(&restitution::PLASTIC, Some(index), because, (end.along.clone(), moves.clone()));
+        }
+        if let (Some(from), Some(to)) = (&start.across, &end.across) {
+            let because = format!("{wall} is smooth and gives {name} no impulse along it");
+            self.law(&momentum::NO_IMPULSE, Some(index), because, (to.clone(), from.clone()));
+            self.omit(format!("friction with {wall}"), format!("{wall} is smooth"));
+        }
+        let suffix = self.stage_suffix(index);
+        let meaning = format!("the impulse on {name} from {wall}");
+        let impulse = Expr::from(self.symbol(format!("J_{body}{suffix}"), Dimension::MOMENTUM, meaning));
+        let because = format!("along the normal, the only impulse on {name} is that of {wall}");
+        let [from, to] = [(index + 1, &start), (index + 2, &end)].map(|(at, split)| self.changed(body, at, split));
+        let sides = momentum::impulse_momentum(&mass, &from, std::slice::from_ref(&impulse), &to);
+        self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
+        self.mean_force(index, body, &impulse, stage.duration.as_ref(), contact.path);
+        let components = self.resolved(&impulse, &frame);
+        self.impulses.push(Impulse {
+            stage: index,
+            on: body.to_owned(),
+            by: Agent::Surface(surface.to_owned()),
+            called: wall.clone(),
+            components,
+            impulsive: true,
+        });
+        self.require(
+            Warning::NoImpact,
+            start.along,
+            Relation::Less,
+            moves.clone(),
+            format!("{name} would not reach {wall}"),
+        );
+        self.require(
+            Warning::PassesThrough,
+            end.along,
+            Relation::AtLeast,
+            moves,
+            format!("{name} would pass through {wall}"),
+        );
+        self.omit(
+            format!("the momentum of {wall}"),
+            format!("{wall} is held from outside, and the momentum of both together is not conserved"),
+        );
+    }
+}

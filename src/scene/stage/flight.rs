@@ -1,0 +1,35 @@
+//! Free flight of one body or several.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::scene::Term;
+
+/// Bodies move freely: under their weight in a vertical plane, uniformly in a horizontal one. A body that a flight does not
+/// name has a clock of its own, which stands still meanwhile.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Flight {
+    /// A name for the stage, used in brackets: `dt[rise]`.
+    #[serde(default)]
+    pub name: Option<String>,
+    /// The one body that flies.
+    #[serde(default)]
+    pub body: Option<String>,
+    /// Several bodies that fly at the same time.
+    #[serde(default)]
+    pub bodies: Vec<String>,
+    /// When it ends: `top`, or an equation in the places then, `y = 0 m`, `x = d`, `y_A = y_B`.
+    #[serde(default)]
+    pub until: Option<Term>,
+    /// How long it lasts.
+    #[serde(default)]
+    pub during: Option<Term>,
+}
+
+impl Flight {
+    /// Who flies.
+    pub fn flying(&self) -> impl Iterator<Item = &str> {
+        self.body.iter().chain(&self.bodies).map(String::as_str)
+    }
+}

@@ -1,0 +1,62 @@
+//! A body that comes apart: an explosion, a recoil, a jump, a shot.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::scene::Term;
+
+/// A body comes apart, or bodies that moved together part: an explosion, a recoil, a jump, a shot, a spring that is let go.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Separate {
+    /// A name for the stage, used in brackets: `J_A[jump]`.
+    #[serde(default)]
+    pub name: Option<String>,
+    /// What it is called, without an article: `jump`, `shot`, `burst`. Default: `separation`.
+    #[serde(default)]
+    pub called: Option<String>,
+    /// The short name of the whole before: a body of the scene, or a name of its own, whose mass is the sum of the parts.
+    /// Left out: the parts are bodies before, too, and have one velocity.
+    #[serde(default)]
+    pub from: Option<String>,
+    /// The parts, two or more; in one dimension with `energy`, in the order in which they lie along the axis.
+    pub into: Vec<String>,
+    /// The energy that becomes kinetic energy of the parts: `E`, `5 kJ`, `0.6*E_0`.
+    #[serde(default)]
+    pub energy: Option<Term>,
+    /// The velocity of one part relative to another.
+    #[serde(default)]
+    pub relative: Option<Relative>,
+    /// How long it takes, where the mean force is spoken of.
+    #[serde(default)]
+    pub duration: Option<Term>,
+}
+
+/// The velocity of one part relative to another: that of the first less that of the second.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Relative {
+    /// The part that moves off: `the person`.
+    pub of: String,
+    /// The part from which its velocity is seen: `the boat`.
+    pub to: String,
+    /// The relative velocity along `direction`: a name, a value or an expression.
+    pub velocity: Term,
+    /// Where it points: `to the left`, `30 deg above +x`. Default: along the first axis.
+    #[serde(default)]
+    pub direction: Option<Term>,
+    /// Whether it is relative to the velocity that the other part has `after` the separation, or had `before`. Default: after.
+    #[serde(default)]
+    pub when: When,
+}
+
+/// One of the two ends of a stage.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum When {
+    /// At the start.
+    Before,
+    /// At the end.
+    #[default]
+    After,
+}

@@ -1,0 +1,143 @@
+//! `momentous grade` on files of submissions: every kind of input gives the same marks, and every report says the same.
+
+#![allow(clippy::unwrap_used, reason = "a test says bluntly what it expects")]
+
+use std::fs;
+use std::path::Path;
+
+use assert_cmd::Command;
+use serde_json::Value;
+use tempfile::{TempDir, tempdir};
+
+/// The collision of the first problem, seed 1: -0.5 m/s, 4 m/s, 33.75 J.
+const TABLE: &str = "\
+student,problem,seed,form,attempt,v_A2,v_B2,T_lost
+s1,impact/two-carts,1,forward,1,-0.5 m/s,4 m/s,33.8 J
+s2,impact/two-carts,1,forward,1,0.5 m/s,4,
+s3,impact/two-carts,one,forward,1,-0.5 m/s,,
+s4,impact/two-carts,1,forward,1,-0.5 m/s,4 m/s,3 apples
+";
+
+fn momentous(folder: &Path, arguments: &str) -> (i32, String, String) {
+    let mut command = Command::cargo_bin("momentous").unwrap();
+    let output = command.current_dir(folder).args(arguments.split(' ')).output().unwrap();
+    let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
+    (output.status.code().unwrap(), text(&output.stdout), text(&output.stderr))
+}
+
+fn folder() -> TempDir {
+    let folder = tempdir().unwrap();
+    fs::write(folder.path().join("class.csv"), TABLE).unwrap();
+    folder
+}
+
+/// The marks without the line, which says where each kind of input has the submission.
+fn rows(folder: &Path, name: &str) -> Vec<Vec<String>> {
+    let mut table = csv::Reader::from_path(folder.join(name)).unwrap();
+    table.records().map(|row| row.unwrap().iter().skip(1).map(str::to_owned).collect()).collect()
+}
+
+#[test]
+fn a_table_json_lines_and_a_folder_get_the_same_marks() {
+    let folder = folder();
+    let mut lines = String::new();
+    fs::create_dir(folder.path().join("handed-in")).unwrap();
+    for row in csv::Reader::from_reader(TABLE.as_bytes()).records() {
+        let row = row.unwrap();
+        let answers = [("v_A2", &row[5]), ("v_B2", &row[6]), ("T_lost", &row[7])];
+        let answers: Value = answers.into_iter().map(|(part, text)| (part.to_owned(), Value::from(text))).collect();
+        let seed = row[2].parse::<u64>().map_or_else(|_| Value::from(&row[2]), Value::from);
+        let object = serde_json::json!({
+            "student": row[0], "problem": row[1], "seed": seed, "form": row[3], "attempt": 1, "answers": answers
+        });
+        lines.extend([object.to_string(), "\n".to_owned()]);
+        let yaml = serde_yaml::to_string(&object).unwrap();
+        fs::write(folder.path().join(format!("handed-in/{}.yaml", &row[0])), yaml).unwrap();
+    }
+    fs::write(folder.path().join("class.jsonl"), lines).unwrap();
+    for (source, place) in [("class.csv", "class.csv:4"), ("class.jsonl", "class.jsonl:3"), ("handed-in", "s3.yaml")] {
+        let (code, _, errors) = momentous(folder.path(), &format!("grade {source} -o {source}.out.csv"));
+        assert_eq!(code, 2, "{errors}");
+        assert!(errors.contains(place) && errors.contains("`one` is no seed"), "{errors}");
+    }
+    let marks = rows(folder.path(), "class.csv.out.csv");
+    assert_eq!(marks.len(), 9);
+    assert_eq!(rows(folder.path(), "class.jsonl.out.csv"), marks);
+    assert_eq!(rows(folder.path(), "handed-in.out.csv"), marks);
+    let verdicts: Vec<&str> = marks.iter().map(|row| row[8].as_str()).collect();
+    let expected = ["right", "right", "right", "sense", "unit_missing", "unanswered", "right", "right", "unreadable"];
+    assert_eq!(verdicts, expected);
+}
+
+#[test]
+fn marks_as_json_lines_have_the_columns_of_the_table() {
+    let folder = folder();
+    momentous(folder.path(), "grade class.csv -o marks.csv");
+    momentous(folder.path(), "grade class.csv -o marks.jsonl");
+    let (_, printed, _) = momentous(folder.path(), "grade class.csv --marks json");
+    assert_eq!(fs::read_to_string(folder.path().join("marks.jsonl")).unwrap(), printed);
+    let mut table = csv::Reader::from_path(folder.path().join("marks.csv")).unwrap();
+    let headings = table.headers().unwrap().clone();
+    for (row, line) in table.records().zip(printed.lines()) {
+        let (row, line) = (row.unwrap(), serde_json::from_str::<Value>(line).unwrap());
+        assert_eq!(line.as_object().unwrap().len(), headings.len());
+        for (heading, cell) in headings.iter().zip(&row) {
+            let value = match &line[heading] {
+                Value::String(text) => text.clone(),
+                Value::Null => String::new(),
+                other => other.to_string(),
+            };
+            assert_eq!(value, cell, "{heading}");
+        }
+    }
+}
+
+#[test]
+fn a_changed_mark_is_listed() {
+    let folder = folder();
+    momentous(folder.path(), "grade class.csv -o marks.csv");
+    let (_, same, _) = momentous(folder.path(), "grade class.csv -o again.csv --changes marks.csv");
+    assert_eq!(same, "0 of 9 marks moved\n");
+    let marks = fs::read_to_string(folder.path().join("marks.csv")).unwrap();
+    let old = marks.replacen("v_A2,1,2,sense", "v_A2,0,2,wrong", 1);
+    assert_ne!(old, marks);
+    fs::write(folder.path().join("old.csv"), old).unwrap();
+    let (_, moved, _) = momentous(folder.path(), "grade class.csv -o again.csv --changes old.csv");
+    let line = "line 3: s2, impact/two-carts `v_A2`: 0/2 [wrong] -> 1/2 [sense]\n";
+    assert_eq!(moved, format!("{line}1 of 9 marks moved\n"));
+}
+
+#[test]
+fn marks_of_other_submissions_are_refused() {
+    let folder = folder();
+    momentous(folder.path(), "grade class.csv -o marks.csv");
+    let other = TABLE.replace("s2,", "s9,");
+    fs::write(folder.path().join("other.csv"), other).unwrap();
+    let (code, _, errors) = momentous(folder.path(), "grade other.csv -o new.csv --changes marks.csv");
+    assert_eq!(code, 2);
+    assert!(errors.contains("marks.csv is not of these submissions: at line 5"), "{errors}");
+    assert!(!folder.path().join("new.csv").exists(), "the output appears whole or not at all");
+}
+
+#[test]
+fn the_junit_report_has_a_case_for_each_answer() {
+    let folder = folder();
+    momentous(folder.path(), "grade class.csv -o marks.csv --junit junit.xml");
+    let report = fs::read_to_string(folder.path().join("junit.xml")).unwrap();
+    let report = quick_junit::Report::deserialize_from_str(&report).unwrap();
+    assert_eq!((report.tests, report.failures, report.errors), (10, 3, 2));
+}
+
+#[test]
+fn the_summary_counts_what_was_found() {
+    let folder = folder();
+    momentous(folder.path(), "grade class.csv -o marks.csv --summary class");
+    let summary = fs::read_to_string(folder.path().join("class.json")).unwrap();
+    let summary: Value = serde_json::from_str(&summary).unwrap();
+    assert_eq!((&summary["answers"], &summary["students"]), (&Value::from(9), &Value::from(3)));
+    let item = summary["items"].as_array().unwrap().iter().find(|item| item["part"] == "v_A2").unwrap();
+    assert_eq!(item["verdicts"][0]["count"], 2);
+    assert!((item["facility"].as_f64().unwrap() - 5.0 / 6.0).abs() < 1e-12);
+    let page = fs::read_to_string(folder.path().join("class.html")).unwrap();
+    assert!(page.contains("<code>T_lost</code>") && !page.contains("<script"));
+}
