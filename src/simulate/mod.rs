@@ -11,9 +11,12 @@ mod gap;
 mod method;
 mod methods;
 mod newton;
+mod point_impact;
 mod refusal;
 mod simultaneous;
 pub mod stability;
+mod sweep;
+mod task;
 mod trajectory;
 mod world;
 
@@ -27,6 +30,9 @@ pub use methods::{
     SymplecticEuler, damping_ratio,
 };
 pub use newton::direct_impact;
+pub use point_impact::{PointImpact, PointOutcome, RestitutionLaw};
 pub use refusal::Refusal;
+pub use sweep::{JITTERED_SCENES, Point, sweep};
+pub use task::{Case, IN_THE_PLANE, ON_A_LINE, Task};
 pub use trajectory::{Ending, Impact, Motion, Segment, Trajectory};
 pub use world::{Anchor, Body, Cord, State, Together, Vector, Wall, World};

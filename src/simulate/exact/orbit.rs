@@ -108,7 +108,7 @@ mod tests {
     /// The reference is Barker's equation for the parabola, and 40 digits for its neighbour.
     #[test]
     fn a_parabola_and_its_neighbour_keep_their_digits() {
-        for (e, expected) in [(1.0, 2.080_859_460_392_876_4), (1.0 - 1e-10, 2.080_859_460_306_793_7)] {
+        for (e, expected) in [(1.0, 2.080_859_460_392_876_4), (1.0 - 1e-10, 2.080_859_460_306_794)] {
             let orbit = Orbit {
                 centre: Vector::zeros(),
                 parameter: 1.0,
