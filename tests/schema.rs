@@ -22,6 +22,9 @@ const BEYOND_A_SCHEMA: &[&str] = &[
     "instants_too_many",
     "union_with_a_digit",
     "empty_ask",
+    "holds_",
+    "order_twice",
+    "order_of_unlike",
     "yes_for_text",
     "yes_for_a_value",
 ];

@@ -30,8 +30,9 @@ impl Exercise {
     #[must_use]
     pub fn expected(&self, part: &Part) -> grade::Expected {
         let kind = match &part.kind {
-            PartKind::Choice { options, right, because } => {
-                grade::ExpectedKind::Choice { options: options.clone(), right: *right, because: because.clone() }
+            PartKind::Choice(choice) => {
+                let problem::Decision { options, right, because } = choice.decided(&self.worked());
+                grade::ExpectedKind::Choice { options, right, because }
             }
             PartKind::Number(number) => grade::ExpectedKind::Number(self.expected_number(part, number)),
         };

@@ -12,7 +12,6 @@ use crate::laws::mass_centre;
 use crate::laws::momentum;
 use crate::laws::restitution;
 use crate::model::Warning;
-use crate::problem::PartKind;
 use crate::solve::Equation;
 use crate::solve::Statement;
 
@@ -46,7 +45,7 @@ const BALANCES: &[(&str, &str)] = &[
 
 /// The checks of a variant; none for a form that only asks for concepts.
 pub(super) fn checks(display: Display<'_>) -> Vec<Block> {
-    if !display.worked.form.parts.iter().any(|part| matches!(part.kind, PartKind::Number(_))) {
+    if display.worked.form.wanted().next().is_none() {
         return Vec::new();
     }
     let mut blocks = Vec::new();

@@ -125,7 +125,8 @@ impl<'s> Checker<'s> {
         if let (Some(least), Some(greatest)) = (bound("minItems"), bound("maxItems"))
             && !(least..=greatest).contains(&items.len())
         {
-            let message = format!("{what} must have exactly {least} items, not {}", items.len());
+            let wanted = if least == greatest { format!("exactly {least}") } else { format!("{least} to {greatest}") };
+            let message = format!("{what} must have {wanted} items, not {}", items.len());
             self.fault(Fault::new(Code::Value, message), path);
             return None;
         }

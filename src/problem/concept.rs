@@ -15,6 +15,8 @@ use super::ask::Classify;
 use super::ask::Conservable;
 use super::ask::Conserved;
 use super::ask::Impulsive;
+use super::decision::ChoicePart;
+use super::decision::Decision;
 use super::given::Given;
 use super::load::Loaded;
 use super::part::PartKind;
@@ -62,7 +64,7 @@ pub(super) fn conserved(loaded: &Loaded, ask: &Conserved, builder: &mut Builder<
 type Verdict = (bool, String);
 
 fn yes_or_no((holds, because): Verdict) -> PartKind {
-    PartKind::Choice { options: vec!["yes".into(), "no".into()], right: usize::from(!holds), because }
+    PartKind::Choice(ChoicePart::Settled(Decision::yes_or_no(holds, because)))
 }
 
 fn momentum(ask: &Conserved, builder: &mut Builder<'_>, stage: usize, path: &Path) -> Option<Verdict> {
@@ -158,7 +160,8 @@ pub(super) fn classify(loaded: &Loaded, ask: &Classify, builder: &mut Builder<'_
     };
     let label = format!("Of which kind is {}?", builder.phrase_of(index));
     let options = KINDS.map(str::to_owned).to_vec();
-    Some((label, PartKind::Choice { options, right, because: because.into() }))
+    let decision = Decision { options, right, because: because.into() };
+    Some((label, PartKind::Choice(ChoicePart::Settled(decision))))
 }
 
 /// Forces that never have time to act in a short impact, whatever the scene.

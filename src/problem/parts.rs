@@ -18,6 +18,7 @@ use super::ask::Ask;
 use super::ask::Count;
 use super::ask::Find;
 use super::ask::Turn;
+use super::comparing;
 use super::comparison::split_relation;
 use super::concept;
 use super::form::Question;
@@ -51,6 +52,8 @@ pub(super) fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'
             Ask::Conserved(ask) => concept::conserved(loaded, ask, builder, &path).map(|kind| (letter, kind.0, kind.1)),
             Ask::Classify(ask) => concept::classify(loaded, ask, builder, &path).map(|kind| (letter, kind.0, kind.1)),
             Ask::Impulsive(ask) => concept::impulsive(loaded, ask, builder, &path).map(|kind| (letter, kind.0, kind.1)),
+            Ask::Holds(ask) => comparing::holds(loaded, ask, builder, &path).map(|kind| (letter, kind.0, kind.1)),
+            Ask::Order(ask) => comparing::order(ask, builder, &path).map(|kind| (letter, kind.0, kind.1)),
         };
         let Some((id, label, kind)) = part else { continue };
         if read.parts.iter().any(|part| part.id == id) {
@@ -58,9 +61,7 @@ pub(super) fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'
             builder.fault(fault.help("ask it once: an answer is found by its name").at_path(path));
             continue;
         }
-        if let PartKind::Number(number) = &kind {
-            read.wanted.push(number.symbol);
-        }
+        read.wanted.extend(kind.wanted());
         let (points, own_label) = points_and_label(ask);
         let points = points.or(loaded.draft.points).unwrap_or(1);
         read.parts.push(Part { id, label: own_label.unwrap_or(label), points, kind });
@@ -75,6 +76,8 @@ fn points_and_label(ask: &Ask) -> (Option<u32>, Option<String>) {
         Ask::Conserved(ask) => (ask.points, ask.label.clone()),
         Ask::Classify(ask) => (ask.points, ask.label.clone()),
         Ask::Impulsive(ask) => (ask.points, ask.label.clone()),
+        Ask::Holds(ask) => (ask.points, ask.label.clone()),
+        Ask::Order(ask) => (ask.points, ask.label.clone()),
     }
 }
 
@@ -130,7 +133,8 @@ fn number(loaded: &Loaded, find: &Find, builder: &mut Builder<'_>, path: &Path) 
 
 /// A direction is asked from a stated axis and in a stated sense; the symbol that is counted so, and the words for it.
 fn reference(find: &Find, symbol: Symbol, builder: &mut Builder<'_>, path: &Path) -> Option<(Symbol, String)> {
-    let is_direction = builder.symbols().entry(symbol).name.starts_with("angle_");
+    // Along one axis there are no directions to count: an angle is one between a cord and the vertical.
+    let is_direction = builder.symbols().entry(symbol).name.starts_with("angle_") && builder.axis_letters().len() > 1;
     let (Some(from), Some(sense)) = (&find.from, find.sense) else {
         if is_direction {
             let message = format!("it is not said from which axis and in which sense `{}` is counted", find.find);

@@ -15,7 +15,6 @@ use super::known::Known;
 use super::load::Loaded;
 use super::mistakes::Mistakes;
 use super::part::Part;
-use super::part::PartKind;
 use super::regimes::Regimes;
 use super::stream::Streams;
 
@@ -67,10 +66,7 @@ pub struct Reveal {
 impl Form {
     /// The quantities that are asked.
     pub fn wanted(&self) -> impl Iterator<Item = Symbol> {
-        self.parts.iter().filter_map(|part| match &part.kind {
-            PartKind::Number(number) => Some(number.symbol),
-            PartKind::Choice { .. } => None,
-        })
+        self.parts.iter().flat_map(|part| part.kind.wanted())
     }
 
     /// What the answer plans use of what is told.
