@@ -241,9 +241,16 @@ fn stage(name: Option<&str>, builder: &mut Builder<'_>, path: &Path) -> Option<u
         None => (builder.scene().stages.len() == 1).then_some(0),
     };
     if found.is_none() {
-        let message =
-            name.map_or("it is not said which stage is meant".into(), |name| format!("there is no stage `{name}`"));
-        let help = "give the stage a `name` and write it here: `stage: hit`";
+        let message = match name {
+            _ if builder.scene().stages.is_empty() => "nothing happens in this scene: it has no stage".to_owned(),
+            None => "it is not said which stage is meant".to_owned(),
+            Some(name) => format!("there is no stage `{name}`"),
+        };
+        let help = if builder.scene().stages.is_empty() {
+            "say under `stages` what happens, as `- impact: { between: [A, B], restitution: e }`"
+        } else {
+            "give the stage a `name` and write it here: `stage: hit`"
+        };
         builder.fault(Fault::new(Code::UnknownName, message).help(help).at_path(path.key("stage")));
     }
     found
