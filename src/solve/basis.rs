@@ -28,7 +28,9 @@ impl Basis {
         }
         let largest = rest.iter().copied().enumerate().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
         let Some((pivot, largest)) = largest.filter(|(_, entry)| entry.abs() > NEGLIGIBLE) else { return false };
-        rest.iter_mut().for_each(|entry| *entry /= largest);
+        for entry in &mut rest {
+            *entry /= largest;
+        }
         for row in self.entries.chunks_exact_mut(width) {
             subtract(row, &rest, pivot);
         }
