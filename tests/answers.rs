@@ -5,8 +5,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use momentous::grade::{DecimalMark, ExpectedKind, ExpectedNumber, Tolerance, read};
-use momentous::quantity::{Decimal, Dimension, Printed, Unit, UnitSystem, coherent_unit};
+use momentous::grade::{DecimalMark, ExpectedKind, ExpectedNumber, read};
+use momentous::quantity::{Dimension, Printed, Unit, UnitSystem, coherent_unit};
 use proptest::prelude::*;
 
 fn fixture(name: &str) -> PathBuf {
@@ -15,20 +15,8 @@ fn fixture(name: &str) -> PathBuf {
 
 fn number(unit: &str, senses: &str) -> ExpectedKind {
     let senses = senses.split_once(" | ").map(|(plus, minus)| [plus.to_owned(), minus.to_owned()]);
-    ExpectedKind::Number(ExpectedNumber {
-        value: 1.0,
-        error: 0.0,
-        exact: None,
-        unit: Unit::parse(unit).unwrap_or_else(|fault| panic!("{unit}: {fault}")),
-        tolerance: Tolerance::Relative(Decimal::from_scaled(1, 2)),
-        figures: 3,
-        allowance: 0.0,
-        scale: 1.0,
-        cyclic: false,
-        senses,
-        magnitude: false,
-        whole: false,
-    })
+    let unit = Unit::parse(unit).unwrap_or_else(|fault| panic!("{unit}: {fault}"));
+    ExpectedKind::Number(ExpectedNumber { senses, ..ExpectedNumber::new(1.0, unit) })
 }
 
 fn mark(name: &str) -> DecimalMark {

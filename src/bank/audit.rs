@@ -18,6 +18,7 @@ use super::repeat;
 use super::report::Audit;
 use super::report::FormAudit;
 use super::sample::Samples;
+use super::wrong_forms;
 
 /// Below this share of draws that are not rejected, the author is told.
 const LOW_ACCEPTANCE: f64 = 0.05;
@@ -63,7 +64,7 @@ fn form_audit(problem: &Arc<Problem>, position: usize, seeds: u64, idle: &Outcom
         Promise::Sharp => repeat::sharp(problem, position, seeds),
         Promise::Requires => idle.clone(),
         Promise::Simulation => Outcome::NotChecked("this version has no simulation"),
-        Promise::WrongForms => Outcome::NotChecked("this version does not know the wrong forms of laws"),
+        Promise::WrongForms => wrong_forms::told_apart(problem, position, seeds),
         Promise::Rounding => Outcome::NotChecked("this version does not round as a student does"),
     };
     Ok(FormAudit {

@@ -3,14 +3,17 @@
 mod answers;
 mod audit;
 mod collection;
+mod diagnosis;
 mod entry;
 mod promise;
 mod repeat;
 mod report;
 mod sample;
+mod wrong_forms;
 
 pub use audit::audit;
 pub use collection::{Bank, FOLDER, files_under};
+pub use diagnosis::{Diagnosed, Tally, diagnosed};
 pub use entry::Card;
 pub use promise::{Finding, Outcome, Promise};
 pub use report::{AnswerSpread, Audit, FormAudit};

@@ -2,6 +2,7 @@
 
 mod check;
 mod completions;
+mod diagnose;
 mod exit;
 mod failure;
 mod format;
@@ -57,6 +58,7 @@ Exit codes:
 enum Command {
     List(list::List),
     Check(check::Check),
+    Diagnose(diagnose::Diagnose),
     Generate(generate::Generate),
     Solve(solve::Solve),
     Grade(grade::Grade),
@@ -94,6 +96,7 @@ impl Command {
         match self {
             Self::List(list) => list.run(),
             Self::Check(check) => check.run(),
+            Self::Diagnose(diagnose) => diagnose.run(),
             Self::Generate(generate) => generate.run(),
             Self::Solve(solve) => solve.run(),
             Self::Grade(grade) => grade.run(),

@@ -16,6 +16,15 @@ use super::ROOTS_JOINED;
 /// Beginnings of names of signed components, whose direction a student may give in words.
 const SIGNED: [&str; 4] = ["v_", "p_", "J_", "F_avg_"];
 
+/// What marking says more of, besides the verdicts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Sitting {
+    /// How many further hints the student has asked for on wrong answers.
+    pub hints: usize,
+    /// Whether no attempts are left: what follows from the student's own answers is then shown.
+    pub closed: bool,
+}
+
 impl Exercise {
     /// What a right answer to a part is.
     #[must_use]
@@ -52,12 +61,25 @@ impl Exercise {
             magnitude: senses.is_none() && answer.value >= 0.0,
             senses: senses.map(|senses| [senses.positive, senses.negative]),
             whole: number.whole,
+            ..grade::ExpectedNumber::new(answer.value, number.plain_unit())
         }
     }
 
-    /// Marks answers to this variant, by part.
+    /// Marks answers to this variant, by part. Of wrong answers it says what they follow from, or which usual mistake leads
+    /// to them.
     #[must_use]
     pub fn grade(&self, answers: &BTreeMap<String, String>, mark: grade::DecimalMark) -> grade::Report {
+        self.mark(answers, mark, Sitting::default())
+    }
+
+    /// The same for a student who has asked for hints, or who has no attempts left.
+    #[must_use]
+    pub fn mark(
+        &self,
+        answers: &BTreeMap<String, String>,
+        mark: grade::DecimalMark,
+        sitting: Sitting,
+    ) -> grade::Report {
         let mut expected = Vec::new();
         let mut answers = answers.clone();
         for part in &self.worked().form.parts {
@@ -68,7 +90,13 @@ impl Exercise {
             }
             expected.extend(roots);
         }
-        grade::grade(&expected, &answers, mark, &grade::Rubric::default())
+        let rubric = grade::Rubric::default();
+        let mut report = grade::grade(&expected, &answers, mark, &rubric);
+        if !report.is_right() {
+            self.follow_through(&mut report, &answers, mark, &rubric, sitting.closed);
+            self.diagnose(&mut report, &answers, mark, sitting.hints);
+        }
+        report
     }
 
     /// An answer in terms of a quantity is read as the number before it: `0.75 v_A1` as 0.75.

@@ -1,8 +1,11 @@
 //! The whole path of a problem as one type: a variant is drawn and solved, printed, explained and marked.
 
+mod diagnosis;
 mod drawer;
+mod follow_through;
 mod marking;
 mod record;
+mod students;
 
 pub use drawer::Drawer;
 
@@ -33,6 +36,8 @@ use crate::render::KeyRow;
 use crate::render::Sheet;
 use crate::render::SheetPart;
 use crate::solve::Bounded;
+
+pub use marking::Sitting;
 
 /// What stands between several roots of one part, printed or typed.
 const ROOTS_JOINED: &str = " or ";

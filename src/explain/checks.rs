@@ -80,7 +80,9 @@ fn balances(display: Display<'_>) -> Vec<Block> {
         let Statement::Equal { left, right } = &equation.statement else { continue };
         let Some(words) = words_of(display, equation) else { continue };
         let told = |side: &Expr| side.symbols().is_subset(&known) && display.has_value(side);
-        let computes = [left, right].into_iter().any(|side| !matches!(side, Expr::Symbol(_)));
+        // A side that is nothing tells nothing.
+        let is_nothing = left.is_zero() || right.is_zero();
+        let computes = !is_nothing && [left, right].into_iter().any(|side| !matches!(side, Expr::Symbol(_)));
         if told(left) && told(right) && computes && !is_read_off(place, left, right) {
             let lines = [left, right].map(|side| evaluated(display, side));
             rows.push([text(words), Block::Equation { lines: lines.to_vec(), number: None }]);

@@ -12,6 +12,7 @@ use super::Block;
 use super::Inline;
 use super::pictures;
 use super::steps::text;
+use super::wording::agree;
 use super::wording::capitalised;
 use super::wording::list;
 
@@ -42,6 +43,7 @@ fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) -> Option<S
     let first = impulses.first()?;
     let name = |body: &str| scene.called(body);
     let body = name(&first.on);
+    let [is, its] = [["is", "are"], ["its", "their"]].map(|forms| agree(&body, forms));
     let phrase = model.phrase(scene, index);
     let during = |sentence: String| match scene.stages.len() {
         1 => format!("{}.", capitalised(&sentence)),
@@ -68,23 +70,47 @@ fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) -> Option<S
             let (are, their) = if bodies.len() > 1 { ("are", "their") } else { ("is", "its") };
             during(format!("{} {are} acted on by {their} weight alone", list(&bodies)))
         }
-        (Stage::Separate(_), _) => return None,
+        (Stage::Separate(_) | Stage::Drift(_), _) => return None,
         (Stage::Impact(_) | Stage::Blow(_), _) => {
             format!("During {phrase} the only impulsive force on {body} is that of {}.", first.called)
         }
-        (Stage::Push(_), _) => {
+        (Stage::Push(_) | Stage::Slide(_), _) => {
             let forces = model.forces.iter().filter(|force| force.stage == index);
             let called = forces.map(|force| match force.kind {
-                ForceKind::Weight => "its weight".to_owned(),
+                ForceKind::Weight => format!("{its} weight"),
                 _ => force.called.clone(),
             });
-            during(format!("{body} is acted on by {}", list(&called.collect::<Vec<_>>())))
+            during(format!("{body} {is} acted on by {}", list(&called.collect::<Vec<_>>())))
         }
-        (Stage::Fall(_), _) => during(format!("{body} is acted on by its weight alone")),
+        (Stage::Fall(_), _) => during(format!("{body} {is} acted on by its weight alone")),
+        (Stage::Spring(_), [one, other]) => during(format!(
+            "{} and {} are acted on by the spring between them, with equal and opposite forces",
+            name(&one.on),
+            name(&other.on)
+        )),
+        (Stage::Spring(_), _) => during(format!("{body} {is} acted on by the spring")),
+        (Stage::Swing(_), _) => during(format!("{body} {is} acted on by {its} weight and the cord")),
+        (Stage::Taut(_), [one, other]) => format!(
+            "During {phrase}, it pulls {} and {} with impulses of equal size; nothing else is impulsive.",
+            name(&one.on),
+            name(&other.on)
+        ),
+        (Stage::Connected(_), [one, other]) => during(format!(
+            "the string pulls {} and {} with the same tension, and weight acts on both",
+            name(&one.on),
+            name(&other.on)
+        )),
+        (Stage::Taut(_) | Stage::Connected(_), _) => during(format!("{body} {is} acted on by the string")),
         (Stage::Bounces(_), _) => {
-            during(format!("{body} is acted on by its weight and, at each bounce, by {}", first.called))
+            during(format!("{body} {is} acted on by its weight and, at each bounce, by {}", first.called))
         }
-        (Stage::Rotate(_) | Stage::Central(_), _) => during(format!("{body} is acted on by {}", first.called)),
+        (Stage::Thrust(_), _) => {
+            let acting: Vec<String> = impulses.iter().map(|impulse| impulse.called.clone()).collect();
+            during(format!("{body} {is} acted on by {}", list(&acting)))
+        }
+        (Stage::Rotate(_) | Stage::Central(_) | Stage::Stream(_), _) => {
+            during(format!("{body} {is} acted on by {}", first.called))
+        }
     })
 }
 

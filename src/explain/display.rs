@@ -25,6 +25,9 @@ use crate::quantity::coherent_unit;
 /// Figures of intermediate values.
 const INTERMEDIATE: usize = 4;
 
+/// The share of its terms below which a sum is nothing but their rounding.
+const DUST: f64 = 1e-13;
+
 /// The most digits of a given that was converted to another unit.
 const MOST_DIGITS: usize = 6;
 
@@ -226,9 +229,16 @@ impl Display<'_> {
         with_unit(number_math(&printed(value, figures)), unit)
     }
 
-    /// A term's value in SI units.
+    /// A term's value in SI units; a sum whose terms cancel but for their rounding is zero.
     pub(super) fn value_of(self, expr: &Expr) -> f64 {
-        expr.evaluate(&|symbol| self.worked.variant.value(symbol).map_or(f64::NAN, |value| value.value))
+        let value = |expr: &Expr| {
+            expr.evaluate(&|symbol| self.worked.variant.value(symbol).map_or(f64::NAN, |value| value.value))
+        };
+        let whole = value(expr);
+        match expr {
+            Expr::Sum(terms) if whole.abs() < DUST * terms.iter().map(|term| value(term).abs()).sum::<f64>() => 0.0,
+            _ => whole,
+        }
     }
 
     /// `left = right`, in symbols.

@@ -7,6 +7,7 @@ use crate::problem::PartKind;
 use crate::problem::Worked;
 use crate::scene::Scene;
 use crate::scene::Stage;
+use crate::scene::stage::Ends;
 
 use super::Audience;
 use super::Block;
@@ -23,6 +24,7 @@ use super::instructor;
 use super::steps::Figures;
 use super::steps::Steps;
 use super::steps::text;
+use super::wording::agree;
 use super::wording::capitalised;
 use super::wording::list;
 
@@ -63,8 +65,11 @@ fn system(worked: Worked<'_>) -> Vec<Block> {
         scene.bodies.iter().filter(|(own, _)| !whole(own)).map(|(_, body)| body.name.clone()).collect();
     let together = if names.len() > 1 { " together" } else { "" };
     let who = capitalised(&format!("{}{together}", list(&names)));
+    let last = worked.problem.model().when(scene, scene.stages.len() + 1);
     let when = if scene.stages.is_empty() {
         "at one instant".to_owned()
+    } else if worked.problem.model().when(scene, 1) == last {
+        last
     } else {
         let last = scene.stages.len() + 1;
         format!(
@@ -91,7 +96,8 @@ fn system(worked: Worked<'_>) -> Vec<Block> {
 
 /// What happens in a stage, as a noun phrase.
 fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
-    let name = |body: &String| scene.called(body);
+    let name = |body: &str| scene.called(body);
+    let does = |body: &str, forms: [&str; 2]| format!("{} {}", name(body), agree(&name(body), forms));
     match stage {
         Stage::Impact(impact) => match (&impact.between, &impact.body, &impact.against) {
             (Some([a, b]), ..) => format!("{phrase} of {} and {}", name(a), name(b)),
@@ -99,17 +105,34 @@ fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
             _ => phrase.to_owned(),
         },
         Stage::Push(push) => format!("forces act on {}", name(&push.body)),
+        Stage::Slide(slide) => does(&slide.body, ["slides", "slide"]),
+        Stage::Spring(spring) => match spring.ends() {
+            Some(Ends::Free(first, second)) => format!("the spring acts between {} and {}", name(first), name(second)),
+            Some(Ends::Fixed(body)) => format!("the spring acts on {}", name(body)),
+            None => phrase.to_owned(),
+        },
+        Stage::Swing(swing) => does(&swing.body, ["swings on its cord", "swing on their cord"]),
+        Stage::Taut(taut) => {
+            format!("the string between {} and {} goes taut", name(&taut.between[0]), name(&taut.between[1]))
+        }
+        Stage::Connected(connected) => {
+            let [leading, trailing] = [&connected.leading, &connected.trailing].map(|strand| name(&strand.body));
+            format!("{leading} draws {trailing} along by the string")
+        }
         Stage::Blow(blow) => format!("{} acts on {}", blow.by, name(&blow.body)),
         Stage::Rotate(rotate) => format!("{} moves round on its arm", name(&rotate.body)),
         Stage::Central(central) => format!("{} moves under the central force", name(&central.body)),
         Stage::Fall(fall) => format!("{} falls", name(&fall.body)),
         Stage::Bounces(bounces) => format!("{} bounces", name(&bounces.body)),
+        Stage::Stream(stream) => format!("{} acts on {}", stream.by, name(&stream.body)),
+        Stage::Thrust(thrust) => format!("{} burns its fuel", name(&thrust.body)),
+        Stage::Drift(_) => "nothing acts, and all go on evenly".to_owned(),
         Stage::Flight(flight) => {
             let bodies: Vec<String> = flight.flying().map(|body| scene.called(body)).collect();
             format!("{} {} freely", list(&bodies), if bodies.len() > 1 { "move" } else { "moves" })
         }
         Stage::Separate(separate) => {
-            format!("{phrase} of {}", list(&separate.into.iter().map(name).collect::<Vec<_>>()))
+            format!("{phrase} of {}", list(&separate.into.iter().map(|part| name(part)).collect::<Vec<_>>()))
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::{Math, Operator};
 
 /// Names that are typeset as letters of the Greek alphabet, or that the subject abbreviates.
-const LETTERS: [(&str, &str); 22] = [
+const LETTERS: [(&str, &str); 23] = [
     ("alpha", "\u{3b1}"),
     ("beta", "\u{3b2}"),
     ("gamma", "\u{3b3}"),
@@ -26,6 +26,7 @@ const LETTERS: [(&str, &str); 22] = [
     ("pi", "\u{3c0}"),
     ("speed", "v"),
     ("angle", "\u{3b8}"),
+    ("flow", "q"),
 ];
 
 /// The typeset form of a quantity's name. A stage in square brackets is shown for durations only.

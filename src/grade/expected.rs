@@ -1,6 +1,12 @@
 //! What a right answer is: all that marking needs to know of a solved variant.
 
+use std::sync::Arc;
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+use crate::expr::SymbolTable;
 use crate::quantity::Decimal;
+use crate::quantity::Dimension;
 use crate::quantity::Rational;
 use crate::quantity::Unit;
 
@@ -20,6 +26,12 @@ pub struct Expected {
 pub enum ExpectedKind {
     /// By a number with a unit.
     Number(ExpectedNumber),
+    /// By a vector.
+    Vector(ExpectedVector),
+    /// By a formula in what the sheet gives.
+    Formula(ExpectedFormula),
+    /// By an interval, or a condition such as `e <= 0.5`.
+    Interval(Box<ExpectedInterval>),
     /// By one of several phrases.
     Choice {
         /// The phrases, in the order in which they are offered.
@@ -58,6 +70,137 @@ pub struct ExpectedNumber {
     pub magnitude: bool,
     /// Whether it is a whole number, found by counting.
     pub whole: bool,
+    /// Which units will do.
+    pub units: Units,
+    /// What is made of the figures with which a right value is written.
+    pub writing: Writing,
+    /// Of a direction: how it is counted, so that it may be answered in words: `36° N of E`.
+    pub reference: Option<Reference>,
+}
+
+/// Which units of the right dimension will do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Units {
+    /// Any.
+    #[default]
+    Any,
+    /// That of the question.
+    AsAsked,
+}
+
+/// What is made of the figures with which a right value is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Writing {
+    /// Nothing.
+    Ignore,
+    /// The student is told.
+    #[default]
+    Advise,
+    /// The student is told, and it costs points.
+    Require,
+}
+
+/// The axes of a question, with the words for their directions.
+#[derive(Clone, Debug, PartialEq, Eq, Default)]
+pub struct Frame {
+    /// The axes, in the order in which components are written. Angles are counted from the first towards the second.
+    pub axes: Vec<FrameAxis>,
+}
+
+/// An axis, with the words for its two directions.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FrameAxis {
+    /// Its letter: `x`, `y`, `n`, `t`.
+    pub letter: char,
+    /// The words for a positive and for a negative component.
+    pub senses: [String; 2],
+}
+
+/// How a direction is counted.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Reference {
+    /// The axes.
+    pub frame: Frame,
+    /// The direction from which it is counted, in quarter turns from the first axis towards the second.
+    pub quarters: i32,
+    /// Whether it is counted clockwise, from the second axis towards the first.
+    pub clockwise: bool,
+}
+
+/// A vector that is asked.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ExpectedVector {
+    /// Its components, along the axes of the frame and in one unit. The tolerance of the first is that of the vector.
+    pub components: Vec<ExpectedNumber>,
+    /// The axes.
+    pub frame: Frame,
+}
+
+/// A formula that is asked.
+#[derive(Clone, Debug)]
+pub struct ExpectedFormula {
+    /// The right one, in the symbols of `domain`.
+    pub formula: Expr,
+    /// The names and dimensions of all symbols of the problem.
+    pub symbols: Arc<SymbolTable>,
+    /// The quantity that is asked, which may not stand in its own formula.
+    pub asked: Symbol,
+    /// What it may contain, each with the least and the greatest value that it has in the problem, in SI units.
+    pub domain: Vec<(Symbol, f64, f64)>,
+    /// What it measures.
+    pub dimension: Dimension,
+}
+
+impl PartialEq for ExpectedFormula {
+    fn eq(&self, other: &Self) -> bool {
+        self.formula == other.formula && self.asked == other.asked && self.domain == other.domain
+    }
+}
+
+/// An interval that is asked.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ExpectedInterval {
+    /// The name of the quantity: `e`.
+    pub name: String,
+    /// The lower end; none where it is open to minus infinity.
+    pub low: Option<ExpectedEnd>,
+    /// The upper end; none where it is open to infinity.
+    pub high: Option<ExpectedEnd>,
+    /// The unit of both ends.
+    pub unit: Unit,
+}
+
+/// An end of an interval.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ExpectedEnd {
+    /// Where it is.
+    pub number: ExpectedNumber,
+    /// Whether it belongs to the interval.
+    pub closed: bool,
+}
+
+impl ExpectedNumber {
+    /// A number to three figures within 1 %, judged by itself alone: everything else is as the default says.
+    #[must_use]
+    pub fn new(value: f64, unit: Unit) -> Self {
+        Self {
+            value,
+            error: 0.0,
+            exact: None,
+            unit,
+            tolerance: Tolerance::Relative(Decimal::from_scaled(1, 2)),
+            figures: 3,
+            allowance: 0.0,
+            scale: 0.0,
+            cyclic: false,
+            senses: None,
+            magnitude: false,
+            whole: false,
+            units: Units::Any,
+            writing: Writing::Advise,
+            reference: None,
+        }
+    }
 }
 
 /// How far an answer may lie from the exact one, boundaries included.
@@ -67,4 +210,6 @@ pub enum Tolerance {
     Relative(Decimal),
     /// A distance, in the unit of the question.
     Absolute(Decimal),
+    /// Half a unit of the exact value's last asked figure: strict, and without any allowance for rounding in between.
+    ToFigures,
 }

@@ -1,13 +1,18 @@
 //! Judging: an answer that was read against the exact value. It knows no text and no points.
 
+mod angle;
 mod closeness;
+mod figures;
+mod formula;
+mod interval;
 mod slip;
+mod vector;
 
 use crate::quantity::Factor;
 use crate::quantity::Unit;
 use crate::quantity::dimension_name;
 
-use super::expected::{Expected, ExpectedKind, ExpectedNumber};
+use super::expected::{Expected, ExpectedKind, ExpectedNumber, Units};
 use super::messages::Message;
 use super::number::Number;
 use super::read::{Answer, ChoiceAnswer, NumberAnswer, Written};
@@ -30,6 +35,9 @@ pub struct Judgement {
 pub fn judge(expected: &Expected, answer: &Answer) -> Judgement {
     match (&expected.kind, answer) {
         (ExpectedKind::Number(number), Answer::Number(answer)) => judge_number(number, answer),
+        (ExpectedKind::Vector(vector), Answer::Vector(answer)) => vector::judge(vector, answer),
+        (ExpectedKind::Formula(formula), Answer::Formula(answer)) => formula::judge(formula, &answer.formula),
+        (ExpectedKind::Interval(interval), Answer::Interval(answer)) => interval::judge(interval, answer),
         (ExpectedKind::Choice { right, because, .. }, Answer::Choice(answer)) => judge_choice(*right, because, answer),
         // Reading answers a part in its own kind; an answer of another kind is none to this part.
         _ => Judgement::of(Verdict::Wrong, Message::Wrong),
@@ -57,31 +65,54 @@ enum Found {
 
 fn judge_number(expected: &ExpectedNumber, answer: &NumberAnswer) -> Judgement {
     let target = Target::new(expected);
-    let found = |number: Option<Number>| number.map_or(Found::Elsewhere, |number| compare(&target, answer, &number));
-    let as_written = found(Some(answer.directed()));
     let pure = expected.unit.is_none().then(Unit::none);
     let Some(unit) = answer.unit.as_ref().filter(|unit| !unit.is_none()).or(pure.as_ref()) else {
-        return without_unit(expected, answer, as_written, found(in_asked_unit(expected, answer, &Unit::none())));
+        return without_unit(&target, answer);
     };
-    if unit.dimension() != expected.unit.dimension() {
-        return other_dimension(expected, answer, unit, as_written, &target);
+    let directed = answer.directed();
+    let same = *unit == expected.unit;
+    if !same && unit.dimension() != expected.unit.dimension() {
+        return other_dimension(answer, unit, &target);
     }
-    let converted = in_asked_unit(expected, answer, unit);
-    let judged = found(converted.clone());
+    let ratio = if same { Factor::ONE } else { ratio(unit, &expected.unit) };
+    let converted = if ratio == Factor::ONE { Some(directed.clone()) } else { directed.scaled(&ratio) };
+    let Some(number) = converted else { return wrong(expected, answer) };
+    let judged = compare(&target, answer, &number);
     if judged != Found::Elsewhere {
-        return fitting(expected, answer, judged);
+        return fitting(&target, answer, &number, judged, ratio != Factor::ONE);
     }
-    let slip = converted.and_then(|number| slip::power_of_ten(&target, &number));
-    match slip {
+    match slip::power_of_ten(&target, &number) {
         Some(power) if slip::is_prefix(power, expected.unit.dimension()) => {
-            Judgement::of(Verdict::UnitPrefix, Message::UnitPrefix)
+            return Judgement::of(Verdict::UnitPrefix, Message::UnitPrefix);
         }
-        Some(_) => Judgement::of(Verdict::OrderOfMagnitude, Message::OrderOfMagnitude),
-        None if as_written == Found::Elsewhere => wrong(expected, answer),
-        None => {
-            fitting(expected, answer, as_written).with_unit(Verdict::UnitWrong, Message::UnitWrong(unit.to_string()))
-        }
+        Some(_) => return Judgement::of(Verdict::OrderOfMagnitude, Message::OrderOfMagnitude),
+        None => {}
     }
+    let as_written = compare(&target, answer, &directed);
+    if as_written != Found::Elsewhere {
+        let judgement = fitting(&target, answer, &directed, as_written, false);
+        return judgement.with_unit(Verdict::UnitWrong, Message::UnitWrong(unit.to_string()));
+    }
+    if let Some(verdict) = angle::slip(&target, &number) {
+        return Judgement::of(verdict, Message::Slip(verdict));
+    }
+    if is_rounding_slip(&target, answer, &number) {
+        return Judgement::of(Verdict::RoundingSlip, Message::RoundingSlip);
+    }
+    wrong(expected, answer)
+}
+
+/// Whether a number is right to one figure fewer than asked: something was rounded too early.
+fn is_rounding_slip(target: &Target, answer: &NumberAnswer, number: &Number) -> bool {
+    let expected = target.expected;
+    let Written::Figures { least, .. } = answer.written else { return false };
+    let plain = target.value().abs() > expected.scale / 2000.0
+        && !expected.whole
+        && !expected.cyclic
+        && expected.figures > 1
+        && least <= expected.figures;
+    let reach = closeness::half_unit_before(target.value(), expected) + expected.error;
+    plain && !number.is_zero() && (number.to_f64() - target.value()).abs() <= reach * (1.0 + f64::EPSILON)
 }
 
 /// Where the number stands: at the right value, or at its opposite.
@@ -105,17 +136,13 @@ fn compare(target: &Target, answer: &NumberAnswer, number: &Number) -> Found {
     if answer.signed || answer.sense.is_some() || number.is_negative() { Found::SenseReversed } else { Found::Sense }
 }
 
-/// The answer's number in the unit that is asked.
-fn in_asked_unit(expected: &ExpectedNumber, answer: &NumberAnswer, unit: &Unit) -> Option<Number> {
-    answer.directed().scaled(&ratio(unit, &expected.unit))
-}
-
 fn ratio(unit: &Unit, other: &Unit) -> Factor {
     unit.factor() * other.factor().power(-1)
 }
 
-/// The judgement on a number whose unit fits.
-fn fitting(expected: &ExpectedNumber, answer: &NumberAnswer, found: Found) -> Judgement {
+/// The judgement on a number, in the unit that is asked; whether it was converted from another.
+fn fitting(target: &Target, answer: &NumberAnswer, number: &Number, found: Found, converted: bool) -> Judgement {
+    let expected = target.expected;
     let judgement = match found {
         Found::Right => Judgement::of(Verdict::Right, Message::Right),
         Found::Rounded => Judgement::of(Verdict::RightRounded, Message::RightRounded),
@@ -124,37 +151,37 @@ fn fitting(expected: &ExpectedNumber, answer: &NumberAnswer, found: Found) -> Ju
         Found::SenseReversed => Judgement::of(Verdict::SenseReversed, Message::SenseReversed),
         Found::Elsewhere => return wrong(expected, answer),
     };
+    if !judgement.verdict.is_right() {
+        return if answer.pounds_as_mass { judgement.noted(Message::PoundsAsMass) } else { judgement };
+    }
+    if converted && expected.units == Units::AsAsked {
+        return Judgement::of(Verdict::UnitNotAsked, Message::UnitNotAsked(expected.unit.to_string()));
+    }
     let judgement = if answer.pounds_as_mass { judgement.noted(Message::PoundsAsMass) } else { judgement };
-    if judgement.verdict.is_right() { judgement.told(figures(expected, answer)) } else { judgement }
-}
-
-/// Advice on the writing of a right number: it never costs marks.
-fn figures(expected: &ExpectedNumber, answer: &NumberAnswer) -> Option<Message> {
-    let Written::Figures { least, most } = answer.written else { return None };
-    if expected.whole || answer.number.is_zero() {
-        return None;
-    }
-    // One figure more than asked is no false precision yet.
-    match expected.figures {
-        asked if most < asked => Some(Message::TooFewFigures(asked)),
-        asked if least > asked + 1 => Some(Message::TooManyFigures(asked)),
-        _ => None,
-    }
+    figures::judged(judgement, target, answer.written, number, converted)
 }
 
 /// The judgement on a number that stands alone.
-fn without_unit(expected: &ExpectedNumber, answer: &NumberAnswer, as_written: Found, as_pure: Found) -> Judgement {
-    let unit = &expected.unit;
-    let is_pure = unit.dimension() == Unit::none().dimension();
+fn without_unit(target: &Target, answer: &NumberAnswer) -> Judgement {
+    let unit = &target.expected.unit;
+    let directed = answer.directed();
+    let as_written = compare(target, answer, &directed);
     // A fraction is as good as per cent, and an angle without a unit is in radians; nobody writes degrees that way.
-    let is_understood = is_pure && (!expected.cyclic || *unit == radians());
-    if is_understood && as_pure != Found::Elsewhere {
-        return fitting(expected, answer, as_pure);
+    let is_pure = unit.dimension() == Unit::none().dimension();
+    if is_pure
+        && (!target.expected.cyclic || *unit == radians())
+        && let Some(number) = directed.scaled(&ratio(&Unit::none(), unit))
+    {
+        let as_pure = compare(target, answer, &number);
+        if as_pure != Found::Elsewhere {
+            return fitting(target, answer, &number, as_pure, true);
+        }
     }
+    let judgement = fitting(target, answer, &directed, as_written, false);
     if answer.number.is_zero() && as_written == Found::Right {
-        return fitting(expected, answer, as_written).noted(Message::ZeroWithoutUnit);
+        return judgement.noted(Message::ZeroWithoutUnit);
     }
-    fitting(expected, answer, as_written).with_unit(Verdict::UnitMissing, Message::UnitMissing)
+    judgement.with_unit(Verdict::UnitMissing, Message::UnitMissing)
 }
 
 fn radians() -> Unit {
@@ -162,20 +189,18 @@ fn radians() -> Unit {
 }
 
 /// The judgement on a unit that measures something else.
-fn other_dimension(
-    expected: &ExpectedNumber,
-    answer: &NumberAnswer,
-    unit: &Unit,
-    as_written: Found,
-    target: &Target,
-) -> Judgement {
-    let in_base_units = in_asked_unit(expected, answer, unit).map(|number| compare(target, answer, &number));
-    let found = if as_written == Found::Elsewhere { in_base_units.unwrap_or(as_written) } else { as_written };
+fn other_dimension(answer: &NumberAnswer, unit: &Unit, target: &Target) -> Judgement {
+    let directed = answer.directed();
+    let asked = &target.expected.unit;
+    let as_written = compare(target, answer, &directed);
+    let in_base_units =
+        directed.scaled(&ratio(unit, asked)).map_or(Found::Elsewhere, |number| compare(target, answer, &number));
+    let found = if as_written == Found::Elsewhere { in_base_units } else { as_written };
     let message = Message::UnitWrongDimension {
         given: dimension_name(unit.dimension()).to_owned(),
-        asked: dimension_name(expected.unit.dimension()).to_owned(),
+        asked: dimension_name(asked.dimension()).to_owned(),
     };
-    fitting(expected, answer, found).with_unit(Verdict::UnitWrongDimension, message)
+    fitting(target, answer, &directed, found, true).with_unit(Verdict::UnitWrongDimension, message)
 }
 
 fn wrong(expected: &ExpectedNumber, answer: &NumberAnswer) -> Judgement {

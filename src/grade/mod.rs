@@ -3,7 +3,10 @@
 //! The three stand apart. Reading knows no right value, so nothing can be read "towards" it; judging knows no text;
 //! reporting knows only verdicts and the rubric.
 
+pub mod catalogue;
+pub mod diagnose;
 mod expected;
+mod follow;
 pub mod judge;
 mod messages;
 mod number;
@@ -11,14 +14,20 @@ pub mod read;
 pub mod report;
 mod rubric;
 mod statistics;
+mod swapped;
 mod verdict;
 
-pub use expected::{Expected, ExpectedKind, ExpectedNumber, Tolerance};
+pub use diagnose::Diagnosis;
+pub use expected::{
+    Expected, ExpectedEnd, ExpectedFormula, ExpectedInterval, ExpectedKind, ExpectedNumber, ExpectedVector, Frame,
+    FrameAxis, Reference, Tolerance, Units, Writing,
+};
+pub use follow::Follows;
 pub use judge::{Judgement, judge};
 pub use messages::Message;
 pub use number::Number;
-pub use read::{Answer, DecimalMark, Unreadable, UnreadableKind, read};
+pub use read::{Answer, DecimalMark, Unreadable, UnreadableKind, read, read_several};
 pub use report::{InputFault, PartReport, Points, Report, grade};
-pub use rubric::Rubric;
+pub use rubric::{Attempts, Keep, Rubric};
 pub use statistics::{Gathering, Item, ItemStatistics, Statistics, VerdictCount};
 pub use verdict::Verdict;

@@ -8,11 +8,14 @@ use serde::{Serialize, Serializer};
 use crate::quantity::Decimal;
 use crate::quantity::Rational;
 
+use super::diagnose::Diagnosis;
 use super::expected::Expected;
+use super::follow::Follows;
 use super::judge::judge;
 use super::messages::Message;
-use super::read::{DecimalMark, read};
+use super::read::{Answer, DecimalMark, read};
 use super::rubric::Rubric;
+use super::swapped;
 use super::verdict::Verdict;
 
 /// The decimals with which points are printed.
@@ -52,6 +55,15 @@ pub struct PartReport {
     pub fault: Option<InputFault>,
     /// What the student is told; it never holds the right value.
     pub message: String,
+    /// Which usual mistake leads to a wrong answer, where one does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub diagnosis: Option<Diagnosis>,
+    /// From which earlier answers of the student's own a wrong answer follows, where it does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub follows: Option<Follows>,
+    /// What would have followed from the student's own earlier answers; said only once the question is closed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub own_values: Option<String>,
 }
 
 /// Where and why an answer cannot be read.
@@ -78,8 +90,20 @@ pub struct InputFault {
 /// ```
 #[must_use]
 pub fn grade(expected: &[Expected], answers: &BTreeMap<String, String>, mark: DecimalMark, rubric: &Rubric) -> Report {
-    let part = |part: &Expected| grade_part(part, answers.get(&part.id).map_or("", String::as_str), mark, rubric);
-    let parts: Vec<PartReport> = expected.iter().map(part).collect();
+    let mut parts = Vec::with_capacity(expected.len());
+    let mut not_right = Vec::new();
+    for (position, part) in expected.iter().enumerate() {
+        let (report, answer) = grade_part(part, answers.get(&part.id).map_or("", String::as_str), mark, rubric);
+        not_right.extend(answer.filter(|_| !report.verdict.is_right()).map(|answer| (position, answer)));
+        parts.push(report);
+    }
+    for position in swapped::find(expected, &not_right) {
+        if let Some(part) = parts.get_mut(position) {
+            part.verdict = Verdict::BodiesSwapped;
+            part.points = Points(rubric.fraction(Verdict::BodiesSwapped) * Rational::from(part.out_of));
+            part.message = Message::BodiesSwapped.to_string();
+        }
+    }
     let total = parts.iter().fold(Rational::ZERO, |sum, part| sum + &part.points.0);
     let out_of = expected.iter().fold(0, |sum: u32, part| sum.saturating_add(part.points));
     let is_asked = |name: &&String| expected.iter().any(|part| part.id == **name);
@@ -87,7 +111,8 @@ pub fn grade(expected: &[Expected], answers: &BTreeMap<String, String>, mark: De
     Report { parts, total: Points(total), out_of, not_asked }
 }
 
-fn grade_part(expected: &Expected, text: &str, mark: DecimalMark, rubric: &Rubric) -> PartReport {
+/// The report on a part, and its answer where it could be read.
+fn grade_part(expected: &Expected, text: &str, mark: DecimalMark, rubric: &Rubric) -> (PartReport, Option<Answer>) {
     let report = |verdict, fraction: Rational, understood, message: String| PartReport {
         id: expected.id.clone(),
         verdict,
@@ -96,23 +121,26 @@ fn grade_part(expected: &Expected, text: &str, mark: DecimalMark, rubric: &Rubri
         understood,
         fault: None,
         message,
+        diagnosis: None,
+        follows: None,
+        own_values: None,
     };
     if text.trim().is_empty() {
-        return report(Verdict::Unanswered, Rational::ZERO, None, Message::Unanswered.to_string());
+        return (report(Verdict::Unanswered, Rational::ZERO, None, Message::Unanswered.to_string()), None);
     }
     let answer = match read(text, &expected.kind, mark) {
         Ok(answer) => answer,
         Err(fault) => {
             let place = InputFault { character: fault.at + 1, code: fault.kind.code() };
             let unreadable = report(Verdict::Unreadable, Rational::ZERO, None, fault.to_string());
-            return PartReport { fault: Some(place), ..unreadable };
+            return (PartReport { fault: Some(place), ..unreadable }, None);
         }
     };
     let judgement = judge(expected, &answer);
     let also = judgement.also.map_or(Rational::ONE, |also| rubric.fraction(also));
     let fraction = rubric.fraction(judgement.verdict) * also;
     let messages: Vec<String> = judgement.messages.iter().map(ToString::to_string).collect();
-    report(judgement.verdict, fraction, Some(answer.echo()), messages.join(" "))
+    (report(judgement.verdict, fraction, Some(answer.echo()), messages.join(" ")), Some(answer))
 }
 
 impl Report {
@@ -120,6 +148,11 @@ impl Report {
     #[must_use]
     pub fn is_right(&self) -> bool {
         self.parts.iter().all(|part| part.verdict.is_right())
+    }
+
+    /// Adds the points up again, where the points of a part were changed.
+    pub fn recount(&mut self) {
+        self.total = Points(self.parts.iter().fold(Rational::ZERO, |sum, part| sum + &part.points.0));
     }
 
     /// Whether a part has an answer that cannot be read, so that it was not marked.
@@ -136,6 +169,9 @@ impl fmt::Display for Report {
             writeln!(out, "{}: {}/{} [{}] {}", part.id, part.points, part.out_of, part.verdict, part.message)?;
             if let Some(understood) = &part.understood {
                 writeln!(out, "    read as: {understood}")?;
+            }
+            if let Some(own) = &part.own_values {
+                writeln!(out, "    {own}")?;
             }
         }
         for name in &self.not_asked {

@@ -1,48 +1,62 @@
-//! What a partly right answer is worth.
+//! What a partly right answer is worth, and what attempts and hints cost.
+
+use std::collections::BTreeMap;
 
 use crate::quantity::Rational;
 
 use super::verdict::Verdict;
 
-/// The fraction of a part's points for each kind of partly right answer, each from 0 to 1.
+/// The fraction of a part's points for each kind of partly right answer, and the cost of attempts and hints.
 ///
 /// The defaults are those of an instructor who asks for physics first: a number that is right shows that the
 /// method is, so a slip of writing beside it costs half; a direction that is plainly the wrong one is wrong physics.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Rubric {
-    /// The right number without its unit. Default: 1/2.
-    pub unit_missing: Rational,
-    /// The right number with another unit of the same dimension. Default: 1/2.
-    pub unit_wrong: Rational,
-    /// The right number with a unit of something else. Default: 1/2.
-    pub unit_wrong_dimension: Rational,
-    /// Off by the factor of a prefix: grams for kilograms. Default: 1/2.
-    pub unit_prefix: Rational,
-    /// Off by another power of ten. Default: 0.
-    pub order_of_magnitude: Rational,
-    /// The magnitude of a signed quantity, its direction unsaid. Default: 1/2.
-    pub sense: Rational,
-    /// The right magnitude in the opposite direction. Default: 0.
-    pub sense_reversed: Rational,
+    fractions: BTreeMap<Verdict, Rational>,
+    /// How attempts and hints count.
+    pub attempts: Attempts,
 }
 
-impl Default for Rubric {
+/// How attempts and hints count.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Attempts {
+    /// How many attempts at a part count; later ones are not marked. `None` is any number.
+    pub most: Option<u32>,
+    /// The fraction of the points that each attempt before costs. Default: 0.
+    pub penalty: Rational,
+    /// The fraction of the points that each hint costs. Default: 0.
+    pub hint: Rational,
+    /// Which attempt counts. Default: the best.
+    pub keep: Keep,
+}
+
+/// Which of several attempts counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Keep {
+    /// The one with the most points.
+    #[default]
+    Best,
+    /// The last that could be read.
+    Last,
+}
+
+impl Default for Attempts {
     fn default() -> Self {
-        let half = || Rational::ONE / Rational::from(2);
-        Self {
-            unit_missing: half(),
-            unit_wrong: half(),
-            unit_wrong_dimension: half(),
-            unit_prefix: half(),
-            order_of_magnitude: Rational::ZERO,
-            sense: half(),
-            sense_reversed: Rational::ZERO,
-        }
+        Self { most: None, penalty: Rational::ZERO, hint: Rational::ZERO, keep: Keep::Best }
     }
 }
 
 impl Rubric {
-    /// The fraction of the points for a verdict, held between 0 and 1.
+    /// The same rubric with another fraction for a verdict, held between 0 and 1. What is right or wrong stays so.
+    #[must_use]
+    pub fn with(mut self, verdict: Verdict, fraction: Rational) -> Self {
+        if verdict.is_negotiable() {
+            self.fractions.insert(verdict, fraction.clamp(Rational::ZERO, Rational::ONE));
+        }
+        self
+    }
+
+    /// The fraction of the points for a verdict, between 0 and 1.
     ///
     /// ```
     /// use momentous::grade::{Rubric, Verdict};
@@ -50,17 +64,23 @@ impl Rubric {
     /// ```
     #[must_use]
     pub fn fraction(&self, verdict: Verdict) -> Rational {
-        let fraction = match verdict {
-            Verdict::Right | Verdict::RightRounded | Verdict::RightWithNote => &Rational::ONE,
-            Verdict::Sense => &self.sense,
-            Verdict::SenseReversed => &self.sense_reversed,
-            Verdict::UnitMissing => &self.unit_missing,
-            Verdict::UnitWrong => &self.unit_wrong,
-            Verdict::UnitWrongDimension => &self.unit_wrong_dimension,
-            Verdict::UnitPrefix => &self.unit_prefix,
-            Verdict::OrderOfMagnitude => &self.order_of_magnitude,
-            Verdict::Wrong | Verdict::ChoiceWrong | Verdict::Unreadable | Verdict::Unanswered => &Rational::ZERO,
-        };
-        fraction.clone().clamp(Rational::ZERO, Rational::ONE)
+        let (above, below) = verdict.usual_fraction();
+        let usual = || Rational::from(above) / Rational::from(below);
+        self.fractions.get(&verdict).cloned().unwrap_or_else(usual)
+    }
+}
+
+impl Attempts {
+    /// The fraction of the points that is left at an attempt, after so many attempts and hints before it.
+    #[must_use]
+    pub fn left(&self, attempts: u32, hints: u32) -> Rational {
+        let cost = &self.penalty * Rational::from(attempts) + &self.hint * Rational::from(hints);
+        (Rational::ONE - cost).clamp(Rational::ZERO, Rational::ONE)
+    }
+
+    /// Whether an attempt counts, after so many before it.
+    #[must_use]
+    pub fn counts(&self, attempts: u32) -> bool {
+        self.most.is_none_or(|most| attempts < most)
     }
 }

@@ -255,6 +255,9 @@ mod tests {
             understood: Some(format!("{id} {right}")),
             fault: None,
             message: String::new(),
+            diagnosis: None,
+            follows: None,
+            own_values: None,
         }
     }
 

@@ -13,81 +13,209 @@ use serde::{Serialize, Serializer};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
+#[allow(missing_docs, reason = "the table below says of each what it means")]
 pub enum Verdict {
-    /// Right.
     Right,
-    /// Right: further away than the tolerance, but no further than honest rounding of intermediate values can lead.
     RightRounded,
-    /// Right, and something is to be said: a pound was read as a mass, a speed has a sign.
     RightWithNote,
-    /// The magnitude is right, and the sign that says the direction is missing.
-    Sense,
-    /// The magnitude is right, and the answer says the opposite direction.
-    SenseReversed,
-    /// The number is right, and its unit is missing.
+    RightAgrees,
+    FiguresFew,
+    FiguresMany,
+    FiguresWrong,
+    UnitNotAsked,
     UnitMissing,
-    /// The number is right, and its unit is another one of the same dimension.
     UnitWrong,
-    /// The number is right, and its unit measures something else.
     UnitWrongDimension,
-    /// Off by the factor of a prefix: grams for kilograms, kilometres for metres.
     UnitPrefix,
-    /// Off by a power of ten that is no usual prefix.
     OrderOfMagnitude,
-    /// Not right.
+    RoundingSlip,
+    Sense,
+    SenseReversed,
+    AngleReversed,
+    AngleOtherSense,
+    AngleSupplement,
+    AngleComplement,
+    AngleOtherAxis,
+    ComponentsExchanged,
+    ComponentSign,
+    DirectionWrong,
+    BodiesSwapped,
+    IntervalEnds,
+    IntervalHalf,
+    FormulaFactor,
+    FormulaDimension,
     Wrong,
-    /// Another phrase was chosen.
+    FollowThrough,
+    FollowThroughUnphysical,
     ChoiceWrong,
-    /// The answer cannot be read; it is not marked.
     Unreadable,
-    /// There is no answer.
     Unanswered,
 }
 
+/// Which part of the points a verdict is worth where the rubric says nothing.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Worth {
+    /// All of them: the answer is right.
+    All,
+    /// This fraction, which a rubric may change.
+    Part(u8, u8),
+    /// None, whatever the rubric says.
+    Nothing,
+}
+
+use Worth::{All, Nothing, Part};
+
+/// Every verdict: its code, what it means, and what it is worth. The order is that of the type.
+const TABLE: &[(Verdict, &str, &str, Worth)] = &[
+    (Verdict::Right, "right", "right", All),
+    (
+        Verdict::RightRounded,
+        "right_rounded",
+        "right: outside the tolerance, but no further than honest rounding of intermediate values can lead",
+        All,
+    ),
+    (
+        Verdict::RightWithNote,
+        "right_with_note",
+        "right, and something is to be said: a pound was read as a mass, a speed has a sign",
+        All,
+    ),
+    (
+        Verdict::RightAgrees,
+        "right_agrees",
+        "a formula that agrees with the right one at 20 points to 256 bits, but was not proven equal",
+        All,
+    ),
+    (Verdict::FiguresFew, "figures_few", "the right value, written with fewer figures than are required", Part(3, 4)),
+    (
+        Verdict::FiguresMany,
+        "figures_many",
+        "the right value, written with more figures than the data support, where that is required",
+        Part(3, 4),
+    ),
+    (
+        Verdict::FiguresWrong,
+        "figures_wrong",
+        "within the tolerance, but the last required figure is not right",
+        Part(3, 4),
+    ),
+    (
+        Verdict::UnitNotAsked,
+        "unit_not_asked",
+        "right, in another unit of the dimension than the one that the question fixes",
+        Part(1, 2),
+    ),
+    (Verdict::UnitMissing, "unit_missing", "the right number without its unit", Part(1, 2)),
+    (Verdict::UnitWrong, "unit_wrong", "the right number with another unit of the same dimension", Part(1, 2)),
+    (
+        Verdict::UnitWrongDimension,
+        "unit_wrong_dimension",
+        "the right number with a unit that measures something else",
+        Part(1, 2),
+    ),
+    (Verdict::UnitPrefix, "unit_prefix", "off by the factor of a prefix: grams for kilograms", Part(1, 2)),
+    (Verdict::OrderOfMagnitude, "order_of_magnitude", "off by a power of ten that is no usual prefix", Part(0, 1)),
+    (Verdict::RoundingSlip, "rounding_slip", "right to one figure fewer than asked: rounded too early", Part(1, 2)),
+    (Verdict::Sense, "sense", "the right magnitude, and the sign that says the direction is missing", Part(1, 2)),
+    (Verdict::SenseReversed, "sense_reversed", "the right magnitude in the opposite direction", Part(0, 1)),
+    (Verdict::AngleReversed, "angle_reversed", "the opposite direction: half a turn off", Part(0, 1)),
+    (Verdict::AngleOtherSense, "angle_other_sense", "the right angle, counted in the other sense", Part(0, 1)),
+    (
+        Verdict::AngleSupplement,
+        "angle_supplement",
+        "the supplement: counted from the other end of the axis",
+        Part(0, 1),
+    ),
+    (
+        Verdict::AngleComplement,
+        "angle_complement",
+        "the complement: counted towards the reference from the other axis",
+        Part(0, 1),
+    ),
+    (Verdict::AngleOtherAxis, "angle_other_axis", "a quarter turn off: counted from the other axis", Part(0, 1)),
+    (
+        Verdict::ComponentsExchanged,
+        "components_exchanged",
+        "the right components of a vector in the wrong places",
+        Part(0, 1),
+    ),
+    (Verdict::ComponentSign, "component_sign", "a vector with a component of the wrong sign", Part(0, 1)),
+    (Verdict::DirectionWrong, "direction_wrong", "a vector of the right magnitude in a wrong direction", Part(0, 1)),
+    (Verdict::BodiesSwapped, "bodies_swapped", "the right value of another body's quantity", Part(0, 1)),
+    (
+        Verdict::IntervalEnds,
+        "interval_ends",
+        "the right interval, but an end belongs to it that must not, or the other way round",
+        Part(1, 2),
+    ),
+    (Verdict::IntervalHalf, "interval_half", "an interval with one right end", Part(0, 1)),
+    (Verdict::FormulaFactor, "formula_factor", "a formula that is right but for a constant factor", Part(0, 1)),
+    (
+        Verdict::FormulaDimension,
+        "formula_dimension",
+        "a formula that adds or compares quantities of different dimensions",
+        Part(0, 1),
+    ),
+    (Verdict::Wrong, "wrong", "not right", Nothing),
+    (
+        Verdict::FollowThrough,
+        "follow_through",
+        "wrong, but it follows from an earlier answer of the student's own",
+        Part(1, 1),
+    ),
+    (
+        Verdict::FollowThroughUnphysical,
+        "follow_through_unphysical",
+        "the same, where the earlier answer makes something impossible happen",
+        Part(1, 2),
+    ),
+    (Verdict::ChoiceWrong, "choice_wrong", "another option", Nothing),
+    (Verdict::Unreadable, "unreadable", "the answer cannot be read; it is not marked and costs no attempt", Nothing),
+    (Verdict::Unanswered, "unanswered", "there is no answer", Nothing),
+];
+
 impl Verdict {
-    /// Every verdict.
-    pub const ALL: [Self; 14] = [
-        Self::Right,
-        Self::RightRounded,
-        Self::RightWithNote,
-        Self::Sense,
-        Self::SenseReversed,
-        Self::UnitMissing,
-        Self::UnitWrong,
-        Self::UnitWrongDimension,
-        Self::UnitPrefix,
-        Self::OrderOfMagnitude,
-        Self::Wrong,
-        Self::ChoiceWrong,
-        Self::Unreadable,
-        Self::Unanswered,
-    ];
+    /// Every verdict, in the order of their importance in the documentation.
+    pub fn all() -> impl Iterator<Item = Self> {
+        TABLE.iter().map(|(verdict, ..)| *verdict)
+    }
 
     /// Its stable code.
     #[must_use]
     pub fn code(self) -> &'static str {
-        match self {
-            Self::Right => "right",
-            Self::RightRounded => "right_rounded",
-            Self::RightWithNote => "right_with_note",
-            Self::Sense => "sense",
-            Self::SenseReversed => "sense_reversed",
-            Self::UnitMissing => "unit_missing",
-            Self::UnitWrong => "unit_wrong",
-            Self::UnitWrongDimension => "unit_wrong_dimension",
-            Self::UnitPrefix => "unit_prefix",
-            Self::OrderOfMagnitude => "order_of_magnitude",
-            Self::Wrong => "wrong",
-            Self::ChoiceWrong => "choice_wrong",
-            Self::Unreadable => "unreadable",
-            Self::Unanswered => "unanswered",
-        }
+        self.row().1
+    }
+
+    /// What it means, in a clause.
+    #[must_use]
+    pub fn meaning(self) -> &'static str {
+        self.row().2
     }
 
     /// Whether the answer is fully right.
     #[must_use]
     pub fn is_right(self) -> bool {
-        matches!(self, Self::Right | Self::RightRounded | Self::RightWithNote)
+        self.row().3 == All
+    }
+
+    /// The fraction of the points that it is worth where a rubric says nothing: above and below the bar.
+    #[must_use]
+    pub fn usual_fraction(self) -> (u8, u8) {
+        match self.row().3 {
+            All => (1, 1),
+            Part(above, below) => (above, below),
+            Nothing => (0, 1),
+        }
+    }
+
+    /// Whether a rubric may say what it is worth.
+    #[must_use]
+    pub fn is_negotiable(self) -> bool {
+        matches!(self.row().3, Part(..))
+    }
+
+    fn row(self) -> &'static (Self, &'static str, &'static str, Worth) {
+        &TABLE[self as usize]
     }
 }
 
@@ -100,5 +228,22 @@ impl fmt::Display for Verdict {
 impl Serialize for Verdict {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(self.code())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_table_stands_in_the_order_of_the_type_and_its_codes_differ() {
+        let mut codes: Vec<&str> = Vec::new();
+        for (position, (verdict, code, meaning, _)) in TABLE.iter().enumerate() {
+            assert_eq!(*verdict as usize, position, "{code}");
+            assert!(code.bytes().all(|byte| byte.is_ascii_lowercase() || byte == b'_'), "{code}");
+            assert!(!meaning.is_empty() && !codes.contains(code), "{code}");
+            codes.push(code);
+        }
+        assert_eq!(Verdict::Unanswered as usize + 1, TABLE.len());
     }
 }

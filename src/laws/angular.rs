@@ -3,6 +3,7 @@
 use crate::expr::Expr;
 
 use super::Law;
+use super::wrong;
 
 /// The moment of momentum.
 pub const ANGULAR_MOMENTUM: Law = Law {
@@ -12,7 +13,7 @@ pub const ANGULAR_MOMENTUM: Law = Law {
     signs: "Counter-clockwise is positive.",
     when: "About a fixed point, or about the mass centre.",
     source: "Definition, H = r x m v.",
-    wrong: &[],
+    wrong: wrong::angular::ANGULAR_MOMENTUM,
 };
 
 /// Angular impulse and momentum.
@@ -23,7 +24,7 @@ pub const ANGULAR_IMPULSE: Law = Law {
     signs: "Counter-clockwise is positive.",
     when: "About a fixed point, or about the mass centre.",
     source: "Newton's second law, its moment integrated over time.",
-    wrong: &[],
+    wrong: wrong::angular::ANGULAR_IMPULSE,
 };
 
 /// The integral of a moment.
@@ -34,7 +35,7 @@ pub const MOMENT_IMPULSE: Law = Law {
     signs: "Counter-clockwise is positive.",
     when: "Always; a constant moment gives moment times time.",
     source: "Definition.",
-    wrong: &[],
+    wrong: wrong::angular::MOMENT_IMPULSE,
 };
 
 /// Conservation about the centre of a central force.
@@ -45,7 +46,7 @@ pub const CENTRAL: Law = Law {
     signs: "Counter-clockwise is positive.",
     when: "Every force on the particle points to or from the fixed point.",
     source: "The principle of angular impulse and momentum, divided by the mass.",
-    wrong: &[],
+    wrong: wrong::angular::CENTRAL,
 };
 
 /// Kepler's second law.
@@ -56,7 +57,7 @@ pub const AREAL: Law = Law {
     signs: "Counter-clockwise is positive.",
     when: "Under a central force.",
     source: "The area of a thin triangle, and conservation of angular momentum.",
-    wrong: &[],
+    wrong: wrong::angular::AREAL,
 };
 
 /// The laws of this chapter.

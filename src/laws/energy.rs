@@ -3,6 +3,8 @@
 use crate::expr::Expr;
 
 use super::Law;
+use super::Sides;
+use super::wrong;
 
 /// Kinetic energy.
 pub const KINETIC: Law = Law {
@@ -12,7 +14,7 @@ pub const KINETIC: Law = Law {
     signs: "Never negative, whatever the direction of motion.",
     when: "Always.",
     source: "Definition.",
-    wrong: &[],
+    wrong: wrong::energy::KINETIC,
 };
 
 /// Energy lost in a stage.
@@ -23,7 +25,7 @@ pub const LOSS: Law = Law {
     signs: "A loss is positive.",
     when: "Always; in an impact without a source of energy it is never negative.",
     source: "Definition.",
-    wrong: &[],
+    wrong: wrong::energy::LOSS,
 };
 
 /// Energy gained in a stage.
@@ -34,11 +36,51 @@ pub const GAIN: Law = Law {
     signs: "A gain is positive.",
     when: "Always; in a separation something supplies it: an explosive, a spring, muscles.",
     source: "Definition.",
+    wrong: wrong::separation::GAIN,
+};
+
+/// Work and kinetic energy.
+pub const WORK_ENERGY: Law = Law {
+    id: "work-energy",
+    name: "the principle of work and energy",
+    statement: "The kinetic energy at the end equals that at the start plus the work of all forces on the way.",
+    signs: "A force along the motion does positive work, one against it negative work.",
+    when: "Always; forces at right angles to the motion do no work.",
+    source: "Newton's second law, integrated over the distance.",
+    wrong: &[],
+};
+
+/// Conservation of mechanical energy.
+pub const CONSERVATION: Law = Law {
+    id: "conservation-of-energy",
+    name: "conservation of energy",
+    statement: "Where only weight and springs do work, kinetic energy, energy of height and energy of the springs add up to the same sum.",
+    signs: "Heights count upwards; the energy of a spring is never negative.",
+    when: "No friction and no impact between the two instants.",
+    source: "The principle of work and energy, for forces whose work depends on the place alone.",
     wrong: &[],
 };
 
 /// The laws of this chapter.
-pub const LAWS: &[&Law] = &[&KINETIC, &LOSS, &GAIN];
+pub const LAWS: &[&Law] = &[&KINETIC, &LOSS, &GAIN, &WORK_ENERGY, &CONSERVATION];
+
+/// What is there at the start and the work on the way make up what is there at the end.
+#[must_use]
+pub fn work_energy(start: Expr, works: impl IntoIterator<Item = Expr>, end: Expr) -> Sides {
+    (Expr::sum([start].into_iter().chain(works)), end)
+}
+
+/// `k s^2 / 2`: the energy of a spring that is deformed by `s`.
+#[must_use]
+pub fn of_spring(stiffness: &Expr, deformation: &Expr) -> Expr {
+    Expr::product([Expr::ratio(1, 2), stiffness.clone(), deformation.clone().powi(2)])
+}
+
+/// `v^2 / 2`: the kinetic energy for each unit of mass, where the mass cancels.
+#[must_use]
+pub fn specific_kinetic(components: &[Expr]) -> Expr {
+    kinetic(&Expr::one(), components)
+}
 
 /// `m v^2 / 2`, with the square of the speed as a sum of squared components.
 #[must_use]

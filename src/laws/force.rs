@@ -4,6 +4,7 @@ use crate::expr::Expr;
 
 use super::Law;
 use super::Sides;
+use super::wrong;
 
 /// The impulse of a force as its integral over time.
 pub const IMPULSE: Law = Law {
@@ -13,7 +14,7 @@ pub const IMPULSE: Law = Law {
     signs: "Positive along the axis.",
     when: "Always; a constant force gives force times time.",
     source: "Definition.",
-    wrong: &[],
+    wrong: wrong::force::IMPULSE,
 };
 
 /// Mean force over a duration.
@@ -24,7 +25,7 @@ pub const MEAN_FORCE: Law = Law {
     signs: "As the impulse.",
     when: "Always.",
     source: "Definition.",
-    wrong: &[],
+    wrong: wrong::force::MEAN_FORCE,
 };
 
 /// Weight.
@@ -35,17 +36,28 @@ pub const WEIGHT: Law = Law {
     signs: "Positive as a magnitude; it acts downwards.",
     when: "Near the ground.",
     source: "Newton's second law for free fall.",
-    wrong: &[],
+    wrong: wrong::force::WEIGHT,
 };
 
 /// Balance of forces across a floor.
 pub const NORMAL_FORCE: Law = Law {
     id: "normal-force",
     name: "the balance of forces across the floor",
-    statement: "A body that stays on a level floor is pressed by it with its weight and the downward parts of the other forces.",
+    statement: "A body that stays on a floor is pressed by it with the parts of its weight and of the other forces that point into the floor.",
     signs: "The normal force is positive as a push of the floor.",
     when: "The body does not leave the floor.",
     source: "Newton's second law across the floor, where nothing accelerates.",
+    wrong: wrong::force::NORMAL_FORCE,
+};
+
+/// Balance of forces on a body that does not accelerate.
+pub const BALANCE: Law = Law {
+    id: "balance-of-forces",
+    name: "the balance of forces",
+    statement: "The forces on a body that is at rest or moves evenly add up to zero.",
+    signs: "Positive along the axis.",
+    when: "The velocity of the body does not change.",
+    source: "Newton's second law, where nothing accelerates.",
     wrong: &[],
 };
 
@@ -68,11 +80,48 @@ pub const THRESHOLD: Law = Law {
     signs: "Magnitudes.",
     when: "The body is at rest and the push grows.",
     source: "Coulomb's law of dry friction, an experimental law.",
+    wrong: wrong::force::THRESHOLD,
+};
+
+/// Force of a spring.
+pub const HOOKE: Law = Law {
+    id: "hookes-law",
+    name: "Hooke's law",
+    statement: "A spring pushes or pulls with its stiffness times its deformation.",
+    signs: "Magnitudes; the force acts against the deformation.",
+    when: "The spring is light and not overstretched.",
+    source: "Hooke's law, an experimental law.",
+    wrong: &[],
+};
+
+/// Pull of a cord on a circle.
+pub const CORD: Law = Law {
+    id: "tension-on-a-circle",
+    name: "Newton's second law towards the centre of the circle",
+    statement: "The tension less the weight's component along the cord gives the mass its acceleration towards the centre, speed squared over radius.",
+    signs: "Positive towards the centre; the angle is counted from the vertical below the centre.",
+    when: "The body moves on a circle.",
+    source: "Newton's second law and the acceleration of motion on a circle.",
     wrong: &[],
 };
 
 /// The laws of this chapter.
-pub const LAWS: &[&Law] = &[&IMPULSE, &MEAN_FORCE, &WEIGHT, &NORMAL_FORCE, &FRICTION, &THRESHOLD];
+pub const LAWS: &[&Law] =
+    &[&IMPULSE, &MEAN_FORCE, &WEIGHT, &BALANCE, &NORMAL_FORCE, &FRICTION, &THRESHOLD, &HOOKE, &CORD];
+
+/// `S - m g cos(angle) = m v^2 / L`, with the square of the speed as a sum of squared components.
+#[must_use]
+pub fn tension(
+    tension: &Expr,
+    [mass, gravity]: [&Expr; 2],
+    cosine: &Expr,
+    components: &[Expr],
+    length: &Expr,
+) -> Sides {
+    let weight = Expr::product([mass.clone(), gravity.clone(), cosine.clone()]);
+    let squares = Expr::sum(components.iter().map(|component| component.clone().powi(2)));
+    (tension.clone() - weight, mass.clone() * squares / length.clone())
+}
 
 /// `J = F_avg dt`.
 #[must_use]

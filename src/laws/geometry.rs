@@ -4,6 +4,7 @@ use crate::expr::Expr;
 
 use super::Law;
 use super::Sides;
+use super::wrong;
 
 /// Components of a vector of known magnitude and direction.
 pub const COMPONENTS: Law = Law {
@@ -13,7 +14,7 @@ pub const COMPONENTS: Law = Law {
     signs: "Angles are counted counter-clockwise from the axis.",
     when: "Always.",
     source: "Trigonometry.",
-    wrong: &[],
+    wrong: wrong::geometry::COMPONENTS,
 };
 
 /// The change to axes along and across a line.
@@ -24,7 +25,7 @@ pub const ROTATION: Law = Law {
     signs: "n along the line, t at 90° to it, counter-clockwise.",
     when: "Always.",
     source: "Trigonometry.",
-    wrong: &[],
+    wrong: wrong::geometry::COMPONENTS,
 };
 
 /// The magnitude from the components.
@@ -35,7 +36,7 @@ pub const MAGNITUDE: Law = Law {
     signs: "A magnitude is never negative.",
     when: "Always, along perpendicular axes.",
     source: "Pythagoras' theorem.",
-    wrong: &[],
+    wrong: wrong::geometry::MAGNITUDE,
 };
 
 /// The direction from the components.
@@ -46,7 +47,7 @@ pub const DIRECTION: Law = Law {
     signs: "Angles are counted counter-clockwise; the signs of both components tell the quadrant.",
     when: "Always, along perpendicular axes.",
     source: "Trigonometry.",
-    wrong: &[],
+    wrong: wrong::geometry::DIRECTION,
 };
 
 /// Speed on a circle.
@@ -57,6 +58,28 @@ pub const ARC: Law = Law {
     signs: "Counter-clockwise is positive.",
     when: "The distance from the centre does not change at that instant.",
     source: "The length of an arc.",
+    wrong: wrong::geometry::ARC,
+};
+
+/// Height on a circle.
+pub const HEIGHT_ON_CIRCLE: Law = Law {
+    id: "height-on-a-circle",
+    name: "trigonometry",
+    statement: "A cord that makes an angle with the vertical ends lower than its fixed end by its length times the cosine of the angle.",
+    signs: "Heights and lengths are positive.",
+    when: "The cord is straight.",
+    source: "Trigonometry.",
+    wrong: &[],
+};
+
+/// Height of a slope.
+pub const HEIGHT_OF_SLOPE: Law = Law {
+    id: "height-of-a-slope",
+    name: "trigonometry",
+    statement: "A way along a slope leads up or down by its length times the sine of the slope's angle.",
+    signs: "Heights and lengths are positive.",
+    when: "The slope is straight.",
+    source: "Trigonometry.",
     wrong: &[],
 };
 
@@ -72,7 +95,8 @@ pub const RELATION: Law = Law {
 };
 
 /// The laws of this chapter.
-pub const LAWS: &[&Law] = &[&COMPONENTS, &ROTATION, &MAGNITUDE, &DIRECTION, &ARC, &RELATION];
+pub const LAWS: &[&Law] =
+    &[&COMPONENTS, &ROTATION, &MAGNITUDE, &DIRECTION, &ARC, &HEIGHT_ON_CIRCLE, &HEIGHT_OF_SLOPE, &RELATION];
 
 /// The two components of a vector of that magnitude, `angle` being counted from the first axis.
 #[must_use]

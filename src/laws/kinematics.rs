@@ -4,6 +4,7 @@ use crate::expr::Expr;
 
 use super::Law;
 use super::Sides;
+use super::wrong;
 
 /// Speed reached in a fall.
 pub const FALL_SPEED: Law = Law {
@@ -13,7 +14,7 @@ pub const FALL_SPEED: Law = Law {
     signs: "The height fallen is positive.",
     when: "Weight is the only force; air resistance is left out.",
     source: "Work and energy with weight alone.",
-    wrong: &[],
+    wrong: wrong::kinematics::FALL_SPEED,
 };
 
 /// Velocity and time in a fall.
@@ -46,7 +47,7 @@ pub const FLIGHT_PLACE: Law = Law {
     signs: "Along the axis positive; g counts as negative where the axis points up.",
     when: "Weight is the only force; air resistance is left out.",
     source: "The velocity under constant acceleration, integrated over time.",
-    wrong: &[],
+    wrong: wrong::kinematics::FLIGHT_PLACE,
 };
 
 /// Vertical velocity and height in free flight.
@@ -57,7 +58,7 @@ pub const FLIGHT_SPEED: Law = Law {
     signs: "Along the axis positive; g counts as negative where the axis points up.",
     when: "Weight is the only force; air resistance is left out.",
     source: "Work and energy with weight alone, less the kinetic energy of the horizontal motion, which stays.",
-    wrong: &[],
+    wrong: wrong::kinematics::FALL_SPEED,
 };
 
 /// The top of a path.
@@ -90,7 +91,7 @@ pub const BOUNCE_HEIGHT: Law = Law {
     signs: "Heights are positive.",
     when: "Dropped from rest on a level fixed floor; air resistance is left out.",
     source: "Restitution at a surface, and energy between bounces.",
-    wrong: &[],
+    wrong: wrong::kinematics::BOUNCE_HEIGHT,
 };
 
 /// Speeds of successive bounces.
@@ -101,7 +102,7 @@ pub const BOUNCE_SPEED: Law = Law {
     signs: "Speeds are positive.",
     when: "Dropped from rest on a level fixed floor; air resistance is left out.",
     source: "Restitution at a surface; the ball returns with the speed with which it left.",
-    wrong: &[],
+    wrong: wrong::kinematics::BOUNCE_SPEED,
 };
 
 /// Times of bounces.
@@ -112,7 +113,7 @@ pub const BOUNCE_TIME: Law = Law {
     signs: "Counted from the release.",
     when: "Dropped from rest on a level fixed floor; air resistance is left out.",
     source: "Restitution at a surface, and a geometric series.",
-    wrong: &[],
+    wrong: wrong::kinematics::BOUNCE_TIME,
 };
 
 /// The whole path of a bouncing body.
@@ -123,6 +124,39 @@ pub const BOUNCE_PATH: Law = Law {
     signs: "Lengths are positive.",
     when: "Dropped from rest on a level fixed floor; air resistance is left out.",
     source: "The height after n bounces, and a geometric series.",
+    wrong: wrong::kinematics::BOUNCE_PATH,
+};
+
+/// Times add up.
+pub const CLOCK: Law = Law {
+    id: "times-add-up",
+    name: "the sum of the times",
+    statement: "The time from the start is the sum of the durations of all stages so far; impacts take no time.",
+    signs: "Counted from the start.",
+    when: "Always.",
+    source: "The meaning of a duration.",
+    wrong: &[],
+};
+
+/// A body that has come to rest.
+pub const REST: Law = Law {
+    id: "rest",
+    name: "the meaning of rest",
+    statement: "A body that has come to rest has no velocity.",
+    signs: "None are needed.",
+    when: "At the instant of rest.",
+    source: "Kinematics.",
+    wrong: &[],
+};
+
+/// Bodies that move with one velocity.
+pub const TOGETHER: Law = Law {
+    id: "same-velocity",
+    name: "the condition that both move with one velocity",
+    statement: "Bodies whose distance does not change at an instant have the same velocity along the line that joins them; so have the ends of a taut string.",
+    signs: "As the velocities.",
+    when: "A string is taut, or a spring between the bodies is deformed most.",
+    source: "Kinematics.",
     wrong: &[],
 };
 
@@ -150,7 +184,10 @@ pub const LAWS: &[&Law] = &[
     &BOUNCE_SPEED,
     &BOUNCE_TIME,
     &BOUNCE_PATH,
+    &REST,
+    &TOGETHER,
     &COUNT,
+    &CLOCK,
 ];
 
 /// `v_2^2 = v_1^2 + 2 g h`.

@@ -4,6 +4,7 @@ use crate::expr::Expr;
 
 use super::Law;
 use super::Sides;
+use super::wrong;
 
 /// Velocity and position of the mass centre.
 pub const MASS_CENTRE: Law = Law {
@@ -13,7 +14,7 @@ pub const MASS_CENTRE: Law = Law {
     signs: "As the velocities.",
     when: "Always.",
     source: "Definition.",
-    wrong: &[],
+    wrong: wrong::mass_centre::MASS_CENTRE,
 };
 
 /// Motion of the mass centre.
@@ -24,7 +25,7 @@ pub const MOTION: Law = Law {
     signs: "Impulses along the axis are positive.",
     when: "Always; internal impulses cancel in pairs.",
     source: "The principle of impulse and momentum for each body, added up.",
-    wrong: &[],
+    wrong: wrong::mass_centre::MOTION,
 };
 
 /// The path of the mass centre.

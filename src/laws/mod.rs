@@ -10,6 +10,7 @@ pub mod mass_centre;
 pub mod momentum;
 pub mod restitution;
 pub mod separation;
+pub mod variable_mass;
 pub mod wrong;
 
 /// One law, as a row of its chapter's table.
@@ -50,6 +51,7 @@ pub const CHAPTERS: &[(&str, &[&Law])] = &[
     ("Energy", energy::LAWS),
     ("Angular impulse and momentum", angular::LAWS),
     ("Motion between impacts", kinematics::LAWS),
+    ("Streams and variable mass", variable_mass::LAWS),
 ];
 
 /// The law of that id.

@@ -4,6 +4,7 @@ use crate::expr::Expr;
 
 use super::Law;
 use super::Sides;
+use super::wrong;
 
 /// The principle of impulse and momentum for one body along one axis.
 pub const IMPULSE_MOMENTUM: Law = Law {
@@ -13,7 +14,7 @@ pub const IMPULSE_MOMENTUM: Law = Law {
     signs: "Velocities and impulses along the axis are positive, against it negative.",
     when: "Always, for each body and each axis.",
     source: "Newton's second law, integrated over time.",
-    wrong: &[],
+    wrong: wrong::momentum::IMPULSE_MOMENTUM,
 };
 
 /// Action and reaction of an internal impulse.
@@ -24,7 +25,7 @@ pub const THIRD_LAW: Law = Law {
     signs: "Each impulse is positive along the axis.",
     when: "Always, for the impulses between two bodies.",
     source: "Newton's third law, integrated over time.",
-    wrong: &[],
+    wrong: wrong::momentum::THIRD_LAW,
 };
 
 /// Conservation along an axis along which no external impulse acts.
@@ -35,7 +36,7 @@ pub const CONSERVATION: Law = Law {
     signs: "Velocities along the axis are positive, against it negative.",
     when: "The impulses within the system cancel in pairs, and no external impulse acts along the axis.",
     source: "The principle of impulse and momentum for each body, added up.",
-    wrong: &[],
+    wrong: wrong::momentum::CONSERVATION,
 };
 
 /// Impulses from outside on a system.
@@ -46,7 +47,7 @@ pub const SYSTEM: Law = Law {
     signs: "Velocities and impulses along the axis are positive, against it negative.",
     when: "Always, for each axis; the impulses within the system cancel in pairs.",
     source: "The principle of impulse and momentum for each body, added up.",
-    wrong: &[],
+    wrong: wrong::momentum::SYSTEM,
 };
 
 /// A velocity component along which no impulse acts.
@@ -57,7 +58,7 @@ pub const NO_IMPULSE: Law = Law {
     signs: "Velocities along the axis are positive, against it negative.",
     when: "The contact is smooth, so that its impulse has no component along the axis.",
     source: "The principle of impulse and momentum for the body alone.",
-    wrong: &[],
+    wrong: wrong::momentum::NO_IMPULSE,
 };
 
 /// Momentum as the product of mass and velocity.

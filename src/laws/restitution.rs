@@ -4,6 +4,7 @@ use crate::expr::Expr;
 
 use super::Law;
 use super::Sides;
+use super::wrong;
 
 /// Newton's law of restitution along the line of impact.
 pub const RESTITUTION: Law = Law {
@@ -13,7 +14,7 @@ pub const RESTITUTION: Law = Law {
     signs: "Velocities along the line of impact, from the first body to the second, are positive; approach is first minus second, separation second minus first.",
     when: "An impact of two bodies, along the line of impact only; e lies between 0 (they stay together) and 1 (no energy is lost).",
     source: "Newton's law of restitution, an experimental law.",
-    wrong: &[],
+    wrong: wrong::restitution::BODIES,
 };
 
 /// Restitution at a surface that cannot be moved.
@@ -24,7 +25,7 @@ pub const RESTITUTION_SURFACE: Law = Law {
     signs: "Velocities along the outward normal are positive.",
     when: "An impact on a surface too heavy to be moved, along its normal only.",
     source: "Newton's law of restitution with one very heavy body.",
-    wrong: &[],
+    wrong: wrong::restitution::SURFACE,
 };
 
 /// Bodies that stay together.

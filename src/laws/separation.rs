@@ -4,6 +4,7 @@ use crate::expr::Expr;
 
 use super::Law;
 use super::Sides;
+use super::wrong;
 
 /// The mass of the parts.
 pub const MASS: Law = Law {
@@ -35,7 +36,7 @@ pub const ENERGY: Law = Law {
     signs: "Energy that becomes kinetic energy is positive.",
     when: "The energy of an explosive, a spring or muscles becomes kinetic energy; any part that does not is left out of it.",
     source: "The principle of work and energy for all bodies together.",
-    wrong: &[],
+    wrong: wrong::separation::ENERGY,
 };
 
 /// Relative velocity.
@@ -46,7 +47,7 @@ pub const RELATIVE: Law = Law {
     signs: "Along the axis positive, for the velocities and for the relative velocity.",
     when: "Always; of the other body's velocity, that of the instant of which the relative velocity is told.",
     source: "Kinematics.",
-    wrong: &[],
+    wrong: wrong::separation::RELATIVE,
 };
 
 /// A guided body.

@@ -4,6 +4,7 @@ use crate::expr::Expr;
 
 use super::Builder;
 use super::Direction;
+use super::incline::Incline;
 
 /// A force that acts on a body during a push.
 #[derive(Clone, Debug)]
@@ -35,6 +36,21 @@ pub enum ForceKind {
     Normal,
     /// Kinetic friction.
     Friction,
+}
+
+/// A stream that meets a body.
+#[derive(Clone, Debug)]
+pub struct Flowing {
+    /// The stage, counted from 0.
+    pub stage: usize,
+    /// Its speed.
+    pub speed: Expr,
+    /// Where it goes before the body.
+    pub direction: Direction,
+    /// Where it goes after a vane, seen from there.
+    pub leaving: Option<Direction>,
+    /// Its speed relative to the body.
+    pub relative: Expr,
 }
 
 /// Where and when the forces of one push act.
@@ -69,14 +85,23 @@ impl Builder<'_> {
         self.forces.push(acts.force(ForceKind::Weight, "weight", strength, Direction::axis(vertical, down < 0)));
     }
 
-    /// Notes what a level floor has to do with a body that slides on it in the positive direction.
-    pub(super) fn note_floor(&mut self, acts: Acts<'_>, weight: Expr, normal: Expr, kinetic: Expr) {
+    /// Notes what a floor has to do with a body that slides on it along the axis, or `backwards`.
+    pub(super) fn note_floor(
+        &mut self,
+        acts: Acts<'_>,
+        incline: &Incline,
+        weight: Expr,
+        normal: Expr,
+        kinetic: Expr,
+        backwards: bool,
+    ) {
         let friction = kinetic * normal.clone();
-        self.forces.extend([
-            acts.force(ForceKind::Weight, "weight", weight, Direction::axis(1, true)),
-            acts.force(ForceKind::Normal, "the normal force", normal, Direction::axis(1, false)),
-            acts.force(ForceKind::Friction, "friction", friction, Direction::axis(0, true)),
-        ]);
+        self.forces.push(acts.force(ForceKind::Weight, "weight", weight, incline.downwards()));
+        self.forces.push(acts.force(ForceKind::Normal, "the normal force", normal, Direction::axis(1, false)));
+        if !friction.is_zero() {
+            let against = Direction::axis(0, !backwards);
+            self.forces.push(acts.force(ForceKind::Friction, "friction", friction, against));
+        }
     }
 
     /// Where the only axis of a scene stands among x and y.

@@ -25,6 +25,7 @@ use crate::solve::Statement;
 use crate::solve::System;
 
 use super::ActingForce;
+use super::Flowing;
 use super::Impulse;
 use super::Instance;
 use super::Integral;
@@ -63,6 +64,9 @@ pub struct Builder<'s> {
     pub(super) omissions: Vec<Omission>,
     pub(super) impulses: Vec<Impulse>,
     pub(super) forces: Vec<ActingForce>,
+    pub(super) flowing: Vec<Flowing>,
+    /// How long each stage lasts, where that is spoken of.
+    pub(super) lasting: Vec<Option<Expr>>,
     pub(super) literals: Vec<(Symbol, Quantity)>,
     pub(super) frames: Vec<Option<Frame>>,
     /// The components along the axes from which a direction follows.
@@ -89,6 +93,8 @@ impl<'s> Builder<'s> {
             omissions: Vec::new(),
             impulses: Vec::new(),
             forces: Vec::new(),
+            flowing: Vec::new(),
+            lasting: vec![None; scene.stages.len()],
             literals: Vec::new(),
             frames: vec![None; scene.stages.len()],
             directions: BTreeMap::new(),

@@ -8,6 +8,7 @@ use crate::scene::Axes;
 use crate::scene::Plane;
 use crate::scene::Scene;
 use crate::scene::Stage;
+use crate::scene::stage::Ends;
 use crate::scene::stage::Impact;
 use crate::scene::stage::Partners;
 use crate::scene::stage::Separate;
@@ -16,7 +17,9 @@ use super::Name;
 use super::timeline::Timeline;
 
 /// Kinds of quantity that only a scene makes.
-const STRUCTURAL: &[&str] = &["v", "speed", "angle", "p", "J", "F_avg", "T", "T_lost", "T_gained", "H", "r", "W"];
+const STRUCTURAL: &[&str] = &["v", "speed", "angle", "p", "J", "F_avg", "T", "T_lost", "T_gained", "H", "W"];
+/// Kinds of place, of a body at an instant.
+const PLACES: &[&str] = &["r", "x", "y", "z"];
 
 /// Whether a name is one that the scene makes by itself, rather than one that the author chose.
 pub(super) fn is_structural(scene: &Scene, name: &str) -> bool {
@@ -26,7 +29,8 @@ pub(super) fn is_structural(scene: &Scene, name: &str) -> bool {
         || name.subject == "G"
         || scene.points.contains_key(&name.subject)
         || timeline.bodies().any(|body| body == name.subject);
-    STRUCTURAL.contains(&name.base.as_str()) && known_subject && (name.instant.is_some() || name.base != "r")
+    let is_place = PLACES.contains(&name.base.as_str()) && !name.subject.is_empty() && name.instant.is_some();
+    known_subject && (STRUCTURAL.contains(&name.base.as_str()) || is_place)
 }
 
 /// Every way in which the parts of a scene contradict each other.
@@ -46,21 +50,12 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
             fault.help("write `axes: { x: to the right }` or `axes: { x: east, y: north }`").at_path(at.key("axes")),
         );
     }
-    for (index, name) in scene.instants.iter().enumerate() {
-        let fault = if index > scene.stages.len() {
-            Fault::new(Code::Value, format!("there is no instant for the name `{name}`"))
-                .help(format!("instants lie before, between and after the stages: {} in all", scene.stages.len() + 1))
-        } else if scene.instants[..index].contains(name) {
-            Fault::new(Code::Duplicate, format!("two instants are called `{name}`")).help("rename one of them")
-        } else {
-            continue;
-        };
-        faults.push(fault.at_path(at.key("instants").index(index)));
-    }
+    faults.extend(names_of_instants(scene));
     faults.extend(unions_without_a_name_of_their_own(scene));
     if !faults.is_empty() {
         return faults;
     }
+    let at = Path::root().key("scene");
     let timeline = Timeline::new(scene);
     for (index, stage) in scene.stages.iter().enumerate() {
         let at = at.key("stages").index(index).key(stage.key());
@@ -98,6 +93,17 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
                 }
             },
             Stage::Push(stage) => body(&stage.body, "body"),
+            Stage::Fall(_)
+            | Stage::Slide(_)
+            | Stage::Spring(_)
+            | Stage::Swing(_)
+            | Stage::Taut(_)
+            | Stage::Connected(_) => {
+                for (name, key) in held_bodies(stage) {
+                    body(name, key);
+                }
+                faults.extend(held(scene, stage).map(|fault| fault.at_path(at)));
+            }
             Stage::Blow(stage) => body(&stage.body, "body"),
             Stage::Rotate(stage) => {
                 body(&stage.body, "body");
@@ -111,14 +117,10 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
                     faults.push(fault.help("write `axes: polar`").at_path(at.clone()));
                 }
             }
-            Stage::Fall(stage) => {
-                body(&stage.body, "body");
-                if scene.plane != Plane::Vertical {
-                    let fault = Fault::new(Code::Value, "a fall needs a vertical plane");
-                    faults.push(fault.help("write `plane: vertical` under `scene`").at_path(at.clone()));
-                }
-            }
             Stage::Bounces(stage) => body(&stage.body, "body"),
+            Stage::Stream(stage) => body(&stage.body, "body"),
+            Stage::Thrust(stage) => body(&stage.body, "body"),
+            Stage::Drift(_) => {}
             Stage::Flight(stage) => {
                 stage.body.iter().for_each(|name| body(name, "body"));
                 stage.bodies.iter().for_each(|name| body(name, "bodies"));
@@ -131,6 +133,65 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
         }
     }
     faults
+}
+
+/// Every instant has at most one name, and every name an instant.
+fn names_of_instants(scene: &Scene) -> Vec<Fault> {
+    let at = Path::root().key("scene").key("instants");
+    let mut faults = Vec::new();
+    for (index, name) in scene.instants.iter().enumerate() {
+        let fault = if index > scene.stages.len() {
+            Fault::new(Code::Value, format!("there is no instant for the name `{name}`"))
+                .help(format!("instants lie before, between and after the stages: {} in all", scene.stages.len() + 1))
+        } else if scene.instants[..index].contains(name) {
+            Fault::new(Code::Duplicate, format!("two instants are called `{name}`")).help("rename one of them")
+        } else {
+            continue;
+        };
+        faults.push(fault.at_path(at.index(index)));
+    }
+    faults
+}
+
+/// What moves by its weight needs a plane in which weight acts.
+fn not_vertical(scene: &Scene, what: &str) -> Option<Fault> {
+    let fault = || Fault::new(Code::Value, format!("{what} needs a vertical plane"));
+    (scene.plane != Plane::Vertical).then(|| fault().help("write `plane: vertical` under `scene`"))
+}
+
+/// The bodies that fall, or are held by floors, cords and springs, each with the key that names it.
+fn held_bodies(stage: &Stage) -> Vec<(&str, &str)> {
+    match stage {
+        Stage::Fall(stage) => vec![(&stage.body, "body")],
+        Stage::Slide(stage) => vec![(&stage.body, "body")],
+        Stage::Swing(stage) => vec![(&stage.body, "body")],
+        Stage::Spring(stage) => match stage.ends() {
+            Some(Ends::Fixed(name)) => vec![(name, "body")],
+            Some(Ends::Free(first, second)) => vec![(first, "between"), (second, "between")],
+            None => Vec::new(),
+        },
+        Stage::Taut(stage) => stage.between.iter().map(|name| (name.as_str(), "between")).collect(),
+        Stage::Connected(stage) => vec![(&stage.trailing.body, "trailing"), (&stage.leading.body, "leading")],
+        _ => Vec::new(),
+    }
+}
+
+/// What does not fit a stage in which a body falls, or is held by a floor, a cord or a spring.
+fn held(scene: &Scene, stage: &Stage) -> Option<Fault> {
+    let one_axis = matches!(&scene.axes, Axes::Rectangular(axes) if axes.len() == 1);
+    match stage {
+        Stage::Spring(spring) if spring.ends().is_none() => {
+            let fault = Fault::new(Code::MissingKey, "a spring needs a body, or two bodies between which it lies");
+            Some(fault.help("write `body: A`, or `between: [A, B]`"))
+        }
+        Stage::Fall(_) => not_vertical(scene, "a fall"),
+        Stage::Swing(_) => not_vertical(scene, "a swing"),
+        Stage::Connected(_) if !one_axis => {
+            let fault = Fault::new(Code::Value, "bodies on a string over a pulley need a scene with one axis");
+            Some(fault.help("write `axes: { x: along the string }`"))
+        }
+        _ => None,
+    }
 }
 
 /// What two bodies become is a body of its own: its name must not be that of another.

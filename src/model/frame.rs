@@ -149,7 +149,7 @@ impl Builder<'_> {
         })
     }
 
-    fn read_angle(&mut self, text: &str, path: &Path) -> Expr {
+    pub(super) fn read_angle(&mut self, text: &str, path: &Path) -> Expr {
         self.read(&Term(text.trim().to_owned()), Dimension::NONE, "the angle", path)
     }
 

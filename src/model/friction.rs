@@ -8,8 +8,9 @@ use crate::fault::Path;
 use crate::laws::force;
 use crate::laws::momentum;
 use crate::quantity::Dimension;
+use crate::scene::Axis;
 use crate::scene::Friction;
-use crate::scene::stage::Push;
+use crate::solve::Equation;
 use crate::solve::Relation;
 
 use super::Agent;
@@ -20,22 +21,31 @@ use super::Warning;
 use super::acting::Acts;
 use super::builder::Alternative;
 use super::builder::LAW_COST;
-use super::stage::Acting;
+use super::stage::Pushed;
+
+/// The forces on a body that rests or slides on a floor, along its motion.
+struct Contact {
+    /// What the pushes and weight make up along the floor.
+    along: Expr,
+    /// The normal force.
+    normal: Expr,
+    /// The coefficient of kinetic friction.
+    kinetic: Expr,
+    before: Expr,
+    after: Expr,
+}
+
+impl Contact {
+    /// What is left along the motion while the body slides.
+    fn net(&self) -> Expr {
+        self.along.clone() - self.kinetic.clone() * self.normal.clone()
+    }
+}
 
 impl Builder<'_> {
-    /// A body on a level floor, along one axis: slides against kinetic friction once the push exceeds the static threshold.
-    #[allow(clippy::too_many_arguments, reason = "what a push has read of itself")]
-    pub(super) fn push_against_friction(
-        &mut self,
-        index: usize,
-        stage: &Push,
-        friction: &Friction,
-        path: &Path,
-        acting: &[Acting],
-        clock: Symbol,
-        [start, end]: [&Expr; 2],
-    ) {
-        let body = stage.body.as_str();
+    /// A body on a floor, along one axis: slides against kinetic friction once the push exceeds the static threshold.
+    pub(super) fn push_against_friction(&mut self, pushed: &Pushed<'_>, friction: &Friction, path: &Path) {
+        let (index, body) = (pushed.index, pushed.body);
         let name = self.called(body);
         let [(axis, _)] = self.axes[..] else {
             let fault = Fault::new(Code::Value, "friction needs a scene with one axis, along the floor");
@@ -44,151 +54,157 @@ impl Builder<'_> {
         };
         let kinetic =
             self.read(&friction.kinetic, Dimension::NONE, "the coefficient of kinetic friction", &path.key("kinetic"));
-        let gravity = self.gravity();
-        let weight = self.mass(body) * gravity;
-        let along =
-            Expr::sum(acting.iter().map(|force| force.strength.clone() * force.direction.cosine_and_sine()[0].clone()));
-        let lift =
-            Expr::sum(acting.iter().map(|force| force.strength.clone() * force.direction.cosine_and_sine()[1].clone()));
-        let suffix = self.stage_suffix(index);
-        let normal = weight.clone() - lift;
-        let normal = if normal.contains(clock) {
-            normal
-        } else {
-            let symbol = Expr::from(self.positive(
-                format!("N_{body}{suffix}"),
-                Dimension::FORCE,
-                format!("the normal force on {name}"),
-            ));
-            self.law(
-                &force::NORMAL_FORCE,
-                Some(index),
-                "the floor carries what presses on it",
-                (symbol.clone(), normal),
-            );
-            symbol
-        };
-        let net = along.clone() - kinetic.clone() * normal.clone();
-        let [before, after] = [index + 1, index + 2].map(|instant| self.velocity(body, instant, axis));
+        let contact = self.contact(pushed, kinetic, axis);
         self.impulses.push(Impulse {
             stage: index,
             on: body.to_owned(),
             by: Agent::Outside,
-            called: acting.first().map_or_else(|| "friction".into(), |force| force.name.clone()),
+            called: pushed.acting.first().map_or_else(|| "friction".into(), |force| force.name.clone()),
             components: Vec::new(),
             impulsive: false,
         });
         self.omit("air resistance", "the problem does not mention any");
         let begins = friction.at_rest.as_ref().map(|_| self.begins(index, &name));
-        let acts = Acts { stage: index, on: body, during: [begins.as_ref().unwrap_or(start), end] };
-        for force in acting {
+        let acts = Acts { stage: index, on: body, during: [begins.as_ref().unwrap_or(&pushed.start), &pushed.end] };
+        for force in &pushed.acting {
             self.note_pull(acts, &force.name, &force.strength, &force.direction);
         }
-        self.note_floor(acts, weight, normal.clone(), kinetic);
+        let weight = self.mass(body) * self.gravity();
+        let (normal, kinetic) = (contact.normal.clone(), contact.kinetic.clone());
+        self.note_floor(acts, &pushed.incline, weight, normal, kinetic, pushed.sign < 0);
         match &friction.at_rest {
             Some(term) => {
                 let threshold =
                     self.read(term, Dimension::NONE, "the coefficient of static friction", &path.key("static"));
-                self.start_from_rest(index, body, [&along, &(threshold * normal)], &net, clock, [start, end], &after);
+                self.start_from_rest(pushed, &contact, &(threshold * contact.normal.clone()));
             }
-            None => {
-                self.sliding(index, body, &net, clock, [start, end], [&before, &after]);
-            }
+            None => self.sliding(pushed, &contact),
+        }
+        if let Some(distance) = &pushed.over {
+            let sign = Expr::integer(pushed.sign);
+            let forces = vec![sign.clone() * contact.along, -(sign.clone() * contact.kinetic * contact.normal)];
+            let ends = [contact.before, contact.after].map(|speed| sign.clone() * speed);
+            self.push_over(pushed, forces, distance, ends);
         }
     }
 
-    /// A body that slides all the time, in the positive direction.
-    #[allow(clippy::too_many_arguments, reason = "the state at both ends of the stage")]
-    fn sliding(
-        &mut self,
-        index: usize,
-        body: &str,
-        net: &Expr,
-        clock: Symbol,
-        [start, end]: [&Expr; 2],
-        [before, after]: [&Expr; 2],
-    ) {
-        let name = self.called(body);
-        let mass = self.mass(body);
+    /// The forces along and across the floor, the normal force as a quantity of its own where it does not change.
+    fn contact(&mut self, pushed: &Pushed<'_>, kinetic: Expr, axis: Axis) -> Contact {
+        let (index, body) = (pushed.index, pushed.body);
+        let sign = Expr::integer(pushed.sign);
+        let part = |position: usize| {
+            let parts = pushed
+                .acting
+                .iter()
+                .map(|force| force.strength.clone() * force.direction.cosine_and_sine()[position].clone());
+            Expr::sum(parts)
+        };
+        let weight = self.mass(body) * self.gravity();
+        let along = sign.clone() * (part(0) + self.weight_on_slope(body, &pushed.incline));
+        let pressed = weight * pushed.incline.press.clone() - part(1);
+        let normal = if pressed.contains(pushed.clock) {
+            pressed
+        } else {
+            let meaning = format!("the normal force on {}", self.called(body));
+            let name = format!("N_{body}{}", self.stage_suffix(index));
+            let symbol = Expr::from(self.positive(name, Dimension::FORCE, meaning));
+            let because = "the floor carries what presses on it";
+            self.law(&force::NORMAL_FORCE, Some(index), because, (symbol.clone(), pressed));
+            symbol
+        };
+        let [before, after] = [index + 1, index + 2].map(|instant| sign.clone() * self.velocity(body, instant, axis));
+        let after = if pushed.stops { Expr::zero() } else { after };
+        Contact { along, normal, kinetic, before, after }
+    }
+
+    /// A body that slides all the time, one way.
+    fn sliding(&mut self, pushed: &Pushed<'_>, contact: &Contact) {
+        let name = self.called(pushed.body);
+        let mass = self.mass(pushed.body);
         let because = format!("{name} slides all the time, and friction acts against its motion");
-        let Some(impulse) = self.net_impulse(net, clock, start, end) else { return };
-        let sides = momentum::impulse_momentum(&mass, before, &[impulse], after);
-        self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
-        let reason = format!("{name} would stop and friction would turn round before the end");
-        self.require(Warning::Reverses, after.clone(), Relation::AtLeast, Expr::zero(), reason);
+        let Some(impulse) = self.net_impulse(&contact.net(), pushed.clock, &pushed.start, &pushed.end) else { return };
+        let sides = momentum::impulse_momentum(&mass, &contact.before, &[impulse], &contact.after);
+        self.law(&momentum::IMPULSE_MOMENTUM, Some(pushed.index), because, sides);
+        if !pushed.stops {
+            let reason = format!("{name} would stop and friction would turn round before the end");
+            self.require(Warning::Reverses, contact.after.clone(), Relation::AtLeast, Expr::zero(), reason);
+        }
         let reason = format!("{name} would have to slide forwards for friction to act backwards");
-        self.require(Warning::Reverses, before.clone(), Relation::AtLeast, Expr::zero(), reason);
+        self.require(Warning::Reverses, contact.before.clone(), Relation::AtLeast, Expr::zero(), reason);
     }
 
-    /// A body that starts from rest: it slides at once, from the time at which the push reaches the threshold, or not at all.
-    #[allow(clippy::too_many_arguments, reason = "the two forces, and the stage's two ends")]
-    fn start_from_rest(
-        &mut self,
-        index: usize,
-        body: &str,
-        [along, threshold]: [&Expr; 2],
-        net: &Expr,
-        clock: Symbol,
-        [start, end]: [&Expr; 2],
-        after: &Expr,
-    ) {
-        let name = self.called(body);
-        let mass = self.mass(body);
-        let suffix = self.stage_suffix(index);
+    /// A body that starts from rest: it slides from the time at which the push reaches the threshold, at once, or not at all.
+    fn start_from_rest(&mut self, pushed: &Pushed<'_>, contact: &Contact, threshold: &Expr) {
+        let (index, start, end, along) = (pushed.index, &pushed.start, &pushed.end, &contact.along);
+        let name = self.called(pushed.body);
         let begins = self.begins(index, &name);
-        let at = |expr: &Expr, time: &Expr| expr.substitute(&|symbol| (symbol == clock).then(|| time.clone()));
-        let Some(value) = self.net_impulse(net, clock, &begins, end) else { return };
-        let gained = Expr::from(self.symbol(
-            format!("I_net{suffix}"),
-            Dimension::MOMENTUM,
-            format!("the impulse on {name} while it slides"),
-        ));
-        let integral = Integral { integrand: net.clone(), variable: clock, low: begins.clone(), high: end.clone() };
-
+        let at = |expr: &Expr, time: &Expr| expr.substitute(&|symbol| (symbol == pushed.clock).then(|| time.clone()));
+        let changes = along.contains(pushed.clock) || threshold.contains(pushed.clock);
         let alternative = |what: String| Alternative { what, ..Alternative::default() };
-        let mut at_once = alternative(format!("{name} starts to slide at once"));
-        let mut moves = alternative(format!("{name} starts to slide"));
-        let mut stays = alternative(format!("{name} stays at rest"));
+        let backwards = format!("the push exceeds static friction backwards, so that {name} does not stay at rest");
+        let mut ways = Vec::new();
 
-        let because = "the push exceeds the greatest static friction from the beginning";
-        let sides = (begins.clone(), start.clone());
-        at_once.equations.push(self.stated(LAW_COST, &force::THRESHOLD, Some(index), because.to_owned(), sides, None));
-        let because = format!("{name} is at rest until the push reaches the greatest static friction");
-        let sides = (at(along, &begins), at(threshold, &begins));
-        moves.equations.push(self.stated(LAW_COST, &force::THRESHOLD, Some(index), because, sides, None));
-        for (sliding, since) in [(&mut at_once, ""), (&mut moves, "from then on ")] {
-            let because = format!("{since}the impulse is that of the push less kinetic friction");
-            let sides = (gained.clone(), value.clone());
-            let integral = Some(integral.clone());
-            sliding.equations.push(self.stated(LAW_COST, &force::IMPULSE, Some(index), because, sides, integral));
-            let because = format!("{name} starts from rest");
-            let sides = (gained.clone(), mass.clone() * after.clone());
-            sliding.equations.push(self.stated(
-                LAW_COST,
-                &momentum::IMPULSE_MOMENTUM,
-                Some(index),
-                because,
-                sides,
-                None,
-            ));
+        // A push that does not change reaches the threshold at no time of its own.
+        if changes {
+            let mut moves = alternative(format!("{name} starts to slide"));
+            let because = format!("{name} is at rest until the push reaches the greatest static friction");
+            let sides = (at(along, &begins), at(threshold, &begins));
+            moves.equations.push(self.stated(LAW_COST, &force::THRESHOLD, Some(index), because, sides, None));
+            moves.equations.extend(self.gains(pushed, contact, &begins, "from then on "));
+            let early = "the push would exceed static friction before it began";
+            moves.conditions.push(self.condition(begins.clone(), Relation::AtLeast, start.clone(), early));
+            let at_first = "the push exceeds static friction from the beginning";
+            moves.conditions.push(self.condition(at(along, start), Relation::AtMost, at(threshold, start), at_first));
+            if !pushed.incline.is_level() {
+                let held = -at(threshold, start);
+                moves.conditions.push(self.condition(at(along, start), Relation::AtLeast, held, backwards.clone()));
+            }
+            let late = format!("the push never exceeds static friction, so that {name} stays at rest");
+            moves.conditions.push(self.condition(begins.clone(), Relation::Less, end.clone(), late));
+            ways.push(moves);
         }
+        let mut at_once = alternative(format!("{name} starts to slide at once"));
+        let because = "the push exceeds the greatest static friction from the beginning";
+        let sides = (begins, start.clone());
+        at_once.equations.push(self.stated(LAW_COST, &force::THRESHOLD, Some(index), because, sides, None));
+        at_once.equations.extend(self.gains(pushed, contact, start, ""));
         let weak = "the push does not exceed static friction when it begins";
         at_once.conditions.push(self.condition(at(along, start), Relation::Greater, at(threshold, start), weak));
-        let early = "the push would exceed static friction before it began";
-        moves.conditions.push(self.condition(begins.clone(), Relation::AtLeast, start.clone(), early));
-        let at_first = "the push exceeds static friction from the beginning";
-        moves.conditions.push(self.condition(at(along, start), Relation::AtMost, at(threshold, start), at_first));
-        let late = format!("the push never exceeds static friction, so that {name} stays at rest");
-        moves.conditions.push(self.condition(begins, Relation::Less, end.clone(), late));
+        ways.push(at_once);
 
+        let mut stays = alternative(format!("{name} stays at rest"));
         let because = format!("the push stays below the greatest static friction, and {name} does not move");
-        let sides = (after.clone(), Expr::zero());
+        let sides = (contact.after.clone(), Expr::zero());
         stays.equations.push(self.stated(LAW_COST, &force::THRESHOLD, Some(index), because, sides, None));
         let reason = format!("the push exceeds static friction, so that {name} does not stay at rest");
         stays.conditions.push(self.condition(at(along, end), Relation::AtMost, at(threshold, end), reason));
-        let reason = format!("the push exceeds static friction backwards, so that {name} does not stay at rest");
-        stays.conditions.push(self.condition(at(along, end), Relation::AtLeast, -at(threshold, end), reason));
-        self.choices.push(vec![moves, at_once, stays]);
+        stays.conditions.push(self.condition(at(along, end), Relation::AtLeast, -at(threshold, end), backwards));
+        ways.push(stays);
+        self.choices.push(ways);
+    }
+
+    /// What a body that was at rest gains from the time on at which it starts to slide.
+    fn gains(&mut self, pushed: &Pushed<'_>, contact: &Contact, begins: &Expr, since: &str) -> Vec<Equation> {
+        let (index, net) = (pushed.index, contact.net());
+        let name = self.called(pushed.body);
+        let mass = self.mass(pushed.body);
+        let Some(value) = self.net_impulse(&net, pushed.clock, begins, &pushed.end) else { return Vec::new() };
+        let meaning = format!("the impulse on {name} while it slides");
+        let gained =
+            Expr::from(self.symbol(format!("I_net{}", self.stage_suffix(index)), Dimension::MOMENTUM, meaning));
+        let integral = net.contains(pushed.clock).then(|| Integral {
+            integrand: net.clone(),
+            variable: pushed.clock,
+            low: begins.clone(),
+            high: pushed.end.clone(),
+        });
+        let because = format!("{since}the impulse is that of the push less kinetic friction");
+        let sides = (gained.clone(), value);
+        let impulse = self.stated(LAW_COST, &force::IMPULSE, Some(index), because, sides, integral);
+        let because = format!("{name} starts from rest");
+        let sides = (gained, mass * contact.after.clone());
+        let momentum = self.stated(LAW_COST, &momentum::IMPULSE_MOMENTUM, Some(index), because, sides, None);
+        vec![impulse, momentum]
     }
 
     /// The time at which a body at rest starts to slide.

@@ -89,6 +89,8 @@ pub enum Warning {
     EnergyCreated,
     /// A body would move the other way than its stage says.
     Reverses,
+    /// A cord or a string would go slack.
+    GoesSlack,
 }
 
 impl Warning {
@@ -98,5 +100,6 @@ impl Warning {
         ("passes-through", Self::PassesThrough),
         ("energy-created", Self::EnergyCreated),
         ("reverses", Self::Reverses),
+        ("goes-slack", Self::GoesSlack),
     ];
 }

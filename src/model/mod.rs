@@ -7,18 +7,23 @@ mod define;
 mod frame;
 mod friction;
 mod guide;
+mod incline;
 mod instance;
+mod mistaken;
 mod name;
+mod pair;
 mod place;
 mod read;
 mod stage;
 mod timeline;
+mod way;
 mod wording;
 
-pub use acting::{ActingForce, ForceKind};
+pub use acting::{ActingForce, Flowing, ForceKind};
 pub use builder::{Alternative, Builder};
 pub use frame::{Direction, Frame};
 pub use instance::{Agent, Impulse, Instance, Integral, Omission, Reason, Warning};
+pub use mistaken::Mistaken;
 pub use name::{Instant, Name};
 pub use timeline::Timeline;
 
@@ -61,6 +66,8 @@ pub struct Model {
     pub impulses: Vec<Impulse>,
     /// The forces of each push.
     pub forces: Vec<ActingForce>,
+    /// The streams that meet bodies.
+    pub flowing: Vec<Flowing>,
     /// Values that the author wrote into terms: known, and the same in every variant.
     pub literals: Vec<(Symbol, Quantity)>,
     /// The axes n and t of each stage that has them.
@@ -304,6 +311,7 @@ impl<'s> Builder<'s> {
             omissions: self.omissions,
             impulses: self.impulses,
             forces: self.forces,
+            flowing: self.flowing,
             literals: self.literals,
             frames: self.frames,
             free: self.free,

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::scene::Scene;
 use crate::scene::Stage;
+use crate::scene::stage::Ends;
 use crate::scene::stage::Partners;
 use crate::scene::stage::Separate;
 
@@ -120,12 +121,23 @@ fn changed_bodies(stage: &Stage) -> Vec<String> {
             None => Vec::new(),
         },
         Stage::Push(stage) => vec![stage.body.clone()],
+        Stage::Slide(stage) => vec![stage.body.clone()],
+        Stage::Spring(stage) => match stage.ends() {
+            Some(Ends::Fixed(body)) => vec![body.to_owned()],
+            Some(Ends::Free(first, second)) => vec![first.to_owned(), second.to_owned()],
+            None => Vec::new(),
+        },
+        Stage::Swing(stage) => vec![stage.body.clone()],
+        Stage::Taut(stage) => stage.between.to_vec(),
+        Stage::Connected(stage) => vec![stage.trailing.body.clone(), stage.leading.body.clone()],
         Stage::Blow(stage) => vec![stage.body.clone()],
         Stage::Rotate(stage) => vec![stage.body.clone()],
         Stage::Central(stage) => vec![stage.body.clone()],
         Stage::Fall(stage) => vec![stage.body.clone()],
         Stage::Bounces(stage) => vec![stage.body.clone()],
         Stage::Separate(stage) => stage.into.clone(),
+        Stage::Thrust(stage) => vec![stage.body.clone()],
+        Stage::Stream(_) | Stage::Drift(_) => Vec::new(),
         Stage::Flight(stage) => stage.flying().map(str::to_owned).collect(),
     }
 }

@@ -24,11 +24,14 @@ use crate::solve::Equation;
 use super::any;
 use super::comparison::split_relation;
 use super::draft::Units;
+use super::feedback;
+use super::follow::Followings;
 use super::form::Question;
 use super::given::Given;
 use super::known::Known;
 use super::known::Origin;
 use super::load::Loaded;
+use super::mistakes::Mistakes;
 use super::parts;
 use super::planned::Form;
 use super::planned::Problem;
@@ -53,7 +56,8 @@ const GRAVITY: [(UnitSystem, &str, &str); 2] = [(UnitSystem::Si, "9.81", "m/s^2"
 pub fn compile(loaded: Loaded, secret: Option<&[u8]>) -> Result<Problem, Faults> {
     let built = build(&loaded, secret).and_then(|built| {
         let check = |form| told::check(&loaded, &built.model, &built.known, form);
-        let faults: Vec<Fault> = built.forms.iter().flat_map(check).collect();
+        let mut faults: Vec<Fault> = built.forms.iter().flat_map(check).collect();
+        faults.extend(feedback::check(&loaded, &built.model, &built.forms));
         if faults.is_empty() { Ok(built) } else { Err(faults) }
     });
     match built {
@@ -353,7 +357,16 @@ impl FormDraft {
         };
         let solver = Regimes::plan(model, &self.counts, &extra(&self.conditions), &told, &self.wanted, &self.allowed)
             .map_err(|fault| vec![fault.at_path(path)])?;
-        Ok(Form { question: self.question, parts: self.parts, told, reveal: self.reveal, forward, solver })
+        Ok(Form {
+            question: self.question,
+            parts: self.parts,
+            told,
+            reveal: self.reveal,
+            forward,
+            solver,
+            mistakes: Mistakes::default(),
+            followings: Followings::default(),
+        })
     }
 }
 

@@ -66,9 +66,12 @@ pub struct Draft {
     /// Hints, shown one by one, in every form.
     #[serde(default)]
     pub hints: Vec<String>,
-    /// What a student is told who used a well-known wrong form, by the wrong form's name.
+    /// What a student is told who made a usual mistake, by the mistake's name: `momentous diagnose --list` lists them.
     #[serde(default)]
     pub feedback: Entries<String>,
+    /// Usual mistakes, by their names, that must change some answer: numbers with which they do not are drawn again.
+    #[serde(default)]
+    pub discriminate: Vec<String>,
     /// Significant figures of printed answers. Default: 3.
     #[serde(default)]
     #[schemars(range(min = 1, max = 12))]

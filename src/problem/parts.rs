@@ -130,7 +130,8 @@ fn number(loaded: &Loaded, find: &Find, builder: &mut Builder<'_>, path: &Path) 
 
 /// A direction is asked from a stated axis and in a stated sense; the symbol that is counted so, and the words for it.
 fn reference(find: &Find, symbol: Symbol, builder: &mut Builder<'_>, path: &Path) -> Option<(Symbol, String)> {
-    let is_direction = builder.symbols().entry(symbol).name.starts_with("angle_");
+    // Along one axis there are no directions to count: an angle is one between a cord and the vertical.
+    let is_direction = builder.symbols().entry(symbol).name.starts_with("angle_") && builder.axis_letters().len() > 1;
     let (Some(from), Some(sense)) = (&find.from, find.sense) else {
         if is_direction {
             let message = format!("it is not said from which axis and in which sense `{}` is counted", find.find);

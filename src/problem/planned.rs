@@ -9,9 +9,11 @@ use crate::quantity::Unit;
 use crate::quantity::UnitSystem;
 
 use super::compile::Built;
+use super::follow::Followings;
 use super::form::Question;
 use super::known::Known;
 use super::load::Loaded;
+use super::mistakes::Mistakes;
 use super::part::Part;
 use super::part::PartKind;
 use super::regimes::Regimes;
@@ -43,6 +45,10 @@ pub struct Form {
     pub forward: Option<Regimes>,
     /// Solves what is asked.
     pub solver: Regimes,
+    /// What comes of the usual mistakes; planned when a wrong answer first asks for it.
+    pub(super) mistakes: Mistakes,
+    /// What follows from earlier answers; planned when a wrong answer first asks for it.
+    pub(super) followings: Followings,
 }
 
 /// A value that is solved first and then told, rounded as it is printed.

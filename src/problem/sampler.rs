@@ -16,6 +16,7 @@ use super::planned::Problem;
 use super::regimes::Scratch;
 use super::stream::Words;
 use super::variant::Variant;
+use super::variant::Worked;
 
 /// Tries for one seed before the problem is given up as one that cannot be drawn.
 pub const MOST_ATTEMPTS: u64 = 256;
@@ -129,7 +130,7 @@ impl<'p> Sampler<'p> {
         for attempt in 0..MOST_ATTEMPTS {
             self.draw_attempt(seed, attempt);
             let count = self.solve();
-            if self.is_admissible(count) {
+            if self.is_admissible(count) && self.discriminates(seed) {
                 return Ok(());
             }
             self.rejected += 1;
@@ -214,6 +215,17 @@ impl<'p> Sampler<'p> {
     /// One solution, or any number of them where every one is asked for.
     fn is_admissible(&self, solutions: usize) -> bool {
         solutions == 1 || solutions > 1 && self.form.question.roots.is_some()
+    }
+
+    /// Whether every mistake that the author wants to see changes some answer.
+    fn discriminates(&self, seed: u64) -> bool {
+        let wanted = &self.problem.loaded().draft.discriminate;
+        if wanted.is_empty() {
+            return true;
+        }
+        let variant = self.keep(Some(seed));
+        let worked = Worked { problem: self.problem, form: self.form, variant: &variant };
+        wanted.iter().all(|mistake| worked.tells_apart(mistake))
     }
 
     fn draw_attempt(&mut self, seed: u64, attempt: u64) {

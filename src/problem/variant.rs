@@ -115,6 +115,13 @@ impl Variant {
         }
     }
 
+    /// What the author says to a student who made the mistake of that name, placeholders filled in.
+    #[must_use]
+    pub fn feedback(&self, problem: &Problem, mistake: &str) -> Option<String> {
+        let text = super::text::Text::read(problem.loaded().draft.feedback.get(mistake)?).ok()?;
+        Some(say::fill(&text, problem, self).trim().to_owned())
+    }
+
     /// The hints of its form, placeholders filled in.
     #[must_use]
     pub fn hints(&self, problem: &Problem) -> Vec<String> {
@@ -191,6 +198,15 @@ impl<'a> Worked<'a> {
             AskedUnit::InTermsOf(symbol) => self.variant.value(*symbol),
         };
         unit.map_or(value, |unit| value.div(&unit))
+    }
+
+    /// The size of the unit in which a number is asked, in SI units.
+    #[must_use]
+    pub fn unit_of(&self, number: &NumberPart) -> f64 {
+        match &number.unit {
+            AskedUnit::Unit(unit) => unit.factor().to_f64(),
+            AskedUnit::InTermsOf(symbol) => self.variant.value(*symbol).map_or(1.0, |value| value.value),
+        }
     }
 
     /// The regime that the variant belongs to.

@@ -233,3 +233,11 @@ proptest::proptest! {
         proptest::prop_assert_eq!(plan.ok().map(cost), cheapest);
     }
 }
+
+#[test]
+fn an_unknown_under_a_negative_power_is_found() {
+    let mut world = World::new(&["v_1*r_1^(-1) = v_2*r_2^(-1)"]);
+    let plan = world.plan("v_1 r_1 v_2", "r_2").expect("a plan");
+    let taught = world.expr("r_1*v_2/v_1");
+    assert!(equal(&formula(&plan, 0, 0, 0), &taught), "{:?}", formula(&plan, 0, 0, 0));
+}

@@ -16,6 +16,7 @@ use std::path::PathBuf;
 use clap::Args;
 use clap::ValueEnum;
 
+use crate::exercise::Sitting;
 use crate::grade::DecimalMark;
 
 use super::exit::Exit;
@@ -71,6 +72,12 @@ pub(super) struct Grade {
     /// The answer to a part
     #[arg(long, value_name = "NAME=TEXT", value_parser = assignment)]
     answer: Vec<(String, String)>,
+    /// Say so many further hints about wrong answers
+    #[arg(long, value_name = "N", default_value_t = 0, conflicts_with = "submissions")]
+    hints: usize,
+    /// No attempts are left: show what would have followed from the student's own wrong answers
+    #[arg(long, conflicts_with = "submissions")]
+    closed: bool,
     /// Of one set of answers: for people, or one JSON object
     #[arg(long, value_name = "FORMAT", default_value = "text")]
     format: Listing,
@@ -112,6 +119,10 @@ impl From<Mark> for DecimalMark {
 }
 
 impl Grade {
+    fn sitting(&self) -> Sitting {
+        Sitting { hints: self.hints, closed: self.closed }
+    }
+
     pub(super) fn run(&self) -> Result<Exit, Failure> {
         match (&self.submissions, &self.problem, self.seed) {
             (Some(submissions), ..) => self.table(submissions),

@@ -23,7 +23,7 @@ impl Grade {
         let exercise = Exercise::draw(&problem, form, seed);
         let exercise = exercise.map_err(|reason| Failure::no_variant(problem.id(), seed, &reason))?;
         let answers = self.answers(&exercise)?;
-        let report = exercise.grade(&answers, self.decimal.into());
+        let report = exercise.mark(&answers, self.decimal.into(), self.sitting());
         let text = match self.format {
             Listing::Text => report.to_string(),
             Listing::Json => format!("{}\n", record(&exercise, &report)?),

@@ -5,6 +5,7 @@ use crate::figure::Drawing;
 use crate::figure::MomentumDiagram;
 use crate::model::ForceKind;
 use crate::scene::Stage;
+use crate::scene::stage::Ends;
 use crate::scene::stage::Partners;
 
 use super::compass::Compass;
@@ -35,10 +36,14 @@ pub(super) fn diagram(quantities: &Quantities<'_>, compass: &Compass, stage: usi
     }
     let mut balances: Vec<Balance> =
         bodies.iter().map(|participant| balance(quantities, own, stage, participant, bodies.len())).collect();
-    complete(
-        &mut balances,
-        matches!(own, Stage::Separate(_)) || matches!(own, Stage::Impact(impact) if impact.between.is_some()),
-    );
+    let act_on_each_other = match own {
+        Stage::Impact(impact) => impact.between.is_some(),
+        Stage::Spring(spring) => spring.between.is_some(),
+        Stage::Taut(taut) => taut.over.is_none(),
+        Stage::Separate(_) => true,
+        _ => false,
+    };
+    complete(&mut balances, act_on_each_other);
     let frame = quantities.model().frames.get(stage)?.as_ref();
     let normal = frame.and_then(|frame| quantities.direction(&frame.normal)).map(|normal| compass.angle(normal));
     let turned = frame.is_some_and(|frame| !frame.normal.turn.is_zero());
@@ -60,6 +65,12 @@ pub(super) fn diagram(quantities: &Quantities<'_>, compass: &Compass, stage: usi
     let wording = diagram_wording(quantities, compass, stage, &balances);
     let diagram = MomentumDiagram { wording, bodies: rows.collect(), axes: compass.marks() };
     Some(diagram.drawing())
+}
+
+/// Whether nothing tells for how long the forces of a stage act, so that their impulses are not known.
+pub(super) fn has_no_time(quantities: &Quantities<'_>, stage: usize) -> bool {
+    let mut own = quantities.model().forces.iter().filter(|force| force.stage == stage);
+    own.any(|force| quantities.evaluate(&force.during[1]).is_none())
 }
 
 /// Whether anything in the problem speaks of the mass centre.
@@ -104,9 +115,23 @@ fn participants(stage: &Stage) -> Vec<Participant> {
         }
         Stage::Flight(stage) => stage.flying().map(Participant::alone).collect(),
         Stage::Push(stage) => alone(&stage.body),
+        Stage::Slide(stage) => alone(&stage.body),
+        Stage::Spring(stage) => match stage.ends() {
+            Some(Ends::Free(first, second)) => [first, second].map(Participant::alone).to_vec(),
+            Some(Ends::Fixed(body)) => alone(body),
+            None => Vec::new(),
+        },
+        Stage::Taut(stage) => stage.between.iter().map(|body| Participant::alone(body)).collect(),
         Stage::Blow(stage) => alone(&stage.body),
         Stage::Fall(stage) => alone(&stage.body),
-        Stage::Rotate(_) | Stage::Central(_) | Stage::Bounces(_) => Vec::new(),
+        Stage::Swing(_)
+        | Stage::Connected(_)
+        | Stage::Rotate(_)
+        | Stage::Central(_)
+        | Stage::Bounces(_)
+        | Stage::Stream(_)
+        | Stage::Thrust(_)
+        | Stage::Drift(_) => Vec::new(),
     }
 }
 
@@ -121,7 +146,7 @@ fn balance(
     let scale = quantities.mass(body).or((count == 1).then_some(1.0));
     let model = quantities.model();
     let impulses = match own {
-        Stage::Push(_) => {
+        Stage::Push(_) | Stage::Slide(_) => {
             let forces = model.forces.iter().filter(|force| force.stage == stage && force.on == *body);
             // Where the body never starts to move, no force has a time in which it changes the momentum.
             let forces = forces.filter(|force| quantities.evaluate(&force.during[0]).is_some());

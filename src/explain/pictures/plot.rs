@@ -103,7 +103,7 @@ impl Quantities<'_> {
     /// The time at which a push starts.
     fn start_of(&self, stage: usize) -> Expr {
         let start = match self.scene().stages.get(stage) {
-            Some(Stage::Push(Push { during: During::Between([start, _]), .. })) => self.term(start),
+            Some(Stage::Push(Push { during: Some(During::Between([start, _])), .. })) => self.term(start),
             _ => None,
         };
         start.filter(|start| self.evaluate(start) != Some(0.0)).unwrap_or_else(Expr::zero)

@@ -1,4 +1,7 @@
-//! Whether a number is near enough to the right one, decided without rounding.
+//! Whether a number is near enough to the right one. Doubles decide where they are far from the boundary, exact numbers where
+//! they are not, so that a boundary is a boundary and the common case costs nothing.
+
+use std::cell::OnceCell;
 
 use dashu::base::Abs;
 
@@ -10,11 +13,22 @@ use super::super::number::Number;
 
 /// A value below this fraction of the problem's own scale is nothing when it is written to three figures of that scale.
 const NOTHING: (u32, u32) = (1, 2000);
+/// How near to a boundary, relative to the numbers involved, doubles are not trusted.
+const UNSURE: f64 = 1e-11;
 
 /// The right value, and how far from it an answer may lie. Both boundaries are inclusive.
 #[derive(Debug)]
 pub(super) struct Target<'a> {
     pub(super) expected: &'a ExpectedNumber,
+    value: f64,
+    tolerance: f64,
+    turn: Option<f64>,
+    exact: OnceCell<Exact>,
+}
+
+/// The same in exact numbers.
+#[derive(Debug)]
+struct Exact {
     /// The exact value, or the double nearest to it.
     value: Rational,
     /// How far the exact value may lie from `value`.
@@ -25,8 +39,75 @@ pub(super) struct Target<'a> {
     turn: Option<Rational>,
 }
 
+/// Which of the limits is meant.
+#[derive(Clone, Copy)]
+enum Limit {
+    Tolerance,
+    Allowance,
+}
+
 impl<'a> Target<'a> {
     pub(super) fn new(expected: &'a ExpectedNumber) -> Self {
+        let turn = expected.cyclic.then(|| std::f64::consts::TAU / expected.unit.factor().to_f64());
+        let value = turn.map_or(expected.value, |turn| nearest(expected.value, turn));
+        let tolerance = match &expected.tolerance {
+            _ if expected.whole => 0.0,
+            Tolerance::ToFigures => half_unit(value, expected),
+            Tolerance::Absolute(distance) => distance.to_f64().abs(),
+            Tolerance::Relative(fraction) => fraction.to_f64().abs() * reference(value, expected.scale),
+        };
+        Self { expected, value, tolerance, turn, exact: OnceCell::new() }
+    }
+
+    /// The right value, between minus half a turn and half a turn where it is an angle.
+    pub(super) fn value(&self) -> f64 {
+        self.value
+    }
+
+    /// A full turn, of an angle.
+    pub(super) fn turn(&self) -> Option<f64> {
+        self.turn
+    }
+
+    /// How far an answer may lie from the right value.
+    pub(super) fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
+    /// Whether the tolerance alone accepts the number.
+    pub(super) fn within_tolerance(&self, number: &Number) -> bool {
+        self.is_within(number, Limit::Tolerance)
+    }
+
+    /// Whether honest rounding can have led to the number.
+    pub(super) fn within_allowance(&self, number: &Number) -> bool {
+        self.is_within(number, Limit::Allowance)
+    }
+
+    /// Whatever is not known exactly, of the right value and of the number, is counted in the student's favour.
+    fn is_within(&self, number: &Number, limit: Limit) -> bool {
+        let given = number.to_f64();
+        let difference = given - self.value;
+        let distance = self.turn.map_or(difference, |turn| nearest(difference, turn)).abs();
+        let limit_near = match limit {
+            Limit::Tolerance => self.tolerance,
+            Limit::Allowance if gives_nothing_away(self.expected) => 0.0,
+            Limit::Allowance => self.expected.allowance,
+        } + self.expected.error;
+        let unsure =
+            UNSURE * (given.abs() + self.value.abs() + limit_near) + self.turn.map_or(0.0, |turn| UNSURE * turn);
+        if distance < limit_near - unsure {
+            return true;
+        }
+        if distance > limit_near + unsure {
+            return false;
+        }
+        self.exact.get_or_init(|| Exact::of(self.expected)).is_within(number, limit)
+    }
+}
+
+impl Exact {
+    fn of(expected: &ExpectedNumber) -> Self {
         let value = expected.exact.clone().unwrap_or_else(|| rational(expected.value));
         let error = if expected.exact.is_some() { Rational::ZERO } else { bound(expected.error) };
         let turn = expected.cyclic.then(|| full_turn(&expected.unit)).flatten();
@@ -36,29 +117,19 @@ impl<'a> Target<'a> {
         };
         let tolerance = match &expected.tolerance {
             _ if expected.whole => Rational::ZERO,
+            Tolerance::ToFigures => half_unit_exactly(&value, expected),
             Tolerance::Absolute(distance) => distance.to_rational().abs(),
-            Tolerance::Relative(fraction) => fraction.to_rational().abs() * reference(expected, &value),
+            Tolerance::Relative(fraction) => fraction.to_rational().abs() * exact_reference(expected, &value),
         };
-        let allowance = if expected.whole { Rational::ZERO } else { bound(expected.allowance) };
-        Self { expected, value, error, tolerance, allowance, turn }
+        let allowance = if gives_nothing_away(expected) { Rational::ZERO } else { bound(expected.allowance) };
+        Self { value, error, tolerance, allowance, turn }
     }
 
-    pub(super) fn value(&self) -> &Rational {
-        &self.value
-    }
-
-    /// Whether the tolerance alone accepts the number.
-    pub(super) fn within_tolerance(&self, number: &Number) -> bool {
-        self.is_within(number, &self.tolerance)
-    }
-
-    /// Whether honest rounding can have led to the number.
-    pub(super) fn within_allowance(&self, number: &Number) -> bool {
-        self.is_within(number, &self.allowance)
-    }
-
-    /// Whatever is not known exactly, of the right value and of the number, is counted in the student's favour.
-    fn is_within(&self, number: &Number, limit: &Rational) -> bool {
+    fn is_within(&self, number: &Number, limit: Limit) -> bool {
+        let limit = match limit {
+            Limit::Tolerance => &self.tolerance,
+            Limit::Allowance => &self.allowance,
+        };
         self.distance(number.value()) <= limit + &self.error + number.slack()
     }
 
@@ -71,11 +142,52 @@ impl<'a> Target<'a> {
     }
 }
 
+/// Whether rounding in between is not allowed for.
+fn gives_nothing_away(expected: &ExpectedNumber) -> bool {
+    expected.whole || expected.tolerance == Tolerance::ToFigures
+}
+
 /// What a relative tolerance is a fraction of: the value, or the problem's own scale where the value is nothing beside it.
-fn reference(expected: &ExpectedNumber, value: &Rational) -> Rational {
+pub(super) fn reference(value: f64, scale: f64) -> f64 {
+    if value.abs() <= scale * f64::from(NOTHING.0) / f64::from(NOTHING.1) { scale } else { value.abs() }
+}
+
+fn exact_reference(expected: &ExpectedNumber, value: &Rational) -> Rational {
     let (size, scale) = (value.clone().abs(), bound(expected.scale));
     let nothing = &scale * Rational::from(NOTHING.0) / Rational::from(NOTHING.1);
     if size <= nothing { scale } else { size }
+}
+
+/// Half a unit of the last asked figure of a value.
+pub(super) fn half_unit(value: f64, expected: &ExpectedNumber) -> f64 {
+    0.5 * libm::pow(10.0, f64::from(last_place(value, expected, expected.figures)))
+}
+
+/// Half a unit of the figure before the last asked one.
+pub(super) fn half_unit_before(value: f64, expected: &ExpectedNumber) -> f64 {
+    0.5 * libm::pow(10.0, f64::from(last_place(value, expected, expected.figures.saturating_sub(1))))
+}
+
+fn half_unit_exactly(value: &Rational, expected: &ExpectedNumber) -> Rational {
+    let place = last_place(value.to_f64().value(), expected, expected.figures);
+    Rational::from(10).pow(isize::try_from(place).unwrap_or(0)) / Rational::from(2)
+}
+
+/// The power of ten of a value's last figure; of a zero, that of the problem's own scale.
+fn last_place(value: f64, expected: &ExpectedNumber, figures: usize) -> i32 {
+    let size = reference(value, expected.scale);
+    if size <= 0.0 || !size.is_finite() {
+        return 0;
+    }
+    // A decimal such as 1000 must not fall below its own power of ten by rounding.
+    let leading = libm::floor(libm::log10(size * (1.0 + 4.0 * f64::EPSILON)));
+    #[allow(clippy::cast_possible_truncation, reason = "a double has at most 309 digits before its point")]
+    let leading = leading as i32;
+    leading + 1 - i32::try_from(figures).unwrap_or(0)
+}
+
+fn nearest(angle: f64, turn: f64) -> f64 {
+    angle - libm::round(angle / turn) * turn
 }
 
 /// An angle less whole turns, between minus half a turn and half a turn.

@@ -11,7 +11,7 @@ const LARGEST: isize = 9;
 
 /// The power of ten by which the number must be divided to be right, where there is one.
 pub(super) fn power_of_ten(target: &Target, number: &Number) -> Option<isize> {
-    if target.expected.cyclic || target.expected.whole || number.is_zero() || *target.value() == Rational::ZERO {
+    if target.expected.cyclic || target.expected.whole || number.is_zero() || target.value() == 0.0 {
         return None;
     }
     let is_right = |power: &isize| {

@@ -1,5 +1,6 @@
 //! What was understood of an answer.
 
+use crate::expr::Expr;
 use crate::quantity::Printed;
 use crate::quantity::Unit;
 
@@ -9,10 +10,16 @@ use super::super::number::Number;
 const ECHO_FIGURES: usize = 6;
 
 /// An answer that was read.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Answer {
     /// A number with its unit and direction.
     Number(NumberAnswer),
+    /// A vector.
+    Vector(VectorAnswer),
+    /// A formula.
+    Formula(FormulaAnswer),
+    /// An interval or a condition.
+    Interval(IntervalAnswer),
     /// One of the options.
     Choice(ChoiceAnswer),
 }
@@ -32,6 +39,54 @@ pub struct NumberAnswer {
     pub pounds_as_mass: bool,
     /// The direction word beside it, where there is one.
     pub sense: Option<Sense>,
+    /// A direction that was written in words, without doubt: `36° from +x towards +y`.
+    pub heading: Option<String>,
+}
+
+/// A vector, by its components along the axes of the question.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct VectorAnswer {
+    /// The components as they were written, or as they follow from magnitude and direction.
+    pub components: Vec<Number>,
+    /// How they, or the magnitude, were written.
+    pub written: Vec<Written>,
+    /// The unit of all, where there is one.
+    pub unit: Option<Unit>,
+    /// The magnitude and the direction in words, where the vector was written by them.
+    pub heading: Option<(Number, String)>,
+}
+
+/// A formula in the symbols of the sheet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FormulaAnswer {
+    /// The formula.
+    pub formula: Expr,
+    /// The formula in the names of the problem, with every sign of multiplication: `m_A*v_A1/(m_A + m_B)`.
+    pub text: String,
+}
+
+/// An interval or a condition.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct IntervalAnswer {
+    /// The name of the quantity.
+    pub name: String,
+    /// The lower end, where there is one.
+    pub low: Option<EndAnswer>,
+    /// The upper end, where there is one.
+    pub high: Option<EndAnswer>,
+    /// The unit of both, where there is one.
+    pub unit: Option<Unit>,
+}
+
+/// An end of an interval.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct EndAnswer {
+    /// Where it is.
+    pub number: Number,
+    /// How it was written.
+    pub written: Written,
+    /// Whether it belongs to the interval; `None` where words such as `between` leave it open.
+    pub closed: Option<bool>,
 }
 
 /// How a number was written.
@@ -72,7 +127,53 @@ impl Answer {
     pub fn echo(&self) -> String {
         match self {
             Self::Number(answer) => answer.echo(),
+            Self::Vector(answer) => answer.echo(),
+            Self::Formula(answer) => answer.text.clone(),
+            Self::Interval(answer) => answer.echo(),
             Self::Choice(answer) => answer.text.clone(),
+        }
+    }
+}
+
+impl VectorAnswer {
+    fn echo(&self) -> String {
+        let number = |(number, written): (&Number, &Written)| echo_number(number, *written);
+        let value = match &self.heading {
+            Some((size, _)) => number((size, self.written.first().unwrap_or(&Written::Computed))),
+            None => {
+                let components: Vec<String> = self.components.iter().zip(&self.written).map(number).collect();
+                format!("({})", components.join(", "))
+            }
+        };
+        let words = [Some(value), self.unit.as_ref().map(|unit| unit.spoken(true))];
+        let heading = self.heading.as_ref().map(|(_, words)| words.clone());
+        join(words.into_iter().chain([heading]).flatten())
+    }
+}
+
+impl IntervalAnswer {
+    fn echo(&self) -> String {
+        let sign = |end: &EndAnswer| if end.closed == Some(false) { "<" } else { "<=" };
+        let low = self.low.as_ref().map(|end| format!("{} {}", echo_number(&end.number, end.written), sign(end)));
+        let high = self.high.as_ref().map(|end| format!("{} {}", sign(end), echo_number(&end.number, end.written)));
+        let unit = self.unit.as_ref().map(|unit| unit.spoken(true));
+        join([low, Some(self.name.clone()), high, unit].into_iter().flatten())
+    }
+}
+
+fn join(words: impl Iterator<Item = String>) -> String {
+    words.filter(|word| !word.is_empty()).collect::<Vec<_>>().join(" ")
+}
+
+/// A number with the figures with which it was written.
+pub(super) fn echo_number(number: &Number, written: Written) -> String {
+    match written {
+        Written::Figures { most, .. } => Printed::exact(number.value(), most).plain(),
+        Written::Computed => {
+            let printed = Printed::exact(number.value(), ECHO_FIGURES).plain();
+            let (mantissa, power) = printed.split_at(printed.find(' ').unwrap_or(printed.len()));
+            let short = if mantissa.contains('.') { mantissa.trim_end_matches('0') } else { mantissa };
+            format!("{}{power}", short.trim_end_matches('.'))
         }
     }
 }
@@ -88,26 +189,12 @@ impl NumberAnswer {
     }
 
     fn echo(&self) -> String {
-        let number = self.echo_number();
-        let mut words = vec![number];
-        if let Some(unit) = &self.unit {
-            words.push(unit.spoken(words.iter().all(|number| number.trim_start_matches('-') != "1")));
+        if let Some(heading) = &self.heading {
+            return heading.clone();
         }
-        words.extend(self.sense.as_ref().map(|sense| sense.word.clone()));
-        words.retain(|word| !word.is_empty());
-        words.join(" ")
-    }
-
-    fn echo_number(&self) -> String {
-        let value = self.number.value();
-        match self.written {
-            Written::Figures { most, .. } => Printed::exact(value, most).plain(),
-            Written::Computed => {
-                let printed = Printed::exact(value, ECHO_FIGURES).plain();
-                let (mantissa, power) = printed.split_at(printed.find(' ').unwrap_or(printed.len()));
-                let short = if mantissa.contains('.') { mantissa.trim_end_matches('0') } else { mantissa };
-                format!("{}{power}", short.trim_end_matches('.'))
-            }
-        }
+        let number = echo_number(&self.number, self.written);
+        let unit = self.unit.as_ref().map(|unit| unit.spoken(number.trim_start_matches('-') != "1"));
+        let sense = self.sense.as_ref().map(|sense| sense.word.clone());
+        join([Some(number), unit, sense].into_iter().flatten())
     }
 }

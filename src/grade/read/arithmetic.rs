@@ -344,7 +344,7 @@ fn proper_fraction(text: &str) -> Option<(Number, usize)> {
 }
 
 /// A raised integer, `⁻³`, and its length.
-fn superscript(text: &str) -> Option<(i32, usize)> {
+pub(super) fn superscript(text: &str) -> Option<(i32, usize)> {
     const RAISED: [char; 12] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹', '⁻', '⁺'];
     let raised = &text[..text.find(|next: char| !RAISED.contains(&next)).unwrap_or(text.len())];
     let lower =

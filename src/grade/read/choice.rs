@@ -11,7 +11,7 @@ const NO: [&str; 4] = ["no", "n", "false", "f"];
 pub(super) fn read(answer: &str, options: &[String]) -> Result<ChoiceAnswer, Unreadable> {
     let fault = |kind| Unreadable { at: 0, kind };
     if answer.chars().nth(MAX_LENGTH).is_some() {
-        return Err(Unreadable { at: MAX_LENGTH, kind: UnreadableKind::TooLong });
+        return Err(Unreadable { at: MAX_LENGTH, kind: UnreadableKind::TooLong(MAX_LENGTH) });
     }
     let written = normal(answer);
     let found = |option: usize| options.get(option).map(|text| ChoiceAnswer { option, text: text.clone() });

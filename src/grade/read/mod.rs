@@ -4,14 +4,23 @@ mod answer;
 mod arithmetic;
 mod choice;
 mod direction;
+mod formula;
 mod functions;
+mod heading;
+mod interval;
+mod names;
 mod numeral;
 mod plain;
 mod quantity;
+mod several;
 mod unreadable;
+mod vector;
 
-pub use answer::{Answer, ChoiceAnswer, NumberAnswer, Sense, Written};
+pub use answer::{
+    Answer, ChoiceAnswer, EndAnswer, FormulaAnswer, IntervalAnswer, NumberAnswer, Sense, VectorAnswer, Written,
+};
 pub use numeral::DecimalMark;
+pub use several::read_several;
 pub use unreadable::{Unreadable, UnreadableKind};
 
 use super::expected::ExpectedKind;
@@ -37,9 +46,10 @@ pub const MAX_LENGTH: usize = 200;
 /// Where the text cannot be read, or in two ways; the fault says where and what to write instead.
 pub fn read(text: &str, asked: &ExpectedKind, mark: DecimalMark) -> Result<Answer, Unreadable> {
     match asked {
-        ExpectedKind::Number(number) => {
-            quantity::read(text, number.senses.as_ref(), &number.unit, mark).map(Answer::Number)
-        }
+        ExpectedKind::Number(number) => quantity::read(text, number, mark).map(Answer::Number),
+        ExpectedKind::Vector(vector) => vector::read(text, vector, mark).map(Answer::Vector),
+        ExpectedKind::Formula(formula) => formula::read(text, formula, mark).map(Answer::Formula),
+        ExpectedKind::Interval(interval) => interval::read(text, interval, mark).map(Answer::Interval),
         ExpectedKind::Choice { options, .. } => choice::read(text, options).map(Answer::Choice),
     }
 }

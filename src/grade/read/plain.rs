@@ -16,6 +16,16 @@ const REPLACED: &[(&str, &str)] = &[
     ("^{\\circ}", "°"),
     ("{}^\\circ", "°"),
     ("^\\circ", "°"),
+    ("\\hat{\\imath}", "î"),
+    ("\\hat{\\jmath}", "ĵ"),
+    ("\\hat{i}", "î"),
+    ("\\hat{j}", "ĵ"),
+    ("\\mathbf{i}", "î"),
+    ("\\mathbf{j}", "ĵ"),
+    ("\\langle", "<"),
+    ("\\rangle", ">"),
+    ("\\left", ""),
+    ("\\right", ""),
     ("\\times", "×"),
     ("\\cdot", "·"),
     ("\\%", "%"),
@@ -36,10 +46,22 @@ const FULL_WIDTH: u32 = 0xFEE0;
 impl Plain {
     /// The plain form of an answer.
     pub(super) fn new(answer: &str) -> Result<Self, Unreadable> {
-        if answer.chars().nth(MAX_LENGTH).is_some() {
-            return Err(Unreadable { at: MAX_LENGTH, kind: UnreadableKind::TooLong });
+        Self::limited(answer, MAX_LENGTH)
+    }
+
+    /// The plain form of an answer of at most so many characters.
+    pub(super) fn limited(answer: &str, most: usize) -> Result<Self, Unreadable> {
+        if answer.len() > most && answer.chars().nth(most).is_some() {
+            return Err(Unreadable { at: most, kind: UnreadableKind::TooLong(most) });
         }
-        let mut plain = Self { text: String::new(), places: Vec::new() };
+        let capacity = answer.len() + 1;
+        let mut plain = Self { text: String::with_capacity(capacity), places: Vec::with_capacity(capacity) };
+        if answer.bytes().all(|byte| byte.is_ascii() && !b"\\$^{}\t\n\r".contains(&byte)) {
+            // Nothing to replace: the common case.
+            plain.text.push_str(answer);
+            plain.places.extend(0..=answer.len());
+            return Ok(plain);
+        }
         let mut braces: Vec<char> = Vec::new();
         let (mut rest, mut place) = (answer, 0);
         while let Some(first) = rest.chars().next() {

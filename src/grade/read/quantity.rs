@@ -3,10 +3,13 @@
 use crate::quantity::Unit;
 use crate::quantity::UnitFault;
 
+use super::super::expected::ExpectedNumber;
+use super::super::expected::Reference;
 use super::super::number::Number;
-use super::answer::{NumberAnswer, Sense};
+use super::answer::{NumberAnswer, Sense, echo_number};
 use super::arithmetic::{self, Term};
 use super::direction::{self, Phrase};
+use super::heading;
 use super::numeral::DecimalMark;
 use super::plain::Plain;
 use super::unreadable::{Unreadable, UnreadableKind};
@@ -19,17 +22,34 @@ const LARGEST: f64 = 1e300;
 const NOT_ONE_VALUE: [char; 7] = ['±', '<', '>', '≤', '≥', '∓', '≠'];
 
 /// Reads a number with its unit and direction.
-pub(super) fn read(
-    answer: &str,
-    senses: Option<&[String; 2]>,
-    asked: &Unit,
-    mark: DecimalMark,
-) -> Result<NumberAnswer, Unreadable> {
+pub(super) fn read(answer: &str, asked: &ExpectedNumber, mark: DecimalMark) -> Result<NumberAnswer, Unreadable> {
     let plain = Plain::new(answer)?;
-    read_plain(plain.text(), senses, asked, mark).map_err(|(at, kind)| plain.fault(at, kind))
+    let text = plain.text();
+    let found = read_plain(text, asked.senses.as_ref(), &asked.unit, mark);
+    let found = match &asked.reference {
+        Some(reference) => found.or_else(|fault| in_words(text, reference, mark).ok_or(fault)),
+        None => found,
+    };
+    found.map_err(|(at, kind)| plain.fault(at, kind))
 }
 
-fn read_plain(
+/// A direction in words, as the question counts it.
+fn in_words(text: &str, reference: &Reference, mark: DecimalMark) -> Option<NumberAnswer> {
+    let heading = heading::read(text.trim_end_matches([' ', '.']), &reference.frame, mark).ok()?;
+    let words = heading.words(&reference.frame, |angle, form| echo_number(angle, form.written()));
+    Some(NumberAnswer {
+        number: heading.counted(reference)?,
+        written: heading.form.written(),
+        signed: false,
+        unit: Unit::parse("deg").ok(),
+        pounds_as_mass: false,
+        sense: None,
+        heading: Some(words),
+    })
+}
+
+/// The same in plain characters; a fault with its byte.
+pub(super) fn read_plain(
     text: &str,
     senses: Option<&[String; 2]>,
     asked: &Unit,
@@ -54,7 +74,15 @@ fn read_plain(
     }
     let as_mass = unit.as_ref().and_then(|unit| pounds_as_mass(unit, asked));
     let pounds_as_mass = as_mass.is_some();
-    Ok(NumberAnswer { number, written: form.written(), signed, unit: as_mass.or(unit), pounds_as_mass, sense })
+    Ok(NumberAnswer {
+        number,
+        written: form.written(),
+        signed,
+        unit: as_mass.or(unit),
+        pounds_as_mass,
+        sense,
+        heading: None,
+    })
 }
 
 /// A pound is a force, unless only a mass makes sense of it.
@@ -145,7 +173,7 @@ fn declared(phrase: &str, at: usize, senses: Option<&[String; 2]>) -> Result<Opt
 }
 
 /// The unit between two bytes of a text; `None` where there is nothing.
-fn unit(text: &str, from: usize, to: usize) -> Result<Option<Unit>, (usize, UnreadableKind)> {
+pub(super) fn unit(text: &str, from: usize, to: usize) -> Result<Option<Unit>, (usize, UnreadableKind)> {
     let written = text[from..to].trim_end_matches([' ', ',']);
     // A full stop ends the sentence, and an opening bracket belongs to the direction behind it.
     let written = written.trim_end_matches('.').trim_end_matches(" (").trim_end();

@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::quantity::UnitFault;
 
-use super::super::messages::Message;
+use super::super::catalogue::{Catalogue, English};
 
 /// An answer that cannot be read: what is wrong, and at which character. It is never marked, and costs no attempt.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -19,8 +19,8 @@ pub struct Unreadable {
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum UnreadableKind {
-    /// More characters than are read.
-    TooLong,
+    /// More characters than are read; how many are.
+    TooLong(usize),
     /// No number where one must stand.
     NotANumber,
     /// A name and an equals sign before the value.
@@ -70,6 +70,41 @@ pub enum UnreadableKind {
     },
     /// A sign together with a direction word.
     SignAndDirection,
+    /// A direction in the plane that cannot be understood.
+    Direction,
+    /// A vector with another number of components than this one.
+    Components(usize),
+    /// A vector whose components have different units, or a unit twice.
+    MixedUnits,
+    /// A component along an axis that the question does not have, or two along one.
+    Axis,
+    /// Neither an interval nor a condition.
+    NotAnInterval,
+    /// A condition on another quantity; the one of the question.
+    OtherName(String),
+    /// An interval whose lower end is above its upper end.
+    EmptyInterval,
+    /// A name that the sheet does not give; the nearest that it does.
+    UnknownName {
+        /// The name.
+        name: String,
+        /// The nearest given one.
+        near: Option<String>,
+    },
+    /// Letters that can be read as different products of given names.
+    AmbiguousName(String),
+    /// The quantity that is asked, in its own formula.
+    AskedName(String),
+    /// `e` where the sheet gives no coefficient of restitution: it is never 2.718.
+    NotEuler,
+    /// A formula with more parts than are read.
+    TooManyParts,
+    /// What does not belong into a formula.
+    NotAFormula,
+    /// No number, name or bracket where one must stand.
+    NoTerm,
+    /// A power whose exponent is no plain number.
+    NamedPower,
     /// None of the options, or a number beyond them; how many there are.
     NoOption(usize),
     /// More than one of the options.
@@ -81,7 +116,7 @@ impl UnreadableKind {
     #[must_use]
     pub fn code(&self) -> &'static str {
         match self {
-            Self::TooLong => "too_long",
+            Self::TooLong(_) => "too_long",
             Self::NotANumber => "not_a_number",
             Self::NameBefore => "name_before",
             Self::Underscore => "underscore",
@@ -104,6 +139,21 @@ impl UnreadableKind {
             Self::NoDirection(_) => "no_direction",
             Self::OtherDirection { .. } => "other_direction",
             Self::SignAndDirection => "sign_and_direction",
+            Self::Direction => "direction",
+            Self::Components(_) => "components",
+            Self::MixedUnits => "mixed_units",
+            Self::Axis => "axis",
+            Self::NotAnInterval => "not_an_interval",
+            Self::OtherName(_) => "other_name",
+            Self::EmptyInterval => "empty_interval",
+            Self::UnknownName { .. } => "unknown_name",
+            Self::AmbiguousName(_) => "ambiguous_name",
+            Self::AskedName(_) => "asked_name",
+            Self::NotEuler => "not_euler",
+            Self::TooManyParts => "too_many_parts",
+            Self::NotAFormula => "not_a_formula",
+            Self::NoTerm => "no_term",
+            Self::NamedPower => "named_power",
             Self::NoOption(_) => "no_option",
             Self::SeveralOptions => "several_options",
         }
@@ -113,7 +163,7 @@ impl UnreadableKind {
 /// The message that the student sees, with the place.
 impl fmt::Display for Unreadable {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(out, "{}", Message::Unreadable(self.clone()))
+        out.write_str(&English.unreadable(self))
     }
 }
 

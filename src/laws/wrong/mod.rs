@@ -1,14 +1,25 @@
 //! The usual mistakes, as data: what a student does, what to ask about it, and the equation that comes of it. A law's row
-//! lists its wrong forms.
+//! names its wrong forms; [`reading`] holds the mistakes that are made before any law is used, and after.
 
 use std::collections::BTreeSet;
 
 use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::expr::SymbolTable;
-use crate::solve::Relation;
 
 use super::Sides;
+
+pub mod angular;
+pub mod energy;
+pub mod force;
+pub mod geometry;
+pub mod kinematics;
+pub mod mass_centre;
+pub mod momentum;
+pub mod reading;
+pub mod restitution;
+mod rewrite;
+pub mod separation;
 
 /// A usual mistake, as a row of its chapter's table.
 #[derive(Debug)]
@@ -17,9 +28,19 @@ pub struct Misconception {
     pub id: &'static str,
     /// What the student does, as it follows a subject: `divides by the coefficient of restitution`.
     pub does: &'static str,
-    /// What the student is told, a question first, each hint plainer than the one before. None holds a value.
-    pub hints: &'static [&'static str],
+    /// What the student is asked first. It holds no value.
+    pub ask: &'static str,
+    /// The plainer hint that follows. It holds no value either.
+    pub hint: &'static str,
 }
+
+impl PartialEq for Misconception {
+    fn eq(&self, other: &Self) -> bool {
+        self.id == other.id
+    }
+}
+
+impl Eq for Misconception {}
 
 /// A wrong form of a law.
 #[derive(Debug)]
@@ -37,13 +58,13 @@ pub struct Taught<'a> {
     pub sides: &'a Sides,
     /// The integral of which the right side is the value: integrand and variable, from where and to where.
     pub integral: Option<(&'a Expr, Symbol, [&'a Expr; 2])>,
-    /// The other laws of the same stage, each with its sides; those of a single instant stand with every stage.
-    pub beside: &'a [(&'static str, &'a Sides)],
+    /// The other laws of the same stage by their ids; those of a single instant stand beside every stage.
+    pub beside: &'a [(&'static str, Sides)],
     /// The quantities.
     pub symbols: &'a SymbolTable,
     /// What is known before anything is solved.
     pub known: &'a BTreeSet<Symbol>,
-    /// The coherent unit of acceleration of the problem's unit system, in SI units: what `g` is to one who leaves it out.
+    /// What `g` is to one who takes a weight for a mass: one unit of acceleration.
     pub unit_acceleration: &'a Expr,
 }
 
@@ -54,12 +75,48 @@ pub struct Wrong {
     pub equations: Vec<Sides>,
     /// Laws of the same stage that the student leaves aside, by their ids.
     pub without: &'static [&'static str],
-    /// When the mistake can be made: no sign is lost where there is none.
-    pub when: Vec<(Expr, Relation, Expr)>,
 }
 
 impl From<Sides> for Wrong {
     fn from(sides: Sides) -> Self {
-        Self { equations: vec![sides], without: &[], when: Vec::new() }
+        Self { equations: vec![sides], without: &[] }
     }
+}
+
+/// Every mistake by chapter, those of laws first, each once.
+#[must_use]
+pub fn all() -> Vec<(&'static str, Vec<&'static Misconception>)> {
+    let mut seen: Vec<&'static Misconception> = Vec::new();
+    let mut once = |of: &mut dyn Iterator<Item = &'static Misconception>| {
+        let fresh: Vec<_> = of
+            .filter(|kind| {
+                if seen.contains(kind) {
+                    false
+                } else {
+                    seen.push(kind);
+                    true
+                }
+            })
+            .collect();
+        fresh
+    };
+    let chapters = super::CHAPTERS.iter().map(|(chapter, laws)| (*chapter, *laws));
+    let mut rows: Vec<_> = chapters
+        .map(|(chapter, laws)| (chapter, once(&mut laws.iter().flat_map(|law| law.wrong).map(|form| form.of))))
+        .collect();
+    rows.push(("Reading the question", once(&mut reading::MISREADINGS.iter().map(|row| row.of))));
+    rows.push(("Writing the answer", once(&mut reading::SLIPS.iter().map(|row| row.of))));
+    rows.retain(|(_, kinds)| !kinds.is_empty());
+    rows
+}
+
+/// The mistake of that id.
+///
+/// ```
+/// use momentous::laws::wrong::find;
+/// assert_eq!(find("restitution-inverted").map(|kind| kind.does), Some("divides by the coefficient of restitution"));
+/// ```
+#[must_use]
+pub fn find(id: &str) -> Option<&'static Misconception> {
+    all().into_iter().flat_map(|(_, kinds)| kinds).find(|kind| kind.id == id)
 }

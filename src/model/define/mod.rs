@@ -10,9 +10,11 @@ use crate::expr::Symbol;
 use crate::laws::angular;
 use crate::laws::force;
 use crate::laws::geometry;
+use crate::laws::kinematics;
 use crate::laws::momentum;
 use crate::quantity::Dimension;
 use crate::scene::Axis;
+use crate::scene::Stage;
 
 use super::Builder;
 use super::Instant;
@@ -34,6 +36,10 @@ const DEFINITIONS: &[(&str, Define)] = &[
     ("speed", speed),
     ("angle", angle),
     ("r", position),
+    ("x", coordinate),
+    ("y", coordinate),
+    ("z", coordinate),
+    ("t", clock),
     ("p", linear_momentum),
     ("J", impulse),
     ("T", kinetic_energy),
@@ -218,6 +224,31 @@ fn position(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
         Expr::Symbol(symbol) => Some(symbol),
         _ => None,
     }
+}
+
+/// `x_A1` is another spelling of the place of A along x.
+fn coordinate(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
+    let axis = builder.axis(&name.base)?;
+    let (body, _) = builder.body_at(name)?;
+    match builder.place(&body, builder.number(name)?, axis) {
+        Expr::Symbol(symbol) => Some(symbol),
+        _ => None,
+    }
+}
+
+/// `t_3`: the time from the start to an instant, where the durations of all stages before it are spoken of.
+fn clock(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
+    let instant = builder.number(name).filter(|_| name.subject.is_empty())?;
+    let lasting = builder.lasting.iter().zip(&builder.scene.stages).take(instant - 1);
+    let durations: Vec<Expr> = lasting
+        .filter(|(_, stage)| !matches!(stage, Stage::Impact(_) | Stage::Blow(_) | Stage::Separate(_)))
+        .map(|(duration, _)| duration.clone())
+        .collect::<Option<_>>()?;
+    let meaning = format!("the time {}, counted from the start", builder.when(instant));
+    let symbol = builder.symbol(format!("t_{instant}"), Dimension::TIME, meaning);
+    let because = "all durations are counted from the start".to_owned();
+    builder.law(&kinematics::CLOCK, None, because, (symbol.into(), Expr::sum(durations)));
+    Some(symbol)
 }
 
 fn linear_momentum(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {

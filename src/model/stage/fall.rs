@@ -41,6 +41,7 @@ impl Builder<'_> {
             );
             let suffix = self.stage_suffix(index);
             let time = self.positive(format!("dt{suffix}"), Dimension::TIME, format!("the duration of {phrase}"));
+            self.lasting[index] = Some(time.into());
             let gained = Expr::product([Expr::integer(down), gravity.clone(), time.into()]);
             self.law(&kinematics::FALL_TIME, Some(index), because, (before + gained, after));
         }

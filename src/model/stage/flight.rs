@@ -17,6 +17,7 @@ use crate::scene::stage::Flight;
 impl Builder<'_> {
     pub(in crate::model) fn flight(&mut self, index: usize, stage: &Flight, path: &Path) {
         let time = self.flight_time(index, stage);
+        self.lasting[index] = Some(time.clone());
         let bodies: Vec<&str> = stage.flying().collect();
         for body in &bodies {
             self.free_motion(index, body, &time);
@@ -85,7 +86,7 @@ impl Builder<'_> {
     }
 
     /// What is so at the end: the top of the path, or a place.
-    fn end_of_flight(&mut self, index: usize, bodies: &[&str], until: &Term, path: &Path) {
+    pub(in crate::model) fn end_of_flight(&mut self, index: usize, bodies: &[&str], until: &Term, path: &Path) {
         let text = until.0.trim();
         if text == "top" {
             let upright = (0..self.axes.len()).find(|position| self.downwards(*position).is_some());

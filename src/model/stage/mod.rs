@@ -3,6 +3,8 @@
 mod blow;
 mod bounces;
 mod central;
+mod connected;
+mod drift;
 mod fall;
 mod flight;
 mod guided;
@@ -10,9 +12,15 @@ mod impact;
 mod push;
 mod rotate;
 mod separate;
+mod slide;
+mod spring;
+mod stream;
 mod surface;
+mod swing;
+mod taut;
+mod thrust;
 
-pub(in crate::model) use push::Acting;
+pub(in crate::model) use push::Pushed;
 
 use crate::fault::Path;
 use crate::scene::Stage;
@@ -28,11 +36,19 @@ impl Builder<'_> {
             match stage {
                 Stage::Impact(stage) => self.impact(index, stage, &path),
                 Stage::Push(stage) => self.push(index, stage, &path),
+                Stage::Slide(stage) => self.slide(index, stage, &path),
+                Stage::Spring(stage) => self.spring(index, stage, &path),
+                Stage::Swing(stage) => self.swing(index, stage, &path),
+                Stage::Taut(stage) => self.taut(index, stage, &path),
+                Stage::Connected(stage) => self.connected(index, stage, &path),
                 Stage::Blow(stage) => self.blow(index, stage, &path),
                 Stage::Rotate(stage) => self.rotate(index, stage, &path),
                 Stage::Central(stage) => self.central(index, stage),
                 Stage::Fall(stage) => self.fall(index, stage, &path),
                 Stage::Bounces(stage) => self.bounces(index, stage, &path),
+                Stage::Stream(stage) => self.stream(index, stage, &path),
+                Stage::Thrust(stage) => self.thrust(index, stage, &path),
+                Stage::Drift(stage) => self.drift(index, stage, &path),
                 Stage::Flight(stage) => self.flight(index, stage, &path),
                 Stage::Separate(stage) => self.separate(index, stage, &path),
             }

@@ -8,6 +8,7 @@ use crate::expr::Symbol;
 use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Path;
+use crate::laws::energy;
 use crate::laws::force;
 use crate::laws::momentum;
 use crate::model::Agent;
@@ -16,6 +17,7 @@ use crate::model::Impulse;
 use crate::model::Integral;
 use crate::model::acting::Acts;
 use crate::model::frame::Direction;
+use crate::model::incline::Incline;
 use crate::quantity::Dimension;
 use crate::scene::Axis;
 use crate::scene::Force;
@@ -25,6 +27,7 @@ use crate::scene::Strength;
 use crate::scene::Term;
 use crate::scene::stage::During;
 use crate::scene::stage::Push;
+use crate::scene::stage::Until;
 use crate::solve::Relation;
 
 /// A force of a push, read.
@@ -34,11 +37,28 @@ pub(in crate::model) struct Acting {
     pub direction: Direction,
 }
 
+/// What is the same all through a push.
+pub(in crate::model) struct Pushed<'a> {
+    pub index: usize,
+    pub body: &'a str,
+    pub acting: Vec<Acting>,
+    pub clock: Symbol,
+    pub start: Expr,
+    pub end: Expr,
+    pub incline: Incline,
+    pub over: Option<Expr>,
+    pub stops: bool,
+    /// Whether the body moves along its axis (1) or against it (-1).
+    pub sign: i64,
+}
+
 impl Builder<'_> {
     pub(in crate::model) fn push(&mut self, index: usize, stage: &Push, path: &Path) {
-        let body = stage.body.as_str();
         let clock = self.symbol("t", Dimension::TIME, "the time");
-        let (start, end) = self.duration(index, &stage.during, &path.key("during"));
+        let (start, end) = match &stage.during {
+            Some(during) => self.duration(index, during, &path.key("during")),
+            None => (Expr::zero(), self.stage_duration(index, None, path)),
+        };
         let mut acting = Vec::new();
         let mut friction = None;
         for (position, entry) in stage.forces.iter().enumerate() {
@@ -48,22 +68,53 @@ impl Builder<'_> {
                 Force::Friction(entry) => friction = Some((&entry.friction, at.key("friction"))),
             }
         }
-        if let Some((friction, at)) = friction {
-            self.push_against_friction(index, stage, friction, &at, &acting, clock, [&start, &end]);
-            return;
+        let incline = self.incline(stage.incline.as_ref(), path);
+        let over = stage.over.as_ref().map(|term| {
+            let meaning = format!("the distance over which {} is pushed", self.called(&stage.body));
+            self.read_positive(term, Dimension::LENGTH, &meaning, &path.key("over"))
+        });
+        let stops = stage.until == Some(Until::Rest);
+        if stops {
+            self.comes_to_rest(index, &stage.body);
         }
+        let sign = self.sense(stage.direction.as_ref(), path);
+        let pushed = Pushed { index, body: &stage.body, acting, clock, start, end, incline, over, stops, sign };
+        self.check_over(&pushed, path);
+        match friction {
+            Some((friction, at)) => self.push_against_friction(&pushed, friction, &at),
+            None => self.push_freely(&pushed, stage.incline.is_some()),
+        }
+    }
+
+    /// Work is force times distance only where the force stays the same, and along one axis.
+    fn check_over(&mut self, pushed: &Pushed<'_>, path: &Path) {
+        let changes = pushed.acting.iter().any(|force| force.strength.contains(pushed.clock));
+        if pushed.over.is_some() && (changes || self.axes.len() != 1) {
+            let fault = Fault::new(Code::Value, "`over` needs forces that do not change with time, along one axis");
+            self.faults.push(fault.help("say for how long they act: `during: dt`").at_path(path.key("over")));
+        }
+    }
+
+    /// A push without friction: impulse and momentum along every axis, work and energy where a distance is spoken of.
+    fn push_freely(&mut self, pushed: &Pushed<'_>, on_slope: bool) {
+        let (index, body, [start, end]) = (pushed.index, pushed.body, [&pushed.start, &pushed.end]);
         let mass = self.mass(body);
         let name = self.called(body);
         let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
-        let parts: Vec<Vec<Expr>> = acting.iter().map(|force| self.components(&force.direction)).collect();
+        let parts: Vec<Vec<Expr>> = pushed.acting.iter().map(|force| self.components(&force.direction)).collect();
         let impulses: Vec<Expr> =
-            acting.iter().map(|force| self.impulse_of(index, force, clock, [&start, &end])).collect();
+            pushed.acting.iter().map(|force| self.impulse_of(index, force, pushed.clock, [start, end])).collect();
         for (position, axis) in axes.iter().enumerate() {
             let mut along: Vec<Expr> =
                 impulses.iter().zip(&parts).map(|(impulse, part)| impulse.clone() * part[position].clone()).collect();
-            along.extend(self.weight_impulse(&mass, position, &start, &end));
+            if on_slope {
+                along.push(self.weight_on_slope(body, &pushed.incline) * (end.clone() - start.clone()));
+            } else {
+                along.extend(self.weight_impulse(&mass, position, start, end));
+            }
             let along: Vec<Expr> = along.into_iter().filter(|impulse| !impulse.is_zero()).collect();
             let [before, after] = [index + 1, index + 2].map(|instant| self.velocity(body, instant, *axis));
+            let after = if pushed.stops { Expr::zero() } else { after };
             let because = if along.is_empty() {
                 format!("no impulse acts on {name} along {}", axis.letter())
             } else {
@@ -72,9 +123,23 @@ impl Builder<'_> {
             let sides = momentum::impulse_momentum(&mass, &before, &along, &after);
             self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
         }
-        let acts = Acts { stage: index, on: body, during: [&start, &end] };
-        self.note_weight(acts);
-        for ((force, impulse), part) in acting.iter().zip(&impulses).zip(&parts) {
+        if let ([axis], Some(distance)) = (&axes[..], &pushed.over) {
+            let forces = pushed.acting.iter().zip(&parts).map(|(force, part)| force.strength.clone() * part[0].clone());
+            let mut forces: Vec<Expr> = forces.collect();
+            forces.push(self.weight_on_slope(body, &pushed.incline));
+            let ends = [index + 1, index + 2].map(|instant| self.velocity(body, instant, *axis));
+            self.push_over(pushed, forces, distance, ends);
+        }
+        let acts = Acts { stage: index, on: body, during: [start, end] };
+        if on_slope {
+            let weight = mass * self.gravity();
+            let normal = weight.clone() * pushed.incline.press.clone();
+            self.note_floor(acts, &pushed.incline, weight, normal, Expr::zero(), false);
+            self.omit("friction", "the slope is smooth");
+        } else {
+            self.note_weight(acts);
+        }
+        for ((force, impulse), part) in pushed.acting.iter().zip(&impulses).zip(&parts) {
             self.note_pull(acts, &force.name, &force.strength, &force.direction);
             self.impulses.push(Impulse {
                 stage: index,
@@ -85,12 +150,39 @@ impl Builder<'_> {
                 impulsive: false,
             });
         }
-        if self.scene.plane == Plane::Horizontal {
+        if self.scene.plane == Plane::Horizontal && !on_slope {
             self.omit("weight and all else that acts across the motion", "it has no part along the motion");
             self.omit("friction", "the problem does not mention any");
         }
     }
 
+    /// The part of the weight along the axis.
+    pub(in crate::model) fn weight_on_slope(&mut self, body: &str, incline: &Incline) -> Expr {
+        if incline.is_level() {
+            return Expr::zero();
+        }
+        -(self.mass(body) * self.gravity() * incline.rise())
+    }
+
+    /// Work and energy over a distance of motion along the axis.
+    pub(in crate::model) fn push_over(
+        &mut self,
+        pushed: &Pushed<'_>,
+        forces: Vec<Expr>,
+        distance: &Expr,
+        [before, after]: [Expr; 2],
+    ) {
+        let name = self.called(pushed.body);
+        let mass = self.mass(pushed.body);
+        let works = forces.into_iter().map(|force| Expr::integer(pushed.sign) * force * distance.clone());
+        let works: Vec<Expr> = works.filter(|work| !work.is_zero()).collect();
+        let end = if pushed.stops { Expr::zero() } else { after };
+        let [start, stop] = [&before, &end].map(|speed| energy::kinetic(&mass, std::slice::from_ref(speed)));
+        let because = format!("what acts on {name} does work over the distance");
+        self.law(&energy::WORK_ENERGY, Some(pushed.index), because, energy::work_energy(start, works, stop));
+        let [before, end] = [before, end].map(|velocity| Expr::integer(pushed.sign) * velocity);
+        self.moves_along(pushed.index, pushed.body, [&before, &end]);
+    }
     /// The impulse of weight along the axis of that position, in a vertical plane.
     pub(in crate::model) fn weight_impulse(
         &mut self,

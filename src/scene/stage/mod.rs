@@ -3,22 +3,40 @@
 mod blow;
 mod bounces;
 mod central;
+mod connected;
+mod drift;
 mod fall;
 mod flight;
 mod impact;
 mod push;
 mod rotate;
 mod separate;
+mod slide;
+mod spring;
+mod stream;
+mod swing;
+mod taut;
+mod thrust;
+mod until;
 
 pub use blow::Blow;
 pub use bounces::Bounces;
 pub use central::Central;
+pub use connected::{Connected, Strand};
+pub use drift::Drift;
 pub use fall::Fall;
 pub use flight::Flight;
 pub use impact::{Impact, Partners};
 pub use push::{During, Push};
 pub use rotate::{Arm, Rotate};
 pub use separate::{Relative, Separate, When};
+pub use slide::Slide;
+pub use spring::{Ends, Spring};
+pub use stream::Stream;
+pub use swing::{Place, Swing, Way};
+pub use taut::Taut;
+pub use thrust::{BurningMass, Exhaust, Jet, Thrust};
+pub use until::Until;
 
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -31,6 +49,16 @@ pub enum Stage {
     Impact(Impact),
     /// Forces of known law act on a body for a time.
     Push(Push),
+    /// A body slides over a floor or along a slope.
+    Slide(Slide),
+    /// A spring acts on a body, or between two bodies.
+    Spring(Spring),
+    /// A body swings on a cord.
+    Swing(Swing),
+    /// A string between two bodies goes taut.
+    Taut(Taut),
+    /// Two bodies move on the ends of a taut string over a pulley.
+    Connected(Connected),
     /// A blow of unknown history: only its impulse, or its mean force and duration, is spoken of.
     Blow(Blow),
     /// A particle is held on an arm about a fixed point, and a moment acts.
@@ -41,6 +69,12 @@ pub enum Stage {
     Fall(Fall),
     /// A body bounces on a level floor, again and again.
     Bounces(Bounces),
+    /// A steady stream meets a body.
+    Stream(Stream),
+    /// A body is driven by mass that it throws away.
+    Thrust(Thrust),
+    /// Nothing acts: the bodies go on evenly, for a time or until something holds.
+    Drift(Drift),
     /// A body comes apart: an explosion, a recoil, a jump, a shot.
     Separate(Separate),
     /// Bodies move freely until something is so.
@@ -54,11 +88,19 @@ impl Stage {
         match self {
             Self::Impact(_) => "impact",
             Self::Push(_) => "push",
+            Self::Slide(_) => "slide",
+            Self::Spring(_) => "spring",
+            Self::Swing(_) => "swing",
+            Self::Taut(_) => "taut",
+            Self::Connected(_) => "connected",
             Self::Blow(_) => "blow",
             Self::Rotate(_) => "rotate",
             Self::Central(_) => "central",
             Self::Fall(_) => "fall",
             Self::Bounces(_) => "bounces",
+            Self::Stream(_) => "stream",
+            Self::Thrust(_) => "thrust",
+            Self::Drift(_) => "drift",
             Self::Separate(_) => "separate",
             Self::Flight(_) => "flight",
         }
@@ -70,11 +112,19 @@ impl Stage {
         let name = match self {
             Self::Impact(stage) => &stage.name,
             Self::Push(stage) => &stage.name,
+            Self::Slide(stage) => &stage.name,
+            Self::Spring(stage) => &stage.name,
+            Self::Swing(stage) => &stage.name,
+            Self::Taut(stage) => &stage.name,
+            Self::Connected(stage) => &stage.name,
             Self::Blow(stage) => &stage.name,
             Self::Rotate(stage) => &stage.name,
             Self::Central(stage) => &stage.name,
             Self::Fall(stage) => &stage.name,
             Self::Bounces(stage) => &stage.name,
+            Self::Stream(stage) => &stage.name,
+            Self::Thrust(stage) => &stage.name,
+            Self::Drift(stage) => &stage.name,
             Self::Separate(stage) => &stage.name,
             Self::Flight(stage) => &stage.name,
         };

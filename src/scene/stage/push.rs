@@ -5,6 +5,8 @@ use serde::Deserialize;
 
 use crate::scene::{Force, Term};
 
+use super::Until;
+
 /// Forces act on a body for a time.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -14,8 +16,23 @@ pub struct Push {
     pub name: Option<String>,
     /// The body.
     pub body: String,
-    /// How long: a duration (`dt`, `4 s`), or the start and the end on the body's own clock (`[0 s, t_2]`).
-    pub during: During,
+    /// How long: a duration (`dt`, `4 s`), or the start and the end on the body's own clock (`[0 s, t_2]`). Left out: the
+    /// duration is called `dt`.
+    #[serde(default)]
+    pub during: Option<During>,
+    /// Over which distance the forces act, along one axis; they must not change with time.
+    #[serde(default)]
+    pub over: Option<Term>,
+    /// Which way the body moves, along one axis, where there is a distance or friction: `downwards`. Default: along the axis.
+    #[serde(default)]
+    pub direction: Option<Term>,
+    /// `rest` where the forces act until the body is at rest.
+    #[serde(default)]
+    pub until: Option<Until>,
+    /// The slope of the floor against the level, along one axis: `alpha above +x` where the floor rises towards +x; the angle
+    /// alone where the axis points up or down the slope. Directions of forces are counted from the axis along the slope.
+    #[serde(default)]
+    pub incline: Option<Term>,
     /// The forces. Weight acts by itself in a vertical plane.
     pub forces: Vec<Force>,
 }

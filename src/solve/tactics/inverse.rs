@@ -56,7 +56,7 @@ fn apart(parts: &[Expr], unknown: Symbol) -> Option<(&Expr, Vec<Expr>)> {
 
 /// The bases whose power is `value`.
 fn roots(value: Expr, exponent: &Rational, positive: bool) -> Vec<Expr> {
-    let even = (exponent.numerator() % 2_u8) == 0;
+    let even = (exponent.numerator() % 2_i8) == 0;
     let root = value.power(Expr::Number(Rational::ONE / exponent.clone()));
     if even && !positive { vec![root.clone(), -root] } else { vec![root] }
 }

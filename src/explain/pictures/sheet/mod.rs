@@ -5,6 +5,7 @@ pub(super) mod contact;
 pub(super) mod fall;
 pub(super) mod given;
 pub(super) mod line;
+pub(super) mod stream;
 
 use crate::figure::Drawing;
 use crate::scene::Force;
@@ -25,12 +26,22 @@ pub(super) fn drawing(quantities: &Quantities<'_>, compass: &Compass) -> Option<
             contact::drawing(quantities, compass, impact).or_else(|| line::drawing(quantities, compass, 0))
         }
         Some(Stage::Push(push)) if is_graph(push) => plot::force_plot(quantities, 0),
-        Some(Stage::Push(_) | Stage::Blow(_) | Stage::Separate(_) | Stage::Flight(_)) => {
-            line::drawing(quantities, compass, 0)
-        }
+        Some(
+            Stage::Push(_)
+            | Stage::Slide(_)
+            | Stage::Spring(_)
+            | Stage::Taut(_)
+            | Stage::Blow(_)
+            | Stage::Separate(_)
+            | Stage::Flight(_)
+            | Stage::Drift(_),
+        ) => line::drawing(quantities, compass, 0),
         Some(Stage::Rotate(rotate)) => central::on_arm(quantities, rotate),
         Some(Stage::Central(stage)) => central::under_force(quantities, stage),
+        Some(Stage::Swing(_) | Stage::Connected(_)) => None,
         Some(Stage::Fall(fall)) => fall::drawing(quantities, compass, fall),
+        Some(Stage::Stream(stream)) => stream::drawing(quantities, compass, 0, stream),
+        Some(Stage::Thrust(thrust)) => stream::rocket(quantities, compass, 0, thrust),
         Some(Stage::Bounces(bounces)) => fall::bouncing(quantities, bounces),
     }
 }

@@ -1,0 +1,175 @@
+//! Follow-through: an answer that is wrong only because an earlier one was.
+
+use std::collections::BTreeMap;
+
+use crate::expr::Symbol;
+use crate::grade;
+use crate::grade::Follows;
+use crate::grade::Verdict;
+use crate::grade::diagnose;
+use crate::problem::Consequence;
+use crate::problem::NumberPart;
+use crate::problem::PartKind;
+use crate::quantity::Printed;
+
+use super::Exercise;
+
+/// So many wrong earlier answers are looked at in every combination, the latest ones.
+const MOST_EARLIER: usize = 4;
+/// A given and an answer are the same within this share of it.
+const SAME: f64 = 1e-6;
+/// Values that a student rounds on the way move what follows from them by up to this share.
+const ROUNDING: f64 = 0.006;
+
+/// A wrong earlier answer that later ones may build upon.
+struct Earlier {
+    id: String,
+    symbol: Symbol,
+    /// In SI units.
+    value: f64,
+}
+
+/// An earlier set of answers and what follows from it.
+struct Found {
+    from: Vec<String>,
+    consequence: Consequence,
+    fraction: crate::quantity::Rational,
+}
+
+impl Exercise {
+    /// Accepts every wrong answer that follows from earlier wrong ones. Where the question is closed, what would have followed
+    /// is shown for the others; before that it could be typed in.
+    pub(super) fn follow_through(
+        &self,
+        report: &mut grade::Report,
+        answers: &BTreeMap<String, String>,
+        mark: grade::DecimalMark,
+        rubric: &grade::Rubric,
+        closed: bool,
+    ) {
+        let mut earlier: Vec<Earlier> = Vec::new();
+        for part in &self.worked().form.parts {
+            let (PartKind::Number(number), Some(text)) = (&part.kind, answers.get(&part.id)) else { continue };
+            let Some(own) = report.parts.iter_mut().find(|own| own.id == part.id) else { continue };
+            if !diagnose::is_open(own.verdict) {
+                continue;
+            }
+            let expected = self.expected(part);
+            let grade::ExpectedKind::Number(right) = &expected.kind else { continue };
+            let Ok(answer) = grade::read(text, &expected.kind, mark) else { continue };
+            let Some(value) = diagnose::number(right, &answer) else { continue };
+            let relevant = earlier.get(earlier.len().saturating_sub(MOST_EARLIER)..).unwrap_or_default();
+            if let Some(found) = self.followed(number, &expected, &answer, relevant, rubric) {
+                let flagged = found.consequence.unphysical.is_some();
+                own.verdict = if flagged { Verdict::FollowThroughUnphysical } else { Verdict::FollowThrough };
+                let fraction = rubric.fraction(own.verdict) * found.fraction;
+                own.points = grade::Points(fraction * crate::quantity::Rational::from(part.points));
+                let follows = Follows {
+                    from: found.from,
+                    by: found.consequence.by.iter().map(|law| law.name).collect(),
+                    unphysical: found.consequence.unphysical,
+                };
+                own.message = follows.to_string();
+                own.follows = Some(follows);
+            } else if closed && !relevant.is_empty() {
+                own.own_values = self.own_values(number, relevant);
+            }
+            let value = value * self.worked().unit_of(number);
+            if self.can_be_built_upon(number.symbol, value) {
+                earlier.push(Earlier { id: part.id.clone(), symbol: number.symbol, value });
+            }
+        }
+        report.recount();
+    }
+
+    /// What makes the rest trivial or impossible is not built upon: nothing, and what is given anyway.
+    fn can_be_built_upon(&self, symbol: Symbol, value: f64) -> bool {
+        let dimension = self.problem.model().symbols.entry(symbol).dimension;
+        let given = self.variant.all_given().iter().any(|(_, given, unit)| {
+            let given = given.to_f64() * unit.factor().to_f64();
+            unit.dimension() == dimension && (given - value).abs() <= SAME * given.abs()
+        });
+        value != 0.0 && value.is_finite() && !given
+    }
+
+    /// The consequence that the answer is, of the fewest earlier answers; one that is possible rather than one that is not.
+    fn followed(
+        &self,
+        number: &NumberPart,
+        expected: &grade::Expected,
+        answer: &grade::Answer,
+        earlier: &[Earlier],
+        rubric: &grade::Rubric,
+    ) -> Option<Found> {
+        let mut best: Option<Found> = None;
+        for chosen in subsets(earlier) {
+            for consequence in self.consequences(number, &chosen) {
+                let judged = grade::judge(&own_target(expected, &consequence), answer).verdict;
+                if !(judged.is_right() || judged == Verdict::UnitMissing) {
+                    continue;
+                }
+                let better = best
+                    .as_ref()
+                    .is_none_or(|best| best.consequence.unphysical.is_some() && consequence.unphysical.is_none());
+                if better {
+                    let from = chosen.iter().map(|own| own.id.clone()).collect();
+                    best = Some(Found { from, consequence, fraction: rubric.fraction(judged) });
+                }
+            }
+        }
+        best
+    }
+
+    fn consequences(&self, number: &NumberPart, chosen: &[&Earlier]) -> Vec<Consequence> {
+        let values = chosen.iter().map(|own| (own.symbol, own.value)).collect();
+        let all = self.worked().following(number, &values);
+        all.into_iter()
+            .filter(|found| self.can_be_built_upon(number.symbol, found.value * self.worked().unit_of(number)))
+            .collect()
+    }
+
+    /// What would have followed from the student's own answers: every value, and the laws by which it follows.
+    fn own_values(&self, number: &NumberPart, earlier: &[Earlier]) -> Option<String> {
+        let all: Vec<&Earlier> = earlier.iter().collect();
+        let (chosen, found) = [all, earlier.iter().rev().take(1).collect()]
+            .into_iter()
+            .map(|chosen| {
+                (chosen.iter().map(|own| own.id.as_str()).collect::<Vec<_>>(), self.consequences(number, &chosen))
+            })
+            .find(|(_, found)| !found.is_empty())?;
+        let said: Vec<String> = found
+            .iter()
+            .filter_map(|own| {
+                let value = Printed::new(own.value, number.figures)?.plain();
+                let laws: Vec<&str> = own.by.iter().map(|law| law.name).collect();
+                Some(format!("{} by {}", format!("{value} {}", number.plain_unit()).trim_end(), laws.join(" and ")))
+            })
+            .collect();
+        Some(format!("From your own {} it would follow: {}.", chosen.join(" and "), said.join(", or ")))
+    }
+}
+
+/// Every choice of earlier answers, small ones first.
+fn subsets(earlier: &[Earlier]) -> Vec<Vec<&Earlier>> {
+    let mut all: Vec<Vec<&Earlier>> = vec![Vec::new()];
+    for own in earlier {
+        let with: Vec<Vec<&Earlier>> = all.iter().map(|chosen| [chosen.as_slice(), &[own]].concat()).collect();
+        all.extend(with);
+    }
+    all.retain(|chosen| !chosen.is_empty());
+    all.sort_by_key(Vec::len);
+    all
+}
+
+/// The part with what follows from the student's own answers in place of the right value.
+fn own_target(expected: &grade::Expected, found: &Consequence) -> grade::Expected {
+    let mut own = expected.clone();
+    if let grade::ExpectedKind::Number(number) = &mut own.kind {
+        number.value = found.value;
+        number.error = SAME * SAME * found.value.abs();
+        number.exact = None;
+        number.allowance = number.allowance.max(ROUNDING * found.value.abs());
+        number.magnitude = number.senses.is_none() && found.value >= 0.0;
+    }
+    own
+}

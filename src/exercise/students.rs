@@ -1,0 +1,82 @@
+//! Students as marking will meet them: one who rounds honestly on the way, and one who makes a single usual mistake.
+
+use std::collections::BTreeMap;
+
+use crate::expr::Symbol;
+use crate::problem::AskedUnit;
+use crate::problem::NumberPart;
+use crate::problem::Part;
+use crate::problem::PartKind;
+use crate::quantity::Printed;
+use crate::quantity::round_to_figures;
+use crate::solve::Closed;
+
+use super::Exercise;
+
+impl Exercise {
+    /// The answers of a student who does everything right and rounds every value on the way to the problem's figures.
+    #[must_use]
+    pub fn rounded_answers(&self) -> BTreeMap<String, String> {
+        let worked = self.worked();
+        let figures = usize::from(self.problem.loaded().draft.figures.unwrap_or(3));
+        let mut values: BTreeMap<Symbol, f64> = BTreeMap::new();
+        for (place, step) in worked.leaf().answer_steps().iter().enumerate() {
+            let choice = self.variant.roots().get(place).copied().unwrap_or(0);
+            let Some(root) = step.roots.get(choice).or(step.roots.first()) else { continue };
+            for (unknown, closed) in &root.values {
+                let exact = self.variant.value(*unknown).map(|value| value.value);
+                let value = match closed {
+                    Closed::Formula(formula) => formula.evaluate(&|symbol| {
+                        let solved = values.get(&symbol).copied();
+                        solved.or_else(|| self.variant.value(symbol).map(|own| own.value)).unwrap_or(f64::NAN)
+                    }),
+                    Closed::FirstInteger { .. } | Closed::BracketedRoot { .. } => exact.unwrap_or(f64::NAN),
+                };
+                let rounded = round_to_figures(value, figures).map_or(value, |rounded| rounded.to_f64());
+                values.insert(*unknown, if matches!(closed, Closed::FirstInteger { .. }) { value } else { rounded });
+            }
+        }
+        let parts = worked.form.parts.iter().map(|part| {
+            let text = match &part.kind {
+                PartKind::Choice { .. } => self.printed(part),
+                PartKind::Number(number) => match values.get(&number.symbol) {
+                    Some(value) => self.written(number, value / worked.unit_of(number)),
+                    None => self.printed(part),
+                },
+            };
+            (part.id.clone(), text)
+        });
+        parts.collect()
+    }
+
+    /// What students who make one usual mistake write as the answer to a part: the code of each mistake with each answer
+    /// that comes of it, rounded to the figures that are asked.
+    #[must_use]
+    pub fn mistaken_answers(&self, part: &Part) -> Vec<(&'static str, String)> {
+        let PartKind::Number(number) = &part.kind else { return Vec::new() };
+        let worked = self.worked();
+        let mut answers = Vec::new();
+        for mistake in worked.mistakes() {
+            for value in worked.mistaken(mistake, number) {
+                answers.push((mistake.of.id, self.written(number, value)));
+            }
+        }
+        answers.sort();
+        answers.dedup();
+        answers
+    }
+
+    /// A value in the unit of the question, as a student writes it.
+    fn written(&self, number: &NumberPart, value: f64) -> String {
+        let unit = match &number.unit {
+            AskedUnit::Unit(unit) => unit.to_string(),
+            AskedUnit::InTermsOf(symbol) => self.problem.model().symbols.entry(*symbol).name.clone(),
+        };
+        let shown = if number.whole {
+            format!("{value:.0}")
+        } else {
+            Printed::new(value, number.figures).map_or_else(|| value.to_string(), |printed| printed.plain())
+        };
+        format!("{shown} {unit}").trim_end().to_owned()
+    }
+}

@@ -1,0 +1,89 @@
+//! A body that a stream meets, and a body that throws mass away.
+
+use crate::expr::Expr;
+use crate::expr::name_math;
+use crate::figure::Drawing;
+use crate::figure::Form;
+use crate::figure::LabelledVector;
+use crate::figure::Layout;
+use crate::figure::Line;
+use crate::figure::Moving;
+use crate::figure::MovingBody;
+use crate::figure::Situation;
+use crate::model::Direction;
+use crate::scene::stage::Stream;
+use crate::scene::stage::Thrust;
+
+use super::super::compass::Compass;
+use super::super::quantities::Quantities;
+use super::super::quantities::Scope;
+use super::super::vectors::Labelled;
+use super::super::vectors::body_math;
+use super::super::words::situation_wording;
+
+/// The stream before the body, after it, and its force where that may be shown.
+pub(in super::super) fn drawing(
+    quantities: &Quantities<'_>,
+    compass: &Compass,
+    index: usize,
+    stage: &Stream,
+) -> Option<Drawing> {
+    let flowing = quantities.model().flowing.iter().find(|own| own.stage == index)?;
+    let mut vectors = Vec::new();
+    if !flowing.speed.is_zero() {
+        vectors.extend(arrow(quantities, compass, &flowing.speed, &flowing.direction).map(Moving::arriving));
+    }
+    if let Some(leaving) = &flowing.leaving {
+        vectors.extend(arrow(quantities, compass, &flowing.relative, leaving));
+    }
+    vectors.extend(force(quantities, compass, &stage.body).map(Moving::force));
+    if vectors.is_empty() {
+        return None;
+    }
+    let body = MovingBody { name: body_math(&stage.body), form: Form::Block, vectors };
+    Some(lone(quantities, compass, index, &stage.body, body))
+}
+
+fn arrow(quantities: &Quantities<'_>, compass: &Compass, speed: &Expr, direction: &Direction) -> Option<Moving> {
+    let [x, y] = quantities.direction(direction)?;
+    let size = quantities.evaluate(speed)?;
+    let vector = Labelled { label: quantities.symbolic(speed), value: Some([size * x, size * y]) };
+    Some(Moving::velocity(vector.placed(compass)))
+}
+
+/// The force of the stream, in a solution.
+fn force(quantities: &Quantities<'_>, compass: &Compass, body: &str) -> Option<LabelledVector> {
+    if quantities.scope() == Scope::Given {
+        return None;
+    }
+    let named = |letter: &str| quantities.named(&format!("F_{body}{letter}"));
+    let value = match quantities.axes.len() {
+        1 => quantities.along_axes(&[named("")?])?,
+        _ => quantities.along_axes(&[named(".x")?, named(".y")?])?,
+    };
+    Some(Labelled { label: name_math(&format!("F_{body}")), value: Some(value) }.placed(compass))
+}
+
+/// A body that throws mass away, with its velocity at the start and the forces on it.
+pub(in super::super) fn rocket(
+    quantities: &Quantities<'_>,
+    compass: &Compass,
+    index: usize,
+    stage: &Thrust,
+) -> Option<Drawing> {
+    let mut vectors: Vec<Moving> = quantities.motion(compass, &stage.body, index + 1);
+    vectors.extend(quantities.forces_on(compass, &stage.body, index));
+    if vectors.is_empty() {
+        return None;
+    }
+    let body = MovingBody { name: body_math(&stage.body), form: Form::Block, vectors };
+    Some(lone(quantities, compass, index, &stage.body, body))
+}
+
+fn lone(quantities: &Quantities<'_>, compass: &Compass, index: usize, name: &str, body: MovingBody) -> Drawing {
+    let bodies = [(name.to_owned(), body)];
+    let wording = situation_wording(quantities, &bodies, &quantities.when(index + 1));
+    let bodies = bodies.into_iter().map(|(_, body)| body).collect();
+    let line = Line { angle: compass.axis_angle(0), bodies, floor: false, slope: None };
+    Situation { wording, layout: Layout::Line(line), axes: compass.marks() }.drawing()
+}

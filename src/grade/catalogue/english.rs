@@ -1,0 +1,95 @@
+//! The words of marking in English.
+
+use super::super::messages::Message;
+use super::super::read::Unreadable;
+use super::super::verdict::Verdict;
+use super::Catalogue;
+use super::english_input;
+
+/// English.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct English;
+
+impl Catalogue for English {
+    fn message(&self, message: &Message) -> String {
+        let plain = match message {
+            Message::Right => "Right.",
+            Message::RightRounded => "Right within the rounding of intermediate values.",
+            Message::Agrees => {
+                "Right: it agrees with the right formula at 20 points of the problem's range, to 256 bits. That is no proof."
+            }
+            Message::NegativeMagnitude => "This quantity is a magnitude: it is written without a minus sign.",
+            Message::PoundsAsMass => "Pounds and the like are read as a mass here (`lbm`); elsewhere they are forces.",
+            Message::ZeroWithoutUnit => "A zero, too, is written with its unit.",
+            Message::LastFigure => "Close, but the last figure is not right. Carry one more through the steps.",
+            Message::RoundingSlip => "Nearly: where did you round? Keep a figure more until the end.",
+            Message::Sense(None) => "The magnitude is right. What is its sign?",
+            Message::SenseReversed => "The magnitude is right. Look at the direction again.",
+            Message::NumberRight => "The number is right.",
+            Message::UnitMissing => "The unit is missing.",
+            Message::UnitPrefix => {
+                "This is off by the factor of a prefix. Look at the units again: grams or kilograms, metres or kilometres?"
+            }
+            Message::OrderOfMagnitude => "The digits are right. Look at the decimal point again.",
+            Message::NotWhole => "The answer is a whole number.",
+            Message::Wrong => "Not right.",
+            Message::ChoiceWrong => "Not this one.",
+            Message::Unanswered => "No answer.",
+            Message::BodiesSwapped => "Which body does this belong to?",
+            Message::ComponentsExchanged { of_contact: false } => "Which component belongs to which axis?",
+            Message::ComponentsExchanged { of_contact: true } => {
+                "Which component is along the line of impact, and which is across it?"
+            }
+            Message::Slip(verdict) => slip(*verdict),
+            other => return self.filled(other),
+        };
+        plain.to_owned()
+    }
+
+    fn unreadable(&self, fault: &Unreadable) -> String {
+        format!("Character {}: {}", fault.at + 1, english_input::sentence(&fault.kind))
+    }
+}
+
+/// Slips that have nothing to fill in: each a question.
+fn slip(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::AngleReversed => "This points the opposite way. Which way does the arrow go?",
+        Verdict::AngleOtherSense => "The size of the angle is right. In which sense is it counted?",
+        Verdict::AngleSupplement => "From which end of the axis is the angle counted?",
+        Verdict::AngleComplement | Verdict::AngleOtherAxis => "From which axis is the angle counted?",
+        Verdict::ComponentSign => "The sizes of the components are right. Which of them points the other way?",
+        Verdict::DirectionWrong => "The magnitude is right. Look at the direction again.",
+        Verdict::IntervalEnds => "The ends are right. Do they belong to the interval themselves?",
+        Verdict::IntervalHalf => "One end is right. What limits the other?",
+        Verdict::FormulaFactor => "The formula is right but for a constant factor. Where does it come from?",
+        _ => "Not right.",
+    }
+}
+
+impl English {
+    /// Messages with something to fill in.
+    fn filled(self, message: &Message) -> String {
+        match message {
+            Message::RightBecause(because) => format!("Right: {because}."),
+            Message::TooFewFigures(asked) => format!("Write {asked} significant figures."),
+            Message::TooManyFigures(asked) => format!("The data support no more than {asked} significant figures."),
+            Message::Sense(Some([plus, minus])) => {
+                format!("The magnitude is right. Say its direction too: by a sign, or \"{plus}\" or \"{minus}\".")
+            }
+            Message::UnitNotAsked(unit) => format!("Right, but the question asks for it in {unit}."),
+            Message::UnitWrong(unit) => format!("Its unit is not {unit}."),
+            Message::UnitWrongDimension { given, asked } => {
+                format!("Look at the unit: this is {given}, the question asks for {asked}.")
+            }
+            Message::FormulaDimension { given, asked } => {
+                format!("Look at the dimensions: this formula is {given}, the question asks for {asked}.")
+            }
+            Message::FormulaClash(sentence) => format!("Look at the dimensions: {sentence}."),
+            Message::Reduced(percent) => format!("Earlier attempts and hints cost {percent} % of the points."),
+            Message::Unreadable(fault) => self.unreadable(fault),
+            // Every message without anything to fill in has its words above.
+            _ => String::new(),
+        }
+    }
+}

@@ -1,0 +1,84 @@
+//! What is said in English of an answer that cannot be read.
+
+use super::super::read::UnreadableKind;
+
+/// What is wrong, and what to write instead; it follows a colon.
+pub(super) fn sentence(kind: &UnreadableKind) -> String {
+    let plain = match kind {
+        UnreadableKind::NotANumber => "a number must stand here, like `3.1`, `-0.4`, `1.2e3` or `3/4`.",
+        UnreadableKind::NameBefore => "write the value alone, without a name and `=` before it.",
+        UnreadableKind::Underscore => "an underscore does not belong into a number.",
+        UnreadableKind::Marks => "these points and commas make no number.",
+        UnreadableKind::SecondNumber => "a second number stands here: write one value.",
+        UnreadableKind::MixedOrGrouped => {
+            "this can be a whole number and a fraction, or one grouped number: write it without the space, or as a decimal."
+        }
+        UnreadableKind::LostExponent => {
+            "this can be a power of ten or a difference: write `10^-3`, or spaces around the minus sign."
+        }
+        UnreadableKind::ProductAfterBar => "this can belong above or below the fraction bar: write brackets.",
+        UnreadableKind::TwoSigns => "two signs stand side by side.",
+        UnreadableKind::OpenBracket => "this bracket is not closed.",
+        UnreadableKind::TooDeep => "this is nested too deeply.",
+        UnreadableKind::TooLarge => "this number is too large, too small or too long.",
+        UnreadableKind::Undefined => "this has no value.",
+        UnreadableKind::AngleUnit => "an angle needs its unit here: `sin(30 deg)`, `40° below +x` or `0.5 rad`.",
+        UnreadableKind::NotOneValue => "write one value, not a range or a condition.",
+        UnreadableKind::SignAndDirection => "write a sign or a direction, not both.",
+        UnreadableKind::SeveralOptions => "this fits more than one option: write more of its text.",
+        UnreadableKind::Direction => {
+            "this direction cannot be understood: write `40° below +x`, `36° N of E` or `-40°` behind an `@`."
+        }
+        UnreadableKind::MixedUnits => "write one unit for the whole, or the same unit beside each value.",
+        UnreadableKind::Axis => "there is no further component along this axis.",
+        UnreadableKind::NotAnInterval => {
+            "write an interval or a condition, like `0 < e <= 0.5`, `e >= 0.3` or `(0, 0.5]`."
+        }
+        UnreadableKind::EmptyInterval => "nothing lies in this interval: its ends are exchanged.",
+        UnreadableKind::NotEuler => "`e` is not given here, and it never means 2.718: write `exp(1)` for that.",
+        UnreadableKind::TooManyParts => "this formula has too many parts.",
+        UnreadableKind::NotAFormula => "this does not belong into a formula.",
+        UnreadableKind::NoTerm => "a name, a number or a bracket must stand here.",
+        UnreadableKind::NamedPower => "an exponent is a plain number.",
+        other => return filled(other),
+    };
+    plain.to_owned()
+}
+
+/// Faults with something to fill in.
+fn filled(kind: &UnreadableKind) -> String {
+    match kind {
+        UnreadableKind::TooLong(most) => format!("an answer has at most {most} characters."),
+        UnreadableKind::OtherMark(mark) => format!("decimals begin with `{mark}` here."),
+        UnreadableKind::AmbiguousMark([whole, decimal]) => {
+            format!("this can be read in two ways: write `{whole}` or `{decimal}`.")
+        }
+        UnreadableKind::Unit(fault) => format!("{fault}; {}.", fault.help().trim_end_matches('?')),
+        UnreadableKind::UnitOrDirection(letter) => {
+            format!("`{letter}` can be a unit or a direction: write the direction as a word.")
+        }
+        UnreadableKind::NoDirection(word) => format!("\"{word}\" says a direction, but this quantity has none."),
+        UnreadableKind::OtherDirection { word, senses: [plus, minus] } => {
+            format!("\"{word}\" is none of the directions here: \"{plus}\" or \"{minus}\".")
+        }
+        UnreadableKind::NoOption(count) => {
+            format!("choose one of the {count} options, by its letter, its number or its text.")
+        }
+        UnreadableKind::Components(count) => {
+            format!(
+                "a vector has {count} components here: write `(1.2, -3.4) m/s`, with `;` between decimal commas, or a magnitude and a direction."
+            )
+        }
+        UnreadableKind::OtherName(name) => format!("the question asks for `{name}`."),
+        UnreadableKind::UnknownName { name, near } => match near {
+            Some(near) => format!("`{name}` is not given here; did you mean `{near}`?"),
+            None => format!("`{name}` is not given here: write the answer in what the sheet gives."),
+        },
+        UnreadableKind::AmbiguousName(name) => {
+            format!("`{name}` can be read in more than one way: write `*` between the factors.")
+        }
+        UnreadableKind::AskedName(name) => format!("`{name}` is what is asked: write it in what the sheet gives."),
+        // Every fault without anything to fill in has its words above.
+        _ => String::new(),
+    }
+}

@@ -1,0 +1,60 @@
+//! An interval: each end is judged as a number, then whether it belongs.
+
+use super::super::expected::{ExpectedEnd, ExpectedInterval};
+use super::super::messages::Message;
+use super::super::read::{EndAnswer, IntervalAnswer, NumberAnswer};
+use super::super::verdict::Verdict;
+use super::Judgement;
+
+/// What was found about an end: nothing where neither the question nor the answer has one.
+type Found = Option<Judgement>;
+
+/// Judges an interval.
+pub(super) fn judge(expected: &ExpectedInterval, answer: &IntervalAnswer) -> Judgement {
+    let ends = [(&expected.low, &answer.low), (&expected.high, &answer.high)];
+    let found: Vec<Found> = ends.iter().map(|(asked, given)| end(asked.as_ref(), given.as_ref(), answer)).collect();
+    let judged: Vec<&Judgement> = found.iter().flatten().collect();
+    let right = judged.iter().filter(|judgement| judgement.verdict.is_right()).count();
+    if right == judged.len() && right > 0 {
+        let differs = |(asked, given): &(&Option<ExpectedEnd>, &Option<EndAnswer>)| {
+            let closed = given.as_ref().and_then(|end| end.closed);
+            asked.as_ref().zip(closed).is_some_and(|(asked, closed)| asked.closed != closed)
+        };
+        return if ends.iter().any(differs) {
+            Judgement::of(Verdict::IntervalEnds, Message::Slip(Verdict::IntervalEnds))
+        } else {
+            Judgement::of(Verdict::Right, Message::Right)
+        };
+    }
+    let wrong: Vec<&&Judgement> = judged.iter().filter(|judgement| !judgement.verdict.is_right()).collect();
+    match wrong.as_slice() {
+        // The same slip at every end, such as a missing unit, is that slip.
+        [first, others @ ..]
+            if first.verdict != Verdict::Wrong && others.iter().all(|end| end.verdict == first.verdict) =>
+        {
+            (**first).clone()
+        }
+        _ if right > 0 => Judgement::of(Verdict::IntervalHalf, Message::Slip(Verdict::IntervalHalf)),
+        _ => Judgement::of(Verdict::Wrong, Message::Wrong),
+    }
+}
+
+fn end(asked: Option<&ExpectedEnd>, given: Option<&EndAnswer>, answer: &IntervalAnswer) -> Found {
+    match (asked, given) {
+        (None, None) => None,
+        (Some(asked), Some(given)) => {
+            let number = NumberAnswer {
+                number: given.number.clone(),
+                written: given.written,
+                signed: given.number.is_negative(),
+                // A zero needs no unit beside an end that has one.
+                unit: answer.unit.clone(),
+                pounds_as_mass: false,
+                sense: None,
+                heading: None,
+            };
+            Some(super::judge_number(&asked.number, &number))
+        }
+        _ => Some(Judgement::of(Verdict::Wrong, Message::Wrong)),
+    }
+}

@@ -1,0 +1,138 @@
+//! A vector: right where |v - t| <= tau |t|, and what is usual where it is not.
+
+use crate::quantity::Rational;
+use crate::quantity::Unit;
+use crate::quantity::dimension_name;
+
+use super::super::expected::{ExpectedVector, Tolerance, Units};
+use super::super::messages::Message;
+use super::super::number::Number;
+use super::super::read::VectorAnswer;
+use super::super::verdict::Verdict;
+use super::Judgement;
+use super::closeness::{half_unit, reference};
+
+/// How far doubles may be off.
+const SLACK: f64 = 1e-12;
+
+/// Judges a vector.
+pub(super) fn judge(expected: &ExpectedVector, answer: &VectorAnswer) -> Judgement {
+    let Some(first) = expected.components.first() else { return Judgement::of(Verdict::Wrong, Message::Wrong) };
+    let asked = &first.unit;
+    let unit = answer.unit.clone().unwrap_or_default();
+    let as_written = found(expected, &answer.components);
+    let with_unit = |verdict: Verdict, message: Message| judged(as_written, expected).with_unit(verdict, message);
+    if unit.is_none() && !asked.is_none() {
+        let nothing = answer.components.iter().all(Number::is_zero) && as_written == Some(Verdict::Right);
+        if nothing {
+            return judged(as_written, expected).noted(Message::ZeroWithoutUnit);
+        }
+        return with_unit(Verdict::UnitMissing, Message::UnitMissing);
+    }
+    if unit.dimension() != asked.dimension() {
+        let names = [&unit, asked].map(|unit| dimension_name(unit.dimension()).to_owned());
+        let [given, asked] = names;
+        return with_unit(Verdict::UnitWrongDimension, Message::UnitWrongDimension { given, asked });
+    }
+    let Some(converted) = converted(answer, &unit, asked) else {
+        return Judgement::of(Verdict::Wrong, Message::Wrong);
+    };
+    match found(expected, &converted) {
+        Some(verdict) if verdict.is_right() && first.units == Units::AsAsked && unit.factor() != asked.factor() => {
+            Judgement::of(Verdict::UnitNotAsked, Message::UnitNotAsked(asked.to_string()))
+        }
+        None if as_written.is_some() => with_unit(Verdict::UnitWrong, Message::UnitWrong(unit.to_string())),
+        found => judged(found, expected),
+    }
+}
+
+fn converted(answer: &VectorAnswer, unit: &Unit, asked: &Unit) -> Option<Vec<Number>> {
+    let ratio = unit.factor() * asked.factor().power(-1);
+    answer.components.iter().map(|component| component.scaled(&ratio)).collect()
+}
+
+fn judged(found: Option<Verdict>, expected: &ExpectedVector) -> Judgement {
+    let of_contact = expected.frame.axes.iter().any(|axis| axis.letter == 'n');
+    match found {
+        Some(Verdict::Right) => Judgement::of(Verdict::Right, Message::Right),
+        Some(Verdict::RightRounded) => Judgement::of(Verdict::RightRounded, Message::RightRounded),
+        Some(Verdict::SenseReversed) => Judgement::of(Verdict::SenseReversed, Message::SenseReversed),
+        Some(verdict @ Verdict::ComponentsExchanged) => {
+            Judgement::of(verdict, Message::ComponentsExchanged { of_contact })
+        }
+        Some(verdict) => Judgement::of(verdict, Message::Slip(verdict)),
+        None => Judgement::of(Verdict::Wrong, Message::Wrong),
+    }
+}
+
+/// What the components are, in the unit that is asked.
+fn found(expected: &ExpectedVector, given: &[Number]) -> Option<Verdict> {
+    let right: Vec<f64> = expected.components.iter().map(|component| component.value).collect();
+    if right.len() != given.len() {
+        return None;
+    }
+    let limit = tolerance(expected, &right);
+    let near = |wanted: &[f64], limit: f64| {
+        let difference: Vec<f64> = wanted.iter().zip(given).map(|(wanted, given)| given.to_f64() - wanted).collect();
+        size(&difference) <= limit
+    };
+    if near(&right, limit * (1.0 - SLACK)) || within_exactly(expected, given) {
+        return Some(Verdict::Right);
+    }
+    let slack = size(&expected.components.iter().map(|component| component.error).collect::<Vec<_>>());
+    let allowance = size(&expected.components.iter().map(|component| component.allowance).collect::<Vec<_>>());
+    let inexact = SLACK * size(&given.iter().map(Number::to_f64).collect::<Vec<_>>());
+    if near(&right, limit + slack + inexact) {
+        return Some(Verdict::Right);
+    }
+    if near(&right, allowance + slack + inexact) {
+        return Some(Verdict::RightRounded);
+    }
+    let limit = limit.max(allowance);
+    let opposite: Vec<f64> = right.iter().map(|component| -component).collect();
+    if near(&opposite, limit) {
+        return Some(Verdict::SenseReversed);
+    }
+    if let [x, y] = right.as_slice()
+        && near(&[*y, *x], limit)
+    {
+        return Some(Verdict::ComponentsExchanged);
+    }
+    let mut signs = (1..1_u32 << right.len().min(3)).map(|mask| {
+        let turned = |(index, component): (usize, &f64)| if mask >> index & 1 == 1 { -component } else { *component };
+        right.iter().enumerate().map(turned).collect::<Vec<f64>>()
+    });
+    if signs.any(|turned| near(&turned, limit)) {
+        return Some(Verdict::ComponentSign);
+    }
+    let given = size(&given.iter().map(Number::to_f64).collect::<Vec<_>>());
+    ((given - size(&right)).abs() <= limit && given > 0.0).then_some(Verdict::DirectionWrong)
+}
+
+fn tolerance(expected: &ExpectedVector, right: &[f64]) -> f64 {
+    let Some(first) = expected.components.first() else { return 0.0 };
+    match &first.tolerance {
+        Tolerance::ToFigures => half_unit(size(right), first),
+        Tolerance::Absolute(distance) => distance.to_f64().abs(),
+        Tolerance::Relative(fraction) => fraction.to_f64().abs() * reference(size(right), first.scale),
+    }
+}
+
+/// The comparison of squares, which needs no root and so has an exact boundary.
+fn within_exactly(expected: &ExpectedVector, given: &[Number]) -> bool {
+    let Some(first) = expected.components.first() else { return false };
+    let exact: Option<Vec<&Rational>> = expected.components.iter().map(|component| component.exact.as_ref()).collect();
+    let Some(exact) = exact else { return false };
+    let square = |sum: Rational, part: Rational| sum + &part * &part;
+    let off = exact.iter().zip(given).map(|(right, given)| given.value() - *right).fold(Rational::ZERO, square);
+    let length = exact.iter().map(|right| (*right).clone()).fold(Rational::ZERO, square);
+    match &first.tolerance {
+        Tolerance::ToFigures => false,
+        Tolerance::Absolute(distance) => off <= distance.to_rational() * distance.to_rational(),
+        Tolerance::Relative(fraction) => off <= fraction.to_rational() * fraction.to_rational() * length,
+    }
+}
+
+fn size(components: &[f64]) -> f64 {
+    components.iter().map(|component| component * component).sum::<f64>().sqrt()
+}

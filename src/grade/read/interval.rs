@@ -1,0 +1,214 @@
+//! An interval or a condition: `0 < e <= 0.5`, `(0, 0.5]`, `at most 0.5`, `between 0 and 0.5`.
+
+use crate::quantity::Unit;
+
+use super::super::expected::ExpectedInterval;
+use super::answer::{EndAnswer, IntervalAnswer, NumberAnswer};
+use super::arithmetic::At;
+use super::numeral::DecimalMark;
+use super::plain::Plain;
+use super::quantity;
+use super::unreadable::{Unreadable, UnreadableKind};
+
+/// Signs that compare: the writing, whether the left side is the smaller, whether both may be equal. Longer ones first.
+const SIGNS: [(&str, bool, bool); 8] = [
+    ("<=", true, true),
+    ("=<", true, true),
+    (">=", false, true),
+    ("=>", false, true),
+    ("≤", true, true),
+    ("≥", false, true),
+    ("<", true, false),
+    (">", false, false),
+];
+
+/// Words that compare: the words, whether the end behind them is the upper one, whether it belongs to the interval.
+const WORDS: [(&str, bool, bool); 10] = [
+    ("at most", true, true),
+    ("no more than", true, true),
+    ("up to", true, true),
+    ("less than", true, false),
+    ("below", true, false),
+    ("at least", false, true),
+    ("no less than", false, true),
+    ("greater than", false, false),
+    ("more than", false, false),
+    ("above", false, false),
+];
+
+/// An end that was read, with its unit; nothing where it is infinite.
+type End = Option<NumberAnswer>;
+
+/// The lower and the upper end, each with whether it belongs to the interval.
+type Ends = [Option<(End, bool)>; 2];
+
+/// Reads an interval.
+pub(super) fn read(answer: &str, asked: &ExpectedInterval, mark: DecimalMark) -> Result<IntervalAnswer, Unreadable> {
+    let plain = Plain::new(answer)?;
+    let reader = Reader { text: plain.text(), asked, mark };
+    reader.interval().map_err(|(at, kind)| plain.fault(at, kind))
+}
+
+struct Reader<'a> {
+    text: &'a str,
+    asked: &'a ExpectedInterval,
+    mark: DecimalMark,
+}
+
+/// A piece of the text with its first byte.
+type Piece<'a> = (usize, &'a str);
+
+impl<'a> Reader<'a> {
+    fn interval(&self) -> At<IntervalAnswer> {
+        let whole = trimmed((0, self.text));
+        if let Some(found) = self.signs(whole)? {
+            return Ok(found);
+        }
+        let (at, text) = self.without_name(whole);
+        if let Some(found) = self.brackets((at, text))? {
+            return Ok(found);
+        }
+        let between = text.strip_prefix("between ").and_then(|rest| rest.split_once(" and "));
+        let from = text.strip_prefix("from ").unwrap_or(text).split_once(" to ");
+        if let Some((low, high)) = between.or(from) {
+            return self.made(self.end(self.piece(low))?, self.end(self.piece(high))?, [None, None]);
+        }
+        let worded = WORDS.iter().find_map(|(word, upper, closed)| Some((text.strip_prefix(word)?, *upper, *closed)));
+        let Some((rest, upper, closed)) = worded else { return Err((at, UnreadableKind::NotAnInterval)) };
+        let end = self.end(self.piece(rest))?;
+        let closed = [Some(closed); 2];
+        if upper { self.made(None, end, closed) } else { self.made(end, None, closed) }
+    }
+
+    /// `0 < e <= 0.5`, `e > 0`, `e > 0 and e <= 0.5`.
+    fn signs(&self, whole: Piece<'a>) -> At<Option<IntervalAnswer>> {
+        let joined = [" and ", "&&", " & ", "∧"].iter().find_map(|word| whole.1.split_once(word));
+        if let Some((first, second)) = joined {
+            let read = |text| self.chain(trimmed(self.piece(text)));
+            let (Some(first), Some(second)) = (read(first)?, read(second)?) else { return Ok(None) };
+            return match (first, second) {
+                ([None, high], [low, None]) | ([low, None], [None, high]) => self.of_ends(low, high).map(Some),
+                _ => Err((whole.0, UnreadableKind::NotAnInterval)),
+            };
+        }
+        match self.chain(whole)? {
+            Some([low, high]) => self.of_ends(low, high).map(Some),
+            None => Ok(None),
+        }
+    }
+
+    /// The lower and the upper end of a chain of comparisons, each with whether it belongs to the interval.
+    fn chain(&self, (start, text): Piece<'a>) -> At<Option<Ends>> {
+        let mut pieces: Vec<Piece> = Vec::new();
+        let mut signs = Vec::new();
+        let (mut from, mut at) = (0, 0);
+        while at < text.len() {
+            let sign = SIGNS.iter().find(|(sign, ..)| text[at..].starts_with(sign));
+            if let Some(sign @ (written, ..)) = sign {
+                pieces.push(trimmed((start + from, &text[from..at])));
+                signs.push(sign);
+                at += written.len();
+                from = at;
+            } else {
+                at += text[at..].chars().next().map_or(1, char::len_utf8);
+            }
+        }
+        pieces.push(trimmed((start + from, &text[from..])));
+        let ends = match (pieces.as_slice(), signs.as_slice()) {
+            (_, []) => return Ok(None),
+            ([left, right], [(_, smaller, closed)]) => {
+                let (end, upper) = if self.is_name(left.1) {
+                    (self.end(*right)?, *smaller)
+                } else {
+                    self.named(*right)?;
+                    (self.end(*left)?, !*smaller)
+                };
+                if upper { [None, Some((end, *closed))] } else { [Some((end, *closed)), None] }
+            }
+            ([left, name, right], [(_, first, left_closed), (_, second, right_closed)]) if first == second => {
+                self.named(*name)?;
+                let (left, right) = ((self.end(*left)?, *left_closed), (self.end(*right)?, *right_closed));
+                if *first { [Some(left), Some(right)] } else { [Some(right), Some(left)] }
+            }
+            _ => return Err((start, UnreadableKind::NotAnInterval)),
+        };
+        Ok(Some(ends))
+    }
+
+    fn of_ends(&self, low: Option<(End, bool)>, high: Option<(End, bool)>) -> At<IntervalAnswer> {
+        let closed = [low.as_ref().map(|end| end.1), high.as_ref().map(|end| end.1)];
+        self.made(low.and_then(|end| end.0), high.and_then(|end| end.0), closed)
+    }
+
+    /// `(0, 0.5]`, `]0; 0.5]`, with the unit behind.
+    fn brackets(&self, (at, text): Piece<'a>) -> At<Option<IntervalAnswer>> {
+        let Some(open) = text.chars().next().filter(|open| ['(', '[', ']'].contains(open)) else { return Ok(None) };
+        let Some(end) = text.rfind([')', ']', '[']).filter(|end| *end > 0) else { return Ok(None) };
+        let inside = &text[1..end];
+        let split = if self.mark == DecimalMark::Comma { inside.split_once(';') } else { None };
+        let split = split.or_else(|| inside.split_once(';')).or_else(|| inside.split_once(", "));
+        let split = split.or_else(|| inside.split_once(',').filter(|_| self.mark != DecimalMark::Comma));
+        let Some((low, high)) = split else { return Err((at, UnreadableKind::NotAnInterval)) };
+        let closed = [Some(open == '['), Some(text[end..].starts_with(']'))];
+        let behind = &text[end + 1..];
+        let start = self.piece(behind).0;
+        let unit = quantity::unit(behind, 0, behind.len()).map_err(|(shift, kind)| (start + shift, kind))?;
+        let mut found = self.made(self.end(self.piece(low))?, self.end(self.piece(high))?, closed)?;
+        if unit.is_some() && found.unit.is_some() {
+            return Err((start, UnreadableKind::MixedUnits));
+        }
+        found.unit = found.unit.or(unit);
+        Ok(Some(found))
+    }
+
+    fn made(&self, low: End, high: End, closed: [Option<bool>; 2]) -> At<IntervalAnswer> {
+        if low.is_none() && high.is_none() {
+            return Err((0, UnreadableKind::NotAnInterval));
+        }
+        let unit = |end: &End| end.as_ref().and_then(|end| end.unit.clone());
+        let unit: Option<Unit> = match (unit(&low), unit(&high)) {
+            (Some(low), Some(high)) if low != high => return Err((0, UnreadableKind::MixedUnits)),
+            (low, high) => high.or(low),
+        };
+        let above = |low: &NumberAnswer, high: &NumberAnswer| low.number.value() > high.number.value();
+        if low.as_ref().zip(high.as_ref()).is_some_and(|(low, high)| above(low, high)) {
+            return Err((0, UnreadableKind::EmptyInterval));
+        }
+        let end = |end: End, closed| end.map(|end| EndAnswer { number: end.number, written: end.written, closed });
+        Ok(IntervalAnswer { name: self.asked.name.clone(), low: end(low, closed[0]), high: end(high, closed[1]), unit })
+    }
+
+    fn end(&self, piece: Piece<'a>) -> At<End> {
+        let (at, text) = trimmed(piece);
+        if ["inf", "infinity", "∞", "+∞", "-∞", "-inf", "+inf", "\\infty", "-\\infty"].contains(&text) {
+            return Ok(None);
+        }
+        quantity::read_plain(text, None, &self.asked.unit, self.mark)
+            .map(Some)
+            .map_err(|(shift, kind)| (at + shift, kind))
+    }
+
+    fn named(&self, (at, text): Piece<'a>) -> At<()> {
+        if self.is_name(text) { Ok(()) } else { Err((at, UnreadableKind::OtherName(self.asked.name.clone()))) }
+    }
+
+    fn is_name(&self, text: &str) -> bool {
+        text == self.asked.name || text.replace(['_', '{', '}'], "") == self.asked.name.replace('_', "")
+    }
+
+    /// The text behind `e in`, `e is`, `e:`.
+    fn without_name(&self, (at, text): Piece<'a>) -> Piece<'a> {
+        let rest = text.split_once(' ').filter(|(name, _)| self.is_name(name)).map_or(text, |(_, rest)| rest);
+        let rest =
+            ["in ", "is ", "∈", "lies ", "must be "].iter().find_map(|word| rest.strip_prefix(word)).unwrap_or(rest);
+        trimmed((at + text.len() - rest.len(), rest))
+    }
+
+    fn piece(&self, text: &'a str) -> Piece<'a> {
+        (text.as_ptr() as usize - self.text.as_ptr() as usize, text)
+    }
+}
+
+fn trimmed((at, text): Piece<'_>) -> Piece<'_> {
+    (at + text.len() - text.trim_start().len(), text.trim().trim_end_matches('.'))
+}

@@ -1,0 +1,47 @@
+//! Several values of one quantity in one answer: `2 m/s or -2 m/s`, `±2 m/s`, `2; -2 m/s`.
+
+use super::arithmetic;
+
+/// What stands between two values.
+const BETWEEN: [&str; 4] = [" or ", " and ", ";", " oder "];
+
+/// The values of an answer, each as a text of its own: a unit behind the last belongs to all, and `±` is both signs.
+///
+/// ```
+/// use momentous::grade::read_several;
+/// assert_eq!(read_several("2 or -2 m/s"), ["2 m/s", "-2 m/s"]);
+/// assert_eq!(read_several("±2 m/s"), ["2 m/s", "-2 m/s"]);
+/// ```
+#[must_use]
+pub fn read_several(answer: &str) -> Vec<String> {
+    let answer = answer.trim();
+    if let Some(size) = answer.strip_prefix('±').or(answer.strip_prefix("+-")).or(answer.strip_prefix("+/-")) {
+        let size = size.trim_start();
+        return vec![size.to_owned(), format!("-{size}")];
+    }
+    let mut pieces = vec![answer.trim_start_matches('{').trim_end_matches('}')];
+    for word in BETWEEN {
+        pieces = pieces.into_iter().flat_map(|piece| piece.split(word)).collect();
+    }
+    let pieces: Vec<&str> = pieces.into_iter().map(str::trim).filter(|piece| !piece.is_empty()).collect();
+    let unit = pieces.last().map_or("", |last| behind_number(last));
+    let with_unit = |piece: &&str| {
+        if behind_number(piece).is_empty() {
+            format!("{piece} {unit}").trim_end().to_owned()
+        } else {
+            (*piece).to_owned()
+        }
+    };
+    pieces.iter().map(with_unit).collect()
+}
+
+/// What stands behind the digits at the start: a unit, perhaps with a direction. Nothing where it is part of a calculation.
+fn behind_number(text: &str) -> &str {
+    let end = text.rfind(|last: char| last.is_ascii_digit() || last == ')').map_or(0, |at| at + 1);
+    let unit =
+        text.find(|first: char| first.is_alphabetic() && first != 'e' && first != 'x' || first == '°' || first == '%');
+    match unit {
+        Some(at) if !arithmetic::begins_number(&text[at..]) => text[at..].trim(),
+        _ => text[end..].trim(),
+    }
+}

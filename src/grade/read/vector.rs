@@ -1,0 +1,228 @@
+//! A vector: by its components, by unit vectors, or by magnitude and direction.
+
+use crate::quantity::Rational;
+use crate::quantity::Unit;
+
+use super::super::expected::ExpectedVector;
+use super::super::number::Number;
+use super::answer::{NumberAnswer, VectorAnswer, Written, echo_number};
+use super::arithmetic::At;
+use super::direction;
+use super::heading;
+use super::numeral::DecimalMark;
+use super::plain::Plain;
+use super::quantity;
+use super::unreadable::{Unreadable, UnreadableKind};
+
+/// Brackets around components.
+const BRACKETS: [(char, char); 5] = [('(', ')'), ('<', '>'), ('[', ']'), ('⟨', '⟩'), ('{', '}')];
+/// Unit vectors along the first, second and third axis, the longer writings first.
+const UNIT_VECTORS: [&[&str]; 3] =
+    [&["i\u{302}", "x\u{302}", "î", "i"], &["j\u{302}", "y\u{302}", "ĵ", "ŷ", "j"], &["k\u{302}", "z\u{302}", "k"]];
+
+/// A component as it was read; a part without a value stands for zero.
+type Parts = Vec<Option<NumberAnswer>>;
+
+/// Reads a vector.
+pub(super) fn read(answer: &str, asked: &ExpectedVector, mark: DecimalMark) -> Result<VectorAnswer, Unreadable> {
+    let plain = Plain::new(answer)?;
+    read_plain(plain.text(), asked, mark).map_err(|(at, kind)| plain.fault(at, kind))
+}
+
+fn read_plain(text: &str, asked: &ExpectedVector, mark: DecimalMark) -> At<VectorAnswer> {
+    let text = text.trim_end_matches([' ', '.', ',']);
+    let start = text.len() - text.trim_start_matches([' ', '=', '≈', '~']).len();
+    let at = |shift: usize| move |(at, kind)| (at + shift, kind);
+    if let Some((from, to, rest)) = bracketed(text, start) {
+        let inside = &text[from..to];
+        if unit_vectors(inside).is_empty() {
+            return tuple(inside, from, &text[rest..], rest, asked, mark);
+        }
+        let behind = unit_behind(&text[rest..]).map_err(at(rest))?;
+        return sum(inside, asked, mark, behind).map_err(at(from));
+    }
+    if !unit_vectors(&text[start..]).is_empty() {
+        return sum(&text[start..], asked, mark, None).map_err(at(start));
+    }
+    polar(&text[start..], asked, mark).map_err(at(start))
+}
+
+/// Where the inside of the brackets around the components begins and ends, and where what is behind them begins.
+fn bracketed(text: &str, start: usize) -> Option<(usize, usize, usize)> {
+    let first = text[start..].chars().next()?;
+    let (_, close) = BRACKETS.iter().find(|(open, _)| *open == first)?;
+    let (from, mut depth) = (start + first.len_utf8(), 1);
+    for (offset, next) in text[from..].char_indices() {
+        depth += i32::from(next == first);
+        depth -= i32::from(next == *close);
+        if depth == 0 {
+            let to = from + offset;
+            let inside = &text[from..to];
+            let many = inside.contains([',', ';']) || !unit_vectors(inside).is_empty();
+            return many.then_some((from, to, to + close.len_utf8()));
+        }
+    }
+    None
+}
+
+fn tuple(
+    inside: &str,
+    from: usize,
+    rest: &str,
+    at: usize,
+    asked: &ExpectedVector,
+    mark: DecimalMark,
+) -> At<VectorAnswer> {
+    let count = asked.components.len();
+    let split = |mark: &str| inside.split(mark).collect::<Vec<_>>();
+    let by_commas = split(",");
+    let pieces = if inside.contains(';') {
+        split(";")
+    } else if mark != DecimalMark::Comma && by_commas.len() == count {
+        by_commas
+    } else {
+        split(", ")
+    };
+    if pieces.len() != count {
+        return Err((from, UnreadableKind::Components(count)));
+    }
+    let unit = unit_behind(rest).map_err(|(shift, kind)| (at + shift, kind))?;
+    let mut parts: Parts = Vec::new();
+    for piece in pieces {
+        let start = from + (piece.as_ptr() as usize - inside.as_ptr() as usize);
+        let part = component(piece, asked, mark).map_err(|(shift, kind)| (start + shift, kind))?;
+        parts.push(Some(part));
+    }
+    together(&parts, unit, from)
+}
+
+fn component(text: &str, asked: &ExpectedVector, mark: DecimalMark) -> At<NumberAnswer> {
+    let unit = asked.components.first().map(|component| component.unit.clone()).unwrap_or_default();
+    let lead = text.len() - text.trim_start().len();
+    quantity::read_plain(text.trim_start(), None, &unit, mark).map_err(|(at, kind)| (at + lead, kind))
+}
+
+/// The unit behind the brackets.
+fn unit_behind(rest: &str) -> At<Option<Unit>> {
+    quantity::unit(rest, 0, rest.len())
+}
+
+/// Components with one unit: behind them, or beside each.
+fn together(parts: &Parts, behind: Option<Unit>, at: usize) -> At<VectorAnswer> {
+    let written = |part: &Option<NumberAnswer>| part.as_ref().map_or(Written::Computed, |part| part.written);
+    let value =
+        |part: &Option<NumberAnswer>| part.as_ref().map_or(Number::exact(Rational::ZERO), NumberAnswer::directed);
+    let own: Vec<&Unit> = parts.iter().flatten().filter_map(|part| part.unit.as_ref()).collect();
+    let present = parts.iter().flatten().count();
+    let zeros = parts.iter().flatten().filter(|part| part.number.is_zero() && part.unit.is_none()).count();
+    let unit = match (own.as_slice(), behind) {
+        ([], behind) => behind,
+        // `1.2i - 3.4j m/s`: the unit behind the last belongs to all.
+        ([only], None) if present > 1 && parts.iter().flatten().last().is_some_and(|part| part.unit.is_some()) => {
+            Some((*only).clone())
+        }
+        ([first, others @ ..], None) if others.iter().all(|unit| unit == first) && own.len() + zeros >= present => {
+            Some((*first).clone())
+        }
+        _ => return Err((at, UnreadableKind::MixedUnits)),
+    };
+    Ok(VectorAnswer {
+        components: parts.iter().map(value).collect(),
+        written: parts.iter().map(written).collect(),
+        unit,
+        heading: None,
+    })
+}
+
+/// Where unit vectors stand: the axis, and the bytes.
+fn unit_vectors(text: &str) -> Vec<(usize, usize, usize)> {
+    let mut found = Vec::new();
+    let mut before = ' ';
+    for (at, next) in text.char_indices() {
+        let names =
+            UNIT_VECTORS.iter().enumerate().flat_map(|(axis, names)| names.iter().map(move |name| (axis, *name)));
+        let mut here = names.filter(|(_, name)| text[at..].starts_with(name));
+        if let Some((axis, name)) = here.next().filter(|_| !before.is_alphabetic() && before != '^') {
+            let end = at + name.len();
+            if !text[end..].starts_with(|next: char| next.is_alphanumeric() || next == '\u{302}') {
+                found.push((axis, at, end));
+            }
+        }
+        before = next;
+    }
+    found
+}
+
+/// `1.2i - 3.4j m/s`
+fn sum(text: &str, asked: &ExpectedVector, mark: DecimalMark, behind: Option<Unit>) -> At<VectorAnswer> {
+    let mut parts: Parts = vec![None; asked.components.len()];
+    let mut from = 0;
+    let found = unit_vectors(text);
+    for (position, (axis, start, end)) in found.iter().enumerate() {
+        let lead = from + text[from..].len() - text[from..].trim_start().len();
+        let coefficient = text[lead..*start].trim_end().trim_end_matches(['*', '·', '×']).trim_end();
+        let sign = coefficient.trim_end();
+        let part = match sign {
+            "" | "+" | "-" => component(&format!("{sign}1"), asked, mark),
+            _ if position > 0 && !sign.starts_with(['+', '-']) => Err((0, UnreadableKind::SecondNumber)),
+            _ => component(coefficient, asked, mark),
+        };
+        let part = part.map_err(|(shift, kind)| (lead + shift, kind))?;
+        match parts.get_mut(*axis) {
+            Some(place @ None) => *place = Some(part),
+            _ => return Err((*start, UnreadableKind::Axis)),
+        }
+        from = *end;
+    }
+    let rest = unit_behind(&text[from..]).map_err(|(shift, kind)| (from + shift, kind))?;
+    if rest.is_some() && behind.is_some() {
+        return Err((from, UnreadableKind::MixedUnits));
+    }
+    together(&parts, rest.or(behind), 0)
+}
+
+/// A magnitude and its direction, wherever the one ends and the other begins.
+fn polar(text: &str, asked: &ExpectedVector, mark: DecimalMark) -> At<VectorAnswer> {
+    let mut first_fault = None;
+    let begins = |(at, next): (usize, char)| {
+        let gap = text[..at].ends_with([' ', ',', '(']) || direction::is_arrow(next) || next == '@' || next == '∠';
+        (at > 0 && gap && next != ' ').then_some(at)
+    };
+    for at in text.char_indices().filter_map(begins) {
+        let size = text[..at].trim_end_matches([' ', ',', '(']);
+        let bare = size.strip_suffix(" at").or(size.strip_suffix('@')).or(size.strip_suffix('∠')).unwrap_or(size);
+        let Ok(size) = component(bare, asked, mark) else { continue };
+        match heading::read(&text[at..], &asked.frame, mark) {
+            Ok(_) if size.number.is_negative() || size.signed => return Err((0, UnreadableKind::SignAndDirection)),
+            Ok(heading) => {
+                let components = heading.components(&size.number, &asked.frame).ok_or((0, UnreadableKind::TooLarge))?;
+                let words = heading.words(&asked.frame, |angle, form| echo_number(angle, form.written()));
+                let preposition = if words.starts_with("along") { "" } else { "at " };
+                return Ok(VectorAnswer {
+                    written: vec![size.written; components.len()],
+                    components,
+                    unit: size.unit,
+                    heading: Some((size.number, format!("{preposition}{words}"))),
+                });
+            }
+            // What stands behind the whole quantity is a direction, so its fault is the one to tell.
+            Err((shift, kind)) => {
+                first_fault.get_or_insert((at + shift, kind));
+            }
+        }
+    }
+    let alone = component(text, asked, mark);
+    match (alone, first_fault) {
+        (Ok(size), _) if size.number.is_zero() => {
+            let components = vec![size.number; asked.components.len()];
+            Ok(VectorAnswer {
+                written: vec![size.written; components.len()],
+                components,
+                unit: size.unit,
+                heading: None,
+            })
+        }
+        (Ok(_), _) => Err((0, UnreadableKind::Components(asked.components.len()))),
+        (Err(_), Some(fault)) | (Err(fault), None) => Err(fault),
+    }
+}

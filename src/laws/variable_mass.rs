@@ -1,0 +1,172 @@
+//! Streams that are turned or caught, and bodies that throw mass away.
+
+use crate::expr::Expr;
+use crate::expr::Function;
+
+use super::Law;
+use super::Sides;
+
+/// What a stream brings in a given time.
+pub const FLOW: Law = Law {
+    id: "mass-flow",
+    name: "the conservation of mass in a stream",
+    statement: "The mass that reaches a body in each unit of time is the density times the cross-section times the speed of the stream relative to the body.",
+    signs: "A flow is positive.",
+    when: "The stream is steady. Where many vanes follow each other nothing passes by, and the whole speed of the stream counts.",
+    source: "The volume of the stream that arrives in a short time.",
+    wrong: &[],
+};
+
+/// The force of a steady stream.
+pub const STREAM: Law = Law {
+    id: "force-of-a-stream",
+    name: "the principle of impulse and momentum for a steady stream",
+    statement: "The force of a stream on a body is the mass flow times the change of the stream's velocity, from before the body to after it.",
+    signs: "Components along the axes; the velocities are relative to the body, which moves evenly.",
+    when: "The stream is steady, so that the momentum of what is just passing stays the same.",
+    source: "The principle of impulse and momentum for what arrives in a short time, and the third law.",
+    wrong: &[],
+};
+
+/// Power of a force.
+pub const POWER: Law = Law {
+    id: "power-of-a-force",
+    name: "the definition of power",
+    statement: "The power of a force is its component along the velocity of the body times the speed.",
+    signs: "Positive where the force drives the body.",
+    when: "Always.",
+    source: "Definition.",
+    wrong: &[],
+};
+
+/// The support of a body that catches a stream.
+pub const SUPPORT: Law = Law {
+    id: "support-of-a-stream",
+    name: "the balance of forces on what catches a stream",
+    statement: "A support carries the weight of the body, the weight of what it has caught, and the force of the stream.",
+    signs: "The push of the support is positive upwards.",
+    when: "The body stays at rest.",
+    source: "Newton's second law, where nothing accelerates but the stream.",
+    wrong: &[],
+};
+
+/// Thrust.
+pub const THRUST: Law = Law {
+    id: "thrust",
+    name: "the law of thrust",
+    statement: "The thrust of a rocket is the mass that it throws away in each unit of time, times the speed of this mass relative to the rocket.",
+    signs: "Positive against the direction of the exhaust.",
+    when: "The exhaust leaves with a steady speed relative to the rocket.",
+    source: "The principle of impulse and momentum for the rocket and what it throws away in a short time.",
+    wrong: &[],
+};
+
+/// The rocket equation.
+pub const ROCKET: Law = Law {
+    id: "rocket-equation",
+    name: "the rocket equation",
+    statement: "The velocity grows by the exhaust speed times the logarithm of the ratio of the masses before and after; weight takes g times the time from it.",
+    signs: "Positive along the axis; the exhaust speed is relative to the rocket.",
+    when: "The exhaust leaves with a steady speed relative to the rocket, and no other force than weight acts.",
+    source: "The thrust divided by the mass that is left, integrated over time.",
+    wrong: &[],
+};
+
+/// The rocket equation with resistance.
+pub const ROCKET_DRAG: Law = Law {
+    id: "rocket-against-resistance",
+    name: "the rocket equation with resistance, its variables separated",
+    statement: "Velocity on one side, mass on the other: the ratio of (w - v) to (w + v), w being the speed at which resistance equals the thrust, goes with a power of the mass.",
+    signs: "The velocity is positive in the direction of flight.",
+    when: "Flow and exhaust speed are steady, the resistance grows with the square of the speed, and weight has no part.",
+    source: "m dv/dt = thrust - k v^2 with dm/dt = -flow, integrated.",
+    wrong: &[],
+};
+
+/// The speed at which resistance equals thrust.
+pub const EVEN_SPEED: Law = Law {
+    id: "speed-at-which-resistance-equals-thrust",
+    name: "the balance of thrust and resistance",
+    statement: "At the speed w the resistance k w^2 equals the thrust.",
+    signs: "Speeds are positive.",
+    when: "The resistance grows with the square of the speed.",
+    source: "Newton's second law where nothing accelerates.",
+    wrong: &[],
+};
+
+/// Mass used up.
+pub const USED: Law = Law {
+    id: "mass-thrown-away",
+    name: "the conservation of mass",
+    statement: "The mass that a rocket has lost is its mass flow times the time.",
+    signs: "A flow is positive.",
+    when: "The flow is steady.",
+    source: "The meaning of a flow.",
+    wrong: &[],
+};
+
+/// When a rocket lifts off.
+pub const LIFT_OFF: Law = Law {
+    id: "lift-off",
+    name: "the condition of lift-off",
+    statement: "A rocket lifts off as soon as its thrust equals the weight that is left.",
+    signs: "Magnitudes.",
+    when: "The rocket stands on the ground until then.",
+    source: "Newton's second law: the push of the ground becomes zero.",
+    wrong: &[],
+};
+
+/// The way of a rocket while it burns.
+pub const BURN_HEIGHT: Law = Law {
+    id: "way-during-the-burn",
+    name: "the rocket equation, integrated over time",
+    statement: "The way of a rocket while it burns is the integral of its velocity, whose logarithm gives one minus the remaining mass over the lost mass times the logarithm of the ratio of masses.",
+    signs: "Positive along the axis.",
+    when: "The flow and the exhaust speed are steady, and g does not change.",
+    source: "The rocket equation, its logarithm integrated by parts.",
+    wrong: &[],
+};
+
+/// The laws of this chapter.
+pub const LAWS: &[&Law] =
+    &[&FLOW, &STREAM, &POWER, &SUPPORT, &THRUST, &USED, &ROCKET, &BURN_HEIGHT, &LIFT_OFF, &EVEN_SPEED, &ROCKET_DRAG];
+
+/// `u ln(m_1 / m_2)`: what the thrust adds to the velocity.
+#[must_use]
+pub fn gained(exhaust: &Expr, [before, after]: [&Expr; 2]) -> Expr {
+    exhaust.clone() * Expr::apply(Function::Ln, before.clone() / after.clone())
+}
+
+/// `m_1 - m_2 = q dt`.
+#[must_use]
+pub fn used([before, after]: [&Expr; 2], flow: &Expr, time: &Expr) -> Sides {
+    (before.clone() - after.clone(), flow.clone() * time.clone())
+}
+
+/// `u dt (1 - m_2 / (m_1 - m_2) ln(m_1 / m_2))`: the way that the thrust adds while it acts.
+#[must_use]
+pub fn way(exhaust: &Expr, [before, after]: [&Expr; 2], time: &Expr) -> Expr {
+    let logarithm = Expr::apply(Function::Ln, before.clone() / after.clone());
+    let share = after.clone() / (before.clone() - after.clone());
+    Expr::product([exhaust.clone(), time.clone(), Expr::one() - share * logarithm])
+}
+
+/// `(w - v_1) / (w + v_1) (m_2 / m_1)^(2 k w / q)`: the ratio of (w - v) to (w + v) at the end.
+#[must_use]
+pub fn ratio_against_resistance(
+    even: &Expr,
+    resistance: &Expr,
+    flow: &Expr,
+    [before, after]: [&Expr; 2],
+    start: &Expr,
+) -> Expr {
+    let power = Expr::product([Expr::integer(2), resistance.clone(), even.clone()]) / flow.clone();
+    let first = (even.clone() - start.clone()) / (even.clone() + start.clone());
+    first * (after.clone() / before.clone()).power(power)
+}
+
+/// `v_2 = w (1 - f) / (1 + f)` with the ratio f.
+#[must_use]
+pub fn against_resistance(even: &Expr, ratio: &Expr) -> Expr {
+    Expr::product([even.clone(), Expr::one() - ratio.clone(), (Expr::one() + ratio.clone()).powi(-1)])
+}

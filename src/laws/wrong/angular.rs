@@ -1,0 +1,156 @@
+//! Mistakes about angular momentum.
+
+use crate::expr::Expr;
+use crate::quantity::Dimension;
+
+use super::Misconception;
+use super::Taught;
+use super::Wrong;
+use super::WrongForm;
+use super::energy::HALF;
+use super::force::ENDS_AVERAGED;
+use super::force::VALUE_TIMES_TIME;
+use super::rewrite::ends_averaged;
+use super::rewrite::factors;
+use super::rewrite::gain_reversed;
+use super::rewrite::one;
+use super::rewrite::start_forgotten;
+use super::rewrite::terms;
+use super::rewrite::value_times_time;
+
+/// Momentum for angular momentum.
+pub const RADIUS_FORGOTTEN: Misconception = Misconception {
+    id: "arm-forgotten",
+    does: "leaves the arm out of an angular momentum",
+    ask: "What makes an angular momentum out of a momentum?",
+    hint: "Check the units: a moment of momentum has a length in it.",
+};
+/// Distance for perpendicular distance.
+pub const DISTANCE: Misconception = Misconception {
+    id: "distance-for-arm",
+    does: "takes the distance of the body for the arm of its momentum",
+    ask: "How far does the line along which the body moves pass from the point?",
+    hint: "The arm is the perpendicular distance of the line of motion, not the distance of the body.",
+};
+/// The two moments added.
+pub const MOMENTS_ADDED: Misconception = Misconception {
+    id: "moments-added",
+    does: "adds the moments of both components whatever their sense",
+    ask: "In which sense does each component of the momentum turn about the point?",
+    hint: "One of the two enters with a minus sign in the moment: draw both.",
+};
+/// Components with the wrong arms.
+pub const ARMS_EXCHANGED: Misconception = Misconception {
+    id: "arms-exchanged",
+    does: "multiplies each component by the coordinate along it",
+    ask: "Does a component of the momentum have a moment about a point that lies straight ahead of it?",
+    hint: "The arm of each component is the coordinate across it.",
+};
+/// `J_M = H_2`.
+pub const START_FORGOTTEN: Misconception = Misconception {
+    id: "start-angular-momentum-forgotten",
+    does: "leaves out the angular momentum at the start",
+    ask: "An angular impulse changes the angular momentum: from which value to which?",
+    hint: "Was there angular momentum before the moment began to act?",
+};
+/// A moment that speeds up counted as one that slows down.
+pub const REVERSED: Misconception = Misconception {
+    id: "angular-impulse-reversed",
+    does: "counts the angular impulse in the opposite sense",
+    ask: "Does the moment turn with the motion or against it?",
+    hint: "Choose a positive sense, and give both the motion and the moment their signs.",
+};
+/// Velocity kept as the radius changes.
+pub const VELOCITY_KEPT: Misconception = Misconception {
+    id: "velocity-kept",
+    does: "keeps the velocity as the radius changes",
+    ask: "Which quantity stays the same while the radius changes, and why?",
+    hint: "The force has no moment about the centre, but it does work: what is conserved then?",
+};
+/// Angular velocity kept as the radius changes.
+pub const RATE_KEPT: Misconception = Misconception {
+    id: "angular-velocity-kept",
+    does: "keeps the angular velocity as the radius changes",
+    ask: "Which quantity stays the same while the radius changes, and why?",
+    hint: "A skater who draws in the arms spins faster: the angular velocity is not what stays the same.",
+};
+/// Radius squared with a linear velocity.
+pub const RADIUS_SQUARED: Misconception = Misconception {
+    id: "radius-squared",
+    does: "squares the radius beside a velocity",
+    ask: "Does the square of the radius go with the velocity, or with the angular velocity?",
+    hint: "Radius times transverse velocity is what stays the same.",
+};
+
+/// Wrong forms of angular momentum.
+pub const ANGULAR_MOMENTUM: &[WrongForm] = &[
+    WrongForm { of: &RADIUS_FORGOTTEN, write: radius_forgotten },
+    WrongForm { of: &DISTANCE, write: |law| moment(law, distance) },
+    WrongForm { of: &MOMENTS_ADDED, write: |law| moment(law, |[x, y], [u, v]| x * v + y * u) },
+    WrongForm { of: &ARMS_EXCHANGED, write: |law| moment(law, |[x, y], [u, v]| x * u - y * v) },
+];
+/// Wrong forms of angular impulse and momentum.
+pub const ANGULAR_IMPULSE: &[WrongForm] = &[
+    WrongForm { of: &START_FORGOTTEN, write: start_forgotten },
+    WrongForm { of: &REVERSED, write: gain_reversed },
+    WrongForm { of: &VELOCITY_KEPT, write: |law| arms(law, 1) },
+    WrongForm { of: &RATE_KEPT, write: |law| arms(law, 2) },
+];
+/// Wrong forms of the impulse of a moment.
+pub const MOMENT_IMPULSE: &[WrongForm] = &[
+    WrongForm { of: &VALUE_TIMES_TIME, write: value_times_time },
+    WrongForm { of: &ENDS_AVERAGED, write: ends_averaged },
+];
+/// Wrong forms of motion under a central force.
+pub const CENTRAL: &[WrongForm] = &[
+    WrongForm { of: &VELOCITY_KEPT, write: |law| radius_to(law, 0) },
+    WrongForm { of: &RATE_KEPT, write: |law| radius_to(law, -1) },
+    WrongForm { of: &RADIUS_SQUARED, write: |law| radius_to(law, 2) },
+];
+/// Wrong forms of the areal rate.
+pub const AREAL: &[WrongForm] =
+    &[WrongForm { of: &HALF, write: |law| one((law.left(), Expr::integer(2) * law.right())) }];
+
+fn radius_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
+    let parts = factors(&law.sides.1);
+    let kept: Vec<Expr> = parts.iter().filter(|part| !law.has(part, Dimension::LENGTH)).cloned().collect();
+    if kept.len() == parts.len() || kept.len() < 2 { Vec::new() } else { one((law.left(), Expr::product(kept))) }
+}
+
+/// `m (x v - y u)` with something else in the brackets, made from position and velocity.
+fn moment(law: &Taught<'_>, change: impl Fn([Expr; 2], [Expr; 2]) -> Expr) -> Vec<Wrong> {
+    let parts = factors(&law.sides.1);
+    let [mass, Expr::Sum(moments)] = &parts[..] else { return Vec::new() };
+    let of = |term: &Expr| {
+        let own = factors(term).into_iter().filter(|factor| factor.as_number().is_none()).collect::<Vec<_>>();
+        <[Expr; 2]>::try_from(own).ok()
+    };
+    let [first, second] = &moments[..] else { return Vec::new() };
+    let (Some([x, v]), Some([y, u])) = (of(first), of(second)) else { return Vec::new() };
+    one((law.left(), mass.clone() * change([x, y], [u, v])))
+}
+
+fn distance([x, y]: [Expr; 2], [u, v]: [Expr; 2]) -> Expr {
+    let length = |a: Expr, b: Expr| (a.powi(2) + b.powi(2)).sqrt();
+    length(x, y) * length(u, v)
+}
+
+/// `H_1 r_2^n = H_2 r_1^n`: the velocity stays for n = 1, the angular velocity for n = 2.
+fn arms(law: &Taught<'_>, power: i64) -> Vec<Wrong> {
+    let arm = |momentum: &Expr| {
+        let own = law.beside("angular-momentum").find(|sides| sides.0 == *momentum)?;
+        factors(&own.1).into_iter().find(|factor| law.has(factor, Dimension::LENGTH))
+    };
+    let [before] = &terms(&law.sides.0)[..] else { return Vec::new() };
+    match (arm(before), arm(&law.sides.1)) {
+        (Some(first), Some(second)) if first != second => {
+            one((before.clone() * second.powi(power), law.right() * first.powi(power)))
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// Both sides with another power of the radius.
+fn radius_to(law: &Taught<'_>, power: i64) -> Vec<Wrong> {
+    law.replaced(&|symbol| law.is(symbol, Dimension::LENGTH).then(|| Expr::from(symbol).powi(power)))
+}

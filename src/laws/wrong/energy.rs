@@ -1,0 +1,133 @@
+//! Mistakes about kinetic energy and its loss.
+
+use crate::expr::Expr;
+use crate::quantity::Dimension;
+
+use super::Misconception;
+use super::Taught;
+use super::Wrong;
+use super::WrongForm;
+use super::rewrite::factors;
+use super::rewrite::one;
+use super::rewrite::terms;
+
+/// `m v^2`.
+pub const HALF: Misconception = Misconception {
+    id: "half-forgotten",
+    does: "leaves out the factor of one half of a kinetic energy",
+    ask: "How is kinetic energy defined, with every factor?",
+    hint: "Compare the factors in front of mass and squared speed with the definition.",
+};
+/// `m v / 2`.
+pub const SQUARE: Misconception = Misconception {
+    id: "square-forgotten",
+    does: "does not square the speed in a kinetic energy",
+    ask: "How does the kinetic energy change when the speed is doubled?",
+    hint: "Kinetic energy goes with the square of the speed: look at the units of yours.",
+};
+/// The energy of one body for that of the system.
+pub const ONE_BODY: Misconception = Misconception {
+    id: "energy-of-one-body",
+    does: "counts the kinetic energy of one body only",
+    ask: "Whose kinetic energies belong to the system?",
+    hint: "Energy lost is that of all bodies before less that of all bodies after.",
+};
+/// What is left for what is lost.
+pub const REMAINDER: Misconception = Misconception {
+    id: "remainder-for-loss",
+    does: "gives the energy that is left for the energy that is lost",
+    ask: "Is it the energy lost that you found, or the energy that is left?",
+    hint: "Two energies make a loss: look which one you have written down.",
+};
+/// `(1 - e^2) T_1`.
+pub const SHARE: Misconception = Misconception {
+    id: "loss-as-share-of-e",
+    does: "takes 1 - e\u{b2} or 1 - e of the whole kinetic energy as lost",
+    ask: "Can the bodies ever lose the energy with which their mass centre moves?",
+    hint: "The coefficient says what happens to the relative motion only; the motion of the mass centre goes on.",
+};
+/// `m (v_1 - v_2)^2 / 2`.
+pub const DIFFERENCE: Misconception = Misconception {
+    id: "difference-squared",
+    does: "squares the difference of velocities instead of subtracting squares",
+    ask: "Is the difference of two squares the square of the difference?",
+    hint: "Work out the energy before and the energy after each by itself, then subtract.",
+};
+
+/// Wrong forms of kinetic energy.
+pub const KINETIC: &[WrongForm] = &[
+    WrongForm { of: &HALF, write: |law| one((law.left(), Expr::integer(2) * law.right())) },
+    WrongForm { of: &SQUARE, write: square },
+    WrongForm { of: &ONE_BODY, write: one_body },
+];
+/// Wrong forms of the loss.
+pub const LOSS: &[WrongForm] = &[
+    WrongForm { of: &REMAINDER, write: remainder },
+    WrongForm { of: &SHARE, write: share },
+    WrongForm { of: &DIFFERENCE, write: difference },
+];
+
+fn square(law: &Taught<'_>) -> Vec<Wrong> {
+    law.both(unsquared)
+}
+
+fn unsquared(term: &Expr) -> Expr {
+    match term {
+        Expr::Power(pair) if pair.1 == Expr::integer(2) => pair.0.clone(),
+        other => other.map_children(unsquared),
+    }
+}
+
+fn one_body(law: &Taught<'_>) -> Vec<Wrong> {
+    match &law.sides.1 {
+        Expr::Sum(bodies) => bodies.iter().map(|own| Wrong::from((law.left(), own.clone()))).collect(),
+        _ => Vec::new(),
+    }
+}
+
+fn remainder(law: &Taught<'_>) -> Vec<Wrong> {
+    match &terms(&law.sides.1)[..] {
+        [_, after] => one((law.left(), -after.clone())),
+        _ => Vec::new(),
+    }
+}
+
+fn share(law: &Taught<'_>) -> Vec<Wrong> {
+    let (Some(e), Some(before)) = (law.restitution(), terms(&law.sides.1).into_iter().next()) else {
+        return Vec::new();
+    };
+    let lost = |kept: Expr| Wrong::from((law.left(), (Expr::one() - kept) * before.clone()));
+    vec![lost(e.clone().powi(2)), lost(e)]
+}
+
+/// Body by body, where each keeps its mass.
+fn difference(law: &Taught<'_>) -> Vec<Wrong> {
+    let energy = |own: &Expr| {
+        let symbol = own.symbols().into_iter().next()?;
+        let energies = law.beside("kinetic-energy").find(|sides| sides.0 == Expr::from(symbol))?;
+        terms(&energies.1).iter().map(|term| mass_and_speed(law, term)).collect::<Option<Vec<_>>>()
+    };
+    let both = terms(&law.sides.1);
+    let [before, after] = &both[..] else { return Vec::new() };
+    let (Some(before), Some(after)) = (energy(before), energy(after)) else { return Vec::new() };
+    if before.len() != after.len() || before.iter().zip(&after).any(|(one, other)| one.0 != other.0) {
+        return Vec::new();
+    }
+    let bodies = before.into_iter().zip(after);
+    let squares =
+        bodies.map(|((mass, start), (_, end))| Expr::product([Expr::ratio(1, 2), mass, (start - end).powi(2)]));
+    one((law.left(), Expr::sum(squares)))
+}
+
+/// m and v of `m v^2 / 2`.
+fn mass_and_speed(law: &Taught<'_>, term: &Expr) -> Option<(Expr, Expr)> {
+    let parts = factors(term);
+    let mass = parts.iter().filter(|part| law.has(part, Dimension::MASS)).cloned();
+    let speed = parts.iter().find_map(|part| match part {
+        Expr::Power(pair) if pair.1 == Expr::integer(2) && law.has(&pair.0, Dimension::VELOCITY) => {
+            Some(pair.0.clone())
+        }
+        _ => None,
+    })?;
+    Some((Expr::product(mass), speed))
+}

@@ -1,0 +1,143 @@
+//! Mistakes about forces over time.
+
+use crate::expr::Expr;
+
+use super::Misconception;
+use super::Taught;
+use super::Wrong;
+use super::WrongForm;
+use super::rewrite::ends_averaged;
+use super::rewrite::factors;
+use super::rewrite::one;
+use super::rewrite::sine_and_cosine;
+use super::rewrite::terms;
+use super::rewrite::value_times_time;
+
+/// One value of a changing force.
+pub const VALUE_TIMES_TIME: Misconception = Misconception {
+    id: "value-times-time",
+    does: "multiplies one value of a changing force by the whole time",
+    ask: "Does the force have this value all the time? What does its graph over time look like?",
+    hint: "The impulse is the area under the curve: a rectangle only where the force stays the same.",
+};
+/// The mean of first and last.
+pub const ENDS_AVERAGED: Misconception = Misconception {
+    id: "ends-averaged",
+    does: "takes the mean of the first and the last value as the mean force",
+    ask: "Is the graph of the force over time a straight line?",
+    hint: "The mean of both ends is the mean over the time only for a straight line.",
+};
+/// The impulse of a push counted before anything moves.
+pub const FROM_ZERO: Misconception = Misconception {
+    id: "sliding-from-the-start",
+    does: "lets the body slide, and kinetic friction act, from the start",
+    ask: "When does the body begin to slide? What holds it until then?",
+    hint: "While the body is at rest, static friction cancels the push, and no momentum is gained.",
+};
+/// `F = J dt`.
+pub const MULTIPLIED: Misconception = Misconception {
+    id: "impulse-times-time",
+    does: "multiplies the impulse by the time to get the force",
+    ask: "The same impulse in a shorter time: does it take a larger force, or a smaller one?",
+    hint: "Impulse is force times time; solve that for the force.",
+};
+/// Pounds of weight as pounds of mass.
+pub const WEIGHT_AS_MASS: Misconception = Misconception {
+    id: "weight-as-mass",
+    does: "uses a weight as a mass",
+    ask: "Is what is given a weight or a mass? Which of the two belongs into momentum?",
+    hint: "A weight is a force; the mass is the weight divided by the acceleration of free fall.",
+};
+/// `N = m g` under an inclined push.
+pub const NORMAL_IS_WEIGHT: Misconception = Misconception {
+    id: "normal-force-is-weight",
+    does: "takes the normal force to be the weight, though another force has a part across the floor",
+    ask: "Which forces act across the floor? Is the weight the only one that the floor must balance?",
+    hint: "An inclined push presses the body into the floor, or lifts it.",
+};
+/// A push that lifts taken to press.
+pub const NORMAL_REVERSED: Misconception = Misconception {
+    id: "normal-force-reversed",
+    does: "lets a push that presses the body down relieve the floor, or the reverse",
+    ask: "Does the inclined force press the body into the floor, or lift it?",
+    hint: "Draw the component of the force across the floor, and balance all forces there.",
+};
+/// The coefficients of friction exchanged.
+pub const STATIC_KINETIC: Misconception = Misconception {
+    id: "static-and-kinetic-exchanged",
+    does: "uses the coefficient of kinetic friction for a body at rest",
+    ask: "Is the body at rest or sliding at this moment? Which coefficient belongs to that?",
+    hint: "Static friction decides when the body starts, kinetic friction acts afterwards.",
+};
+
+/// Wrong forms of an impulse as an integral.
+pub const IMPULSE: &[WrongForm] = &[
+    WrongForm { of: &VALUE_TIMES_TIME, write: value_times_time },
+    WrongForm { of: &ENDS_AVERAGED, write: ends_averaged },
+    WrongForm { of: &FROM_ZERO, write: from_zero },
+    WrongForm { of: &super::momentum::FRICTION_FORGOTTEN, write: friction_forgotten },
+];
+/// Wrong forms of the mean force.
+pub const MEAN_FORCE: &[WrongForm] = &[WrongForm { of: &MULTIPLIED, write: multiplied }];
+/// Wrong forms of weight.
+pub const WEIGHT: &[WrongForm] = &[WrongForm { of: &WEIGHT_AS_MASS, write: weight_as_mass }];
+/// Wrong forms of the normal force.
+pub const NORMAL_FORCE: &[WrongForm] = &[
+    WrongForm { of: &NORMAL_IS_WEIGHT, write: |law| across(law, |_| Expr::zero()) },
+    WrongForm { of: &NORMAL_REVERSED, write: |law| across(law, |term| -term) },
+    WrongForm { of: &super::geometry::SINE_COSINE, write: sine_and_cosine },
+];
+/// Wrong forms of the threshold.
+pub const THRESHOLD: &[WrongForm] = &[WrongForm { of: &STATIC_KINETIC, write: static_kinetic }];
+
+fn from_zero(law: &Taught<'_>) -> Vec<Wrong> {
+    let Some((force, time, [low, high])) = law.integral else { return Vec::new() };
+    if low.is_zero() {
+        return Vec::new();
+    }
+    force
+        .definite(time, &Expr::zero(), high)
+        .map(|value| Wrong::from((law.left(), value.simplify())))
+        .into_iter()
+        .collect()
+}
+
+fn friction_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
+    law.replaced(&|symbol| (law.meaning("coefficient of kinetic friction") == Some(symbol)).then(Expr::zero))
+}
+
+/// `F = J dt`.
+fn multiplied(law: &Taught<'_>) -> Vec<Wrong> {
+    match &factors(&law.sides.1)[..] {
+        [force, time] => one((law.left() * time.clone(), force.clone())),
+        _ => Vec::new(),
+    }
+}
+
+fn weight_as_mass(law: &Taught<'_>) -> Vec<Wrong> {
+    let gravity = law.symbols.find("g");
+    law.replaced(&|symbol| (gravity == Some(symbol)).then(|| law.unit_acceleration.clone()))
+}
+
+/// What stands beside the weight in the balance across the floor, changed.
+fn across(law: &Taught<'_>, change: impl Fn(Expr) -> Expr) -> Vec<Wrong> {
+    let parts = terms(&law.sides.1);
+    if parts.len() < 2 {
+        return Vec::new();
+    }
+    let changed = parts.into_iter().map(|term| if law.has_gravity(&term) { term } else { change(term) });
+    one((law.left(), Expr::sum(changed)))
+}
+
+fn static_kinetic(law: &Taught<'_>) -> Vec<Wrong> {
+    let of = |words: &str| {
+        let mut all =
+            law.symbols.iter().filter(|(symbol, entry)| law.known.contains(symbol) && entry.meaning.contains(words));
+        all.next().map(|(symbol, _)| symbol)
+    };
+    let (Some(rest), Some(sliding)) = (of("coefficient of static friction"), of("coefficient of kinetic friction"))
+    else {
+        return Vec::new();
+    };
+    law.replaced(&|symbol| (symbol == rest).then(|| sliding.into()))
+}

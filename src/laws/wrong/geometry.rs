@@ -1,0 +1,120 @@
+//! Mistakes about components, magnitudes and directions.
+
+use std::sync::Arc;
+
+use crate::expr::Expr;
+use crate::expr::Function;
+use crate::quantity::Dimension;
+
+use super::Misconception;
+use super::Taught;
+use super::Wrong;
+use super::WrongForm;
+use super::rewrite::factors;
+use super::rewrite::one;
+use super::rewrite::sine_and_cosine;
+use super::rewrite::terms;
+
+/// Sine and cosine exchanged.
+pub const SINE_COSINE: Misconception = Misconception {
+    id: "sine-cosine-exchanged",
+    does: "exchanges sine and cosine",
+    ask: "From which line is the angle counted? Which component grows as the angle becomes small?",
+    hint: "Try the limit of a very small angle: the component along the line from which it is counted must be nearly the whole.",
+};
+/// Magnitudes of perpendicular parts added.
+pub const ADDED: Misconception = Misconception {
+    id: "magnitudes-added",
+    does: "adds perpendicular components as if they lay along one line",
+    ask: "At which angle do the two components stand to each other? How long is the arrow that they make?",
+    hint: "Perpendicular components make the sides of a right-angled triangle.",
+};
+/// The angle to the other axis.
+pub const OTHER_AXIS: Misconception = Misconception {
+    id: "angle-from-other-axis",
+    does: "counts the angle from the other axis",
+    ask: "From which axis is the angle asked? Which component stands above in the tangent?",
+    hint: "The tangent of an angle is the component across its axis over that along it.",
+};
+/// Quadrant lost.
+pub const QUADRANT: Misconception = Misconception {
+    id: "quadrant-lost",
+    does: "leaves the signs of the components out of the direction",
+    ask: "Draw the components with their signs. In which quadrant does the arrow lie?",
+    hint: "A calculator's inverse tangent knows only two of the four quadrants.",
+};
+/// The angle to a line of impact taken for that to the axis.
+pub const LINE_FORGOTTEN: Misconception = Misconception {
+    id: "line-of-impact-as-axis",
+    does: "gives the angle to the line of impact as that to the axis",
+    ask: "From which line is your angle counted, and from which one is it asked?",
+    hint: "The components stand along and across the line of impact, which is itself turned.",
+};
+/// `omega = v r`.
+pub const RADIUS: Misconception = Misconception {
+    id: "radius-multiplied",
+    does: "multiplies by the radius where it divides, or the reverse",
+    ask: "Two points on one arm: which of them is the faster, the inner or the outer one?",
+    hint: "Check the units: an angular velocity has no length in it.",
+};
+
+/// Wrong forms of components.
+pub const COMPONENTS: &[WrongForm] = &[WrongForm { of: &SINE_COSINE, write: sine_and_cosine }];
+/// Wrong forms of a magnitude.
+pub const MAGNITUDE: &[WrongForm] = &[WrongForm { of: &ADDED, write: added }];
+/// Wrong forms of a direction.
+pub const DIRECTION: &[WrongForm] = &[
+    WrongForm { of: &OTHER_AXIS, write: other_axis },
+    WrongForm { of: &QUADRANT, write: quadrant },
+    WrongForm { of: &LINE_FORGOTTEN, write: line_forgotten },
+];
+/// Wrong forms of speed on a circle.
+pub const ARC: &[WrongForm] = &[WrongForm { of: &RADIUS, write: radius }];
+
+fn added(law: &Taught<'_>) -> Vec<Wrong> {
+    let Expr::Power(pair) = &law.sides.1 else { return Vec::new() };
+    let size = |term: Expr| match term {
+        Expr::Power(own) if own.1 == Expr::integer(2) => Some(Expr::apply(Function::Abs, own.0.clone())),
+        _ => None,
+    };
+    let sizes: Option<Vec<Expr>> = terms(&pair.0).into_iter().map(size).collect();
+    sizes.map(|sizes| Wrong::from((law.left(), Expr::sum(sizes)))).into_iter().collect()
+}
+
+/// The right side with what stands in the two places of its direction rewritten.
+fn pointed(law: &Taught<'_>, change: &dyn Fn(&Expr, &Expr) -> [Expr; 2]) -> Vec<Wrong> {
+    fn within(term: &Expr, change: &dyn Fn(&Expr, &Expr) -> [Expr; 2]) -> Expr {
+        match term {
+            Expr::Apply(Function::Atan2, parts) => match &parts[..] {
+                [y, x] => Expr::Apply(Function::Atan2, Arc::new(change(y, x))),
+                _ => term.clone(),
+            },
+            other => other.map_children(|part| within(part, change)),
+        }
+    }
+    law.both(|side| within(side, change))
+}
+
+fn other_axis(law: &Taught<'_>) -> Vec<Wrong> {
+    pointed(law, &|y, x| [x.clone(), y.clone()])
+}
+
+fn quadrant(law: &Taught<'_>) -> Vec<Wrong> {
+    let size = |term: &Expr| Expr::apply(Function::Abs, term.clone());
+    pointed(law, &|y, x| [size(y), size(x)])
+}
+
+fn line_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
+    let points = |term: &&Expr| matches!(term, Expr::Apply(Function::Atan2, _));
+    match &law.sides.1 {
+        Expr::Sum(parts) => parts.iter().filter(points).map(|own| Wrong::from((law.left(), own.clone()))).collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// `v r = omega`.
+fn radius(law: &Taught<'_>) -> Vec<Wrong> {
+    let parts = factors(&law.sides.1);
+    let (arms, others): (Vec<Expr>, Vec<Expr>) = parts.into_iter().partition(|part| law.has(part, Dimension::LENGTH));
+    if arms.is_empty() { Vec::new() } else { one((law.left() * Expr::product(arms), Expr::product(others))) }
+}

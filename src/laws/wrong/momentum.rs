@@ -1,0 +1,224 @@
+//! Mistakes about momentum and impulse.
+
+use crate::expr::Expr;
+use crate::quantity::Dimension;
+
+use super::Misconception;
+use super::Taught;
+use super::Wrong;
+use super::WrongForm;
+use super::rewrite::factors;
+use super::rewrite::gain_reversed;
+use super::rewrite::one;
+use super::rewrite::sign_lost;
+use super::rewrite::sine_and_cosine;
+use super::rewrite::start_forgotten;
+use super::rewrite::terms;
+
+/// Speeds for velocities.
+pub const SIGN_LOST: Misconception = Misconception {
+    id: "sign-lost",
+    does: "puts a speed where a velocity belongs",
+    ask: "Which of the velocities point against the positive axis, and what does that do to their signs?",
+    hint: "Draw the axis, and write each velocity with the sign that its direction gives it.",
+};
+/// `J = m v_2`.
+pub const START_FORGOTTEN: Misconception = Misconception {
+    id: "start-momentum-forgotten",
+    does: "leaves out the momentum that the body had at the start",
+    ask: "An impulse changes momentum: from which momentum to which?",
+    hint: "Did the body have momentum before? The impulse is the difference of the two.",
+};
+/// A force that opposes the motion counted as one that helps it.
+pub const IMPULSE_REVERSED: Misconception = Misconception {
+    id: "impulse-reversed",
+    does: "counts the impulses in the opposite direction",
+    ask: "In which direction does each force act, and does it make the momentum along the axis larger or smaller?",
+    hint: "Impulse is the momentum after less the momentum before, in that order, signs included.",
+};
+/// Weight left out beside other forces.
+pub const WEIGHT_FORGOTTEN: Misconception = Misconception {
+    id: "weight-forgotten",
+    does: "leaves out the impulse of the weight",
+    ask: "Draw every force that acts on the body in this time. Is one missing from your sum?",
+    hint: "Gravity acts all the time, and over this time its impulse is not small.",
+};
+/// Friction left out.
+pub const FRICTION_FORGOTTEN: Misconception = Misconception {
+    id: "friction-forgotten",
+    does: "leaves out friction",
+    ask: "Draw every force that acts on the body in this time. Is one missing from your sum?",
+    hint: "The body slides: what does the floor do along the motion?",
+};
+/// Friction along the motion.
+pub const FRICTION_REVERSED: Misconception = Misconception {
+    id: "friction-reversed",
+    does: "lets friction push the body forward",
+    ask: "Which way does the body slide, and which way does friction act on it?",
+    hint: "Kinetic friction always acts against the sliding.",
+};
+/// Only one body of a system counted before.
+pub const PARTNER_FORGOTTEN: Misconception = Misconception {
+    id: "partner-forgotten",
+    does: "leaves the momentum of one body out of the sum",
+    ask: "Which bodies belong to the system, and which of them moved before?",
+    hint: "Every body that moves carries momentum: count the terms on both sides.",
+};
+/// `m v^2` in place of `m v`.
+pub const ENERGY_CONSERVED: Misconception = Misconception {
+    id: "energy-for-momentum",
+    does: "conserves kinetic energy through an impact in which it is lost",
+    ask: "Which quantity stays the same when bodies stay together: momentum, or kinetic energy?",
+    hint: "In a plastic impact kinetic energy is lost, whatever its amount; what is conserved follows from the impulses.",
+};
+/// The common body with the mass of one part.
+pub const JOINT_MASS: Misconception = Misconception {
+    id: "joint-mass-forgotten",
+    does: "gives the joined bodies the mass of only one of them",
+    ask: "What moves after the bodies have joined, and what is its mass?",
+    hint: "After they have joined, both masses move with the common velocity.",
+};
+/// The mean of two velocities.
+pub const PLAIN_MEAN: Misconception = Misconception {
+    id: "velocities-averaged",
+    does: "takes the plain average of the velocities as the common one",
+    ask: "Does a heavy body count more than a light one for the common velocity?",
+    hint: "Write momentum, mass times velocity, for each body; velocities alone do not add.",
+};
+/// Action and reaction of the same sign.
+pub const SAME_SIGN: Misconception = Misconception {
+    id: "reaction-same-direction",
+    does: "gives action and reaction the same direction",
+    ask: "The two bodies push each other: in which directions?",
+    hint: "Action and reaction are opposite, so along one axis they have opposite signs.",
+};
+/// The heavier body hits harder.
+pub const HEAVIER_HARDER: Misconception = Misconception {
+    id: "heavier-hits-harder",
+    does: "makes the two impulses of an impact unequal, the one on the heavier body larger",
+    ask: "Compare the forces that the two bodies exert on each other at each moment of contact. Is one of them larger?",
+    hint: "Does Newton's third law know anything of masses?",
+};
+/// Restitution along the surface as well.
+pub const WHOLE_VELOCITY: Misconception = Misconception {
+    id: "restitution-on-whole-velocity",
+    does: "applies the coefficient of restitution to the component along the surface too",
+    ask: "In which direction does a smooth contact push, and which component of the velocity can it change?",
+    hint: "Restitution speaks of the line of impact only; across it, a smooth contact gives no impulse.",
+};
+
+/// Wrong forms of conservation.
+pub const CONSERVATION: &[WrongForm] = &[
+    WrongForm { of: &SIGN_LOST, write: sign_lost },
+    WrongForm { of: &ENERGY_CONSERVED, write: energy_conserved },
+    WrongForm { of: &JOINT_MASS, write: joint_mass },
+    WrongForm { of: &PLAIN_MEAN, write: plain_mean },
+    WrongForm { of: &PARTNER_FORGOTTEN, write: partner_forgotten },
+    WrongForm { of: &super::geometry::SINE_COSINE, write: sine_and_cosine },
+];
+/// Wrong forms of impulse and momentum.
+pub const IMPULSE_MOMENTUM: &[WrongForm] = &[
+    WrongForm { of: &SIGN_LOST, write: sign_lost },
+    WrongForm { of: &START_FORGOTTEN, write: start_forgotten },
+    WrongForm { of: &IMPULSE_REVERSED, write: gain_reversed },
+    WrongForm { of: &WEIGHT_FORGOTTEN, write: weight_forgotten },
+    WrongForm { of: &FRICTION_FORGOTTEN, write: friction_forgotten },
+    WrongForm { of: &FRICTION_REVERSED, write: friction_reversed },
+    WrongForm { of: &super::geometry::SINE_COSINE, write: sine_and_cosine },
+];
+/// Wrong forms of impulse and momentum of a system.
+pub const SYSTEM: &[WrongForm] = &[
+    WrongForm { of: &SIGN_LOST, write: sign_lost },
+    WrongForm { of: &super::geometry::SINE_COSINE, write: sine_and_cosine },
+];
+/// Wrong forms of the third law.
+pub const THIRD_LAW: &[WrongForm] =
+    &[WrongForm { of: &SAME_SIGN, write: same_sign }, WrongForm { of: &HEAVIER_HARDER, write: heavier_harder }];
+/// Wrong forms of what a smooth contact leaves as it is.
+pub const NO_IMPULSE: &[WrongForm] = &[WrongForm { of: &WHOLE_VELOCITY, write: whole_velocity }];
+
+/// `m_A v_A1^2 + m_B v_B1^2 = (m_A + m_B) v^2`, where the bodies stay together.
+fn energy_conserved(law: &Taught<'_>) -> Vec<Wrong> {
+    if law.restitution().is_some() || !joined(law) {
+        return Vec::new();
+    }
+    law.replaced(&|symbol| law.is(symbol, Dimension::VELOCITY).then(|| Expr::from(symbol).powi(2)))
+}
+
+/// Whether one velocity stands for both bodies afterwards.
+fn joined(law: &Taught<'_>) -> bool {
+    matches!(&factors(&law.sides.1)[..], [Expr::Sum(_), _])
+}
+
+fn joint_mass(law: &Taught<'_>) -> Vec<Wrong> {
+    let parts = factors(&law.sides.1);
+    let [Expr::Sum(masses), velocity] = &parts[..] else { return Vec::new() };
+    masses.iter().map(|mass| Wrong::from((law.left(), mass.clone() * velocity.clone()))).collect()
+}
+
+/// `v = (v_A1 + v_B1) / 2`.
+fn plain_mean(law: &Taught<'_>) -> Vec<Wrong> {
+    let parts = factors(&law.sides.1);
+    let [Expr::Sum(masses), velocity] = &parts[..] else { return Vec::new() };
+    let velocities: Vec<Expr> =
+        law.sides.0.symbols().into_iter().filter(|own| law.is(*own, Dimension::VELOCITY)).map(Expr::from).collect();
+    if velocities.len() != masses.len() {
+        return Vec::new();
+    }
+    one((Expr::sum(velocities), Expr::integer(i64::try_from(masses.len()).unwrap_or(2)) * velocity.clone()))
+}
+
+fn partner_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
+    let before = terms(&law.sides.0);
+    if before.len() < 2 {
+        return Vec::new();
+    }
+    let without = |place: usize| {
+        let kept = before.iter().enumerate().filter(|(own, _)| *own != place).map(|(_, term)| term.clone());
+        Wrong::from((Expr::sum(kept), law.right()))
+    };
+    (0..before.len()).map(without).collect()
+}
+
+fn weight_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
+    law.without(&|term| law.has_gravity(term) && !law.has(term, Dimension::VELOCITY))
+}
+
+/// Whether friction stands in a term.
+fn rubs(law: &Taught<'_>, term: &Expr) -> bool {
+    law.meaning("coefficient of kinetic friction").is_some_and(|mu| term.contains(mu))
+}
+
+fn friction_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
+    law.replaced(&|symbol| (law.meaning("coefficient of kinetic friction") == Some(symbol)).then(Expr::zero))
+}
+
+fn friction_reversed(law: &Taught<'_>) -> Vec<Wrong> {
+    if !rubs(law, &law.sides.0) {
+        return Vec::new();
+    }
+    law.replaced(&|symbol| {
+        (law.meaning("coefficient of kinetic friction") == Some(symbol)).then(|| -Expr::from(symbol))
+    })
+}
+
+fn same_sign(law: &Taught<'_>) -> Vec<Wrong> {
+    one((law.left(), -law.right()))
+}
+
+/// `J_B / m_B = -J_A / m_A`.
+fn heavier_harder(law: &Taught<'_>) -> Vec<Wrong> {
+    let mass = |impulse: &Expr| {
+        let symbol = impulse.symbols().into_iter().next()?;
+        let own = law.beside("impulse-momentum").find(|sides| sides.0.contains(symbol))?;
+        factors(&own.1).into_iter().next()
+    };
+    match (mass(&law.sides.0), mass(&law.sides.1)) {
+        (Some(first), Some(second)) => one((law.left() * second, law.right() * first)),
+        _ => Vec::new(),
+    }
+}
+
+fn whole_velocity(law: &Taught<'_>) -> Vec<Wrong> {
+    law.restitution().map(|e| Wrong::from((law.left(), e * law.right()))).into_iter().collect()
+}

@@ -1,0 +1,140 @@
+//! Mistakes outside the laws: a given taken in another unit, a slip in writing the answer down.
+
+use super::Misconception;
+use super::geometry::OTHER_AXIS;
+
+/// Prefixes and multiples overlooked.
+pub const GRAMS: Misconception = Misconception {
+    id: "grams-as-kilograms",
+    does: "puts grams where kilograms belong",
+    ask: "In which unit is the mass given, and in which must it enter?",
+    hint: "Convert every mass to kilograms before you calculate.",
+};
+/// Tonnes as kilograms.
+pub const TONNES: Misconception = Misconception {
+    id: "tonnes-as-kilograms",
+    does: "puts tonnes where kilograms belong",
+    ask: "In which unit is the mass given, and in which must it enter?",
+    hint: "Convert every mass to kilograms before you calculate.",
+};
+/// Kilometres per hour as metres per second.
+pub const KILOMETRES_PER_HOUR: Misconception = Misconception {
+    id: "kilometres-per-hour-as-metres-per-second",
+    does: "puts kilometres per hour where metres per second belong",
+    ask: "In which unit is the speed given, and in which must it enter?",
+    hint: "Convert every speed to metres per second before you calculate.",
+};
+/// Degrees as radians.
+pub const DEGREES: Misconception = Misconception {
+    id: "degrees-as-radians",
+    does: "works out sines and cosines of degrees as if they were radians",
+    ask: "Does your calculator work in degrees or in radians?",
+    hint: "Work out the sine of a right angle with it: it must be one.",
+};
+/// Lengths in a multiple of the metre.
+pub const LENGTHS: Misconception = Misconception {
+    id: "lengths-not-in-metres",
+    does: "puts centimetres, millimetres or kilometres where metres belong",
+    ask: "In which unit is the length given, and in which must it enter?",
+    hint: "Convert every length to metres before you calculate.",
+};
+/// Times in a multiple of the second.
+pub const TIMES: Misconception = Misconception {
+    id: "times-not-in-seconds",
+    does: "puts milliseconds or minutes where seconds belong",
+    ask: "In which unit is the time given, and in which must it enter?",
+    hint: "Convert every time to seconds before you calculate.",
+};
+/// Forces in a multiple of the newton.
+pub const FORCES: Misconception = Misconception {
+    id: "forces-not-in-newtons",
+    does: "puts kilonewtons where newtons belong",
+    ask: "In which unit is the force or its moment given, and in which must it enter?",
+    hint: "Convert every force to newtons before you calculate.",
+};
+/// Ounces as pounds.
+pub const OUNCES: Misconception = Misconception {
+    id: "ounces-as-pounds",
+    does: "puts ounces where pounds belong",
+    ask: "In which unit is the weight given, and in which must it enter?",
+    hint: "Convert every weight to pounds before you calculate.",
+};
+/// The direction of an answer lost.
+pub const DIRECTION: Misconception = Misconception {
+    id: "direction-reversed",
+    does: "gives the answer the opposite sign",
+    ask: "In which direction does your sign say that it points? Does the picture agree?",
+    hint: "Draw the axis and the arrow of your answer beside each other.",
+};
+/// `180 deg - x`.
+pub const SUPPLEMENT: Misconception = Misconception {
+    id: "angle-supplement",
+    does: "gives the angle to the other end of the line",
+    ask: "From which end of the axis is the angle counted?",
+    hint: "Draw the direction and the axis with its arrow, then count.",
+};
+/// One more or less.
+pub const COUNT: Misconception = Misconception {
+    id: "count-off-by-one",
+    does: "counts one too many or one too few",
+    ask: "Does the condition hold for your number, and for the one before it?",
+    hint: "The number sought is the first for which the condition holds.",
+};
+
+/// A given in one unit taken as if it stood in another.
+#[derive(Debug)]
+pub struct Misreading {
+    /// The mistake.
+    pub of: &'static Misconception,
+    /// The unit in which the value is given.
+    pub given: &'static str,
+    /// The unit in which it is taken.
+    pub taken: &'static str,
+}
+
+/// Every misreading of a unit.
+pub const MISREADINGS: &[Misreading] = &[
+    Misreading { of: &GRAMS, given: "g", taken: "kg" },
+    Misreading { of: &TONNES, given: "t", taken: "kg" },
+    Misreading { of: &KILOMETRES_PER_HOUR, given: "km/h", taken: "m/s" },
+    Misreading { of: &DEGREES, given: "deg", taken: "rad" },
+    Misreading { of: &LENGTHS, given: "cm", taken: "m" },
+    Misreading { of: &LENGTHS, given: "mm", taken: "m" },
+    Misreading { of: &LENGTHS, given: "km", taken: "m" },
+    Misreading { of: &TIMES, given: "ms", taken: "s" },
+    Misreading { of: &TIMES, given: "min", taken: "s" },
+    Misreading { of: &FORCES, given: "kN", taken: "N" },
+    Misreading { of: &FORCES, given: "kN m", taken: "N m" },
+    Misreading { of: &OUNCES, given: "oz", taken: "lb" },
+];
+
+/// A slip in writing an answer down.
+#[derive(Debug)]
+pub struct Slip {
+    /// The mistake.
+    pub of: &'static Misconception,
+    /// Which answers it can happen to.
+    pub to: SlipOf,
+    /// What is written for a value, in radians where it is an angle.
+    pub written: fn(f64) -> f64,
+}
+
+/// The answers to which a slip can happen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SlipOf {
+    /// To every signed component.
+    Signed,
+    /// To every direction.
+    Angle,
+    /// To every number that is counted.
+    Count,
+}
+
+/// Every slip.
+pub const SLIPS: &[Slip] = &[
+    Slip { of: &DIRECTION, to: SlipOf::Signed, written: |value| -value },
+    Slip { of: &SUPPLEMENT, to: SlipOf::Angle, written: |value| std::f64::consts::PI - value },
+    Slip { of: &OTHER_AXIS, to: SlipOf::Angle, written: |value| std::f64::consts::FRAC_PI_2 - value },
+    Slip { of: &COUNT, to: SlipOf::Count, written: |value| value + 1.0 },
+    Slip { of: &COUNT, to: SlipOf::Count, written: |value| value - 1.0 },
+];

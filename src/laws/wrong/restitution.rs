@@ -1,0 +1,177 @@
+//! Mistakes about restitution.
+
+use crate::expr::Expr;
+use crate::laws::Sides;
+
+use super::Misconception;
+use super::Taught;
+use super::Wrong;
+use super::WrongForm;
+use super::momentum::SIGN_LOST;
+use super::rewrite::one;
+use super::rewrite::sign_lost;
+use super::rewrite::sine_and_cosine;
+use super::rewrite::terms;
+
+/// Approach as a share of separation.
+pub const INVERTED: Misconception = Misconception {
+    id: "restitution-inverted",
+    does: "divides by the coefficient of restitution",
+    ask: "Which is the larger one in an impact that loses energy: the speed of approach, or that of separation?",
+    hint: "The coefficient of restitution is at most one. Which of the two speeds does it multiply?",
+};
+/// Velocities in the wrong order.
+pub const ORDER: Misconception = Misconception {
+    id: "separation-reversed",
+    does: "subtracts the velocities of separation in the order of approach",
+    ask: "Which body is ahead after the impact, and whose velocity must then be the larger one?",
+    hint: "Approach is first minus second, separation second minus first.",
+};
+/// A relative velocity as a sum.
+pub const ADDED: Misconception = Misconception {
+    id: "relative-velocity-added",
+    does: "adds velocities where their difference is the relative one",
+    ask: "How fast does one body move as seen from the other?",
+    hint: "A relative velocity is a difference of velocities, each with its own sign.",
+};
+/// e as the ratio of the velocities of one body.
+pub const ONE_BODY: Misconception = Misconception {
+    id: "restitution-of-one-body",
+    does: "lets one body rebound with e times its own velocity",
+    ask: "Does restitution compare the velocities of one body, or the relative velocities of two?",
+    hint: "Only a wall that does not move turns one body back with e times its own speed.",
+};
+/// e left out.
+pub const ELASTIC: Misconception = Misconception {
+    id: "restitution-left-out",
+    does: "treats the impact as perfectly elastic",
+    ask: "Is the impact elastic? Where does the coefficient of restitution enter?",
+    hint: "Bodies separate as fast as they approached only where no energy is lost.",
+};
+/// Velocities exchanged, as of equal masses in an elastic impact.
+pub const EXCHANGED: Misconception = Misconception {
+    id: "velocities-exchanged",
+    does: "lets the bodies exchange their velocities",
+    ask: "Under which two conditions do bodies simply exchange their velocities? Does each of them hold here?",
+    hint: "It takes equal masses and a perfectly elastic impact.",
+};
+/// e as a share of energy.
+pub const AS_ENERGY: Misconception = Misconception {
+    id: "restitution-of-energy",
+    does: "takes the coefficient of restitution for a ratio of energies",
+    ask: "Is the coefficient of restitution a ratio of speeds, or of energies?",
+    hint: "Energies go with the squares of speeds; the coefficient compares the speeds themselves.",
+};
+/// Through the wall.
+pub const THROUGH: Misconception = Misconception {
+    id: "rebound-sign-lost",
+    does: "lets the body go on in the direction in which it came",
+    ask: "Which way does the body move along the normal before the impact, and which way after it?",
+    hint: "The component along the normal turns round, so its sign changes.",
+};
+/// A moving surface taken to be at rest.
+pub const AT_REST: Misconception = Misconception {
+    id: "surface-at-rest",
+    does: "takes a moving surface to be at rest",
+    ask: "Does the surface itself move? With which velocity does the body come as seen from it?",
+    hint: "Restitution compares velocities relative to the surface.",
+};
+
+/// Wrong forms for two bodies.
+pub const BODIES: &[WrongForm] = &[
+    WrongForm { of: &INVERTED, write: inverted },
+    WrongForm { of: &ORDER, write: reversed },
+    WrongForm { of: &SIGN_LOST, write: sign_lost },
+    WrongForm { of: &ADDED, write: added },
+    WrongForm { of: &ONE_BODY, write: one_body },
+    WrongForm { of: &ELASTIC, write: elastic },
+    WrongForm { of: &EXCHANGED, write: exchanged },
+    WrongForm { of: &AS_ENERGY, write: as_energy },
+    WrongForm { of: &super::geometry::SINE_COSINE, write: sine_and_cosine },
+];
+/// Wrong forms at a surface.
+pub const SURFACE: &[WrongForm] = &[
+    WrongForm { of: &INVERTED, write: inverted },
+    WrongForm { of: &THROUGH, write: reversed },
+    WrongForm { of: &ELASTIC, write: elastic },
+    WrongForm { of: &AS_ENERGY, write: as_energy },
+    WrongForm { of: &AT_REST, write: at_rest },
+    WrongForm { of: &super::geometry::SINE_COSINE, write: sine_and_cosine },
+];
+
+/// The sides with the coefficient made something else.
+fn with_coefficient(law: &Taught<'_>, change: impl Fn(Expr) -> Expr) -> Vec<Wrong> {
+    let Some(e) = law.coefficient(&law.sides.1) else { return Vec::new() };
+    law.replaced(&|symbol| (Expr::from(symbol) == e).then(|| change(e.clone())))
+}
+
+/// `e` on the side of the separation.
+fn inverted(law: &Taught<'_>) -> Vec<Wrong> {
+    let Some(e) = law.coefficient(&law.sides.1) else { return Vec::new() };
+    let bare = law.right().substitute(&|symbol| (Expr::from(symbol) == e).then(Expr::one));
+    one((e * law.left(), bare))
+}
+
+fn reversed(law: &Taught<'_>) -> Vec<Wrong> {
+    one((law.left(), -law.right()))
+}
+
+fn elastic(law: &Taught<'_>) -> Vec<Wrong> {
+    with_coefficient(law, |_| Expr::one())
+}
+
+fn as_energy(law: &Taught<'_>) -> Vec<Wrong> {
+    with_coefficient(law, Expr::sqrt)
+}
+
+/// The velocities after the impact and before it, of the first and of the second body: `[[A2, B2], [A1, B1]]`.
+fn velocities(law: &Taught<'_>) -> Option<[[Expr; 2]; 2]> {
+    let e = law.coefficient(&law.sides.1)?;
+    let approach = law.right().substitute(&|symbol| (Expr::from(symbol) == e).then(Expr::one));
+    let pair = |difference: &Expr| match &terms(difference)[..] {
+        [first, second] => Some([first.clone(), -second.clone()]),
+        _ => None,
+    };
+    let ([b2, a2], [a1, b1]) = (pair(&law.sides.0)?, pair(&approach)?);
+    Some([[a2, b2], [a1, b1]])
+}
+
+fn added(law: &Taught<'_>) -> Vec<Wrong> {
+    let (Some([[a2, b2], [a1, b1]]), Some(e)) = (velocities(law), law.coefficient(&law.sides.1)) else {
+        return Vec::new();
+    };
+    let sum: Sides = (law.left(), e.clone() * (a1.clone() + b1.clone()));
+    vec![sum.into(), (b2.clone() + a2.clone(), law.right()).into(), (b2 + a2, e * (a1 + b1)).into()]
+}
+
+fn one_body(law: &Taught<'_>) -> Vec<Wrong> {
+    let (Some([[a2, _], [a1, _]]), Some(e)) = (velocities(law), law.coefficient(&law.sides.1)) else {
+        return Vec::new();
+    };
+    one((a2, -(e * a1)))
+}
+
+fn exchanged(law: &Taught<'_>) -> Vec<Wrong> {
+    let Some([[a2, b2], [a1, b1]]) = velocities(law) else { return Vec::new() };
+    vec![Wrong { equations: vec![(a2, b1), (b2, a1)], without: &["conservation-of-momentum"] }]
+}
+
+/// Without the terms of the surface's own velocity.
+fn at_rest(law: &Taught<'_>) -> Vec<Wrong> {
+    let (Expr::Sum(left), Some(e)) = (&law.sides.0, law.coefficient(&law.sides.1)) else { return Vec::new() };
+    let approach = law.right().substitute(&|symbol| (Expr::from(symbol) == e).then(Expr::one));
+    let before = terms(&-approach).into_iter().next();
+    let (Some(after), Some(before)) = (left.first(), before) else { return Vec::new() };
+    match before {
+        Expr::Product(ref parts) => {
+            match parts.iter().find_map(|part| if let Expr::Sum(inner) = part { inner.first() } else { None }) {
+                Some(bare) => one((after.clone(), -(e * bare.clone()))),
+                None => Vec::new(),
+            }
+        }
+        Expr::Sum(inner) => {
+            inner.first().map(|bare| Wrong::from((after.clone(), -(e * bare.clone())))).into_iter().collect()
+        }
+        _ => Vec::new(),
+    }
+}

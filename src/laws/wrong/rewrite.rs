@@ -1,0 +1,175 @@
+//! How wrong equations are written from right ones: terms left out, signs lost, factors exchanged.
+
+use crate::expr::Expr;
+use crate::expr::Function;
+use crate::expr::Symbol;
+use crate::laws::Sides;
+use crate::quantity::Dimension;
+
+use super::Taught;
+use super::Wrong;
+
+impl Taught<'_> {
+    pub(super) fn left(&self) -> Expr {
+        self.sides.0.clone()
+    }
+
+    pub(super) fn right(&self) -> Expr {
+        self.sides.1.clone()
+    }
+
+    pub(super) fn is(&self, symbol: Symbol, dimension: Dimension) -> bool {
+        self.symbols.entry(symbol).dimension == dimension
+    }
+
+    /// Whether a term contains a quantity of that dimension.
+    pub(super) fn has(&self, term: &Expr, dimension: Dimension) -> bool {
+        term.symbols().into_iter().any(|symbol| self.is(symbol, dimension))
+    }
+
+    /// Whether a term contains the acceleration of free fall.
+    pub(super) fn has_gravity(&self, term: &Expr) -> bool {
+        self.symbols.find("g").is_some_and(|gravity| term.contains(gravity))
+    }
+
+    /// The quantity of the sides whose meaning contains these words.
+    pub(super) fn meaning(&self, words: &str) -> Option<Symbol> {
+        let both = self.sides.0.symbols().into_iter().chain(self.sides.1.symbols());
+        both.into_iter().find(|symbol| self.symbols.entry(*symbol).meaning.contains(words))
+    }
+
+    /// Both sides with quantities replaced; none where nothing was.
+    pub(super) fn replaced(&self, value: &dyn Fn(Symbol) -> Option<Expr>) -> Vec<Wrong> {
+        self.both(|side| side.substitute(value))
+    }
+
+    /// Both sides rewritten; none where that leaves them as they were.
+    pub(super) fn both(&self, change: impl Fn(&Expr) -> Expr) -> Vec<Wrong> {
+        let sides = (change(&self.sides.0), change(&self.sides.1));
+        if sides == *self.sides { Vec::new() } else { one(sides) }
+    }
+
+    /// Both sides without the terms that are left out, within brackets too; none where nothing is left of a side.
+    pub(super) fn without(&self, out: &dyn Fn(&Expr) -> bool) -> Vec<Wrong> {
+        let wrong = self.both(|side| thinned(side, out));
+        wrong.into_iter().filter(|wrong| wrong.equations.iter().all(|(l, r)| !l.is_zero() && !r.is_zero())).collect()
+    }
+
+    /// The right side of a law beside this one.
+    pub(super) fn beside(&self, law: &str) -> impl Iterator<Item = &Sides> {
+        self.beside.iter().filter(move |(id, _)| *id == law).map(|(_, sides)| sides)
+    }
+
+    /// The coefficient of restitution of the same stage.
+    pub(super) fn restitution(&self) -> Option<Expr> {
+        let laws = ["restitution", "restitution-at-a-surface"];
+        let own = laws.iter().flat_map(|law| self.beside(law)).next()?;
+        self.coefficient(&own.1)
+    }
+
+    /// The factor without dimension of a product: e of `e (v_A1 - v_B1)`.
+    pub(super) fn coefficient(&self, product: &Expr) -> Option<Expr> {
+        factors(product)
+            .into_iter()
+            .find(|factor| matches!(factor, Expr::Symbol(symbol) if self.is(*symbol, Dimension::NONE)))
+    }
+
+    /// The quantities of that dimension in both sides.
+    pub(super) fn quantities(&self, dimension: Dimension) -> Vec<Symbol> {
+        let mut all = self.sides.0.symbols();
+        all.extend(self.sides.1.symbols());
+        all.into_iter().filter(|symbol| self.is(*symbol, dimension)).collect()
+    }
+}
+
+/// One wrong equation.
+pub(super) fn one(sides: Sides) -> Vec<Wrong> {
+    vec![sides.into()]
+}
+
+/// The terms of a sum; the term itself where it is none.
+pub(super) fn terms(term: &Expr) -> Vec<Expr> {
+    match term {
+        Expr::Sum(parts) => parts.to_vec(),
+        other => vec![other.clone()],
+    }
+}
+
+/// The factors of a product; the term itself where it is none.
+pub(super) fn factors(term: &Expr) -> Vec<Expr> {
+    match term {
+        Expr::Product(parts) => parts.to_vec(),
+        other => vec![other.clone()],
+    }
+}
+
+fn thinned(term: &Expr, out: &dyn Fn(&Expr) -> bool) -> Expr {
+    match term {
+        Expr::Sum(parts) => Expr::sum(parts.iter().filter(|part| !out(part)).map(|part| thinned(part, out))),
+        other => other.map_children(|part| thinned(part, out)),
+    }
+}
+
+/// A known velocity against the axis enters without its sign: each such velocity alone, then all of them.
+pub(super) fn sign_lost(law: &Taught<'_>) -> Vec<Wrong> {
+    let signed: Vec<Symbol> =
+        law.quantities(Dimension::VELOCITY).into_iter().filter(|symbol| law.known.contains(symbol)).collect();
+    let bare = |of: &dyn Fn(Symbol) -> bool| {
+        law.replaced(&|symbol| of(symbol).then(|| Expr::apply(Function::Abs, symbol.into())))
+    };
+    let mut ways: Vec<Wrong> = signed.iter().flat_map(|own| bare(&|symbol| symbol == *own)).collect();
+    if signed.len() > 1 {
+        ways.extend(bare(&|symbol| signed.contains(&symbol)));
+    }
+    ways
+}
+
+/// Every sine becomes a cosine and every cosine a sine.
+pub(super) fn sine_and_cosine(law: &Taught<'_>) -> Vec<Wrong> {
+    law.both(turned)
+}
+
+fn turned(term: &Expr) -> Expr {
+    match term {
+        Expr::Apply(Function::Sin, parts) => Expr::Apply(Function::Cos, parts.clone()),
+        Expr::Apply(Function::Cos, parts) => Expr::Apply(Function::Sin, parts.clone()),
+        other => other.map_children(turned),
+    }
+}
+
+/// What a body had at the start is left out: the first of the terms that `m v_1 + J` joins.
+pub(super) fn start_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
+    match &law.sides.0 {
+        Expr::Sum(parts) if parts.len() > 1 => one((Expr::sum(parts.iter().skip(1).cloned()), law.right())),
+        _ => Vec::new(),
+    }
+}
+
+/// What is gained counts as lost: all terms but the first change their sign.
+pub(super) fn gain_reversed(law: &Taught<'_>) -> Vec<Wrong> {
+    match &law.sides.0 {
+        Expr::Sum(parts) => {
+            let signed =
+                parts.iter().enumerate().map(|(place, part)| if place == 0 { part.clone() } else { -part.clone() });
+            one((Expr::sum(signed), law.right()))
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// A value of what changes, times the whole time: that at the end, at the start, and half-way.
+pub(super) fn value_times_time(law: &Taught<'_>) -> Vec<Wrong> {
+    let Some((value, variable, [low, high])) = law.integral else { return Vec::new() };
+    let middle = Expr::ratio(1, 2) * (low.clone() + high.clone());
+    let at = |time: &Expr| value.substitute(&|symbol| (symbol == variable).then(|| time.clone()));
+    let times = |time: &Expr| Wrong::from((law.left(), at(time) * (high.clone() - low.clone())));
+    vec![times(high), times(low), times(&middle)]
+}
+
+/// The mean of the values at both ends, times the time.
+pub(super) fn ends_averaged(law: &Taught<'_>) -> Vec<Wrong> {
+    let Some((value, variable, [low, high])) = law.integral else { return Vec::new() };
+    let at = |time: &Expr| value.substitute(&|symbol| (symbol == variable).then(|| time.clone()));
+    let mean = Expr::ratio(1, 2) * (at(low) + at(high));
+    one((law.left(), mean * (high.clone() - low.clone())))
+}

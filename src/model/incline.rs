@@ -1,0 +1,94 @@
+//! The slope of the floor on which a body moves along the one axis of a scene.
+
+use crate::expr::Expr;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::scene::Term;
+
+use super::Builder;
+use super::frame::Direction;
+
+/// How the way of a body lies in space.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Incline {
+    /// The angle of the slope as the author named it; zero on the level and along a vertical.
+    pub angle: Expr,
+    /// Whether the positive axis rises (1) or falls (-1).
+    pub sign: i64,
+    /// The part of the weight along the slope, for each unit of weight: zero on the level.
+    pub along: Expr,
+    /// The part of the weight that presses the body into its floor, for each unit of weight.
+    pub press: Expr,
+}
+
+impl Incline {
+    fn level() -> Self {
+        Self { angle: Expr::zero(), sign: 1, along: Expr::zero(), press: Expr::one() }
+    }
+
+    /// Whether weight has no part along the way.
+    pub(super) fn is_level(&self) -> bool {
+        self.along.is_zero()
+    }
+
+    /// The part of the weight against the positive axis, for each unit of weight.
+    pub(super) fn rise(&self) -> Expr {
+        Expr::integer(self.sign) * self.along.clone()
+    }
+
+    /// Where weight points as seen along the axis, for a body on a floor.
+    pub(super) fn downwards(&self) -> Direction {
+        Direction { quarters: 3, turn: (Expr::integer(-self.sign) * self.angle.clone()).simplify() }
+    }
+}
+
+/// Words of an axis that runs up a slope, and down.
+const UP: &[&str] = &["up ", "uphill"];
+const DOWN: &[&str] = &["down ", "downhill"];
+
+impl Builder<'_> {
+    /// The slope that a stage states; without one the floor is level, or the axis of a vertical plane is vertical.
+    pub(super) fn incline(&mut self, term: Option<&Term>, path: &Path) -> Incline {
+        let Some(term) = term else {
+            return match self.downwards(0).filter(|_| self.axes.len() == 1) {
+                Some(down) => Incline { angle: Expr::zero(), sign: -down, along: Expr::one(), press: Expr::zero() },
+                None => Incline::level(),
+            };
+        };
+        let path = &path.key("incline");
+        let (sign, angle) = self.incline_angle(term, path);
+        let (along, press) = (angle.clone().sin().simplify(), angle.clone().cos().simplify());
+        Incline { angle, sign, along, press }
+    }
+
+    /// Whether the positive axis rises or falls, and the angle of the slope.
+    fn incline_angle(&mut self, term: &Term, path: &Path) -> (i64, Expr) {
+        let [(_, senses)] = &self.axes[..] else {
+            let fault = Fault::new(Code::Value, "an incline needs a scene with one axis, along the slope");
+            let help = "leave one axis, such as `axes: { x: up the slope }`";
+            self.faults.push(fault.help(help).at_path(path.clone()));
+            return (1, Expr::zero());
+        };
+        let words = senses.positive.clone();
+        if term.0.contains(" above ") || term.0.contains(" below ") {
+            let direction = self.direction(term, path);
+            let above = if term.0.contains(" above ") { 1 } else { -1 };
+            // What rises towards -x falls towards +x.
+            let sign = if direction.quarters == 2 { -above } else { above };
+            return (sign, (Expr::integer(sign) * direction.turn).simplify());
+        }
+        let starts = |list: &[&str]| list.iter().any(|word| words.starts_with(word));
+        let sign = match (starts(UP), starts(DOWN)) {
+            (true, _) => 1,
+            (_, true) => -1,
+            _ => {
+                let fault = Fault::new(Code::Value, "it is not said to which side the floor rises");
+                let help = "write `alpha above +x` where it rises towards +x, `alpha below +x` where it falls";
+                self.faults.push(fault.help(help).at_path(path.clone()));
+                1
+            }
+        };
+        (sign, self.read_angle(&term.0, path))
+    }
+}

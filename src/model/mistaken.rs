@@ -1,0 +1,147 @@
+//! The system of a student who makes one usual mistake: the equations that the solution uses, a law among them in a wrong
+//! form.
+
+use std::collections::BTreeSet;
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+use crate::laws::Sides;
+use crate::laws::wrong::Misconception;
+use crate::laws::wrong::Taught;
+use crate::laws::wrong::Wrong;
+use crate::quantity::UnitSystem;
+use crate::solve::Equation;
+use crate::solve::Statement;
+use crate::solve::System;
+
+use super::Instance;
+use super::Model;
+
+/// A system with one mistake in it.
+#[derive(Clone, Debug)]
+pub struct Mistaken {
+    /// The mistake.
+    pub of: &'static Misconception,
+    /// The law that is got wrong, as it is used here: a position in [`Model::instances`].
+    pub instance: usize,
+    /// The equations, and the conditions of every true solution.
+    pub system: System,
+}
+
+/// One way of getting one equation wrong.
+struct Way {
+    of: &'static Misconception,
+    equation: usize,
+    instance: usize,
+    variant: usize,
+    wrong: Wrong,
+}
+
+impl Model {
+    /// Every system that comes of one usual mistake in these equations of a system: in one of them, or in each of them.
+    #[must_use]
+    pub fn mistaken(
+        &self,
+        system: &System,
+        used: &BTreeSet<usize>,
+        known: &BTreeSet<Symbol>,
+        units: UnitSystem,
+    ) -> Vec<Mistaken> {
+        let mut ways: Vec<Way> = used.iter().flat_map(|equation| self.ways(system, *equation, known, units)).collect();
+        ways.sort_by_key(|way| way.of.id);
+        let mut mistaken = Vec::new();
+        for alike in ways.chunk_by(|one, other| one.of == other.of) {
+            let mut add = |chosen: &[&Way]| {
+                let Some(first) = chosen.first() else { return };
+                let system = self.in_place(system, used, chosen);
+                mistaken.push(Mistaken { of: first.of, instance: first.instance, system });
+            };
+            for way in alike {
+                add(&[way]);
+            }
+            let equations: BTreeSet<usize> = alike.iter().map(|way| way.equation).collect();
+            let most = alike.iter().map(|way| way.variant + 1).max().unwrap_or(0);
+            for variant in (0..most).filter(|_| equations.len() > 1) {
+                // Whoever gets a law wrong in one place gets it wrong in the same way in others.
+                let own = |equation: &usize| {
+                    let mut own = alike.iter().filter(|way| way.equation == *equation && way.variant <= variant);
+                    own.next_back()
+                };
+                add(&equations.iter().filter_map(own).collect::<Vec<_>>());
+            }
+        }
+        mistaken
+    }
+
+    /// The ways of getting one equation wrong.
+    fn ways(&self, system: &System, equation: usize, known: &BTreeSet<Symbol>, units: UnitSystem) -> Vec<Way> {
+        let Some((tag, instance, sides)) = self.sides(system, equation) else { return Vec::new() };
+        let together = |other: &&Equation| {
+            self.instances.get(other.tag).is_some_and(|own| own.stage.is_none() || own.stage == instance.stage)
+        };
+        let beside: Vec<(&'static str, Sides)> = system
+            .equations
+            .iter()
+            .filter(together)
+            .filter_map(|other| match &other.statement {
+                Statement::Equal { left, right } => {
+                    Some((self.instances.get(other.tag)?.law.id, (left.clone(), right.clone())))
+                }
+                Statement::FirstInteger { .. } => None,
+            })
+            .collect();
+        let unit_acceleration = match units {
+            UnitSystem::Si => Expr::one(),
+            UnitSystem::Us => Expr::ratio(3048, 10_000),
+        };
+        let integral = instance.integral.as_ref();
+        let law = Taught {
+            sides: &sides,
+            integral: integral.map(|own| (&own.integrand, own.variable, [&own.low, &own.high])),
+            beside: &beside,
+            symbols: &self.symbols,
+            known,
+            unit_acceleration: &unit_acceleration,
+        };
+        let forms = instance.law.wrong.iter();
+        let ways = forms.flat_map(|form| {
+            let written = (form.write)(&law).into_iter().enumerate();
+            written
+                .map(|(variant, wrong)| Way { of: form.of, equation, instance: tag, variant, wrong })
+                .collect::<Vec<_>>()
+        });
+        ways.collect()
+    }
+
+    fn sides(&self, system: &System, equation: usize) -> Option<(usize, &Instance, Sides)> {
+        let stated = system.equations.get(equation)?;
+        let instance = self.instances.get(stated.tag)?;
+        match &stated.statement {
+            Statement::Equal { left, right } => Some((stated.tag, instance, (left.clone(), right.clone()))),
+            Statement::FirstInteger { .. } => None,
+        }
+    }
+
+    /// The used equations, with these in their wrong forms.
+    fn in_place(&self, system: &System, used: &BTreeSet<usize>, chosen: &[&Way]) -> System {
+        let stage_of = |equation: usize| Some(self.instances.get(system.equations.get(equation)?.tag)?.stage);
+        let left_aside = |equation: usize| {
+            let law = system.equations.get(equation).and_then(|own| self.instances.get(own.tag)).map(|own| own.law.id);
+            chosen.iter().any(|way| {
+                law.is_some_and(|law| way.wrong.without.contains(&law)) && stage_of(way.equation) == stage_of(equation)
+            })
+        };
+        let mut equations = Vec::new();
+        for place in used.iter().copied().filter(|place| !left_aside(*place)) {
+            let Some(right) = system.equations.get(place) else { continue };
+            match chosen.iter().find(|way| way.equation == place) {
+                None => equations.push(right.clone()),
+                Some(way) => equations.extend(way.wrong.equations.iter().map(|(left, other)| Equation {
+                    statement: Statement::Equal { left: left.clone(), right: other.clone() },
+                    ..right.clone()
+                })),
+            }
+        }
+        System { equations, conditions: system.conditions.clone(), positive: system.positive.clone() }
+    }
+}

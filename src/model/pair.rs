@@ -1,0 +1,89 @@
+//! Two bodies that pull or push each other along one line: their impulses, and the momentum of both.
+
+use crate::expr::Expr;
+use crate::fault::Path;
+use crate::laws::momentum;
+use crate::quantity::Dimension;
+use crate::scene::Term;
+
+use super::Agent;
+use super::Builder;
+use super::Impulse;
+
+/// Two bodies and their velocities along the line through both, before and after.
+pub(super) struct Pair<'a> {
+    pub index: usize,
+    pub bodies: [&'a str; 2],
+    pub before: [Expr; 2],
+    pub after: [Expr; 2],
+    /// What acts between them: `the spring`, `the string`.
+    pub link: &'a str,
+    /// The pulley over which they act on each other, so that their impulses are equal along the string only.
+    pub pulley: Option<&'a str>,
+}
+
+impl Builder<'_> {
+    /// The momentum of both together, and for whoever asks the impulse on each. `resolve` gives an impulse's components along
+    /// the axes.
+    pub(super) fn pair(
+        &mut self,
+        pair: &Pair<'_>,
+        component: &str,
+        resolve: &dyn Fn(&Self, &Expr) -> Vec<Expr>,
+        duration: Option<&Term>,
+        path: &Path,
+    ) {
+        let masses = pair.bodies.map(|body| self.mass(body));
+        let names = pair.bodies.map(|body| self.called(body));
+        let suffix = self.stage_suffix(pair.index);
+        let side = |values: &[Expr; 2]| [0, 1].map(|own| (masses[own].clone(), values[own].clone()));
+        let sides = momentum::conservation(&side(&pair.before), &side(&pair.after));
+        let [first, second] = &names;
+        let (law, because) = match pair.pulley {
+            None => (
+                &momentum::CONSERVATION,
+                format!(
+                    "{} gives {first} and {second} equal and opposite impulses, and no other acts along it",
+                    pair.link
+                ),
+            ),
+            Some(pulley) => (
+                &momentum::IMPULSE_MOMENTUM,
+                format!(
+                    "{} runs freely over {pulley} and pulls both equally, {first} forwards and {second} back along it, so that its \
+                     impulses drop out of the sum",
+                    pair.link
+                ),
+            ),
+        };
+        self.law(law, Some(pair.index), because, sides);
+        let impulses = [0, 1].map(|own| {
+            let meaning = format!("the impulse on {} from {}", names[own], pair.link);
+            let name = format!("J_{}{component}{suffix}", pair.bodies[own]);
+            Expr::from(self.symbol(name, Dimension::MOMENTUM, meaning))
+        });
+        for own in [0, 1] {
+            let impulse = &impulses[own];
+            let because = format!("the only impulse on {} alone is that of {}", names[own], pair.link);
+            let [before, after] = [&pair.before[own], &pair.after[own]];
+            let sides = momentum::impulse_momentum(&masses[own], before, std::slice::from_ref(impulse), after);
+            self.law(&momentum::IMPULSE_MOMENTUM, Some(pair.index), because, sides);
+            self.mean_force(pair.index, pair.bodies[own], impulse, duration, path);
+            let components = resolve(self, impulse);
+            self.impulses.push(Impulse {
+                stage: pair.index,
+                on: pair.bodies[own].to_owned(),
+                by: match pair.pulley {
+                    None => Agent::Body(pair.bodies[1 - own].to_owned()),
+                    Some(_) => Agent::Outside,
+                },
+                called: pair.link.to_owned(),
+                components,
+                impulsive: pair.link == "the string",
+            });
+        }
+        let [on_first, on_second] = impulses;
+        let because = format!("{} acts on both with the same force", pair.link);
+        self.law(&momentum::THIRD_LAW, Some(pair.index), because, (on_second, -on_first));
+    }
+}

@@ -1,0 +1,124 @@
+//! Two bodies on a taut string over a pulley: impulse and momentum, work and energy along the string.
+
+use crate::expr::Expr;
+use crate::fault::Path;
+use crate::laws::energy;
+use crate::laws::kinematics;
+use crate::laws::momentum;
+use crate::model::Agent;
+use crate::model::Builder;
+use crate::model::Impulse;
+use crate::model::Warning;
+use crate::quantity::Dimension;
+use crate::scene::stage::Connected;
+use crate::scene::stage::Strand;
+use crate::scene::stage::Until;
+use crate::solve::Relation;
+
+/// One end of the string.
+struct Side {
+    name: String,
+    mass: Expr,
+    /// Everything but the tension that acts along the string, forwards: weight and friction.
+    drive: Expr,
+    before: Expr,
+    after: Expr,
+}
+
+impl Builder<'_> {
+    pub(in crate::model) fn connected(&mut self, index: usize, stage: &Connected, path: &Path) {
+        let stops = stage.until == Some(Until::Rest);
+        let trailing = self.strand(index, &stage.trailing, -1, stops, &path.key("trailing"));
+        let leading = self.strand(index, &stage.leading, 1, stops, &path.key("leading"));
+        let pulley = stage.over.clone().unwrap_or_else(|| "the pulley".into());
+        let duration = self.stage_duration(index, stage.duration.as_ref(), path);
+        let because = "the string stays taut and does not stretch";
+        for (one, other) in [(&leading.before, &trailing.before), (&leading.after, &trailing.after)] {
+            if !other.is_zero() {
+                self.law(&kinematics::TOGETHER, Some(index), because, (one.clone(), other.clone()));
+            }
+        }
+        let meaning = format!("the tension of the string during {}", self.stage_phrase(index));
+        let tension =
+            Expr::from(self.symbol(format!("tension{}", self.stage_suffix(index)), Dimension::FORCE, meaning));
+        let sides = [&trailing, &leading];
+        let because = format!(
+            "the string runs freely over {pulley} and pulls both equally, {} forwards and {} back along it, so that its impulses drop \
+             out of the sum",
+            trailing.name, leading.name
+        );
+        let masses =
+            |velocity: &dyn Fn(&Side) -> Expr| momentum::total(&sides.map(|side| (side.mass.clone(), velocity(side))));
+        let driven = Expr::sum(sides.map(|side| side.drive.clone()));
+        let start = Expr::sum([masses(&|side| side.before.clone()), driven.clone() * duration.clone()]);
+        let end = masses(&|side| side.after.clone());
+        self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, (start, end));
+        for (side, pull) in [(&trailing, tension.clone()), (&leading, -tension.clone())] {
+            let because =
+                format!("the tension and what else acts on {} along the string change its momentum", side.name);
+            let impulses = [(pull + side.drive.clone()) * duration.clone()];
+            let sides = momentum::impulse_momentum(&side.mass, &side.before, &impulses, &side.after);
+            self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
+        }
+        if let Some(term) = &stage.distance {
+            let meaning = format!("how far {} and {} move", trailing.name, leading.name);
+            let distance = self.read_positive(term, Dimension::LENGTH, &meaning, &path.key("distance"));
+            let kinetic = |velocity: &dyn Fn(&Side) -> Expr| {
+                Expr::sum(sides.map(|side| energy::kinetic(&side.mass, &[velocity(side)])))
+            };
+            let works = sides.map(|side| side.drive.clone() * distance.clone());
+            let because =
+                "the string pulls one body forwards and the other back over the same distance, and does no work in all";
+            let sides =
+                energy::work_energy(kinetic(&|side| side.before.clone()), works, kinetic(&|side| side.after.clone()));
+            self.law(&energy::WORK_ENERGY, Some(index), because, sides);
+        }
+        for speed in [&leading.before, &leading.after].into_iter().filter(|speed| !speed.is_zero()) {
+            let reason = format!("{} would move the other way", leading.name);
+            self.require(Warning::Reverses, speed.clone(), Relation::AtLeast, Expr::zero(), reason);
+        }
+        self.require(Warning::GoesSlack, tension, Relation::AtLeast, Expr::zero(), "the string would go slack");
+        self.omit(
+            format!("the mass and the friction of {pulley}"),
+            "it is light and smooth, so that the tension is the same on both sides",
+        );
+        self.omit("the mass of the string", "it is light, and does not stretch");
+    }
+
+    /// A body on its side of the pulley: `forwards` is down (1) or up (-1) for one that hangs.
+    fn strand(&mut self, index: usize, strand: &Strand, forwards: i64, stops: bool, path: &Path) -> Side {
+        let body = strand.body.as_str();
+        let name = self.called(body);
+        let mass = self.mass(body);
+        let weight = mass.clone() * self.gravity();
+        let (along, press) = match strand.on.as_ref().map(|term| term.0.trim()) {
+            None | Some("hanging") => (Expr::one(), Expr::zero()),
+            Some("level") => (Expr::zero(), Expr::one()),
+            Some(angle) => {
+                let angle = self.read_angle(angle, &path.key("on"));
+                (angle.clone().sin().simplify(), angle.cos().simplify())
+            }
+        };
+        let mut parts = vec![Expr::product([Expr::integer(forwards), weight.clone(), along])];
+        if let Some(term) = &strand.friction {
+            let meaning = format!("the coefficient of kinetic friction of {name}");
+            let friction = self.read_positive(term, Dimension::NONE, &meaning, &path.key("friction"));
+            parts.push(-Expr::product([friction, weight, press]));
+        }
+        if stops {
+            self.comes_to_rest(index, body);
+        }
+        let ends = [index + 1, index + 2].map(|instant| self.velocities(body, instant));
+        let [before, after] = ends.map(|mut own| own.pop().unwrap_or_else(Expr::zero));
+        self.impulses.push(Impulse {
+            stage: index,
+            on: body.to_owned(),
+            by: Agent::Outside,
+            called: "the string and weight".into(),
+            components: Vec::new(),
+            impulsive: false,
+        });
+        let after = if stops { Expr::zero() } else { after };
+        Side { name, mass, drive: Expr::sum(parts.into_iter().filter(|part| !part.is_zero())), before, after }
+    }
+}

@@ -1,0 +1,43 @@
+//! Free motion: every place changes by velocity times time.
+
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::laws::kinematics;
+use crate::model::Builder;
+use crate::quantity::Dimension;
+use crate::scene::Axis;
+use crate::scene::stage::Drift;
+
+impl Builder<'_> {
+    pub(in crate::model) fn drift(&mut self, index: usize, stage: &Drift, path: &Path) {
+        let phrase = self.stage_phrase(index);
+        let meaning = format!("the duration of {phrase}");
+        let time = match &stage.during {
+            Some(term) => self.read_positive(term, Dimension::TIME, &meaning, &path.key("during")),
+            None => self.positive(format!("dt{}", self.stage_suffix(index)), Dimension::TIME, meaning).into(),
+        };
+        self.lasting[index] = Some(time.clone());
+        let bodies: Vec<String> = self.timeline.alive(index + 1).into_iter().map(str::to_owned).collect();
+        let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
+        for body in &bodies {
+            for (position, axis) in axes.iter().enumerate() {
+                if self.downwards(position).is_some() {
+                    let fault = Fault::new(Code::Value, "bodies do not go on evenly where weight acts");
+                    self.faults.push(fault.help("use `flight`, or leave `plane: vertical` out").at_path(path.clone()));
+                    return;
+                }
+                let [before, after] = [index + 1, index + 2].map(|instant| self.place(body, instant, *axis));
+                let velocity = self.velocity(body, index + 1, *axis);
+                let because = format!("nothing acts on {} during {phrase}", self.called(body));
+                let sides = kinematics::uniform(&before, &velocity, &time, &after);
+                self.law(&kinematics::UNIFORM, Some(index), because, sides);
+            }
+        }
+        if let Some(until) = &stage.until {
+            let bodies: Vec<&str> = bodies.iter().map(String::as_str).collect();
+            self.end_of_flight(index, &bodies, until, &path.key("until"));
+        }
+        self.omit("friction and air resistance", "the problem does not mention any");
+    }
+}

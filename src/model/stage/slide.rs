@@ -1,0 +1,156 @@
+//! Sliding against friction and weight: over a distance by work and energy, over a time by impulse and momentum.
+
+use crate::expr::Expr;
+use crate::fault::Path;
+use crate::laws::energy;
+use crate::laws::force;
+use crate::laws::geometry;
+use crate::laws::momentum;
+use crate::model::Agent;
+use crate::model::Builder;
+use crate::model::Impulse;
+use crate::model::acting::Acts;
+use crate::model::incline::Incline;
+use crate::model::way::Way;
+use crate::quantity::Dimension;
+use crate::scene::stage::Slide;
+use crate::scene::stage::Until;
+
+/// What holds a sliding body back, for each unit of its mass; negative where weight drives it on.
+struct Retardation {
+    parts: Vec<Expr>,
+    /// Why it is all that acts, as a clause.
+    because: String,
+}
+
+impl Builder<'_> {
+    pub(in crate::model) fn slide(&mut self, index: usize, stage: &Slide, path: &Path) {
+        let body = stage.body.as_str();
+        let name = self.called(body);
+        let phrase = self.stage_phrase(index);
+        let stops = stage.until == Some(Until::Rest);
+        let way = self.one_way(index, body, stage.direction.as_ref(), stops, path);
+        let incline = self.incline(stage.incline.as_ref(), path);
+        let friction = stage.friction.as_ref().map(|term| {
+            self.read_positive(term, Dimension::NONE, "the coefficient of kinetic friction", &path.key("friction"))
+        });
+        let distance = stage.distance.as_ref().map(|term| {
+            let meaning = format!("how far {name} slides");
+            self.read_positive(term, Dimension::LENGTH, &meaning, &path.key("distance"))
+        });
+        let duration = self.stage_duration(index, stage.duration.as_ref(), path);
+        let height = stage.height.as_ref().map(|term| {
+            let meaning = format!("the height between the two ends of {phrase}");
+            self.read_positive(term, Dimension::LENGTH, &meaning, &path.key("height"))
+        });
+        if incline.is_level()
+            && let Some(height) = &height
+        {
+            self.ramp(index, stage, &name, height, &way);
+        } else {
+            let retardation = self.retardation(&name, friction.as_ref(), &incline, &way);
+            self.slowed(index, &retardation, distance.as_ref(), &duration, &way);
+            if let (Some(height), Some(distance)) = (height, distance) {
+                let sides = (height, distance * incline.along.clone());
+                self.law(&geometry::HEIGHT_OF_SLOPE, Some(index), "the slope is straight", sides);
+            }
+        }
+        self.slide_forces(index, body, friction.as_ref(), &incline, &way, &duration);
+        self.omit("air resistance", "the problem does not mention any");
+        if friction.is_none() {
+            self.omit("friction", "the floor is smooth");
+        }
+    }
+
+    /// The duration of a stage, under the author's name or its own.
+    pub(in crate::model) fn stage_duration(
+        &mut self,
+        index: usize,
+        term: Option<&crate::scene::Term>,
+        path: &Path,
+    ) -> Expr {
+        let meaning = format!("the duration of {}", self.stage_phrase(index));
+        match term {
+            Some(term) => self.read_positive(term, Dimension::TIME, &meaning, &path.key("duration")),
+            None => self.positive(format!("dt{}", self.stage_suffix(index)), Dimension::TIME, meaning).into(),
+        }
+    }
+
+    fn retardation(&mut self, name: &str, friction: Option<&Expr>, incline: &Incline, way: &Way) -> Retardation {
+        let mut parts = Vec::new();
+        if let Some(friction) = friction {
+            parts.push(Expr::product([friction.clone(), self.gravity(), incline.press.clone()]));
+        }
+        if !incline.is_level() {
+            parts.push(Expr::product([Expr::integer(incline.sign * way.sign), self.gravity(), incline.along.clone()]));
+        }
+        let because = match (friction, incline.is_level()) {
+            (Some(_), true) => format!(
+                "friction, \u{3bc} times the weight, is all that acts on {name} along the floor, and the mass cancels"
+            ),
+            (Some(_), false) => {
+                format!("friction and the part of the weight along the slope act on {name}, and the mass cancels")
+            }
+            (None, true) => format!("nothing acts on {name} along the smooth floor"),
+            (None, false) => format!("the part of the weight along the slope acts on {name}, and the mass cancels"),
+        };
+        Retardation { parts, because }
+    }
+
+    /// What a body loses over the distance and over the time.
+    fn slowed(&mut self, index: usize, retardation: &Retardation, distance: Option<&Expr>, duration: &Expr, way: &Way) {
+        let times =
+            |amount: &Expr| retardation.parts.iter().map(|part| -(part.clone() * amount.clone())).collect::<Vec<_>>();
+        if let Some(distance) = distance {
+            let [start, end] = way.energies.clone();
+            let sides = energy::work_energy(start, times(distance), end);
+            self.law(&energy::WORK_ENERGY, Some(index), retardation.because.clone(), sides);
+        }
+        let sides = momentum::impulse_momentum(&Expr::one(), &way.before, &times(duration), &way.after);
+        self.law(&momentum::IMPULSE_MOMENTUM, Some(index), retardation.because.clone(), sides);
+    }
+
+    /// A smooth ramp of any shape: only the height between its ends matters.
+    fn ramp(&mut self, index: usize, stage: &Slide, name: &str, height: &Expr, way: &Way) {
+        let raised = self.gravity() * height.clone();
+        let [start, end] = way.energies.clone();
+        let sides = match stage.way.unwrap_or(crate::scene::stage::Way::Down) {
+            crate::scene::stage::Way::Down => (start + raised, end),
+            crate::scene::stage::Way::Up => (start, end + raised),
+        };
+        let because =
+            format!("the smooth ramp pushes {name} at right angles to its motion and does no work; the mass cancels");
+        self.law(&energy::CONSERVATION, Some(index), because, sides);
+    }
+
+    /// The normal force, and what acts in diagrams.
+    fn slide_forces(
+        &mut self,
+        index: usize,
+        body: &str,
+        friction: Option<&Expr>,
+        incline: &Incline,
+        way: &Way,
+        duration: &Expr,
+    ) {
+        let suffix = self.stage_suffix(index);
+        let meaning = format!("the normal force on {}", self.called(body));
+        let normal = Expr::from(self.positive(format!("N_{body}{suffix}"), Dimension::FORCE, meaning));
+        let mass = self.mass(body);
+        let weight = mass * self.gravity();
+        let sides = (normal.clone(), weight.clone() * incline.press.clone());
+        self.law(&force::NORMAL_FORCE, Some(index), "the floor carries what presses on it", sides);
+        let zero = Expr::zero();
+        let acts = Acts { stage: index, on: body, during: [&zero, duration] };
+        let kinetic = friction.cloned().unwrap_or_else(Expr::zero);
+        self.note_floor(acts, incline, weight, normal, kinetic, way.sign < 0);
+        self.impulses.push(Impulse {
+            stage: index,
+            on: body.to_owned(),
+            by: Agent::Outside,
+            called: if friction.is_some() { "friction".into() } else { "weight".into() },
+            components: Vec::new(),
+            impulsive: false,
+        });
+    }
+}

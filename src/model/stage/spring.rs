@@ -1,0 +1,179 @@
+//! Springs: conservation of energy, and between two bodies that of momentum.
+
+use crate::expr::Expr;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::laws::energy;
+use crate::laws::force;
+use crate::laws::kinematics;
+use crate::model::Agent;
+use crate::model::Builder;
+use crate::model::Impulse;
+use crate::model::Warning;
+use crate::model::pair::Pair;
+use crate::quantity::Dimension;
+use crate::scene::Term;
+use crate::scene::stage::Ends;
+use crate::scene::stage::Spring;
+use crate::scene::stage::Until;
+use crate::solve::Relation;
+
+/// The deformation of a spring at both ends of a stage, and how far its end moves in between.
+struct Deformation {
+    before: Expr,
+    after: Expr,
+    travel: Expr,
+}
+
+impl Builder<'_> {
+    pub(in crate::model) fn spring(&mut self, index: usize, stage: &Spring, path: &Path) {
+        let stiffness = self.read_positive(
+            &stage.stiffness,
+            Dimension::new(1, 0, -2),
+            "the stiffness of the spring",
+            &path.key("stiffness"),
+        );
+        let deformation = self.deformation(index, stage, &stiffness, path);
+        match stage.ends() {
+            Some(Ends::Fixed(body)) => self.fixed_spring(index, stage, body, &stiffness, &deformation, path),
+            Some(Ends::Free(first, second)) => {
+                self.free_spring(index, stage, [first, second], &stiffness, &deformation, path);
+            }
+            None => {}
+        }
+        self.omit("the mass of the spring", "it is light");
+    }
+
+    fn deformation(&mut self, index: usize, stage: &Spring, stiffness: &Expr, path: &Path) -> Deformation {
+        let phrase = self.stage_phrase(index);
+        let length = |builder: &mut Self, term: Option<&Term>, meaning: &str, key: &str| {
+            term.map(|term| builder.read_positive(term, Dimension::LENGTH, meaning, &path.key(key)))
+        };
+        let from = format!("the deformation of the spring at the start of {phrase}");
+        let to = format!("the deformation of the spring at the end of {phrase}");
+        let before = length(self, stage.from.as_ref(), &from, "from");
+        let after = length(self, stage.to.as_ref(), &to, "to");
+        let travel = length(self, stage.travel.as_ref(), "how much further the spring is deformed", "travel");
+        let before = match &stage.carried {
+            Some(pan) => {
+                let own = before.unwrap_or_else(|| {
+                    let name = format!("s_{pan}{}", self.stage_suffix(index));
+                    self.positive(name, Dimension::LENGTH, from).into()
+                });
+                let load = self.mass(pan) * self.gravity();
+                let because = format!("the spring carries {} at rest", self.called(pan));
+                self.law(&force::HOOKE, Some(index), because, (stiffness.clone() * own.clone(), load));
+                own
+            }
+            None => before.unwrap_or_else(Expr::zero),
+        };
+        match (after, travel) {
+            (_, Some(travel)) => {
+                let after = (before.clone() + travel.clone()).simplify();
+                Deformation { before, after, travel }
+            }
+            (Some(after), None) => {
+                let travel = (after.clone() - before.clone()).simplify();
+                Deformation { before, after, travel }
+            }
+            (None, None) => Deformation { travel: before.clone(), before, after: Expr::zero() },
+        }
+    }
+
+    /// A spring whose other end is fixed.
+    fn fixed_spring(
+        &mut self,
+        index: usize,
+        stage: &Spring,
+        body: &str,
+        stiffness: &Expr,
+        deformation: &Deformation,
+        path: &Path,
+    ) {
+        let name = self.called(body);
+        let mass = self.mass(body);
+        let stops = stage.until == Some(Until::Rest);
+        let way = self.one_way(index, body, stage.direction.as_ref(), stops, path);
+        let incline = self.incline(stage.incline.as_ref(), path);
+        let energy_of =
+            |own: &Expr, deformation: &Expr| mass.clone() * own.clone() + energy::of_spring(stiffness, deformation);
+        let mut start = energy_of(&way.energies[0], &deformation.before);
+        let mut end = energy_of(&way.energies[1], &deformation.after);
+        if !incline.is_level() {
+            let weight = mass.clone() * self.gravity();
+            let raised = Expr::product([weight, incline.along.clone(), deformation.travel.clone()]);
+            if incline.sign * way.sign > 0 { end = end + raised } else { start = start + raised }
+        }
+        let friction = stage.friction.as_ref().map(|term| {
+            let meaning = "the coefficient of kinetic friction";
+            let friction = self.read_positive(term, Dimension::NONE, meaning, &path.key("friction"));
+            let press = Expr::product([mass.clone(), self.gravity(), incline.press.clone()]);
+            -Expr::product([friction, press, deformation.travel.clone()])
+        });
+        let what = if incline.is_level() { "the spring alone does" } else { "only the spring and weight do" };
+        let (law, because) = match friction {
+            None => (&energy::CONSERVATION, format!("{what} work on {name}")),
+            Some(_) => (
+                &energy::WORK_ENERGY,
+                format!("friction takes energy from {name} all along the way, and the spring stores some"),
+            ),
+        };
+        self.law(law, Some(index), because, energy::work_energy(start, friction, end));
+        self.impulses.push(Impulse {
+            stage: index,
+            on: body.to_owned(),
+            by: Agent::Outside,
+            called: "the spring".into(),
+            components: Vec::new(),
+            impulsive: false,
+        });
+        if stage.friction.is_none() && incline.along != Expr::one() {
+            self.omit("friction", "the problem does not mention any");
+        }
+    }
+
+    /// A spring between two bodies that are free to move along one axis.
+    fn free_spring(
+        &mut self,
+        index: usize,
+        stage: &Spring,
+        bodies: [&str; 2],
+        stiffness: &Expr,
+        deformation: &Deformation,
+        path: &Path,
+    ) {
+        let [(axis, _)] = self.axes[..] else {
+            let fault = Fault::new(Code::Value, "a spring between two bodies needs a scene with one axis");
+            self.faults.push(fault.help("leave one axis, along the spring").at_path(path.clone()));
+            return;
+        };
+        let velocities = |builder: &mut Self, instant| bodies.map(|body| builder.velocity(body, instant, axis));
+        let (before, after) = (velocities(self, index + 1), velocities(self, index + 2));
+        let [first, second] = bodies.map(|body| self.called(body));
+        let masses = bodies.map(|body| self.mass(body));
+        let total = |velocities: &[Expr; 2], deformation: &Expr| {
+            let kinetic = masses.iter().zip(velocities).map(|(mass, v)| energy::kinetic(mass, std::slice::from_ref(v)));
+            Expr::sum(kinetic.chain([energy::of_spring(stiffness, deformation)]))
+        };
+        let sides = (total(&before, &deformation.before), total(&after, &deformation.after));
+        let because = format!("the spring alone does work on {first} and {second}");
+        self.law(&energy::CONSERVATION, Some(index), because, sides);
+        if stage.until == Some(Until::Rest) {
+            let because = format!("the spring is deformed most when {first} and {second} no longer near each other");
+            self.law(&kinematics::TOGETHER, Some(index), because, (after[1].clone(), after[0].clone()));
+        }
+        let [one, other] = if stage.releases() { [&after, &after] } else { [&before, &before] };
+        let (warning, greater, less, reason) = if stage.releases() {
+            let reason = format!("{first} and {second} would not be pushed apart");
+            (Warning::PassesThrough, &one[1], &other[0], reason)
+        } else {
+            let reason = format!("{first} would not catch up with {second}, and the spring would not be pressed");
+            (Warning::NoImpact, &one[0], &other[1], reason)
+        };
+        self.require(warning, greater.clone(), Relation::AtLeast, less.clone(), reason);
+        let pair = Pair { index, bodies, before, after, link: "the spring", pulley: None };
+        self.pair(&pair, "", &|_, impulse| vec![impulse.clone()], None, path);
+        self.omit("friction with the ground", "the problem does not mention any");
+    }
+}

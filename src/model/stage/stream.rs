@@ -1,0 +1,247 @@
+//! The force of a steady stream on a body.
+
+use crate::expr::Expr;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::laws::geometry;
+use crate::laws::kinematics;
+use crate::laws::variable_mass;
+use crate::model::Agent;
+use crate::model::Builder;
+use crate::model::Flowing;
+use crate::model::Impulse;
+use crate::model::builder::SECOND_COST;
+use crate::model::frame::Direction;
+use crate::quantity::Dimension;
+use crate::scene::Axis;
+use crate::scene::Term;
+use crate::scene::stage::Stream;
+
+use super::thrust::FLOW;
+
+impl Builder<'_> {
+    pub(in crate::model) fn stream(&mut self, index: usize, stage: &Stream, path: &Path) {
+        let (body, by) = (stage.body.as_str(), stage.by.as_str());
+        let name = self.called(body);
+        let direction = match &stage.direction {
+            Some(term) => self.direction(term, &path.key("direction")),
+            None => Direction::axis(usize::from(self.axes.first().is_some_and(|(axis, _)| *axis == Axis::Y)), false),
+        };
+        let Some(speed) = self.stream_speed(index, stage, path) else { return };
+        let moves = stage.moves.as_ref().map(|term| {
+            self.read(term, Dimension::VELOCITY, &format!("the speed of {name} along {by}"), &path.key("moves"))
+        });
+        let relative = match &moves {
+            Some(moves) => speed.clone() - moves.clone(),
+            None => speed.clone(),
+        };
+        let arriving = if stage.series { &speed } else { &relative };
+        let Some(flow) = self.stream_flow(index, stage, arriving, path) else { return };
+        let (leaving, back) = self.stream_leaves(stage, &direction, path);
+        let (cause, parts) = (why(stage, &name), self.changes(&direction, leaving.as_ref(), &back));
+        let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
+        let suffix = self.stage_suffix(index);
+        let mut forces = Vec::new();
+        for (axis, part) in axes.iter().zip(parts) {
+            let letter = if axes.len() == 1 { String::new() } else { format!(".{}", axis.letter()) };
+            let meaning = match axes.len() {
+                1 => format!("the force of {by} on {name}"),
+                _ => format!("the {}-component of the force of {by} on {name}", axis.letter()),
+            };
+            let force = Expr::from(self.symbol(format!("F_{body}{letter}{suffix}"), Dimension::FORCE, meaning));
+            let sides = (force.clone(), Expr::product([flow.clone(), relative.clone(), part]));
+            self.law(&variable_mass::STREAM, Some(index), cause.clone(), sides);
+            forces.push(force);
+        }
+        self.stream_follows(index, stage, &forces, moves.as_ref(), &direction);
+        self.stream_support(index, stage, &flow, &forces, path);
+        self.flowing.push(Flowing { stage: index, speed, direction, leaving, relative });
+        self.impulses.push(Impulse {
+            stage: index,
+            on: body.to_owned(),
+            by: Agent::Outside,
+            called: by.to_owned(),
+            components: Vec::new(),
+            impulsive: false,
+        });
+        self.omit("friction between the stream and the body", "the problem does not mention any");
+        if stage.drop.is_none() && self.axes.iter().enumerate().any(|(place, _)| self.downwards(place).is_some()) {
+            self.omit(format!("the weight of {by} on its way"), "it is small beside the forces of the stream");
+        }
+    }
+
+    /// The speed with which the stream meets the place of the body.
+    fn stream_speed(&mut self, index: usize, stage: &Stream, path: &Path) -> Option<Expr> {
+        let meaning = format!("the speed of {}", stage.by);
+        match (&stage.speed, &stage.drop) {
+            (Some(term), None) => {
+                let speed = self.read(term, Dimension::VELOCITY, &meaning, &path.key("speed"));
+                Some(self.zero_if_so_written(speed))
+            }
+            (None, Some(term)) => {
+                let meaning_of_drop = format!("the height through which {} falls", stage.by);
+                let drop = self.read_positive(term, Dimension::LENGTH, &meaning_of_drop, &path.key("drop"));
+                let suffix = self.stage_suffix(index);
+                let speed = Expr::from(self.positive(format!("v_stream{suffix}"), Dimension::VELOCITY, meaning));
+                let gravity = self.gravity();
+                let sides = kinematics::fall_speed(&gravity, &drop, &Expr::zero(), &speed);
+                let because = format!("{} falls freely from rest", stage.by);
+                self.law(&kinematics::FALL_SPEED, Some(index), because, sides);
+                Some(speed)
+            }
+            _ => {
+                let fault = Fault::new(Code::MissingKey, "a stream needs either its speed or the height of its fall");
+                self.faults.push(fault.help("write `speed: v` or `drop: h`").at_path(path.clone()));
+                None
+            }
+        }
+    }
+
+    /// The mass that reaches the body in each unit of time.
+    fn stream_flow(&mut self, index: usize, stage: &Stream, arriving: &Expr, path: &Path) -> Option<Expr> {
+        let name = self.called(&stage.body);
+        let meaning = format!("the mass of {} that reaches {name} in each unit of time", stage.by);
+        let read = |builder: &mut Self, term: &Term, dimension, meaning: &str, key: &str| {
+            builder.read_positive(term, dimension, meaning, &path.key(key))
+        };
+        let by = &stage.by;
+        let cross = match (&stage.flow, &stage.density, &stage.area, &stage.per_length) {
+            (Some(term), None, None, None) => return Some(read(self, term, FLOW, &meaning, "flow")),
+            (None, Some(density), Some(area), None) => {
+                let density = read(self, density, Dimension::new(1, -3, 0), &format!("the density of {by}"), "density");
+                let area = read(self, area, Dimension::new(0, 2, 0), &format!("the cross-section of {by}"), "area");
+                density * area
+            }
+            (None, None, None, Some(line)) => {
+                let meaning = format!("the mass of each unit of length of {by}");
+                read(self, line, Dimension::new(1, -1, 0), &meaning, "per_length")
+            }
+            _ => {
+                let fault = Fault::new(Code::MissingKey, "it must be said how much the stream brings, in one way");
+                let help = "write `flow`, or `density` and `area`, or `per_length`";
+                self.faults.push(fault.help(help).at_path(path.clone()));
+                return None;
+            }
+        };
+        let suffix = self.stage_suffix(index);
+        let flow = Expr::from(self.positive(format!("flow_{}{suffix}", stage.body), FLOW, meaning));
+        let because = match (&stage.moves, stage.series) {
+            (Some(_), true) => format!("nothing of {by} passes by, since one follows the other"),
+            (Some(_), false) => format!("only what catches up with {name} reaches it"),
+            (None, _) => format!("all of {by} reaches {name}"),
+        };
+        let sides = (flow.clone(), cross * arriving.clone());
+        self.law(&variable_mass::FLOW, Some(index), because, sides);
+        Some(flow)
+    }
+
+    /// Where the stream goes after the body, and the share of its relative speed with which it comes straight back.
+    fn stream_leaves(&mut self, stage: &Stream, direction: &Direction, path: &Path) -> (Option<Direction>, Expr) {
+        match (&stage.turned, &stage.restitution, stage.stays) {
+            (Some(term), None, false) => {
+                let meaning = format!("the angle through which {} is turned", stage.by);
+                let turn = self.read(term, Dimension::NONE, &meaning, &path.key("turned"));
+                let leaving = Direction { quarters: direction.quarters, turn: direction.turn.clone() + turn };
+                (Some(leaving), Expr::zero())
+            }
+            (None, Some(term), false) => (None, self.restitution_coefficient(term, &path.key("restitution"))),
+            (None, None, _) => (None, Expr::zero()),
+            _ => {
+                let fault = Fault::new(Code::Value, "a stream is turned, or comes back, or stays: one of them");
+                self.faults.push(fault.help("leave one of `turned`, `restitution` and `stays`").at_path(path.clone()));
+                (None, Expr::zero())
+            }
+        }
+    }
+
+    /// The change of the stream's direction along every axis: before less after, as parts of the relative speed.
+    fn changes(&self, direction: &Direction, leaving: Option<&Direction>, back: &Expr) -> Vec<Expr> {
+        let before = self.components(direction);
+        match leaving {
+            Some(leaving) => {
+                before.into_iter().zip(self.components(leaving)).map(|(before, after)| before - after).collect()
+            }
+            None => before.into_iter().map(|part| part * (Expr::one() + back.clone())).collect(),
+        }
+    }
+
+    /// Magnitude and direction, what holds the body against the stream, and its power.
+    fn stream_follows(
+        &mut self,
+        index: usize,
+        stage: &Stream,
+        forces: &[Expr],
+        moves: Option<&Expr>,
+        direction: &Direction,
+    ) {
+        let (body, suffix, name) = (stage.body.as_str(), self.stage_suffix(index), self.called(&stage.body));
+        if let [x, y] = forces {
+            let meaning = format!("the magnitude of the force of {} on {name}", stage.by);
+            let size = Expr::from(self.positive(format!("F_{body}{suffix}"), Dimension::FORCE, meaning));
+            let meaning = format!("the direction of the force of {} on {name}", stage.by);
+            let angle = Expr::from(self.symbol(format!("angle_F_{body}{suffix}"), Dimension::NONE, meaning));
+            for sides in geometry::components(&size, &angle, x, y) {
+                let because = "the force is resolved along the axes";
+                self.law_at(SECOND_COST, &geometry::COMPONENTS, Some(index), because, sides);
+            }
+            let squares = Expr::sum([x.clone().powi(2), y.clone().powi(2)]);
+            let because = "the components of the force are perpendicular";
+            self.law(&geometry::MAGNITUDE, Some(index), because, (size, squares.sqrt()));
+            let sides = (angle, y.clone().atan2(x.clone()));
+            self.law(&geometry::DIRECTION, Some(index), "the components give the direction", sides);
+        }
+        if let [force] = forces {
+            let meaning = format!("the force that holds {name} against {}, or keeps it going", stage.by);
+            let hold = Expr::from(self.symbol(format!("F_hold_{body}{suffix}"), Dimension::FORCE, meaning));
+            let because = format!("{name} moves evenly, so that all forces on it balance");
+            self.law(&crate::laws::force::BALANCE, Some(index), because, (hold, -force.clone()));
+        }
+        let Some(moves) = moves else { return };
+        let along =
+            Expr::sum(self.components(direction).into_iter().zip(forces).map(|(part, force)| part * force.clone()));
+        let meaning = format!("the power of the force of {} on {name}", stage.by);
+        let power = Expr::from(self.symbol(format!("P_{body}{suffix}"), Dimension::new(1, 2, -3), meaning));
+        let because = format!("{name} moves along {}", stage.by);
+        self.law(&variable_mass::POWER, Some(index), because, (power, along * moves.clone()));
+    }
+
+    /// What carries a body that catches a stream, where weight acts.
+    fn stream_support(&mut self, index: usize, stage: &Stream, flow: &Expr, forces: &[Expr], path: &Path) {
+        let vertical = (0..self.axes.len()).find_map(|position| Some((position, self.downwards(position)?)));
+        let Some((position, down)) = vertical.filter(|_| stage.stays) else { return };
+        let (Some(force), name) = (forces.get(position), self.called(&stage.body)) else { return };
+        let caught = match (&stage.during, &stage.caught) {
+            (Some(term), None) => {
+                let meaning = format!("how long {} has flowed", stage.by);
+                flow.clone() * self.read_positive(term, Dimension::TIME, &meaning, &path.key("during"))
+            }
+            (None, Some(term)) => {
+                let meaning = format!("the mass that {name} has caught");
+                let caught = self.read(term, Dimension::MASS, &meaning, &path.key("caught"));
+                self.zero_if_so_written(caught)
+            }
+            _ => return,
+        };
+        let mass = self.mass(&stage.body);
+        let gravity = self.gravity();
+        let suffix = self.stage_suffix(index);
+        let meaning = format!("the push of what carries {name}");
+        let support = self.positive(format!("N_{}{suffix}", stage.body), Dimension::FORCE, meaning);
+        let carried = (mass + caught) * gravity + Expr::integer(down) * force.clone();
+        let because = format!("{name} stays at rest while {} comes to rest on it", stage.by);
+        self.law(&variable_mass::SUPPORT, Some(index), because, (support.into(), carried));
+    }
+}
+
+/// Why the force is what it is.
+fn why(stage: &Stream, name: &str) -> String {
+    let by = &stage.by;
+    let seen = if stage.moves.is_some() { format!(", seen from {name},") } else { String::new() };
+    match (&stage.turned, &stage.restitution, stage.stays) {
+        (Some(_), ..) => format!("{name} is smooth and turns {by}{seen} without changing its speed"),
+        (_, Some(_), _) => format!("{by}{seen} comes back with e times its speed"),
+        (_, _, true) => format!("{by} stays on {name} and takes on its velocity"),
+        _ => format!("{by} spreads over {name} and leaves it{seen} at right angles to the way it came"),
+    }
+}

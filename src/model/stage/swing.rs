@@ -1,0 +1,171 @@
+//! A swing on a cord: conservation of energy, the height on the circle, the tension.
+
+use crate::expr::Expr;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::laws::energy;
+use crate::laws::force;
+use crate::laws::geometry;
+use crate::model::Agent;
+use crate::model::Builder;
+use crate::model::Impulse;
+use crate::model::Warning;
+use crate::quantity::Dimension;
+use crate::scene::stage::Place;
+use crate::scene::stage::Swing;
+use crate::solve::Relation;
+
+/// One end of a swing: the angle of the cord there, zero at the lowest place, and the velocity.
+struct End {
+    angle: Expr,
+    velocity: Vec<Expr>,
+    is_lowest: bool,
+}
+
+impl Builder<'_> {
+    pub(in crate::model) fn swing(&mut self, index: usize, stage: &Swing, path: &Path) {
+        let body = stage.body.as_str();
+        let name = self.called(body);
+        let length = stage.length.as_ref().map(|term| {
+            let meaning = format!("the length of the cord of {name}");
+            self.read_positive(term, Dimension::LENGTH, &meaning, &path.key("length"))
+        });
+        if length.is_none() && (stage.from.is_some() || stage.to.is_some()) {
+            let fault = Fault::new(Code::MissingKey, "an angle of a swing needs the length of the cord");
+            self.faults.push(fault.help("write `length: L`").at_path(path.clone()));
+        }
+        if stage.stops() {
+            self.comes_to_rest(index, body);
+        }
+        let ends = [0, 1].map(|side| self.swing_end(index, side, stage, path));
+        let height = self.swing_height(index, stage, &name, length.as_ref(), &ends, path);
+        let raised = self.gravity() * height.clone();
+        let [start, end] = ends.each_ref().map(|end| energy::specific_kinetic(&end.velocity));
+        // From one angle to another the height counts downwards.
+        let sides = if ends[0].is_lowest { (start, end + raised) } else { (start + raised, end) };
+        let because = format!("the cord pulls {name} at right angles to its motion and does no work; the mass cancels");
+        self.law(&energy::CONSERVATION, Some(index), because, sides);
+        if let Some(length) = &length {
+            self.stays_taut(index, stage, &name, length, &height, &ends[1]);
+            for (side, end) in ends.iter().enumerate() {
+                self.tension(index + 1 + side, body, length, end);
+            }
+        }
+        self.impulses.push(Impulse {
+            stage: index,
+            on: body.to_owned(),
+            by: Agent::Outside,
+            called: "the cord".into(),
+            components: Vec::new(),
+            impulsive: false,
+        });
+        self.omit("the mass of the cord", "it is light");
+        self.omit("air resistance", "the problem does not mention any");
+    }
+
+    /// The angle and the velocity at the start (0) or at the end (1).
+    fn swing_end(&mut self, index: usize, side: usize, stage: &Swing, path: &Path) -> End {
+        let (body, instant) = (stage.body.as_str(), index + 1 + side);
+        let name = self.called(body);
+        let (is_lowest, angle) = match stage.places()[side] {
+            Place::Lowest => (true, Expr::zero()),
+            Place::Angle(term) => {
+                let since = self.timeline.since(body, instant).unwrap_or(instant);
+                let meaning = format!("the angle between the cord of {name} and the vertical {}", self.when(since));
+                let angle = match term {
+                    Some(term) => {
+                        let key = path.key(if side == 0 { "from" } else { "to" });
+                        self.read_positive(term, Dimension::NONE, &meaning, &key)
+                    }
+                    None => self.positive(format!("angle_{body}{since}"), Dimension::NONE, meaning).into(),
+                };
+                (false, angle)
+            }
+        };
+        let velocity = self.velocities(body, instant);
+        let velocity = if side == 1 && stage.stops() { vec![Expr::zero(); velocity.len()] } else { velocity };
+        if is_lowest {
+            self.moves_level(index, stage, &velocity, path);
+        }
+        End { angle, velocity, is_lowest }
+    }
+
+    /// At its lowest place the body moves horizontally, the way that the stage says.
+    fn moves_level(&mut self, index: usize, stage: &Swing, velocity: &[Expr], path: &Path) {
+        let name = self.called(&stage.body);
+        let sign = self.sense(stage.direction.as_ref(), path);
+        for (position, component) in velocity.iter().enumerate() {
+            if self.downwards(position).is_some() {
+                let because = format!("at its lowest place {name} moves horizontally");
+                self.law(&geometry::COMPONENTS, Some(index), because, (component.clone(), Expr::zero()));
+            } else {
+                let along = Expr::integer(sign) * component.clone();
+                let reason = format!("{name} would swing the other way");
+                self.require(Warning::Reverses, along, Relation::AtLeast, Expr::zero(), reason);
+            }
+        }
+    }
+
+    /// The height between the ends, and how it follows from the angles.
+    fn swing_height(
+        &mut self,
+        index: usize,
+        stage: &Swing,
+        name: &str,
+        length: Option<&Expr>,
+        ends: &[End; 2],
+        path: &Path,
+    ) -> Expr {
+        let between = ends.iter().all(|end| !end.is_lowest);
+        let meaning = match (between, ends[0].is_lowest) {
+            (true, _) => format!("the height by which {name} comes down"),
+            (false, true) => format!("the height to which {name} swings up"),
+            (false, false) => format!("the height from which {name} swings down"),
+        };
+        let own = format!("h_{}{}", stage.body, self.stage_suffix(index));
+        let height = match &stage.height {
+            Some(term) => self.read(term, Dimension::LENGTH, &meaning, &path.key("height")),
+            None => self.symbol(own, Dimension::LENGTH, meaning).into(),
+        };
+        if let (false, Expr::Symbol(symbol)) = (between, &height) {
+            self.system.positive.insert(*symbol);
+        }
+        if let Some(length) = length {
+            // The lower end stands first; at the lowest place the whole cord hangs down.
+            let [lower, upper] = if ends[0].is_lowest { [0, 1] } else { [1, 0] };
+            let below = |end: &End| length.clone() * end.angle.clone().cos().simplify();
+            let sides = (height.clone(), below(&ends[lower]) - below(&ends[upper]));
+            self.law(&geometry::HEIGHT_ON_CIRCLE, Some(index), "the cord is straight", sides);
+        }
+        height
+    }
+
+    /// The cord must pull to the end of the swing.
+    fn stays_taut(&mut self, index: usize, stage: &Swing, name: &str, length: &Expr, height: &Expr, end: &End) {
+        if end.is_lowest {
+            return;
+        }
+        let reason = format!("the cord would go slack before {name} comes to the end of {}", self.stage_phrase(index));
+        if stage.stops() && stage.from.is_none() {
+            self.require(Warning::GoesSlack, height.clone(), Relation::AtMost, length.clone(), reason);
+            return;
+        }
+        let pull = Expr::integer(2) * energy::specific_kinetic(&end.velocity) / length.clone();
+        let pull = pull + self.gravity() * end.angle.clone().cos();
+        self.require(Warning::GoesSlack, pull, Relation::AtLeast, Expr::zero(), reason);
+    }
+
+    /// The tension of the cord at an instant.
+    fn tension(&mut self, instant: usize, body: &str, length: &Expr, end: &End) {
+        let since = self.timeline.since(body, instant).unwrap_or(instant);
+        let name = self.called(body);
+        let meaning = format!("the tension of the cord of {name} {}", self.when(since));
+        let tension = Expr::from(self.symbol(format!("tension_{body}{since}"), Dimension::FORCE, meaning));
+        let (mass, gravity) = (self.mass(body), self.gravity());
+        let cosine = end.angle.clone().cos().simplify();
+        let sides = force::tension(&tension, [&mass, &gravity], &cosine, &end.velocity, length);
+        let because = format!("{name} moves on a circle about the fixed end of the cord");
+        self.law(&force::CORD, None, because, sides);
+    }
+}

@@ -1,0 +1,65 @@
+//! A string that goes taut: its impulse acts along it, and gives both bodies one velocity along it.
+
+use crate::expr::Expr;
+use crate::fault::Path;
+use crate::laws::kinematics;
+use crate::laws::momentum;
+use crate::model::Builder;
+use crate::model::Warning;
+use crate::model::frame::Direction;
+use crate::model::frame::Frame;
+use crate::model::pair::Pair;
+use crate::scene::Axis;
+use crate::scene::Plane;
+use crate::scene::stage::Taut;
+use crate::solve::Relation;
+
+impl Builder<'_> {
+    pub(in crate::model) fn taut(&mut self, index: usize, stage: &Taut, path: &Path) {
+        let normal = match &stage.along {
+            Some(term) => self.direction(term, &path.key("along")),
+            None => Direction::axis(usize::from(self.axes.first().is_some_and(|(axis, _)| *axis == Axis::Y)), false),
+        };
+        let frame = Frame { normal };
+        self.frames[index] = Some(frame.clone());
+        let bodies = [stage.between[0].as_str(), stage.between[1].as_str()];
+        let [first, second] = bodies.map(|body| self.called(body));
+        let before = bodies.map(|body| self.split(body, index + 1, index, &frame));
+        let after = bodies.map(|body| self.split(body, index + 2, index, &frame));
+        let along = |pair: &[crate::model::frame::Split; 2]| pair.each_ref().map(|split| split.along.clone());
+        let plane = before.iter().any(|split| split.across.is_some());
+        let pair = Pair {
+            index,
+            bodies,
+            before: along(&before),
+            after: along(&after),
+            link: "the string",
+            pulley: stage.over.as_deref(),
+        };
+        let resolve = |builder: &Self, impulse: &Expr| builder.resolved(impulse, &frame);
+        self.pair(&pair, if plane { ".n" } else { "" }, &resolve, stage.duration.as_ref(), path);
+        let because =
+            format!("the string does not stretch: once it is taut, {first} and {second} have one velocity along it");
+        let [one, other] = pair.after.clone();
+        self.law(&kinematics::TOGETHER, Some(index), because, (other, one));
+        for (body, (start, end)) in bodies.into_iter().zip(before.iter().zip(&after)) {
+            let (Some(start), Some(end)) = (&start.across, &end.across) else { continue };
+            let because =
+                format!("the string pulls {} along itself, and gives it no impulse across", self.called(body));
+            self.law(&momentum::NO_IMPULSE, Some(index), because, (end.clone(), start.clone()));
+        }
+        let reason = format!("{second} would not move away from {first}, and the string would stay slack");
+        self.require(Warning::NoImpact, pair.before[1].clone(), Relation::AtLeast, pair.before[0].clone(), reason);
+        self.omit("the mass of the string", "it is light, and does not stretch");
+        if stage.over.is_some() || self.scene.plane == Plane::Vertical {
+            let why = "it is not impulsive: its impulse during the short jerk is negligible beside that of the string";
+            self.omit("weight during the jerk", why);
+        }
+        if let Some(pulley) = &stage.over {
+            self.omit(
+                format!("the mass and the friction of {pulley}"),
+                "it is light and smooth, so that the tension is the same on both sides",
+            );
+        }
+    }
+}

@@ -1,0 +1,294 @@
+//! Bodies that throw mass away: thrust, the rocket equation, the wait on the ground, resistance.
+
+use crate::expr::Expr;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::laws::variable_mass;
+use crate::model::Agent;
+use crate::model::Alternative;
+use crate::model::Builder;
+use crate::model::Impulse;
+use crate::model::Warning;
+use crate::model::acting::Acts;
+use crate::model::builder::LAW_COST;
+use crate::model::frame::Direction;
+use crate::quantity::Dimension;
+use crate::scene::Axis;
+use crate::scene::Plane;
+use crate::scene::stage::BurningMass;
+use crate::scene::stage::Exhaust;
+use crate::scene::stage::Thrust;
+use crate::solve::Relation;
+
+/// Mass in each unit of time.
+pub(in crate::model) const FLOW: Dimension = Dimension::new(1, 0, -1);
+/// Resistance by the square of the speed.
+const RESISTANCE: Dimension = Dimension::new(1, -1, 0);
+
+/// What a burn has read of itself.
+struct Burn {
+    index: usize,
+    body: String,
+    masses: [Expr; 2],
+    /// The mean speed of what is thrown away, each jet counted by its flow.
+    exhaust: Expr,
+    flow: Expr,
+    thrust: Expr,
+    time: Expr,
+    direction: Direction,
+}
+
+impl Builder<'_> {
+    pub(in crate::model) fn thrust(&mut self, index: usize, stage: &Thrust, path: &Path) {
+        let burn = self.read_burn(index, stage, path);
+        let (name, because) = (self.called(&burn.body), "the flow is steady");
+        let [start, end] = [&burn.masses[0], &burn.masses[1]];
+        self.law(&variable_mass::USED, Some(index), because, variable_mass::used([start, end], &burn.flow, &burn.time));
+        let reason = format!("{name} would gain mass");
+        self.require(Warning::EnergyCreated, start.clone(), Relation::AtLeast, end.clone(), reason);
+        self.note_burn(&burn);
+        if let Some(resistance) = &stage.resistance {
+            let at = path.key("resistance");
+            let meaning = "the resistance divided by the square of the speed";
+            let resistance = self.read_positive(resistance, RESISTANCE, meaning, &at);
+            self.against_resistance(&burn, &resistance, &at);
+        } else if stage.on_ground {
+            self.waits_on_the_ground(&burn, matches!(stage.mass, BurningMass::Both(_)), path);
+        } else {
+            let (masses, time) = (burn.masses.clone(), burn.time.clone());
+            let sides = self.burnt(&burn, &masses, &time);
+            let because = format!("the exhaust leaves {name} with a steady speed relative to it");
+            for side in sides {
+                self.law(&variable_mass::ROCKET, Some(index), because.clone(), side);
+            }
+            if let Some(sides) = self.way(&burn, &masses, &time) {
+                self.law(&variable_mass::BURN_HEIGHT, Some(index), "flow and exhaust speed are steady", sides);
+            }
+        }
+        self.leave_out_of_burn(stage);
+    }
+
+    fn read_burn(&mut self, index: usize, stage: &Thrust, path: &Path) -> Burn {
+        let body = stage.body.clone();
+        let (name, phrase, suffix) = (self.called(&body), self.stage_phrase(index), self.stage_suffix(index));
+        let meanings = [index + 1, index + 2].map(|instant| format!("the mass of {name} {}", self.when(instant)));
+        let at = path.key("mass");
+        let masses = match &stage.mass {
+            BurningMass::Both([start, end]) => [
+                self.read_positive(start, Dimension::MASS, &meanings[0], &at.index(0)),
+                self.read_positive(end, Dimension::MASS, &meanings[1], &at.index(1)),
+            ],
+            BurningMass::Start(start) => [
+                self.read_positive(start, Dimension::MASS, &meanings[0], &at),
+                self.positive(format!("m_{body}{}", index + 2), Dimension::MASS, meanings[1].clone()).into(),
+            ],
+        };
+        let meaning = format!("the duration of {phrase}");
+        let time = match &stage.during {
+            Some(term) => self.read_positive(term, Dimension::TIME, &meaning, &path.key("during")),
+            None => self.positive(format!("dt{suffix}"), Dimension::TIME, meaning).into(),
+        };
+        let meaning = format!("the thrust on {name}");
+        let thrust = match &stage.force {
+            Some(term) => self.read_positive(term, Dimension::FORCE, &meaning, &path.key("force")),
+            None => self.positive(format!("F_{body}{suffix}"), Dimension::FORCE, meaning).into(),
+        };
+        let (exhaust, flow) = self.read_exhaust(index, stage, &thrust, path);
+        let direction = match &stage.direction {
+            Some(term) => self.direction(term, &path.key("direction")),
+            None => Direction::axis(usize::from(self.axes.first().is_some_and(|(axis, _)| *axis == Axis::Y)), false),
+        };
+        Burn { index, body, masses, exhaust, flow, thrust, time, direction }
+    }
+
+    /// The exhaust speed and the whole flow, and the thrust that they give.
+    fn read_exhaust(&mut self, index: usize, stage: &Thrust, thrust: &Expr, path: &Path) -> (Expr, Expr) {
+        let name = self.called(&stage.body);
+        let meaning = format!("the mass that {name} throws away in each unit of time");
+        let suffix = self.stage_suffix(index);
+        let flow = match &stage.flow {
+            Some(term) => self.read_positive(term, FLOW, &meaning, &path.key("flow")),
+            None => self.positive(format!("flow_{}{suffix}", stage.body), FLOW, meaning).into(),
+        };
+        let at = path.key("exhaust");
+        let jets = match &stage.exhaust {
+            Exhaust::Speed(term) => {
+                let meaning = "the speed of the exhaust relative to the body";
+                let speed = self.read_positive(term, Dimension::VELOCITY, meaning, &at);
+                let because = format!("what {name} throws away gives it the opposite momentum");
+                let sides = (thrust.clone(), flow.clone() * speed.clone());
+                self.law(&variable_mass::THRUST, Some(index), because, sides);
+                return (speed, flow);
+            }
+            Exhaust::Jets(jets) => jets,
+        };
+        let mut parts = Vec::new();
+        for (position, jet) in jets.iter().enumerate() {
+            let at = at.index(position);
+            let speed = self.read(&jet.speed, Dimension::VELOCITY, "the speed of a jet", &at.key("speed"));
+            parts.push((speed, self.read_positive(&jet.flow, FLOW, "the mass flow of a jet", &at.key("flow"))));
+        }
+        let whole = Expr::sum(parts.iter().map(|(_, flow)| flow.clone()));
+        let pushes = Expr::sum(parts.into_iter().map(|(speed, flow)| flow * speed));
+        let because = format!("all jets together make {name} lighter");
+        self.law(&variable_mass::FLOW, Some(index), because, (flow.clone(), whole));
+        let because = "each jet adds its own thrust".to_owned();
+        self.law(&variable_mass::THRUST, Some(index), because, (thrust.clone(), pushes));
+        (thrust.clone() / flow.clone(), flow)
+    }
+
+    /// `v_2 = v_1 + u ln(m_1 / m_2) - g dt`, along every axis.
+    fn burnt(&mut self, burn: &Burn, masses: &[Expr; 2], time: &Expr) -> Vec<(Expr, Expr)> {
+        let parts = self.components(&burn.direction);
+        let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
+        let [start, end] = masses;
+        let mut all = Vec::new();
+        for ((position, axis), part) in axes.into_iter().enumerate().zip(parts) {
+            let [before, after] = [1, 2].map(|side| self.velocity(&burn.body, burn.index + side, axis));
+            let gained = part * variable_mass::gained(&burn.exhaust, [start, end]);
+            let fallen = self.downwards(position).map(|down| {
+                let gravity = self.gravity();
+                Expr::product([Expr::integer(down), gravity, time.clone()])
+            });
+            all.push((after, Expr::sum([before, gained].into_iter().chain(fallen))));
+        }
+        all
+    }
+
+    /// The way along the only axis.
+    fn way(&mut self, burn: &Burn, [start, end]: &[Expr; 2], time: &Expr) -> Option<(Expr, Expr)> {
+        let [(axis, _)] = self.axes[..] else { return None };
+        let part = self.components(&burn.direction).into_iter().next()?;
+        let suffix = self.stage_suffix(burn.index);
+        let (name, phrase) = (self.called(&burn.body), self.stage_phrase(burn.index));
+        let meaning = format!("the way of {name} during {phrase}");
+        let way = self.symbol(format!("s_{}{suffix}", burn.body), Dimension::LENGTH, meaning);
+        let before = self.velocity(&burn.body, burn.index + 1, axis);
+        let driven = part * variable_mass::way(&burn.exhaust, [start, end], time);
+        let fallen = self.downwards(0).map(|down| {
+            let gravity = self.gravity();
+            Expr::product([Expr::ratio(down, 2), gravity, time.clone().powi(2)])
+        });
+        Some((way.into(), Expr::sum([before * time.clone(), driven].into_iter().chain(fallen))))
+    }
+
+    /// A rocket on the ground: it lifts off at once, or when it has become light enough, or never.
+    fn waits_on_the_ground(&mut self, burn: &Burn, ends: bool, path: &Path) {
+        let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
+        let ([axis], Some(-1)) = (&axes[..], self.downwards(0)) else {
+            let fault = Fault::new(Code::Value, "a rocket on the ground needs one axis that points upwards");
+            let help = "write `axes: { y: upwards }` and `plane: vertical`, or leave `on_ground` out";
+            self.faults.push(fault.help(help).at_path(path.key("on_ground")));
+            return;
+        };
+        let (index, name, gravity) = (burn.index, self.called(&burn.body), self.gravity());
+        let [start, end] = &burn.masses;
+        let symbol = format!("t_start{}", self.stage_suffix(index));
+        let begins = Expr::from(self.symbol(symbol, Dimension::TIME, format!("the time at which {name} lifts off")));
+        let after = self.velocity(&burn.body, index + 2, *axis);
+        let weight = |mass: &Expr| mass.clone() * gravity.clone();
+
+        let mut at_once = Alternative { what: format!("{name} lifts off at once"), ..Alternative::default() };
+        let because = "the thrust exceeds the weight from the start";
+        let sides = (begins.clone(), Expr::zero());
+        at_once.equations.push(self.stated(LAW_COST, &variable_mass::LIFT_OFF, Some(index), because, sides, None));
+        let all = self.burnt(burn, &burn.masses, &burn.time);
+        self.rises(&mut at_once, burn, all, &burn.masses, &burn.time);
+        let reason =
+            format!("the thrust is less than the weight at the start, so that {name} stays on the ground for a while");
+        at_once.conditions.push(self.condition(burn.thrust.clone(), Relation::AtLeast, weight(start), reason));
+
+        let mut waits = Alternative {
+            what: format!("{name} stays on the ground until it has become light enough"),
+            ..Alternative::default()
+        };
+        let left = start.clone() - burn.flow.clone() * begins.clone();
+        let because = format!("{name} rises as soon as the ground need not carry it any more");
+        let sides = (burn.thrust.clone(), weight(&left));
+        waits.equations.push(self.stated(LAW_COST, &variable_mass::LIFT_OFF, Some(index), because, sides, None));
+        let (masses, time) = ([left, end.clone()], burn.time.clone() - begins);
+        let all = self.burnt(burn, &masses, &time);
+        self.rises(&mut waits, burn, all, &masses, &time);
+        let reason = format!("the thrust exceeds the weight from the start, so that {name} does not wait");
+        waits.conditions.push(self.condition(burn.thrust.clone(), Relation::Less, weight(start), reason));
+        let mut ways = vec![at_once, waits];
+        if ends {
+            let reason = format!("even at the end the weight exceeds the thrust, so that {name} does not lift off");
+            let lifts = self.condition(burn.thrust.clone(), Relation::Greater, weight(end), reason);
+            ways[1].conditions.push(lifts);
+            let mut never = Alternative { what: format!("{name} never lifts off"), ..Alternative::default() };
+            let because = "the thrust stays below the weight to the end";
+            let sides = (after, Expr::zero());
+            never.equations.push(self.stated(LAW_COST, &variable_mass::LIFT_OFF, Some(index), because, sides, None));
+            let reason = format!("the thrust exceeds the weight before the end, so that {name} lifts off");
+            never.conditions.push(self.condition(burn.thrust.clone(), Relation::AtMost, weight(end), reason));
+            ways.push(never);
+        }
+        self.choices.push(ways);
+    }
+
+    fn rises(&mut self, way: &mut Alternative, burn: &Burn, sides: Vec<(Expr, Expr)>, masses: &[Expr; 2], time: &Expr) {
+        let index = Some(burn.index);
+        let because = format!("from then on thrust and weight act on {}", self.called(&burn.body));
+        for side in sides {
+            way.equations.push(self.stated(LAW_COST, &variable_mass::ROCKET, index, because.clone(), side, None));
+        }
+        if let Some(side) = self.way(burn, masses, time) {
+            let because = "flow and exhaust speed are steady";
+            way.equations.push(self.stated(LAW_COST, &variable_mass::BURN_HEIGHT, index, because, side, None));
+        }
+    }
+
+    /// Along a level axis, with a resistance that grows with the square of the speed.
+    fn against_resistance(&mut self, burn: &Burn, resistance: &Expr, path: &Path) {
+        let (1, Plane::Horizontal, 0) = (self.axes.len(), self.scene.plane, burn.direction.quarters) else {
+            let fault = Fault::new(Code::Value, "resistance needs one level axis, along the thrust");
+            self.faults.push(fault.help("leave one axis and a horizontal plane").at_path(path.clone()));
+            return;
+        };
+        let (name, axis) = (self.called(&burn.body), self.axes[0].0);
+        let [before, after] = [1, 2].map(|side| self.velocity(&burn.body, burn.index + side, axis));
+        let suffix = self.stage_suffix(burn.index);
+        let meaning = "the speed at which the resistance equals the thrust";
+        let even = Expr::from(self.positive(format!("w{suffix}"), Dimension::VELOCITY, meaning));
+        let because = format!("{name} cannot become faster than that");
+        let sides = (resistance.clone() * even.clone().powi(2), burn.thrust.clone());
+        self.law(&variable_mass::EVEN_SPEED, Some(burn.index), because, sides);
+        let masses = [&burn.masses[0], &burn.masses[1]];
+        let value = variable_mass::ratio_against_resistance(&even, resistance, &burn.flow, masses, &before);
+        let meaning = "the ratio of w - v to w + v at the end";
+        let ratio = Expr::from(self.symbol(format!("f{suffix}"), Dimension::NONE, meaning));
+        let because = "thrust less resistance accelerates the mass that is left";
+        self.law(&variable_mass::ROCKET_DRAG, Some(burn.index), because, (ratio.clone(), value));
+        let sides = (after, variable_mass::against_resistance(&even, &ratio));
+        self.law(&variable_mass::ROCKET_DRAG, Some(burn.index), "the ratio f tells the velocity", sides);
+    }
+
+    fn note_burn(&mut self, burn: &Burn) {
+        let zero = Expr::zero();
+        let acts = Acts { stage: burn.index, on: &burn.body, during: [&zero, &burn.time] };
+        self.note_pull(acts, "the thrust", &burn.thrust, &burn.direction);
+        let weight = (self.scene.plane == Plane::Vertical).then_some("its weight");
+        for called in ["the thrust of its exhaust"].into_iter().chain(weight) {
+            self.impulses.push(Impulse {
+                stage: burn.index,
+                on: burn.body.clone(),
+                by: Agent::Outside,
+                called: called.into(),
+                components: Vec::new(),
+                impulsive: false,
+            });
+        }
+    }
+
+    fn leave_out_of_burn(&mut self, stage: &Thrust) {
+        match self.scene.plane {
+            Plane::Horizontal => self.omit("gravity", "it has no part along the motion"),
+            Plane::Vertical => self.omit("the decrease of g with height", "g is taken to be the same all the way up"),
+        }
+        if stage.resistance.is_none() {
+            self.omit("air resistance", "the problem does not mention any");
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! A body that moves one way all through a stage: its speed along its motion at both ends.
+
+use crate::expr::Expr;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::laws::energy;
+use crate::laws::kinematics;
+use crate::scene::Term;
+use crate::solve::Relation;
+
+use super::Builder;
+use super::Warning;
+
+/// The speeds of a body along its motion, and which way that is.
+pub(super) struct Way {
+    /// At the start.
+    pub before: Expr,
+    /// At the end: zero where the body comes to rest.
+    pub after: Expr,
+    /// Half the squares of both: the kinetic energies for each unit of mass.
+    pub energies: [Expr; 2],
+    /// Whether the body moves along the only axis (1) or against it (-1).
+    pub sign: i64,
+}
+
+impl Builder<'_> {
+    /// The way of a body during a stage. Along one axis its direction is stated; in a plane its speed is all that is needed.
+    pub(super) fn one_way(
+        &mut self,
+        index: usize,
+        body: &str,
+        direction: Option<&Term>,
+        stops: bool,
+        path: &Path,
+    ) -> Way {
+        if stops {
+            self.comes_to_rest(index, body);
+        }
+        if self.axes.len() != 1 {
+            let [before, after] = [index + 1, index + 2].map(|instant| self.speed_of(body, instant));
+            let after = if stops { Expr::zero() } else { after };
+            let energies = [&before, &after].map(|speed| energy::specific_kinetic(std::slice::from_ref(speed)));
+            return Way { before, after, energies, sign: 1 };
+        }
+        let sign = self.sense(direction, path);
+        let axis = self.axes[0].0;
+        let [start, end] = [index + 1, index + 2].map(|instant| self.velocity(body, instant, axis));
+        let end = if stops { Expr::zero() } else { end };
+        // A square has no sign, and the velocity itself is what the reader knows.
+        let energies = [&start, &end].map(|velocity| energy::specific_kinetic(std::slice::from_ref(velocity)));
+        let [before, after] = [start, end].map(|velocity| Expr::integer(sign) * velocity);
+        self.moves_along(index, body, [&before, &after]);
+        Way { before, after, energies, sign }
+    }
+
+    /// The speed of a body.
+    fn speed_of(&mut self, body: &str, instant: usize) -> Expr {
+        self.resolve(&format!("speed_{body}{instant}")).map_or_else(Expr::zero, Expr::from)
+    }
+
+    /// Along (1) or against (-1) the first axis.
+    pub(super) fn sense(&mut self, direction: Option<&Term>, path: &Path) -> i64 {
+        let Some(term) = direction else { return 1 };
+        let path = path.key("direction");
+        let direction = self.direction(term, &path);
+        match self.components(&direction).first() {
+            Some(part) if *part == Expr::one() => 1,
+            Some(part) if *part == Expr::integer(-1) => -1,
+            _ => {
+                let fault = Fault::new(Code::Value, format!("`{}` is not a direction along the motion", term.0));
+                self.faults.push(fault.help("write the words of the axis, or `+x` or `-x`").at_path(path));
+                1
+            }
+        }
+    }
+
+    /// Every component of the velocity of a body is zero at the end of a stage.
+    pub(super) fn comes_to_rest(&mut self, index: usize, body: &str) {
+        let because = format!("{} comes to rest", self.called(body));
+        for velocity in self.velocities(body, index + 2) {
+            self.law(&kinematics::REST, Some(index), because.clone(), (velocity, Expr::zero()));
+        }
+    }
+
+    /// The body moves the way that its stage says, from start to end.
+    pub(super) fn moves_along(&mut self, index: usize, body: &str, ends: [&Expr; 2]) {
+        let (name, phrase) = (self.called(body), self.stage_phrase(index));
+        for (speed, end) in ends.into_iter().zip(["start", "end"]) {
+            let reason = format!("{name} would move the other way at the {end} of {phrase}");
+            if !speed.is_zero() {
+                self.require(Warning::Reverses, speed.clone(), Relation::AtLeast, Expr::zero(), reason);
+            }
+        }
+    }
+}

@@ -1,0 +1,48 @@
+//! Two bodies on a taut string over a pulley.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::scene::Term;
+
+use super::Until;
+
+/// Two bodies on the ends of a taut, light string over a smooth, light pulley. Velocities are counted along the string, from the
+/// trailing body to the leading one.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Connected {
+    /// A name for the stage.
+    #[serde(default)]
+    pub name: Option<String>,
+    /// The body that is drawn along: it rises if it hangs.
+    pub trailing: Strand,
+    /// The body that goes ahead: it sinks if it hangs.
+    pub leading: Strand,
+    /// How the pulley is called in a sentence. Default: the pulley.
+    #[serde(default)]
+    pub over: Option<String>,
+    /// How long. Left out: it is called `dt`.
+    #[serde(default)]
+    pub duration: Option<Term>,
+    /// How far each of them moves.
+    #[serde(default)]
+    pub distance: Option<Term>,
+    /// `rest` where they move until they are at rest.
+    #[serde(default)]
+    pub until: Option<Until>,
+}
+
+/// One end of the string.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Strand {
+    /// The body.
+    pub body: String,
+    /// `hanging`, `level`, or the angle of the slope on which it lies. Default: hanging.
+    #[serde(default)]
+    pub on: Option<Term>,
+    /// The coefficient of kinetic friction on its floor or slope. Left out: smooth.
+    #[serde(default)]
+    pub friction: Option<Term>,
+}

@@ -1,0 +1,83 @@
+//! A swing on a cord.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::scene::Term;
+
+use super::Until;
+
+/// A body on a light cord swings freely between its lowest place and another, or between two places. Needs a vertical plane.
+///
+/// Without `from` it starts at its lowest place. Without `to` it ends at its lowest place if it has `from`, and otherwise
+/// where it comes to rest.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Swing {
+    /// A name for the stage, used in brackets: `h_C[up]`.
+    #[serde(default)]
+    pub name: Option<String>,
+    /// The body.
+    pub body: String,
+    /// The length of the cord, from the fixed end to the body. Left out: only heights are spoken of.
+    #[serde(default)]
+    pub length: Option<Term>,
+    /// The height between the two ends of the swing. Left out: it is called `h_` and the body's short name.
+    #[serde(default)]
+    pub height: Option<Term>,
+    /// The angle between the cord and the vertical at the start.
+    #[serde(default)]
+    pub from: Option<Term>,
+    /// The angle between the cord and the vertical at the end.
+    #[serde(default)]
+    pub to: Option<Term>,
+    /// `down` where the body swings down to its lowest place and only the height says from where. Default: up.
+    #[serde(default)]
+    pub way: Way,
+    /// Which way the body moves at its lowest place, along the horizontal axis: `to the left`. Default: along the axis.
+    #[serde(default)]
+    pub direction: Option<Term>,
+    /// `rest` where the body comes to rest at the angle `to`.
+    #[serde(default)]
+    pub until: Option<Until>,
+}
+
+/// Up or down.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Way {
+    /// Up.
+    #[default]
+    Up,
+    /// Down.
+    Down,
+}
+
+/// Where an end of a swing lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place<'a> {
+    /// At the lowest place.
+    Lowest,
+    /// At the angle that the author names, or at one that the scene names.
+    Angle(Option<&'a Term>),
+}
+
+impl Swing {
+    /// Where the swing starts and ends.
+    #[must_use]
+    pub fn places(&self) -> [Place<'_>; 2] {
+        match (&self.from, &self.to, self.way) {
+            (Some(from), Some(to), _) => [Place::Angle(Some(from)), Place::Angle(Some(to))],
+            (Some(from), None, _) => [Place::Angle(Some(from)), Place::Lowest],
+            (None, to, Way::Up) => [Place::Lowest, Place::Angle(to.as_ref())],
+            (None, _, Way::Down) => [Place::Angle(None), Place::Lowest],
+        }
+    }
+
+    /// Whether the body is at rest at the end.
+    #[must_use]
+    pub fn stops(&self) -> bool {
+        let open = matches!(self.places(), [_, Place::Angle(None)]);
+        open || self.until == Some(Until::Rest)
+    }
+}
