@@ -1,5 +1,6 @@
 //! Judging the answers of many draws: bounded errors, nothing constant, zero by accident or given away.
 
+use std::collections::BTreeMap;
 use std::collections::BTreeSet;
 
 use crate::expr::SymbolTable;
@@ -32,7 +33,7 @@ pub(super) struct Column<'a> {
 pub(super) fn columns<'a>(parts: &'a [Part], samples: &'a Samples) -> Vec<Column<'a>> {
     let numbers = parts.iter().filter_map(|part| match &part.kind {
         PartKind::Number(number) => Some((part, number.whole)),
-        PartKind::Choice { .. } => None,
+        PartKind::Choice(_) => None,
     });
     let column = |(index, (part, whole)): (usize, (&'a Part, bool))| Column {
         id: &part.id,
@@ -106,9 +107,15 @@ pub(super) fn not_given(columns: &[Column<'_>]) -> Outcome {
 /// How the answers lie, part by part.
 pub(super) fn spreads(parts: &[Part], symbols: &SymbolTable, samples: &Samples) -> Vec<AnswerSpread> {
     let mut columns = columns(parts, samples).into_iter();
+    let mut choices = 0..;
     let spread = |part: &Part| match &part.kind {
-        PartKind::Choice { options, right, .. } => {
-            Some(AnswerSpread::Choice { id: part.id.clone(), right: options.get(*right).cloned().unwrap_or_default() })
+        PartKind::Choice(_) => {
+            let position = choices.next()?;
+            let mut right: BTreeMap<String, usize> = BTreeMap::new();
+            for phrase in samples.drawn.iter().filter_map(|sample| sample.chosen.get(position)) {
+                *right.entry(phrase.clone()).or_default() += 1;
+            }
+            Some(AnswerSpread::Choice { id: part.id.clone(), right })
         }
         PartKind::Number(number) => {
             let column = columns.next()?;

@@ -1,5 +1,7 @@
 //! What an audit says of a problem.
 
+use std::collections::BTreeMap;
+
 use serde::Serialize;
 
 use super::promise::Finding;
@@ -66,12 +68,12 @@ pub enum AnswerSpread {
         /// The largest bound on an error.
         error_bound: Option<f64>,
     },
-    /// A choice; which one is right follows from the scene.
+    /// A choice.
     Choice {
         /// The part.
         id: String,
-        /// The right one.
-        right: String,
+        /// How often each phrase is the right one.
+        right: BTreeMap<String, usize>,
     },
 }
 

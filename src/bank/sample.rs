@@ -38,6 +38,8 @@ pub(super) struct Sample {
     pub given: String,
     /// The answers in the order of the parts that are numbers.
     pub answers: Vec<Answered>,
+    /// The right phrases in the order of the parts that are choices.
+    pub chosen: Vec<String>,
 }
 
 /// A number that answers a part.
@@ -101,7 +103,13 @@ impl Sample {
     fn of(problem: &Problem, variant: &Variant) -> Option<Self> {
         let worked = Worked::new(problem, variant)?;
         let given: Vec<String> = variant.all_given().iter().map(|(_, value, unit)| format!("{value} {unit}")).collect();
-        Some(Self { given: given.join("; "), answers: answers(&worked, worked.form) })
+        let chosen = worked.form.parts.iter().filter_map(|part| {
+            let PartKind::Choice(choice) = &part.kind else { return None };
+            let decision = choice.decided(&worked);
+            decision.options.get(decision.right).cloned()
+        });
+        let chosen = chosen.collect();
+        Some(Self { given: given.join("; "), answers: answers(&worked, worked.form), chosen })
     }
 }
 

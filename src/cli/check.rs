@@ -1,5 +1,6 @@
 //! `momentous check`
 
+use std::collections::BTreeMap;
 use std::io::Write;
 
 use clap::Args;
@@ -158,7 +159,7 @@ fn spread_table(answers: &[AnswerSpread]) -> Vec<String> {
                     [least, lower_quartile, median, upper_quartile, most].map(|value| printed(*value));
                 rows.push([id.clone(), low, quarter, middle, three, high, unit.clone()]);
             }
-            AnswerSpread::Choice { id, right } => choices.push(format!("{id}: {right}")),
+            AnswerSpread::Choice { id, right } => choices.push(format!("{id}: {}", phrases(right))),
         }
     }
     let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
@@ -172,6 +173,16 @@ fn spread_table(answers: &[AnswerSpread]) -> Vec<String> {
     };
     let table = if rows.len() > 1 { rows.iter().map(line).collect() } else { Vec::new() };
     [table, choices].concat()
+}
+
+/// The right phrases; where they differ from seed to seed, how often each.
+fn phrases(right: &BTreeMap<String, usize>) -> String {
+    match right.iter().collect::<Vec<_>>()[..] {
+        [(only, _)] => only.clone(),
+        ref several => {
+            several.iter().map(|(phrase, count)| format!("{phrase} ({count})")).collect::<Vec<_>>().join(", ")
+        }
+    }
 }
 
 fn printed(value: f64) -> String {

@@ -5,6 +5,7 @@ mod drawer;
 mod follow_through;
 mod marking;
 mod record;
+mod rubric;
 mod students;
 
 pub use drawer::Drawer;
@@ -15,10 +16,14 @@ use crate::explain;
 use crate::explain::Inline;
 use crate::explain::Outline;
 use crate::expr::Math;
+use crate::expr::Operator;
+use crate::expr::Symbol;
 use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Faults;
+use crate::problem;
 use crate::problem::AskedUnit;
+use crate::problem::ChoicePart;
 use crate::problem::Known;
 use crate::problem::NoVariant;
 use crate::problem::Part;
@@ -153,7 +158,18 @@ impl Exercise {
                 }
                 (text, unit)
             }
-            PartKind::Choice { options, .. } => {
+            PartKind::Choice(ChoicePart::Order(symbols)) => {
+                let name = |symbol: Symbol| crate::expr::name_math(&self.problem.model().symbols.entry(symbol).name);
+                let mut text = vec![Inline::Text(format!("{} (", part.label))];
+                for (index, order) in problem::orders(symbols).into_iter().enumerate() {
+                    text.extend((index > 0).then(|| Inline::Text(" / ".into())));
+                    text.push(Inline::Math(Math::chain(order.into_iter().map(name), Operator::Less)));
+                }
+                text.push(Inline::Text(")".into()));
+                (text, None)
+            }
+            PartKind::Choice(choice) => {
+                let options = choice.decided(&self.worked()).options;
                 (vec![Inline::Text(format!("{} ({})", part.label, options.join(" / ")))], None)
             }
         };
@@ -191,7 +207,7 @@ impl Exercise {
             part: letter(index),
             answer: match &part.kind {
                 PartKind::Number(number) => roots_joined(explain::printed_answers(self.worked(), number)),
-                PartKind::Choice { .. } => vec![Inline::Text(self.printed(part))],
+                PartKind::Choice(_) => vec![Inline::Text(self.printed(part))],
             },
         });
         rows.collect()
@@ -201,7 +217,10 @@ impl Exercise {
     #[must_use]
     pub fn printed(&self, part: &Part) -> String {
         match &part.kind {
-            PartKind::Choice { options, right, .. } => options.get(*right).cloned().unwrap_or_default(),
+            PartKind::Choice(choice) => {
+                let decision = choice.decided(&self.worked());
+                decision.options.get(decision.right).cloned().unwrap_or_default()
+            }
             PartKind::Number(number) => {
                 let unit = match &number.unit {
                     AskedUnit::Unit(unit) if unit.is_attached() => unit.to_string(),

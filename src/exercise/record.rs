@@ -66,15 +66,18 @@ impl Exercise {
                 }
                 asked
             }
-            PartKind::Choice { options, right, because } => json!({
-                "id": part.id,
-                "kind": "choice",
-                "find": part.label,
-                "options": options,
-                "value": options.get(*right),
-                "because": because,
-                "points": part.points,
-            }),
+            PartKind::Choice(choice) => {
+                let decision = choice.decided(&self.worked());
+                json!({
+                    "id": part.id,
+                    "kind": "choice",
+                    "find": part.label,
+                    "options": decision.options,
+                    "value": decision.options.get(decision.right),
+                    "because": decision.because,
+                    "points": part.points,
+                })
+            }
         }
     }
 }

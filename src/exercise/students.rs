@@ -38,7 +38,7 @@ impl Exercise {
         }
         let parts = worked.form.parts.iter().map(|part| {
             let text = match &part.kind {
-                PartKind::Choice { .. } => self.printed(part),
+                PartKind::Choice(_) => self.printed(part),
                 PartKind::Number(number) => match values.get(&number.symbol) {
                     Some(value) => self.written(number, value / worked.unit_of(number)),
                     None => self.printed(part),

@@ -3,10 +3,13 @@
 use crate::expr::Math;
 use crate::expr::Operator;
 use crate::problem::AskedUnit;
+use crate::problem::ChoicePart;
+use crate::problem::Decision;
 use crate::problem::NumberPart;
 use crate::problem::Part;
 use crate::problem::PartKind;
 use crate::problem::Worked;
+use crate::problem::orders;
 use crate::problem::senses_of;
 use crate::quantity::Printed;
 use crate::solve::Bounded;
@@ -26,8 +29,19 @@ pub(super) fn answers(display: Display<'_>) -> Vec<Block> {
 
 fn sentence(display: Display<'_>, part: &Part) -> Vec<Inline> {
     match &part.kind {
-        PartKind::Choice { options, right, because } => {
-            let option = options.get(*right).map_or("", String::as_str);
+        PartKind::Choice(ChoicePart::Order(symbols)) => {
+            let right = ChoicePart::Order(symbols.clone()).decided(&display.worked).right;
+            let order = orders(symbols).into_iter().nth(right).unwrap_or_default();
+            let names = order.into_iter().map(|symbol| display.name(symbol));
+            vec![
+                Inline::Text(format!("{} ", part.label)),
+                Inline::Math(Math::chain(names, Operator::Less)),
+                Inline::Text(".".into()),
+            ]
+        }
+        PartKind::Choice(choice) => {
+            let Decision { options, right, because } = choice.decided(&display.worked);
+            let option = options.get(right).map_or("", String::as_str);
             vec![
                 Inline::Text(format!("{} ", part.label)),
                 Inline::Strong(capitalised(option)),

@@ -10,9 +10,9 @@ use crate::laws::angular;
 use crate::laws::kinematics;
 use crate::laws::mass_centre;
 use crate::laws::momentum;
+use crate::laws::orbit;
 use crate::laws::restitution;
 use crate::model::Warning;
-use crate::problem::PartKind;
 use crate::solve::Equation;
 use crate::solve::Statement;
 
@@ -41,12 +41,13 @@ const BALANCES: &[(&str, &str)] = &[
     (angular::ANGULAR_MOMENTUM.id, "Angular momentum, and the moment of the momentum:"),
     (angular::ANGULAR_IMPULSE.id, "Angular momentum before with the angular impulse, and after:"),
     (angular::CENTRAL.id, "Radius times transverse velocity, before and after:"),
+    (orbit::ORBIT_ENERGY.id, "Energy of each unit of mass, before and after:"),
     (kinematics::BOUNCE_TIME.id, "The time, and the sum of the times of flight:"),
 ];
 
 /// The checks of a variant; none for a form that only asks for concepts.
 pub(super) fn checks(display: Display<'_>) -> Vec<Block> {
-    if !display.worked.form.parts.iter().any(|part| matches!(part.kind, PartKind::Number(_))) {
+    if display.worked.form.wanted().next().is_none() {
         return Vec::new();
     }
     let mut blocks = Vec::new();

@@ -159,7 +159,7 @@ impl Display<'_> {
     fn is_whole(self, symbol: Symbol) -> bool {
         self.worked.form.parts.iter().any(|part| match &part.kind {
             PartKind::Number(number) => number.whole && number.symbol == symbol,
-            PartKind::Choice { .. } => false,
+            PartKind::Choice(_) => false,
         })
     }
 

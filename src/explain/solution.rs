@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 
 use crate::expr::Symbol;
-use crate::problem::PartKind;
 use crate::problem::Worked;
 use crate::scene::Scene;
 use crate::scene::Stage;
@@ -145,15 +144,7 @@ fn surface_name(scene: &Scene, surface: &str) -> String {
 /// The steps of the answer plan.
 fn laws(display: Display<'_>) -> Vec<Block> {
     let worked = display.worked;
-    let asked: Vec<Symbol> = worked
-        .form
-        .parts
-        .iter()
-        .filter_map(|part| match &part.kind {
-            PartKind::Number(number) => Some(number.symbol),
-            PartKind::Choice { .. } => None,
-        })
-        .collect();
+    let asked: Vec<Symbol> = worked.form.wanted().collect();
     let answer = usize::from(worked.problem.loaded().draft.figures.unwrap_or(3));
     let figures = Figures { answer, intermediate: answer + 1 };
     let mut steps = Steps { display, figures, numbers: BTreeMap::new(), asked, angle_explained: false };

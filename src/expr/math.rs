@@ -87,7 +87,18 @@ impl Math {
     /// `left relation right`.
     #[must_use]
     pub fn relation(left: Self, relation: Operator, right: Self) -> Self {
-        Self::Row(vec![left, Self::Operator(relation), right])
+        Self::chain([left, right], relation)
+    }
+
+    /// `a < b < c`.
+    #[must_use]
+    pub fn chain(parts: impl IntoIterator<Item = Self>, relation: Operator) -> Self {
+        let mut row = Vec::new();
+        for part in parts {
+            row.extend((!row.is_empty()).then_some(Self::Operator(relation)));
+            row.push(part);
+        }
+        Self::Row(row)
     }
 }
 

@@ -61,6 +61,17 @@ pub const ARC: Law = Law {
     wrong: wrong::geometry::ARC,
 };
 
+/// Acceleration on a circle.
+pub const TURNING: Law = Law {
+    id: "acceleration-on-a-circle",
+    name: "the kinematics of motion on a circle",
+    statement: "A point on a circle accelerates towards the centre with the square of its speed over the radius.",
+    signs: "Positive towards the centre.",
+    when: "The point moves at right angles to the radius at that instant.",
+    source: "The change of the direction of a velocity.",
+    wrong: &[],
+};
+
 /// Height on a circle.
 pub const HEIGHT_ON_CIRCLE: Law = Law {
     id: "height-on-a-circle",
@@ -96,7 +107,7 @@ pub const RELATION: Law = Law {
 
 /// The laws of this chapter.
 pub const LAWS: &[&Law] =
-    &[&COMPONENTS, &ROTATION, &MAGNITUDE, &DIRECTION, &ARC, &HEIGHT_ON_CIRCLE, &HEIGHT_OF_SLOPE, &RELATION];
+    &[&COMPONENTS, &ROTATION, &MAGNITUDE, &DIRECTION, &ARC, &TURNING, &HEIGHT_ON_CIRCLE, &HEIGHT_OF_SLOPE, &RELATION];
 
 /// The two components of a vector of that magnitude, `angle` being counted from the first axis.
 #[must_use]

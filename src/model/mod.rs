@@ -256,6 +256,12 @@ impl<'s> Builder<'s> {
         self.timeline.stage(self.scene, name)
     }
 
+    /// Whether a symbol stands for a number with a unit that the author wrote: `2 m/s`.
+    #[must_use]
+    pub fn is_literal(&self, symbol: Symbol) -> bool {
+        self.literals.iter().any(|(own, _)| *own == symbol)
+    }
+
     /// The letters of the scene's axes, in order.
     #[must_use]
     pub fn axis_letters(&self) -> Vec<&'static str> {

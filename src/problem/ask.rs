@@ -19,6 +19,10 @@ pub enum Ask {
     Classify(Classify),
     /// Whether a force is impulsive.
     Impulsive(Impulsive),
+    /// Whether something holds of the numbers.
+    Holds(Holds),
+    /// In which order some quantities are.
+    Order(Order),
 }
 
 /// The value of a quantity is asked.
@@ -34,7 +38,7 @@ pub struct Find {
     #[serde(default)]
     #[schemars(range(min = 0, max = 1000))]
     pub points: Option<u32>,
-    /// How far an answer may lie from the true one: `2 %`, `0.05 m/s`.
+    /// How far an answer may lie from the true one: `2 %`, `0.05 m/s`; `to figures` for half a unit of its last figure.
     #[serde(default)]
     pub tolerance: Option<Term>,
     /// Significant figures of the printed answer.
@@ -128,6 +132,37 @@ pub struct Impulsive {
     #[schemars(range(min = 0, max = 1000))]
     pub points: Option<u32>,
     /// How the part is called on the sheet.
+    #[serde(default)]
+    pub label: Option<String>,
+}
+
+/// Whether something holds of the numbers is asked; the answer is yes or no, and may differ from variant to variant.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Holds {
+    /// What may hold: `v_B3 > v_A3`. What it compares is solved.
+    pub holds: String,
+    /// How many points the part is worth: `2`.
+    #[serde(default)]
+    #[schemars(range(min = 0, max = 1000))]
+    pub points: Option<u32>,
+    /// The question as the sheet puts it: `Will the carts meet again?`. Default: whether the one quantity is greater than the other.
+    #[serde(default)]
+    pub label: Option<String>,
+}
+
+/// The order of some quantities is asked, from the least to the greatest.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Order {
+    /// Two to four quantities of one kind, which are solved: `[v_A2, v_B2, v_C2]`.
+    #[schemars(length(min = 2, max = 4))]
+    pub order: Vec<String>,
+    /// How many points the part is worth: `2`.
+    #[serde(default)]
+    #[schemars(range(min = 0, max = 1000))]
+    pub points: Option<u32>,
+    /// The question as the sheet puts it.
     #[serde(default)]
     pub label: Option<String>,
 }

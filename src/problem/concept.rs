@@ -15,6 +15,8 @@ use super::ask::Classify;
 use super::ask::Conservable;
 use super::ask::Conserved;
 use super::ask::Impulsive;
+use super::decision::ChoicePart;
+use super::decision::Decision;
 use super::given::Given;
 use super::load::Loaded;
 use super::part::PartKind;
@@ -62,7 +64,7 @@ pub(super) fn conserved(loaded: &Loaded, ask: &Conserved, builder: &mut Builder<
 type Verdict = (bool, String);
 
 fn yes_or_no((holds, because): Verdict) -> PartKind {
-    PartKind::Choice { options: vec!["yes".into(), "no".into()], right: usize::from(!holds), because }
+    PartKind::Choice(ChoicePart::Settled(Decision::yes_or_no(holds, because)))
 }
 
 fn momentum(ask: &Conserved, builder: &mut Builder<'_>, stage: usize, path: &Path) -> Option<Verdict> {
@@ -158,7 +160,8 @@ pub(super) fn classify(loaded: &Loaded, ask: &Classify, builder: &mut Builder<'_
     };
     let label = format!("Of which kind is {}?", builder.phrase_of(index));
     let options = KINDS.map(str::to_owned).to_vec();
-    Some((label, PartKind::Choice { options, right, because: because.into() }))
+    let decision = Decision { options, right, because: because.into() };
+    Some((label, PartKind::Choice(ChoicePart::Settled(decision))))
 }
 
 /// Forces that never have time to act in a short impact, whatever the scene.
@@ -234,9 +237,16 @@ fn stage(name: Option<&str>, builder: &mut Builder<'_>, path: &Path) -> Option<u
         None => (builder.scene().stages.len() == 1).then_some(0),
     };
     if found.is_none() {
-        let message =
-            name.map_or("it is not said which stage is meant".into(), |name| format!("there is no stage `{name}`"));
-        let help = "give the stage a `name` and write it here: `stage: hit`";
+        let message = match name {
+            _ if builder.scene().stages.is_empty() => "nothing happens in this scene: it has no stage".to_owned(),
+            None => "it is not said which stage is meant".to_owned(),
+            Some(name) => format!("there is no stage `{name}`"),
+        };
+        let help = if builder.scene().stages.is_empty() {
+            "say under `stages` what happens, as `- impact: { between: [A, B], restitution: e }`"
+        } else {
+            "give the stage a `name` and write it here: `stage: hit`"
+        };
         builder.fault(Fault::new(Code::UnknownName, message).help(help).at_path(path.key("stage")));
     }
     found

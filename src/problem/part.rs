@@ -4,6 +4,8 @@ use crate::expr::Symbol;
 use crate::quantity::Decimal;
 use crate::quantity::Unit;
 
+use super::decision::ChoicePart;
+
 /// One part of a question.
 #[derive(Clone, Debug)]
 pub struct Part {
@@ -22,15 +24,8 @@ pub struct Part {
 pub enum PartKind {
     /// By a number with a unit.
     Number(NumberPart),
-    /// By one of several phrases, the right one found from the scene.
-    Choice {
-        /// The phrases, in the order in which they are offered.
-        options: Vec<String>,
-        /// The position of the right one.
-        right: usize,
-        /// Why it is right, as a sentence without a full stop.
-        because: String,
-    },
+    /// By one of several phrases.
+    Choice(ChoicePart),
 }
 
 /// A number that is asked.
@@ -64,6 +59,19 @@ pub enum Tolerance {
     Relative(Decimal),
     /// A distance, in the unit of the question.
     Absolute(Decimal),
+    /// Half a unit of the exact value's last figure.
+    ToFigures,
+}
+
+impl PartKind {
+    /// The quantities that have to be solved for it.
+    #[must_use]
+    pub fn wanted(&self) -> Vec<Symbol> {
+        match self {
+            Self::Number(number) => vec![number.symbol],
+            Self::Choice(choice) => choice.symbols(),
+        }
+    }
 }
 
 impl NumberPart {

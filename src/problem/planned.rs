@@ -14,6 +14,8 @@ use super::form::Question;
 use super::known::Known;
 use super::load::Loaded;
 use super::mistakes::Mistakes;
+use super::part::AskedUnit;
+use super::part::NumberPart;
 use super::part::Part;
 use super::part::PartKind;
 use super::regimes::Regimes;
@@ -67,9 +69,14 @@ pub struct Reveal {
 impl Form {
     /// The quantities that are asked.
     pub fn wanted(&self) -> impl Iterator<Item = Symbol> {
+        self.parts.iter().flat_map(|part| part.kind.wanted())
+    }
+
+    /// The quantities in terms of which answers are asked.
+    pub fn units(&self) -> impl Iterator<Item = Symbol> {
         self.parts.iter().filter_map(|part| match &part.kind {
-            PartKind::Number(number) => Some(number.symbol),
-            PartKind::Choice { .. } => None,
+            PartKind::Number(NumberPart { unit: AskedUnit::InTermsOf(symbol), .. }) => Some(*symbol),
+            _ => None,
         })
     }
 

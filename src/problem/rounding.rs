@@ -92,7 +92,7 @@ impl Worked<'_> {
 }
 
 /// Half a unit of a value's last figure, when it is written with so many figures.
-fn half_unit(value: f64, figures: usize) -> f64 {
+pub(super) fn half_unit(value: f64, figures: usize) -> f64 {
     if value == 0.0 || !value.is_finite() {
         return 0.0;
     }

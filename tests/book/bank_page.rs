@@ -97,7 +97,7 @@ impl Survey {
 }
 
 fn has_concept(problem: &Problem) -> bool {
-    problem.forms().iter().flat_map(|form| &form.parts).any(|part| matches!(part.kind, PartKind::Choice { .. }))
+    problem.forms().iter().flat_map(|form| &form.parts).any(|part| matches!(part.kind, PartKind::Choice(_)))
 }
 
 fn row(card: &Card, problem: &Problem) -> String {
@@ -107,7 +107,7 @@ fn row(card: &Card, problem: &Problem) -> String {
         card.forms.iter().filter(|form| !form.is_empty()).map(|form| format!("`{form}`")).collect();
     let mut asked: Vec<String> = Vec::new();
     for part in problem.forms().iter().flat_map(|form| &form.parts) {
-        let concept = matches!(part.kind, PartKind::Choice { .. });
+        let concept = matches!(part.kind, PartKind::Choice(_));
         let name = if concept { "concept".to_owned() } else { format!("`{}`", part.id) };
         if !asked.contains(&name) {
             asked.push(name);

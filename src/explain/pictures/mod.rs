@@ -11,8 +11,6 @@ mod vectors;
 mod words;
 
 use crate::figure::Drawing;
-use crate::problem::Part;
-use crate::problem::PartKind;
 use crate::problem::Sampler;
 use crate::problem::Variant;
 use crate::problem::Worked;
@@ -65,12 +63,11 @@ pub(super) fn solution(worked: Worked<'_>) -> Vec<Drawing> {
 
 /// The same numbers in a form that solves something, for a form that only asks for concepts and has nothing to draw.
 fn solved_sibling(worked: Worked<'_>) -> Option<Variant> {
-    let is_number = |part: &Part| matches!(part.kind, PartKind::Number(_));
-    if worked.form.parts.iter().any(is_number) {
+    if worked.form.wanted().next().is_some() {
         return None;
     }
     let forms = worked.problem.forms();
-    let solving = forms.iter().position(|form| form.reveal.is_empty() && form.parts.iter().any(is_number))?;
+    let solving = forms.iter().position(|form| form.reveal.is_empty() && form.wanted().next().is_some())?;
     let mut sampler = Sampler::new(worked.problem, solving).ok()?;
     sampler.with_values(worked.variant.seed().unwrap_or(0), worked.variant.all_given()).ok()
 }

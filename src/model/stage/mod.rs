@@ -9,6 +9,7 @@ mod fall;
 mod flight;
 mod guided;
 mod impact;
+mod orbit;
 mod push;
 mod rotate;
 mod separate;
@@ -43,7 +44,7 @@ impl Builder<'_> {
                 Stage::Connected(stage) => self.connected(index, stage, &path),
                 Stage::Blow(stage) => self.blow(index, stage, &path),
                 Stage::Rotate(stage) => self.rotate(index, stage, &path),
-                Stage::Central(stage) => self.central(index, stage),
+                Stage::Central(stage) => self.central(index, stage, &path),
                 Stage::Fall(stage) => self.fall(index, stage, &path),
                 Stage::Bounces(stage) => self.bounces(index, stage, &path),
                 Stage::Stream(stage) => self.stream(index, stage, &path),

@@ -21,7 +21,7 @@ mod until;
 
 pub use blow::Blow;
 pub use bounces::Bounces;
-pub use central::Central;
+pub use central::{Central, Orbit};
 pub use connected::{Connected, Strand};
 pub use drift::Drift;
 pub use fall::Fall;

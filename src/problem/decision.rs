@@ -1,0 +1,166 @@
+//! Questions with several phrases to choose from, and which of them is right: settled by the scene, or by a variant's numbers.
+
+use std::cmp::Ordering;
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+use crate::solve::Relation;
+
+use super::variant::Worked;
+
+/// A choice between phrases.
+#[derive(Clone, Debug)]
+pub enum ChoicePart {
+    /// The scene settles it, whatever the numbers.
+    Settled(Decision),
+    /// Whether something holds of the numbers: yes or no.
+    Holds(Claim),
+    /// In which order some quantities are, the least first.
+    Order(Vec<Symbol>),
+}
+
+/// The phrases of a choice, and the right one.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Decision {
+    /// The phrases, in the order in which they are offered.
+    pub options: Vec<String>,
+    /// The position of the right one.
+    pub right: usize,
+    /// Why it is right, as a sentence without a full stop.
+    pub because: String,
+}
+
+/// A claim about the numbers of a variant.
+#[derive(Clone, Debug)]
+pub struct Claim {
+    /// The left side.
+    pub left: Expr,
+    /// How the sides are said to compare.
+    pub relation: Relation,
+    /// The right side.
+    pub right: Expr,
+    /// The sides in words.
+    pub words: [String; 2],
+    /// The quantities that are compared, to be solved; numbers with units are none.
+    pub quantities: Vec<Symbol>,
+}
+
+/// The most quantities that can be put in order: they have 24 orders.
+pub(super) const MOST_ORDERED: usize = 4;
+
+/// The share of its terms below which a difference is zero.
+const EQUAL: f64 = 1e-12;
+
+impl Decision {
+    /// A question that is answered by yes or no.
+    #[must_use]
+    pub fn yes_or_no(holds: bool, because: String) -> Self {
+        Self { options: vec!["yes".into(), "no".into()], right: usize::from(!holds), because }
+    }
+}
+
+impl ChoicePart {
+    /// The quantities on whose values the choice depends.
+    #[must_use]
+    pub fn symbols(&self) -> Vec<Symbol> {
+        match self {
+            Self::Settled(_) => Vec::new(),
+            Self::Holds(claim) => claim.quantities.clone(),
+            Self::Order(symbols) => symbols.clone(),
+        }
+    }
+
+    /// The phrases, and which of them is right for a variant.
+    #[must_use]
+    pub fn decided(&self, worked: &Worked<'_>) -> Decision {
+        match self {
+            Self::Settled(decision) => decision.clone(),
+            Self::Holds(claim) => claim.decided(worked),
+            Self::Order(symbols) => ordered(symbols, worked),
+        }
+    }
+}
+
+fn value(worked: &Worked<'_>, expr: &Expr) -> f64 {
+    expr.evaluate(&|symbol| worked.variant.value(symbol).map_or(f64::NAN, |value| value.value))
+}
+
+fn compared(left: f64, right: f64) -> Ordering {
+    if (left - right).abs() <= EQUAL * left.abs().max(right.abs()) { Ordering::Equal } else { left.total_cmp(&right) }
+}
+
+impl Claim {
+    fn decided(&self, worked: &Worked<'_>) -> Decision {
+        let order = compared(value(worked, &self.left), value(worked, &self.right));
+        let holds = match self.relation {
+            Relation::Less => order.is_lt(),
+            Relation::AtMost => order.is_le(),
+            Relation::Greater => order.is_gt(),
+            Relation::AtLeast => order.is_ge(),
+            Relation::Differs => order.is_ne(),
+        };
+        let is = match order {
+            Ordering::Less => "less than",
+            Ordering::Equal => "equal to",
+            Ordering::Greater => "greater than",
+        };
+        let [left, right] = &self.words;
+        Decision::yes_or_no(holds, format!("{left} is {is} {right}"))
+    }
+}
+
+/// Every order of some quantities.
+#[must_use]
+pub fn orders(symbols: &[Symbol]) -> Vec<Vec<Symbol>> {
+    let mut orders = Vec::new();
+    permute(symbols.to_vec(), 0, &mut orders);
+    orders
+}
+
+fn ordered(symbols: &[Symbol], worked: &Worked<'_>) -> Decision {
+    let name = |symbol: &Symbol| worked.problem.model().symbols.entry(*symbol).name.clone();
+    let written = |symbols: &[Symbol]| symbols.iter().map(name).collect::<Vec<_>>().join(" < ");
+    let options = orders(symbols);
+    let mut sorted = symbols.to_vec();
+    sorted.sort_by(|a, b| compared(value(worked, &(*a).into()), value(worked, &(*b).into())));
+    Decision {
+        right: options.iter().position(|option| *option == sorted).unwrap_or(0),
+        options: options.iter().map(|option| written(option)).collect(),
+        because: "the values found above are in this order".into(),
+    }
+}
+
+fn permute(symbols: Vec<Symbol>, from: usize, all: &mut Vec<Vec<Symbol>>) {
+    if from + 1 >= symbols.len() {
+        all.push(symbols);
+        return;
+    }
+    for other in from..symbols.len() {
+        let mut next = symbols.clone();
+        // Turned rather than swapped, so that the orders come as in a dictionary.
+        next[from..=other].rotate_right(1);
+        permute(next, from + 1, all);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::expr::{SymbolEntry, SymbolTable};
+    use crate::quantity::Dimension;
+
+    #[test]
+    fn every_order_comes_once_as_in_a_dictionary() {
+        let mut table = SymbolTable::default();
+        let entry = |name: &str| SymbolEntry { name: name.into(), dimension: Dimension::NONE, meaning: String::new() };
+        let symbols = ["a", "b", "c"].map(|name| table.intern(entry(name)));
+        let places = |order: Vec<Symbol>| order.iter().map(|symbol| symbol.index()).collect::<Vec<_>>();
+        let all: Vec<Vec<usize>> = orders(&symbols).into_iter().map(places).collect();
+        assert_eq!(all, [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]]);
+    }
+
+    #[test]
+    fn nearly_equal_is_equal() {
+        assert!(compared(1.0, 1.0 + 1e-15).is_eq() && compared(1.0, 1.0 + 1e-9).is_lt() && compared(0.0, 0.0).is_eq());
+    }
+}
