@@ -123,6 +123,8 @@ fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
         Stage::Central(central) => format!("{} moves under the central force", name(&central.body)),
         Stage::Fall(fall) => format!("{} falls", name(&fall.body)),
         Stage::Bounces(bounces) => format!("{} bounces", name(&bounces.body)),
+        Stage::SlideOff(slide) => format!("{} slides down {}", name(&slide.body), name(&slide.on)),
+        Stage::Walk(walk) => format!("{} walks along {}", name(&walk.body), name(&walk.on)),
         Stage::Stream(stream) => format!("{} acts on {}", stream.by, name(&stream.body)),
         Stage::Thrust(thrust) => format!("{} burns its fuel", name(&thrust.body)),
         Stage::Drift(_) => "nothing acts, and all go on evenly".to_owned(),

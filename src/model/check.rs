@@ -9,20 +9,27 @@ use crate::scene::Plane;
 use crate::scene::Scene;
 use crate::scene::Stage;
 use crate::scene::stage::Ends;
+use crate::scene::stage::Flight;
 use crate::scene::stage::Impact;
 use crate::scene::stage::Partners;
 use crate::scene::stage::Separate;
+use crate::scene::stage::SlideOff;
+use crate::scene::stage::Walk;
 
 use super::Name;
 use super::timeline::Timeline;
 
 /// Kinds of quantity that only a scene makes.
-const STRUCTURAL: &[&str] = &["v", "speed", "angle", "p", "J", "F_avg", "T", "T_lost", "T_gained", "H", "W"];
+const STRUCTURAL: &[&str] =
+    &["v", "speed", "angle", "p", "J", "F_avg", "T", "T_lost", "T_gained", "J_def", "J_rest", "v_common", "H", "W"];
 /// Kinds of place, of a body at an instant.
 const PLACES: &[&str] = &["r", "x", "y", "z"];
 
 /// Whether a name is one that the scene makes by itself, rather than one that the author chose.
 pub(super) fn is_structural(scene: &Scene, name: &str) -> bool {
+    if name.starts_with("angle(") {
+        return true;
+    }
     let Some(name) = Name::parse(name) else { return false };
     let timeline = Timeline::new(scene);
     let known_subject = name.subject.is_empty()
@@ -104,17 +111,14 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
                 }
             }
             Stage::Bounces(stage) => body(&stage.body, "body"),
+            Stage::SlideOff(SlideOff { body: own, on, .. }) | Stage::Walk(Walk { body: own, on, .. }) => {
+                body(own, "body");
+                body(on, "on");
+            }
             Stage::Stream(stage) => body(&stage.body, "body"),
             Stage::Thrust(stage) => body(&stage.body, "body"),
             Stage::Drift(_) => {}
-            Stage::Flight(stage) => {
-                stage.body.iter().for_each(|name| body(name, "body"));
-                stage.bodies.iter().for_each(|name| body(name, "bodies"));
-                if stage.flying().next().is_none() {
-                    let fault = Fault::new(Code::MissingKey, "a flight needs a body");
-                    faults.push(fault.help("write `body: A`, or `bodies: [A, B]`").at_path(at.clone()));
-                }
-            }
+            Stage::Flight(stage) => faults.extend(flight(&timeline, index, stage, &at)),
             Stage::Separate(stage) => faults.extend(separation(scene, &timeline, index, stage, &at)),
         }
     }
@@ -246,6 +250,19 @@ fn unions_without_a_name_of_their_own(scene: &Scene) -> Vec<Fault> {
             faults.push(fault.help("give what the two become a name of its own: `becomes: C`").at_path(path));
         }
         taken.push(union);
+    }
+    faults
+}
+
+/// Who flies.
+fn flight(timeline: &Timeline, index: usize, stage: &Flight, at: &Path) -> Vec<Fault> {
+    let keyed = stage.body.iter().map(|body| (body, "body")).chain(stage.bodies.iter().map(|body| (body, "bodies")));
+    let lost = keyed.filter(|(body, _)| timeline.since(body, index + 1).is_none());
+    let mut faults: Vec<Fault> =
+        lost.map(|(body, key)| unknown("body", body, &timeline.alive(index + 1)).at_path(at.key(key))).collect();
+    if stage.flying().next().is_none() {
+        let fault = Fault::new(Code::MissingKey, "a flight needs a body");
+        faults.push(fault.help("write `body: A`, or `bodies: [A, B]`").at_path(at.clone()));
     }
     faults
 }

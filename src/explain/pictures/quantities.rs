@@ -209,7 +209,12 @@ impl<'a> Quantities<'a> {
 
     /// How the mass of a body is written.
     pub(super) fn mass_math(&self, body: &str) -> Math {
-        let members = self.scene().members(body);
+        let mut members = self.scene().members(body);
+        let parts = self.scene().division_of(body);
+        if self.model().symbol_of(&format!("m_{body}")).is_none() && self.mass_term(body).is_none() && !parts.is_empty()
+        {
+            members = parts;
+        }
         if members.len() > 1 {
             let mut sum = Vec::new();
             for member in members {
