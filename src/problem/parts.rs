@@ -23,6 +23,7 @@ use super::comparison::split_relation;
 use super::concept;
 use super::form::Question;
 use super::given::Given;
+use super::literal::unit_fault;
 use super::load::Loaded;
 use super::part::AskedUnit;
 use super::part::NumberPart;
@@ -120,7 +121,7 @@ fn number(loaded: &Loaded, find: &Find, builder: &mut Builder<'_>, path: &Path) 
                 return None;
             }
             (Err(fault), _) => {
-                builder.fault(Fault::from(fault).at_path(path.key("unit")));
+                builder.fault(unit_fault(fault, 0).at_path(path.key("unit")));
                 return None;
             }
         },
@@ -194,7 +195,7 @@ fn of_its_kind(loaded: &Loaded, name: &str, dimension: Dimension) -> Option<Unit
         let unit = match given {
             Given::Drawn { unit, .. } => unit,
             Given::Literal(literal) => &literal.unit,
-            Given::Any | Given::Expression(_) => return None,
+            Given::Any(_) | Given::Expression(_) => return None,
         };
         let speed = |base: &str| base == "v" || base == "speed";
         let kin = base(other).is_some_and(|base| base == own || speed(&base) && speed(&own));

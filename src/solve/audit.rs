@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 
 use crate::expr::Symbol;
 
-use super::tactics::{Block, close};
-use super::{Plan, Statement, System, Tactic};
+use super::tactics::{Block, isolate};
+use super::{Plan, Statement, System};
 
 /// A plan extended for judging.
 #[derive(Clone, Debug)]
@@ -31,18 +31,20 @@ pub fn audit(system: &System, known: &BTreeSet<Symbol>, plan: &Plan) -> Audit {
     let symbols: Vec<BTreeSet<Symbol>> = system.equations.iter().map(super::Equation::symbols).collect();
     let mut order: Vec<usize> = (0..system.equations.len()).collect();
     order.sort_by_key(|place| system.equations[*place].cost);
+    // An equation with one unknown gives it or does not, whatever else is found.
+    let mut tried = used.clone();
     let mut progress = true;
     while progress {
         progress = false;
         for place in &order {
             let mut unknowns = symbols[*place].difference(&found).copied();
             let (Some(unknown), None) = (unknowns.next(), unknowns.next()) else { continue };
-            if used.contains(place) {
+            if !tried.insert(*place) {
                 continue;
             }
             let block = Block { system, equations: vec![*place], unknowns: vec![unknown] };
-            let Ok(step) = close(&block) else { continue };
-            if step.tactic != Tactic::Isolate || step.roots.len() != 1 {
+            let Ok(step) = isolate(&block) else { continue };
+            if step.roots.len() != 1 {
                 continue;
             }
             found.insert(unknown);

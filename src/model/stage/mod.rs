@@ -14,12 +14,14 @@ mod push;
 mod rotate;
 mod separate;
 mod slide;
+mod slide_off;
 mod spring;
 mod stream;
 mod surface;
 mod swing;
 mod taut;
 mod thrust;
+mod walk;
 
 pub(in crate::model) use push::Pushed;
 
@@ -51,6 +53,8 @@ impl Builder<'_> {
                 Stage::Thrust(stage) => self.thrust(index, stage, &path),
                 Stage::Drift(stage) => self.drift(index, stage, &path),
                 Stage::Flight(stage) => self.flight(index, stage, &path),
+                Stage::SlideOff(stage) => self.slide_off(index, stage, &path),
+                Stage::Walk(stage) => self.walk(index, stage, &path),
                 Stage::Separate(stage) => self.separate(index, stage, &path),
             }
         }
