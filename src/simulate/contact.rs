@@ -61,7 +61,8 @@ impl<const D: usize> World<D> {
     fn next_to(&self, wall: usize) -> impl Iterator<Item = usize> {
         let wall = &self.walls[wall];
         let middle = -wall.thickness.map_or(f64::INFINITY, |thickness| thickness / 2.0);
-        let (mut front, mut behind): (Option<(f64, usize)>, Option<(f64, usize)>) = (None, None);
+        let mut front: Option<(f64, usize)> = None;
+        let mut behind: Option<(f64, usize)> = None;
         for (index, body) in self.bodies.iter().enumerate() {
             let height = wall.normal.dot(&body.position) - wall.offset;
             let (reach, nearest) = if height < middle { (-height, &mut behind) } else { (height, &mut front) };
