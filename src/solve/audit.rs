@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::expr::Symbol;
 
-use super::tactics::{Block, close};
+use super::tactics::{Block, close, isolate};
 use super::{Plan, Statement, Step, System, Tactic};
 
 /// A plan extended for judging.
@@ -32,15 +32,22 @@ pub fn audit(system: &System, known: &BTreeSet<Symbol>, plan: &Plan) -> Audit {
     let symbols: Vec<BTreeSet<Symbol>> = system.equations.iter().map(super::Equation::symbols).collect();
     let mut order: Vec<usize> = (0..system.equations.len()).collect();
     order.sort_by_key(|place| system.equations[*place].cost);
+    // An equation with one unknown gives it or does not, whatever else is found.
+    let mut tried = used.clone();
     loop {
         let mut progress = false;
         for place in &order {
-            let open: Vec<Symbol> = symbols[*place].difference(&found).copied().collect();
-            if open.len() != 1 || used.contains(place) {
+            let mut unknowns = symbols[*place].difference(&found).copied();
+            let (Some(unknown), None) = (unknowns.next(), unknowns.next()) else { continue };
+            if !tried.insert(*place) {
                 continue;
             }
-            let Some(step) = follows(system, vec![*place], open, Tactic::Isolate) else { continue };
-            found.extend(&step.unknowns);
+            let block = Block { system, equations: vec![*place], unknowns: vec![unknown] };
+            let Ok(step) = isolate(&block) else { continue };
+            if step.roots.len() != 1 {
+                continue;
+            }
+            found.insert(unknown);
             used.insert(*place);
             extended.steps.push(step);
             progress = true;
@@ -61,12 +68,6 @@ pub fn audit(system: &System, known: &BTreeSet<Symbol>, plan: &Plan) -> Audit {
     Audit { plan: extended, answer_steps: plan.steps.len(), checks }
 }
 
-/// A step that closes some equations by that tactic, with one root.
-fn follows(system: &System, equations: Vec<usize>, unknowns: Vec<Symbol>, tactic: Tactic) -> Option<Step> {
-    let step = close(&Block { system, equations, unknowns }).ok()?;
-    (step.tactic == tactic && step.roots.len() == 1).then_some(step)
-}
-
 /// The cheapest two equations that hold the same two open symbols and give both.
 fn pair(
     system: &System,
@@ -82,7 +83,10 @@ fn pair(
             continue;
         }
         let others = met.entry(open.clone()).or_default();
-        let with = |other: &usize| follows(system, vec![*other, *place], open.clone(), Tactic::Linear);
+        let with = |other: &usize| {
+            let step = close(&Block { system, equations: vec![*other, *place], unknowns: open.clone() }).ok()?;
+            (step.tactic == Tactic::Linear && step.roots.len() == 1).then_some(step)
+        };
         if let Some(step) = others.iter().find_map(with) {
             return Some(step);
         }
