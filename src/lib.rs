@@ -60,4 +60,5 @@ pub mod problem;
 pub mod quantity;
 pub mod render;
 pub mod scene;
+pub mod simulate;
 pub mod solve;

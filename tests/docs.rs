@@ -6,6 +6,7 @@ use std::collections::BTreeSet;
 
 use blocks::blocks;
 use momentous::bank::Promise;
+use momentous::grade::{Rubric, Verdict};
 use momentous::problem::json_schema;
 
 #[path = "documents/blocks.rs"]
@@ -14,6 +15,7 @@ mod blocks;
 mod works;
 
 const LANGUAGE: &str = include_str!("../docs/language.md");
+const MARKING: &str = include_str!("../docs/marking.md");
 
 #[test]
 fn every_example_is_a_problem_that_works() {
@@ -46,6 +48,15 @@ fn every_key_is_mentioned() {
     let missing: BTreeSet<&String> =
         keys.filter(|key| !LANGUAGE.contains(&format!("`{key}")) && !LANGUAGE.contains(&format!("{key}: "))).collect();
     assert_eq!(missing, BTreeSet::new());
+}
+
+#[test]
+fn every_verdict_is_listed_with_its_worth() {
+    for verdict in Verdict::all() {
+        let worth = Rubric::default().fraction(verdict);
+        let row = format!("| `{verdict}` | {} | {worth} |", verdict.meaning());
+        assert!(MARKING.contains(&row), "docs/marking.md lacks the row {row}");
+    }
 }
 
 #[test]

@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use momentous::grade::{
-    Answer, DecimalMark, Expected, ExpectedKind, ExpectedNumber, Rubric, Tolerance, Verdict, grade, judge, read,
+    Answer, Attempts, DecimalMark, Expected, ExpectedKind, ExpectedNumber, Keep, Rubric, Tolerance, Verdict, grade,
+    judge, over_attempts, read,
 };
 use momentous::quantity::{Decimal, Printed, Quantity, Rational, Unit};
 use proptest::prelude::*;
@@ -201,6 +202,40 @@ fn findings_that_meet_multiply() {
     let strict = Rubric::default().with(Verdict::UnitMissing, Rational::ZERO);
     let answers = BTreeMap::from([("v_B2".to_owned(), "3.10".to_owned())]);
     assert_eq!(grade(&collision(), &answers, DecimalMark::Point, &strict).total.to_string(), "0");
+}
+
+fn attempts_at(texts: &[&str], rubric: &Rubric, hints: u32) -> (String, String) {
+    let part = || vec![part(expected("3.1", "m/s"))];
+    let answers = |text: &str| BTreeMap::from([("v_A2".to_owned(), text.to_owned())]);
+    let reports: Vec<_> = texts.iter().map(|text| grade(&part(), &answers(text), DecimalMark::Point, rubric)).collect();
+    let report = over_attempts(&reports, hints, rubric).expect("there are attempts");
+    (report.total.to_string(), report.parts[0].verdict.to_string())
+}
+
+#[test]
+fn attempts_and_hints_cost_what_the_rubric_says() {
+    let tenth = || Rational::ONE / Rational::from(10);
+    let attempts = Attempts { most: Some(3), penalty: tenth(), hint: tenth(), keep: Keep::Best };
+    let mut best = Rubric::default();
+    best.attempts = attempts;
+    let mut last = best.clone();
+    last.attempts.keep = Keep::Last;
+    for (texts, hints, by_best, by_last) in [
+        (&["3.1 m/s"][..], 0, ("2", "right"), ("2", "right")),
+        (&["9 m/s", "3.1 m/s"], 0, ("1.8", "right"), ("1.8", "right")),
+        (&["3.1 m/s", "9 m/s"], 0, ("2", "right"), ("0", "wrong")),
+        // A fourth attempt is none.
+        (&["9 m/s", "8 m/s", "7 m/s", "3.1 m/s"], 0, ("0", "wrong"), ("0", "wrong")),
+        // What cannot be read, and what is empty, costs no attempt.
+        (&["3..1 m/s", "", "3.1 m/s"], 0, ("2", "right"), ("2", "right")),
+        (&["3.1 m/s"], 2, ("1.6", "right"), ("1.6", "right")),
+        (&["3.1", "3.1 m/s"], 0, ("1.8", "right"), ("1.8", "right")),
+        (&["3..1 m/s"], 0, ("0", "unreadable"), ("0", "unreadable")),
+    ] {
+        let owned = |(total, verdict): (&str, &str)| (total.to_owned(), verdict.to_owned());
+        assert_eq!(attempts_at(texts, &best, hints), owned(by_best), "{texts:?}");
+        assert_eq!(attempts_at(texts, &last, hints), owned(by_last), "{texts:?}");
+    }
 }
 
 proptest! {

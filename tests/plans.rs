@@ -226,3 +226,21 @@ fn the_bank_asks_for_conservation_by_name() {
     let problem = bank_problem("impact/two-carts");
     assert_eq!(plan(&problem)[0], "v_A2, v_B2: conservation of linear momentum + the law of restitution");
 }
+
+#[test]
+fn what_may_be_anything_may_stand_in_expressions_only() {
+    let given = [("m", "any kg"), ("m_A", "2*m"), ("m_B", "m"), GIVEN[2], GIVEN[3], GIVEN[4]];
+    let text = sheet(CARTS, &given, &["v_A2"]).replace("{{ m }} {{ m_A }} {{ m_B }}", "");
+    let (problem, variant) = solved(&text);
+    // (2*3 - 2 - 0.7*5)/3
+    assert!((value(&problem, &variant, "v_A2").value - 0.5 / 3.0).abs() < 1e-12);
+}
+
+#[test]
+fn what_only_a_relation_speaks_of_can_be_asked() {
+    let text = sheet(CARTS, GIVEN, &[]) + "  - { find: x, unit: cm }\n";
+    let text = text.replace("given:\n", "relations:\n  - { equation: k*x^2/2 = m_A*v_A2^2/2, because: the spring takes all of it }\nwhere: [ x > 0 m ]\ngiven:\n  k: 12 N/m\n");
+    let text = text.replace("text: '", "text: '{{ k }} ");
+    let (problem, variant) = solved(&text);
+    assert!((value(&problem, &variant, "x").value - 0.2).abs() < 1e-12); // 0.4*sqrt(3/12)
+}

@@ -180,6 +180,76 @@ proptest! {
     }
 }
 
+/// The ramp gives way with v = sqrt(2 m^2 g h cos^2 / ((m + M)(M + m sin^2))), as every book on mechanics works out.
+#[test]
+fn a_ramp_on_wheels_gives_way() {
+    let scene = "
+axes: { x: to the right, y: upwards }
+plane: vertical
+bodies: { A: { name: the block }, B: { name: the ramp, guide: { along: x } } }
+stages:
+  - slide_off: { body: A, on: B, height: h, direction: beta below +x }
+";
+    for (block, ramp, height, turn) in [(2.0, 8.0, 0.5, 30.0), (5.0, 5.0, 1.25, 60.0), (1.0, 100.0, 2.0, 12.0)] {
+        let given = [
+            ("m_A", format!("{block} kg")),
+            ("m_B", format!("{ramp} kg")),
+            ("h", format!("{height} m")),
+            ("beta", format!("{turn} deg")),
+            ("g", "10 m/s^2".into()),
+        ];
+        let found = Found::new(scene, &given, &["v_A2.x", "v_B2.x", "v_A2.y"]);
+        let (sin, cos) = f64::to_radians(turn).sin_cos();
+        let square = 2.0 * block * block * 10.0 * height * cos * cos / ((block + ramp) * (ramp + block * sin * sin));
+        assert!((found.of("v_B2.x") + square.sqrt()).abs() < 1e-9, "{}", found.of("v_B2.x"));
+        assert!((found.of("v_A2.x") * block - square.sqrt() * ramp).abs() < 1e-9);
+        assert!(found.of("v_A2.y") < 0.0);
+    }
+}
+
+#[test]
+fn a_walk_leaves_the_mass_centre_where_it_is() {
+    let scene = "
+axes: { x: to the right }
+bodies: { P: { name: the person }, B: { name: the boat } }
+stages:
+  - walk: { body: P, on: B, distance: L }
+";
+    let given = [("m_P", "60 kg".to_owned()), ("m_B", "180 kg".to_owned()), ("L", "-4 m".to_owned())];
+    let found = Found::new(scene, &given, &["s_P", "s_B"]);
+    assert!((found.of("s_P") + 3.0).abs() < 1e-12 && (found.of("s_B") - 1.0).abs() < 1e-12);
+}
+
+/// Equal smooth bodies, one of them at rest, part at a right angle where no energy is lost; and the two phases of the impact
+/// add up to the whole impulse.
+#[test]
+fn equal_balls_part_at_a_right_angle() {
+    let scene = "
+axes: { x: ahead, y: to the left }
+bodies: { A: { name: A }, B: { name: B } }
+stages:
+  - impact: { between: [A, B], restitution: e, line_of_impact: 30 deg above +x }
+";
+    for (e, right) in [("1", true), ("0.5", false)] {
+        let given: Vec<(&str, String)> = [
+            ("m_A", "2 kg"),
+            ("m_B", "2 kg"),
+            ("v_A1.x", "4 m/s"),
+            ("v_A1.y", "0 m/s"),
+            ("v_B1.x", "0 m/s"),
+            ("v_B1.y", "0 m/s"),
+            ("e", e),
+        ]
+        .map(|(name, value)| (name, value.to_owned()))
+        .into();
+        let found = Found::new(scene, &given, &["angle(v_A2, v_B2)", "J_def", "J_rest", "J_B.n", "v_common"]);
+        let angle = found.of("angle(v_A2, v_B2)").to_degrees();
+        assert_eq!((angle - 90.0).abs() < 1e-9, right, "{angle}");
+        assert!((found.of("J_def") + found.of("J_rest") - found.of("J_B.n")).abs() < 1e-12);
+        assert!((found.of("v_common") - 3f64.sqrt()).abs() < 1e-12);
+    }
+}
+
 /// What was caught can be thrown again: a body exists twice, and is a part of another in between.
 #[test]
 fn a_ball_is_caught_and_thrown_on() {

@@ -55,14 +55,17 @@ impl Exercise {
             tolerance: match &number.tolerance {
                 problem::Tolerance::Relative(fraction) => grade::Tolerance::Relative(fraction.clone()),
                 problem::Tolerance::Absolute(distance) => grade::Tolerance::Absolute(distance.clone()),
+                problem::Tolerance::ToFigures => grade::Tolerance::ToFigures,
             },
+            units: self.units(),
+            writing: self.writing(),
+            reference: self.reference(part),
             figures: number.figures,
             allowance: judged.allowance,
             scale: judged.scale,
             magnitude: senses.is_none() && answer.value >= 0.0,
             senses: senses.map(|senses| [senses.positive, senses.negative]),
             whole: number.whole,
-            ..grade::ExpectedNumber::new(answer.value, number.plain_unit())
         }
     }
 
@@ -91,7 +94,7 @@ impl Exercise {
             }
             expected.extend(roots);
         }
-        let rubric = grade::Rubric::default();
+        let rubric = self.rubric();
         let mut report = grade::grade(&expected, &answers, mark, &rubric);
         if !report.is_right() {
             self.follow_through(&mut report, &answers, mark, &rubric, sitting.closed);

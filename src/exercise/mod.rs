@@ -5,6 +5,7 @@ mod drawer;
 mod follow_through;
 mod marking;
 mod record;
+mod rubric;
 mod students;
 
 pub use drawer::Drawer;

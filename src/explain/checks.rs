@@ -10,6 +10,7 @@ use crate::laws::angular;
 use crate::laws::kinematics;
 use crate::laws::mass_centre;
 use crate::laws::momentum;
+use crate::laws::orbit;
 use crate::laws::restitution;
 use crate::model::Warning;
 use crate::solve::Equation;
@@ -40,6 +41,7 @@ const BALANCES: &[(&str, &str)] = &[
     (angular::ANGULAR_MOMENTUM.id, "Angular momentum, and the moment of the momentum:"),
     (angular::ANGULAR_IMPULSE.id, "Angular momentum before with the angular impulse, and after:"),
     (angular::CENTRAL.id, "Radius times transverse velocity, before and after:"),
+    (orbit::ORBIT_ENERGY.id, "Energy of each unit of mass, before and after:"),
     (kinematics::BOUNCE_TIME.id, "The time, and the sum of the times of flight:"),
 ];
 

@@ -65,12 +65,18 @@ fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) -> Option<S
             let also = if guides.is_empty() { "nothing else is impulsive".to_owned() } else { list(&guides) };
             format!("During {phrase}, {bodies} give each other {equal}; {also}.")
         }
+        (Stage::SlideOff(slide), _) => during(format!(
+            "{} and {} are acted on by their weights and by the support, none of which has a part along the way of {}",
+            name(&slide.body),
+            name(&slide.on),
+            name(&slide.on)
+        )),
         (Stage::Flight(flight), _) => {
             let bodies: Vec<String> = flight.flying().map(name).collect();
             let (are, their) = if bodies.len() > 1 { ("are", "their") } else { ("is", "its") };
             during(format!("{} {are} acted on by {their} weight alone", list(&bodies)))
         }
-        (Stage::Separate(_) | Stage::Drift(_), _) => return None,
+        (Stage::Separate(_) | Stage::Walk(_) | Stage::Drift(_), _) => return None,
         (Stage::Impact(_) | Stage::Blow(_), _) => {
             format!("During {phrase} the only impulsive force on {body} is that of {}.", first.called)
         }

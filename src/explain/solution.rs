@@ -18,6 +18,7 @@ use super::axes;
 use super::checks;
 use super::diagrams;
 use super::display::Display;
+use super::display::Shown;
 use super::instructor;
 use super::steps::Figures;
 use super::steps::Steps;
@@ -30,7 +31,8 @@ use super::wording::list;
 #[must_use]
 pub fn solution(worked: Worked<'_>) -> Outline {
     let free = worked.free();
-    let display = Display { worked, free: &free };
+    let shown = Shown::default();
+    let display = Display { worked, free: &free, shown: &shown };
     let answers = answers::answers(display);
     let checks = checks::checks(display);
     let closing = if checks.is_empty() { "Answer" } else { "Answer and check" };
@@ -121,6 +123,8 @@ fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
         Stage::Central(central) => format!("{} moves under the central force", name(&central.body)),
         Stage::Fall(fall) => format!("{} falls", name(&fall.body)),
         Stage::Bounces(bounces) => format!("{} bounces", name(&bounces.body)),
+        Stage::SlideOff(slide) => format!("{} slides down {}", name(&slide.body), name(&slide.on)),
+        Stage::Walk(walk) => format!("{} walks along {}", name(&walk.body), name(&walk.on)),
         Stage::Stream(stream) => format!("{} acts on {}", stream.by, name(&stream.body)),
         Stage::Thrust(thrust) => format!("{} burns its fuel", name(&thrust.body)),
         Stage::Drift(_) => "nothing acts, and all go on evenly".to_owned(),

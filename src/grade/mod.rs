@@ -3,6 +3,7 @@
 //! The three stand apart. Reading knows no right value, so nothing can be read "towards" it; judging knows no text;
 //! reporting knows only verdicts and the rubric.
 
+mod attempts;
 pub mod catalogue;
 pub mod diagnose;
 mod expected;
@@ -17,6 +18,7 @@ mod statistics;
 mod swapped;
 mod verdict;
 
+pub use attempts::over_attempts;
 pub use diagnose::Diagnosis;
 pub use expected::{
     Expected, ExpectedEnd, ExpectedFormula, ExpectedInterval, ExpectedKind, ExpectedNumber, ExpectedVector, Frame,

@@ -50,6 +50,17 @@ pub const DIRECTION: Law = Law {
     wrong: wrong::geometry::DIRECTION,
 };
 
+/// The angle between two vectors.
+pub const BETWEEN: Law = Law {
+    id: "angle-between",
+    name: "the scalar product",
+    statement: "The cosine of the angle between two vectors is their scalar product over the product of their magnitudes.",
+    signs: "The angle lies between 0 and 180 degrees.",
+    when: "Always, along perpendicular axes.",
+    source: "Definition of the scalar product.",
+    wrong: &[],
+};
+
 /// Speed on a circle.
 pub const ARC: Law = Law {
     id: "speed-on-a-circle",
@@ -59,6 +70,17 @@ pub const ARC: Law = Law {
     when: "The distance from the centre does not change at that instant.",
     source: "The length of an arc.",
     wrong: wrong::geometry::ARC,
+};
+
+/// Acceleration on a circle.
+pub const TURNING: Law = Law {
+    id: "acceleration-on-a-circle",
+    name: "the kinematics of motion on a circle",
+    statement: "A point on a circle accelerates towards the centre with the square of its speed over the radius.",
+    signs: "Positive towards the centre.",
+    when: "The point moves at right angles to the radius at that instant.",
+    source: "The change of the direction of a velocity.",
+    wrong: &[],
 };
 
 /// Height on a circle.
@@ -95,8 +117,18 @@ pub const RELATION: Law = Law {
 };
 
 /// The laws of this chapter.
-pub const LAWS: &[&Law] =
-    &[&COMPONENTS, &ROTATION, &MAGNITUDE, &DIRECTION, &ARC, &HEIGHT_ON_CIRCLE, &HEIGHT_OF_SLOPE, &RELATION];
+pub const LAWS: &[&Law] = &[
+    &COMPONENTS,
+    &ROTATION,
+    &MAGNITUDE,
+    &DIRECTION,
+    &BETWEEN,
+    &ARC,
+    &TURNING,
+    &HEIGHT_ON_CIRCLE,
+    &HEIGHT_OF_SLOPE,
+    &RELATION,
+];
 
 /// The two components of a vector of that magnitude, `angle` being counted from the first axis.
 #[must_use]

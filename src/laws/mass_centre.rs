@@ -39,8 +39,19 @@ pub const PATH: Law = Law {
     wrong: &[],
 };
 
+/// A mass centre that stays where it is.
+pub const REST: Law = Law {
+    id: "mass-centre-at-rest",
+    name: "the principle of the mass centre",
+    statement: "Where no impulse from outside acts along an axis and the mass centre is at rest, the masses times their displacements add up to zero.",
+    signs: "Displacements along the axis are positive.",
+    when: "The system is at rest at first, and no force from outside acts along the axis.",
+    source: "The principle of impulse and momentum for the whole system, integrated over time.",
+    wrong: &[],
+};
+
 /// The laws of this chapter.
-pub const LAWS: &[&Law] = &[&MASS_CENTRE, &MOTION, &PATH];
+pub const LAWS: &[&Law] = &[&MASS_CENTRE, &MOTION, &PATH, &REST];
 
 /// `(sum of m) q_G = sum of m q` over (mass, q), q being a position or a velocity component.
 #[must_use]

@@ -8,6 +8,7 @@ pub mod geometry;
 pub mod kinematics;
 pub mod mass_centre;
 pub mod momentum;
+pub mod orbit;
 pub mod restitution;
 pub mod separation;
 pub mod variable_mass;
@@ -50,6 +51,7 @@ pub const CHAPTERS: &[(&str, &[&Law])] = &[
     ("Separation and guided bodies", separation::LAWS),
     ("Energy", energy::LAWS),
     ("Angular impulse and momentum", angular::LAWS),
+    ("Central force of gravity", orbit::LAWS),
     ("Motion between impacts", kinematics::LAWS),
     ("Streams and variable mass", variable_mass::LAWS),
 ];

@@ -39,8 +39,41 @@ pub const PLASTIC: Law = Law {
     wrong: &[],
 };
 
+/// The velocity at the greatest deformation.
+pub const COMMON: Law = Law {
+    id: "greatest-deformation",
+    name: "conservation of linear momentum",
+    statement: "At the end of the deformation both bodies have one velocity along the line of impact.",
+    signs: "Velocities along the line of impact, from the first body to the second, are positive.",
+    when: "In every impact; with a fixed surface that velocity is the surface's.",
+    source: "Conservation of momentum up to that instant.",
+    wrong: &[],
+};
+
+/// The impulse of deformation.
+pub const DEFORMATION: Law = Law {
+    id: "impulse-of-deformation",
+    name: "the principle of impulse and momentum for the phase of deformation",
+    statement: "The impulse of deformation changes the velocity of a body to the common one.",
+    signs: "A magnitude.",
+    when: "Along the line of impact, from the first contact to the greatest deformation.",
+    source: "The principle of impulse and momentum.",
+    wrong: &[],
+};
+
+/// The ratio of the two impulses.
+pub const PHASES: Law = Law {
+    id: "impulses-of-the-two-phases",
+    name: "the definition of the coefficient of restitution by impulses",
+    statement: "The impulse of restitution is e times the impulse of deformation.",
+    signs: "Magnitudes.",
+    when: "Along the line of impact of a smooth contact, where it says the same as the ratio of velocities.",
+    source: "Poisson's hypothesis.",
+    wrong: &[],
+};
+
 /// The laws of this chapter.
-pub const LAWS: &[&Law] = &[&RESTITUTION, &RESTITUTION_SURFACE, &PLASTIC];
+pub const LAWS: &[&Law] = &[&RESTITUTION, &RESTITUTION_SURFACE, &PLASTIC, &COMMON, &DEFORMATION, &PHASES];
 
 /// `v_B2 - v_A2 = e (v_A1 - v_B1)`: A the first body, B the second, along the line of impact from A to B.
 #[must_use]

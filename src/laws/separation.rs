@@ -61,8 +61,53 @@ pub const GUIDE: Law = Law {
     wrong: &[],
 };
 
+/// Bodies that start from rest.
+pub const AT_REST: Law = Law {
+    id: "start-from-rest",
+    name: "the condition at the start",
+    statement: "A body that starts from rest has no velocity at the start.",
+    signs: "As the velocities.",
+    when: "As the problem states.",
+    source: "The problem.",
+    wrong: &[],
+};
+
+/// Energy of a body that sinks on another.
+pub const DESCENT: Law = Law {
+    id: "energy-of-a-descent",
+    name: "conservation of energy",
+    statement: "The kinetic energy of both bodies grows by the weight of the one that sinks times the height.",
+    signs: "A height through which a body sinks is positive.",
+    when: "All contacts are smooth, and the support does no work.",
+    source: "Work and energy for both bodies together.",
+    wrong: &[],
+};
+
+/// A body on the face of another.
+pub const ALONG_FACE: Law = Law {
+    id: "motion-along-a-face",
+    name: "the constraint of the face",
+    statement: "Seen from the body on which it slides, a body moves along its face.",
+    signs: "As the velocities.",
+    when: "The bodies stay in contact.",
+    source: "Kinematics.",
+    wrong: &[],
+};
+
+/// Displacement as seen from another body.
+pub const RELATIVE_WAY: Law = Law {
+    id: "relative-displacement",
+    name: "the definition of relative displacement",
+    statement: "The displacement of one body relative to another is its own displacement less that of the other.",
+    signs: "Along the axis positive.",
+    when: "Always.",
+    source: "Kinematics.",
+    wrong: &[],
+};
+
 /// The laws of this chapter.
-pub const LAWS: &[&Law] = &[&MASS, &TOGETHER, &ENERGY, &RELATIVE, &GUIDE];
+pub const LAWS: &[&Law] =
+    &[&MASS, &TOGETHER, &ENERGY, &RELATIVE, &GUIDE, &AT_REST, &DESCENT, &ALONG_FACE, &RELATIVE_WAY];
 
 /// `E + T_1 = T_2`, over the kinetic energies of each body.
 #[must_use]

@@ -9,20 +9,27 @@ use crate::scene::Plane;
 use crate::scene::Scene;
 use crate::scene::Stage;
 use crate::scene::stage::Ends;
+use crate::scene::stage::Flight;
 use crate::scene::stage::Impact;
 use crate::scene::stage::Partners;
 use crate::scene::stage::Separate;
+use crate::scene::stage::SlideOff;
+use crate::scene::stage::Walk;
 
 use super::Name;
 use super::timeline::Timeline;
 
 /// Kinds of quantity that only a scene makes.
-const STRUCTURAL: &[&str] = &["v", "speed", "angle", "p", "J", "F_avg", "T", "T_lost", "T_gained", "H", "W"];
+const STRUCTURAL: &[&str] =
+    &["v", "speed", "angle", "p", "J", "F_avg", "T", "T_lost", "T_gained", "J_def", "J_rest", "v_common", "H", "W"];
 /// Kinds of place, of a body at an instant.
 const PLACES: &[&str] = &["r", "x", "y", "z"];
 
 /// Whether a name is one that the scene makes by itself, rather than one that the author chose.
 pub(super) fn is_structural(scene: &Scene, name: &str) -> bool {
+    if name.starts_with("angle(") {
+        return true;
+    }
     let Some(name) = Name::parse(name) else { return false };
     let timeline = Timeline::new(scene);
     let known_subject = name.subject.is_empty()
@@ -52,6 +59,7 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
     }
     faults.extend(names_of_instants(scene));
     faults.extend(unions_without_a_name_of_their_own(scene));
+    faults.extend(stages_of_one_name(scene));
     if !faults.is_empty() {
         return faults;
     }
@@ -66,32 +74,17 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
             }
         };
         match stage {
-            Stage::Impact(Impact { becomes: Some(name), .. }) if !is_body_name(name) => {
-                faults.push(bad_body_name(name).at_path(at.key("becomes")));
+            Stage::Impact(impact) => {
+                match impact.partners() {
+                    Some(Partners::Surface(name, _)) => body(name, "body"),
+                    Some(Partners::Bodies(first, second)) => {
+                        body(first, "between");
+                        body(second, "between");
+                    }
+                    None => {}
+                }
+                faults.extend(collision(scene, impact, &at));
             }
-            Stage::Impact(impact) => match impact.partners() {
-                Some(Partners::Bodies(first, second)) => {
-                    body(first, "between");
-                    body(second, "between");
-                    if first == second {
-                        let fault = Fault::new(Code::Value, format!("`{first}` cannot collide with itself"));
-                        faults.push(fault.help("name two bodies").at_path(at.key("between")));
-                    }
-                }
-                Some(Partners::Surface(name, surface)) => {
-                    body(name, "body");
-                    if !scene.surfaces.contains_key(surface) {
-                        let known: Vec<&str> = scene.surfaces.keys().map(String::as_str).collect();
-                        faults.push(unknown("surface", surface, &known).at_path(at.key("against")));
-                    }
-                }
-                None => {
-                    let fault = Fault::new(Code::MissingKey, "an impact needs two bodies, or a body and a surface");
-                    faults.push(
-                        fault.help("write `between: [A, B]`, or `body: A` with `against: floor`").at_path(at.clone()),
-                    );
-                }
-            },
             Stage::Push(stage) => body(&stage.body, "body"),
             Stage::Fall(_)
             | Stage::Slide(_)
@@ -118,19 +111,70 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
                 }
             }
             Stage::Bounces(stage) => body(&stage.body, "body"),
+            Stage::SlideOff(SlideOff { body: own, on, .. }) | Stage::Walk(Walk { body: own, on, .. }) => {
+                body(own, "body");
+                body(on, "on");
+            }
             Stage::Stream(stage) => body(&stage.body, "body"),
             Stage::Thrust(stage) => body(&stage.body, "body"),
             Stage::Drift(_) => {}
-            Stage::Flight(stage) => {
-                stage.body.iter().for_each(|name| body(name, "body"));
-                stage.bodies.iter().for_each(|name| body(name, "bodies"));
-                if stage.flying().next().is_none() {
-                    let fault = Fault::new(Code::MissingKey, "a flight needs a body");
-                    faults.push(fault.help("write `body: A`, or `bodies: [A, B]`").at_path(at.clone()));
-                }
-            }
+            Stage::Flight(stage) => faults.extend(flight(&timeline, index, stage, &at)),
             Stage::Separate(stage) => faults.extend(separation(scene, &timeline, index, stage, &at)),
         }
+    }
+    faults
+}
+
+/// The keys by which an impact says how the bodies part; one is enough.
+fn told_of_restitution(impact: &Impact) -> Vec<&'static str> {
+    let keys = [
+        ("restitution", impact.restitution.is_some()),
+        ("elastic", impact.elastic),
+        ("loss", impact.loss.is_some()),
+        ("plastic", impact.plastic),
+    ];
+    keys.into_iter().filter(|(_, told)| *told).map(|(key, _)| key).collect()
+}
+
+/// A stage is found by its name.
+fn stages_of_one_name(scene: &Scene) -> Vec<Fault> {
+    let mut faults = Vec::new();
+    for (index, stage) in scene.stages.iter().enumerate() {
+        let Some(name) = stage.name() else { continue };
+        if scene.stages[..index].iter().any(|earlier| earlier.name() == Some(name)) {
+            let fault = Fault::new(Code::Duplicate, format!("two stages are called `{name}`"));
+            let path = Path::root().key("scene").key("stages").index(index).key(stage.key()).key("name");
+            faults.push(fault.help("rename one of them").at_path(path));
+        }
+    }
+    faults
+}
+
+/// How an impact is told.
+fn collision(scene: &Scene, impact: &Impact, at: &Path) -> Vec<Fault> {
+    let mut faults = Vec::new();
+    match impact.partners() {
+        Some(Partners::Bodies(first, second)) if first == second => {
+            let fault = Fault::new(Code::Value, format!("`{first}` cannot collide with itself"));
+            faults.push(fault.help("name two bodies").at_path(at.key("between")));
+        }
+        Some(Partners::Surface(_, surface)) if !scene.surfaces.contains_key(surface) => {
+            let known: Vec<&str> = scene.surfaces.keys().map(String::as_str).collect();
+            faults.push(unknown("surface", surface, &known).at_path(at.key("against")));
+        }
+        Some(_) => {}
+        None => {
+            let fault = Fault::new(Code::MissingKey, "an impact needs two bodies, or a body and a surface");
+            faults.push(fault.help("write `between: [A, B]`, or `body: A` with `against: floor`").at_path(at.clone()));
+        }
+    }
+    if let Some(name) = impact.becomes.as_ref().filter(|name| !is_body_name(name)) {
+        faults.push(bad_body_name(name).at_path(at.key("becomes")));
+    }
+    if let [first, second, ..] = told_of_restitution(impact)[..] {
+        let message = format!("`{second}` cannot stand beside `{first}`: each says how the bodies part");
+        let fault = Fault::new(Code::OverDetermined, message);
+        faults.push(fault.help(format!("remove `{first}` or `{second}`")).at_path(at.key(second)));
     }
     faults
 }
@@ -206,6 +250,19 @@ fn unions_without_a_name_of_their_own(scene: &Scene) -> Vec<Fault> {
             faults.push(fault.help("give what the two become a name of its own: `becomes: C`").at_path(path));
         }
         taken.push(union);
+    }
+    faults
+}
+
+/// Who flies.
+fn flight(timeline: &Timeline, index: usize, stage: &Flight, at: &Path) -> Vec<Fault> {
+    let keyed = stage.body.iter().map(|body| (body, "body")).chain(stage.bodies.iter().map(|body| (body, "bodies")));
+    let lost = keyed.filter(|(body, _)| timeline.since(body, index + 1).is_none());
+    let mut faults: Vec<Fault> =
+        lost.map(|(body, key)| unknown("body", body, &timeline.alive(index + 1)).at_path(at.key(key))).collect();
+    if stage.flying().next().is_none() {
+        let fault = Fault::new(Code::MissingKey, "a flight needs a body");
+        faults.push(fault.help("write `body: A`, or `bodies: [A, B]`").at_path(at.clone()));
     }
     faults
 }

@@ -123,6 +123,6 @@ fn component(carriers: &Carriers, position: usize) -> Vec<(Expr, Expr)> {
     carriers.iter().filter_map(at).collect()
 }
 
-fn projected(carriers: &Carriers, direction: &[Expr]) -> Vec<(Expr, Expr)> {
+pub(super) fn projected(carriers: &Carriers, direction: &[Expr]) -> Vec<(Expr, Expr)> {
     carriers.iter().map(|(mass, velocity)| (mass.clone(), dot(velocity, direction))).collect()
 }

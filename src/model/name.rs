@@ -25,7 +25,7 @@ pub enum Instant {
 }
 
 /// Bases that contain an underscore themselves, longest first.
-const JOINED: &[&str] = &["areal_rate", "T_lost", "T_gained", "F_avg"];
+const JOINED: &[&str] = &["areal_rate", "T_lost", "T_gained", "J_def", "J_rest", "v_common", "F_avg"];
 
 impl Name {
     /// Takes a name apart; `None` where it does not follow the grammar.

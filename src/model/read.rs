@@ -74,7 +74,11 @@ impl Builder<'_> {
                     dimension_name(dimension),
                     dimension_name(found)
                 );
-                let help = format!("write it in a unit such as `{}`", coherent_unit(dimension, UnitSystem::Si));
+                let help = if dimension == Dimension::NONE {
+                    "write a number without a unit, or a ratio in which the units cancel".to_owned()
+                } else {
+                    format!("write it in a unit such as `{}`", coherent_unit(dimension, UnitSystem::Si))
+                };
                 self.faults.push(Fault::new(Code::Dimension, message).help(help).at_path(path.clone()));
             }
             Err(clash) => {
@@ -99,6 +103,12 @@ impl Builder<'_> {
         let parsed = parse(text, &mut resolver);
         let unknown = resolver.unknown;
         match parsed {
+            Ok(expr) if is_beyond_numbers(&expr) => {
+                let fault = Fault::new(Code::Value, format!("`{}` has a part that is no number", text.trim()));
+                let help = "write numbers below 1e300 in size, and divide by none that is zero";
+                self.faults.push(fault.help(help).at_path(path.clone()));
+                Expr::zero()
+            }
             Ok(expr) => expr,
             Err(fault) => {
                 let mut report = match unknown.first() {
@@ -123,6 +133,15 @@ impl Builder<'_> {
             None => fault.help("give it under `given`, or use a name that the scene makes, such as `v_A1`"),
         }
     }
+}
+
+/// Whether a part of a term that is made of numbers alone is too large for any use, or has no value.
+fn is_beyond_numbers(expr: &Expr) -> bool {
+    if expr.symbols().is_empty() {
+        let size = expr.evaluate(&|_| 0.0).abs();
+        return expr.as_number().is_none() && (size.is_nan() || size >= 1e300);
+    }
+    expr.children().into_iter().any(is_beyond_numbers)
 }
 
 fn is_bare_name(text: &str) -> bool {

@@ -136,8 +136,10 @@ fn changed_bodies(stage: &Stage) -> Vec<String> {
         Stage::Fall(stage) => vec![stage.body.clone()],
         Stage::Bounces(stage) => vec![stage.body.clone()],
         Stage::Separate(stage) => stage.into.clone(),
+        Stage::SlideOff(stage) => vec![stage.body.clone(), stage.on.clone()],
         Stage::Thrust(stage) => vec![stage.body.clone()],
-        Stage::Stream(_) | Stage::Drift(_) => Vec::new(),
+        // All keep the velocities that they had; a walk goes from rest to rest.
+        Stage::Stream(_) | Stage::Drift(_) | Stage::Walk(_) => Vec::new(),
         Stage::Flight(stage) => stage.flying().map(str::to_owned).collect(),
     }
 }

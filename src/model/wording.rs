@@ -17,6 +17,8 @@ const KINDS: &[(&str, &str, &str, &str)] = &[
     ("rotate", "motion", "at the start of {}", "at the end of {}"),
     ("central", "flight", "at the first place", "at the second place"),
     ("fall", "fall", "at the start of {}", "at the end of {}"),
+    ("slide_off", "slide", "at the start of {}", "at the end of {}"),
+    ("walk", "walk", "before {}", "after {}"),
     ("stream", "stream", "while {} flows", "while {} flows"),
     ("thrust", "burn", "at the start of {}", "at the end of {}"),
     ("drift", "free motion", "at the start of {}", "at the end of {}"),

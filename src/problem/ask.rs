@@ -38,7 +38,7 @@ pub struct Find {
     #[serde(default)]
     #[schemars(range(min = 0, max = 1000))]
     pub points: Option<u32>,
-    /// How far an answer may lie from the true one: `2 %`, `0.05 m/s`.
+    /// How far an answer may lie from the true one: `2 %`, `0.05 m/s`; `to figures` for half a unit of its last figure.
     #[serde(default)]
     pub tolerance: Option<Term>,
     /// Significant figures of the printed answer.

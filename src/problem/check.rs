@@ -76,6 +76,13 @@ impl<'s> Checker<'s> {
         }
     }
 
+    /// The words of which one may stand in a place.
+    fn words(&self, schema: &'s Json) -> Vec<&'s str> {
+        let mut forms = Vec::new();
+        self.forms(schema, &mut forms);
+        forms.iter().filter_map(|form| form.get("const")?.as_str()).collect()
+    }
+
     fn scalar(&mut self, scalar: &Scalar, forms: &[Form<'s>], path: &Path, what: &str) -> Option<Value> {
         let text = scalar.text.as_str();
         let allows = |kind: &str| forms.iter().any(|form| is(form, kind) && !form.contains_key("const"));
@@ -174,7 +181,10 @@ impl<'s> Checker<'s> {
             required(form).filter(|name| entries.iter().all(|entry| entry.key != *name) && !meant.contains(name))
         {
             let description = properties.and_then(|properties| properties.get(name)?.get("description")?.as_str());
-            let help = format!("add `{name}:`. {}", description.unwrap_or_default());
+            let words = properties.and_then(|properties| properties.get(name)).map(|schema| self.words(schema));
+            let words = words.filter(|words| !words.is_empty());
+            let words = words.map_or_else(String::new, |words| format!(" One of {}.", quoted(&words, "and")));
+            let help = format!("add `{name}:`. {}{words}", description.unwrap_or_default());
             let fault = Fault::new(Code::MissingKey, format!("{what} lacks the key `{name}`"));
             self.fault(fault.help(help.trim_end()), path);
         }

@@ -13,7 +13,6 @@ use crate::model::Builder;
 use crate::model::Model;
 use crate::model::Warning;
 use crate::quantity::Decimal;
-use crate::quantity::Dimension;
 use crate::quantity::Unit;
 use crate::quantity::UnitSystem;
 use crate::quantity::dimension_name;
@@ -23,6 +22,7 @@ use crate::solve::Equation;
 
 use super::any;
 use super::comparison::split_relation;
+use super::declared::declared;
 use super::draft::Units;
 use super::feedback;
 use super::follow::Followings;
@@ -31,6 +31,7 @@ use super::given::Given;
 use super::known::Known;
 use super::known::Origin;
 use super::load::Loaded;
+use super::mentions::mention_in_texts;
 use super::mistakes::Mistakes;
 use super::parts;
 use super::planned::Form;
@@ -111,8 +112,7 @@ pub(super) struct Built {
 
 fn build(loaded: &Loaded, secret: Option<&[u8]>) -> Result<Built, Vec<Fault>> {
     let draft = &loaded.draft;
-    let declared: Vec<(String, Dimension)> = loaded.given.iter().filter_map(declared).collect();
-    let mut builder = Builder::of(&draft.scene, &declared)?;
+    let mut builder = Builder::of(&draft.scene, &declared(loaded))?;
     let mut known = givens(loaded, &mut builder);
     for (index, relation) in draft.relations.iter().enumerate() {
         let path = Path::root().key("relations").index(index).key("equation");
@@ -123,7 +123,8 @@ fn build(loaded: &Loaded, secret: Option<&[u8]>) -> Result<Built, Vec<Fault>> {
         .iter()
         .enumerate()
         .filter_map(|(index, text)| {
-            condition(&mut builder, text, "the problem requires otherwise", &Path::root().key("require").index(index))
+            let reason = format!("the problem requires `{text}`");
+            condition(&mut builder, text, &reason, &Path::root().key("require").index(index))
         })
         .collect();
     mention_for_checks(&draft.scene.stages, &mut builder);
@@ -184,16 +185,6 @@ pub(super) fn unit_system(units: Units) -> UnitSystem {
     }
 }
 
-/// Name and dimension of a given whose unit says it.
-fn declared((name, given): (&str, &Given)) -> Option<(String, Dimension)> {
-    let unit = match given {
-        Given::Literal(literal) => &literal.unit,
-        Given::Drawn { unit, .. } => unit,
-        Given::Any | Given::Expression(_) => return None,
-    };
-    Some((name.to_owned(), unit.dimension()))
-}
-
 /// Every given with its symbol. An expression of other givens becomes a stated relation, and so needs no value here.
 fn givens(loaded: &Loaded, builder: &mut Builder<'_>) -> Vec<Known> {
     let mut known = Vec::new();
@@ -202,12 +193,15 @@ fn givens(loaded: &Loaded, builder: &mut Builder<'_>) -> Vec<Known> {
         let place = Path::root().key("given").name(name);
         let mut add = |builder: &mut Builder<'_>, name: &str, origin: Origin, unit: &Unit| {
             let Some(symbol) = builder.mention(name) else {
-                let fault = builder.unknown(name).at_path(place.clone());
-                builder.fault(fault);
+                let fault = match given {
+                    Given::Any(_) => builder.unknown(name).help(format!("say what it is by a unit: `{name}: any kg`")),
+                    _ => builder.unknown(name),
+                };
+                builder.fault(fault.at_path(place.clone()));
                 return;
             };
             let dimension = builder.symbols().entry(symbol).dimension;
-            if dimension != unit.dimension() && !matches!(origin, Origin::Any) {
+            if dimension != unit.dimension() && !matches!(given, Given::Any(None)) {
                 let [expected, found] = [dimension, unit.dimension()].map(dimension_name);
                 let message = format!("`{name}` is {expected}, but its unit makes it {found}");
                 builder.fault(Fault::new(Code::Dimension, message).help("change the unit").at_path(path.clone()));
@@ -221,7 +215,7 @@ fn givens(loaded: &Loaded, builder: &mut Builder<'_>) -> Vec<Known> {
             known.push(Known { name: name.to_owned(), symbol, unit: unit.clone(), origin });
         };
         match given {
-            Given::Any => add(builder, name, Origin::Any, &Unit::none()),
+            Given::Any(unit) => add(builder, name, Origin::Any, &unit.clone().unwrap_or_default()),
             Given::Drawn { domain, unit } => add(builder, name, Origin::Drawn(domain.clone()), unit),
             Given::Literal(literal) => match &literal.components[..] {
                 [only] => add(builder, name, Origin::Fixed(only.clone()), &literal.unit),
@@ -255,20 +249,6 @@ fn mention_for_checks(stages: &[Stage], builder: &mut Builder<'_>) {
     for (index, stage) in stages.iter().enumerate() {
         if matches!(stage, Stage::Impact(_)) {
             builder.mention(&format!("T_lost[{}]", index + 1));
-        }
-    }
-}
-
-/// Every placeholder names a quantity.
-fn mention_in_texts(loaded: &Loaded, builder: &mut Builder<'_>) {
-    let root = Path::root();
-    let forms = loaded.questions.iter().map(|question| (question.path.key("text"), &question.text));
-    for (path, text) in std::iter::once((root.key("text"), &loaded.text)).chain(forms) {
-        for placeholder in text.placeholders() {
-            if builder.mention(&placeholder.name).is_none() {
-                let fault = builder.unknown(&placeholder.name).at_path(path.clone()).within(placeholder.span);
-                builder.fault(fault);
-            }
         }
     }
 }
@@ -310,6 +290,11 @@ impl FormDraft {
         let mut reveal = Vec::new();
         for (index, name) in question.reveal.iter().enumerate() {
             match builder.mention(name) {
+                Some(symbol) if read.wanted.contains(&symbol) => {
+                    let fault = Fault::new(Code::Duplicate, format!("`{name}` is asked, so it cannot be told as well"));
+                    let help = "remove it from `reveal`, or ask for something else";
+                    builder.fault(fault.help(help).at_path(question.path.key("reveal").index(index)));
+                }
                 Some(symbol) => {
                     let dimension = builder.symbols().entry(symbol).dimension;
                     let unit = parts::unit_for(loaded, name, dimension);
@@ -359,7 +344,15 @@ impl FormDraft {
             let planned = Regimes::plan(model, &[], &extra(&self.conditions), &everything, &revealed, &self.allowed);
             Some(planned.map_err(|fault| vec![fault.at_path(at)])?)
         };
+        let given = self.wanted.iter().find(|symbol| everything.contains(symbol));
         let solver = Regimes::plan(model, &self.counts, &extra(&self.conditions), &told, &wanted, &self.allowed)
+            .map_err(|fault| match given.map(|symbol| &model.symbols.entry(*symbol).name) {
+                Some(name) => fault.help(format!(
+                    "`{name}` stands under `given`, and a form that asks for it must tell what it follows from: \
+                     `reveal: [...]`"
+                )),
+                None => fault,
+            })
             .map_err(|fault| vec![fault.at_path(path)])?;
         Ok(Form {
             question: self.question,

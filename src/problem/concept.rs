@@ -10,6 +10,7 @@ use crate::model::Impulse;
 use crate::scene::Stage;
 use crate::scene::Term;
 use crate::scene::stage::Arm;
+use crate::scene::stage::Impact;
 
 use super::ask::Classify;
 use super::ask::Conservable;
@@ -103,9 +104,7 @@ fn energy(loaded: &Loaded, builder: &Builder<'_>, stage: usize) -> Verdict {
             false,
             "the bodies stay together, and part of the kinetic energy goes into deforming and heating them".into(),
         ),
-        Some(Stage::Impact(impact)) if impact.restitution.as_ref().is_some_and(|e| is_one(loaded, e)) => {
-            (true, "the impact is elastic (e = 1)".into())
-        }
+        Some(Stage::Impact(impact)) if is_elastic(loaded, impact) => (true, "the impact is elastic (e = 1)".into()),
         Some(Stage::Impact(_)) => (false, "with e below 1 part of the kinetic energy is lost in the impact".into()),
         Some(Stage::Rotate(stage)) if stage.moment.is_none() && matches!(stage.arm, Arm::Constant(_)) => {
             (true, "the only force in the plane is at right angles to the motion and does no work".into())
@@ -127,6 +126,11 @@ fn angular(builder: &Builder<'_>, stage: usize) -> Verdict {
         }
         _ => (false, "a force has a moment about the point".into()),
     }
+}
+
+/// Whether no kinetic energy is lost.
+fn is_elastic(loaded: &Loaded, impact: &Impact) -> bool {
+    impact.elastic || impact.restitution.as_ref().is_some_and(|e| is_one(loaded, e))
 }
 
 /// Whether a coefficient of restitution is 1, as it is written or given.
@@ -153,7 +157,7 @@ pub(super) fn classify(loaded: &Loaded, ask: &Classify, builder: &mut Builder<'_
     };
     let (right, because) = if impact.plastic {
         (2, "the bodies stay together (e = 0)")
-    } else if impact.restitution.as_ref().is_some_and(|e| is_one(loaded, e)) {
+    } else if is_elastic(loaded, impact) {
         (0, "e = 1: no kinetic energy is lost")
     } else {
         (1, "e lies between 0 and 1: the bodies separate, and some kinetic energy is lost")
@@ -237,9 +241,16 @@ fn stage(name: Option<&str>, builder: &mut Builder<'_>, path: &Path) -> Option<u
         None => (builder.scene().stages.len() == 1).then_some(0),
     };
     if found.is_none() {
-        let message =
-            name.map_or("it is not said which stage is meant".into(), |name| format!("there is no stage `{name}`"));
-        let help = "give the stage a `name` and write it here: `stage: hit`";
+        let message = match name {
+            _ if builder.scene().stages.is_empty() => "nothing happens in this scene: it has no stage".to_owned(),
+            None => "it is not said which stage is meant".to_owned(),
+            Some(name) => format!("there is no stage `{name}`"),
+        };
+        let help = if builder.scene().stages.is_empty() {
+            "say under `stages` what happens, as `- impact: { between: [A, B], restitution: e }`"
+        } else {
+            "give the stage a `name` and write it here: `stage: hit`"
+        };
         builder.fault(Fault::new(Code::UnknownName, message).help(help).at_path(path.key("stage")));
     }
     found

@@ -8,6 +8,7 @@ use crate::scene::{Scene, Term};
 use super::ask::Ask;
 use super::entries::Entries;
 use super::given::GivenEntry;
+use super::rubric::Rubric;
 
 /// A problem file: keys with their values, from `id` and `title` to what is asked.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -76,13 +77,16 @@ pub struct Draft {
     #[serde(default)]
     #[schemars(range(min = 1, max = 12))]
     pub figures: Option<u8>,
-    /// How far an answer may lie from the true one: `2 %`, `0.05 m/s`.
+    /// How far an answer may lie from the true one: `2 %`, `0.05 m/s`; `to figures` for half a unit of its last figure.
     #[serde(default)]
     pub tolerance: Option<Term>,
     /// Points of each part that does not say its own. Default: 1.
     #[serde(default)]
     #[schemars(range(min = 0, max = 1000))]
     pub points: Option<u32>,
+    /// What a partly right answer is worth, and what attempts and hints cost.
+    #[serde(default)]
+    pub rubric: Rubric,
 }
 
 /// One way in which a problem is asked.

@@ -8,7 +8,7 @@ use crate::quantity::{Decimal, Unit};
 use crate::scene::Term;
 
 use super::domain::{Domain, Grid};
-use super::literal::{Literal, number};
+use super::literal::{Literal, number, unit_fault};
 
 /// A given as it is written: a value, a mapping that draws it, or `any`.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -20,7 +20,7 @@ pub enum GivenEntry {
     Choice(ChoiceEntry),
     /// A value with its unit apart: `{ value: 3, unit: kg }`.
     Value(ValueEntry),
-    /// A value (`3 kg`, `0.7`, `(2, -3) m`), an expression of other givens (`2*m_A`), or `any` for what must not matter.
+    /// A value (`3 kg`, `0.7`, `(2, -3) m`), an expression of other givens (`2*m_A`), or `any` (`any kg`) for what must not matter.
     Term(Term),
 }
 
@@ -64,8 +64,8 @@ pub struct ValueEntry {
 /// What is known of a quantity, read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Given {
-    /// It must not matter.
-    Any,
+    /// It must not matter; its unit where it is said.
+    Any(Option<Unit>),
     /// A value, or the components of a vector.
     Literal(Literal),
     /// A value that each seed draws.
@@ -90,21 +90,21 @@ impl Given {
             GivenEntry::Term(Term(text)) => reader.term(text, path),
             GivenEntry::Value(entry) => {
                 let value = reader.number(&entry.value, &path.key("value"));
-                let unit = reader.unit(entry.unit.as_deref(), path);
+                let unit = reader.unit_key(entry.unit.as_deref(), path);
                 value.zip(unit).map(|(value, unit)| Self::Literal(Literal { components: vec![value], unit }))
             }
             GivenEntry::Range(entry) => {
                 let min = reader.number(&entry.min, &path.key("min"));
                 let max = reader.number(&entry.max, &path.key("max"));
                 let step = reader.number(&entry.step, &path.key("step"));
-                let unit = reader.unit(entry.unit.as_deref(), path);
+                let unit = reader.unit_key(entry.unit.as_deref(), path);
                 let grid = min.zip(max).zip(step);
                 let grid = grid.and_then(|((min, max), step)| reader.take(Grid::new(&min, &max, &step), path));
                 grid.zip(unit).map(|(grid, unit)| Self::Drawn { domain: Domain::Grid(grid), unit })
             }
             GivenEntry::Choice(entry) => {
                 let values = reader.choice(&entry.one_of, &path.key("one_of"));
-                let unit = reader.unit(entry.unit.as_deref(), path);
+                let unit = reader.unit_key(entry.unit.as_deref(), path);
                 values.zip(unit).map(|(values, unit)| Self::Drawn { domain: Domain::Choice(values), unit })
             }
         };
@@ -123,8 +123,9 @@ impl Reader {
     }
 
     fn term(&mut self, text: &str, path: &Path) -> Option<Given> {
-        if text.trim() == "any" {
-            return Some(Given::Any);
+        if let Some(unit) = text.trim().strip_prefix("any").filter(|unit| unit.is_empty() || unit.starts_with(' ')) {
+            let unit = unit.trim();
+            return self.unit(Some(unit), path).map(|read| Given::Any((!unit.is_empty()).then_some(read)));
         }
         let literal = self.take(Literal::read(text), path)?;
         Some(literal.map_or_else(|| Given::Expression(text.to_owned()), Given::Literal))
@@ -143,14 +144,14 @@ impl Reader {
         self.take(read, path)
     }
 
+    /// The unit that stands under `unit`.
+    fn unit_key(&mut self, text: Option<&str>, path: &Path) -> Option<Unit> {
+        self.unit(text, &path.key("unit"))
+    }
+
     fn unit(&mut self, text: Option<&str>, path: &Path) -> Option<Unit> {
-        let read = Unit::parse(text.unwrap_or_default()).map_err(|fault| {
-            let within = fault.span;
-            let mut fault = Fault::from(fault);
-            fault.span = None;
-            fault.within(within)
-        });
-        self.take(read, &path.key("unit"))
+        let read = Unit::parse(text.unwrap_or_default()).map_err(|fault| unit_fault(fault, 0));
+        self.take(read, path)
     }
 
     fn choice(&mut self, terms: &[Term], path: &Path) -> Option<Vec<Decimal>> {

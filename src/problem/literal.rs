@@ -1,7 +1,7 @@
 //! Numbers and values with units, as an author writes them.
 
 use crate::fault::{Code, Fault, Span};
-use crate::quantity::{Decimal, DecimalFault, Unit};
+use crate::quantity::{Decimal, DecimalFault, Unit, UnitFault};
 
 /// One or more components in one unit: `3 kg`, `0.7`, `(2, -3) m`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -35,6 +35,9 @@ impl Literal {
         if length == 0 || rest.trim_start().starts_with(['*', '/', '+', '-', '^', '(']) {
             return Ok(None);
         }
+        // A number that goes on has too many digits, or too great a power of ten.
+        let end = end + rest.bytes().take_while(u8::is_ascii_digit).count();
+        let rest = &text[end..];
         let number = number(&text[start..end]).map_err(|fault| fault.within(Span { start, end }))?;
         if rest.starts_with(['_', ',']) && rest[1..].starts_with(|next: char| next.is_ascii_digit()) {
             let fault = Fault::new(Code::Value, format!("`{}` is not a number", text.trim()));
@@ -99,13 +102,16 @@ fn unit(text: &str, end: usize) -> Result<Option<Unit>, Fault> {
     match Unit::parse(rest.trim()) {
         Ok(unit) => Ok(Some(unit)),
         Err(_) if rest.contains(['+', '*', '_', '(', ')', '=']) || rest.contains(" - ") => Ok(None),
-        Err(fault) => {
-            let within = Span { start: start + fault.span.start, end: start + fault.span.end };
-            let mut fault = Fault::from(fault);
-            fault.span = None;
-            Err(fault.within(within))
-        }
+        Err(fault) => Err(unit_fault(fault, start)),
     }
+}
+
+/// The fault of a unit that begins at that byte of a value of the file.
+pub(super) fn unit_fault(fault: UnitFault, start: usize) -> Fault {
+    let within = Span { start: start + fault.span.start, end: start + fault.span.end };
+    let mut fault = Fault::from(fault);
+    fault.span = None;
+    fault.within(within)
 }
 
 /// How many bytes at the start of a text are a number: sign, digits with a point, power of ten.
@@ -166,6 +172,7 @@ mod tests {
             ("3,5 m", "`3,5 m` is not a number at 3,5 m"),
             ("(2, x) m", "`x` is not a number at x"),
             ("(1, 2, 3, 4)", "a vector has two or three components, not 4 at (1, 2, 3, 4)"),
+            ("1e999 kg", "a power of ten lies between -400 and 400 at 1e999"),
             ("3 kgg", "the unit `kgg` is not known at kgg"),
         ];
         for (text, expected) in cases {

@@ -25,6 +25,7 @@ use super::planned::Form;
 use super::planned::Problem;
 use super::regimes::Leaf;
 use super::restricted::Restricted;
+use super::rounding::half_unit;
 use super::variant::Worked;
 
 /// The mistakes of a form, one list for each way in which its scene can go; empty until they are asked for.
@@ -218,6 +219,7 @@ impl<'a> Worked<'a> {
                 let allowed = match &number.tolerance {
                     Tolerance::Relative(share) => share.to_f64() * right.abs(),
                     Tolerance::Absolute(distance) => distance.to_f64(),
+                    Tolerance::ToFigures => half_unit(right, number.figures),
                 };
                 let allowed = allowed.max(self.judged(number).allowance);
                 for value in self.mistaken(mistake, number) {

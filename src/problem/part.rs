@@ -59,6 +59,8 @@ pub enum Tolerance {
     Relative(Decimal),
     /// A distance, in the unit of the question.
     Absolute(Decimal),
+    /// Half a unit of the exact value's last figure.
+    ToFigures,
 }
 
 impl PartKind {

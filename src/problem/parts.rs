@@ -23,12 +23,14 @@ use super::comparison::split_relation;
 use super::concept;
 use super::form::Question;
 use super::given::Given;
+use super::literal::unit_fault;
 use super::load::Loaded;
 use super::part::AskedUnit;
 use super::part::NumberPart;
 use super::part::Part;
 use super::part::PartKind;
 use super::part::Tolerance;
+use super::rubric::fraction;
 
 /// What reading the parts of a form gives.
 #[derive(Default)]
@@ -43,6 +45,7 @@ pub(super) struct Read {
 /// Reads the parts of a form; faults are noted in the builder.
 pub(super) fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'_>) -> Read {
     let mut read = Read::default();
+    check_rubric(loaded, builder);
     for (index, ask) in question.ask.iter().enumerate() {
         let path = question.path.key("ask").index(index);
         let letter = char::from_u32(u32::from('a') + u32::try_from(index % 26).unwrap_or(0)).unwrap_or('a').to_string();
@@ -67,6 +70,15 @@ pub(super) fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'
         read.parts.push(Part { id, label: own_label.unwrap_or(label), points, kind });
     }
     read
+}
+
+/// Every fraction of the rubric can be read; it is the same for all forms, so its faults are told once.
+fn check_rubric(loaded: &Loaded, builder: &mut Builder<'_>) {
+    for (key, term) in loaded.draft.rubric.fractions().filter(|(_, term)| fraction(term).is_none()) {
+        let fault = Fault::new(Code::Value, format!("`{}` is no fraction of the points", term.0));
+        let path = Path::root().key("rubric").key(key);
+        builder.fault(fault.help("write a fraction from 0 to 1: `50 %`, `0.5` or `1/2`").at_path(path));
+    }
 }
 
 fn points_and_label(ask: &Ask) -> (Option<u32>, Option<String>) {
@@ -109,7 +121,7 @@ fn number(loaded: &Loaded, find: &Find, builder: &mut Builder<'_>, path: &Path) 
                 return None;
             }
             (Err(fault), _) => {
-                builder.fault(Fault::from(fault).at_path(path.key("unit")));
+                builder.fault(unit_fault(fault, 0).at_path(path.key("unit")));
                 return None;
             }
         },
@@ -120,7 +132,7 @@ fn number(loaded: &Loaded, find: &Find, builder: &mut Builder<'_>, path: &Path) 
         Some(Some(tolerance)) => tolerance,
         Some(None) => {
             let fault = Fault::new(Code::Value, "a tolerance is a percentage or a value in the unit of the question");
-            builder.fault(fault.help("write `2 %` or `0.05 m/s`").at_path(path.key("tolerance")));
+            builder.fault(fault.help("write `2 %`, `0.05 m/s` or `to figures`").at_path(path.key("tolerance")));
             return None;
         }
     };
@@ -183,7 +195,7 @@ fn of_its_kind(loaded: &Loaded, name: &str, dimension: Dimension) -> Option<Unit
         let unit = match given {
             Given::Drawn { unit, .. } => unit,
             Given::Literal(literal) => &literal.unit,
-            Given::Any | Given::Expression(_) => return None,
+            Given::Any(_) | Given::Expression(_) => return None,
         };
         let speed = |base: &str| base == "v" || base == "speed";
         let kin = base(other).is_some_and(|base| base == own || speed(&base) && speed(&own));
@@ -202,6 +214,9 @@ fn default_tolerance(unit: &AskedUnit) -> Tolerance {
 
 fn read_tolerance(term: &Term, dimension: Dimension) -> Option<Tolerance> {
     let text = term.0.trim();
+    if text == "to figures" {
+        return Some(Tolerance::ToFigures);
+    }
     if let Some(percent) = text.strip_suffix('%') {
         let percent = Decimal::parse(percent.trim()).ok()?;
         let scale = u32::try_from(percent.scale()).ok()?;

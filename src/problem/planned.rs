@@ -14,7 +14,10 @@ use super::form::Question;
 use super::known::Known;
 use super::load::Loaded;
 use super::mistakes::Mistakes;
+use super::part::AskedUnit;
+use super::part::NumberPart;
 use super::part::Part;
+use super::part::PartKind;
 use super::regimes::Regimes;
 use super::stream::Streams;
 
@@ -67,6 +70,14 @@ impl Form {
     /// The quantities that are asked.
     pub fn wanted(&self) -> impl Iterator<Item = Symbol> {
         self.parts.iter().flat_map(|part| part.kind.wanted())
+    }
+
+    /// The quantities in terms of which answers are asked.
+    pub fn units(&self) -> impl Iterator<Item = Symbol> {
+        self.parts.iter().filter_map(|part| match &part.kind {
+            PartKind::Number(NumberPart { unit: AskedUnit::InTermsOf(symbol), .. }) => Some(*symbol),
+            _ => None,
+        })
     }
 
     /// What the answer plans use of what is told.

@@ -54,6 +54,9 @@ pub enum Rejection {
     /// They break a condition of the scene or of the problem.
     #[error("{0}")]
     Condition(String),
+    /// They make a quantity zero in terms of which an answer is asked.
+    #[error("`{0}` is zero, and nothing can be told in terms of it")]
+    ZeroUnit(String),
     /// They leave several solutions.
     #[error("there are {0} solutions; pick one with `where`, or ask for all with `roots: all`")]
     Several(usize),
@@ -91,6 +94,8 @@ pub struct Sampler<'p> {
     domains: Vec<Option<Domain>>,
     scratch: Scratch,
     forward: Scratch,
+    /// The quantities in terms of which answers are asked.
+    units: Vec<Symbol>,
     rejected: u64,
 }
 
@@ -112,6 +117,7 @@ impl<'p> Sampler<'p> {
             domains: domains(problem, count),
             scratch: Scratch::default(),
             forward: Scratch::default(),
+            units: own.units().collect(),
             rejected: 0,
         })
     }
@@ -185,6 +191,9 @@ impl<'p> Sampler<'p> {
         if several > 1 {
             return Some(Rejection::Several(several));
         }
+        if let (1, Some(unit)) = (several, self.zero_unit()) {
+            return Some(Rejection::ZeroUnit(self.problem.model().symbols.entry(unit).name.clone()));
+        }
         let mut dead = self.scratch.dead(&self.form.solver);
         let mut regimes = &self.form.solver;
         if let (true, Some(forward)) = (dead.is_empty(), &self.form.forward) {
@@ -212,9 +221,15 @@ impl<'p> Sampler<'p> {
         })
     }
 
-    /// One solution, or any number of them where every one is asked for.
+    /// One solution, or any number of them where every one is asked for; and nothing is asked in terms of zero.
     fn is_admissible(&self, solutions: usize) -> bool {
-        solutions == 1 || solutions > 1 && self.form.question.roots.is_some()
+        (solutions == 1 || solutions > 1 && self.form.question.roots.is_some()) && self.zero_unit().is_none()
+    }
+
+    /// A quantity in terms of which an answer is asked, and which is not certain to differ from zero.
+    fn zero_unit(&self) -> Option<Symbol> {
+        let is_zero = |unit: &Symbol| self.answer(*unit).is_some_and(|value| value.value.abs() <= value.error);
+        self.units.iter().copied().find(is_zero)
     }
 
     /// Whether every mistake that the author wants to see changes some answer.

@@ -43,9 +43,10 @@ pub(super) fn solution(worked: Worked<'_>) -> Vec<Drawing> {
         Stage::Spring(spring) if spring.between.is_none() => Vec::new(),
         Stage::Stream(stream) => vec![sheet::stream::drawing(&quantities, &compass, index, stream)],
         Stage::Thrust(thrust) => vec![sheet::stream::rocket(&quantities, &compass, index, thrust)],
-        Stage::Swing(_) | Stage::Connected(_) | Stage::Drift(_) => Vec::new(),
         // What a ball gains before it bounces on is not asked for; the figure of the bounces shows its fall.
         Stage::Fall(_) if matches!(stages.get(index + 1), Some(Stage::Bounces(_))) => Vec::new(),
+        Stage::SlideOff(_) => vec![sheet::line::after(&quantities, &compass, index)],
+        Stage::Walk(_) | Stage::Swing(_) | Stage::Connected(_) | Stage::Drift(_) => Vec::new(),
         Stage::Flight(_) if quantities.scene().plane == Plane::Horizontal => Vec::new(),
         Stage::Impact(_)
         | Stage::Slide(_)

@@ -131,7 +131,9 @@ fn participants(stage: &Stage) -> Vec<Participant> {
         | Stage::Bounces(_)
         | Stage::Stream(_)
         | Stage::Thrust(_)
-        | Stage::Drift(_) => Vec::new(),
+        | Stage::Drift(_)
+        | Stage::SlideOff(_)
+        | Stage::Walk(_) => Vec::new(),
     }
 }
 

@@ -18,6 +18,7 @@ use crate::scene::Scene;
 use crate::scene::Term;
 
 use super::super::display::Display;
+use super::super::display::Shown;
 
 /// How much a figure may show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -111,7 +112,7 @@ impl<'a> Quantities<'a> {
 
     /// A term in symbols.
     pub(super) fn symbolic(&self, expr: &Expr) -> Math {
-        Display { worked: self.worked, free: &BTreeSet::new() }.symbolic(expr)
+        Display { worked: self.worked, free: &BTreeSet::new(), shown: &Shown::default() }.symbolic(expr)
     }
 
     /// A term in symbols without the sign in front of it, where an arrow shows the sense.
@@ -208,7 +209,12 @@ impl<'a> Quantities<'a> {
 
     /// How the mass of a body is written.
     pub(super) fn mass_math(&self, body: &str) -> Math {
-        let members = self.scene().members(body);
+        let mut members = self.scene().members(body);
+        let parts = self.scene().division_of(body);
+        if self.model().symbol_of(&format!("m_{body}")).is_none() && self.mass_term(body).is_none() && !parts.is_empty()
+        {
+            members = parts;
+        }
         if members.len() > 1 {
             let mut sum = Vec::new();
             for member in members {

@@ -105,6 +105,10 @@ fn found(expected: &ExpectedVector, given: &[Number]) -> Option<Verdict> {
     if signs.any(|turned| near(&turned, limit)) {
         return Some(Verdict::ComponentSign);
     }
+    // What is only a little off is not a matter of direction.
+    if near(&right, 4.0 * limit) {
+        return None;
+    }
     let given = size(&given.iter().map(Number::to_f64).collect::<Vec<_>>());
     ((given - size(&right)).abs() <= limit && given > 0.0).then_some(Verdict::DirectionWrong)
 }

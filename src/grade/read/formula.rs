@@ -47,8 +47,10 @@ pub(super) fn read(answer: &str, asked: &ExpectedFormula, mark: DecimalMark) -> 
     let names = Names::new(asked);
     let text = plain.text();
     // The name of what is asked may stand before it: `v_B2 = ...`.
-    let start =
-        text.split_once('=').filter(|(name, _)| names.is_asked(name.trim())).map_or(0, |(name, _)| name.len() + 1);
+    let start = text
+        .split_once('=')
+        .filter(|(name, _)| names.is_asked(name.trim()))
+        .map_or_else(|| text.len() - text.trim_start_matches([' ', '=']).len(), |(name, _)| name.len() + 1);
     let mut reader = Reader { text, at: start, mark, depth: 0, parts: 0, functions: 0, names: &names };
     let formula = reader.whole().map_err(|(at, kind)| plain.fault(at, kind))?;
     Ok(FormulaAnswer { text: formula.text(&asked.symbols), formula })
@@ -138,6 +140,7 @@ impl<'a> Reader<'a> {
                 if divided && !fraction {
                     return self.fault(UnreadableKind::ProductAfterBar);
                 }
+                divided = false;
                 self.part()?;
                 product = product * self.power()?;
             } else {
@@ -271,7 +274,8 @@ impl<'a> Reader<'a> {
         let is_here = |name: &str| {
             let behind = rest.strip_prefix(name);
             behind.is_some_and(|behind| {
-                !behind.starts_with(|next: char| next.is_alphanumeric() || next == '_') || name == "√"
+                !behind.starts_with(|next: char| next.is_alphabetic() || next.is_ascii_digit() || next == '_')
+                    || name == "√"
             })
         };
         let root = ROOTS.iter().find(|name| is_here(name));

@@ -12,8 +12,26 @@ use super::numeral::DecimalMark;
 use super::unreadable::UnreadableKind;
 
 /// Words that say nothing here.
-const FILLERS: &[&str] =
-    &["at", "@", "∠", "an", "a", "angle", "the", "axis", "direction", "in", "to", "due", "directed", "measured", "and"];
+const FILLERS: &[&str] = &[
+    "at",
+    "@",
+    "∠",
+    "an",
+    "a",
+    "angle",
+    "the",
+    "axis",
+    "direction",
+    "in",
+    "to",
+    "due",
+    "directed",
+    "measured",
+    "and",
+    "along",
+    "towards",
+    "toward",
+];
 
 /// A side of an axis: its position in the frame, and whether it is the positive one.
 type Side = (usize, bool);
@@ -59,6 +77,7 @@ pub(super) fn read(text: &str, frame: &Frame, mark: DecimalMark) -> At<Heading> 
         [Word::Angle { degrees, form, unit: true, .. }] if frame.axes.len() > 1 => {
             return turned((0, true), (1, true), degrees.clone(), *form).ok_or((start, UnreadableKind::Direction));
         }
+        [Word::Angle { unit: false, .. }] => return Err((start, UnreadableKind::AngleUnit)),
         [Word::Angle { degrees, form, signed, unit }, Word::Above(above), Word::Side(base)] => {
             (degrees, form, *signed, *unit, *base, (1, *above))
         }

@@ -68,16 +68,18 @@ impl<'a> Reader<'a> {
         if let Some(found) = self.brackets((at, text))? {
             return Ok(found);
         }
+        let worded = WORDS.iter().find_map(|(word, upper, closed)| Some((text.strip_prefix(word)?, *upper, *closed)));
+        if let Some((rest, upper, closed)) = worded {
+            let end = self.end(self.piece(rest))?;
+            let closed = [Some(closed); 2];
+            return if upper { self.made(None, end, closed) } else { self.made(end, None, closed) };
+        }
         let between = text.strip_prefix("between ").and_then(|rest| rest.split_once(" and "));
         let from = text.strip_prefix("from ").unwrap_or(text).split_once(" to ");
         if let Some((low, high)) = between.or(from) {
             return self.made(self.end(self.piece(low))?, self.end(self.piece(high))?, [None, None]);
         }
-        let worded = WORDS.iter().find_map(|(word, upper, closed)| Some((text.strip_prefix(word)?, *upper, *closed)));
-        let Some((rest, upper, closed)) = worded else { return Err((at, UnreadableKind::NotAnInterval)) };
-        let end = self.end(self.piece(rest))?;
-        let closed = [Some(closed); 2];
-        if upper { self.made(None, end, closed) } else { self.made(end, None, closed) }
+        Err((at, UnreadableKind::NotAnInterval))
     }
 
     /// `0 < e <= 0.5`, `e > 0`, `e > 0 and e <= 0.5`.

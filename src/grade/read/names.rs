@@ -40,6 +40,9 @@ const SPELT: [(char, &str); 26] = [
 /// Signs within a name that say nothing.
 const SILENT: [char; 7] = ['_', '{', '}', '.', '\\', '[', ']'];
 
+/// The most bytes of names side by side: every split of them is tried, so that none is read in silence.
+const MAX_RUN: usize = 64;
+
 /// The names that a formula may contain.
 pub(super) struct Names<'a> {
     /// Each with its letters alone: `mA`. `None` is pi.
@@ -80,6 +83,9 @@ impl<'a> Names<'a> {
     /// stands there.
     pub(super) fn first(&self, text: &str) -> Result<Option<Segment>, UnreadableKind> {
         let run = &text[..run_length(text)];
+        if run.len() > MAX_RUN {
+            return Err(UnreadableKind::TooManyParts);
+        }
         if run.is_empty() {
             return Ok(None);
         }

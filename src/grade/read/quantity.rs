@@ -27,18 +27,21 @@ pub(super) fn read(answer: &str, asked: &ExpectedNumber, mark: DecimalMark) -> R
     let text = plain.text();
     let found = read_plain(text, asked.senses.as_ref(), &asked.unit, mark);
     let found = match &asked.reference {
-        Some(reference) => found.or_else(|fault| in_words(text, reference, mark).ok_or(fault)),
+        Some(reference) => found.or_else(|fault| match in_words(text, reference, mark) {
+            Err((_, UnreadableKind::Direction)) => Err(fault),
+            words => words,
+        }),
         None => found,
     };
     found.map_err(|(at, kind)| plain.fault(at, kind))
 }
 
 /// A direction in words, as the question counts it.
-fn in_words(text: &str, reference: &Reference, mark: DecimalMark) -> Option<NumberAnswer> {
-    let heading = heading::read(text.trim_end_matches([' ', '.']), &reference.frame, mark).ok()?;
+fn in_words(text: &str, reference: &Reference, mark: DecimalMark) -> Result<NumberAnswer, (usize, UnreadableKind)> {
+    let heading = heading::read(text.trim_end_matches([' ', '.']), &reference.frame, mark)?;
     let words = heading.words(&reference.frame, |angle, form| echo_number(angle, form.written()));
-    Some(NumberAnswer {
-        number: heading.counted(reference)?,
+    Ok(NumberAnswer {
+        number: heading.counted(reference).ok_or((0, UnreadableKind::TooLarge))?,
         written: heading.form.written(),
         signed: false,
         unit: Unit::parse("deg").ok(),

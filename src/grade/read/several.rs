@@ -19,7 +19,8 @@ pub fn read_several(answer: &str) -> Vec<String> {
         let size = size.trim_start();
         return vec![size.to_owned(), format!("-{size}")];
     }
-    let mut pieces = vec![answer.trim_start_matches('{').trim_end_matches('}')];
+    let answer = answer.replace(['{', '}'], "");
+    let mut pieces = vec![answer.as_str()];
     for word in BETWEEN {
         pieces = pieces.into_iter().flat_map(|piece| piece.split(word)).collect();
     }

@@ -20,6 +20,9 @@ const BRACKETS: [(char, char); 5] = [('(', ')'), ('<', '>'), ('[', ']'), ('⟨',
 const UNIT_VECTORS: [&[&str]; 3] =
     [&["i\u{302}", "x\u{302}", "î", "i"], &["j\u{302}", "y\u{302}", "ĵ", "ŷ", "j"], &["k\u{302}", "z\u{302}", "k"]];
 
+/// A magnitude is looked for before so many words.
+const MOST_WORDS: usize = 16;
+
 /// A component as it was read; a part without a value stands for zero.
 type Parts = Vec<Option<NumberAnswer>>;
 
@@ -183,12 +186,12 @@ fn sum(text: &str, asked: &ExpectedVector, mark: DecimalMark, behind: Option<Uni
 
 /// A magnitude and its direction, wherever the one ends and the other begins.
 fn polar(text: &str, asked: &ExpectedVector, mark: DecimalMark) -> At<VectorAnswer> {
-    let mut first_fault = None;
+    let mut last_fault = None;
     let begins = |(at, next): (usize, char)| {
         let gap = text[..at].ends_with([' ', ',', '(']) || direction::is_arrow(next) || next == '@' || next == '∠';
         (at > 0 && gap && next != ' ').then_some(at)
     };
-    for at in text.char_indices().filter_map(begins) {
+    for at in text.char_indices().filter_map(begins).take(MOST_WORDS) {
         let size = text[..at].trim_end_matches([' ', ',', '(']);
         let bare = size.strip_suffix(" at").or(size.strip_suffix('@')).or(size.strip_suffix('∠')).unwrap_or(size);
         let Ok(size) = component(bare, asked, mark) else { continue };
@@ -207,12 +210,12 @@ fn polar(text: &str, asked: &ExpectedVector, mark: DecimalMark) -> At<VectorAnsw
             }
             // What stands behind the whole quantity is a direction, so its fault is the one to tell.
             Err((shift, kind)) => {
-                first_fault.get_or_insert((at + shift, kind));
+                last_fault = Some((at + shift, kind));
             }
         }
     }
     let alone = component(text, asked, mark);
-    match (alone, first_fault) {
+    match (alone, last_fault) {
         (Ok(size), _) if size.number.is_zero() => {
             let components = vec![size.number; asked.components.len()];
             Ok(VectorAnswer {
@@ -222,7 +225,8 @@ fn polar(text: &str, asked: &ExpectedVector, mark: DecimalMark) -> At<VectorAnsw
                 heading: None,
             })
         }
-        (Ok(_), _) => Err((0, UnreadableKind::Components(asked.components.len()))),
-        (Err(_), Some(fault)) | (Err(fault), None) => Err(fault),
+        (Ok(_), None) => Err((0, UnreadableKind::Components(asked.components.len()))),
+        (Ok(size), Some(_)) if size.unit.is_some() => Err((0, UnreadableKind::Components(asked.components.len()))),
+        (Ok(_) | Err(_), Some(fault)) | (Err(fault), None) => Err(fault),
     }
 }

@@ -1,8 +1,10 @@
 //! Quantities that exist because somebody mentions them: speeds, momenta, energies, the mass centre. A table by the
 //! beginning of the name; each row makes the symbol and the equation that defines it.
 
+mod between;
 mod kinetic;
 mod mass_centre;
+mod phases;
 mod speed;
 
 use crate::expr::Expr;
@@ -25,6 +27,9 @@ use kinetic::energy_lost;
 use kinetic::kinetic_energy;
 use mass_centre::mass_centre_position;
 use mass_centre::mass_centre_velocity;
+use phases::common_velocity;
+use phases::deformation;
+use phases::restoring;
 use speed::angle;
 use speed::speed;
 
@@ -45,6 +50,9 @@ const DEFINITIONS: &[(&str, Define)] = &[
     ("T", kinetic_energy),
     ("T_lost", energy_lost),
     ("T_gained", energy_gained),
+    ("J_def", deformation),
+    ("J_rest", restoring),
+    ("v_common", common_velocity),
     ("H", angular_momentum),
     ("W", weight),
 ];
@@ -54,6 +62,9 @@ impl Builder<'_> {
     pub(crate) fn resolve(&mut self, name: &str) -> Option<Symbol> {
         if let Some(symbol) = self.symbols.find(name) {
             return Some(symbol);
+        }
+        if name.starts_with("angle(") {
+            return self.angle_between(name);
         }
         let mut name = Name::parse(name)?;
         if let Some(Instant::Named(instant)) = &name.instant {

@@ -1,6 +1,7 @@
 //! Motion under a central force, in polar components.
 
 use crate::expr::Expr;
+use crate::fault::Path;
 use crate::laws::angular;
 use crate::model::Agent;
 use crate::model::Builder;
@@ -9,7 +10,7 @@ use crate::quantity::Dimension;
 use crate::scene::stage::Central;
 
 impl Builder<'_> {
-    pub(in crate::model) fn central(&mut self, index: usize, stage: &Central) {
+    pub(in crate::model) fn central(&mut self, index: usize, stage: &Central, path: &Path) {
         let (body, point) = (stage.body.as_str(), stage.about.as_str());
         let centre = self.point(point);
         let name = self.called(body);
@@ -33,7 +34,11 @@ impl Builder<'_> {
             components: Vec::new(),
             impulsive: false,
         });
-        self.omit("the radial motion in between", "the force's moment about the centre is zero, whatever its strength");
+        if stage.gravity.is_none() {
+            let why = "the force's moment about the centre is zero, whatever its strength";
+            self.omit("the radial motion in between", why);
+        }
+        self.orbit(index, stage, path);
     }
 
     /// How a point is called in a sentence.

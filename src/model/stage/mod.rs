@@ -9,16 +9,19 @@ mod fall;
 mod flight;
 mod guided;
 mod impact;
+mod orbit;
 mod push;
 mod rotate;
 mod separate;
 mod slide;
+mod slide_off;
 mod spring;
 mod stream;
 mod surface;
 mod swing;
 mod taut;
 mod thrust;
+mod walk;
 
 pub(in crate::model) use push::Pushed;
 
@@ -43,13 +46,15 @@ impl Builder<'_> {
                 Stage::Connected(stage) => self.connected(index, stage, &path),
                 Stage::Blow(stage) => self.blow(index, stage, &path),
                 Stage::Rotate(stage) => self.rotate(index, stage, &path),
-                Stage::Central(stage) => self.central(index, stage),
+                Stage::Central(stage) => self.central(index, stage, &path),
                 Stage::Fall(stage) => self.fall(index, stage, &path),
                 Stage::Bounces(stage) => self.bounces(index, stage, &path),
                 Stage::Stream(stage) => self.stream(index, stage, &path),
                 Stage::Thrust(stage) => self.thrust(index, stage, &path),
                 Stage::Drift(stage) => self.drift(index, stage, &path),
                 Stage::Flight(stage) => self.flight(index, stage, &path),
+                Stage::SlideOff(stage) => self.slide_off(index, stage, &path),
+                Stage::Walk(stage) => self.walk(index, stage, &path),
                 Stage::Separate(stage) => self.separate(index, stage, &path),
             }
         }

@@ -68,6 +68,9 @@ impl Builder<'_> {
                 Force::Friction(entry) => friction = Some((&entry.friction, at.key("friction"))),
             }
         }
+        for force in &acting {
+            self.told_throughout(&force.name, &force.strength, &end);
+        }
         let incline = self.incline(stage.incline.as_ref(), path);
         let over = stage.over.as_ref().map(|term| {
             let meaning = format!("the distance over which {} is pushed", self.called(&stage.body));
@@ -239,6 +242,14 @@ impl Builder<'_> {
         }
         let condition = self.condition(later.clone(), Relation::AtLeast, earlier.clone(), reason);
         self.system.conditions.push(condition);
+    }
+
+    /// A force whose law ends at some time is not known after it, so the stage must not last longer.
+    pub(in crate::model) fn told_throughout(&mut self, name: &str, strength: &Expr, end: &Expr) {
+        let Expr::Piecewise(pieces) = strength else { return };
+        if let Some((Some(last), _)) = pieces.pieces.last() {
+            self.in_order(end, last, &format!("the stage lasts longer than {name} is told"));
+        }
     }
 
     /// The number zero for a value that the author wrote as `0 s`, so that nothing is carried along that is not there.

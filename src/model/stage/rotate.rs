@@ -34,6 +34,7 @@ impl Builder<'_> {
             let moment = Expr::product([mass.clone(), arm.clone(), velocity.clone()]);
             self.law(&angular::ANGULAR_MOMENTUM, Some(index), because, (momentum.clone(), moment));
             self.angular_velocity(index, [body, &centre], instant, &arm, &velocity);
+            self.towards_the_centre(index, [body, &centre], instant, &arm, &velocity);
             momenta.push(momentum);
         }
         let moment = stage.moment.as_ref().map(|strength| {
@@ -85,6 +86,23 @@ impl Builder<'_> {
         let sides = (velocity.clone(), arm.clone() * Expr::from(angular));
         let because = format!("{} moves at right angles to the radius", self.called(body));
         self.law(&crate::laws::geometry::ARC, Some(index), because, sides);
+    }
+
+    /// The acceleration towards the centre.
+    fn towards_the_centre(
+        &mut self,
+        index: usize,
+        [body, centre]: [&str; 2],
+        instant: usize,
+        arm: &Expr,
+        velocity: &Expr,
+    ) {
+        let name = self.called(body);
+        let meaning = format!("the acceleration of {name} towards {centre} {}", self.when(instant));
+        let turning = self.symbol(format!("a_{body}{instant}.n"), Dimension::ACCELERATION, meaning);
+        let because = format!("{name} moves on a circle at that instant");
+        let sides = (turning.into(), velocity.clone().powi(2) / arm.clone());
+        self.law(&crate::laws::geometry::TURNING, Some(index), because, sides);
     }
 
     fn angular_impulse(&mut self, index: usize, centre: &str, moment: &Expr, start: &Expr, end: &Expr) -> Expr {

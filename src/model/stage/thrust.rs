@@ -170,6 +170,9 @@ impl Builder<'_> {
             let gravity = self.gravity();
             Expr::product([Expr::ratio(down, 2), gravity, time.clone().powi(2)])
         });
+        let [from, to] = [1, 2].map(|side| self.place(&burn.body, burn.index + side, axis));
+        let because = format!("{name} is then where its way has brought it");
+        self.law(&variable_mass::BURN_HEIGHT, Some(burn.index), because, (to, from + Expr::from(way)));
         Some((way.into(), Expr::sum([before * time.clone(), driven].into_iter().chain(fallen))))
     }
 

@@ -3,6 +3,8 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use crate::scene::Term;
+
 /// A particle moves from one place to another under a force that always points to, or away from, a fixed point.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -14,4 +16,20 @@ pub struct Central {
     pub body: String,
     /// The fixed point.
     pub about: String,
+    /// Gravity's parameter GM of what is at the point, where its gravity is the force.
+    #[serde(default)]
+    pub gravity: Option<Term>,
+    /// What the orbit is, where its shape, its period or times are spoken of.
+    #[serde(default)]
+    pub orbit: Option<Orbit>,
+}
+
+/// The shape of an orbit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Orbit {
+    /// Closed: it comes back after a period. A circle is one.
+    Ellipse,
+    /// With just the speed to escape.
+    Parabola,
 }

@@ -12,16 +12,18 @@ mod push;
 mod rotate;
 mod separate;
 mod slide;
+mod slide_off;
 mod spring;
 mod stream;
 mod swing;
 mod taut;
 mod thrust;
 mod until;
+mod walk;
 
 pub use blow::Blow;
 pub use bounces::Bounces;
-pub use central::Central;
+pub use central::{Central, Orbit};
 pub use connected::{Connected, Strand};
 pub use drift::Drift;
 pub use fall::Fall;
@@ -31,12 +33,14 @@ pub use push::{During, Push};
 pub use rotate::{Arm, Rotate};
 pub use separate::{Relative, Separate, When};
 pub use slide::Slide;
+pub use slide_off::SlideOff;
 pub use spring::{Ends, Spring};
 pub use stream::Stream;
 pub use swing::{Place, Swing, Way};
 pub use taut::Taut;
 pub use thrust::{BurningMass, Exhaust, Jet, Thrust};
 pub use until::Until;
+pub use walk::Walk;
 
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -77,6 +81,11 @@ pub enum Stage {
     Drift(Drift),
     /// A body comes apart: an explosion, a recoil, a jump, a shot.
     Separate(Separate),
+    /// A body slides down another, which is free to move.
+    #[serde(rename = "slide_off")]
+    SlideOff(SlideOff),
+    /// A body walks along another, which is free to move.
+    Walk(Walk),
     /// Bodies move freely until something is so.
     Flight(Flight),
 }
@@ -102,6 +111,8 @@ impl Stage {
             Self::Thrust(_) => "thrust",
             Self::Drift(_) => "drift",
             Self::Separate(_) => "separate",
+            Self::SlideOff(_) => "slide_off",
+            Self::Walk(_) => "walk",
             Self::Flight(_) => "flight",
         }
     }
@@ -126,6 +137,8 @@ impl Stage {
             Self::Thrust(stage) => &stage.name,
             Self::Drift(stage) => &stage.name,
             Self::Separate(stage) => &stage.name,
+            Self::SlideOff(stage) => &stage.name,
+            Self::Walk(stage) => &stage.name,
             Self::Flight(stage) => &stage.name,
         };
         name.as_deref()

@@ -34,6 +34,8 @@ pub(super) fn drawing(quantities: &Quantities<'_>, compass: &Compass) -> Option<
             | Stage::Blow(_)
             | Stage::Separate(_)
             | Stage::Flight(_)
+            | Stage::SlideOff(_)
+            | Stage::Walk(_)
             | Stage::Drift(_),
         ) => line::drawing(quantities, compass, 0),
         Some(Stage::Rotate(rotate)) => central::on_arm(quantities, rotate),

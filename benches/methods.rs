@@ -1,0 +1,86 @@
+//! How long each numerical method takes, and how the cost of the event-driven one grows with bounces, balls and mass ratio.
+
+use std::hint::black_box;
+
+use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
+use momentous::simulate::stability::every_method;
+use momentous::simulate::{Body, Budget, EventDriven, Keep, Method, Vector, Wall, World};
+
+/// A ball dropped from 4 m.
+fn dropped(restitution: f64) -> World<1> {
+    let mut world = World::new(restitution);
+    world.gravity = Vector::from([-9.81]);
+    world.bodies.push(Body::particle("ball", 1.0, [4.0], [0.0]));
+    world.walls.push(Wall::new("floor", [1.0], 0.0));
+    world
+}
+
+/// A chain of balls between two walls, nothing lost; masses, places and velocities from a linear congruential generator, since a
+/// regular sequence makes impacts coincide.
+#[allow(clippy::cast_precision_loss, reason = "counts are small")]
+fn chain(balls: usize) -> World<1> {
+    let mut word = 1_u64;
+    let mut draw = || {
+        word = word.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (word >> 11) as f64 / 2.0_f64.powi(53)
+    };
+    let mut world = World::new(1.0);
+    for index in 0..balls {
+        let (mass, place, velocity) = (0.5 + draw(), index as f64 + 0.3 * draw(), 2.0 * draw() - 1.0);
+        world.bodies.push(Body::sphere("ball", mass, 0.1, [place], [velocity]));
+    }
+    world.walls.push(Wall::new("left", [1.0], -1.0));
+    world.walls.push(Wall::new("right", [-1.0], -(balls as f64 + 1.0)));
+    world
+}
+
+/// Two blocks and a wall.
+fn blocks(ratio: f64) -> World<1> {
+    let mut world = World::new(1.0);
+    world.bodies.push(Body::particle("small", 1.0, [1.0], [0.0]));
+    world.bodies.push(Body::particle("large", ratio, [2.0], [-1.0]));
+    world.walls.push(Wall::new("wall", [1.0], 0.0));
+    world
+}
+
+fn methods(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("five bounces");
+    let world = dropped(0.75);
+    let budget = Budget::until(10.0).at_most(5);
+    for method in every_method::<1>(1e-3, 1e-9) {
+        if method.run(&world, &budget).is_ok() {
+            group.bench_function(method.name(), |bencher| bencher.iter(|| method.run(black_box(&world), &budget)));
+        }
+    }
+    group.finish();
+}
+
+fn growth(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("event driven");
+    group.sample_size(10);
+    for bounces in [10, 1_000, 100_000, 10_000_000] {
+        let (world, budget) = (dropped(1.0), Budget::impacts(bounces).steps(usize::MAX).keep(Keep::Count));
+        group.bench_function(BenchmarkId::new("bounces", bounces), |bencher| {
+            bencher.iter(|| EventDriven.run(black_box(&world), &budget));
+        });
+    }
+    for balls in [2, 20, 200] {
+        let (world, budget) = (chain(balls), Budget::impacts(100_000));
+        group.bench_function(BenchmarkId::new("100000 impacts in a chain", balls), |bencher| {
+            bencher.iter(|| EventDriven.run(black_box(&world), &budget));
+        });
+    }
+    for power in 1..=5 {
+        let (world, budget) = (
+            blocks(100.0_f64.powi(power)),
+            Budget::until(100.0).at_most(usize::MAX).steps(usize::MAX).keep(Keep::Count),
+        );
+        group.bench_function(BenchmarkId::new("mass ratio 100^n", power), |bencher| {
+            bencher.iter(|| EventDriven.run(black_box(&world), &budget));
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, methods, growth);
+criterion_main!(benches);

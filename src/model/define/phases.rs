@@ -1,0 +1,125 @@
+//! The two phases of an impact: the impulse of deformation until the bodies have one velocity, and that of restitution.
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+use crate::laws::restitution;
+use crate::quantity::Dimension;
+use crate::scene::Stage;
+use crate::scene::stage::Partners;
+
+use super::super::Builder;
+use super::super::Name;
+
+/// Masses, and the velocities before along the line of impact, of the two bodies; the second may be a surface.
+struct Deformed {
+    masses: [Option<Expr>; 2],
+    before: [Expr; 2],
+}
+
+pub(super) fn deformation(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
+    let stage = builder.impact_of(name)?;
+    let common = common_symbol(builder, stage)?;
+    let symbol = impulse(builder, stage, "J_def", "deformation");
+    let Deformed { masses, before } = builder.deformed(stage)?;
+    let (mass, start) = masses.into_iter().zip(before).find_map(|(mass, start)| Some((mass?, start)))?;
+    let slowed = mass * (start - common.into());
+    let because = "until then it has given the first body its change of momentum";
+    builder.law(&restitution::DEFORMATION, Some(stage), because, (symbol.into(), slowed));
+    Some(symbol)
+}
+
+pub(super) fn restoring(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
+    let stage = builder.impact_of(name)?;
+    let deformation = deformation(builder, name)?;
+    let symbol = impulse(builder, stage, "J_rest", "restitution");
+    let Some(Stage::Impact(impact)) = builder.scene.stages.get(stage) else { return None };
+    let path = crate::fault::Path::root().key("scene").key("stages").index(stage).key("impact").key("restitution");
+    let e = match &impact.restitution {
+        Some(term) => builder.restitution_coefficient(term, &path),
+        None => impact.elastic.then(Expr::one)?,
+    };
+    let because = "e is the ratio of the impulses of the two phases";
+    builder.law(&restitution::PHASES, Some(stage), because, (symbol.into(), e * Expr::from(deformation)));
+    Some(symbol)
+}
+
+pub(super) fn common_velocity(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
+    let stage = builder.impact_of(name)?;
+    common_symbol(builder, stage)
+}
+
+fn impulse(builder: &mut Builder<'_>, stage: usize, base: &str, phase: &str) -> Symbol {
+    let suffix = builder.stage_suffix(stage);
+    let phrase = builder.stage_phrase(stage);
+    builder.symbol(
+        format!("{base}{suffix}"),
+        Dimension::MOMENTUM,
+        format!("the magnitude of the impulse of {phase} in {phrase}"),
+    )
+}
+
+/// The velocity that both bodies have along the line of impact when they are nearest.
+fn common_symbol(builder: &mut Builder<'_>, stage: usize) -> Option<Symbol> {
+    let suffix = builder.stage_suffix(stage);
+    let phrase = builder.stage_phrase(stage);
+    let meaning =
+        format!("the velocity that both have along the line of impact at the greatest deformation in {phrase}");
+    let symbol = builder.symbol(format!("v_common{suffix}"), Dimension::VELOCITY, meaning);
+    let Deformed { masses: [first, second], before: [a, b] } = builder.deformed(stage)?;
+    let common = Expr::from(symbol);
+    let (because, sides) = match (first, second) {
+        (Some(first), Some(second)) => {
+            let start = first.clone() * a + second.clone() * b;
+            ("at the greatest deformation both have one velocity", (start, (first + second) * common))
+        }
+        _ => ("at the greatest deformation the body has the velocity of the surface", (common, b)),
+    };
+    if builder.defined.insert(format!("common {stage}")) {
+        builder.law(&restitution::COMMON, Some(stage), because, sides);
+    }
+    Some(symbol)
+}
+
+impl Builder<'_> {
+    /// The impact that a name speaks of: the one in brackets, or the only one.
+    fn impact_of(&self, name: &Name) -> Option<usize> {
+        let is_impact = |stage: &usize| matches!(self.scene.stages.get(*stage), Some(Stage::Impact(_)));
+        let all: Vec<usize> = (0..self.scene.stages.len()).filter(is_impact).collect();
+        let stage = match (&name.stage, &all[..]) {
+            (Some(stage), _) => self
+                .timeline
+                .stage(self.scene, stage)
+                .or_else(|| stage.parse::<usize>().ok()?.checked_sub(1))
+                .filter(is_impact)?,
+            (None, [only]) => *only,
+            _ => return None,
+        };
+        self.frames.get(stage)?.as_ref().map(|_| stage)
+    }
+
+    fn deformed(&mut self, stage: usize) -> Option<Deformed> {
+        let scene = self.scene;
+        let (Some(Stage::Impact(impact)), Some(frame)) = (scene.stages.get(stage), self.frames.get(stage)?.clone())
+        else {
+            return None;
+        };
+        let along = |builder: &mut Self, body: &str| builder.split(body, stage + 1, stage, &frame).along;
+        match impact.partners()? {
+            Partners::Bodies(first, second) => {
+                if [first, second].iter().any(|body| self.guided(body).is_some()) {
+                    return None;
+                }
+                let before = [first, second].map(|body| along(self, body));
+                Some(Deformed { masses: [first, second].map(|body| Some(self.mass(body))), before })
+            }
+            // Along the outward normal a body comes with a negative velocity: its impulse is counted from the surface.
+            Partners::Surface(body, surface) => {
+                let velocity = scene.surfaces.get(surface).and_then(|entry| entry.velocity.clone());
+                let path = crate::fault::Path::root().key("scene").key("surfaces").key(surface).key("velocity");
+                let moves = velocity.map_or_else(Expr::zero, |term| self.read(&term, Dimension::VELOCITY, "", &path));
+                let before = [along(self, body), moves];
+                Some(Deformed { masses: [Some(-self.mass(body)), None], before })
+            }
+        }
+    }
+}

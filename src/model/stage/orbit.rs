@@ -1,0 +1,142 @@
+//! The gravity of a fixed centre: energy from place to place, the shape of the orbit, the time along it.
+
+use crate::expr::Expr;
+use crate::fault::Path;
+use crate::laws::kinematics;
+use crate::laws::orbit;
+use crate::model::Builder;
+use crate::quantity::Dimension;
+use crate::scene::stage::Central;
+use crate::scene::stage::Orbit;
+
+/// Gravity's parameter GM.
+const PARAMETER: Dimension = Dimension::new(0, 3, -2);
+
+/// What the laws of one orbit have in common.
+struct Round<'a> {
+    index: usize,
+    body: &'a str,
+    name: String,
+    gravity: Expr,
+    /// Distance, radial and transverse velocity at both instants.
+    states: [[Expr; 3]; 2],
+}
+
+impl Builder<'_> {
+    pub(in crate::model) fn orbit(&mut self, index: usize, stage: &Central, path: &Path) {
+        let Some(term) = &stage.gravity else { return };
+        let (body, name, centre) = (stage.body.as_str(), self.called(&stage.body), self.point(&stage.about));
+        let meaning = format!("gravity's parameter GM of {centre}");
+        let gravity = self.read_positive(term, PARAMETER, &meaning, &path.key("gravity"));
+        let states = [index + 1, index + 2].map(|instant| {
+            let (radius, across) = self.polar_state(body, &stage.about, instant);
+            let radial = self.resolve(&format!("v_{body}{instant}.r")).map_or_else(Expr::zero, Expr::from);
+            [radius, radial, across]
+        });
+        let speeds = [index + 1, index + 2]
+            .map(|instant| self.resolve(&format!("speed_{body}{instant}")).map_or_else(Expr::zero, Expr::from));
+        let energies = [0, 1].map(|side: usize| orbit::energy(&gravity, &states[side][0], &speeds[side]));
+        let because = format!("the gravity of {centre} is the only force on {name}; the mass cancels");
+        let [before, after] = energies.clone();
+        self.law(&orbit::ORBIT_ENERGY, Some(index), because, (before, after));
+        let round = Round { index, body, name, gravity, states };
+        match stage.orbit {
+            Some(Orbit::Ellipse) => self.ellipse(&round, energies),
+            Some(Orbit::Parabola) => self.parabola(&round, energies),
+            None => {}
+        }
+        self.omit("the gravity of everything else", "it is small, or acts alike on both");
+    }
+
+    /// Least and, on an ellipse, greatest distance; heights above the surface where its radius is said.
+    fn distance_of(&mut self, round: &Round<'_>, which: &str, words: &str) -> Expr {
+        let meaning = format!("the {words} distance of {} from the centre", round.name);
+        self.positive(format!("r_{}.{which}", round.body), Dimension::LENGTH, meaning).into()
+    }
+
+    fn ellipse(&mut self, round: &Round<'_>, energies: [Expr; 2]) {
+        let (index, body, name) = (Some(round.index), round.body, round.name.clone());
+        let meaning = format!("the semi-major axis of the orbit of {name}");
+        let axis = Expr::from(self.positive(format!("a_{body}"), Dimension::LENGTH, meaning));
+        let meaning = format!("the eccentricity of the orbit of {name}");
+        let eccentricity = Expr::from(self.positive(format!("ecc_{body}"), Dimension::NONE, meaning));
+        let meaning = format!("the period of the orbit of {name}");
+        let period = Expr::from(self.positive(format!("period_{body}"), Dimension::TIME, meaning));
+        let [least, greatest] =
+            [("min", "least"), ("max", "greatest")].map(|(which, words)| self.distance_of(round, which, words));
+        let because = "the orbit is an ellipse with the centre at a focus";
+        let one = Expr::one();
+        let sides = [
+            (least.clone(), axis.clone() * (one.clone() - eccentricity.clone())),
+            (greatest.clone(), axis.clone() * (one + eccentricity.clone())),
+            (Expr::integer(2) * axis.clone(), least + greatest),
+        ];
+        for sides in sides {
+            self.law(&orbit::APSES, index, because, sides);
+        }
+        self.law(&orbit::PERIOD, index, because, orbit::period(&round.gravity, &axis, &period));
+        let parameter = orbit::parameter(&axis, &eccentricity);
+        let bound = -(round.gravity.clone() / (Expr::integer(2) * axis.clone()));
+        let mut times = Vec::new();
+        for (side, (energy, [radius, radial, across])) in energies.into_iter().zip(&round.states).enumerate() {
+            let instant = round.index + 1 + side;
+            self.law(&orbit::VIS_VIVA, index, because, (energy, bound.clone()));
+            let momentum = (radius.clone() * across.clone(), (round.gravity.clone() * parameter.clone()).sqrt());
+            self.law(&orbit::ORBIT_SHAPE, index, because, momentum);
+            let angle = self.angle_from_nearest(round, instant);
+            let from_focus = radius.clone() * (Expr::one() + eccentricity.clone() * angle.cos());
+            self.law(&orbit::CONIC, index, because, (from_focus, parameter.clone()));
+            let meaning = format!("the eccentric anomaly of {name} {}", self.when(instant));
+            let anomaly = Expr::from(self.symbol(format!("E_{body}{instant}"), Dimension::NONE, meaning));
+            let value = orbit::anomaly(&round.gravity, &axis, radius, radial);
+            self.law(&orbit::ORBIT_TIME, index, "it tells how far along the ellipse it is", (anomaly.clone(), value));
+            let since = self.time_since_nearest(round, instant);
+            let value = orbit::time_on_ellipse(&round.gravity, &axis, &anomaly, radius, radial);
+            self.law(&orbit::ORBIT_TIME, index, "equal areas take equal times", (since.clone(), value));
+            times.push(since);
+        }
+        self.time_between(round, &times);
+    }
+
+    fn parabola(&mut self, round: &Round<'_>, energies: [Expr; 2]) {
+        let index = Some(round.index);
+        let least = self.distance_of(round, "min", "least");
+        let because = "the orbit is a parabola, on which the speed is just enough to escape";
+        let twice = Expr::integer(2) * least.clone();
+        let mut times = Vec::new();
+        for (side, (energy, [radius, radial, across])) in energies.into_iter().zip(&round.states).enumerate() {
+            let instant = round.index + 1 + side;
+            self.law(&orbit::ORBIT_ENERGY, index, because, (energy, Expr::zero()));
+            let momentum = (radius.clone() * across.clone(), (round.gravity.clone() * twice.clone()).sqrt());
+            self.law(&orbit::ORBIT_SHAPE, index, because, momentum);
+            let angle = self.angle_from_nearest(round, instant);
+            let from_focus = radius.clone() * (Expr::one() + angle.cos());
+            self.law(&orbit::CONIC, index, because, (from_focus, twice.clone()));
+            let since = self.time_since_nearest(round, instant);
+            let value = orbit::time_on_parabola(&round.gravity, &least, radius, radial);
+            self.law(&orbit::ORBIT_TIME, index, "equal areas take equal times", (since.clone(), value));
+            times.push(since);
+        }
+        self.time_between(round, &times);
+    }
+
+    fn angle_from_nearest(&mut self, round: &Round<'_>, instant: usize) -> Expr {
+        let meaning = format!("the angle of {} from the nearest point {}", round.name, self.when(instant));
+        self.symbol(format!("theta_{}{instant}", round.body), Dimension::NONE, meaning).into()
+    }
+
+    fn time_since_nearest(&mut self, round: &Round<'_>, instant: usize) -> Expr {
+        let meaning = format!("the time since {} was nearest, {}", round.name, self.when(instant));
+        self.symbol(format!("t_{}{instant}", round.body), Dimension::TIME, meaning).into()
+    }
+
+    fn time_between(&mut self, round: &Round<'_>, times: &[Expr]) {
+        let [before, after] = times else { return };
+        let suffix = self.stage_suffix(round.index);
+        let meaning = "the time from the first place to the second";
+        let time = Expr::from(self.symbol(format!("dt{suffix}"), Dimension::TIME, meaning));
+        self.lasting[round.index] = Some(time.clone());
+        let sides = (time, after.clone() - before.clone());
+        self.law(&kinematics::CLOCK, Some(round.index), "both times are counted from the nearest point", sides);
+    }
+}

@@ -1,0 +1,87 @@
+//! A body that slides down another which gives way: momentum along the guide, energy, and where it leaves.
+
+use crate::expr::Expr;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::laws::energy;
+use crate::laws::momentum;
+use crate::laws::separation;
+use crate::model::Agent;
+use crate::model::Builder;
+use crate::model::Impulse;
+use crate::model::Warning;
+use crate::model::guide::dot;
+use crate::model::guide::projected;
+use crate::quantity::Dimension;
+use crate::scene::stage::SlideOff;
+use crate::solve::Relation;
+
+impl Builder<'_> {
+    pub(in crate::model) fn slide_off(&mut self, index: usize, stage: &SlideOff, path: &Path) {
+        let (body, on) = (stage.body.as_str(), stage.on.as_str());
+        let [name, other] = [body, on].map(|own| self.called(own));
+        let Some(guide) = self.guided(on) else {
+            let fault = Fault::new(Code::MissingKey, format!("`{on}` needs a guide along which it gives way"));
+            let help = "write `guide: { along: x, by: the floor }` for the body, in a scene with two axes";
+            self.faults.push(fault.help(help).at_path(path.key("on")));
+            return;
+        };
+        let (before, after) = (index + 1, index + 2);
+        self.hold(&guide, after);
+        for own in [body, on] {
+            for velocity in self.velocities(own, before) {
+                let because = format!("{} starts from rest", self.called(own));
+                self.law(&separation::AT_REST, Some(index), because, (velocity, Expr::zero()));
+            }
+        }
+        let along = self.components(&guide.along);
+        let mut end = self.carrying(&[body, on], after);
+        if guide.along.turn.is_zero() {
+            // A guide along an axis leaves the one component; the other is zero, and need not be carried along.
+            for (velocity, part) in end[1].1.iter_mut().zip(&along).filter(|(_, part)| part.is_zero()) {
+                *velocity = part.clone();
+            }
+        }
+        let because =
+            format!("both start from rest, and along its way neither weight nor {} gives them an impulse", guide.by);
+        let sides = (momentum::total(&projected(&end, &along)), Expr::zero());
+        self.law(&momentum::CONSERVATION, Some(index), because, sides);
+
+        let meaning = format!("the height through which {name} sinks");
+        let height = self.read_positive(&stage.height, Dimension::LENGTH, &meaning, &path.key("height"));
+        let work = Expr::product([self.mass(body), self.gravity(), height]);
+        let energies: Vec<Expr> = end.iter().map(|(mass, velocity)| energy::kinetic(mass, velocity)).collect();
+        let because = format!("nothing rubs, and {} does no work because {other} moves along it", guide.by);
+        self.law(&separation::DESCENT, Some(index), because, separation::energy(&work, &[], &energies));
+
+        let leaves = self.direction(&stage.direction, &path.key("direction"));
+        let [cos, sin] = leaves.cosine_and_sine();
+        let seen: Vec<Expr> = end[0].1.iter().zip(&end[1].1).map(|(own, its)| difference(own, its)).collect();
+        let across = dot(&seen, &[-sin.clone(), cos.clone()]);
+        let because = format!("seen from {other}, {name} moves along its face at the end");
+        self.law(&separation::ALONG_FACE, Some(index), because, (across, Expr::zero()));
+        let reason = format!("{name} would slide back up {other}");
+        self.require(Warning::Reverses, dot(&seen, &[cos, sin]), Relation::AtLeast, Expr::zero(), reason);
+        for (one, another) in [(body, on), (on, body)] {
+            self.impulses.push(Impulse {
+                stage: index,
+                on: one.to_owned(),
+                by: Agent::Body(another.to_owned()),
+                called: self.called(another),
+                components: Vec::new(),
+                impulsive: false,
+            });
+        }
+        self.omit(format!("friction between {name} and {other}"), "they are smooth");
+        self.omit(
+            format!("the force between {name} and {other}"),
+            "its impulses cancel within the system, and so does its work",
+        );
+    }
+}
+
+/// One velocity less another, where that is not zero as it is written.
+fn difference(own: &Expr, other: &Expr) -> Expr {
+    if other.is_zero() { own.clone() } else { own.clone() - other.clone() }
+}

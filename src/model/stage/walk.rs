@@ -1,0 +1,33 @@
+//! A walk along something that floats: the mass centre stays where it is.
+
+use crate::expr::Expr;
+use crate::fault::Path;
+use crate::laws::mass_centre;
+use crate::laws::separation;
+use crate::model::Builder;
+use crate::quantity::Dimension;
+use crate::scene::stage::Walk;
+
+impl Builder<'_> {
+    pub(in crate::model) fn walk(&mut self, index: usize, stage: &Walk, path: &Path) {
+        let suffix = self.stage_suffix(index);
+        let bodies = [stage.body.as_str(), stage.on.as_str()];
+        let [name, other] = bodies.map(|body| self.called(body));
+        let displacements = bodies.map(|body| {
+            let meaning = format!("the displacement of {} over the ground", self.called(body));
+            Expr::from(self.symbol(format!("s_{body}{suffix}"), Dimension::LENGTH, meaning))
+        });
+        let masses = bodies.map(|body| self.mass(body));
+        let parts: Vec<(Expr, Expr)> = masses.into_iter().zip(displacements.clone()).collect();
+        let because =
+            "no impulse from outside acts along the way, and the mass centre, at rest before, stays where it is";
+        self.law(&mass_centre::REST, Some(index), because, (crate::laws::momentum::total(&parts), Expr::zero()));
+        let meaning = format!("the displacement of {name} relative to {other}");
+        let distance = self.read(&stage.distance, Dimension::LENGTH, &meaning, &path.key("distance"));
+        let [own, its] = &displacements;
+        let because = format!("{name} walks along {other}, which moves meanwhile");
+        self.law(&separation::RELATIVE_WAY, Some(index), because, separation::relative(own, its, &distance));
+        self.omit("how fast the walk is, and whether it is even", "the mass centre stays where it is at every instant");
+        self.omit("the resistance of what it floats on", "the problem does not mention any");
+    }
+}

@@ -1,0 +1,46 @@
+//! What the texts of a problem speak of: every placeholder names a quantity of which its filter has something to say.
+
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::model::Builder;
+use crate::quantity::Dimension;
+use crate::quantity::dimension_name;
+
+use super::load::Loaded;
+use super::text::Filter;
+use super::text::Placeholder;
+
+/// What may have a direction along an axis.
+const DIRECTED: &[Dimension] =
+    &[Dimension::LENGTH, Dimension::VELOCITY, Dimension::ACCELERATION, Dimension::FORCE, Dimension::MOMENTUM];
+
+/// Every placeholder names a quantity.
+pub(super) fn mention_in_texts(loaded: &Loaded, builder: &mut Builder<'_>) {
+    let root = Path::root();
+    let forms = loaded.questions.iter().map(|question| (question.path.key("text"), &question.text));
+    for (path, text) in std::iter::once((root.key("text"), &loaded.text)).chain(forms) {
+        for placeholder in text.placeholders() {
+            if builder.mention(&placeholder.name).is_none() {
+                let fault = builder.unknown(&placeholder.name).at_path(path.clone()).within(placeholder.span);
+                builder.fault(fault);
+            } else if let Some(fault) = without_direction(placeholder, builder) {
+                builder.fault(fault.at_path(path.clone()).within(placeholder.span));
+            }
+        }
+    }
+}
+
+/// The fault of a filter that speaks of motion or direction where the quantity has none.
+fn without_direction(placeholder: &Placeholder, builder: &mut Builder<'_>) -> Option<Fault> {
+    let symbol = builder.mention(&placeholder.name)?;
+    let dimension = builder.symbols().entry(symbol).dimension;
+    let (serves, of) = match placeholder.filter {
+        Filter::Motion => (dimension == Dimension::VELOCITY, "a velocity"),
+        Filter::Direction => (DIRECTED.contains(&dimension), "a component along an axis"),
+        _ => return None,
+    };
+    let found = dimension_name(dimension);
+    let message = format!("`{}` is {found}, and this filter speaks of {of}", placeholder.name);
+    (!serves).then(|| Fault::new(Code::Text, message).help(format!("write `{{{{ {} }}}}` alone", placeholder.name)))
+}

@@ -1,0 +1,146 @@
+//! How a problem's answers are marked: what a partly right answer is worth, and what attempts and hints cost.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::quantity::Decimal;
+use crate::quantity::Rational;
+use crate::scene::Term;
+
+/// What a partly right answer is worth, and what attempts and hints cost. Fractions are written `50 %`, `0.5` or `1/2`.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Rubric {
+    /// The right number without its unit. Default: `50 %`.
+    #[serde(default)]
+    pub unit_missing: Option<Term>,
+    /// The right number with another unit of the same dimension. Default: `50 %`.
+    #[serde(default)]
+    pub unit_wrong: Option<Term>,
+    /// The right number with a unit that measures something else. Default: `50 %`.
+    #[serde(default)]
+    pub unit_wrong_dimension: Option<Term>,
+    /// Off by the factor of a prefix: grams for kilograms. Default: `50 %`.
+    #[serde(default)]
+    pub unit_prefix: Option<Term>,
+    /// Right, in another unit than that of the question, with `other_units: refuse`. Default: `50 %`.
+    #[serde(default)]
+    pub unit_not_asked: Option<Term>,
+    /// Off by a power of ten that is no usual prefix. Default: `0 %`.
+    #[serde(default)]
+    pub order_of_magnitude: Option<Term>,
+    /// The right magnitude, and the sign that says the direction is missing. Default: `50 %`.
+    #[serde(default)]
+    pub sense: Option<Term>,
+    /// The right magnitude in the opposite direction. Default: `0 %`.
+    #[serde(default)]
+    pub sense_reversed: Option<Term>,
+    /// Right to one figure fewer than asked. Default: `50 %`.
+    #[serde(default)]
+    pub rounding_slip: Option<Term>,
+    /// The right value with too few, too many or wrong figures, with `writing: require`. Default: `75 %`.
+    #[serde(default)]
+    pub figures: Option<Term>,
+    /// Wrong, but it follows from an earlier answer of the student's own. Default: `100 %`.
+    #[serde(default)]
+    pub follow_through: Option<Term>,
+    /// The same, where the earlier answer makes something impossible happen. Default: `50 %`.
+    #[serde(default)]
+    pub follow_through_unphysical: Option<Term>,
+    /// What is made of the figures with which a right value is written. Default: `advise`.
+    #[serde(default)]
+    pub writing: Option<Writing>,
+    /// Whether other units of the same dimension will do. Default: `accept`.
+    #[serde(default)]
+    pub other_units: Option<OtherUnits>,
+    /// How many attempts at a part count. Default: any number.
+    #[serde(default)]
+    #[schemars(range(min = 1, max = 100))]
+    pub attempts: Option<u32>,
+    /// What each attempt before costs, of the part's points. Default: `0 %`.
+    #[serde(default)]
+    pub attempt_penalty: Option<Term>,
+    /// What each hint that was shown costs, of the points. Default: `0 %`.
+    #[serde(default)]
+    pub hint_penalty: Option<Term>,
+    /// Which of several attempts counts. Default: `best`.
+    #[serde(default)]
+    pub keep: Option<Keep>,
+}
+
+/// What is made of the figures with which a right value is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Writing {
+    /// Nothing.
+    Ignore,
+    /// The student is told.
+    Advise,
+    /// The student is told, and it costs points.
+    Require,
+}
+
+/// Whether other units of the same dimension will do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum OtherUnits {
+    /// They are as good.
+    Accept,
+    /// The unit of the question is asked.
+    Refuse,
+}
+
+/// Which of several attempts counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Keep {
+    /// The one with the most points.
+    Best,
+    /// The last that could be read.
+    Last,
+}
+
+impl Rubric {
+    /// Every fraction that is written, with its key.
+    pub fn fractions(&self) -> impl Iterator<Item = (&'static str, &Term)> {
+        let all = [
+            ("unit_missing", &self.unit_missing),
+            ("unit_wrong", &self.unit_wrong),
+            ("unit_wrong_dimension", &self.unit_wrong_dimension),
+            ("unit_prefix", &self.unit_prefix),
+            ("unit_not_asked", &self.unit_not_asked),
+            ("order_of_magnitude", &self.order_of_magnitude),
+            ("sense", &self.sense),
+            ("sense_reversed", &self.sense_reversed),
+            ("rounding_slip", &self.rounding_slip),
+            ("figures", &self.figures),
+            ("follow_through", &self.follow_through),
+            ("follow_through_unphysical", &self.follow_through_unphysical),
+            ("attempt_penalty", &self.attempt_penalty),
+            ("hint_penalty", &self.hint_penalty),
+        ];
+        all.into_iter().filter_map(|(key, term)| Some((key, term.as_ref()?)))
+    }
+
+    /// The fraction under a key; `None` where it is not written.
+    #[must_use]
+    pub fn fraction(&self, key: &str) -> Option<Rational> {
+        self.fractions().find(|(own, _)| *own == key).and_then(|(_, term)| fraction(term))
+    }
+}
+
+/// A fraction from 0 to 1: `50 %`, `0.5`, `1/2`.
+#[must_use]
+pub fn fraction(term: &Term) -> Option<Rational> {
+    let text = term.0.trim();
+    let number = |text: &str| Decimal::parse(text.trim()).ok().map(|number| number.to_rational());
+    let value = match (text.strip_suffix('%'), text.split_once('/')) {
+        (Some(percent), _) => number(percent)? / Rational::from(100),
+        (None, Some((above, below))) => {
+            let below = number(below).filter(|below| *below != Rational::ZERO)?;
+            number(above)? / below
+        }
+        (None, None) => number(text)?,
+    };
+    (Rational::ZERO..=Rational::ONE).contains(&value).then_some(value)
+}

@@ -1,0 +1,15 @@
+//! Numerics in the form that does not cancel: roots, times, orbits, sums of bounces, grazing contacts.
+
+mod bounces;
+mod clock;
+mod grazing;
+mod orbit;
+mod polynomial;
+mod quadratic;
+
+pub use bounces::BounceTrain;
+pub use clock::Clock;
+pub use grazing::grazing_cosine;
+pub use orbit::Orbit;
+pub use polynomial::first_fall;
+pub use quadratic::{Meeting, first_contact};

@@ -1,0 +1,38 @@
+//! Numerical methods on the same scenes, as an independent witness: they share no code with the laws.
+//!
+//! A [`World`] is a scene as numbers; a [`Method`] runs it within a [`Budget`] and returns a [`Trajectory`], or a [`Refusal`]
+//! by name. No method returns a number that it does not stand behind, and none loops for ever.
+
+mod budget;
+mod contact;
+mod exact;
+mod force;
+mod gap;
+mod method;
+mod methods;
+mod newton;
+mod point_impact;
+mod refusal;
+mod simultaneous;
+pub mod stability;
+mod sweep;
+mod task;
+mod trajectory;
+mod world;
+
+pub use budget::{Budget, Keep};
+pub use contact::{Contact, Geometry};
+pub use exact::{BounceTrain, Clock, Meeting, Orbit, first_contact, first_fall, grazing_cosine};
+pub use force::{Force, Piece, Strength};
+pub use method::Method;
+pub use methods::{
+    EventDriven, ExplicitEuler, LinearSolve, MoreauJean, Penalty, RungeKutta, STEPS_PER_CONTACT, SequentialImpulses,
+    SymplecticEuler, damping_ratio,
+};
+pub use newton::direct_impact;
+pub use point_impact::{PointImpact, PointOutcome, RestitutionLaw};
+pub use refusal::Refusal;
+pub use sweep::{JITTERED_SCENES, Point, sweep};
+pub use task::{Case, IN_THE_PLANE, ON_A_LINE, Task};
+pub use trajectory::{Ending, Impact, Motion, Segment, Trajectory};
+pub use world::{Anchor, Body, Cord, State, Together, Vector, Wall, World};

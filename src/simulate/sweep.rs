@@ -1,0 +1,125 @@
+//! Work against precision: every method over a sweep of its budget on a reference task, as data for a chart.
+
+use std::time::Instant;
+
+use super::budget::Keep;
+use super::method::Method;
+use super::methods::{
+    EventDriven, ExplicitEuler, LinearSolve, MoreauJean, Penalty, RungeKutta, SequentialImpulses, SymplecticEuler,
+};
+use super::task::{Case, Task};
+
+/// The jittered scenes behind each point.
+pub const JITTERED_SCENES: u32 = 32;
+
+/// By how much a given is jittered at most, as a part of it.
+const JITTER: f64 = 0.01;
+
+/// One method at one setting on one task.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Point {
+    /// The task.
+    pub task: &'static str,
+    /// The method.
+    pub method: &'static str,
+    /// Its step in s, or its tolerance; `None` where it has no setting.
+    pub setting: Option<f64>,
+    /// The least time of a solve over the repetitions, in s, averaged over the scenes.
+    pub seconds: f64,
+    /// The median of the relative errors; `None` where no scene was solved.
+    pub median_error: Option<f64>,
+    /// The greatest of the relative errors.
+    pub greatest_error: Option<f64>,
+    /// How many of the scenes were refused or ended without the answer.
+    pub failures: usize,
+    /// The name of the refusal of the last that failed.
+    pub refusal: Option<String>,
+}
+
+/// A method with a setting.
+type Setting<const D: usize> = (Option<f64>, Box<dyn Method<D>>);
+
+/// Every method at every setting of its sweep: steps from 1/30 s down by halves of a decade, tolerances from 1e-3 by decades.
+fn settings<const D: usize>(finest_step: f64) -> Vec<Setting<D>> {
+    let mut all: Vec<Setting<D>> = vec![(None, Box::new(LinearSolve)), (None, Box::new(EventDriven))];
+    for power in 3..=13 {
+        let tolerance = libm::pow(10.0, -f64::from(power));
+        all.push((Some(tolerance), Box::new(RungeKutta { tolerance })));
+    }
+    let mut step = 1.0 / 30.0;
+    while step >= finest_step {
+        all.push((Some(step), Box::new(ExplicitEuler { step })));
+        all.push((Some(step), Box::new(SymplecticEuler { step })));
+        all.push((Some(step), Box::new(MoreauJean { step })));
+        all.push((Some(step), Box::new(Penalty { step, stiffness: None })));
+        all.push((Some(step), Box::new(SequentialImpulses { step })));
+        step /= 10.0_f64.sqrt();
+    }
+    all
+}
+
+/// Runs a task through every method and setting, `repetitions` times each; steps go down to `finest_step` (s).
+///
+/// ```
+/// use momentous::simulate::{ON_A_LINE, sweep};
+/// let points = sweep(&ON_A_LINE[0], 1, 0.02);
+/// let exact = points.iter().find(|point| point.method == "event driven").unwrap();
+/// assert_eq!(exact.failures, 0);
+/// assert!(exact.greatest_error.unwrap() < 1e-15);
+/// ```
+#[must_use]
+pub fn sweep<const D: usize>(task: &Task<D>, repetitions: usize, finest_step: f64) -> Vec<Point> {
+    let cases: Vec<Case<D>> = (0..JITTERED_SCENES).map(|scene| (task.jittered)(jitter(scene))).collect();
+    settings(finest_step)
+        .into_iter()
+        .map(|(setting, method)| point(task.name, setting, method.as_ref(), &cases, repetitions))
+        .collect()
+}
+
+/// A jitter between -1 % and 1 %, spread evenly by the golden ratio; the first scene has none.
+fn jitter(scene: u32) -> f64 {
+    if scene == 0 { 0.0 } else { JITTER * (2.0 * (f64::from(scene) * 0.618_033_988_749_894_9).fract() - 1.0) }
+}
+
+fn point<const D: usize>(
+    task: &'static str,
+    setting: Option<f64>,
+    method: &dyn Method<D>,
+    cases: &[Case<D>],
+    repetitions: usize,
+) -> Point {
+    let mut errors = Vec::new();
+    let mut seconds = 0.0;
+    let mut refusal = None;
+    for case in cases {
+        let budget = case.budget.keep(Keep::Impacts);
+        let mut least = f64::INFINITY;
+        let mut outcome = None;
+        for _ in 0..repetitions.max(1) {
+            let start = Instant::now();
+            let run = method.run(&case.world, &budget);
+            least = least.min(start.elapsed().as_secs_f64());
+            outcome = Some(run);
+        }
+        seconds += least / f64::from(JITTERED_SCENES);
+        match outcome {
+            Some(Ok(run)) => {
+                let value = (case.measure)(&run).filter(|value| value.is_finite());
+                errors.extend(value.map(|value| (value - case.expected).abs() / case.expected.abs()));
+            }
+            Some(Err(error)) => refusal = Some(error.name().to_owned()),
+            None => {}
+        }
+    }
+    errors.sort_by(f64::total_cmp);
+    Point {
+        task,
+        method: method.name(),
+        setting,
+        seconds,
+        median_error: errors.get(errors.len() / 2).copied(),
+        greatest_error: errors.last().copied(),
+        failures: cases.len() - errors.len(),
+        refusal,
+    }
+}
