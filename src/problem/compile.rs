@@ -40,6 +40,7 @@ use super::planned::Reveal;
 use super::regimes::Regimes;
 use super::sampler::Rejection;
 use super::sampler::Sampler;
+use super::slopes::Slopes;
 use super::stream::Scheme;
 use super::stream::Streams;
 use super::text::Text;
@@ -357,6 +358,7 @@ impl FormDraft {
             reveal: self.reveal,
             forward,
             solver,
+            slopes: Slopes::default(),
             mistakes: Mistakes::default(),
             followings: Followings::default(),
         })

@@ -35,6 +35,7 @@ mod rubric;
 mod sampler;
 mod say;
 mod schema;
+mod slopes;
 mod stream;
 mod text;
 mod told;
