@@ -35,7 +35,6 @@ mod rubric;
 mod sampler;
 mod say;
 mod schema;
-mod slopes;
 mod stream;
 mod text;
 mod told;

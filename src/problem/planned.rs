@@ -19,7 +19,6 @@ use super::part::NumberPart;
 use super::part::Part;
 use super::part::PartKind;
 use super::regimes::Regimes;
-use super::slopes::Slopes;
 use super::stream::Streams;
 
 /// A problem that can be drawn and solved; made only by [`super::compile`].
@@ -48,8 +47,6 @@ pub struct Form {
     pub forward: Option<Regimes>,
     /// Solves what is asked.
     pub solver: Regimes,
-    /// How the answers depend on the values on the way to them; derived when an answer is first marked.
-    pub(super) slopes: Slopes,
     /// What comes of the usual mistakes; planned when a wrong answer first asks for it.
     pub(super) mistakes: Mistakes,
     /// What follows from earlier answers; planned when a wrong answer first asks for it.

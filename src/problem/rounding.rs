@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::quantity::Dimension;
+use crate::solve::Closed;
 
 use super::part::AskedUnit;
 use super::part::NumberPart;
-use super::slopes::Slope;
 use super::variant::Worked;
 
 /// What marking needs besides the answer itself, in the unit of the question.
@@ -38,21 +38,22 @@ impl Worked<'_> {
 
     /// `sum |dt/dx_i| (half a unit of x_i's last figure) + half a unit of t's`, over the values `x_i` on the way to t.
     fn allowance(&self, asked: Symbol, figures: usize) -> f64 {
-        let steps = self.form.slopes.of_leaf(self.form, self.variant.leaf());
+        let leaf = self.leaf();
         let mut slopes: BTreeMap<Symbol, f64> = BTreeMap::from([(asked, 1.0)]);
         let mut total = 0.0;
         // Backwards through the steps: the slope of t with respect to each value is the sum over the values made from it.
-        for (position, roots) in steps.iter().enumerate().rev() {
+        for (position, step) in leaf.answer_steps().iter().enumerate().rev() {
             let choice = self.variant.roots().get(position).copied().unwrap_or(0);
-            let Some(root) = roots.get(choice).or(roots.first()) else { continue };
-            for Slope { unknown, partials } in root.iter().rev() {
+            let Some(root) = step.roots.get(choice).or(step.roots.first()) else { continue };
+            for (unknown, closed) in root.values.iter().rev() {
                 let Some(slope) = slopes.get(unknown).copied() else { continue };
                 total += slope.abs() * half_unit(self.value(*unknown), figures);
-                for (symbol, partial) in partials {
-                    let partial = partial.evaluate(&|own| self.value(own));
-                    if partial.is_finite() {
-                        *slopes.entry(*symbol).or_insert(0.0) += slope * partial;
-                    }
+                let Closed::Formula(formula) = closed else { continue };
+                let mut partials: BTreeMap<Symbol, f64> = BTreeMap::new();
+                let value = |own| self.value(own);
+                formula.slopes(&value, slope, &mut |symbol, part| *partials.entry(symbol).or_insert(0.0) += part);
+                for (symbol, partial) in partials.into_iter().filter(|(_, partial)| partial.is_finite()) {
+                    *slopes.entry(symbol).or_insert(0.0) += partial;
                 }
             }
         }
