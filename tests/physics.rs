@@ -6,6 +6,8 @@
 mod bank;
 #[path = "physics/scenes.rs"]
 mod scenes;
+#[path = "physics/stages.rs"]
+mod stages;
 #[path = "support/variants.rs"]
 mod variants;
 

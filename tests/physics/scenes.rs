@@ -265,7 +265,7 @@ impl Impact {
 
     /// Whether the impulse depends on that given at all: motion across the line of impact has no part in it.
     pub fn lets_find(&self, name: &str) -> bool {
-        !(name.ends_with(".x") && self.turn == 90)
+        !(self.turn == 90 && ["v_A1.x", "v_B1.x"].contains(&name))
     }
 
     /// Asks for a given, with a result told in its place; the value found and the one that was given.
