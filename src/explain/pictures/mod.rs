@@ -45,7 +45,8 @@ pub(super) fn solution(worked: Worked<'_>) -> Vec<Drawing> {
         Stage::Thrust(thrust) => vec![sheet::stream::rocket(&quantities, &compass, index, thrust)],
         // What a ball gains before it bounces on is not asked for; the figure of the bounces shows its fall.
         Stage::Fall(_) if matches!(stages.get(index + 1), Some(Stage::Bounces(_))) => Vec::new(),
-        Stage::Walk(_) | Stage::SlideOff(_) | Stage::Swing(_) | Stage::Connected(_) | Stage::Drift(_) => Vec::new(),
+        Stage::SlideOff(_) => vec![sheet::line::after(&quantities, &compass, index)],
+        Stage::Walk(_) | Stage::Swing(_) | Stage::Connected(_) | Stage::Drift(_) => Vec::new(),
         Stage::Flight(_) if quantities.scene().plane == Plane::Horizontal => Vec::new(),
         Stage::Impact(_)
         | Stage::Slide(_)
