@@ -13,7 +13,7 @@ use momentous::problem::Problem;
 /// Students of the class; each hands in many submissions.
 const STUDENTS: u64 = 10_000;
 /// Submissions that are drawn at a time.
-const PORTION: u64 = 10_000;
+const PORTION: usize = 10_000;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let count: u64 = std::env::args().nth(1).ok_or("say how many submissions")?.parse()?;
@@ -23,8 +23,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut table = csv::Writer::from_writer(std::io::stdout().lock());
     table.write_record(["student", "problem", "seed"].iter().chain(&columns))?;
     let mut line = 0;
-    for from in (0..count).step_by(PORTION as usize) {
-        for submission in mix::submissions(&problems, from, count.min(from + PORTION)) {
+    for from in (0..count).step_by(PORTION) {
+        for submission in mix::submissions(&problems, from, count.min(from + PORTION as u64)) {
             let student = format!("s{}", line % STUDENTS);
             line += 1;
             let seed = submission.seed.to_string();

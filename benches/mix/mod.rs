@@ -1,5 +1,7 @@
 //! A class as marking meets it: 70 % of the answers right, 20 % wrong, 10 % with trouble in the unit or in the reading.
 
+#![allow(clippy::cast_possible_truncation, reason = "a remainder is less than the length it is taken of")]
+
 use std::sync::Arc;
 
 use momentous::exercise::Drawer;
