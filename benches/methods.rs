@@ -15,14 +15,19 @@ fn dropped(restitution: f64) -> World<1> {
     world
 }
 
-/// A chain of balls between two walls, nothing lost; places and velocities from a fixed sequence.
+/// A chain of balls between two walls, nothing lost; masses, places and velocities from a linear congruential generator, since a
+/// regular sequence makes impacts coincide.
 #[allow(clippy::cast_precision_loss, reason = "counts are small")]
 fn chain(balls: usize) -> World<1> {
+    let mut word = 1_u64;
+    let mut draw = || {
+        word = word.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (word >> 11) as f64 / 2.0_f64.powi(53)
+    };
     let mut world = World::new(1.0);
     for index in 0..balls {
-        let draw = (index as f64 * 0.618_033_988_749_895).fract();
-        let velocity = 2.0 * (index as f64 * 0.754_877_666_246_693).fract() - 1.0;
-        world.bodies.push(Body::sphere("ball", 0.5 + draw, 0.1, [index as f64 + 0.3 * draw], [velocity]));
+        let (mass, place, velocity) = (0.5 + draw(), index as f64 + 0.3 * draw(), 2.0 * draw() - 1.0);
+        world.bodies.push(Body::sphere("ball", mass, 0.1, [place], [velocity]));
     }
     world.walls.push(Wall::new("left", [1.0], -1.0));
     world.walls.push(Wall::new("right", [-1.0], -(balls as f64 + 1.0)));

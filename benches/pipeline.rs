@@ -20,7 +20,8 @@ use momentous::render::Format;
 use momentous::render::Renderer;
 use momentous::render::Solution;
 
-/// The problem of the targets, and the hardest of the bank: several stages, turned axes, roots and regimes to choose among.
+/// The problem of the targets, and the hardest of the bank: turned axes with the most equations to choose among, blocks that
+/// refuse to be closed, regimes with the fewest admissible draws.
 const PROBLEMS: [&str; 4] =
     ["impact/two-carts", "impact/hockey-pucks", "impact/ball-on-roof", "impulse/crate-ramp-force"];
 
@@ -67,8 +68,8 @@ fn draw_and_solve(criterion: &mut Criterion) {
     group.finish();
 }
 
-fn exercise() -> Exercise {
-    match Exercise::draw(&problem(PROBLEMS[0]), 0, 1) {
+fn exercise(id: &str) -> Exercise {
+    match Exercise::draw(&problem(id), 0, 1) {
         Ok(exercise) => exercise,
         Err(reason) => panic!("{reason}"),
     }
@@ -76,27 +77,31 @@ fn exercise() -> Exercise {
 
 fn worked_solution(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("worked solution");
-    let exercise = exercise();
     let Ok(renderer) = Renderer::new(None) else { return };
-    for format in [Format::Markdown, Format::Html] {
-        group.bench_function(format.name(), |bencher| {
-            bencher.iter(|| {
-                let solution = Solution {
-                    outline: black_box(&exercise).outline(),
-                    identity: exercise.identity(),
-                    audience: Audience::Everyone,
-                    faded: None,
-                };
-                renderer.render_solution(&solution, format).is_ok()
+    for id in [PROBLEMS[0], PROBLEMS[1]] {
+        let exercise = exercise(id);
+        for format in [Format::Markdown, Format::Html] {
+            group.bench_function(format!("{id}, {}", format.name()), |bencher| {
+                bencher.iter(|| {
+                    let solution = Solution {
+                        outline: black_box(&exercise).outline(),
+                        identity: exercise.identity(),
+                        audience: Audience::Everyone,
+                        faded: None,
+                    };
+                    renderer.render_solution(&solution, format).is_ok()
+                });
             });
+        }
+        group.bench_function(format!("{id}, outline alone"), |bencher| {
+            bencher.iter(|| black_box(&exercise).outline());
         });
     }
-    group.bench_function("outline alone", |bencher| bencher.iter(|| black_box(&exercise).outline()));
     group.finish();
 }
 
 fn grade_answers(criterion: &mut Criterion) {
-    let exercise = exercise();
+    let exercise = exercise(PROBLEMS[0]);
     let parts = exercise.worked().form.parts.iter();
     let answers: BTreeMap<String, String> = parts.map(|part| (part.id.clone(), exercise.printed(part))).collect();
     criterion.bench_function("grade three answers", |bencher| {
@@ -107,7 +112,9 @@ fn grade_answers(criterion: &mut Criterion) {
 fn start_to_end(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("binary");
     group.sample_size(20);
-    for arguments in [&["--version"][..], &["generate", "impact/two-carts", "--seed", "1"]] {
+    let generate = ["generate", "impact/two-carts", "--seed", "1"];
+    let thousand = [&generate[..2], &["--count", "1000", "--format", "json"]].concat();
+    for arguments in [&["--version"][..], &generate, &thousand] {
         group.bench_function(arguments.join(" "), |bencher| {
             bencher.iter(|| {
                 Command::new(env!("CARGO_BIN_EXE_momentous")).args(arguments).output().map(|output| output.status)

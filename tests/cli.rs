@@ -11,6 +11,8 @@ use serde_json::Value;
 use room::Room;
 use room::lines;
 
+#[path = "cli/chart.rs"]
+mod chart;
 #[path = "cli/room.rs"]
 mod room;
 #[path = "cli/unusable.rs"]

@@ -101,8 +101,8 @@ impl Exercise {
         let rubric = self.rubric();
         let mut report = grade::grade(&expected, &answers, mark, &rubric);
         if !report.is_right() {
-            self.follow_through(&mut report, &answers, mark, &rubric, sitting.closed);
-            self.diagnose(&mut report, &answers, mark, sitting.hints);
+            self.follow_through(&mut report, &expected, &answers, mark, &rubric, sitting.closed);
+            self.diagnose(&mut report, &expected, &answers, mark, sitting.hints);
         }
         report
     }

@@ -19,6 +19,7 @@ use crate::solve::Bounded;
 use super::Block;
 use super::Inline;
 use super::display::Display;
+use super::display::Shown;
 use super::display::number_math;
 use super::display::with_unit;
 use super::wording::capitalised;
@@ -87,7 +88,7 @@ fn is_converted(display: Display<'_>, number: &NumberPart) -> bool {
 /// The answers to a part as they are printed, with their unit: one, or every root.
 #[must_use]
 pub fn printed_answers(worked: Worked<'_>, number: &NumberPart) -> Vec<Math> {
-    let display = Display { worked, free: &worked.free() };
+    let display = Display { worked, free: &worked.free(), shown: &Shown::default() };
     worked.answers(number).into_iter().map(|answer| printed(display, number, answer)).collect()
 }
 

@@ -1,5 +1,7 @@
 //! How a quantity is shown in an explanation: its symbol, its number, its unit.
 
+use std::cell::RefCell;
+use std::collections::BTreeMap;
 use std::collections::BTreeSet;
 
 use crate::expr::Expr;
@@ -37,11 +39,29 @@ pub(super) struct Display<'a> {
     pub worked: Worked<'a>,
     /// Quantities that are shown by their symbols only, since they may have any value.
     pub free: &'a BTreeSet<Symbol>,
+    /// What was shown before.
+    pub shown: &'a Shown,
+}
+
+/// What was worked out of each quantity of a variant, since a solution shows most of them many times.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Shown {
+    units: RefCell<BTreeMap<Symbol, Unit>>,
+    numbers: RefCell<BTreeMap<(Symbol, usize), String>>,
 }
 
 impl Display<'_> {
     /// The unit in which explanations compute with a quantity: the system's own, degrees for angles.
     pub(super) fn unit(self, symbol: Symbol) -> Unit {
+        if let Some(unit) = self.shown.units.borrow().get(&symbol) {
+            return unit.clone();
+        }
+        let unit = self.unit_chosen(symbol);
+        self.shown.units.borrow_mut().insert(symbol, unit.clone());
+        unit
+    }
+
+    fn unit_chosen(self, symbol: Symbol) -> Unit {
         let problem = self.worked.problem;
         let entry = problem.model().symbols.entry(symbol);
         if entry.dimension == Dimension::NONE {
@@ -76,6 +96,15 @@ impl Display<'_> {
 
     /// A value in its display unit, as it is printed with so many figures; `?` where it has none.
     pub(super) fn number(self, symbol: Symbol, figures: usize) -> String {
+        if let Some(number) = self.shown.numbers.borrow().get(&(symbol, figures)) {
+            return number.clone();
+        }
+        let number = self.number_worked_out(symbol, figures);
+        self.shown.numbers.borrow_mut().insert((symbol, figures), number.clone());
+        number
+    }
+
+    fn number_worked_out(self, symbol: Symbol, figures: usize) -> String {
         let unit = self.unit(symbol);
         if let Some((value, given)) = self.worked.variant.given(symbol)
             && given == unit

@@ -38,8 +38,9 @@ pub(super) fn limits(display: Display<'_>) -> Vec<Block> {
         .filter(|number| !number.whole && !display.free.contains(&number.symbol))
         .collect();
     let oblique = worked.problem.loaded().draft.scene.axes.rectangular().len() > 1;
+    let Ok(mut sampler) = Sampler::new(worked.problem, worked.variant.form()) else { return Vec::new() };
     let sentences = EXTREMES.iter().filter_map(|(value, words)| {
-        let there = with(worked, e, &Decimal::from(*value))?;
+        let there = with(&mut sampler, worked, e, &Decimal::from(*value))?;
         let there = Worked::new(worked.problem, &there)?;
         let results: Vec<Vec<Inline>> =
             numbers.iter().map(|number| vec![Inline::Math(result(display, there, number))]).collect();
@@ -68,12 +69,12 @@ fn coefficient(worked: Worked<'_>) -> Option<Symbol> {
 }
 
 /// The same variant with another value for one of its givens.
-fn with(worked: Worked<'_>, symbol: Symbol, value: &Decimal) -> Option<Variant> {
+fn with(sampler: &mut Sampler<'_>, worked: Worked<'_>, symbol: Symbol, value: &Decimal) -> Option<Variant> {
     let told = worked.variant.all_given().iter().cloned();
     let values: Vec<(Symbol, Decimal, Unit)> = told
         .map(|(own, old, unit)| if own == symbol { (own, value.clone(), unit) } else { (own, old, unit) })
         .collect();
-    Sampler::new(worked.problem, worked.variant.form()).ok()?.with_values(0, &values).ok()
+    sampler.with_values(0, &values).ok()
 }
 
 fn result(display: Display<'_>, there: Worked<'_>, number: &NumberPart) -> Math {

@@ -18,6 +18,7 @@ use super::axes;
 use super::checks;
 use super::diagrams;
 use super::display::Display;
+use super::display::Shown;
 use super::instructor;
 use super::steps::Figures;
 use super::steps::Steps;
@@ -30,7 +31,8 @@ use super::wording::list;
 #[must_use]
 pub fn solution(worked: Worked<'_>) -> Outline {
     let free = worked.free();
-    let display = Display { worked, free: &free };
+    let shown = Shown::default();
+    let display = Display { worked, free: &free, shown: &shown };
     let answers = answers::answers(display);
     let checks = checks::checks(display);
     let closing = if checks.is_empty() { "Answer" } else { "Answer and check" };

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use crate::quantity::Rational;
 
+use super::curvature::differ;
 use super::factor::factors;
 use super::monomial::{Atom, Monomial};
 use super::polynomial::Polynomial;
@@ -49,7 +50,7 @@ pub fn equal_where(left: &Expr, right: &Expr, positive: &dyn Fn(Symbol) -> bool)
         left == right || rules.sum(&left, &right.negated()).is_some_and(|rest| rest.numerator.is_zero())
     };
     let plain = Rules { pythagoras: true, expand: false, positive };
-    left == right || proves(plain) || proves(Rules { expand: true, ..plain })
+    left == right || !differ(left, right) && (proves(plain) || proves(Rules { expand: true, ..plain }))
 }
 
 impl Rules<'_> {

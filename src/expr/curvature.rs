@@ -1,4 +1,4 @@
-//! Whether a term is seen not to be linear, without algebra: by its values at three points of a straight line.
+//! What is seen without algebra, by values: that a term is not linear, and that two terms are not equal.
 
 use super::{Expr, Symbol};
 
@@ -8,7 +8,8 @@ const NEGLIGIBLE: f64 = 1e-4;
 /// Whether a term is certainly not linear in `symbols` jointly: along a line in them its value bends. `false` decides nothing.
 ///
 /// Algebra on a term that is not linear is dear and ends in nothing; three values are cheap.
-pub(super) fn is_curved(term: &Expr, symbols: &[Symbol]) -> bool {
+#[must_use]
+pub fn is_curved(term: &Expr, symbols: &[Symbol]) -> bool {
     let [start, middle, end] = [0.0, 1.0, 2.0].map(|steps| {
         term.evaluate(&|symbol| {
             let moved = if symbols.contains(&symbol) { steps * sample(symbol, 1) / 4.0 } else { 0.0 };
@@ -17,6 +18,13 @@ pub(super) fn is_curved(term: &Expr, symbols: &[Symbol]) -> bool {
     });
     let size = start.abs() + middle.abs() + end.abs();
     size.is_finite() && (start - 2.0 * middle + end).abs() > NEGLIGIBLE * (1.0 + size)
+}
+
+/// Whether two terms certainly have different values somewhere. `false` decides nothing.
+pub(super) fn differ(left: &Expr, right: &Expr) -> bool {
+    let [left, right] = [left, right].map(|side| side.evaluate(&|symbol| sample(symbol, 0)));
+    let size = left.abs() + right.abs();
+    size.is_finite() && (left - right).abs() > NEGLIGIBLE * (1.0 + size)
 }
 
 /// A fixed value for each symbol, between 1/2 and 3/2, in no relation to that of any other.

@@ -1,6 +1,6 @@
 //! The value of a term in floating point, the same on every platform.
 
-use super::{Expr, Function, Symbol};
+use super::{Expr, Function, Piecewise, Symbol};
 
 impl Expr {
     /// The value, with `value` giving that of each symbol in base units. Not a number where the term has no real value.
@@ -17,19 +17,23 @@ impl Expr {
             Self::Symbol(symbol) => value(*symbol),
             Self::Sum(terms) => terms.iter().map(|term| term.evaluate(value)).sum(),
             Self::Product(factors) => factors.iter().map(|factor| factor.evaluate(value)).product(),
-            Self::Power(pair) => raise(pair.0.evaluate(value), &pair.1, value),
+            Self::Power(pair) => raise(pair.0.evaluate(value), pair.1.evaluate(value)),
             Self::Apply(function, arguments) => match arguments.as_ref() {
                 [argument] => function.evaluate(argument.evaluate(value), 1.0),
                 [first, second] => function.evaluate(first.evaluate(value), second.evaluate(value)),
                 _ => f64::NAN,
             },
-            Self::Piecewise(piecewise) => {
-                let at = piecewise.variable.evaluate(value);
-                let holds = |until: &Option<Self>| until.as_ref().is_none_or(|until| at <= until.evaluate(value));
-                let piece = piecewise.pieces.iter().find(|(until, _)| holds(until));
-                piece.map_or(f64::NAN, |(_, piece)| piece.evaluate(value))
-            }
+            Self::Piecewise(piecewise) => piecewise.piece(value).map_or(f64::NAN, |piece| piece.evaluate(value)),
         }
+    }
+}
+
+impl Piecewise {
+    /// The piece that holds at these values.
+    pub(super) fn piece(&self, value: &dyn Fn(Symbol) -> f64) -> Option<&Expr> {
+        let at = self.variable.evaluate(value);
+        let holds = |until: &Option<Expr>| until.as_ref().is_none_or(|until| at <= until.evaluate(value));
+        self.pieces.iter().find(|(until, _)| holds(until)).map(|(_, piece)| piece)
     }
 }
 
@@ -53,8 +57,7 @@ impl Function {
 
 /// Small whole powers by multiplication and half powers by the square root: both are exact where the library's power is not.
 #[allow(clippy::float_cmp, reason = "exponents that are exactly these")]
-fn raise(base: f64, exponent: &Expr, value: &dyn Fn(Symbol) -> f64) -> f64 {
-    let exponent = exponent.evaluate(value);
+pub(super) fn raise(base: f64, exponent: f64) -> f64 {
     if exponent == 0.5 {
         return base.sqrt();
     }

@@ -30,6 +30,7 @@ mod properties;
 mod quotient;
 mod readable;
 mod simplify;
+mod slopes;
 mod symbol;
 #[cfg(test)]
 mod testing;
@@ -38,6 +39,7 @@ mod token;
 mod tree;
 
 pub use canonical::{equal, equal_where};
+pub use curvature::is_curved;
 pub use dimension::DimensionClash;
 pub use layout::{Leaf, LeafKind};
 pub(crate) use math::subscript_parts;

@@ -72,6 +72,12 @@ impl Polynomial {
         self.0.is_empty()
     }
 
+    /// Whether it is one.
+    pub(super) fn is_one(&self) -> bool {
+        let only = self.0.first_key_value().filter(|_| self.len() == 1);
+        only.is_some_and(|(monomial, value)| monomial.is_one() && value.is_one())
+    }
+
     /// Its value, where it is a number.
     pub(super) fn as_constant(&self) -> Option<Rational> {
         match self.0.first_key_value() {
@@ -193,7 +199,8 @@ impl Polynomial {
     /// Content and primitive part; the sign stays with the latter.
     pub(super) fn primitive(&self) -> (Rational, Monomial, Self) {
         let (number, monomial) = self.content();
-        let rest = self.over(&number, &monomial);
+        let whole = number.is_one() && monomial.is_one();
+        let rest = if whole { self.clone() } else { self.over(&number, &monomial) };
         (number, monomial, rest)
     }
 

@@ -50,6 +50,9 @@ impl Quotient {
         if numerator.is_zero() {
             return Some(Self::zero());
         }
+        if denominator.is_one() {
+            return Some(numerator.clone().into());
+        }
         let (above, above_monomial, mut numerator) = numerator.primitive();
         let (below, below_monomial, mut denominator) = denominator.primitive();
         let divisor = gcd(&numerator, &denominator, &mut Work::default());

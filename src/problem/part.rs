@@ -98,6 +98,15 @@ impl PartKind {
             Self::Choice(choice) => choice.symbols(),
         }
     }
+
+    /// The quantity of which the answer is a multiple, where it has no unit of its own.
+    #[must_use]
+    pub fn in_terms_of(&self) -> Option<Symbol> {
+        match self {
+            Self::Number(NumberPart { unit: AskedUnit::InTermsOf(symbol), .. }) => Some(*symbol),
+            Self::Number(_) | Self::Choice(_) => None,
+        }
+    }
 }
 
 impl NumberPart {

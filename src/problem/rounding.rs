@@ -49,19 +49,15 @@ impl Worked<'_> {
                 let Some(slope) = slopes.get(unknown).copied() else { continue };
                 total += slope.abs() * half_unit(self.value(*unknown), figures);
                 let Closed::Formula(formula) = closed else { continue };
-                for symbol in formula.symbols() {
-                    let partial = self.partial(formula, symbol);
-                    if partial.is_finite() {
-                        *slopes.entry(symbol).or_insert(0.0) += slope * partial;
-                    }
+                let mut partials: BTreeMap<Symbol, f64> = BTreeMap::new();
+                let value = |own| self.value(own);
+                formula.slopes(&value, slope, &mut |symbol, part| *partials.entry(symbol).or_insert(0.0) += part);
+                for (symbol, partial) in partials.into_iter().filter(|(_, partial)| partial.is_finite()) {
+                    *slopes.entry(symbol).or_insert(0.0) += partial;
                 }
             }
         }
         total
-    }
-
-    fn partial(&self, formula: &Expr, symbol: Symbol) -> f64 {
-        formula.differentiate(symbol).evaluate(&|own| self.value(own))
     }
 
     /// The largest given or solved quantity of the same dimension; of a momentum or an energy also what the speeds and

@@ -79,6 +79,12 @@ impl StaticFactor {
         self.pi
     }
 
+    /// Whether the product is one.
+    pub(super) fn cancels(self, other: Self) -> bool {
+        let above = self.numerator.checked_mul(other.numerator);
+        self.pi == -other.pi && above.is_some() && above == self.denominator.checked_mul(other.denominator)
+    }
+
     /// The product.
     pub(super) const fn times(self, other: Self) -> Self {
         Self {

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::factor::StaticFactor;
 use super::prefix::Prefix;
 use super::unit_lookup::find_symbol;
 use super::units_table::{UNITS_OF_WEIGHT_AND_MASS, UnitRow};
@@ -132,7 +133,8 @@ impl Unit {
     /// Its size in the coherent SI unit of its dimension (kilogram, metre, second, radian).
     #[must_use]
     pub fn factor(&self) -> Factor {
-        self.powers.iter().fold(Factor::ONE, |product, power| product * power.symbol.factor().power(power.exponent))
+        let sized = self.powers.iter().filter(|power| !power.symbol.is_coherent());
+        sized.fold(Factor::ONE, |product, power| product * power.symbol.factor().power(power.exponent))
     }
 
     /// Whether it stands directly behind its number, without a space: `30°`, `5%`.
@@ -146,6 +148,12 @@ impl Symbol {
     /// The symbol without a prefix.
     pub(super) fn plain(row: &'static UnitRow) -> Self {
         Self { prefix: None, row }
+    }
+
+    /// Whether its factor is one, seen without exact arithmetic: most symbols in use are such.
+    fn is_coherent(self) -> bool {
+        let prefix = self.prefix.map_or(StaticFactor::integer(1), |prefix| prefix.factor);
+        self.row.factor.cancels(prefix)
     }
 
     fn factor(self) -> Factor {

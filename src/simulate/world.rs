@@ -196,6 +196,11 @@ impl<const D: usize> World<D> {
     /// # Errors
     /// The first thing that is wrong, by name.
     pub fn check(&self) -> Result<(), Refusal> {
+        self.prepare().map(drop)
+    }
+
+    /// The same, but for what is inside what.
+    fn check_numbers(&self) -> Result<(), Refusal> {
         let invalid = |what: String| Err(Refusal::Invalid { what });
         if D == 0 || self.bodies.is_empty() {
             return invalid("there is no body".to_owned());
@@ -236,18 +241,22 @@ impl<const D: usize> World<D> {
         if !finite(&self.gravity) || self.forces.iter().any(|force| !force.is_sound(self.bodies.len())) {
             return invalid("a force is not finite, or acts on no body".to_owned());
         }
-        self.check_gaps()
+        Ok(())
     }
 
-    /// Nothing is inside anything else, and every cord is long enough.
-    fn check_gaps(&self) -> Result<(), Refusal> {
-        let state = self.start();
-        for contact in self.contacts() {
+    /// The state at time 0 and every contact, of a world that was checked.
+    ///
+    /// # Errors
+    /// The first thing that is wrong, by name.
+    pub(super) fn prepare(&self) -> Result<(State<D>, Vec<Contact>), Refusal> {
+        self.check_numbers()?;
+        let (state, contacts) = (self.start(), self.contacts());
+        for &contact in &contacts {
             if self.gap(contact, &state) < -self.tolerance(contact, &state) {
                 return Err(Refusal::Overlap { contact: self.name_of(contact) });
             }
         }
-        Ok(())
+        Ok((state, contacts))
     }
 
     /// Where everything is at time 0.

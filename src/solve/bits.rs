@@ -1,13 +1,32 @@
 //! A small set of indexes.
 
-/// A set of indexes below a capacity that is fixed when it is made.
+/// How many words stand in the set itself.
+const NEAR: usize = 2;
+
+/// A set of indexes below a capacity that is fixed when it is made. The search makes very many of them, so the words of the
+/// usual capacity stand in the set itself, and only those of a larger one are allocated.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub(super) struct Bits(Vec<u64>);
+pub(super) struct Bits {
+    near: [u64; NEAR],
+    far: Vec<u64>,
+}
 
 impl Bits {
     /// The empty set, for indexes below `capacity`.
     pub(super) fn empty(capacity: usize) -> Self {
-        Self(vec![0; capacity.div_ceil(64)])
+        Self { near: [0; NEAR], far: vec![0; capacity.div_ceil(64).saturating_sub(NEAR)] }
+    }
+
+    fn words(&self) -> impl Iterator<Item = &u64> {
+        self.near.iter().chain(&self.far)
+    }
+
+    fn words_mut(&mut self) -> impl Iterator<Item = &mut u64> {
+        self.near.iter_mut().chain(&mut self.far)
+    }
+
+    fn word_mut(&mut self, place: usize) -> Option<&mut u64> {
+        if place < NEAR { self.near.get_mut(place) } else { self.far.get_mut(place - NEAR) }
     }
 
     /// The set of these indexes, each below `capacity`.
@@ -21,26 +40,21 @@ impl Bits {
 
     /// Puts an index in; one that is beyond the capacity is ignored.
     pub(super) fn insert(&mut self, index: usize) {
-        if let Some(word) = self.0.get_mut(index / 64) {
+        if let Some(word) = self.word_mut(index / 64) {
             *word |= 1 << (index % 64);
-        }
-    }
-
-    /// Takes an index out.
-    pub(super) fn remove(&mut self, index: usize) {
-        if let Some(word) = self.0.get_mut(index / 64) {
-            *word &= !(1 << (index % 64));
         }
     }
 
     /// Whether the index is in the set.
     pub(super) fn contains(&self, index: usize) -> bool {
-        self.0.get(index / 64).is_some_and(|word| word & (1 << (index % 64)) != 0)
+        let place = index / 64;
+        let word = if place < NEAR { self.near.get(place) } else { self.far.get(place - NEAR) };
+        word.is_some_and(|word| word & (1 << (index % 64)) != 0)
     }
 
     /// The indexes, ascending.
     pub(super) fn iter(&self) -> impl Iterator<Item = usize> + '_ {
-        self.0.iter().enumerate().flat_map(|(place, word)| {
+        self.words().enumerate().flat_map(|(place, word)| {
             let mut rest = *word;
             std::iter::from_fn(move || {
                 let bit = (rest != 0).then(|| rest.trailing_zeros() as usize)?;
@@ -52,31 +66,36 @@ impl Bits {
 
     /// Everything of the other set is put in.
     pub(super) fn join(&mut self, other: &Self) {
-        self.0.iter_mut().zip(&other.0).for_each(|(own, other)| *own |= other);
+        self.words_mut().zip(other.words()).for_each(|(own, other)| *own |= other);
     }
 
     /// Everything of the other set is taken out.
     pub(super) fn subtract(&mut self, other: &Self) {
-        self.0.iter_mut().zip(&other.0).for_each(|(own, other)| *own &= !other);
+        self.words_mut().zip(other.words()).for_each(|(own, other)| *own &= !other);
     }
 
     /// Whether the sets share an index.
     pub(super) fn meets(&self, other: &Self) -> bool {
-        self.0.iter().zip(&other.0).any(|(own, other)| own & other != 0)
+        self.words().zip(other.words()).any(|(own, other)| own & other != 0)
     }
 
     /// Whether everything of the other set is in this one.
     pub(super) fn covers(&self, other: &Self) -> bool {
-        self.0.iter().zip(&other.0).all(|(own, other)| other & !own == 0)
+        self.words().zip(other.words()).all(|(own, other)| other & !own == 0)
     }
 
     /// Whether nothing is in the set.
     pub(super) fn is_empty(&self) -> bool {
-        self.0.iter().all(|word| *word == 0)
+        self.words().all(|word| *word == 0)
     }
 
     /// How many indexes are in the set.
     pub(super) fn len(&self) -> usize {
-        self.0.iter().map(|word| word.count_ones() as usize).sum()
+        self.words().map(|word| word.count_ones() as usize).sum()
+    }
+
+    /// As many indexes as there is room for.
+    pub(super) fn capacity(&self) -> usize {
+        64 * (NEAR + self.far.len())
     }
 }

@@ -18,7 +18,7 @@ impl Freedom {
     /// The null space of the system's Jacobian.
     pub(super) fn new(system: &System, structure: &Structure) -> Self {
         let width = structure.unknowns.len();
-        let mut rows: Vec<Vec<f64>> = structure.rows.iter().map(|row| gradient(system, structure, row)).collect();
+        let mut rows = gradients(system, structure);
         let mut pivots: Vec<usize> = Vec::new();
         for place in 0..rows.len() {
             let entries = (place..rows.len()).flat_map(|row| (0..width).map(move |column| (row, column)));
@@ -69,6 +69,11 @@ fn reduced(mut vector: Vec<f64>, basis: &[Vec<f64>]) -> Vec<f64> {
         vector.iter_mut().zip(other).for_each(|(entry, other)| *entry -= share * other);
     }
     vector
+}
+
+/// The derivatives of every equation.
+pub(super) fn gradients(system: &System, structure: &Structure) -> Vec<Vec<f64>> {
+    structure.rows.iter().map(|row| gradient(system, structure, row)).collect()
 }
 
 /// The derivatives of one equation. A count, and an equation without a value there, are taken to depend on all that they contain.

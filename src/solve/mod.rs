@@ -31,6 +31,7 @@
 
 mod audit;
 mod ball;
+mod basis;
 mod bits;
 mod blocks;
 mod bounded;

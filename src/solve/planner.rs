@@ -6,7 +6,7 @@ use crate::expr::Symbol;
 
 use super::bits::Bits;
 use super::blocks::blocks;
-use super::freedom::Freedom;
+use super::freedom::{Freedom, gradients};
 use super::rank::dependent;
 use super::search::Search;
 use super::structure::Structure;
@@ -58,19 +58,20 @@ pub fn plan(system: &System, known: &BTreeSet<Symbol>, wanted: &[Symbol]) -> Res
     structure.prune(&determined, &wanted);
 
     let mut closer = Closer { system, structure: &structure, asked: &remaining, closed: BTreeMap::new() };
-    let mut search = Search::new(&structure, &wanted);
+    let gradients = gradients(system, &structure);
+    let mut search = Search::new(&structure, &gradients, &wanted);
     let (mut obstacle, mut freedom) = (None, None);
     let (mut avoided, mut tried) = (Bits::empty(structure.rows.len()), BTreeSet::new());
     loop {
         let mut batch = search.next_batch();
         if batch.is_empty() {
-            let rest = if search.is_exhausted() { structure.sufficient(&wanted, &avoided) } else { None };
-            match rest {
+            // What counting alone allows says at least why there is no plan, or is one where the search gave up.
+            match structure.sufficient(&wanted, &avoided) {
                 Some(rows) if tried.insert(rows.clone()) => batch.insert(rows),
                 _ => break,
             };
         }
-        for candidate in ranked(&structure, batch) {
+        for candidate in ranked(&structure, &wanted, batch) {
             match closer.close_all(&candidate) {
                 Ok(plan) => return Ok(plan),
                 Err((block, Refusal::Contradiction)) => {
@@ -105,12 +106,12 @@ fn underdetermined(structure: &Structure, freedom: &Freedom, wanted: &Bits, lost
     Reason::Underdetermined { wanted: lost, enough: enough(structure, freedom, wanted) }
 }
 
-/// Candidates of one cost in order of preference, each as its blocks.
-fn ranked(structure: &Structure, batch: BTreeSet<Vec<usize>>) -> Vec<Vec<Vec<usize>>> {
+/// Candidates of one cost in order of preference, each as its blocks; one with a block that nothing needs is left out.
+fn ranked(structure: &Structure, wanted: &Bits, batch: BTreeSet<Vec<usize>>) -> Vec<Vec<Vec<usize>>> {
     let mut candidates: Vec<_> = batch
         .into_iter()
         .filter_map(|rows| {
-            let blocks = blocks(structure, &rows)?;
+            let blocks = blocks(structure, &rows).filter(|blocks| structure.needs_all(blocks, wanted))?;
             let largest = blocks.iter().map(Vec::len).max().unwrap_or(0);
             Some((largest, structure.rearranged(&blocks), rows, blocks))
         })

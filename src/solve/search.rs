@@ -1,56 +1,83 @@
 //! The cheapest sets of equations that determine what is wanted, best first.
 
 use std::cmp::Reverse;
-use std::collections::{BTreeSet, BinaryHeap};
+use std::collections::{BTreeSet, BinaryHeap, HashSet};
 
+use super::basis::Basis;
 use super::bits::Bits;
-use super::structure::{Row, Structure};
+use super::structure::Structure;
 
-/// How many states are kept before the search gives up. Far more than the bank needs; it bounds a hostile file.
+/// How many sets are looked at before the search gives up. Far more than the bank needs; it bounds a hostile file.
 const BUDGET: usize = 40_000;
 
-/// A best-first search (A*) from what is wanted: each unknown that is still open takes one equation, which may open others.
+/// A best-first search (A*) over sets of unknowns that are to be found together. It begins with what is wanted. As long as
+/// the equations that contain no other unknowns leave something open, one more equation must speak of what they leave
+/// open, and brings its own unknowns. Where they leave nothing open, each choice of independent ones is a set to try.
 ///
-/// The estimate of what remains is the sum over the open unknowns of the cheapest equation that contains each; it never
-/// exceeds the true cost, since each open unknown needs an equation of its own.
+/// What is independent, and what is left open, is judged by derivatives at sampled values: two equations that say the same
+/// do not count twice. The estimate of what a set of unknowns costs never exceeds the true cost, since each unknown
+/// needs an equation of its own.
 pub(super) struct Search<'a> {
     structure: &'a Structure,
+    /// The derivatives of each row.
+    gradients: &'a [Vec<f64>],
+    /// For each column the cost of the cheapest row that finds it.
     cheapest: Vec<u64>,
-    heap: BinaryHeap<Reverse<State>>,
-    seen: BTreeSet<(Bits, Bits)>,
+    /// For each column the rows that give it directly as cheaply as any: a set that contains the column takes one of them,
+    /// since any other row can be exchanged for it.
+    direct: Vec<Bits>,
+    heap: BinaryHeap<Reverse<(u64, Entry)>>,
+    seen: HashSet<Bits>,
     forbidden: Vec<Bits>,
     left: usize,
 }
 
-/// Ordered by what it will cost at least, then by how much is open, then by the equations: the earlier first.
+/// What the search has yet to look at.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-struct State {
-    estimate: u64,
-    open_count: usize,
-    rows: Vec<usize>,
-    chosen: Bits,
-    open: Bits,
-    covered: Bits,
+enum Entry {
+    /// Rows that determine their unknowns.
+    Rows(Bits),
+    /// Unknowns, to be widened.
+    Columns(Bits),
+    /// Unknowns that the rows within determine, to be given rows of that cost.
+    Determined(Bits),
+}
+
+/// Rows that are chosen.
+#[derive(Clone, Debug)]
+struct Way {
+    /// The place of the row that is chosen or left out next.
+    place: usize,
     cost: u64,
+    rows: Bits,
+    basis: Basis,
 }
 
 impl<'a> Search<'a> {
-    /// A search for sets that determine the columns `wanted`.
-    pub(super) fn new(structure: &'a Structure, wanted: &Bits) -> Self {
+    /// A search for sets that determine the columns `wanted`; `gradients` are the derivatives of each row.
+    pub(super) fn new(structure: &'a Structure, gradients: &'a [Vec<f64>], wanted: &Bits) -> Self {
         let columns = 0..structure.unknowns.len();
-        let containing = |column: usize| structure.rows.iter().filter(move |row| row.finds.contains(column));
-        let cheapest =
-            columns.map(|column| containing(column).map(|row| u64::from(row.cost)).min().unwrap_or(0)).collect();
+        let cost = |row: &usize| u64::from(structure.rows[*row].cost);
+        let finding = |column| (0..structure.rows.len()).filter(move |row| structure.rows[*row].finds.contains(column));
+        let cheapest: Vec<u64> =
+            columns.clone().map(|column| finding(column).map(|row| cost(&row)).min().unwrap_or(0)).collect();
+        let direct = columns.map(|column| {
+            let alone = |row: &usize| structure.rows[*row].unknowns.len() == 1;
+            let any = finding(column).any(|row| alone(&row) && cost(&row) == cheapest[column]);
+            Bits::of(structure.rows.len(), finding(column).filter(|row| any && alone(row)))
+        });
+        let direct = direct.collect();
         let mut search = Self {
             structure,
+            gradients,
             cheapest,
+            direct,
             heap: BinaryHeap::new(),
-            seen: BTreeSet::new(),
+            seen: HashSet::new(),
             forbidden: Vec::new(),
             left: BUDGET,
         };
-        let chosen = Bits::empty(structure.rows.len());
-        search.push(Vec::new(), chosen, wanted.clone(), wanted.clone(), 0);
+        search.push(wanted.clone());
         search
     }
 
@@ -59,68 +86,124 @@ impl<'a> Search<'a> {
         self.forbidden.push(rows);
     }
 
-    /// Whether states were left out because there were too many.
-    pub(super) fn is_exhausted(&self) -> bool {
-        self.left == 0
-    }
-
     /// All sets of the next cost, each as ascending rows; empty when there are no more.
     pub(super) fn next_batch(&mut self) -> BTreeSet<Vec<usize>> {
         let mut batch = BTreeSet::new();
         let mut cost = None;
-        while let Some(Reverse(state)) = self.heap.pop() {
-            if cost.is_some_and(|cost| state.estimate > cost) {
-                self.heap.push(Reverse(state));
+        while let Some(Reverse((estimate, entry))) = self.heap.pop() {
+            if cost.is_some_and(|cost| estimate > cost) {
+                self.heap.push(Reverse((estimate, entry)));
                 break;
             }
-            if self.forbidden.iter().any(|rows| state.chosen.covers(rows)) {
-                continue;
-            }
-            if state.open.is_empty() {
-                cost = Some(state.cost);
-                batch.insert(state.rows);
-            } else {
-                self.expand(&state);
+            match entry {
+                Entry::Columns(columns) => self.expand(estimate, columns),
+                Entry::Determined(columns) => self.choose(estimate, columns),
+                Entry::Rows(rows) if self.forbidden.iter().any(|forbidden| rows.covers(forbidden)) => {}
+                Entry::Rows(rows) => {
+                    cost = Some(estimate);
+                    batch.insert(rows.iter().collect());
+                }
             }
         }
         batch
     }
 
-    /// Gives the open unknown with the fewest equations each of them in turn. Where one has no other unknown and is as
-    /// cheap as any, those that have others are left out: any set with one of them can exchange it for the direct one.
-    fn expand(&mut self, state: &State) {
-        let structure = self.structure;
-        let options = |column: usize| {
-            let direct = |row: &Row| u64::from(row.cost) == self.cheapest[column] && row.unknowns.len() == 1;
-            let finds = move |row: &Row| row.finds.contains(column);
-            let any_direct = structure.rows.iter().any(|row| finds(row) && direct(row));
-            let rows = structure.rows.iter().enumerate();
-            rows.filter(move |(place, row)| {
-                finds(row) && (!any_direct || row.unknowns.len() == 1) && !state.chosen.contains(*place)
-            })
+    /// Widens a set of columns by the unknowns of each row of which one must be taken.
+    fn expand(&mut self, estimate: u64, columns: Bits) {
+        let mut basis = Basis::default();
+        let mut beyond = Vec::new();
+        for (place, row) in self.structure.rows.iter().enumerate() {
+            if columns.covers(&row.unknowns) {
+                basis.add(&self.gradients[place]);
+            } else if columns.meets(&row.unknowns) {
+                beyond.push(place);
+            }
+        }
+        // Of the ways in which the columns can still change together, some row must stop each: the one with the fewest
+        // rows is followed. Where they cannot change, what is dearer may still come with any row.
+        let stops = |change: &Bits| {
+            beyond.iter().copied().filter(|row| self.structure.rows[*row].unknowns.meets(change)).collect::<Vec<_>>()
         };
-        let Some(column) = state.open.iter().min_by_key(|column| options(*column).count()) else { return };
-        for (row, content) in options(column) {
-            let mut chosen = state.chosen.clone();
-            chosen.insert(row);
-            let mut rows = state.rows.clone();
-            rows.insert(rows.partition_point(|other| *other < row), row);
-            let mut fresh = content.unknowns.clone();
-            fresh.subtract(&state.covered);
-            let mut covered = state.covered.clone();
-            covered.join(&fresh);
-            let mut open = state.open.clone();
-            open.join(&fresh);
-            open.remove(column);
-            self.push(rows, chosen, open, covered, state.cost + u64::from(content.cost));
+        let changes = basis.changes(&columns);
+        let next = changes.iter().map(stops).min_by_key(Vec::len);
+        let determined = next.is_none();
+        for row in next.unwrap_or(beyond) {
+            let mut more = columns.clone();
+            more.join(&self.structure.rows[row].unknowns);
+            self.push(more);
+        }
+        if determined {
+            self.heap.push(Reverse((estimate, Entry::Determined(columns))));
         }
     }
 
-    fn push(&mut self, rows: Vec<usize>, chosen: Bits, open: Bits, covered: Bits, cost: u64) {
-        if self.left > 0 && self.seen.insert((chosen.clone(), open.clone())) {
+    /// Puts every choice of independent rows that determine the columns at this cost on the list, with one that is
+    /// direct wherever there is one; and the columns again, where there are choices that cost more.
+    fn choose(&mut self, most: u64, columns: Bits) {
+        let mut ways =
+            vec![Way { place: 0, cost: 0, rows: Bits::empty(self.structure.rows.len()), basis: Basis::default() }];
+        for direct in columns.iter().map(|column| &self.direct[column]).filter(|direct| !direct.is_empty()) {
+            let mut more = Vec::new();
+            for way in &ways {
+                more.extend(direct.iter().filter_map(|row| Some(Way { place: 0, ..self.with(way, row)? })));
+            }
+            ways = more;
+        }
+        let serves = |row: &usize| {
+            let row = &self.structure.rows[*row];
+            columns.covers(&row.unknowns) && row.finds.iter().any(|column| self.direct[column].is_empty())
+        };
+        let inside: Vec<usize> = (0..self.structure.rows.len()).filter(serves).collect();
+        let least = inside.iter().map(|row| u64::from(self.structure.rows[*row].cost)).min().unwrap_or(0);
+        let width = columns.len();
+        let mut next: Option<u64> = None;
+        while let Some(way) = ways.pop() {
+            let cost = way.cost + least * (width - way.basis.len()) as u64;
+            if cost > most {
+                next = Some(next.map_or(cost, |next| next.min(cost)));
+                continue;
+            }
+            if self.left == 0 {
+                return;
+            }
             self.left -= 1;
-            let estimate = cost + open.iter().map(|column| self.cheapest[column]).sum::<u64>();
-            self.heap.push(Reverse(State { estimate, open_count: open.len(), rows, chosen, open, covered, cost }));
+            if way.basis.len() == width {
+                if cost == most {
+                    self.heap.push(Reverse((cost, Entry::Rows(way.rows))));
+                }
+                continue;
+            }
+            let Some(row) = inside.get(way.place) else { continue };
+            ways.extend(self.with(&way, *row));
+            // Without the row, those that come after it must be enough.
+            let mut rest = way.basis.clone();
+            let enough = inside.iter().skip(way.place + 1).any(|later| {
+                rest.add(&self.gradients[*later]);
+                rest.len() == width
+            });
+            if enough {
+                ways.push(Way { place: way.place + 1, ..way });
+            }
+        }
+        if let Some(next) = next {
+            self.heap.push(Reverse((next, Entry::Determined(columns))));
+        }
+    }
+
+    /// A choice with one more row, where that says something new.
+    fn with(&self, way: &Way, row: usize) -> Option<Way> {
+        let mut more = way.clone();
+        more.place += 1;
+        more.cost += u64::from(self.structure.rows[row].cost);
+        more.rows.insert(row);
+        more.basis.add(&self.gradients[row]).then_some(more)
+    }
+
+    fn push(&mut self, columns: Bits) {
+        if self.left > 0 && self.seen.insert(columns.clone()) {
+            self.left -= 1;
+            let estimate = columns.iter().map(|column| self.cheapest[column]).sum();
+            self.heap.push(Reverse((estimate, Entry::Columns(columns))));
         }
     }
 }

@@ -109,6 +109,25 @@ impl Structure {
         Some(chosen.iter().collect())
     }
 
+    /// Whether what is wanted depends on each of these blocks, which stand in the order in which they are solved.
+    pub(super) fn needs_all(&self, blocks: &[Vec<usize>], wanted: &Bits) -> bool {
+        let mut found = Bits::empty(self.unknowns.len());
+        let new = |rows: &Vec<usize>| {
+            let all = self.columns(rows);
+            let mut new = all.clone();
+            new.subtract(&found);
+            found.join(&all);
+            (all, new)
+        };
+        let contents: Vec<(Bits, Bits)> = blocks.iter().map(new).collect();
+        let mut needed = wanted.clone();
+        contents.iter().rev().all(|(all, new)| {
+            let serves = new.meets(&needed);
+            needed.join(all);
+            serves
+        })
+    }
+
     /// How many of these blocks take algebra: all but single equations with their unknown alone on one side.
     pub(super) fn rearranged(&self, blocks: &[Vec<usize>]) -> usize {
         let mut found = Bits::empty(self.unknowns.len());

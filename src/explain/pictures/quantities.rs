@@ -18,6 +18,7 @@ use crate::scene::Scene;
 use crate::scene::Term;
 
 use super::super::display::Display;
+use super::super::display::Shown;
 
 /// How much a figure may show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -111,7 +112,7 @@ impl<'a> Quantities<'a> {
 
     /// A term in symbols.
     pub(super) fn symbolic(&self, expr: &Expr) -> Math {
-        Display { worked: self.worked, free: &BTreeSet::new() }.symbolic(expr)
+        Display { worked: self.worked, free: &BTreeSet::new(), shown: &Shown::default() }.symbolic(expr)
     }
 
     /// A term in symbols without the sign in front of it, where an arrow shows the sense.

@@ -1,6 +1,7 @@
 //! # Isolate
 //!
-//! *Closes:* one equation whose only unknown is linear in it, or is written once.
+//! *Closes:* one equation whose only unknown is linear in it, or is written once; also one given piece by piece, where a
+//! single piece depends on the unknown.
 //!
 //! *On paper:* bring the unknown to one side: `m v2 = m v1 + J` gives `v2 = v1 + J / m`.
 //!
@@ -53,7 +54,9 @@ pub(super) fn isolated(
     } else {
         None
     };
-    let found = found.or_else(|| pure_power(&residual, unknown, positive)).ok_or(Refusal::NotApplicable)?;
+    let found = found.or_else(|| pure_power(&residual, unknown, positive));
+    let found = found.or_else(|| in_one_piece(&residual, unknown).map(|value| vec![value]));
+    let found = found.ok_or(Refusal::NotApplicable)?;
     Ok(found.into_iter().map(cancelled).collect())
 }
 
@@ -73,6 +76,35 @@ pub(super) fn dropped_out(rest: &Expr) -> Refusal {
         Some(value) if !value.is_zero() => Refusal::Contradiction,
         _ => Refusal::Dependent,
     }
+}
+
+/// The root of a term given piece by piece where one piece only depends on the unknown, and is linear in it: a push that
+/// grows and then stays the same. Whether the root lies within its piece, the equation itself tells.
+fn in_one_piece(residual: &Expr, unknown: Symbol) -> Option<Expr> {
+    let mut pieces = Vec::new();
+    let whole = piecewise_in(residual, unknown)?;
+    let Expr::Piecewise(piecewise) = whole else { return None };
+    for (_, piece) in &piecewise.pieces {
+        let rest = replaced(residual, whole, piece);
+        if rest.contains(unknown) {
+            pieces.push(rest);
+        }
+    }
+    let [only] = &pieces[..] else { return None };
+    let (coefficients, rest) = only.linear_coefficients(&[unknown])?;
+    linear_root(coefficients.first()?, &rest).ok()
+}
+
+/// A function within a term that is given piece by piece and in which the unknown stands.
+fn piecewise_in(term: &Expr, unknown: Symbol) -> Option<&Expr> {
+    match term {
+        Expr::Piecewise(_) => term.contains(unknown).then_some(term),
+        other => other.children().into_iter().find_map(|part| piecewise_in(part, unknown)),
+    }
+}
+
+fn replaced(term: &Expr, old: &Expr, new: &Expr) -> Expr {
+    if term == old { new.clone() } else { term.map_children(|part| replaced(part, old, new)) }
 }
 
 /// The roots of `a x^n + c` or `a x + c` after algebra.

@@ -65,17 +65,23 @@ pub(super) enum Refusal {
 
 /// The step made by the first tactic that closes the block.
 pub(super) fn close(block: &Block) -> Result<Step, Refusal> {
-    for (tactic, attempt) in TACTICS {
-        match attempt(block) {
-            Ok(closing) => {
-                let Closing { unknowns, moves, roots } = closing;
-                return Ok(Step { equations: block.equations.clone(), unknowns, tactic: *tactic, moves, roots });
-            }
+    for (tactic, closes) in TACTICS {
+        match attempt(block, *tactic, *closes) {
             Err(Refusal::NotApplicable) => {}
-            Err(refusal) => return Err(refusal),
+            decided => return decided,
         }
     }
     Err(Refusal::NotApplicable)
+}
+
+fn attempt(block: &Block, tactic: Tactic, closes: Try) -> Result<Step, Refusal> {
+    let Closing { unknowns, moves, roots } = closes(block)?;
+    Ok(Step { equations: block.equations.clone(), unknowns, tactic, moves, roots })
+}
+
+/// The step by which the unknown of a block of one is brought to one side.
+pub(super) fn isolate(block: &Block) -> Result<Step, Refusal> {
+    attempt(block, Tactic::Isolate, isolate::close)
 }
 
 impl Block<'_> {

@@ -10,6 +10,7 @@
 
 use crate::expr::Expr;
 use crate::expr::Symbol;
+use crate::expr::is_curved;
 
 use super::elimination::{Eliminated, eliminate};
 use super::isolate::isolated;
@@ -33,7 +34,10 @@ pub(super) fn close(block: &Block) -> Result<Closing, Refusal> {
     last.sort_by_cached_key(|place| linear(&equations[*place].1));
     let mut refusal = Refusal::NotApplicable;
     for unknown in &block.unknowns {
-        for place in &last {
+        let others: Vec<Symbol> = block.unknowns.iter().copied().filter(|other| other != unknown).collect();
+        let bent: Vec<usize> = (0..size).filter(|place| is_curved(&equations[*place].1, &others)).collect();
+        // Where two equations are not linear in the others, neither can be the one that is left.
+        for place in last.iter().filter(|place| bent.iter().all(|bent| bent == *place)) {
             match torn(block, &equations, *place, *unknown) {
                 Ok(closing) => return Ok(closing),
                 Err(Refusal::NotApplicable) => {}

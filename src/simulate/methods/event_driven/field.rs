@@ -14,8 +14,6 @@ const HIGHEST_POWER: usize = 6;
 pub(super) struct Moving<const D: usize> {
     pub since: Clock,
     pub motion: Motion<D>,
-    /// Counts the events of the body, so that a prediction from before them is known to be stale.
-    pub stamp: u32,
 }
 
 /// The motion of a body from a state on, under the forces that hold at a time.

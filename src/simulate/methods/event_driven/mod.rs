@@ -1,8 +1,9 @@
-//! The event-driven method: exact free motion between exactly located impacts, and a queue of what will happen next.
+//! The event-driven method: exact free motion between exactly located impacts, and an agenda of what will happen next.
 //!
 //! Each body keeps its own last event; an impact moves only the bodies that it strikes. On a line only neighbours can meet, so a
-//! chain costs as much per impact as a pair, but for the queue.
+//! chain costs as much per impact as a pair, but for the agenda.
 
+mod agenda;
 mod field;
 mod prediction;
 mod run;
@@ -12,7 +13,7 @@ use crate::simulate::force::Force;
 use crate::simulate::method::Method;
 use crate::simulate::refusal::Refusal;
 use crate::simulate::trajectory::{Ending, Motion, Segment, Trajectory};
-use crate::simulate::world::World;
+use crate::simulate::world::{State, World};
 
 use run::Run;
 
@@ -26,16 +27,16 @@ impl<const D: usize> Method<D> for EventDriven {
     }
 
     fn run(&self, world: &World<D>, budget: &Budget) -> Result<Trajectory<D>, Refusal> {
-        world.check()?;
+        let (start, contacts) = world.prepare()?;
         if world.forces.iter().any(|force| matches!(force, Force::Central { .. })) {
-            return orbits(world, budget);
+            return orbits(world, start, budget);
         }
-        Run::new(world, budget)?.finish()
+        Run::new(world, start, world.reachable(&contacts), budget)?.finish()
     }
 }
 
 /// Orbits of particles about fixed centres, which meet nothing.
-fn orbits<const D: usize>(world: &World<D>, budget: &Budget) -> Result<Trajectory<D>, Refusal> {
+fn orbits<const D: usize>(world: &World<D>, start: State<D>, budget: &Budget) -> Result<Trajectory<D>, Refusal> {
     let refusal = |force: &str| Err(Refusal::NoExactMotion { force: force.to_owned() });
     let particles = world.bodies.iter().all(|body| body.radius == 0.0);
     if !world.walls.is_empty() || !world.cords.is_empty() || (world.bodies.len() > 1 && (D == 1 || !particles)) {
@@ -44,7 +45,7 @@ fn orbits<const D: usize>(world: &World<D>, budget: &Budget) -> Result<Trajector
     if world.gravity.amax() > 0.0 || !budget.until.is_finite() {
         return refusal("central gravity with another force, or without an end");
     }
-    let mut run = Trajectory::begin(world.start());
+    let mut run = Trajectory::begin(start);
     for (index, body) in world.bodies.iter().enumerate() {
         let mut forces = world.forces.iter().filter(|force| force.body() == index);
         let motion = match (forces.next(), forces.next()) {

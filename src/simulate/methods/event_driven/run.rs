@@ -1,57 +1,27 @@
-//! The loop: take the next prediction that still holds, strike, predict again for what was struck.
-
-use std::cmp::{Ordering, Reverse};
-use std::collections::BinaryHeap;
+//! The loop: take the next event, strike, predict again for what was struck.
 
 use crate::simulate::budget::Budget;
 use crate::simulate::contact::Contact;
 use crate::simulate::exact::Clock;
 use crate::simulate::refusal::Refusal;
 use crate::simulate::simultaneous::Struck;
-use crate::simulate::trajectory::{Ending, Motion, Segment, Trajectory};
+use crate::simulate::trajectory::{Ending, Impact, Motion, Segment, Trajectory};
 use crate::simulate::world::{State, Vector, World};
 
+use super::agenda::{Agenda, Event};
 use super::field::{Moving, motion_from};
-use super::prediction::{Predicted, predict};
-
-/// A contact that will be struck at a time, unless a party has another event first.
-struct Event<const D: usize> {
-    at: Clock,
-    contact: Contact,
-    stamps: (u32, u32),
-    predicted: Predicted<D>,
-}
-
-impl<const D: usize> PartialEq for Event<D> {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-
-impl<const D: usize> Eq for Event<D> {}
-
-impl<const D: usize> PartialOrd for Event<D> {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl<const D: usize> Ord for Event<D> {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.at.order(other.at).then(self.contact.cmp(&other.contact))
-    }
-}
+use super::prediction::predict;
 
 pub(super) struct Run<'a, const D: usize> {
     world: &'a World<D>,
     budget: &'a Budget,
-    /// The contacts that each body can have.
-    contacts: Vec<Vec<Contact>>,
+    /// The contacts that each body can have, by their places in the agenda.
+    contacts: Vec<Vec<usize>>,
     moving: Vec<Moving<D>>,
     /// The bodies as they were when they were last looked at.
     state: State<D>,
     now: Clock,
-    queue: BinaryHeap<Reverse<Event<D>>>,
+    agenda: Agenda<D>,
     breakpoints: Vec<f64>,
     /// The contacts that were struck since the time last moved by a digit.
     stalled: Vec<Contact>,
@@ -59,20 +29,24 @@ pub(super) struct Run<'a, const D: usize> {
 }
 
 impl<'a, const D: usize> Run<'a, D> {
-    pub(super) fn new(world: &'a World<D>, budget: &'a Budget) -> Result<Self, Refusal> {
-        let state = world.start();
+    pub(super) fn new(
+        world: &'a World<D>,
+        state: State<D>,
+        all: Vec<Contact>,
+        budget: &'a Budget,
+    ) -> Result<Self, Refusal> {
         let mut contacts = vec![Vec::new(); world.bodies.len()];
-        for contact in world.contacts() {
+        for (place, &contact) in all.iter().enumerate() {
             let (first, second) = world.parties(contact);
-            contacts[second].push(contact);
+            contacts[second].push(place);
             if let Some(first) = first {
-                contacts[first].push(contact);
+                contacts[first].push(place);
             }
         }
         let mut moving = Vec::with_capacity(world.bodies.len());
         for (index, body) in world.bodies.iter().enumerate() {
             let motion = motion_from(world, index, 0.0, body.position, body.velocity)?;
-            moving.push(Moving { since: Clock::default(), motion, stamp: 0 });
+            moving.push(Moving { since: Clock::default(), motion });
         }
         let mut breakpoints = world.breakpoints();
         breakpoints.reverse();
@@ -84,7 +58,7 @@ impl<'a, const D: usize> Run<'a, D> {
             result: Trajectory::begin(state.clone()),
             state,
             now: Clock::default(),
-            queue: BinaryHeap::new(),
+            agenda: Agenda::new(all),
             breakpoints,
             stalled: Vec::new(),
         })
@@ -100,14 +74,11 @@ impl<'a, const D: usize> Run<'a, D> {
                 return self.end(Ending::Exhausted);
             }
             let limit = self.breakpoints.last().copied().unwrap_or(f64::INFINITY).min(self.budget.until);
-            let event = self.queue.pop().map(|Reverse(event)| event);
-            match event {
+            match self.agenda.next() {
                 Some(event) if event.at.seconds() <= limit => {
-                    if self.holds(&event) {
-                        self.result.steps += 1;
-                        if let Some(ending) = self.meet(&event)? {
-                            return self.end(ending);
-                        }
+                    self.result.steps += 1;
+                    if let Some(ending) = self.meet(&event)? {
+                        return self.end(ending);
                     }
                 }
                 _ if limit.is_infinite() => return self.end(Ending::NoMoreImpacts),
@@ -118,13 +89,6 @@ impl<'a, const D: usize> Run<'a, D> {
                 _ => self.change_forces(limit)?,
             }
         }
-    }
-
-    /// Whether nothing has happened to the parties since the prediction.
-    fn holds(&self, event: &Event<D>) -> bool {
-        let (first, second) = self.world.parties(event.contact);
-        let own = self.moving[second].stamp == event.stamps.1;
-        own && first.is_none_or(|first| self.moving[first].stamp == event.stamps.0)
     }
 
     /// Brings a body's entry in the state to now.
@@ -157,33 +121,24 @@ impl<'a, const D: usize> Run<'a, D> {
         if struck.rate >= 0.0 {
             return self.lasting(contact, self.now.seconds());
         }
-        let group = self.group(struck);
-        let impacts = if let [only] = group.as_slice() {
-            vec![self.world.strike(contact, &only.normal, only.rate, &mut self.state.velocities)]
-        } else {
-            let again = |struck: &Struck<D>| struck.contact != contact && self.stalled.contains(&struck.contact);
-            if group.iter().any(again) {
-                return Err(self.collapse());
-            }
-            self.world.collide(&group, &mut self.state.velocities)?
-        };
-        let mut touched: Vec<usize> = Vec::with_capacity(2);
-        for mut impact in impacts {
-            impact.time = self.now.seconds();
-            self.result.note(impact, self.budget);
-            let (first, second) = self.world.parties(impact.contact);
+        let others = self.others(&struck);
+        if others.is_empty() {
+            let impact = self.world.strike(contact, &struck.normal, struck.rate, &mut self.state.velocities);
+            self.note(impact);
+            let (first, second) = self.world.parties(contact);
             for body in first.into_iter().chain([second]) {
-                if !touched.contains(&body) {
-                    touched.push(body);
-                }
+                self.restart(body)?;
             }
-            self.stalled.push(impact.contact);
-        }
-        for &body in &touched {
-            self.restart(body)?;
-        }
-        for &body in &touched {
-            self.predict_for(body);
+            self.predict_for(second, &[]);
+            if let Some(first) = first {
+                self.predict_for(first, &[second]);
+            }
+        } else {
+            let before = self.result.impact_count;
+            self.strike_group(struck, others)?;
+            if self.result.impact_count == before {
+                return self.lasting(contact, self.now.seconds());
+            }
         }
         self.check_progress(contact)
     }
@@ -206,15 +161,62 @@ impl<'a, const D: usize> Run<'a, D> {
         Struck { contact, normal, rate }
     }
 
-    /// The contact that is struck, with every contact that touches it now and does not part.
-    fn group(&mut self, struck: Struck<D>) -> Vec<Struck<D>> {
+    fn note(&mut self, mut impact: Impact<D>) {
+        impact.time = self.now.seconds();
+        self.stalled.push(impact.contact);
+        self.result.note(impact, self.budget);
+    }
+
+    /// An impact that shares a body with others at the same instant.
+    fn strike_group(&mut self, struck: Struck<D>, others: Vec<Struck<D>>) -> Result<(), Refusal> {
+        let group = self.group(struck, others);
+        let again = |other: &Struck<D>| other.contact != struck.contact && self.stalled.contains(&other.contact);
+        if group.iter().any(again) {
+            return Err(self.collapse());
+        }
+        let mut touched: Vec<usize> = Vec::new();
+        for impact in self.world.collide(&group, &mut self.state.velocities)? {
+            self.note(impact);
+            let (first, second) = self.world.parties(impact.contact);
+            touched.extend(first.into_iter().chain([second]));
+        }
+        touched.sort_unstable();
+        touched.dedup();
+        for &body in &touched {
+            self.restart(body)?;
+        }
+        for (done, &body) in touched.iter().enumerate() {
+            self.predict_for(body, &touched[..done]);
+        }
+        Ok(())
+    }
+
+    /// The other contacts of the bodies at a contact that touch now and do not part.
+    fn others(&mut self, struck: &Struck<D>) -> Vec<Struck<D>> {
+        let mut found = Vec::new();
+        let (first, second) = self.world.parties(struck.contact);
+        for body in first.into_iter().chain([second]) {
+            for place in 0..self.contacts[body].len() {
+                let other = self.agenda.contacts()[self.contacts[body][place]];
+                if other != struck.contact {
+                    self.look_at_others(other, &[*struck]);
+                    found.extend(self.world.touching(&[other], &self.state));
+                }
+            }
+        }
+        found
+    }
+
+    /// The contact that is struck, with every contact that touches it now, directly or through others, and does not part.
+    fn group(&mut self, struck: Struck<D>, others: Vec<Struck<D>>) -> Vec<Struck<D>> {
         let mut group = vec![struck];
-        let mut done = 0;
+        group.extend(others);
+        let mut done = 1;
         while done < group.len() {
             let (first, second) = self.world.parties(group[done].contact);
             for body in first.into_iter().chain([second]) {
                 for place in 0..self.contacts[body].len() {
-                    let other = self.contacts[body][place];
+                    let other = self.agenda.contacts()[self.contacts[body][place]];
                     if group.iter().any(|struck| struck.contact == other) {
                         continue;
                     }
@@ -252,8 +254,7 @@ impl<'a, const D: usize> Run<'a, D> {
             _ => motion_from(self.world, body, self.now.seconds(), position, velocity)?,
         };
         self.close_segment(body);
-        let moving = &mut self.moving[body];
-        *moving = Moving { since: self.now, motion, stamp: moving.stamp.wrapping_add(1) };
+        self.moving[body] = Moving { since: self.now, motion };
         Ok(())
     }
 
@@ -263,15 +264,22 @@ impl<'a, const D: usize> Run<'a, D> {
         self.result.extend(body, segment, self.budget);
     }
 
-    fn predict_for(&mut self, body: usize) {
+    /// Predicts the contacts of a body, but for those with bodies that had their turn.
+    fn predict_for(&mut self, body: usize, done: &[usize]) {
         for place in 0..self.contacts[body].len() {
-            let contact = self.contacts[body][place];
+            let entry = self.contacts[body][place];
+            let contact = self.agenda.contacts()[entry];
             let (first, second) = self.world.parties(contact);
             let partner = if second == body { first } else { Some(second) };
-            if let Some(partner) = partner.filter(|partner| self.moving[*partner].since != self.now) {
-                self.look_at(partner);
+            if let Some(partner) = partner {
+                if done.contains(&partner) {
+                    continue;
+                }
+                if self.moving[partner].since != self.now {
+                    self.look_at(partner);
+                }
             }
-            self.predict(contact);
+            self.predict(entry);
         }
     }
 
@@ -279,21 +287,19 @@ impl<'a, const D: usize> Run<'a, D> {
         for body in 0..self.moving.len() {
             self.look_at(body);
         }
-        for contact in self.world.contacts() {
-            self.predict(contact);
+        for entry in 0..self.agenda.contacts().len() {
+            self.predict(entry);
         }
     }
 
-    /// Queues the next event of a contact whose parties' entries are as of now.
-    fn predict(&mut self, contact: Contact) {
+    /// Enters the next event of a contact whose parties' entries are as of now.
+    fn predict(&mut self, entry: usize) {
+        let contact = self.agenda.contacts()[entry];
         let limit = self.breakpoints.last().copied().unwrap_or(f64::INFINITY).min(self.budget.until);
         let horizon = limit - self.now.seconds();
         let elapsed = |body: usize| self.now.since(self.moving[body].since);
         let found = predict(self.world, contact, &self.state, &self.moving, elapsed, horizon);
-        let Some(predicted) = found else { return };
-        let (first, second) = self.world.parties(contact);
-        let stamps = (first.map_or(0, |first| self.moving[first].stamp), self.moving[second].stamp);
-        self.queue.push(Reverse(Event { at: self.now.after(predicted.after), contact, stamps, predicted }));
+        self.agenda.set(entry, found.map_or(self.now, |found| self.now.after(found.after)), found);
     }
 
     /// A force changes its law: every body begins a new piece.
@@ -301,7 +307,6 @@ impl<'a, const D: usize> Run<'a, D> {
         self.now = Clock::at(time);
         self.state.time = time;
         self.breakpoints.pop();
-        self.queue.clear();
         self.result.steps += 1;
         for body in 0..self.moving.len() {
             self.look_at(body);
@@ -309,8 +314,7 @@ impl<'a, const D: usize> Run<'a, D> {
                 (self.state.positions[body], self.state.velocities[body]);
             self.close_segment(body);
             let motion = motion_from(self.world, body, time, position, velocity)?;
-            let moving = &mut self.moving[body];
-            *moving = Moving { since: self.now, motion, stamp: moving.stamp.wrapping_add(1) };
+            self.moving[body] = Moving { since: self.now, motion };
         }
         self.predict_all();
         Ok(())

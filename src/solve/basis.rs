@@ -1,0 +1,68 @@
+//! What a set of equations says together: the space that their derivatives span.
+
+use super::bits::Bits;
+
+/// What is left of a derivative below this counts as nothing; the largest entry of an equation's derivatives is near one.
+const NEGLIGIBLE: f64 = 1e-7;
+
+/// Independent derivatives in reduced form: each has a column of its own, in which it is 1 and all others are 0.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Basis {
+    pivots: Vec<usize>,
+    /// The derivatives, one after the other.
+    entries: Vec<f64>,
+}
+
+impl Basis {
+    /// How many equations are in it.
+    pub(super) fn len(&self) -> usize {
+        self.pivots.len()
+    }
+
+    /// Adds an equation; `false` where it says nothing new.
+    pub(super) fn add(&mut self, gradient: &[f64]) -> bool {
+        let width = gradient.len();
+        let mut rest = gradient.to_vec();
+        for (pivot, row) in self.pivots.iter().zip(self.entries.chunks_exact(width)) {
+            subtract(&mut rest, row, *pivot);
+        }
+        let largest = rest.iter().copied().enumerate().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+        let Some((pivot, largest)) = largest.filter(|(_, entry)| entry.abs() > NEGLIGIBLE) else { return false };
+        for entry in &mut rest {
+            *entry /= largest;
+        }
+        for row in self.entries.chunks_exact_mut(width) {
+            subtract(row, &rest, pivot);
+        }
+        self.pivots.push(pivot);
+        self.entries.extend(rest);
+        true
+    }
+
+    /// The ways in which these columns can change while every equation holds and no other column changes: each as the
+    /// columns that change together. Together they make up every such change.
+    pub(super) fn changes(&self, columns: &Bits) -> Vec<Bits> {
+        let free = columns.iter().filter(|column| !self.pivots.contains(column));
+        let change = |column: usize| {
+            let mut together = Bits::empty(columns.capacity());
+            together.insert(column);
+            let width = self.entries.len() / self.pivots.len().max(1);
+            for (pivot, row) in self.pivots.iter().zip(self.entries.chunks_exact(width.max(1))) {
+                if row[column].abs() > NEGLIGIBLE {
+                    together.insert(*pivot);
+                }
+            }
+            together
+        };
+        free.map(change).collect()
+    }
+}
+
+/// Takes away from a vector its share in a row that is 1 at the pivot.
+fn subtract(vector: &mut [f64], row: &[f64], pivot: usize) {
+    let share = vector[pivot];
+    if share != 0.0 {
+        vector.iter_mut().zip(row).for_each(|(entry, other)| *entry -= share * other);
+        vector[pivot] = 0.0;
+    }
+}
