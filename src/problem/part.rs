@@ -102,10 +102,10 @@ impl PartKind {
     /// The quantity of which the answer is a multiple, where it has no unit of its own.
     #[must_use]
     pub fn in_terms_of(&self) -> Option<Symbol> {
-        match self {
-            Self::Number(NumberPart { unit: AskedUnit::InTermsOf(symbol), .. }) => Some(*symbol),
-            Self::Number(_) | Self::Choice(_) => None,
-        }
+        self.numbers().iter().find_map(|number| match &number.unit {
+            AskedUnit::InTermsOf(symbol) => Some(*symbol),
+            AskedUnit::Unit(_) => None,
+        })
     }
 }
 
