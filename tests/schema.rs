@@ -44,6 +44,10 @@ const BEYOND_A_SCHEMA: &[&str] = &[
     "order_of_unlike",
     "yes_for_text",
     "yes_for_a_value",
+    "incline_without_a_side",
+    "over_a_distance",
+    "spring_without_a_body",
+    "swing_in_a_horizontal_plane",
 ];
 
 fn is_valid(path: &Path) -> bool {

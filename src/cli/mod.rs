@@ -1,5 +1,6 @@
 //! The command line: one file for each subcommand. It reads arguments and files, and prints; it knows no physics.
 
+mod chart;
 mod check;
 mod completions;
 mod diagnose;
@@ -57,6 +58,7 @@ Exit codes:
 #[derive(Debug, Subcommand)]
 enum Command {
     List(list::List),
+    Chart(chart::Chart),
     Check(check::Check),
     Diagnose(diagnose::Diagnose),
     Generate(generate::Generate),
@@ -95,6 +97,7 @@ impl Command {
     fn run(&self) -> Result<Exit, Failure> {
         match self {
             Self::List(list) => list.run(),
+            Self::Chart(chart) => chart.run(),
             Self::Check(check) => check.run(),
             Self::Diagnose(diagnose) => diagnose.run(),
             Self::Generate(generate) => generate.run(),

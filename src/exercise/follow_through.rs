@@ -42,6 +42,7 @@ impl Exercise {
     pub(super) fn follow_through(
         &self,
         report: &mut grade::Report,
+        expected: &[grade::Expected],
         answers: &BTreeMap<String, String>,
         mark: grade::DecimalMark,
         rubric: &grade::Rubric,
@@ -54,12 +55,12 @@ impl Exercise {
             if !diagnose::is_open(own.verdict) {
                 continue;
             }
-            let expected = self.expected(part);
+            let Some(expected) = expected.iter().find(|expected| expected.id == part.id) else { continue };
             let grade::ExpectedKind::Number(right) = &expected.kind else { continue };
             let Ok(answer) = grade::read(text, &expected.kind, mark) else { continue };
             let Some(value) = diagnose::number(right, &answer) else { continue };
             let relevant = earlier.get(earlier.len().saturating_sub(MOST_EARLIER)..).unwrap_or_default();
-            if let Some(found) = self.followed(number, &expected, &answer, relevant, rubric) {
+            if let Some(found) = self.followed(number, expected, &answer, relevant, rubric) {
                 let flagged = found.consequence.unphysical.is_some();
                 own.verdict = if flagged { Verdict::FollowThroughUnphysical } else { Verdict::FollowThrough };
                 let fraction = rubric.fraction(own.verdict) * found.fraction;
@@ -102,12 +103,18 @@ impl Exercise {
         rubric: &grade::Rubric,
     ) -> Option<Found> {
         let mut best: Option<Found> = None;
+        let mut target = expected.clone();
         for chosen in subsets(earlier) {
-            for consequence in self.consequences(number, &chosen) {
-                let judged = grade::judge(&own_target(expected, &consequence), answer).verdict;
-                if !(judged.is_right() || judged == Verdict::UnitMissing) {
-                    continue;
-                }
+            let mut verdicts = Vec::new();
+            let mut accept = |value: f64| {
+                aim(&mut target, expected, value);
+                let judged = grade::judge(&target, answer).verdict;
+                let accepted = judged.is_right() || judged == Verdict::UnitMissing;
+                verdicts.extend(accepted.then_some(judged));
+                accepted
+            };
+            let consequences = self.consequences(number, &chosen, &mut accept);
+            for (consequence, judged) in consequences.into_iter().zip(verdicts) {
                 let better = best
                     .as_ref()
                     .is_none_or(|best| best.consequence.unphysical.is_some() && consequence.unphysical.is_none());
@@ -120,12 +127,17 @@ impl Exercise {
         best
     }
 
-    fn consequences(&self, number: &NumberPart, chosen: &[&Earlier]) -> Vec<Consequence> {
+    /// What follows from earlier answers and is wanted, without what makes the rest trivial.
+    fn consequences(
+        &self,
+        number: &NumberPart,
+        chosen: &[&Earlier],
+        accept: &mut dyn FnMut(f64) -> bool,
+    ) -> Vec<Consequence> {
         let values = chosen.iter().map(|own| (own.symbol, own.value)).collect();
-        let all = self.worked().following(number, &values);
-        all.into_iter()
-            .filter(|found| self.can_be_built_upon(number.symbol, found.value * self.worked().unit_of(number)))
-            .collect()
+        let unit = self.worked().unit_of(number);
+        let mut accept = |value: f64| self.can_be_built_upon(number.symbol, value * unit) && accept(value);
+        self.worked().following(number, &values, &mut accept)
     }
 
     /// What would have followed from the student's own answers: every value, and the laws by which it follows.
@@ -134,7 +146,10 @@ impl Exercise {
         let (chosen, found) = [all, earlier.iter().rev().take(1).collect()]
             .into_iter()
             .map(|chosen| {
-                (chosen.iter().map(|own| own.id.as_str()).collect::<Vec<_>>(), self.consequences(number, &chosen))
+                (
+                    chosen.iter().map(|own| own.id.as_str()).collect::<Vec<_>>(),
+                    self.consequences(number, &chosen, &mut |_| true),
+                )
             })
             .find(|(_, found)| !found.is_empty())?;
         let said: Vec<String> = found
@@ -161,15 +176,14 @@ fn subsets(earlier: &[Earlier]) -> Vec<Vec<&Earlier>> {
     all
 }
 
-/// The part with what follows from the student's own answers in place of the right value.
-fn own_target(expected: &grade::Expected, found: &Consequence) -> grade::Expected {
-    let mut own = expected.clone();
-    if let grade::ExpectedKind::Number(number) = &mut own.kind {
-        number.value = found.value;
-        number.error = SAME * SAME * found.value.abs();
+/// Puts what follows from the student's own answers in place of the right value.
+fn aim(target: &mut grade::Expected, expected: &grade::Expected, value: f64) {
+    let grade::ExpectedKind::Number(right) = &expected.kind else { return };
+    if let grade::ExpectedKind::Number(number) = &mut target.kind {
+        number.value = value;
+        number.error = SAME * SAME * value.abs();
         number.exact = None;
-        number.allowance = number.allowance.max(ROUNDING * found.value.abs());
-        number.magnitude = number.senses.is_none() && found.value >= 0.0;
+        number.allowance = right.allowance.max(ROUNDING * value.abs());
+        number.magnitude = number.senses.is_none() && value >= 0.0;
     }
-    own
 }

@@ -34,18 +34,22 @@ impl Exercise {
                 let problem::Decision { options, right, because } = choice.decided(&self.worked());
                 grade::ExpectedKind::Choice { options, right, because }
             }
-            PartKind::Number(number) => grade::ExpectedKind::Number(self.expected_number(part, number)),
+            PartKind::Number(number) => grade::ExpectedKind::Number(self.expected_number(part, &part.id, number)),
+            PartKind::Vector(vector) => grade::ExpectedKind::Vector(grade::ExpectedVector {
+                components: part.numbers().map(|(name, own)| self.expected_number(part, &name, own)).collect(),
+                frame: self.frame(&vector.axes),
+            }),
         };
         grade::Expected { id: part.id.clone(), points: part.points, kind }
     }
 
-    fn expected_number(&self, part: &Part, number: &NumberPart) -> grade::ExpectedNumber {
+    fn expected_number(&self, part: &Part, name: &str, number: &NumberPart) -> grade::ExpectedNumber {
         let worked = self.worked();
         let answer = worked.answer(number);
         let unit = number.plain_unit();
         let judged = worked.judged(number);
-        let signed = SIGNED.iter().any(|start| part.id.starts_with(start));
-        let senses = senses_of(&self.problem.loaded().draft.scene, &part.id).filter(|_| signed);
+        let signed = SIGNED.iter().any(|start| name.starts_with(start));
+        let senses = senses_of(&self.problem.loaded().draft.scene, name).filter(|_| signed);
         grade::ExpectedNumber {
             value: answer.value,
             error: answer.error,
@@ -97,8 +101,8 @@ impl Exercise {
         let rubric = self.rubric();
         let mut report = grade::grade(&expected, &answers, mark, &rubric);
         if !report.is_right() {
-            self.follow_through(&mut report, &answers, mark, &rubric, sitting.closed);
-            self.diagnose(&mut report, &answers, mark, sitting.hints);
+            self.follow_through(&mut report, &expected, &answers, mark, &rubric, sitting.closed);
+            self.diagnose(&mut report, &expected, &answers, mark, sitting.hints);
         }
         report
     }

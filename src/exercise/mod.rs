@@ -26,6 +26,7 @@ use crate::problem::AskedUnit;
 use crate::problem::ChoicePart;
 use crate::problem::Known;
 use crate::problem::NoVariant;
+use crate::problem::NumberPart;
 use crate::problem::Part;
 use crate::problem::PartKind;
 use crate::problem::Problem;
@@ -143,20 +144,23 @@ impl Exercise {
     fn sheet_part(&self, index: usize, part: &Part) -> SheetPart {
         let (text, unit) = match &part.kind {
             PartKind::Number(number) => {
-                let unit = match &number.unit {
-                    AskedUnit::Unit(unit) if unit.is_none() => None,
-                    AskedUnit::Unit(unit) if unit.is_attached() => Some(Math::Text(unit.spoken(true))),
-                    AskedUnit::Unit(unit) => Some(Math::Text(unit.unicode())),
-                    AskedUnit::InTermsOf(symbol) => {
-                        Some(crate::expr::name_math(&self.problem.model().symbols.entry(*symbol).name))
-                    }
-                };
+                let unit = self.unit_on_sheet(number);
                 let name = crate::expr::name_math(&self.problem.model().symbols.entry(number.symbol).name);
                 let mut text = vec![Inline::Text(format!("Find {}, ", part.label)), Inline::Math(name)];
                 if unit.is_none() {
                     text.push(Inline::Text(".".into()));
                 }
                 (text, unit)
+            }
+            PartKind::Vector(vector) => {
+                let unit = vector.components.first().and_then(|first| self.unit_on_sheet(first));
+                let along = format!(
+                    ", by its components along {}{}",
+                    vector.axes_in_words(),
+                    if unit.is_none() { "." } else { "" }
+                );
+                let name = crate::expr::name_math(&part.id);
+                (vec![Inline::Text(format!("Find {}, ", part.label)), Inline::Math(name), Inline::Text(along)], unit)
             }
             PartKind::Choice(ChoicePart::Order(symbols)) => {
                 let name = |symbol: Symbol| crate::expr::name_math(&self.problem.model().symbols.entry(symbol).name);
@@ -174,6 +178,18 @@ impl Exercise {
             }
         };
         SheetPart { label: letter(index), text, unit, points: Some(f64::from(part.points)) }
+    }
+
+    /// What stands for the unit beside the room for an answer; none for a pure number.
+    fn unit_on_sheet(&self, number: &NumberPart) -> Option<Math> {
+        match &number.unit {
+            AskedUnit::Unit(unit) if unit.is_none() => None,
+            AskedUnit::Unit(unit) if unit.is_attached() => Some(Math::Text(unit.spoken(true))),
+            AskedUnit::Unit(unit) => Some(Math::Text(unit.unicode())),
+            AskedUnit::InTermsOf(symbol) => {
+                Some(crate::expr::name_math(&self.problem.model().symbols.entry(*symbol).name))
+            }
+        }
     }
 
     /// Constants that the sheet must state: g, where a step uses it and the file leaves it to its default.
@@ -207,6 +223,7 @@ impl Exercise {
             part: letter(index),
             answer: match &part.kind {
                 PartKind::Number(number) => roots_joined(explain::printed_answers(self.worked(), number)),
+                PartKind::Vector(vector) => vec![Inline::Math(explain::printed_vector(self.worked(), vector))],
                 PartKind::Choice(_) => vec![Inline::Text(self.printed(part))],
             },
         });
@@ -220,6 +237,15 @@ impl Exercise {
             PartKind::Choice(choice) => {
                 let decision = choice.decided(&self.worked());
                 decision.options.get(decision.right).cloned().unwrap_or_default()
+            }
+            PartKind::Vector(vector) => {
+                let shown = |number: &NumberPart| {
+                    let printed = Printed::new(self.worked().answer(number).for_print(), number.figures);
+                    printed.map_or_else(|| "not defined".into(), |printed| printed.plain())
+                };
+                let components: Vec<String> = vector.components.iter().map(shown).collect();
+                let unit = vector.components.first().map(|own| self.unit_name(own)).unwrap_or_default();
+                format!("({}) {unit}", components.join(", ")).trim_end().to_owned()
             }
             PartKind::Number(number) => {
                 let unit = match &number.unit {

@@ -17,7 +17,7 @@ mod solution;
 mod steps;
 mod wording;
 
-pub use answers::printed_answers;
+pub use answers::{printed_answers, printed_vector};
 pub use outline::{Audience, Block, Inline, Outline, Section};
 pub use pictures::situation;
 pub use solution::solution;

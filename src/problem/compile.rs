@@ -330,6 +330,10 @@ impl FormDraft {
             told.remove(symbol);
         }
         told.extend(self.reveal.iter().map(|reveal| reveal.symbol));
+        // What an answer is a multiple of must be known too, and where it is not told it is solved.
+        let multiplied = self.parts.iter().filter_map(|part| part.kind.in_terms_of());
+        let wanted: Vec<Symbol> =
+            self.wanted.iter().copied().chain(multiplied.filter(|symbol| !told.contains(symbol))).collect();
         let extra = |conditions: &[Condition]| [require, conditions].concat();
         let revealed: Vec<Symbol> = self.reveal.iter().map(|reveal| reveal.symbol).collect();
         let path = self.question.path.key("ask");
@@ -341,7 +345,7 @@ impl FormDraft {
             Some(planned.map_err(|fault| vec![fault.at_path(at)])?)
         };
         let given = self.wanted.iter().find(|symbol| everything.contains(symbol));
-        let solver = Regimes::plan(model, &self.counts, &extra(&self.conditions), &told, &self.wanted, &self.allowed)
+        let solver = Regimes::plan(model, &self.counts, &extra(&self.conditions), &told, &wanted, &self.allowed)
             .map_err(|fault| match given.map(|symbol| &model.symbols.entry(*symbol).name) {
                 Some(name) => fault.help(format!(
                     "`{name}` stands under `given`, and a form that asks for it must tell what it follows from: \

@@ -109,6 +109,26 @@ fn energy(loaded: &Loaded, builder: &Builder<'_>, stage: usize) -> Verdict {
         Some(Stage::Rotate(stage)) if stage.moment.is_none() && matches!(stage.arm, Arm::Constant(_)) => {
             (true, "the only force in the plane is at right angles to the motion and does no work".into())
         }
+        Some(Stage::Swing(_)) => (
+            false,
+            "weight does work as the height changes, though the cord, at right angles to the motion, does none".into(),
+        ),
+        Some(Stage::Slide(slide)) if slide.friction.is_some() => {
+            (false, "friction does work on the body all along its way".into())
+        }
+        Some(Stage::Slide(slide)) if slide.incline.is_none() && slide.height.is_none() => {
+            (true, "the smooth level floor pushes at right angles to the motion, and nothing does work".into())
+        }
+        Some(Stage::Slide(_)) => (false, "weight does work as the height changes".into()),
+        Some(Stage::Spring(_)) => {
+            (false, "the spring does work: it stores kinetic energy when it is deformed, and gives it back".into())
+        }
+        Some(Stage::Taut(_)) => {
+            (false, "the string ends with one velocity along it for both, and the jerk takes energy".into())
+        }
+        Some(Stage::Connected(_)) => {
+            (false, "the string takes from one body what it gives to the other, but weight does work on them".into())
+        }
         _ => {
             let moved = builder.impulses().iter().any(|impulse| impulse.stage == stage);
             (!moved, if moved { "a force does work on the body".into() } else { "nothing does work".into() })

@@ -67,9 +67,15 @@ pub struct Consequence {
 }
 
 impl Worked<'_> {
-    /// What follows for a part from answers to earlier ones, each in SI units. The plans are made when this is first asked.
+    /// What follows for a part from answers to earlier ones, each in SI units, as far as `accept` wants the value, in the unit
+    /// of the question. The plans are made when this is first asked.
     #[must_use]
-    pub fn following(&self, number: &NumberPart, earlier: &BTreeMap<Symbol, f64>) -> Vec<Consequence> {
+    pub fn following(
+        &self,
+        number: &NumberPart,
+        earlier: &BTreeMap<Symbol, f64>,
+        accept: &mut dyn FnMut(f64) -> bool,
+    ) -> Vec<Consequence> {
         let from: BTreeSet<Symbol> = earlier.keys().copied().collect();
         let key = (self.variant.leaf(), number.symbol, from);
         let known = self.form.followings.0.read().ok().and_then(|known| known.get(&key).cloned());
@@ -85,16 +91,17 @@ impl Worked<'_> {
             None => self.variant.value(symbol),
         };
         let unit = self.unit_of(number);
-        let consequences = ways.iter().flat_map(|way| {
-            let unphysical = way.unphysical(self.problem.model(), &input);
-            way.solver.values(number.symbol, &input).into_iter().map(move |value| Consequence {
-                value: value / unit,
-                by: way.by.clone(),
-                unphysical: unphysical.clone(),
-            })
-        });
-        // A zero, or nothing at all, makes the question trivial: nobody is given marks for it.
-        consequences.filter(|found| found.value != 0.0 && found.value.is_finite()).collect()
+        let mut consequences = Vec::new();
+        for way in ways.iter() {
+            for value in way.solver.values(number.symbol, &input).into_iter().map(|value| value / unit) {
+                // A zero, or nothing at all, makes the question trivial: nobody is given marks for it.
+                if value != 0.0 && value.is_finite() && accept(value) {
+                    let unphysical = way.unphysical(self.problem.model(), &input);
+                    consequences.push(Consequence { value, by: way.by.clone(), unphysical });
+                }
+            }
+        }
+        consequences
     }
 }
 

@@ -1,6 +1,7 @@
 //! The usual mistakes in one form of a problem, each as the program that makes it. They are planned once, when the first
 //! wrong answer asks for them; right answers never do.
 
+use std::cell::RefCell;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::sync::OnceLock;
@@ -62,6 +63,11 @@ pub(super) struct Solver {
     strict: Option<Program>,
     /// Without them: a wrong value need not be a possible one.
     loose: Program,
+}
+
+thread_local! {
+    /// A wrong answer runs some dozens of programs; with one memory for all of them they allocate nothing.
+    static MEMORY: RefCell<Workspace<Bounded>> = RefCell::default();
 }
 
 impl Mistakes {
@@ -150,15 +156,16 @@ impl Solver {
         }
         let inputs: Option<Vec<Bounded>> = self.inputs.iter().map(|own| input(*own)).collect();
         let Some(inputs) = inputs else { return Vec::new() };
-        let run = |program: &Program| {
-            let mut memory = Workspace::default();
-            let outcome = program.run(&inputs, &mut memory);
-            let first = outcome.value(symbol).into_iter();
-            let all = first.chain(outcome.other_values(symbol)).filter(|value| value.is_real());
-            all.map(|value| value.value).filter(|value| value.is_finite()).collect::<Vec<f64>>()
-        };
-        let possible = self.strict.as_ref().map(run).unwrap_or_default();
-        if possible.is_empty() { run(&self.loose) } else { possible }
+        MEMORY.with_borrow_mut(|memory| {
+            let mut run = |program: &Program| {
+                let outcome = program.run(&inputs, memory);
+                let first = outcome.value(symbol).into_iter();
+                let all = first.chain(outcome.other_values(symbol)).filter(|value| value.is_real());
+                all.map(|value| value.value).filter(|value| value.is_finite()).collect::<Vec<f64>>()
+            };
+            let possible = self.strict.as_ref().map(&mut run).unwrap_or_default();
+            if possible.is_empty() { run(&self.loose) } else { possible }
+        })
     }
 }
 
@@ -210,7 +217,7 @@ impl<'a> Worked<'a> {
         let numbers = || {
             self.form.parts.iter().filter_map(|part| match &part.kind {
                 PartKind::Number(number) => Some(number),
-                PartKind::Choice { .. } => None,
+                PartKind::Vector(_) | PartKind::Choice(_) => None,
             })
         };
         for mistake in self.mistakes().iter().filter(|own| own.of.id == mistake) {

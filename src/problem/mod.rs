@@ -40,6 +40,7 @@ mod text;
 mod told;
 mod unsound;
 mod variant;
+mod vector;
 
 pub use ad_hoc::ad_hoc;
 pub use ask::{Ask, Classifiable, Classify, Conservable, Conserved, Count, Find, Holds, Impulsive, Order, Turn};
@@ -69,3 +70,4 @@ pub use schema::json_schema;
 pub use stream::{Scheme, Streams, Words};
 pub use text::{Filter, Piece, Placeholder, Text, is_name};
 pub use variant::{Variant, Worked};
+pub use vector::VectorPart;

@@ -31,6 +31,7 @@ use super::part::Part;
 use super::part::PartKind;
 use super::part::Tolerance;
 use super::rubric::fraction;
+use super::vector;
 
 /// What reading the parts of a form gives.
 #[derive(Default)]
@@ -97,11 +98,29 @@ type Named = (String, String, PartKind);
 
 fn number(loaded: &Loaded, find: &Find, builder: &mut Builder<'_>, path: &Path) -> Option<Named> {
     let Some(symbol) = builder.mention(&find.find) else {
+        if let Some(symbols) = vector::components(&find.find, builder) {
+            return vector::read(loaded, find, &symbols, builder, path);
+        }
         let fault = builder.unknown(&find.find).at_path(path.key("find"));
         builder.fault(fault);
         return None;
     };
     let (symbol, reference) = reference(find, symbol, builder, path)?;
+    let entry = builder.symbols().entry(symbol).clone();
+    let kind = number_part(loaded, find, symbol, builder, path)?;
+    let meaning = if entry.meaning.is_empty() { format!("the value of {}", find.find) } else { entry.meaning };
+    let label = format!("{meaning}{reference}");
+    Some((find.find.clone(), label, PartKind::Number(kind)))
+}
+
+/// How a quantity is asked: in which unit, to how many figures, and how closely.
+pub(super) fn number_part(
+    loaded: &Loaded,
+    find: &Find,
+    symbol: Symbol,
+    builder: &mut Builder<'_>,
+    path: &Path,
+) -> Option<NumberPart> {
     let entry = builder.symbols().entry(symbol).clone();
     let unit = match &find.unit {
         None => AskedUnit::Unit(unit_for(loaded, &find.find, entry.dimension)),
@@ -137,10 +156,7 @@ fn number(loaded: &Loaded, find: &Find, builder: &mut Builder<'_>, path: &Path) 
         }
     };
     let figures = usize::from(find.figures.or(loaded.draft.figures).unwrap_or(3));
-    let kind = NumberPart { symbol, unit, figures, tolerance, whole: false };
-    let meaning = if entry.meaning.is_empty() { format!("the value of {}", find.find) } else { entry.meaning };
-    let label = format!("{meaning}{reference}");
-    Some((find.find.clone(), label, PartKind::Number(kind)))
+    Some(NumberPart { symbol, unit, figures, tolerance, whole: false })
 }
 
 /// A direction is asked from a stated axis and in a stated sense; the symbol that is counted so, and the words for it.

@@ -15,9 +15,7 @@ use super::known::Known;
 use super::load::Loaded;
 use super::mistakes::Mistakes;
 use super::part::AskedUnit;
-use super::part::NumberPart;
 use super::part::Part;
-use super::part::PartKind;
 use super::regimes::Regimes;
 use super::stream::Streams;
 
@@ -74,9 +72,10 @@ impl Form {
 
     /// The quantities in terms of which answers are asked.
     pub fn units(&self) -> impl Iterator<Item = Symbol> {
-        self.parts.iter().filter_map(|part| match &part.kind {
-            PartKind::Number(NumberPart { unit: AskedUnit::InTermsOf(symbol), .. }) => Some(*symbol),
-            _ => None,
+        let numbers = self.parts.iter().flat_map(|part| part.kind.numbers());
+        numbers.filter_map(|number| match &number.unit {
+            AskedUnit::InTermsOf(symbol) => Some(*symbol),
+            AskedUnit::Unit(_) => None,
         })
     }
 

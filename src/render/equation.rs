@@ -48,6 +48,7 @@ fn line_rows(items: Vec<Math>) -> Vec<Row> {
         _ => (Vec::new(), items),
     };
     let room = WIDEST - width(&left);
+    let rest = rest.into_iter().flat_map(|item| unfolded(item, room)).collect();
     let mut left = Some(left);
     let row = |right: Vec<Math>| match left.take() {
         Some(left) => Row { left, right },
@@ -55,6 +56,24 @@ fn line_rows(items: Vec<Math>) -> Vec<Row> {
         None => Row { left: Vec::new(), right },
     };
     fill(rest, room).into_iter().map(row).collect()
+}
+
+/// A fraction that is too wide for a row, as one over its denominator times the sum above it, and a wide bracket opened: those can
+/// be broken.
+fn unfolded(item: Math, room: f64) -> Vec<Math> {
+    let (before, inner, [open, close]) = match item {
+        Math::Fraction(over, under) if item_width(&over) > room => {
+            (Some(Math::Fraction(Box::new(Math::Number("1".to_owned())), under)), over, ["[", "]"])
+        }
+        Math::Bracketed(inner) if item_width(&inner) > room => (None, inner, ["(", ")"]),
+        Math::Squared(inner) if item_width(&inner) > room => (None, inner, ["[", "]"]),
+        other => return vec![other],
+    };
+    let bracket = |sign: &str| Math::Text(sign.to_owned());
+    let mut items: Vec<Math> = before.into_iter().chain([bracket(open)]).collect();
+    items.extend(flatten(&inner).into_iter().flat_map(|item| unfolded(item, room)));
+    items.push(bracket(close));
+    items
 }
 
 /// What a continued sum begins with: a gap, and an empty operand, so that its sign is spaced as one between two.
@@ -175,6 +194,19 @@ mod tests {
         assert_eq!(rows[1].right, [Math::Operator(Operator::Equals), long]);
         let again: Vec<Math> = rows.into_iter().flat_map(|row| [row.left, row.right].concat()).collect();
         assert_eq!(again, flatten(&line));
+    }
+
+    #[test]
+    fn a_wide_fraction_is_unfolded_and_broken() {
+        let term = identifier(&"y".repeat(40));
+        let sum = Math::Row(vec![term.clone(), Math::Operator(Operator::Plus), term.clone()]);
+        let fraction = Math::Fraction(Box::new(sum), Box::new(identifier("m")));
+        let line = Math::relation(identifier("v"), Operator::Equals, fraction);
+        let rows = rows(&[line]);
+        assert_eq!(rows.len(), 2);
+        assert_eq!(rows[0].right.last(), Some(&term));
+        assert_eq!(rows[1].right.last(), Some(&Math::Text("]".into())));
+        assert!(excess(&rows) <= 1.0);
     }
 
     #[test]

@@ -15,7 +15,7 @@ use super::latex_text::escape;
 use super::writer::Writer;
 
 /// Sizes of type for equations that are so much too wide and cannot be broken.
-const SMALLER: [(f64, &str); 2] = [(1.1, "\\small"), (1.3, "\\footnotesize")];
+const SMALLER: [(f64, &str); 3] = [(1.0, "\\small"), (1.15, "\\footnotesize"), (1.35, "\\scriptsize")];
 
 /// The writer of LaTeX.
 pub(super) struct Latex;

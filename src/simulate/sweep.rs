@@ -1,5 +1,6 @@
 //! Work against precision: every method over a sweep of its budget on a reference task, as data for a chart.
 
+use std::hint::black_box;
 use std::time::Instant;
 
 use super::budget::Keep;
@@ -70,10 +71,34 @@ fn settings<const D: usize>(finest_step: f64) -> Vec<Setting<D>> {
 #[must_use]
 pub fn sweep<const D: usize>(task: &Task<D>, repetitions: usize, finest_step: f64) -> Vec<Point> {
     let cases: Vec<Case<D>> = (0..JITTERED_SCENES).map(|scene| (task.jittered)(jitter(scene))).collect();
-    settings(finest_step)
-        .into_iter()
-        .map(|(setting, method)| point(task.name, setting, method.as_ref(), &cases, repetitions))
-        .collect()
+    let methods = settings(finest_step).into_iter();
+    let points = methods.map(|(setting, method)| point(task.name, setting, method.as_ref(), &cases, repetitions));
+    std::iter::once(closed_form(task, repetitions)).chain(points).collect()
+}
+
+/// Calls of a closed form in one measurement, since a single one is shorter than the clock can tell.
+const CALLS: u32 = 1000;
+
+/// The closed form itself. It is the reference, so its error here is 0; that it is right is tested against 30 digits.
+fn closed_form<const D: usize>(task: &Task<D>, repetitions: usize) -> Point {
+    let mut least = f64::INFINITY;
+    for _ in 0..repetitions.max(1) {
+        let start = Instant::now();
+        for call in 0..CALLS {
+            black_box((task.closed_form)(black_box(jitter(call % JITTERED_SCENES))));
+        }
+        least = least.min(start.elapsed().as_secs_f64() / f64::from(CALLS));
+    }
+    Point {
+        task: task.name,
+        method: "closed form",
+        setting: None,
+        seconds: least,
+        median_error: Some(0.0),
+        greatest_error: Some(0.0),
+        failures: 0,
+        refusal: None,
+    }
 }
 
 /// A jitter between -1 % and 1 %, spread evenly by the golden ratio; the first scene has none.

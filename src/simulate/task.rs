@@ -30,21 +30,33 @@ pub struct Task<const D: usize> {
     pub asks: &'static str,
     /// The scene with its first given changed by this part; 0 is the task as it is known.
     pub jittered: fn(f64) -> Case<D>,
+    /// The number that is asked for, by its closed form, with the same change: the reference for all methods.
+    pub closed_form: fn(f64) -> f64,
 }
 
 /// The tasks on a line.
 pub const ON_A_LINE: &[Task<1>] = &[
-    Task { name: "bounce", asks: "time of the fifth bounce, s", jittered: bounce },
-    Task { name: "bounce with drag", asks: "time of the fifth bounce, s", jittered: bounce_with_drag },
-    Task { name: "head-on", asks: "velocity of A after the impact, m/s", jittered: head_on },
-    Task { name: "chain", asks: "velocity of the last of ten balls, m/s", jittered: chain },
-    Task { name: "ramp force", asks: "position after 2 s, m", jittered: ramp },
+    Task { name: "bounce", asks: "time of the fifth bounce, s", jittered: bounce, closed_form: bounce_exactly },
+    Task {
+        name: "bounce with drag",
+        asks: "time of the fifth bounce, s",
+        jittered: bounce_with_drag,
+        closed_form: bounce_with_drag_exactly,
+    },
+    Task {
+        name: "head-on",
+        asks: "velocity of A after the impact, m/s",
+        jittered: head_on,
+        closed_form: head_on_exactly,
+    },
+    Task { name: "chain", asks: "velocity of the last of ten balls, m/s", jittered: chain, closed_form: chain_exactly },
+    Task { name: "ramp force", asks: "position after 2 s, m", jittered: ramp, closed_form: ramp_exactly },
 ];
 
 /// The tasks in the plane.
 pub const IN_THE_PLANE: &[Task<2>] = &[
-    Task { name: "oblique", asks: "speed of the struck disc, m/s", jittered: oblique },
-    Task { name: "Kepler", asks: "distance at apogee, m", jittered: kepler },
+    Task { name: "oblique", asks: "speed of the struck disc, m/s", jittered: oblique, closed_form: oblique_exactly },
+    Task { name: "Kepler", asks: "distance at apogee, m", jittered: kepler, closed_form: kepler_exactly },
 ];
 
 fn dropped(height: f64) -> World<1> {
@@ -62,34 +74,44 @@ fn bounce(jitter: f64) -> Case<1> {
         world: dropped(height),
         budget: Budget::until(10.0).at_most(5),
         measure: |run| run.impacts.get(4).map(|impact| impact.time),
-        expected: 653.0 / 128.0 * (2.0 * height / GRAVITY).sqrt(),
+        expected: bounce_exactly(jitter),
     }
 }
 
+fn bounce_exactly(jitter: f64) -> f64 {
+    653.0 / 128.0 * (8.0 * (1.0 + jitter) / GRAVITY).sqrt()
+}
+
+/// The terminal speed of the bounce with drag, in m/s.
+const TERMINAL: f64 = 20.0;
+
 /// The same with a terminal speed of 20 m/s.
 fn bounce_with_drag(jitter: f64) -> Case<1> {
-    let terminal = 20.0_f64;
-    let mut height = 4.0 * (1.0 + jitter);
-    let mut world = dropped(height);
-    world.forces.push(Force::Drag { body: 0, coefficient: GRAVITY / (terminal * terminal) });
-    let unit = terminal * terminal / GRAVITY;
-    let mut expected = 0.0;
-    for bounce in 0..5 {
-        // Down: v^2 = v_t^2 (1 - exp(-2 h/unit)), t = (v_t/g) artanh(v/v_t). Up: t = (v_t/g) arctan(v/v_t), h = unit/2 ln(1 + v^2/v_t^2).
-        let share = (-libm::expm1(-2.0 * height / unit)).sqrt();
-        expected += terminal / GRAVITY * libm::atanh(share);
-        if bounce < 4 {
-            let up = 0.75 * share;
-            expected += terminal / GRAVITY * libm::atan(up);
-            height = unit / 2.0 * libm::log1p(up * up);
-        }
-    }
+    let mut world = dropped(4.0 * (1.0 + jitter));
+    world.forces.push(Force::Drag { body: 0, coefficient: GRAVITY / (TERMINAL * TERMINAL) });
     Case {
         world,
         budget: Budget::until(10.0).at_most(5),
         measure: |run| run.impacts.get(4).map(|impact| impact.time),
-        expected,
+        expected: bounce_with_drag_exactly(jitter),
     }
+}
+
+/// Down: v^2 = `v_t`^2 (1 - exp(-2 h/unit)), t = (`v_t`/g) artanh(v/`v_t`). Up: t = (`v_t`/g) arctan(v/`v_t`), h = unit/2 ln(1 + v^2/`v_t`^2).
+fn bounce_with_drag_exactly(jitter: f64) -> f64 {
+    let unit = TERMINAL * TERMINAL / GRAVITY;
+    let mut height = 4.0 * (1.0 + jitter);
+    let mut time = 0.0;
+    for bounce in 0..5 {
+        let share = (-libm::expm1(-2.0 * height / unit)).sqrt();
+        time += TERMINAL / GRAVITY * libm::atanh(share);
+        if bounce < 4 {
+            let up = 0.75 * share;
+            time += TERMINAL / GRAVITY * libm::atan(up);
+            height = unit / 2.0 * libm::log1p(up * up);
+        }
+    }
+    time
 }
 
 /// 3 kg at 3 m/s against 2 kg at -2 m/s with e = 0.7.
@@ -102,8 +124,13 @@ fn head_on(jitter: f64) -> Case<1> {
         world,
         budget: Budget::until(1.0),
         measure: |run| Some(run.last.velocities[0].x),
-        expected: (3.0 * speed - 4.0 - 2.0 * 0.7 * (speed + 2.0)) / 5.0,
+        expected: head_on_exactly(jitter),
     }
+}
+
+fn head_on_exactly(jitter: f64) -> f64 {
+    let speed = 3.0 * (1.0 + jitter);
+    (3.0 * speed - 4.0 - 2.0 * 0.7 * (speed + 2.0)) / 5.0
 }
 
 /// Ten equal balls at e = 0.9: each gives its neighbour (1 + e)/2 of its velocity.
@@ -118,8 +145,12 @@ fn chain(jitter: f64) -> Case<1> {
         world,
         budget: Budget::until(12.0),
         measure: |run| Some(run.last.velocities[9].x),
-        expected: speed * libm::pow(0.95, 9.0),
+        expected: chain_exactly(jitter),
     }
+}
+
+fn chain_exactly(jitter: f64) -> f64 {
+    (1.0 + jitter) * libm::pow(0.95, 9.0)
 }
 
 /// A force that grows by 6 N/s on 2 kg at rest: x = k t^3/(6 m).
@@ -133,8 +164,12 @@ fn ramp(jitter: f64) -> Case<1> {
         world,
         budget: Budget::until(2.0),
         measure: |run| Some(run.last.positions[0].x),
-        expected: rate * 8.0 / 12.0,
+        expected: ramp_exactly(jitter),
     }
+}
+
+fn ramp_exactly(jitter: f64) -> f64 {
+    6.0 * (1.0 + jitter) * 8.0 / 12.0
 }
 
 /// Equal smooth discs whose lines of motion are 0.6 of a diameter apart, e = 0.8: the struck one has (1 + e)/2 cos of the speed.
@@ -147,8 +182,13 @@ fn oblique(jitter: f64) -> Case<2> {
         world,
         budget: Budget::until(1.0),
         measure: |run| Some(run.last.velocities[1].norm()),
-        expected: 2.7 * ((1.0 - passing) * (1.0 + passing)).sqrt(),
+        expected: oblique_exactly(jitter),
     }
+}
+
+fn oblique_exactly(jitter: f64) -> f64 {
+    let passing = 0.6 * (1.0 + jitter);
+    2.7 * ((1.0 - passing) * (1.0 + passing)).sqrt()
 }
 
 /// Half an ellipse from its perigee at 1 with eccentricity 1/2.
@@ -162,8 +202,13 @@ fn kepler(jitter: f64) -> Case<2> {
         world,
         budget: Budget::until(std::f64::consts::PI * axis * axis.sqrt()),
         measure: |run| Some(run.last.positions[0].norm()),
-        expected: (1.0 + eccentricity) * axis,
+        expected: kepler_exactly(jitter),
     }
+}
+
+fn kepler_exactly(jitter: f64) -> f64 {
+    let eccentricity = 0.5 * (1.0 + jitter);
+    (1.0 + eccentricity) / (1.0 - eccentricity)
 }
 
 #[cfg(test)]

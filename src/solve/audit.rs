@@ -1,11 +1,11 @@
 //! The audit plan: what else follows cheaply, and which equations then serve as checks.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::expr::Symbol;
 
-use super::tactics::{Block, isolate};
-use super::{Plan, Statement, System};
+use super::tactics::{Block, close, isolate};
+use super::{Plan, Statement, Step, System, Tactic};
 
 /// A plan extended for judging.
 #[derive(Clone, Debug)]
@@ -18,7 +18,8 @@ pub struct Audit {
     pub checks: Vec<usize>,
 }
 
-/// Extends a plan by every symbol that a single equation gives in closed form with one root, again and again.
+/// Extends a plan by every symbol that one equation, or two equations for two symbols, give in closed form with one root, again and
+/// again.
 #[must_use]
 pub fn audit(system: &System, known: &BTreeSet<Symbol>, plan: &Plan) -> Audit {
     let mut found = known.clone();
@@ -33,9 +34,8 @@ pub fn audit(system: &System, known: &BTreeSet<Symbol>, plan: &Plan) -> Audit {
     order.sort_by_key(|place| system.equations[*place].cost);
     // An equation with one unknown gives it or does not, whatever else is found.
     let mut tried = used.clone();
-    let mut progress = true;
-    while progress {
-        progress = false;
+    loop {
+        let mut progress = false;
         for place in &order {
             let mut unknowns = symbols[*place].difference(&found).copied();
             let (Some(unknown), None) = (unknowns.next(), unknowns.next()) else { continue };
@@ -52,6 +52,13 @@ pub fn audit(system: &System, known: &BTreeSet<Symbol>, plan: &Plan) -> Audit {
             extended.steps.push(step);
             progress = true;
         }
+        // Two at once only where nothing follows alone: an impact of which neither velocity is known.
+        if !progress {
+            let Some(step) = pair(system, &order, &symbols, &found, &used) else { break };
+            found.extend(&step.unknowns);
+            used.extend(&step.equations);
+            extended.steps.push(step);
+        }
     }
     let is_check = |place: &usize| {
         let equal = matches!(system.equations[*place].statement, Statement::Equal { .. });
@@ -59,4 +66,31 @@ pub fn audit(system: &System, known: &BTreeSet<Symbol>, plan: &Plan) -> Audit {
     };
     let checks = (0..system.equations.len()).filter(is_check).collect();
     Audit { plan: extended, answer_steps: plan.steps.len(), checks }
+}
+
+/// The cheapest two equations that hold the same two open symbols and give both.
+fn pair(
+    system: &System,
+    order: &[usize],
+    symbols: &[BTreeSet<Symbol>],
+    found: &BTreeSet<Symbol>,
+    used: &BTreeSet<usize>,
+) -> Option<Step> {
+    let mut met: BTreeMap<Vec<Symbol>, Vec<usize>> = BTreeMap::new();
+    for place in order.iter().filter(|place| !used.contains(place)) {
+        let open: Vec<Symbol> = symbols[*place].difference(found).copied().collect();
+        if open.len() != 2 {
+            continue;
+        }
+        let others = met.entry(open.clone()).or_default();
+        let with = |other: &usize| {
+            let step = close(&Block { system, equations: vec![*other, *place], unknowns: open.clone() }).ok()?;
+            (step.tactic == Tactic::Linear && step.roots.len() == 1).then_some(step)
+        };
+        if let Some(step) = others.iter().find_map(with) {
+            return Some(step);
+        }
+        others.push(*place);
+    }
+    None
 }

@@ -263,6 +263,11 @@ impl Impact {
         if self.plane { &["e", "m_A", "v_A1.x", "v_B1.x"] } else { &["e", "m_A", "m_B", "v_A1", "v_B1"] }
     }
 
+    /// Whether the impulse depends on that given at all: motion across the line of impact has no part in it.
+    pub fn lets_find(&self, name: &str) -> bool {
+        !(self.turn == 90 && ["v_A1.x", "v_B1.x"].contains(&name))
+    }
+
     /// Asks for a given, with a result told in its place; the value found and the one that was given.
     pub fn ask_back(&self, name: &str, after: &After) -> (Bounded, f64) {
         let told = if self.plane { "J_B.n" } else { "v_B2" };

@@ -11,6 +11,7 @@ mod vectors;
 mod words;
 
 use crate::figure::Drawing;
+use crate::figure::Shape;
 use crate::problem::Sampler;
 use crate::problem::Variant;
 use crate::problem::Worked;
@@ -40,15 +41,16 @@ pub(super) fn solution(worked: Worked<'_>) -> Vec<Drawing> {
             [plot, momentum::diagram(&quantities, &compass, index)].into_iter().collect()
         }
         Stage::Slide(_) if momentum::has_no_time(&quantities, index) => Vec::new(),
+        Stage::Slide(_) => vec![momentum::diagram(&quantities, &compass, index).filter(is_known)],
         Stage::Spring(spring) if spring.between.is_none() => Vec::new(),
         Stage::Stream(stream) => vec![sheet::stream::drawing(&quantities, &compass, index, stream)],
         Stage::Thrust(thrust) => vec![sheet::stream::rocket(&quantities, &compass, index, thrust)],
         // What a ball gains before it bounces on is not asked for; the figure of the bounces shows its fall.
         Stage::Fall(_) if matches!(stages.get(index + 1), Some(Stage::Bounces(_))) => Vec::new(),
-        Stage::Walk(_) | Stage::SlideOff(_) | Stage::Swing(_) | Stage::Connected(_) | Stage::Drift(_) => Vec::new(),
+        Stage::SlideOff(_) | Stage::Walk(_) => vec![sheet::line::after(&quantities, &compass, index)],
+        Stage::Swing(_) | Stage::Connected(_) | Stage::Drift(_) => Vec::new(),
         Stage::Flight(_) if quantities.scene().plane == Plane::Horizontal => Vec::new(),
         Stage::Impact(_)
-        | Stage::Slide(_)
         | Stage::Spring(_)
         | Stage::Taut(_)
         | Stage::Blow(_)
@@ -59,6 +61,12 @@ pub(super) fn solution(worked: Worked<'_>) -> Vec<Drawing> {
         }
     });
     drawings.flatten().collect()
+}
+
+/// Whether every arrow of a diagram has a value: what slides on to its rest may be solved without its forces.
+fn is_known(drawing: &Drawing) -> bool {
+    let is_unknown = |shape: &Shape| matches!(shape, Shape::Label { text, .. } if text.plain().ends_with("= ?"));
+    !drawing.shapes.iter().any(is_unknown)
 }
 
 /// The same numbers in a form that solves something, for a form that only asks for concepts and has nothing to draw.

@@ -23,22 +23,48 @@ pub(in super::super) fn drawing(quantities: &Quantities<'_>, compass: &Compass, 
     let before = bodies(quantities, compass, stage);
     let is_telling = |bodies: &[(String, MovingBody)]| bodies.iter().any(|(_, body)| !body.vectors.is_empty());
     let rebounds = |body: &str| !departure(quantities, compass, body, stage).is_empty();
-    let (when, bodies) = if is_telling(&before) {
+    let after = || {
+        let alive = quantities.timeline.alive(last);
+        let body = |body: &str| (body.to_owned(), quantities.body(body, quantities.motion(compass, body, last)));
+        alive.into_iter().map(body).collect::<Vec<_>>()
+    };
+    // A sheet that tells of no motion still shows the bodies and the axes.
+    let shows_before = is_telling(&before) || !is_telling(&after()) && quantities.scope() == Scope::Given;
+    let (when, bodies) = if shows_before {
         let both = before.iter().any(|(body, _)| rebounds(body));
         let when = quantities.when(stage + 1);
         (if both { format!("{when} and {}", quantities.when(stage + 2)) } else { when }, before)
     } else {
-        let alive = quantities.timeline.alive(last);
-        let body = |body: &str| (body.to_owned(), quantities.body(body, quantities.motion(compass, body, last)));
-        (quantities.when(last), alive.into_iter().map(body).collect())
+        (quantities.when(last), after())
     };
-    if !is_telling(&bodies) {
+    if bodies.is_empty() || quantities.scope() == Scope::Solved && !is_telling(&bodies) {
         return None;
     }
     let wording = situation_wording(quantities, &bodies, &when);
     let floor = has_floor(quantities, stage, &bodies);
     let bodies = bodies.into_iter().map(|(_, body)| body).collect();
     let line = Line { angle: compass.axis_angle(0), bodies, floor, slope: None };
+    Some(Situation { wording, layout: Layout::Line(line), axes: compass.marks() }.drawing())
+}
+
+/// The bodies with their momenta after a stage that has no impulses to draw.
+pub(in super::super) fn after(quantities: &Quantities<'_>, compass: &Compass, stage: usize) -> Option<Drawing> {
+    let instant = stage + 2;
+    let bodies: Vec<(String, MovingBody)> = quantities
+        .timeline
+        .alive(instant)
+        .into_iter()
+        .map(|body| {
+            let momentum = quantities.momentum(body, body, instant, quantities.mass(body));
+            (body.to_owned(), quantities.body(body, vec![Moving::momentum(momentum.placed(compass))]))
+        })
+        .collect();
+    if bodies.is_empty() {
+        return None;
+    }
+    let wording = situation_wording(quantities, &bodies, &quantities.when(instant));
+    let bodies = bodies.into_iter().map(|(_, body)| body).collect();
+    let line = Line { angle: compass.axis_angle(0), bodies, floor: true, slope: None };
     Some(Situation { wording, layout: Layout::Line(line), axes: compass.marks() }.drawing())
 }
 

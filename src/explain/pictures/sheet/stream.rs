@@ -37,7 +37,7 @@ pub(in super::super) fn drawing(
         vectors.extend(arrow(quantities, compass, &flowing.relative, leaving));
     }
     vectors.extend(force(quantities, compass, &stage.body).map(Moving::force));
-    if vectors.is_empty() {
+    if vectors.is_empty() && quantities.scope() == Scope::Solved {
         return None;
     }
     let body = MovingBody { name: body_math(&stage.body), form: Form::Block, vectors };

@@ -1,0 +1,133 @@
+//! `momentous chart`
+
+mod diagram;
+mod points;
+mod tasks;
+
+use std::io::Write;
+use std::path::PathBuf;
+
+use clap::Args;
+use clap::ValueEnum;
+
+use crate::simulate::stability::run_all;
+
+use super::exit::Exit;
+use super::failure::Failure;
+use super::output::Output;
+
+use points::Row;
+
+const HELP: &str = "\
+Tasks: bounce, bounce-with-drag, head-on, chain, ramp-force, oblique, kepler; without any, all of them.
+
+Each point is one method at one step or tolerance: the median error over 32 jittered scenes, with a line up to the greatest,
+against the time of one solve. Where scenes were refused or ended without the answer, a cross stands at the upper edge.
+
+Examples:
+  momentous chart bounce -o bounce.svg                      measure and draw
+  momentous chart bounce --format csv -o bounce.csv         measure only
+  momentous chart --from bounce.csv -o bounce.svg           draw what was measured
+  momentous chart --stability                               where each method is right, refuses or fails";
+
+/// Chart the numerical methods: error against time, and where each is stable
+#[derive(Args, Debug)]
+#[command(after_help = HELP)]
+pub(super) struct Chart {
+    /// The reference tasks; all where none is named
+    #[arg(value_name = "TASK")]
+    tasks: Vec<String>,
+    /// A drawing or the numbers; for --stability, text or csv
+    #[arg(long, value_name = "FORMAT")]
+    format: Option<Look>,
+    /// The table of the stability suite instead
+    #[arg(long, conflicts_with_all = ["tasks", "from"])]
+    stability: bool,
+    /// Draw the points of a table that was measured before
+    #[arg(long, value_name = "FILE")]
+    from: Option<PathBuf>,
+    /// The finest step of the methods with a fixed step, in s
+    #[arg(long, value_name = "SECONDS", default_value = "1e-5", value_parser = step)]
+    finest_step: f64,
+    /// Solves of each scene, of which the fastest counts
+    #[arg(long, value_name = "COUNT", default_value = "5", value_parser = clap::value_parser!(u16).range(1..))]
+    repetitions: u16,
+    /// Write to this file instead of the terminal
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+/// The format of a chart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Look {
+    /// A drawing, readable on light and on dark pages.
+    Svg,
+    /// Comma-separated values.
+    Csv,
+    /// For people: the stability table.
+    Text,
+}
+
+/// Steps below a nanosecond would run for days.
+fn step(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(step) if (1e-9..=1.0).contains(&step) => Ok(step),
+        _ => Err("a step is a number of seconds from 1e-9 to 1".to_owned()),
+    }
+}
+
+impl Chart {
+    pub(super) fn run(&self) -> Result<Exit, Failure> {
+        let look = self.format.unwrap_or(if self.stability { Look::Text } else { Look::Svg });
+        let mut text = Vec::new();
+        match (self.stability, look) {
+            (true, Look::Text) => stability_text(&mut text)?,
+            (true, Look::Csv) => stability_csv(&mut text)?,
+            (true, Look::Svg) => return Err(Failure::unusable("the stability table is text or csv, not a drawing")),
+            (false, Look::Text) => return Err(Failure::unusable("text is for --stability; a chart is svg or csv")),
+            (false, Look::Csv) => points::write(&self.rows()?, &mut text)?,
+            (false, Look::Svg) => text.extend(diagram::svg(&self.rows()?).into_bytes()),
+        }
+        let mut output = Output::to(self.output.as_deref())?;
+        output.write_all(&text)?;
+        output.finish()?;
+        Ok(Exit::Fine)
+    }
+
+    /// The points that were measured before, or are measured now.
+    fn rows(&self) -> Result<Vec<Row>, Failure> {
+        let Some(path) = &self.from else {
+            return tasks::measure(&self.tasks, usize::from(self.repetitions), self.finest_step);
+        };
+        let rows = points::read(path)?;
+        if self.tasks.is_empty() {
+            return Ok(rows);
+        }
+        let chosen = tasks::chosen(&self.tasks)?;
+        Ok(rows.into_iter().filter(|row| chosen.contains(&row.task.as_str())).collect())
+    }
+}
+
+/// The table as `tests/stability/table.txt` holds it.
+fn stability_text(out: &mut Vec<u8>) -> Result<(), Failure> {
+    let mut scene = "";
+    for row in run_all() {
+        if row.scene != scene {
+            let gap = if scene.is_empty() { "" } else { "\n" };
+            writeln!(out, "{gap}{}", row.scene)?;
+            scene = row.scene;
+        }
+        writeln!(out, "    {:22}{}", row.method, row.verdict)?;
+    }
+    Ok(())
+}
+
+fn stability_csv(out: &mut Vec<u8>) -> Result<(), Failure> {
+    let unwritten = |error: csv::Error| Failure::unusable(format!("the table cannot be written: {error}"));
+    let mut table = csv::Writer::from_writer(out);
+    table.write_record(["scene", "method", "verdict"]).map_err(unwritten)?;
+    for row in run_all() {
+        table.write_record([row.scene, row.method, &row.verdict.to_string()]).map_err(unwritten)?;
+    }
+    Ok(table.flush()?)
+}
