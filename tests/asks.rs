@@ -65,3 +65,51 @@ fn a_vector_is_asked_by_its_components() {
     assert_eq!((&asked["kind"], &asked["axes"]), (&"vector".into(), &serde_json::json!(["x", "y"])));
     assert_eq!(asked["value"], serde_json::json!([5.0, -2.0]));
 }
+
+/// With B at rest v_A2 = (m_A - e m_B) v_A1 / (m_A + m_B), which is negative where e > m_A/m_B = 1/4.
+const BUMPERS: &str = "
+id: test/bumpers
+title: Bumpers
+level: intro
+scene:
+  axes: { x: to the right }
+  bodies: { A: { name: trolley A }, B: { name: trolley B } }
+  stages: [ { impact: { between: [A, B], restitution: e } } ]
+given: { m_A: 1 kg, m_B: 4 kg, v_A1: 5 m/s, v_B1: 0 m/s }
+text: Two trolleys collide.
+ask: [ { range: e, where: CLAIM } ]
+";
+
+#[test]
+fn a_range_is_asked_by_what_holds_in_it() {
+    let above = exercise(&BUMPERS.replace("CLAIM", "v_A2 < 0 m/s"));
+    assert_eq!(printed(&above), ["0.250 < e <= 1"]);
+    let verdicts = [
+        ("0.25 < e <= 1", "right"),
+        ("(0.25, 1]", "right"),
+        ("e > 0.25", "right"),
+        ("e >= 0.25", "interval_ends"),
+        ("e < 0.25", "wrong"),
+        ("0.5 < e <= 1", "interval_half"),
+        ("e > 0.5", "wrong"),
+    ];
+    for (answer, code) in verdicts {
+        assert_eq!(verdict(&above, "e", answer), code, "{answer}");
+    }
+    let claims = [
+        ("v_A2 <= 0 m/s", "0.250 <= e <= 1"),
+        ("v_A2 > 0 m/s", "0 <= e < 0.250"),
+        ("v_A2 >= 0.5 m/s", "0 <= e <= 0.125"),
+        ("v_B2 > 3*v_A2", "0.154 < e <= 1"),
+    ];
+    for (claim, interval) in claims {
+        assert_eq!(printed(&exercise(&BUMPERS.replace("CLAIM", &format!("\"{claim}\"")))), [interval], "{claim}");
+    }
+}
+
+#[test]
+fn a_range_without_a_boundary_is_refused() {
+    let text = BUMPERS.replace("CLAIM", "v_A2 < 2 m/s");
+    let faults = compile(load(Source::new("asks.yaml", &text)).unwrap(), None).unwrap_err().to_string();
+    assert!(faults.contains("the values have no admissible solution"), "{faults}");
+}

@@ -24,12 +24,14 @@ use crate::fault::Faults;
 use crate::problem;
 use crate::problem::AskedUnit;
 use crate::problem::ChoicePart;
+use crate::problem::End;
 use crate::problem::Known;
 use crate::problem::NoVariant;
 use crate::problem::NumberPart;
 use crate::problem::Part;
 use crate::problem::PartKind;
 use crate::problem::Problem;
+use crate::problem::RangePart;
 use crate::problem::Sampler;
 use crate::problem::Scheme;
 use crate::problem::Variant;
@@ -162,6 +164,7 @@ impl Exercise {
                 let name = crate::expr::name_math(&part.id);
                 (vec![Inline::Text(format!("Find {}, ", part.label)), Inline::Math(name), Inline::Text(along)], unit)
             }
+            PartKind::Range(_) => (vec![Inline::Text(part.label.clone())], None),
             PartKind::Choice(ChoicePart::Order(symbols)) => {
                 let name = |symbol: Symbol| crate::expr::name_math(&self.problem.model().symbols.entry(symbol).name);
                 let mut text = vec![Inline::Text(format!("{} (", part.label))];
@@ -224,10 +227,35 @@ impl Exercise {
             answer: match &part.kind {
                 PartKind::Number(number) => roots_joined(explain::printed_answers(self.worked(), number)),
                 PartKind::Vector(vector) => vec![Inline::Math(explain::printed_vector(self.worked(), vector))],
+                PartKind::Range(range) => {
+                    explain::printed_range(self.worked(), range).into_iter().map(Inline::Math).collect()
+                }
                 PartKind::Choice(_) => vec![Inline::Text(self.printed(part))],
             },
         });
         rows.collect()
+    }
+
+    /// A range as it is printed: `0.25 < e <= 1`.
+    fn printed_range(&self, range: &RangePart) -> String {
+        let name = &self.problem.model().symbols.entry(range.number.symbol).name;
+        let Some(interval) = self.worked().interval(range) else { return String::new() };
+        let unit = self.unit_name(&range.number);
+        let shown = |end: &End| {
+            let value = end.value.for_print();
+            let printed = Printed::new(value, range.number.figures).filter(|_| !end.own);
+            let printed = printed.map_or_else(|| value.to_string(), |printed| printed.plain());
+            format!("{printed} {unit}").trim_end().to_owned()
+        };
+        let sign = |end: &End, open, closed| if end.closed { closed } else { open };
+        match (&interval.low, &interval.high) {
+            (Some(low), None) => format!("{name} {} {}", sign(low, ">", ">="), shown(low)),
+            (low, high) => {
+                let low = low.map(|low| format!("{} {} ", shown(&low), sign(&low, "<", "<="))).unwrap_or_default();
+                let high = high.map(|high| format!(" {} {}", sign(&high, "<", "<="), shown(&high))).unwrap_or_default();
+                format!("{low}{name}{high}")
+            }
+        }
     }
 
     /// An answer as it is printed: `3.10 m/s`.
@@ -238,6 +266,7 @@ impl Exercise {
                 let decision = choice.decided(&self.worked());
                 decision.options.get(decision.right).cloned().unwrap_or_default()
             }
+            PartKind::Range(range) => self.printed_range(range),
             PartKind::Vector(vector) => {
                 let shown = |number: &NumberPart| {
                     let printed = Printed::new(self.worked().answer(number).for_print(), number.figures);

@@ -3,6 +3,7 @@
 use serde_json::Value;
 use serde_json::json;
 
+use crate::problem::End;
 use crate::problem::Part;
 use crate::problem::PartKind;
 use crate::solve::Bounded;
@@ -75,6 +76,24 @@ impl Exercise {
                     "unit": vector.components.first().map(|own| self.unit_name(own)),
                     "printed": self.printed(part),
                     "error_bound": bounds,
+                    "points": part.points,
+                })
+            }
+            PartKind::Range(range) => {
+                let interval = self.worked().interval(range);
+                let end = |end: Option<End>| {
+                    end.map(
+                        |end| json!({ "value": end.value.value, "closed": end.closed, "limit_of_quantity": end.own }),
+                    )
+                };
+                json!({
+                    "id": part.id,
+                    "kind": "interval",
+                    "find": part.label,
+                    "low": interval.as_ref().and_then(|own| end(own.low)),
+                    "high": interval.as_ref().and_then(|own| end(own.high)),
+                    "unit": self.unit_name(&range.number),
+                    "printed": self.printed(part),
                     "points": part.points,
                 })
             }

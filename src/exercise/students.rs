@@ -39,7 +39,7 @@ impl Exercise {
         }
         let parts = worked.form.parts.iter().map(|part| {
             let text = match &part.kind {
-                PartKind::Choice(_) => self.printed(part),
+                PartKind::Choice(_) | PartKind::Range(_) => self.printed(part),
                 PartKind::Vector(vector) => self.rounded_vector(vector, &values),
                 PartKind::Number(number) => match values.get(&number.symbol) {
                     Some(value) => self.written(number, value / worked.unit_of(number)),

@@ -22,6 +22,7 @@ use super::display::Display;
 use super::display::Shown;
 use super::display::number_math;
 use super::display::with_unit;
+use super::interval;
 use super::wording::capitalised;
 
 /// One paragraph for each part.
@@ -50,6 +51,7 @@ fn sentence(display: Display<'_>, part: &Part) -> Vec<Inline> {
                 Inline::Text(format!(": {because}.")),
             ]
         }
+        PartKind::Range(range) => interval::sentence(display, part, range),
         PartKind::Vector(vector) => {
             let is =
                 vec![name_math(&part.id), Math::Operator(Operator::Equals), printed_vector(display.worked, vector)];
@@ -112,7 +114,7 @@ pub fn printed_vector(worked: Worked<'_>, vector: &VectorPart) -> Math {
 }
 
 /// A value to the figures that are asked.
-fn shown(number: &NumberPart, value: f64) -> Math {
+pub(super) fn shown(number: &NumberPart, value: f64) -> Math {
     if number.whole {
         return Math::Number(format!("{value:.0}"));
     }

@@ -5,6 +5,7 @@ use crate::quantity::Decimal;
 use crate::quantity::Unit;
 
 use super::decision::ChoicePart;
+use super::range::RangePart;
 use super::vector::VectorPart;
 use super::vector::component_name;
 
@@ -28,6 +29,8 @@ pub enum PartKind {
     Number(NumberPart),
     /// By a vector with a unit.
     Vector(VectorPart),
+    /// By an interval or a condition.
+    Range(RangePart),
     /// By one of several phrases.
     Choice(ChoicePart),
 }
@@ -80,12 +83,13 @@ impl Part {
 }
 
 impl PartKind {
-    /// The numbers in the answer: one, the components of a vector, or none.
+    /// The numbers in the answer: one, the components of a vector, the boundary of an interval, or none.
     #[must_use]
     pub fn numbers(&self) -> &[NumberPart] {
         match self {
             Self::Number(number) => std::slice::from_ref(number),
             Self::Vector(vector) => &vector.components,
+            Self::Range(range) => std::slice::from_ref(&range.number),
             Self::Choice(_) => &[],
         }
     }
@@ -94,7 +98,9 @@ impl PartKind {
     #[must_use]
     pub fn wanted(&self) -> Vec<Symbol> {
         match self {
-            Self::Number(_) | Self::Vector(_) => self.numbers().iter().map(|number| number.symbol).collect(),
+            Self::Number(_) | Self::Vector(_) | Self::Range(_) => {
+                self.numbers().iter().map(|number| number.symbol).collect()
+            }
             Self::Choice(choice) => choice.symbols(),
         }
     }

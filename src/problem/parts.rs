@@ -30,6 +30,7 @@ use super::part::NumberPart;
 use super::part::Part;
 use super::part::PartKind;
 use super::part::Tolerance;
+use super::range;
 use super::rubric::fraction;
 use super::vector;
 
@@ -39,7 +40,7 @@ pub(super) struct Read {
     pub parts: Vec<Part>,
     /// The quantities to be solved.
     pub wanted: Vec<Symbol>,
-    /// The equations of parts that are found by counting.
+    /// The equations of parts that are found by counting, and of the boundary of an interval.
     pub counts: Vec<Equation>,
 }
 
@@ -57,6 +58,10 @@ pub(super) fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'
             Ask::Classify(ask) => concept::classify(loaded, ask, builder, &path).map(|kind| (letter, kind.0, kind.1)),
             Ask::Impulsive(ask) => concept::impulsive(loaded, ask, builder, &path).map(|kind| (letter, kind.0, kind.1)),
             Ask::Holds(ask) => comparing::holds(loaded, ask, builder, &path).map(|kind| (letter, kind.0, kind.1)),
+            Ask::Range(ask) => range::read(loaded, ask, builder, &path).map(|(label, kind, boundary)| {
+                read.counts.push(boundary);
+                (ask.range.clone(), label, kind)
+            }),
             Ask::Order(ask) => comparing::order(ask, builder, &path).map(|kind| (letter, kind.0, kind.1)),
         };
         let Some((id, label, kind)) = part else { continue };
@@ -70,7 +75,18 @@ pub(super) fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'
         let points = points.or(loaded.draft.points).unwrap_or(1);
         read.parts.push(Part { id, label: own_label.unwrap_or(label), points, kind });
     }
+    check_alone(&read, question, builder);
     read
+}
+
+/// On the boundary of an interval other quantities have the values that belong to it, and no others can be asked.
+fn check_alone(read: &Read, question: &Question, builder: &mut Builder<'_>) {
+    let ranges = read.parts.iter().filter(|part| matches!(part.kind, PartKind::Range(_))).count();
+    if ranges > 0 && read.wanted.len() > 1 {
+        let fault = Fault::new(Code::Value, "a range is asked beside other quantities, whose values it leaves open");
+        let help = "give the range a form of its own";
+        builder.fault(fault.help(help).at_path(question.path.key("ask")));
+    }
 }
 
 /// Every fraction of the rubric can be read; it is the same for all forms, so its faults are told once.
@@ -91,6 +107,7 @@ fn points_and_label(ask: &Ask) -> (Option<u32>, Option<String>) {
         Ask::Impulsive(ask) => (ask.points, ask.label.clone()),
         Ask::Holds(ask) => (ask.points, ask.label.clone()),
         Ask::Order(ask) => (ask.points, ask.label.clone()),
+        Ask::Range(ask) => (ask.points, ask.label.clone()),
     }
 }
 

@@ -45,6 +45,8 @@ pub struct Form {
     pub forward: Option<Regimes>,
     /// Solves what is asked.
     pub solver: Regimes,
+    /// Solves the sides of a claim from a trial value of the quantity whose range is asked.
+    pub(super) trials: Vec<(Symbol, Regimes)>,
     /// What comes of the usual mistakes; planned when a wrong answer first asks for it.
     pub(super) mistakes: Mistakes,
     /// What follows from earlier answers; planned when a wrong answer first asks for it.
