@@ -79,7 +79,8 @@ fn formula() -> ExpectedKind {
 }
 
 fn interval() -> ExpectedKind {
-    let end = |value, closed| Some(ExpectedEnd { number: ExpectedNumber::new(value, Unit::none()), closed });
+    let end =
+        |value, closed| Some(ExpectedEnd { number: ExpectedNumber::new(value, Unit::none()), closed, own: false });
     ExpectedKind::Interval(Box::new(ExpectedInterval {
         name: "e".to_owned(),
         low: end(0.0, false),

@@ -41,6 +41,7 @@ const BEYOND_A_SCHEMA: &[&str] = &[
     "empty_ask",
     "holds_",
     "order_twice",
+    "range_beside",
     "order_of_unlike",
     "yes_for_text",
     "yes_for_a_value",

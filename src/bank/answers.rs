@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 
 use crate::expr::SymbolTable;
 use crate::problem::AskedUnit;
+use crate::problem::NumberPart;
 use crate::problem::Part;
 use crate::problem::PartKind;
 
@@ -24,20 +25,17 @@ const MOST_GIVEN: f64 = 0.5;
 
 /// The answers to one part that is a number, over all draws.
 pub(super) struct Column<'a> {
-    id: &'a str,
+    id: String,
     whole: bool,
     answers: Vec<&'a Answered>,
 }
 
 /// The parts that are numbers, with their answers.
 pub(super) fn columns<'a>(parts: &'a [Part], samples: &'a Samples) -> Vec<Column<'a>> {
-    let numbers = parts.iter().filter_map(|part| match &part.kind {
-        PartKind::Number(number) => Some((part, number.whole)),
-        PartKind::Choice(_) => None,
-    });
-    let column = |(index, (part, whole)): (usize, (&'a Part, bool))| Column {
-        id: &part.id,
-        whole,
+    let numbers = parts.iter().flat_map(Part::numbers);
+    let column = |(index, (id, number)): (usize, (String, &'a NumberPart))| Column {
+        id,
+        whole: number.whole,
         answers: samples.drawn.iter().filter_map(|sample| sample.answers.get(index)).collect(),
     };
     numbers.enumerate().map(column).collect()
@@ -108,39 +106,43 @@ pub(super) fn not_given(columns: &[Column<'_>]) -> Outcome {
 pub(super) fn spreads(parts: &[Part], symbols: &SymbolTable, samples: &Samples) -> Vec<AnswerSpread> {
     let mut columns = columns(parts, samples).into_iter();
     let mut choices = 0..;
-    let spread = |part: &Part| match &part.kind {
-        PartKind::Choice(_) => {
-            let position = choices.next()?;
-            let mut right: BTreeMap<String, usize> = BTreeMap::new();
-            for phrase in samples.drawn.iter().filter_map(|sample| sample.chosen.get(position)) {
-                *right.entry(phrase.clone()).or_default() += 1;
-            }
-            Some(AnswerSpread::Choice { id: part.id.clone(), right })
+    let mut choice = |part: &Part| {
+        let position = choices.next()?;
+        let mut right: BTreeMap<String, usize> = BTreeMap::new();
+        for phrase in samples.drawn.iter().filter_map(|sample| sample.chosen.get(position)) {
+            *right.entry(phrase.clone()).or_default() += 1;
         }
-        PartKind::Number(number) => {
-            let column = columns.next()?;
-            let mut values: Vec<f64> = column.answers.iter().map(|answer| answer.value.value).collect();
-            values.sort_by(f64::total_cmp);
-            let at = |numerator: usize| values.get(values.len().saturating_sub(1) * numerator / 4).copied();
-            let error = column.answers.iter().map(|answer| answer.value.error).fold(0.0, f64::max);
-            let unit = match &number.unit {
-                AskedUnit::Unit(unit) => unit.to_string(),
-                AskedUnit::InTermsOf(symbol) => symbols.entry(*symbol).name.clone(),
-            };
-            Some(AnswerSpread::Number {
-                id: part.id.clone(),
-                unit,
-                least: at(0)?,
-                lower_quartile: at(1)?,
-                median: at(2)?,
-                upper_quartile: at(3)?,
-                most: at(4)?,
-                distinct: column.distinct(),
-                error_bound: error.is_finite().then_some(error),
-            })
+        Some(AnswerSpread::Choice { id: part.id.clone(), right })
+    };
+    let mut number = |(id, number): (String, &NumberPart)| {
+        let column = columns.next()?;
+        let mut values: Vec<f64> = column.answers.iter().map(|answer| answer.value.value).collect();
+        values.sort_by(f64::total_cmp);
+        let at = |numerator: usize| values.get(values.len().saturating_sub(1) * numerator / 4).copied();
+        let error = column.answers.iter().map(|answer| answer.value.error).fold(0.0, f64::max);
+        let unit = match &number.unit {
+            AskedUnit::Unit(unit) => unit.to_string(),
+            AskedUnit::InTermsOf(symbol) => symbols.entry(*symbol).name.clone(),
+        };
+        Some(AnswerSpread::Number {
+            id,
+            unit,
+            least: at(0)?,
+            lower_quartile: at(1)?,
+            median: at(2)?,
+            upper_quartile: at(3)?,
+            most: at(4)?,
+            distinct: column.distinct(),
+            error_bound: error.is_finite().then_some(error),
+        })
+    };
+    let spread = |part: &Part| match &part.kind {
+        PartKind::Choice(_) => choice(part).into_iter().collect(),
+        PartKind::Number(_) | PartKind::Vector(_) | PartKind::Range(_) => {
+            part.numbers().filter_map(&mut number).collect::<Vec<_>>()
         }
     };
-    parts.iter().filter_map(spread).collect()
+    parts.iter().flat_map(spread).collect()
 }
 
 /// What there is to say of columns.

@@ -18,6 +18,7 @@ use super::repeat;
 use super::report::Audit;
 use super::report::FormAudit;
 use super::sample::Samples;
+use super::simulation;
 use super::wrong_forms;
 
 /// Below this share of draws that are not rejected, the author is told.
@@ -63,7 +64,7 @@ fn form_audit(problem: &Arc<Problem>, position: usize, seeds: u64, idle: &Outcom
         Promise::KeyMarks => repeat::key_marks(problem, position, seeds),
         Promise::Sharp => repeat::sharp(problem, position, seeds),
         Promise::Requires => idle.clone(),
-        Promise::Simulation => Outcome::NotChecked("this version has no simulation"),
+        Promise::Simulation => simulation::agrees(problem, position, seeds),
         Promise::WrongForms => wrong_forms::told_apart(problem, position, seeds),
         Promise::Rounding => Outcome::NotChecked("this version does not round as a student does"),
     };

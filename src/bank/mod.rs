@@ -9,6 +9,7 @@ mod promise;
 mod repeat;
 mod report;
 mod sample;
+mod simulation;
 mod wrong_forms;
 
 pub use audit::audit;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::exercise::Exercise;
 use crate::grade::DecimalMark;
-use crate::problem::PartKind;
+use crate::problem::Part;
 use crate::problem::Problem;
 
 use super::answers::noted;
@@ -75,10 +75,9 @@ pub(super) fn sharp(problem: &Arc<Problem>, form: usize, seeds: u64) -> Outcome 
     for (_, exercise) in exercises(problem, form, seeds.min(MARKED)) {
         drawn += 1;
         let worked = exercise.worked();
-        for part in &worked.form.parts {
-            let PartKind::Number(number) = &part.kind else { continue };
+        for (id, number) in worked.form.parts.iter().flat_map(Part::numbers) {
             if worked.judged(number).allowance > SHARP * worked.answer(number).value.abs() && !number.whole {
-                *blurred.entry(part.id.clone()).or_insert(0) += 1;
+                *blurred.entry(id).or_insert(0) += 1;
             }
         }
     }

@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use super::promise::Finding;
 use super::promise::Outcome;
+use super::promise::Promise;
 
 /// What was found of one problem; the keys of `momentous check --format json`.
 #[derive(Clone, Debug, Serialize)]
@@ -86,6 +87,12 @@ impl Audit {
 }
 
 impl FormAudit {
+    /// What was found of a promise.
+    #[must_use]
+    pub fn outcome(&self, promise: Promise) -> Option<&Outcome> {
+        self.promises.iter().find(|finding| finding.promise == promise).map(|finding| &finding.outcome)
+    }
+
     /// Whether a promise does not hold.
     #[must_use]
     pub fn is_broken(&self) -> bool {

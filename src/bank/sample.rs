@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 
 use crate::problem::NoVariant;
+use crate::problem::NumberPart;
 use crate::problem::PartKind;
 use crate::problem::PlannedForm;
 use crate::problem::Problem;
@@ -114,8 +115,7 @@ impl Sample {
 }
 
 fn answers(worked: &Worked<'_>, form: &PlannedForm) -> Vec<Answered> {
-    let number = |kind: &PartKind| {
-        let PartKind::Number(number) = kind else { return None };
+    let number = |number: &NumberPart| {
         let value = worked.answer(number);
         let printed = Printed::new(value.value, number.figures).map_or_else(String::new, |printed| printed.plain());
         let si = worked.variant.value(number.symbol).map(|value| value.value);
@@ -125,7 +125,7 @@ fn answers(worked: &Worked<'_>, form: &PlannedForm) -> Vec<Answered> {
             let same = |si: f64| (si - given).abs() <= SAME * given.abs();
             unit.dimension() == dimension && given != 0.0 && si.is_some_and(same)
         });
-        Some(Answered { value, printed, is_given })
+        Answered { value, printed, is_given }
     };
-    form.parts.iter().filter_map(|part| number(&part.kind)).collect()
+    form.parts.iter().flat_map(|part| part.kind.numbers()).map(number).collect()
 }

@@ -11,6 +11,7 @@ use crate::bank::Audit;
 use crate::bank::Bank;
 use crate::bank::FormAudit;
 use crate::bank::Outcome;
+use crate::bank::Promise;
 use crate::bank::audit;
 use crate::quantity::Printed;
 
@@ -102,7 +103,19 @@ fn write_text(output: &mut Output, audits: &[Audit]) -> Result<(), Failure> {
         0 => writeln!(output, "{counted}: {}", style.good("every promise that was checked holds"))?,
         _ => writeln!(output, "{counted}: {}", style.bad(&format!("{} broken", count(broken, "problem"))))?,
     }
+    if let Some(share) = unsimulated(audits) {
+        writeln!(output, "nothing to simulate: {share:.0} % of the forms")?;
+    }
     Ok(())
+}
+
+/// The share of the forms in which an independent simulation had nothing to do, in percent; none where there are no forms.
+fn unsimulated(audits: &[Audit]) -> Option<f64> {
+    let forms: Vec<&FormAudit> = audits.iter().flat_map(|audit| &audit.forms).collect();
+    let idle = |form: &&&FormAudit| matches!(form.outcome(Promise::Simulation), Some(Outcome::NotChecked(_)));
+    #[allow(clippy::cast_precision_loss)] // counts of forms are far below 2^53
+    let (idle, all) = (forms.iter().filter(idle).count() as f64, forms.len() as f64);
+    (all > 0.0).then(|| 100.0 * idle / all)
 }
 
 fn count(number: usize, what: &str) -> String {

@@ -5,9 +5,11 @@ use std::collections::BTreeMap;
 use crate::grade;
 use crate::problem;
 use crate::problem::AskedUnit;
+use crate::problem::End;
 use crate::problem::NumberPart;
 use crate::problem::Part;
 use crate::problem::PartKind;
+use crate::problem::RangePart;
 use crate::problem::senses_of;
 
 use super::Exercise;
@@ -34,18 +36,23 @@ impl Exercise {
                 let problem::Decision { options, right, because } = choice.decided(&self.worked());
                 grade::ExpectedKind::Choice { options, right, because }
             }
-            PartKind::Number(number) => grade::ExpectedKind::Number(self.expected_number(part, number)),
+            PartKind::Number(number) => grade::ExpectedKind::Number(self.expected_number(part, &part.id, number)),
+            PartKind::Range(range) => grade::ExpectedKind::Interval(Box::new(self.expected_interval(part, range))),
+            PartKind::Vector(vector) => grade::ExpectedKind::Vector(grade::ExpectedVector {
+                components: part.numbers().map(|(name, own)| self.expected_number(part, &name, own)).collect(),
+                frame: self.frame(&vector.axes),
+            }),
         };
         grade::Expected { id: part.id.clone(), points: part.points, kind }
     }
 
-    fn expected_number(&self, part: &Part, number: &NumberPart) -> grade::ExpectedNumber {
+    fn expected_number(&self, part: &Part, name: &str, number: &NumberPart) -> grade::ExpectedNumber {
         let worked = self.worked();
         let answer = worked.answer(number);
         let unit = number.plain_unit();
         let judged = worked.judged(number);
-        let signed = SIGNED.iter().any(|start| part.id.starts_with(start));
-        let senses = senses_of(&self.problem.loaded().draft.scene, &part.id).filter(|_| signed);
+        let signed = SIGNED.iter().any(|start| name.starts_with(start));
+        let senses = senses_of(&self.problem.loaded().draft.scene, name).filter(|_| signed);
         grade::ExpectedNumber {
             value: answer.value,
             error: answer.error,
@@ -67,6 +74,20 @@ impl Exercise {
             senses: senses.map(|senses| [senses.positive, senses.negative]),
             whole: number.whole,
         }
+    }
+
+    fn expected_interval(&self, part: &Part, range: &RangePart) -> grade::ExpectedInterval {
+        let unit = range.number.plain_unit();
+        let boundary = self.expected_number(part, &part.id, &range.number);
+        let end = |end: End| {
+            let own = grade::ExpectedNumber::new(end.value.value, unit.clone());
+            let number = if end.own { own } else { boundary.clone() };
+            grade::ExpectedEnd { number, closed: end.closed, own: end.own }
+        };
+        let interval = self.worked().interval(range);
+        let ends = interval.map(|interval| [interval.low.map(end), interval.high.map(end)]);
+        let [low, high] = ends.unwrap_or_default();
+        grade::ExpectedInterval { name: part.id.clone(), low, high, unit }
     }
 
     /// Marks answers to this variant, by part. Of wrong answers it says what they follow from, or which usual mistake leads

@@ -24,11 +24,14 @@ use crate::fault::Faults;
 use crate::problem;
 use crate::problem::AskedUnit;
 use crate::problem::ChoicePart;
+use crate::problem::End;
 use crate::problem::Known;
 use crate::problem::NoVariant;
+use crate::problem::NumberPart;
 use crate::problem::Part;
 use crate::problem::PartKind;
 use crate::problem::Problem;
+use crate::problem::RangePart;
 use crate::problem::Sampler;
 use crate::problem::Scheme;
 use crate::problem::Variant;
@@ -143,14 +146,7 @@ impl Exercise {
     fn sheet_part(&self, index: usize, part: &Part) -> SheetPart {
         let (text, unit) = match &part.kind {
             PartKind::Number(number) => {
-                let unit = match &number.unit {
-                    AskedUnit::Unit(unit) if unit.is_none() => None,
-                    AskedUnit::Unit(unit) if unit.is_attached() => Some(Math::Text(unit.spoken(true))),
-                    AskedUnit::Unit(unit) => Some(Math::Text(unit.unicode())),
-                    AskedUnit::InTermsOf(symbol) => {
-                        Some(crate::expr::name_math(&self.problem.model().symbols.entry(*symbol).name))
-                    }
-                };
+                let unit = self.unit_on_sheet(number);
                 let name = crate::expr::name_math(&self.problem.model().symbols.entry(number.symbol).name);
                 let mut text = vec![Inline::Text(format!("Find {}, ", part.label)), Inline::Math(name)];
                 if unit.is_none() {
@@ -158,6 +154,17 @@ impl Exercise {
                 }
                 (text, unit)
             }
+            PartKind::Vector(vector) => {
+                let unit = vector.components.first().and_then(|first| self.unit_on_sheet(first));
+                let along = format!(
+                    ", by its components along {}{}",
+                    vector.axes_in_words(),
+                    if unit.is_none() { "." } else { "" }
+                );
+                let name = crate::expr::name_math(&part.id);
+                (vec![Inline::Text(format!("Find {}, ", part.label)), Inline::Math(name), Inline::Text(along)], unit)
+            }
+            PartKind::Range(_) => (vec![Inline::Text(part.label.clone())], None),
             PartKind::Choice(ChoicePart::Order(symbols)) => {
                 let name = |symbol: Symbol| crate::expr::name_math(&self.problem.model().symbols.entry(symbol).name);
                 let mut text = vec![Inline::Text(format!("{} (", part.label))];
@@ -174,6 +181,18 @@ impl Exercise {
             }
         };
         SheetPart { label: letter(index), text, unit, points: Some(f64::from(part.points)) }
+    }
+
+    /// What stands for the unit beside the room for an answer; none for a pure number.
+    fn unit_on_sheet(&self, number: &NumberPart) -> Option<Math> {
+        match &number.unit {
+            AskedUnit::Unit(unit) if unit.is_none() => None,
+            AskedUnit::Unit(unit) if unit.is_attached() => Some(Math::Text(unit.spoken(true))),
+            AskedUnit::Unit(unit) => Some(Math::Text(unit.unicode())),
+            AskedUnit::InTermsOf(symbol) => {
+                Some(crate::expr::name_math(&self.problem.model().symbols.entry(*symbol).name))
+            }
+        }
     }
 
     /// Constants that the sheet must state: g, where a step uses it and the file leaves it to its default.
@@ -207,10 +226,36 @@ impl Exercise {
             part: letter(index),
             answer: match &part.kind {
                 PartKind::Number(number) => roots_joined(explain::printed_answers(self.worked(), number)),
+                PartKind::Vector(vector) => vec![Inline::Math(explain::printed_vector(self.worked(), vector))],
+                PartKind::Range(range) => {
+                    explain::printed_range(self.worked(), range).into_iter().map(Inline::Math).collect()
+                }
                 PartKind::Choice(_) => vec![Inline::Text(self.printed(part))],
             },
         });
         rows.collect()
+    }
+
+    /// A range as it is printed: `0.25 < e <= 1`.
+    fn printed_range(&self, range: &RangePart) -> String {
+        let name = &self.problem.model().symbols.entry(range.number.symbol).name;
+        let Some(interval) = self.worked().interval(range) else { return String::new() };
+        let unit = self.unit_name(&range.number);
+        let shown = |end: &End| {
+            let value = end.value.for_print();
+            let printed = Printed::new(value, range.number.figures).filter(|_| !end.own);
+            let printed = printed.map_or_else(|| value.to_string(), |printed| printed.plain());
+            format!("{printed} {unit}").trim_end().to_owned()
+        };
+        let sign = |end: &End, open, closed| if end.closed { closed } else { open };
+        match (&interval.low, &interval.high) {
+            (Some(low), None) => format!("{name} {} {}", sign(low, ">", ">="), shown(low)),
+            (low, high) => {
+                let low = low.map(|low| format!("{} {} ", shown(&low), sign(&low, "<", "<="))).unwrap_or_default();
+                let high = high.map(|high| format!(" {} {}", sign(&high, "<", "<="), shown(&high))).unwrap_or_default();
+                format!("{low}{name}{high}")
+            }
+        }
     }
 
     /// An answer as it is printed: `3.10 m/s`.
@@ -220,6 +265,16 @@ impl Exercise {
             PartKind::Choice(choice) => {
                 let decision = choice.decided(&self.worked());
                 decision.options.get(decision.right).cloned().unwrap_or_default()
+            }
+            PartKind::Range(range) => self.printed_range(range),
+            PartKind::Vector(vector) => {
+                let shown = |number: &NumberPart| {
+                    let printed = Printed::new(self.worked().answer(number).for_print(), number.figures);
+                    printed.map_or_else(|| "not defined".into(), |printed| printed.plain())
+                };
+                let components: Vec<String> = vector.components.iter().map(shown).collect();
+                let unit = vector.components.first().map(|own| self.unit_name(own)).unwrap_or_default();
+                format!("({}) {unit}", components.join(", ")).trim_end().to_owned()
             }
             PartKind::Number(number) => {
                 let unit = match &number.unit {

@@ -3,9 +3,10 @@
 use serde_json::Value;
 use serde_json::json;
 
-use crate::problem::AskedUnit;
+use crate::problem::End;
 use crate::problem::Part;
 use crate::problem::PartKind;
+use crate::solve::Bounded;
 
 use super::Exercise;
 
@@ -47,10 +48,7 @@ impl Exercise {
             PartKind::Number(number) => {
                 let answer = self.worked().answer(number);
                 let all: Vec<f64> = self.worked().answers(number).iter().map(|answer| answer.value).collect();
-                let unit = match &number.unit {
-                    AskedUnit::Unit(unit) => unit.to_string(),
-                    AskedUnit::InTermsOf(symbol) => self.problem.model().symbols.entry(*symbol).name.clone(),
-                };
+                let unit = self.unit_name(number);
                 let mut asked = json!({
                     "id": part.id,
                     "kind": if number.whole { "count" } else { "number" },
@@ -65,6 +63,39 @@ impl Exercise {
                     object.insert("values".into(), json!(all));
                 }
                 asked
+            }
+            PartKind::Vector(vector) => {
+                let answers: Vec<Bounded> = vector.components.iter().map(|own| self.worked().answer(own)).collect();
+                let bounds: Vec<_> = answers.iter().map(|own| own.error.is_finite().then_some(own.error)).collect();
+                json!({
+                    "id": part.id,
+                    "kind": "vector",
+                    "find": part.id,
+                    "axes": vector.axes,
+                    "value": answers.iter().map(|own| own.value).collect::<Vec<_>>(),
+                    "unit": vector.components.first().map(|own| self.unit_name(own)),
+                    "printed": self.printed(part),
+                    "error_bound": bounds,
+                    "points": part.points,
+                })
+            }
+            PartKind::Range(range) => {
+                let interval = self.worked().interval(range);
+                let end = |end: Option<End>| {
+                    end.map(
+                        |end| json!({ "value": end.value.value, "closed": end.closed, "limit_of_quantity": end.own }),
+                    )
+                };
+                json!({
+                    "id": part.id,
+                    "kind": "interval",
+                    "find": part.label,
+                    "low": interval.as_ref().and_then(|own| end(own.low)),
+                    "high": interval.as_ref().and_then(|own| end(own.high)),
+                    "unit": self.unit_name(&range.number),
+                    "printed": self.printed(part),
+                    "points": part.points,
+                })
             }
             PartKind::Choice(choice) => {
                 let decision = choice.decided(&self.worked());

@@ -71,6 +71,13 @@ impl Exercise {
         Some(grade::Reference { frame: grade::Frame { axes }, quarters, clockwise })
     }
 
+    /// The axes of those letters, with the words for their directions.
+    pub(super) fn frame(&self, letters: &[&str]) -> grade::Frame {
+        let axes = self.problem.loaded().draft.scene.axes.rectangular();
+        let asked = axes.into_iter().filter(|(axis, _)| letters.contains(&axis.letter()));
+        grade::Frame { axes: asked.map(frame_axis).collect() }
+    }
+
     /// Marks a student's attempts at this variant, the earliest first, after so many hints were shown. The mark depends on
     /// these, the variant and its rubric, and on nothing else. `None` where there is no attempt.
     #[must_use]

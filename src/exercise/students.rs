@@ -7,6 +7,7 @@ use crate::problem::AskedUnit;
 use crate::problem::NumberPart;
 use crate::problem::Part;
 use crate::problem::PartKind;
+use crate::problem::VectorPart;
 use crate::quantity::Printed;
 use crate::quantity::round_to_figures;
 use crate::solve::Closed;
@@ -38,7 +39,8 @@ impl Exercise {
         }
         let parts = worked.form.parts.iter().map(|part| {
             let text = match &part.kind {
-                PartKind::Choice(_) => self.printed(part),
+                PartKind::Choice(_) | PartKind::Range(_) => self.printed(part),
+                PartKind::Vector(vector) => self.rounded_vector(vector, &values),
                 PartKind::Number(number) => match values.get(&number.symbol) {
                     Some(value) => self.written(number, value / worked.unit_of(number)),
                     None => self.printed(part),
@@ -68,15 +70,33 @@ impl Exercise {
 
     /// A value in the unit of the question, as a student writes it.
     fn written(&self, number: &NumberPart, value: f64) -> String {
-        let unit = match &number.unit {
+        format!("{} {}", written_number(number, value), self.unit_name(number)).trim_end().to_owned()
+    }
+
+    /// A vector of which every component was rounded on the way.
+    fn rounded_vector(&self, vector: &VectorPart, values: &BTreeMap<Symbol, f64>) -> String {
+        let worked = self.worked();
+        let component = |number: &NumberPart| {
+            let value = values.get(&number.symbol).map(|value| value / worked.unit_of(number));
+            written_number(number, value.unwrap_or_else(|| worked.answer(number).value))
+        };
+        let components: Vec<String> = vector.components.iter().map(component).collect();
+        let unit = vector.components.first().map(|own| self.unit_name(own)).unwrap_or_default();
+        format!("({}) {unit}", components.join(", ")).trim_end().to_owned()
+    }
+
+    /// The unit in which a number is asked, or the quantity that stands in its place.
+    pub(super) fn unit_name(&self, number: &NumberPart) -> String {
+        match &number.unit {
             AskedUnit::Unit(unit) => unit.to_string(),
             AskedUnit::InTermsOf(symbol) => self.problem.model().symbols.entry(*symbol).name.clone(),
-        };
-        let shown = if number.whole {
-            format!("{value:.0}")
-        } else {
-            Printed::new(value, number.figures).map_or_else(|| value.to_string(), |printed| printed.plain())
-        };
-        format!("{shown} {unit}").trim_end().to_owned()
+        }
     }
+}
+
+fn written_number(number: &NumberPart, value: f64) -> String {
+    if number.whole {
+        return format!("{value:.0}");
+    }
+    Printed::new(value, number.figures).map_or_else(|| value.to_string(), |printed| printed.plain())
 }

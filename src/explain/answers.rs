@@ -2,12 +2,14 @@
 
 use crate::expr::Math;
 use crate::expr::Operator;
+use crate::expr::name_math;
 use crate::problem::AskedUnit;
 use crate::problem::ChoicePart;
 use crate::problem::Decision;
 use crate::problem::NumberPart;
 use crate::problem::Part;
 use crate::problem::PartKind;
+use crate::problem::VectorPart;
 use crate::problem::Worked;
 use crate::problem::orders;
 use crate::problem::senses_of;
@@ -20,6 +22,7 @@ use super::display::Display;
 use super::display::Shown;
 use super::display::number_math;
 use super::display::with_unit;
+use super::interval;
 use super::wording::capitalised;
 
 /// One paragraph for each part.
@@ -46,6 +49,16 @@ fn sentence(display: Display<'_>, part: &Part) -> Vec<Inline> {
                 Inline::Text(format!("{} ", part.label)),
                 Inline::Strong(capitalised(option)),
                 Inline::Text(format!(": {because}.")),
+            ]
+        }
+        PartKind::Range(range) => interval::sentence(display, part, range),
+        PartKind::Vector(vector) => {
+            let is =
+                vec![name_math(&part.id), Math::Operator(Operator::Equals), printed_vector(display.worked, vector)];
+            vec![
+                Inline::Text(format!("{}: ", capitalised(&part.label))),
+                Inline::Math(Math::Row(is)),
+                Inline::Text(format!(", the components along {}.", vector.axes_in_words())),
             ]
         }
         PartKind::Number(number) => {
@@ -81,14 +94,36 @@ pub fn printed_answers(worked: Worked<'_>, number: &NumberPart) -> Vec<Math> {
     worked.answers(number).into_iter().map(|answer| printed(display, number, answer)).collect()
 }
 
+/// A vector as it is printed: its components in brackets, and their unit.
+#[must_use]
+pub fn printed_vector(worked: Worked<'_>, vector: &VectorPart) -> Math {
+    let mut row = Vec::new();
+    for (index, number) in vector.components.iter().enumerate() {
+        row.extend((index > 0).then(|| Math::Text(",\u{a0}".into())));
+        row.push(shown(number, worked.answer(number).for_print()));
+    }
+    let bracketed = Math::Bracketed(Box::new(Math::Row(row)));
+    match vector.components.first().map(|first| &first.unit) {
+        Some(AskedUnit::Unit(unit)) => with_unit(bracketed, unit),
+        Some(AskedUnit::InTermsOf(symbol)) => {
+            let name = name_math(&worked.problem.model().symbols.entry(*symbol).name);
+            Math::Row(vec![bracketed, Math::Operator(Operator::Juxtapose), name])
+        }
+        None => bracketed,
+    }
+}
+
+/// A value to the figures that are asked.
+pub(super) fn shown(number: &NumberPart, value: f64) -> Math {
+    if number.whole {
+        return Math::Number(format!("{value:.0}"));
+    }
+    Printed::new(value, number.figures).map_or(Math::Text("?".into()), |printed| number_math(&printed.plain()))
+}
+
 /// The same, for whoever displays other quantities besides.
 fn printed(display: Display<'_>, number: &NumberPart, answer: Bounded) -> Math {
-    let shown = |value: f64| {
-        if number.whole {
-            return Math::Number(format!("{value:.0}"));
-        }
-        Printed::new(value, number.figures).map_or(Math::Text("?".into()), |printed| number_math(&printed.plain()))
-    };
+    let shown = |value: f64| shown(number, value);
     match &number.unit {
         AskedUnit::Unit(unit) => with_unit(shown(answer.for_print()), unit),
         AskedUnit::InTermsOf(symbol) => {

@@ -13,7 +13,6 @@ use crate::expr::Symbol;
 use crate::expr::name_math;
 use crate::problem::AskedUnit;
 use crate::problem::NumberPart;
-use crate::problem::PartKind;
 use crate::problem::Worked;
 use crate::problem::trimmed;
 use crate::quantity::Decimal;
@@ -81,10 +80,9 @@ impl Display<'_> {
 
     /// The unit in which a quantity is asked.
     fn asked_unit(self, symbol: Symbol) -> Option<Unit> {
-        self.worked.form.parts.iter().find_map(|part| match &part.kind {
-            PartKind::Number(NumberPart { symbol: own, unit: AskedUnit::Unit(unit), .. }) if *own == symbol => {
-                Some(unit.clone())
-            }
+        let mut numbers = self.worked.form.parts.iter().flat_map(|part| part.kind.numbers());
+        numbers.find_map(|number| match number {
+            NumberPart { symbol: own, unit: AskedUnit::Unit(unit), .. } if *own == symbol => Some(unit.clone()),
             _ => None,
         })
     }
@@ -157,10 +155,8 @@ impl Display<'_> {
 
     /// Whether the quantity is a whole number, found by counting.
     fn is_whole(self, symbol: Symbol) -> bool {
-        self.worked.form.parts.iter().any(|part| match &part.kind {
-            PartKind::Number(number) => number.whole && number.symbol == symbol,
-            PartKind::Choice(_) => false,
-        })
+        let mut numbers = self.worked.form.parts.iter().flat_map(|part| part.kind.numbers());
+        numbers.any(|number| number.whole && number.symbol == symbol)
     }
 
     fn is_literal(self, symbol: Symbol) -> bool {

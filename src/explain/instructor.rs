@@ -1,7 +1,5 @@
 //! What only an instructor is shown: the certificate, and the equations that were used.
 
-use crate::problem::PartKind;
-
 use super::Block;
 use super::Inline;
 use super::display::Display;
@@ -15,8 +13,7 @@ use super::wording::list;
 pub(super) fn notes(display: Display<'_>) -> Vec<Block> {
     let worked = display.worked;
     let mut rows = Vec::new();
-    for part in &worked.form.parts {
-        let PartKind::Number(number) = &part.kind else { continue };
+    for number in worked.form.parts.iter().flat_map(|part| part.kind.numbers()) {
         let answer = worked.answer(number);
         let unit = number.plain_unit();
         let shown = |value: String| Inline::Math(with_unit(number_math(&value), &unit));

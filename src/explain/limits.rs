@@ -4,7 +4,6 @@ use crate::expr::Math;
 use crate::expr::Operator;
 use crate::expr::Symbol;
 use crate::problem::NumberPart;
-use crate::problem::PartKind;
 use crate::problem::Sampler;
 use crate::problem::Variant;
 use crate::problem::Worked;
@@ -35,10 +34,8 @@ pub(super) fn limits(display: Display<'_>) -> Vec<Block> {
         .form
         .parts
         .iter()
-        .filter_map(|part| match &part.kind {
-            PartKind::Number(number) if !number.whole && !display.free.contains(&number.symbol) => Some(number),
-            _ => None,
-        })
+        .flat_map(|part| part.kind.numbers())
+        .filter(|number| !number.whole && !display.free.contains(&number.symbol))
         .collect();
     let oblique = worked.problem.loaded().draft.scene.axes.rectangular().len() > 1;
     let Ok(mut sampler) = Sampler::new(worked.problem, worked.variant.form()) else { return Vec::new() };

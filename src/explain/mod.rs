@@ -9,6 +9,7 @@ mod diagrams;
 mod display;
 mod energy;
 mod instructor;
+mod interval;
 mod limits;
 mod outline;
 mod pictures;
@@ -17,7 +18,8 @@ mod solution;
 mod steps;
 mod wording;
 
-pub use answers::printed_answers;
+pub use answers::{printed_answers, printed_vector};
+pub use interval::printed_range;
 pub use outline::{Audience, Block, Inline, Outline, Section};
 pub use pictures::situation;
 pub use solution::solution;

@@ -177,6 +177,8 @@ pub struct ExpectedEnd {
     pub number: ExpectedNumber,
     /// Whether it belongs to the interval.
     pub closed: bool,
+    /// Whether it is a limit of the quantity itself, which a condition need not repeat: `e > 0.5` for `0.5 < e <= 1`.
+    pub own: bool,
 }
 
 impl ExpectedNumber {

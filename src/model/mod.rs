@@ -201,6 +201,15 @@ impl<'s> Builder<'s> {
         }
     }
 
+    /// The equation of the boundary between where a comparison holds and where it does not; it is not added to the system.
+    pub fn boundary(&mut self, left: Expr, right: Expr) -> Equation {
+        let tag = self.instances.len();
+        let because = "the boundary lies where both sides of the condition are equal";
+        let because = because.to_owned();
+        self.instances.push(Instance { law: &geometry::RELATION, because, stage: None, integral: None });
+        Equation { statement: Statement::Equal { left, right }, tag, cost: builder::LAW_COST }
+    }
+
     /// A direction counted from an axis of the author's choice: the angle itself, or one that follows from it. `None`
     /// where `from` is not an axis of the scene.
     pub fn counted_from(&mut self, angle: Symbol, from: &str, clockwise: bool) -> Option<Symbol> {

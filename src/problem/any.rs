@@ -13,7 +13,6 @@ use crate::solve::Closed;
 use super::known::Known;
 use super::known::Origin;
 use super::part::AskedUnit;
-use super::part::PartKind;
 use super::planned::Form;
 use super::regimes::Leaf;
 
@@ -27,19 +26,21 @@ pub(super) fn check(known: &[Known], form: &Form) -> Vec<Fault> {
     for leaf in form.solver.leaves() {
         let mut written = fixed(known);
         for part in &form.parts {
-            let PartKind::Number(number) = &part.kind else { continue };
-            let mut answer = written_in_givens(leaf, number.symbol, &mut written);
-            if let AskedUnit::InTermsOf(unit) = number.unit {
-                let unit = written_in_givens(leaf, unit, &mut written);
-                answer = answer.zip(unit).map(|(answer, unit)| (answer / unit).simplify());
-            }
-            for known in &free {
-                let independent = answer.as_ref().is_some_and(|answer| does_not_depend(answer, known.symbol));
-                if !independent {
-                    let message = format!("it cannot be proven that `{}` does not depend on `{}`", part.id, known.name);
-                    let help = "give it a value, or ask for the answer in terms of it: `unit: v_A1`";
-                    let fault = Fault::new(Code::UnderDetermined, message).help(help);
-                    faults.push(fault.at_path(Path::root().key("given").key(known.name.as_str())));
+            for number in part.kind.numbers() {
+                let mut answer = written_in_givens(leaf, number.symbol, &mut written);
+                if let AskedUnit::InTermsOf(unit) = number.unit {
+                    let unit = written_in_givens(leaf, unit, &mut written);
+                    answer = answer.zip(unit).map(|(answer, unit)| (answer / unit).simplify());
+                }
+                for known in &free {
+                    let independent = answer.as_ref().is_some_and(|answer| does_not_depend(answer, known.symbol));
+                    if !independent {
+                        let message =
+                            format!("it cannot be proven that `{}` does not depend on `{}`", part.id, known.name);
+                        let help = "give it a value, or ask for the answer in terms of it: `unit: v_A1`";
+                        let fault = Fault::new(Code::UnderDetermined, message).help(help);
+                        faults.push(fault.at_path(Path::root().key("given").key(known.name.as_str())));
+                    }
                 }
             }
         }

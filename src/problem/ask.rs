@@ -23,6 +23,8 @@ pub enum Ask {
     Holds(Holds),
     /// In which order some quantities are.
     Order(Order),
+    /// For which values of a quantity something holds.
+    Range(Range),
 }
 
 /// The value of a quantity is asked.
@@ -163,6 +165,34 @@ pub struct Order {
     #[schemars(range(min = 0, max = 1000))]
     pub points: Option<u32>,
     /// The question as the sheet puts it.
+    #[serde(default)]
+    pub label: Option<String>,
+}
+
+/// The values of a quantity for which something holds are asked; the answer is an interval or a condition.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Range {
+    /// The quantity, which the form does not tell: `e`.
+    pub range: String,
+    /// What is to hold: `v_A2 < 0 m/s`. At the boundary both sides are equal.
+    #[serde(rename = "where")]
+    pub condition: String,
+    /// The unit of the boundary.
+    #[serde(default)]
+    pub unit: Option<String>,
+    /// How many points the part is worth: `2`.
+    #[serde(default)]
+    #[schemars(range(min = 0, max = 1000))]
+    pub points: Option<u32>,
+    /// How far the boundary of an answer may lie from the true one: `2 %`.
+    #[serde(default)]
+    pub tolerance: Option<Term>,
+    /// Significant figures of the printed boundary.
+    #[serde(default)]
+    #[schemars(range(min = 1, max = 12))]
+    pub figures: Option<u8>,
+    /// The question as the sheet puts it: `For which e does A bounce back?`.
     #[serde(default)]
     pub label: Option<String>,
 }

@@ -23,7 +23,13 @@ type Question = (String, PartKind);
 
 /// Whether something holds of the numbers.
 pub(super) fn holds(loaded: &Loaded, ask: &Holds, builder: &mut Builder<'_>, path: &Path) -> Option<Question> {
-    let condition = condition(builder, &ask.holds, "it is asked", &path.key("holds"))?;
+    let (words, claim) = claim(loaded, &ask.holds, builder, &path.key("holds"))?;
+    Some((format!("Is {words}?"), PartKind::Choice(ChoicePart::Holds(claim))))
+}
+
+/// A comparison in words, and what it claims.
+pub(super) fn claim(loaded: &Loaded, text: &str, builder: &mut Builder<'_>, path: &Path) -> Option<(String, Claim)> {
+    let condition = condition(builder, text, "it is asked", path)?;
     let (left, relation, right) = (condition.left, condition.relation, condition.right);
     let words = [&left, &right].map(|side| in_words(builder, side));
     let than = match relation {
@@ -33,13 +39,13 @@ pub(super) fn holds(loaded: &Loaded, ask: &Holds, builder: &mut Builder<'_>, pat
         Relation::AtLeast => "at least",
         Relation::Differs => "different from",
     };
-    let label = format!("Is {} {than} {}?", words[0], words[1]);
+    let said = format!("{} {than} {}", words[0], words[1]);
     let mut quantities = left.symbols();
     quantities.extend(right.symbols());
     let is_told = |symbol: Symbol| loaded.given.get(&builder.symbols().entry(symbol).name).is_some();
     let quantities = quantities.into_iter().filter(|symbol| !builder.is_literal(*symbol) && !is_told(*symbol));
     let quantities = quantities.collect();
-    Some((label, PartKind::Choice(ChoicePart::Holds(Claim { left, relation, right, words, quantities }))))
+    Some((said, Claim { left, relation, right, words, quantities }))
 }
 
 /// In which order some quantities are.

@@ -37,6 +37,7 @@ use super::parts;
 use super::planned::Form;
 use super::planned::Problem;
 use super::planned::Reveal;
+use super::range;
 use super::regimes::Regimes;
 use super::sampler::Rejection;
 use super::sampler::Sampler;
@@ -354,7 +355,10 @@ impl FormDraft {
                 None => fault,
             })
             .map_err(|fault| vec![fault.at_path(path)])?;
+        let trials = range::trials(model, &self.parts, &told, &self.allowed)
+            .map_err(|fault| vec![fault.at_path(self.question.path.key("ask"))])?;
         Ok(Form {
+            trials,
             question: self.question,
             parts: self.parts,
             told,

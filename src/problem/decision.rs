@@ -90,15 +90,21 @@ fn compared(left: f64, right: f64) -> Ordering {
 }
 
 impl Claim {
-    fn decided(&self, worked: &Worked<'_>) -> Decision {
-        let order = compared(value(worked, &self.left), value(worked, &self.right));
-        let holds = match self.relation {
+    /// Whether it holds where its sides have these values.
+    pub(super) fn holds_between(&self, left: f64, right: f64) -> bool {
+        let order = compared(left, right);
+        match self.relation {
             Relation::Less => order.is_lt(),
             Relation::AtMost => order.is_le(),
             Relation::Greater => order.is_gt(),
             Relation::AtLeast => order.is_ge(),
             Relation::Differs => order.is_ne(),
-        };
+        }
+    }
+
+    fn decided(&self, worked: &Worked<'_>) -> Decision {
+        let (left, right) = (value(worked, &self.left), value(worked, &self.right));
+        let (order, holds) = (compared(left, right), self.holds_between(left, right));
         let is = match order {
             Ordering::Less => "less than",
             Ordering::Equal => "equal to",

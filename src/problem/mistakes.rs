@@ -217,7 +217,7 @@ impl<'a> Worked<'a> {
         let numbers = || {
             self.form.parts.iter().filter_map(|part| match &part.kind {
                 PartKind::Number(number) => Some(number),
-                PartKind::Choice { .. } => None,
+                PartKind::Vector(_) | PartKind::Range(_) | PartKind::Choice(_) => None,
             })
         };
         for mistake in self.mistakes().iter().filter(|own| own.of.id == mistake) {

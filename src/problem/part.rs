@@ -5,6 +5,9 @@ use crate::quantity::Decimal;
 use crate::quantity::Unit;
 
 use super::decision::ChoicePart;
+use super::range::RangePart;
+use super::vector::VectorPart;
+use super::vector::component_name;
 
 /// One part of a question.
 #[derive(Clone, Debug)]
@@ -24,6 +27,10 @@ pub struct Part {
 pub enum PartKind {
     /// By a number with a unit.
     Number(NumberPart),
+    /// By a vector with a unit.
+    Vector(VectorPart),
+    /// By an interval or a condition.
+    Range(RangePart),
     /// By one of several phrases.
     Choice(ChoicePart),
 }
@@ -63,12 +70,37 @@ pub enum Tolerance {
     ToFigures,
 }
 
+impl Part {
+    /// The numbers in its answer, each with its name: one, the components of a vector, or none.
+    pub fn numbers(&self) -> impl Iterator<Item = (String, &NumberPart)> {
+        self.kind.numbers().iter().enumerate().map(|(index, number)| match &self.kind {
+            PartKind::Vector(vector) => {
+                (component_name(&self.id, vector.axes.get(index).copied().unwrap_or("")), number)
+            }
+            _ => (self.id.clone(), number),
+        })
+    }
+}
+
 impl PartKind {
+    /// The numbers in the answer: one, the components of a vector, the boundary of an interval, or none.
+    #[must_use]
+    pub fn numbers(&self) -> &[NumberPart] {
+        match self {
+            Self::Number(number) => std::slice::from_ref(number),
+            Self::Vector(vector) => &vector.components,
+            Self::Range(range) => std::slice::from_ref(&range.number),
+            Self::Choice(_) => &[],
+        }
+    }
+
     /// The quantities that have to be solved for it.
     #[must_use]
     pub fn wanted(&self) -> Vec<Symbol> {
         match self {
-            Self::Number(number) => vec![number.symbol],
+            Self::Number(_) | Self::Vector(_) | Self::Range(_) => {
+                self.numbers().iter().map(|number| number.symbol).collect()
+            }
             Self::Choice(choice) => choice.symbols(),
         }
     }
@@ -76,10 +108,10 @@ impl PartKind {
     /// The quantity of which the answer is a multiple, where it has no unit of its own.
     #[must_use]
     pub fn in_terms_of(&self) -> Option<Symbol> {
-        match self {
-            Self::Number(NumberPart { unit: AskedUnit::InTermsOf(symbol), .. }) => Some(*symbol),
-            Self::Number(_) | Self::Choice(_) => None,
-        }
+        self.numbers().iter().find_map(|number| match &number.unit {
+            AskedUnit::InTermsOf(symbol) => Some(*symbol),
+            AskedUnit::Unit(_) => None,
+        })
     }
 }
 

@@ -30,7 +30,9 @@ use super::part::NumberPart;
 use super::part::Part;
 use super::part::PartKind;
 use super::part::Tolerance;
+use super::range;
 use super::rubric::fraction;
+use super::vector;
 
 /// What reading the parts of a form gives.
 #[derive(Default)]
@@ -38,7 +40,7 @@ pub(super) struct Read {
     pub parts: Vec<Part>,
     /// The quantities to be solved.
     pub wanted: Vec<Symbol>,
-    /// The equations of parts that are found by counting.
+    /// The equations of parts that are found by counting, and of the boundary of an interval.
     pub counts: Vec<Equation>,
 }
 
@@ -56,6 +58,10 @@ pub(super) fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'
             Ask::Classify(ask) => concept::classify(loaded, ask, builder, &path).map(|kind| (letter, kind.0, kind.1)),
             Ask::Impulsive(ask) => concept::impulsive(loaded, ask, builder, &path).map(|kind| (letter, kind.0, kind.1)),
             Ask::Holds(ask) => comparing::holds(loaded, ask, builder, &path).map(|kind| (letter, kind.0, kind.1)),
+            Ask::Range(ask) => range::read(loaded, ask, builder, &path).map(|(label, kind, boundary)| {
+                read.counts.push(boundary);
+                (ask.range.clone(), label, kind)
+            }),
             Ask::Order(ask) => comparing::order(ask, builder, &path).map(|kind| (letter, kind.0, kind.1)),
         };
         let Some((id, label, kind)) = part else { continue };
@@ -69,7 +75,18 @@ pub(super) fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'
         let points = points.or(loaded.draft.points).unwrap_or(1);
         read.parts.push(Part { id, label: own_label.unwrap_or(label), points, kind });
     }
+    check_alone(&read, question, builder);
     read
+}
+
+/// On the boundary of an interval other quantities have the values that belong to it, and no others can be asked.
+fn check_alone(read: &Read, question: &Question, builder: &mut Builder<'_>) {
+    let ranges = read.parts.iter().filter(|part| matches!(part.kind, PartKind::Range(_))).count();
+    if ranges > 0 && read.wanted.len() > 1 {
+        let fault = Fault::new(Code::Value, "a range is asked beside other quantities, whose values it leaves open");
+        let help = "give the range a form of its own";
+        builder.fault(fault.help(help).at_path(question.path.key("ask")));
+    }
 }
 
 /// Every fraction of the rubric can be read; it is the same for all forms, so its faults are told once.
@@ -90,6 +107,7 @@ fn points_and_label(ask: &Ask) -> (Option<u32>, Option<String>) {
         Ask::Impulsive(ask) => (ask.points, ask.label.clone()),
         Ask::Holds(ask) => (ask.points, ask.label.clone()),
         Ask::Order(ask) => (ask.points, ask.label.clone()),
+        Ask::Range(ask) => (ask.points, ask.label.clone()),
     }
 }
 
@@ -97,11 +115,29 @@ type Named = (String, String, PartKind);
 
 fn number(loaded: &Loaded, find: &Find, builder: &mut Builder<'_>, path: &Path) -> Option<Named> {
     let Some(symbol) = builder.mention(&find.find) else {
+        if let Some(symbols) = vector::components(&find.find, builder) {
+            return vector::read(loaded, find, &symbols, builder, path);
+        }
         let fault = builder.unknown(&find.find).at_path(path.key("find"));
         builder.fault(fault);
         return None;
     };
     let (symbol, reference) = reference(find, symbol, builder, path)?;
+    let entry = builder.symbols().entry(symbol).clone();
+    let kind = number_part(loaded, find, symbol, builder, path)?;
+    let meaning = if entry.meaning.is_empty() { format!("the value of {}", find.find) } else { entry.meaning };
+    let label = format!("{meaning}{reference}");
+    Some((find.find.clone(), label, PartKind::Number(kind)))
+}
+
+/// How a quantity is asked: in which unit, to how many figures, and how closely.
+pub(super) fn number_part(
+    loaded: &Loaded,
+    find: &Find,
+    symbol: Symbol,
+    builder: &mut Builder<'_>,
+    path: &Path,
+) -> Option<NumberPart> {
     let entry = builder.symbols().entry(symbol).clone();
     let unit = match &find.unit {
         None => AskedUnit::Unit(unit_for(loaded, &find.find, entry.dimension)),
@@ -137,10 +173,7 @@ fn number(loaded: &Loaded, find: &Find, builder: &mut Builder<'_>, path: &Path) 
         }
     };
     let figures = usize::from(find.figures.or(loaded.draft.figures).unwrap_or(3));
-    let kind = NumberPart { symbol, unit, figures, tolerance, whole: false };
-    let meaning = if entry.meaning.is_empty() { format!("the value of {}", find.find) } else { entry.meaning };
-    let label = format!("{meaning}{reference}");
-    Some((find.find.clone(), label, PartKind::Number(kind)))
+    Some(NumberPart { symbol, unit, figures, tolerance, whole: false })
 }
 
 /// A direction is asked from a stated axis and in a stated sense; the symbol that is counted so, and the words for it.

@@ -15,9 +15,7 @@ use super::known::Known;
 use super::load::Loaded;
 use super::mistakes::Mistakes;
 use super::part::AskedUnit;
-use super::part::NumberPart;
 use super::part::Part;
-use super::part::PartKind;
 use super::regimes::Regimes;
 use super::stream::Streams;
 
@@ -47,6 +45,8 @@ pub struct Form {
     pub forward: Option<Regimes>,
     /// Solves what is asked.
     pub solver: Regimes,
+    /// Solves the sides of a claim from a trial value of the quantity whose range is asked.
+    pub(super) trials: Vec<(Symbol, Regimes)>,
     /// What comes of the usual mistakes; planned when a wrong answer first asks for it.
     pub(super) mistakes: Mistakes,
     /// What follows from earlier answers; planned when a wrong answer first asks for it.
@@ -74,9 +74,10 @@ impl Form {
 
     /// The quantities in terms of which answers are asked.
     pub fn units(&self) -> impl Iterator<Item = Symbol> {
-        self.parts.iter().filter_map(|part| match &part.kind {
-            PartKind::Number(NumberPart { unit: AskedUnit::InTermsOf(symbol), .. }) => Some(*symbol),
-            _ => None,
+        let numbers = self.parts.iter().flat_map(|part| part.kind.numbers());
+        numbers.filter_map(|number| match &number.unit {
+            AskedUnit::InTermsOf(symbol) => Some(*symbol),
+            AskedUnit::Unit(_) => None,
         })
     }
 

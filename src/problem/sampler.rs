@@ -11,6 +11,7 @@ use crate::solve::Equation;
 use super::domain::Domain;
 use super::input::Input;
 use super::known::Origin;
+use super::part::PartKind;
 use super::planned::Form;
 use super::planned::Problem;
 use super::regimes::Scratch;
@@ -223,7 +224,23 @@ impl<'p> Sampler<'p> {
 
     /// One solution, or any number of them where every one is asked for; and nothing is asked in terms of zero.
     fn is_admissible(&self, solutions: usize) -> bool {
-        (solutions == 1 || solutions > 1 && self.form.question.roots.is_some()) && self.zero_unit().is_none()
+        (solutions == 1 || solutions > 1 && self.form.question.roots.is_some())
+            && self.zero_unit().is_none()
+            && self.has_intervals()
+    }
+
+    /// Whether every range that is asked has one boundary, with a side on which it holds.
+    fn has_intervals(&self) -> bool {
+        if self.form.trials.is_empty() {
+            return true;
+        }
+        let variant = self.keep(None);
+        let worked = Worked { problem: self.problem, form: self.form, variant: &variant };
+        let mut ranges = self.form.parts.iter().filter_map(|part| match &part.kind {
+            PartKind::Range(range) => Some(range),
+            _ => None,
+        });
+        ranges.all(|range| worked.interval(range).is_some())
     }
 
     /// A quantity in terms of which an answer is asked, and which is not certain to differ from zero.

@@ -13,6 +13,7 @@ mod methods;
 mod newton;
 mod point_impact;
 mod refusal;
+pub mod scene;
 mod simultaneous;
 pub mod stability;
 mod sweep;

@@ -96,7 +96,7 @@ pub fn answers(problem: &Problem, variant: &Variant) -> BTreeMap<String, Bounded
     let worked = Worked::new(problem, variant).unwrap();
     let number = |part: &momentous::problem::Part| match &part.kind {
         momentous::problem::PartKind::Number(number) => Some((part.id.clone(), worked.answer(number))),
-        momentous::problem::PartKind::Choice(_) => None,
+        _ => None,
     };
     worked.form.parts.iter().filter_map(number).collect()
 }

@@ -42,6 +42,7 @@ pub(super) fn judge(expected: &ExpectedInterval, answer: &IntervalAnswer) -> Jud
 fn end(asked: Option<&ExpectedEnd>, given: Option<&EndAnswer>, answer: &IntervalAnswer) -> Found {
     match (asked, given) {
         (None, None) => None,
+        (Some(asked), None) if asked.own => None,
         (Some(asked), Some(given)) => {
             let number = NumberAnswer {
                 number: given.number.clone(),

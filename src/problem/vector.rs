@@ -1,0 +1,76 @@
+//! A vector that is asked: all its components at once.
+
+use crate::expr::Symbol;
+use crate::fault::Path;
+use crate::model::Builder;
+
+use super::ask::Find;
+use super::load::Loaded;
+use super::part::NumberPart;
+use super::part::PartKind;
+use super::parts::number_part;
+
+/// A vector that is asked, by its components along the scene's axes.
+#[derive(Clone, Debug)]
+pub struct VectorPart {
+    /// The components, in one unit and in the order of the axes.
+    pub components: Vec<NumberPart>,
+    /// The letters of the axes.
+    pub axes: Vec<&'static str>,
+}
+
+impl VectorPart {
+    /// The axes in words: `x and y`.
+    #[must_use]
+    pub fn axes_in_words(&self) -> String {
+        match &self.axes[..] {
+            [rest @ .., last] if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
+            axes => axes.join(", "),
+        }
+    }
+}
+
+/// The name of a component: `v_A2.x` of `v_A2`, `J_A.x[hit]` of `J_A[hit]`.
+pub(super) fn component_name(vector: &str, axis: &str) -> String {
+    match vector.split_once('[') {
+        Some((before, stage)) => format!("{before}.{axis}[{stage}"),
+        None => format!("{vector}.{axis}"),
+    }
+}
+
+/// The components of a name that is no quantity itself.
+pub(super) fn components(vector: &str, builder: &mut Builder<'_>) -> Option<Vec<Symbol>> {
+    let axes = builder.axis_letters();
+    let mut symbols = || axes.iter().map(|axis| builder.mention(&component_name(vector, axis))).collect();
+    if axes.len() > 1 { symbols() } else { None }
+}
+
+/// Asks for these components at once: the id, the label and the kind of the part.
+pub(super) fn read(
+    loaded: &Loaded,
+    find: &Find,
+    symbols: &[Symbol],
+    builder: &mut Builder<'_>,
+    path: &Path,
+) -> Option<(String, String, PartKind)> {
+    let axes = builder.axis_letters();
+    let components = symbols.iter().map(|symbol| number_part(loaded, find, *symbol, builder, path));
+    let components = components.collect::<Option<Vec<_>>>()?;
+    let first = symbols.first().map(|symbol| builder.symbols().entry(*symbol).meaning.clone()).unwrap_or_default();
+    let of_component = axes.first().map(|axis| format!("the {axis}-component of ")).unwrap_or_default();
+    let meaning = first.strip_prefix(&of_component).map_or_else(|| format!("the vector {}", find.find), str::to_owned);
+    Some((find.find.clone(), meaning, PartKind::Vector(VectorPart { components, axes })))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_component_is_named_before_the_stage() {
+        let named = [("v_A2", "v_A2.x"), ("J_A[hit]", "J_A.x[hit]"), ("v_A@top", "v_A@top.x")];
+        for (vector, component) in named {
+            assert_eq!(component_name(vector, "x"), component);
+        }
+    }
+}

@@ -1,0 +1,128 @@
+//! Worlds that simulate a stage, and what is read off them at the end.
+
+use crate::simulate::budget::Budget;
+use crate::simulate::method::Method;
+use crate::simulate::methods::{EventDriven, RungeKutta};
+use crate::simulate::refusal::Refusal;
+use crate::simulate::trajectory::{Ending, Trajectory};
+use crate::simulate::world::World;
+
+/// The tolerances of the two runs whose difference is the estimate of the error where a motion is integrated.
+const TOLERANCES: [f64; 2] = [1e-10, 1e-12];
+
+/// How many units in the last place of the largest speed an exact run may lose.
+const ROUNDINGS: f64 = 64.0;
+
+/// A quantity after a stage, as the simulation finds it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reached {
+    /// Its name in the problem: `v_A2.x`.
+    pub name: String,
+    /// Its value in SI units.
+    pub value: f64,
+    /// A bound on the error of the run; what the inputs' own errors do comes on top.
+    pub error: f64,
+}
+
+/// What is read off the end of a run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Reading {
+    /// A component of the velocity of a body.
+    Velocity {
+        /// The body's place in the list.
+        body: usize,
+        /// Which component.
+        component: usize,
+        /// -1 where the run ends with a rebound at what the body reaches, so that it is the velocity just before.
+        sign: f64,
+    },
+    /// The time of the last impact, or of coming to rest.
+    Time,
+}
+
+/// A world to run, and the names of what is read off it.
+#[derive(Debug)]
+pub(super) struct Experiment<const D: usize> {
+    pub world: World<D>,
+    pub budget: Budget,
+    pub readings: Vec<(String, Reading)>,
+}
+
+/// The simulation of one stage.
+#[derive(Debug, Default)]
+pub struct Staged {
+    pub(super) on_lines: Vec<Experiment<1>>,
+    pub(super) in_planes: Vec<Experiment<2>>,
+}
+
+impl Staged {
+    pub(super) fn on_line(experiment: Experiment<1>) -> Self {
+        Self { on_lines: vec![experiment], in_planes: Vec::new() }
+    }
+
+    pub(super) fn in_plane(experiment: Experiment<2>) -> Self {
+        Self { on_lines: Vec::new(), in_planes: vec![experiment] }
+    }
+
+    /// Runs it by the cheapest method that can: event driven where the motion between impacts is known exactly, else
+    /// adaptive Runge-Kutta, whose error is estimated from a second run with a finer step.
+    ///
+    /// # Errors
+    /// No method treats it, by name.
+    pub fn run(&self) -> Result<Vec<Reached>, Refusal> {
+        let mut all = Vec::new();
+        for experiment in &self.on_lines {
+            all.extend(experiment.run()?);
+        }
+        for experiment in &self.in_planes {
+            all.extend(experiment.run()?);
+        }
+        Ok(all)
+    }
+}
+
+impl<const D: usize> Experiment<D> {
+    fn run(&self) -> Result<Vec<Reached>, Refusal> {
+        match EventDriven.run(&self.world, &self.budget) {
+            Ok(run) => {
+                let rounding = ROUNDINGS * f64::EPSILON;
+                Ok(self
+                    .read(&run)
+                    .map(|(name, value, scale)| Reached { name, value, error: rounding * scale })
+                    .collect())
+            }
+            Err(Refusal::NoExactMotion { .. }) => {
+                let [coarse, fine] =
+                    TOLERANCES.map(|tolerance| RungeKutta { tolerance }.run(&self.world, &self.budget));
+                let (coarse, fine) = (coarse?, fine?);
+                let both = self.read(&coarse).zip(self.read(&fine));
+                let reached = |((_, rough, _), (name, value, scale)): (_, (String, f64, f64))| {
+                    let (rough, value): (f64, f64) = (rough, value);
+                    Reached { name, value, error: (value - rough).abs() + TOLERANCES[1] * scale }
+                };
+                Ok(both.map(reached).collect())
+            }
+            Err(refusal) => Err(refusal),
+        }
+    }
+
+    /// Names, values, and the sizes with which rounding errors go.
+    fn read<'a>(&'a self, run: &'a Trajectory<D>) -> impl Iterator<Item = (String, f64, f64)> + 'a {
+        let before = self.world.bodies.iter().map(|body| body.velocity.norm());
+        let after = run.last.velocities.iter().map(nalgebra::Matrix::norm);
+        let walls = self.world.walls.iter().map(|wall| wall.velocity.abs());
+        let speeds: f64 = before.chain(after).chain(walls).sum();
+        self.readings.iter().filter_map(move |(name, reading)| match *reading {
+            Reading::Velocity { body, component, sign } => {
+                Some((name.clone(), sign * run.last.velocities.get(body)?[component], speeds))
+            }
+            Reading::Time => {
+                let time = match run.ending {
+                    Ending::Rest { time, .. } => time,
+                    _ => run.impacts.last()?.time,
+                };
+                Some((name.clone(), time, time))
+            }
+        })
+    }
+}

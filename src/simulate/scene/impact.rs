@@ -1,0 +1,141 @@
+//! Impacts: bodies that touch, and are run over the one impact.
+
+use crate::scene::Axis;
+use crate::scene::stage::{Impact, Partners};
+use crate::simulate::budget::Budget;
+use crate::simulate::world::{Body, Wall, World};
+
+use super::direction::part;
+use super::experiment::{Experiment, Reading, Staged};
+use super::nothing::NothingToSimulate;
+use super::values::Values;
+
+/// The radius of bodies that are set beside each other; any will do.
+const RADIUS: f64 = 0.5;
+
+impl Values<'_> {
+    pub(super) fn impact(&self, stage: &Impact) -> Result<Staged, NothingToSimulate> {
+        match stage.partners() {
+            Some(Partners::Bodies(first, second)) => {
+                let guided = |body: &str| self.scene.bodies.get(body).is_some_and(|own| own.guide.is_some());
+                if guided(first) || guided(second) {
+                    return Err(NothingToSimulate::NoMethod);
+                }
+                if stage.plastic { self.union(stage, [first, second]) } else { self.contact(stage, [first, second]) }
+            }
+            Some(Partners::Surface(body, surface)) => self.at_surface(stage, body, surface),
+            None => Err(NothingToSimulate::NoStage),
+        }
+    }
+
+    fn coefficient(&self, stage: &Impact) -> Result<f64, NothingToSimulate> {
+        match &stage.restitution {
+            Some(term) => self.term(term),
+            None if stage.plastic => Ok(0.0),
+            None if stage.elastic => Ok(1.0),
+            None => Err(NothingToSimulate::NoRestitution),
+        }
+    }
+
+    /// Bodies that stay together: whatever holds them stops their relative motion along each axis, one after another.
+    fn union(&self, stage: &Impact, bodies: [&str; 2]) -> Result<Staged, NothingToSimulate> {
+        let masses = [self.mass(bodies[0])?, self.mass(bodies[1])?];
+        let mut staged = Staged::default();
+        for axis in self.axes() {
+            let before = [self.velocity_before(bodies[0], axis)?, self.velocity_before(bodies[1], axis)?];
+            // The one that is faster along the axis stands behind.
+            let behind = if before[0] >= before[1] { -RADIUS } else { RADIUS };
+            let mut world = World::<1>::new(0.0);
+            for (own, place) in [(0, behind), (1, -behind)] {
+                world.bodies.push(Body::sphere(bodies[own], masses[own], RADIUS, [place], [before[own]]));
+            }
+            let after = |own: usize| {
+                let body = stage.becomes.as_deref().unwrap_or(bodies[own]);
+                (self.velocity_after(body, axis), Reading::Velocity { body: own, component: 0, sign: 1.0 })
+            };
+            staged.on_lines.push(Experiment { world, budget: Budget::impacts(1), readings: vec![after(0), after(1)] });
+        }
+        Ok(staged)
+    }
+
+    /// Bodies that separate again: the second stands ahead of the first on the line of impact.
+    fn contact(&self, stage: &Impact, bodies: [&str; 2]) -> Result<Staged, NothingToSimulate> {
+        let axes = self.axes();
+        let line = match &stage.line_of_impact {
+            Some(term) => self.direction(&term.0)?,
+            None => match axes[..] {
+                [Axis::Y] => [0.0, 1.0],
+                [_] => [1.0, 0.0],
+                _ => return Err(NothingToSimulate::NoLineOfImpact),
+            },
+        };
+        let restitution = self.coefficient(stage)?;
+        match axes[..] {
+            [only] => Ok(Staged::on_line(self.contact_in([only], restitution, line, bodies)?)),
+            [first, second] => Ok(Staged::in_plane(self.contact_in([first, second], restitution, line, bodies)?)),
+            _ => Err(NothingToSimulate::Unread),
+        }
+    }
+
+    fn contact_in<const D: usize>(
+        &self,
+        axes: [Axis; D],
+        restitution: f64,
+        line: [f64; 2],
+        bodies: [&str; 2],
+    ) -> Result<Experiment<D>, NothingToSimulate> {
+        let mut world = World::new(restitution);
+        for (body, sign) in bodies.into_iter().zip([-1.0, 1.0]) {
+            let place = axes.map(|axis| sign * RADIUS * part(line, axis));
+            let velocity = self.velocities_before(body, axes)?;
+            world.bodies.push(Body::sphere(body, self.mass(body)?, RADIUS, place, velocity));
+        }
+        Ok(self.one_impact(axes, world))
+    }
+
+    /// A body at a surface, whose mass does not matter.
+    fn at_surface(&self, stage: &Impact, body: &str, surface: &str) -> Result<Staged, NothingToSimulate> {
+        let entry = self.scene.surfaces.get(surface).ok_or(NothingToSimulate::NoStage)?;
+        let normal = self.direction(&entry.normal.0)?;
+        let moves = entry.velocity.as_ref().map_or(Ok(0.0), |term| self.term(term))?;
+        let restitution = self.coefficient(stage)?;
+        match self.axes()[..] {
+            [only] => {
+                let world = self.surface_in([only], restitution, normal, moves, [body, surface])?;
+                Ok(Staged::on_line(self.one_impact([only], world)))
+            }
+            [first, second] => {
+                let world = self.surface_in([first, second], restitution, normal, moves, [body, surface])?;
+                Ok(Staged::in_plane(self.one_impact([first, second], world)))
+            }
+            _ => Err(NothingToSimulate::Unread),
+        }
+    }
+
+    fn surface_in<const D: usize>(
+        &self,
+        axes: [Axis; D],
+        restitution: f64,
+        normal: [f64; 2],
+        moves: f64,
+        [body, surface]: [&str; 2],
+    ) -> Result<World<D>, NothingToSimulate> {
+        let mut world = World::new(restitution);
+        let velocity = self.velocities_before(body, axes)?;
+        world.bodies.push(Body::particle(body, self.any_mass(body), [0.0; D], velocity));
+        world.walls.push(Wall::new(surface, axes.map(|axis| part(normal, axis)), 0.0).moving(moves));
+        Ok(world)
+    }
+
+    /// A run over the one impact of bodies that touch.
+    fn one_impact<const D: usize>(&self, axes: [Axis; D], world: World<D>) -> Experiment<D> {
+        let readings = world.bodies.iter().enumerate().flat_map(|(body, own)| {
+            let reading = move |component| Reading::Velocity { body, component, sign: 1.0 };
+            axes.into_iter()
+                .enumerate()
+                .map(move |(component, axis)| (self.velocity_after(&own.name, axis), reading(component)))
+        });
+        let readings = readings.collect();
+        Experiment { world, budget: Budget::impacts(1), readings }
+    }
+}

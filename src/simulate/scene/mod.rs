@@ -1,0 +1,164 @@
+//! From a problem's scene and its numbers to something that runs, stage by stage.
+//!
+//! This is the independent witness of `momentous check`: it reads the scene anew, and shares no code with the laws.
+
+mod direction;
+mod experiment;
+mod impact;
+mod motion;
+mod nothing;
+mod values;
+
+pub use experiment::{Reached, Staged};
+pub use nothing::NothingToSimulate;
+
+use crate::scene::{Scene, Stage};
+
+use values::Values;
+
+/// What simulates a stage of a scene, counted from 0, where `value` gives the quantities of the scene in SI units by their
+/// names: masses `m_A`, velocities `v_A1.x` just before the stage, coefficients, times.
+///
+/// ```
+/// use momentous::scene::Scene;
+/// use momentous::simulate::scene::translate;
+///
+/// let scene: Scene = serde_json::from_str(r#"{
+///     "axes": { "x": "to the right" },
+///     "bodies": { "A": { "name": "cart A" }, "B": { "name": "cart B" } },
+///     "stages": [{ "impact": { "between": ["A", "B"], "restitution": 0.7 } }]
+/// }"#).unwrap();
+/// let numbers = [("m_A", 3.0), ("m_B", 2.0), ("v_A1", 3.0), ("v_B1", -2.0)];
+/// let value = |name: &str| numbers.iter().find(|(own, _)| *own == name).map(|(_, value)| *value);
+/// let after = translate(&scene, 0, &value).unwrap().run().unwrap();
+/// assert_eq!(after[0].name, "v_A2");
+/// assert!((after[0].value - -0.4).abs() <= after[0].error);
+/// ```
+///
+/// # Errors
+/// There is nothing to simulate: why.
+pub fn translate(
+    scene: &Scene,
+    stage: usize,
+    value: &dyn Fn(&str) -> Option<f64>,
+) -> Result<Staged, NothingToSimulate> {
+    let values = Values { scene, value, index: stage };
+    match scene.stages.get(stage) {
+        Some(Stage::Impact(impact)) => values.impact(impact),
+        Some(Stage::Push(push)) => values.push(push),
+        Some(Stage::Fall(fall)) => values.fall(fall),
+        Some(Stage::Flight(flight)) => values.flight(flight),
+        Some(Stage::Bounces(bounces)) => values.bounces(bounces),
+        Some(Stage::Drift(_) | Stage::Walk(_) | Stage::Stream(_)) => Err(NothingToSimulate::NothingChanges),
+        Some(Stage::Blow(_)) => Err(NothingToSimulate::UnknownHistory),
+        Some(_) => Err(NothingToSimulate::NoMethod),
+        None => Err(NothingToSimulate::NoStage),
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test says bluntly what it expects")]
+mod tests {
+    use super::*;
+
+    type Numbers = &'static [(&'static str, f64)];
+
+    /// Axes and a stage, the values of names, and what is found after the stage.
+    const FOUND: &[(&str, &str, Numbers, Numbers)] = &[
+        (
+            r#"{"y":"upwards"}"#,
+            r#"{"fall":{"body":"A","height":"h"}}"#,
+            &[("h", 5.0), ("g", 10.0), ("v_A1", 0.0)],
+            &[("v_A2", -10.0)],
+        ),
+        (
+            r#"{"y":"downwards"}"#,
+            r#"{"flight":{"body":"A","during":"3 s"}}"#,
+            &[("g", 10.0), ("v_A1", -5.0)],
+            &[("v_A2", 25.0)],
+        ),
+        (
+            r#"{"y":"upwards"}"#,
+            r#"{"bounces":{"body":"A","restitution":0.5,"count":2}}"#,
+            &[("h_0", 5.0), ("g", 10.0)],
+            &[("v_n", 2.5), ("t_n", 2.0), ("t_total", 3.0)],
+        ),
+        (
+            r#"{"x":"to the right"}"#,
+            r#"{"push":{"body":"A","during":"3 s","forces":[{"value":"6*t*1 N/s","direction":"to the left"}]}}"#,
+            &[("m_A", 2.0), ("v_A1", 1.0)],
+            &[("v_A2", -12.5)],
+        ),
+        (
+            r#"{"x":"to the right"}"#,
+            r#"{"push":{"body":"A","during":["1 s","4 s"],"forces":[{"value":[{"until":"2 s","is":"4 N"},{"is":"1 N"}]}]}}"#,
+            &[("m_A", 2.0), ("v_A1", 1.0)],
+            &[("v_A2", 4.0)],
+        ),
+        (
+            r#"{"x":"to the right"}"#,
+            r#"{"push":{"body":"A","during":"2 s","forces":[{"value":{"points":[["0 s","0 N"],["1 s","4 N"],["2 s","0 N"]]}}]}}"#,
+            &[("m_A", 2.0), ("v_A1", 1.0)],
+            &[("v_A2", 3.0)],
+        ),
+        (
+            r#"{"x":"east"}"#,
+            r#"{"impact":{"body":"A","against":"bat","restitution":0.5}}"#,
+            &[("v_A1", 20.0), ("u", 10.0)],
+            &[("v_A2", -25.0)],
+        ),
+        (
+            r#"{"x":"east","y":"north"}"#,
+            r#"{"impact":{"between":["A","B"],"plastic":true,"becomes":"C"}}"#,
+            &[("m_A", 1.0), ("m_B", 3.0), ("v_A1.x", 4.0), ("v_A1.y", 0.0), ("v_B1.x", 0.0), ("v_B1.y", 2.0)],
+            &[("v_C2.x", 1.0), ("v_C2.y", 1.5)],
+        ),
+        (
+            r#"{"x":"east","y":"north"}"#,
+            r#"{"impact":{"between":["A","B"],"elastic":true,"line_of_impact":"45 deg north of east"}}"#,
+            &[("m_A", 1.0), ("m_B", 1.0), ("v_A1.x", 4.0), ("v_A1.y", 0.0), ("v_B1.x", 0.0), ("v_B1.y", 0.0)],
+            &[("v_A2.x", 2.0), ("v_A2.y", -2.0), ("v_B2.x", 2.0), ("v_B2.y", 2.0)],
+        ),
+    ];
+
+    fn scene(axes: &str, stage: &str) -> Scene {
+        let plane = if axes.contains('y') && !axes.contains('x') { "vertical" } else { "horizontal" };
+        let text = format!(
+            r#"{{"axes":{axes},"plane":"{plane}","bodies":{{"A":{{"name":"a"}},"B":{{"name":"b"}}}},
+            "surfaces":{{"bat":{{"normal":"west","velocity":"u"}}}},"stages":[{stage}]}}"#
+        );
+        serde_json::from_str(&text).unwrap()
+    }
+
+    fn value<'a>(numbers: &'a [(&str, f64)]) -> impl Fn(&str) -> Option<f64> + 'a {
+        |name| numbers.iter().find(|(own, _)| *own == name).map(|(_, value)| *value)
+    }
+
+    #[test]
+    fn stages_end_as_they_must() {
+        for (axes, stage, numbers, expected) in FOUND {
+            let found = translate(&scene(axes, stage), 0, &value(numbers)).unwrap().run().unwrap();
+            for (name, expected) in *expected {
+                let own = found.iter().find(|reached| reached.name == *name).unwrap();
+                assert!((own.value - expected).abs() <= own.error, "{stage}: {own:?}, not {expected}");
+                assert!(own.error <= 1e-8 * (1.0 + expected.abs()), "{stage}: {own:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_simulated_says_why() {
+        let line = r#"{"x":"to the right"}"#;
+        let plane = r#"{"x":"to the right","y":"away from you"}"#;
+        let numbers = [("v_A1", 1.0), ("v_B1", 0.0), ("m_A", 1.0)];
+        for (axes, stage, reason) in [
+            (line, r#"{"blow":{"body":"A","by":"the bat"}}"#, NothingToSimulate::UnknownHistory),
+            (line, r#"{"drift":{"during":"2 s"}}"#, NothingToSimulate::NothingChanges),
+            (line, r#"{"impact":{"between":["A","B"]}}"#, NothingToSimulate::NoRestitution),
+            (line, r#"{"impact":{"between":["A","B"],"restitution":"e"}}"#, NothingToSimulate::ValueMissing),
+            (plane, r#"{"impact":{"between":["A","B"],"restitution":1}}"#, NothingToSimulate::NoLineOfImpact),
+        ] {
+            assert_eq!(translate(&scene(axes, stage), 0, &value(&numbers)).unwrap_err(), reason, "{stage}");
+        }
+    }
+}

@@ -1,0 +1,159 @@
+//! Motions between impacts: pushes, falls, flights, bounces.
+
+use crate::scene::stage::{Bounces, During, Fall, Flight, Push};
+use crate::scene::{Axis, Force as Acting, Pull, Stage, Strength as Told};
+use crate::simulate::budget::Budget;
+use crate::simulate::force::{Force, Piece, Strength};
+use crate::simulate::world::{Body, Vector, Wall, World};
+
+use super::direction::part;
+use super::experiment::{Experiment, Reading, Staged};
+use super::nothing::NothingToSimulate;
+use super::values::{OfTime, Values};
+
+/// The height from which a ball that bounces is dropped, where no fall before says it.
+const DROP: &str = "h_0";
+
+impl Values<'_> {
+    /// Forces of known law for a known time: each axis for itself.
+    pub(super) fn push(&self, stage: &Push) -> Result<Staged, NothingToSimulate> {
+        if stage.incline.is_some() {
+            return Err(NothingToSimulate::NoMethod);
+        }
+        let [start, end] = match &stage.during {
+            Some(During::For(term)) => [0.0, self.term(term)?],
+            Some(During::Between([from, to])) => [self.term(from)?, self.term(to)?],
+            None => [0.0, self.duration()?],
+        };
+        let mut staged = Staged::default();
+        for axis in self.axes() {
+            let mut world = self.alone(&stage.body, self.mass(&stage.body)?, axis)?;
+            for force in &stage.forces {
+                let Acting::Pull(pull) = force else { return Err(NothingToSimulate::NoMethod) };
+                self.pull(&mut world, pull, axis, start)?;
+            }
+            staged.on_lines.push(self.until(world, &stage.body, axis, end - start));
+        }
+        Ok(staged)
+    }
+
+    /// A force along one axis, on the clock of a stage that starts at `start`.
+    fn pull(&self, world: &mut World<1>, pull: &Pull, axis: Axis, start: f64) -> Result<(), NothingToSimulate> {
+        let along = match (&pull.direction, self.axes().first()) {
+            (Some(term), _) => part(self.direction(&term.0)?, axis),
+            (None, first) => f64::from(u8::from(first == Some(&axis))),
+        };
+        let (strength, changes) = self.strength(&pull.value)?;
+        let strength = Strength::Function(std::sync::Arc::new(move |time| strength(time + start)));
+        let direction = Vector::from([along]);
+        world.forces.push(Force::Varying { body: 0, direction, strength });
+        // A force of no strength that changes its law at the same times, so that no step goes across one.
+        let pieces = changes.into_iter().map(|until| Piece { until: until - start, coefficients: vec![0.0] }).collect();
+        world.forces.push(Force::Varying { body: 0, direction, strength: Strength::Pieces(pieces) });
+        Ok(())
+    }
+
+    /// A strength in the time, and when it changes its law.
+    fn strength(&self, told: &Told) -> Result<(OfTime, Vec<f64>), NothingToSimulate> {
+        match told {
+            Told::Term(term) => Ok((self.of_time(term)?, Vec::new())),
+            Told::Pieces(pieces) => {
+                let mut laws = Vec::new();
+                for piece in pieces {
+                    let until = piece.until.as_ref().map_or(Ok(f64::INFINITY), |term| self.term(term))?;
+                    laws.push((until, self.of_time(&piece.is)?));
+                }
+                let changes = laws.iter().map(|(until, _)| *until).filter(|until| until.is_finite()).collect();
+                let at =
+                    move |time: f64| laws.iter().find(|(until, _)| time < *until).map_or(0.0, |(_, law)| law(time));
+                Ok((std::sync::Arc::new(at), changes))
+            }
+            Told::Graph(graph) => {
+                let mut points = Vec::new();
+                for [time, force] in &graph.points {
+                    points.push((self.term(time)?, self.term(force)?));
+                }
+                let changes = points.iter().map(|(time, _)| *time).collect();
+                let at = move |time: f64| {
+                    let line = points.windows(2).find(|ends| ends[0].0 <= time && time < ends[1].0);
+                    line.map_or(0.0, |ends| {
+                        let share = (time - ends[0].0) / (ends[1].0 - ends[0].0);
+                        ends[0].1 + share * (ends[1].1 - ends[0].1)
+                    })
+                };
+                Ok((std::sync::Arc::new(at), changes))
+            }
+        }
+    }
+
+    /// One body along one axis, under its weight where that acts along it.
+    fn alone(&self, body: &str, mass: f64, axis: Axis) -> Result<World<1>, NothingToSimulate> {
+        let mut world = World::new(1.0);
+        world.gravity = Vector::from([self.gravity(axis)?]);
+        world.bodies.push(Body::particle(body, mass, [0.0], [self.velocity_before(body, axis)?]));
+        Ok(world)
+    }
+
+    /// The one body of a world until a time.
+    fn until(&self, world: World<1>, body: &str, axis: Axis, time: f64) -> Experiment<1> {
+        let reading = Reading::Velocity { body: 0, component: 0, sign: 1.0 };
+        Experiment { world, budget: Budget::until(time), readings: vec![(self.velocity_after(body, axis), reading)] }
+    }
+
+    /// Free flight for a known time.
+    pub(super) fn flight(&self, stage: &Flight) -> Result<Staged, NothingToSimulate> {
+        let time = stage.during.as_ref().map_or_else(|| self.duration(), |term| self.term(term))?;
+        let mut staged = Staged::default();
+        for body in stage.flying() {
+            for axis in self.axes() {
+                let world = self.alone(body, self.any_mass(body), axis)?;
+                staged.on_lines.push(self.until(world, body, axis, time));
+            }
+        }
+        Ok(staged)
+    }
+
+    /// A fall onto a floor that lies so far below, with the velocity just before the rebound that would follow.
+    pub(super) fn fall(&self, stage: &Fall) -> Result<Staged, NothingToSimulate> {
+        let height = self.term(&stage.height)?;
+        let mut staged = Staged::default();
+        for axis in self.axes() {
+            let mut world = self.alone(&stage.body, self.any_mass(&stage.body), axis)?;
+            let down = world.gravity[0];
+            if down == 0.0 {
+                continue;
+            }
+            world.walls.push(Wall::new("the end of the fall", [-down.signum()], -height));
+            let reading = Reading::Velocity { body: 0, component: 0, sign: -1.0 };
+            let readings = vec![(self.velocity_after(&stage.body, axis), reading)];
+            staged.on_lines.push(Experiment { world, budget: Budget::impacts(1), readings });
+        }
+        Ok(staged)
+    }
+
+    /// A ball dropped onto a floor: the speed and the time of a bounce, and when all end.
+    pub(super) fn bounces(&self, stage: &Bounces) -> Result<Staged, NothingToSimulate> {
+        let before = self.index.checked_sub(1).and_then(|before| self.scene.stages.get(before));
+        let height = match before {
+            Some(Stage::Fall(fall)) if fall.body == stage.body => self.term(&fall.height)?,
+            _ => self.named(DROP)?,
+        };
+        let mut world = World::<1>::new(self.term(&stage.restitution)?);
+        world.gravity = Vector::from([-self.named("g")?]);
+        world.bodies.push(Body::particle(&stage.body, self.any_mass(&stage.body), [height], [0.0]));
+        world.walls.push(Wall::new("the floor", [1.0], 0.0));
+        let mut staged = Staged::default();
+        if let Some(count) = stage.count.as_ref().map(|term| self.term(term)).transpose()? {
+            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count of bounces")]
+            let budget = Budget::impacts(count.round() as usize);
+            let speed = Reading::Velocity { body: 0, component: 0, sign: 1.0 };
+            let readings = vec![("v_n".to_owned(), speed), ("t_n".to_owned(), Reading::Time)];
+            staged.on_lines.push(Experiment { world: world.clone(), budget, readings });
+        }
+        if world.restitution < 1.0 {
+            let readings = vec![("t_total".to_owned(), Reading::Time)];
+            staged.on_lines.push(Experiment { world, budget: Budget::impacts(usize::MAX), readings });
+        }
+        Ok(staged)
+    }
+}

@@ -1,0 +1,42 @@
+//! Why a stage has nothing to simulate.
+
+/// Why there is nothing to simulate in a stage.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum NothingToSimulate {
+    /// The scene is a single instant, or has no such stage.
+    NoStage,
+    /// Stages can be simulated, but the form solves nothing that they find.
+    NothingSolved,
+    /// Velocities stay what they are.
+    NothingChanges,
+    /// Only the impulse is spoken of.
+    UnknownHistory,
+    /// The line of impact, which a smooth contact needs in a plane, is not told.
+    NoLineOfImpact,
+    /// Neither a coefficient of restitution nor staying together is told.
+    NoRestitution,
+    /// A quantity that the simulation needs is neither told nor solved in this form.
+    ValueMissing,
+    /// The motion is one that no method here integrates.
+    NoMethod,
+    /// A term, a direction or the axes are of a form that the simulation does not read.
+    Unread,
+}
+
+impl NothingToSimulate {
+    /// The reason, as a sentence without a full stop.
+    #[must_use]
+    pub fn reason(self) -> &'static str {
+        match self {
+            Self::NoStage => "nothing to simulate: nothing happens in the scene",
+            Self::NothingSolved => "nothing to simulate: what a simulation finds is not solved in this form",
+            Self::NothingChanges => "nothing to simulate: no velocity changes",
+            Self::UnknownHistory => "nothing to simulate: the force of a blow is not known, only its impulse",
+            Self::NoLineOfImpact => "nothing to simulate: the line of impact is not told",
+            Self::NoRestitution => "nothing to simulate: no coefficient of restitution is told",
+            Self::ValueMissing => "nothing to simulate: a quantity that it needs is neither told nor solved",
+            Self::NoMethod => "nothing to simulate: no method of this version integrates such a motion",
+            Self::Unread => "nothing to simulate: it does not read such a term or direction",
+        }
+    }
+}

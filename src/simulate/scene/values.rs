@@ -1,0 +1,166 @@
+//! The numbers of a scene by their names, and terms worked out with them.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use crate::expr::{Expr, Names, Symbol, SymbolEntry, SymbolTable, parse};
+use crate::quantity::{Dimension, Quantity};
+use crate::scene::{Axis, Body, Plane, Scene, Term};
+
+use super::nothing::NothingToSimulate;
+
+/// The clock of a stage in the strength of a force.
+const CLOCK: &str = "t";
+
+/// A scene, the values of its quantities, and the stage that is looked at.
+pub(super) struct Values<'a> {
+    pub scene: &'a Scene,
+    pub value: &'a dyn Fn(&str) -> Option<f64>,
+    pub index: usize,
+}
+
+/// A term in the time of a stage.
+pub(super) type OfTime = Arc<dyn Fn(f64) -> f64 + Send + Sync>;
+
+/// The names of one term, with the values of those that are not the clock.
+struct Reader<'a> {
+    known: &'a dyn Fn(&str) -> Option<f64>,
+    clock: Option<Symbol>,
+    has_clock: bool,
+    table: SymbolTable,
+    found: BTreeMap<Symbol, f64>,
+    missing: bool,
+}
+
+impl Reader<'_> {
+    fn note(&mut self, name: &str, value: f64) -> Symbol {
+        let entry = SymbolEntry { name: name.to_owned(), dimension: Dimension::NONE, meaning: String::new() };
+        let symbol = self.table.intern(entry);
+        self.found.insert(symbol, value);
+        symbol
+    }
+}
+
+impl Names for Reader<'_> {
+    fn symbol(&mut self, name: &str) -> Option<Symbol> {
+        if name == CLOCK && self.has_clock {
+            let symbol = self.note(name, f64::NAN);
+            self.clock = Some(symbol);
+            return Some(symbol);
+        }
+        let value = (self.known)(name);
+        self.missing |= value.is_none();
+        Some(self.note(name, value?))
+    }
+
+    fn literal(&mut self, text: &str) -> Option<Symbol> {
+        let quantity = Quantity::parse(text).ok()?;
+        Some(self.note(text, quantity.value.to_f64() * quantity.unit.factor().to_f64()))
+    }
+}
+
+impl Values<'_> {
+    /// The value of a name.
+    pub(super) fn named(&self, name: &str) -> Result<f64, NothingToSimulate> {
+        (self.value)(name).filter(|value| value.is_finite()).ok_or(NothingToSimulate::ValueMissing)
+    }
+
+    /// The value of a term that does not depend on the time.
+    pub(super) fn number(&self, text: &str) -> Result<f64, NothingToSimulate> {
+        let value = self.read(text, false)?(0.0);
+        if value.is_finite() { Ok(value) } else { Err(NothingToSimulate::ValueMissing) }
+    }
+
+    /// The same, for a term as the author wrote it.
+    pub(super) fn term(&self, term: &Term) -> Result<f64, NothingToSimulate> {
+        self.number(&term.0)
+    }
+
+    /// A term that may contain the clock.
+    pub(super) fn of_time(&self, term: &Term) -> Result<OfTime, NothingToSimulate> {
+        self.read(&term.0, true)
+    }
+
+    fn read(&self, text: &str, has_clock: bool) -> Result<OfTime, NothingToSimulate> {
+        let table = SymbolTable::default();
+        let mut reader =
+            Reader { known: self.value, clock: None, has_clock, table, found: BTreeMap::new(), missing: false };
+        let parsed: Result<Expr, _> = parse(text.trim(), &mut reader);
+        let Reader { clock, found, missing, .. } = reader;
+        let expr =
+            parsed.map_err(|_| if missing { NothingToSimulate::ValueMissing } else { NothingToSimulate::Unread })?;
+        Ok(Arc::new(move |time| {
+            expr.evaluate(&|symbol| {
+                if Some(symbol) == clock { time } else { found.get(&symbol).copied().unwrap_or(f64::NAN) }
+            })
+        }))
+    }
+
+    /// The axes of the scene, in order.
+    pub(super) fn axes(&self) -> Vec<Axis> {
+        self.scene.axes.rectangular().into_iter().map(|(axis, _)| axis).collect()
+    }
+
+    /// The mass of a body, or of what a body consists of.
+    pub(super) fn mass(&self, body: &str) -> Result<f64, NothingToSimulate> {
+        let own = |member: &str| match self.scene.bodies.get(member) {
+            Some(Body { mass: Some(term), .. }) => self.term(term),
+            _ => self.named(&format!("m_{member}")),
+        };
+        self.scene.members(body).into_iter().map(own).sum()
+    }
+
+    /// The mass of a body whose motion does not depend on it: 1 kg where it is neither told nor solved.
+    pub(super) fn any_mass(&self, body: &str) -> f64 {
+        self.mass(body).unwrap_or(1.0)
+    }
+
+    /// The name of a component of the velocity of a body after the stage.
+    pub(super) fn velocity_after(&self, body: &str, axis: Axis) -> String {
+        self.velocity_name(body, self.index + 2, axis)
+    }
+
+    fn velocity_name(&self, body: &str, instant: usize, axis: Axis) -> String {
+        let letter = if self.axes().len() > 1 { format!(".{}", axis.letter()) } else { String::new() };
+        format!("v_{body}{instant}{letter}")
+    }
+
+    /// A component of the velocity of a body before the stage.
+    pub(super) fn velocity_before(&self, body: &str, axis: Axis) -> Result<f64, NothingToSimulate> {
+        self.named(&self.velocity_name(body, self.index + 1, axis))
+    }
+
+    /// The components of the velocity of a body before the stage.
+    pub(super) fn velocities_before<const D: usize>(
+        &self,
+        body: &str,
+        axes: [Axis; D],
+    ) -> Result<[f64; D], NothingToSimulate> {
+        let mut all = [0.0; D];
+        for (own, axis) in all.iter_mut().zip(axes) {
+            *own = self.velocity_before(body, axis)?;
+        }
+        Ok(all)
+    }
+
+    /// The acceleration of free fall along an axis: with its sign, and 0 where weight has no part along it.
+    pub(super) fn gravity(&self, axis: Axis) -> Result<f64, NothingToSimulate> {
+        let down = self.scene.axes.rectangular().into_iter().find(|(own, _)| *own == axis);
+        match down.map(|(_, senses)| senses.positive).as_deref() {
+            Some("upwards") if self.scene.plane == Plane::Vertical => Ok(-self.named("g")?),
+            Some("downwards") if self.scene.plane == Plane::Vertical => self.named("g"),
+            _ => Ok(0.0),
+        }
+    }
+
+    /// How long the stage lasts, where no term says so.
+    pub(super) fn duration(&self) -> Result<f64, NothingToSimulate> {
+        let stages = &self.scene.stages;
+        let name = match stages.get(self.index).and_then(crate::scene::Stage::name) {
+            Some(name) if stages.len() > 1 => format!("dt[{name}]"),
+            _ if stages.len() > 1 => format!("dt[{}]", self.index + 1),
+            _ => "dt".to_owned(),
+        };
+        self.named(&name)
+    }
+}
