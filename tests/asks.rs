@@ -66,7 +66,7 @@ fn a_vector_is_asked_by_its_components() {
     assert_eq!(asked["value"], serde_json::json!([5.0, -2.0]));
 }
 
-/// With B at rest v_A2 = (m_A - e m_B) v_A1 / (m_A + m_B), which is negative where e > m_A/m_B = 1/4.
+/// With B at rest, `v_A2 = (m_A - e m_B) v_A1 / (m_A + m_B)`, which is negative where `e > m_A/m_B = 1/4`.
 const BUMPERS: &str = "
 id: test/bumpers
 title: Bumpers
