@@ -47,7 +47,7 @@ pub const WORK_ENERGY: Law = Law {
     signs: "A force along the motion does positive work, one against it negative work.",
     when: "Always; forces at right angles to the motion do no work.",
     source: "Newton's second law, integrated over the distance.",
-    wrong: &[],
+    wrong: wrong::energy::WORK,
 };
 
 /// Conservation of mechanical energy.
@@ -58,7 +58,7 @@ pub const CONSERVATION: Law = Law {
     signs: "Heights count upwards; the energy of a spring is never negative.",
     when: "No friction and no impact between the two instants.",
     source: "The principle of work and energy, for forces whose work depends on the place alone.",
-    wrong: &[],
+    wrong: wrong::energy::CONSERVATION,
 };
 
 /// The laws of this chapter.

@@ -25,7 +25,7 @@ pub const FALL_TIME: Law = Law {
     signs: "Velocities along the axis are positive.",
     when: "Weight is the only force; air resistance is left out.",
     source: "The principle of impulse and momentum, divided by the mass.",
-    wrong: &[],
+    wrong: wrong::kinematics::FALL_TIME,
 };
 
 /// Uniform motion.
@@ -36,7 +36,7 @@ pub const UNIFORM: Law = Law {
     signs: "Along the axis positive.",
     when: "No force acts along the axis.",
     source: "The definition of velocity, integrated over time.",
-    wrong: &[],
+    wrong: wrong::kinematics::UNIFORM,
 };
 
 /// Place in free flight.

@@ -4,6 +4,7 @@ use crate::expr::Expr;
 
 use super::Law;
 use super::Sides;
+use super::wrong;
 
 /// Energy under gravity's central force.
 pub const ORBIT_ENERGY: Law = Law {
@@ -13,7 +14,7 @@ pub const ORBIT_ENERGY: Law = Law {
     signs: "The energy of each unit of mass; negative on a closed orbit.",
     when: "The gravity of one centre is the only force.",
     source: "Work and energy with the force of gravity, GMm/r^2.",
-    wrong: &[],
+    wrong: wrong::orbit::ENERGY,
 };
 
 /// Speed, distance and the long axis.
@@ -24,7 +25,7 @@ pub const VIS_VIVA: Law = Law {
     signs: "The semi-major axis is positive.",
     when: "The orbit is an ellipse.",
     source: "Conservation of energy, evaluated at the two apses.",
-    wrong: &[],
+    wrong: wrong::orbit::ELLIPSE,
 };
 
 /// Angular momentum and shape.
@@ -35,7 +36,7 @@ pub const ORBIT_SHAPE: Law = Law {
     signs: "The body moves round counter-clockwise.",
     when: "The gravity of one centre is the only force.",
     source: "Conservation of energy and of angular momentum, at the apses.",
-    wrong: &[],
+    wrong: wrong::orbit::SHAPE,
 };
 
 /// The ends of the long axis.
@@ -46,7 +47,7 @@ pub const APSES: Law = Law {
     signs: "Distances are positive; the eccentricity lies between 0 and 1.",
     when: "The orbit is an ellipse with the centre of force at a focus.",
     source: "The geometry of the ellipse.",
-    wrong: &[],
+    wrong: wrong::orbit::APSES,
 };
 
 /// Distance by angle.
@@ -68,7 +69,7 @@ pub const PERIOD: Law = Law {
     signs: "A period is positive.",
     when: "The orbit is an ellipse.",
     source: "The area of the ellipse over the constant areal rate.",
-    wrong: &[],
+    wrong: wrong::orbit::PERIOD,
 };
 
 /// Time along an orbit.

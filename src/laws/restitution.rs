@@ -36,7 +36,7 @@ pub const PLASTIC: Law = Law {
     signs: "As the velocities.",
     when: "The bodies stick, couple, or one is caught in the other (e = 0).",
     source: "Kinematics.",
-    wrong: &[],
+    wrong: wrong::restitution::PLASTIC,
 };
 
 /// The velocity at the greatest deformation.

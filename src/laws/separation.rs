@@ -80,7 +80,7 @@ pub const DESCENT: Law = Law {
     signs: "A height through which a body sinks is positive.",
     when: "All contacts are smooth, and the support does no work.",
     source: "Work and energy for both bodies together.",
-    wrong: &[],
+    wrong: wrong::energy::CONSERVATION,
 };
 
 /// A body on the face of another.

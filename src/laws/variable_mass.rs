@@ -5,6 +5,7 @@ use crate::expr::Function;
 
 use super::Law;
 use super::Sides;
+use super::wrong;
 
 /// What a stream brings in a given time.
 pub const FLOW: Law = Law {
@@ -14,7 +15,7 @@ pub const FLOW: Law = Law {
     signs: "A flow is positive.",
     when: "The stream is steady. Where many vanes follow each other nothing passes by, and the whole speed of the stream counts.",
     source: "The volume of the stream that arrives in a short time.",
-    wrong: &[],
+    wrong: wrong::variable_mass::FLOW,
 };
 
 /// The force of a steady stream.
@@ -25,7 +26,7 @@ pub const STREAM: Law = Law {
     signs: "Components along the axes; the velocities are relative to the body, which moves evenly.",
     when: "The stream is steady, so that the momentum of what is just passing stays the same.",
     source: "The principle of impulse and momentum for what arrives in a short time, and the third law.",
-    wrong: &[],
+    wrong: wrong::variable_mass::STREAM,
 };
 
 /// Power of a force.
@@ -47,7 +48,7 @@ pub const SUPPORT: Law = Law {
     signs: "The push of the support is positive upwards.",
     when: "The body stays at rest.",
     source: "Newton's second law, where nothing accelerates but the stream.",
-    wrong: &[],
+    wrong: wrong::variable_mass::SUPPORT,
 };
 
 /// Thrust.
@@ -69,7 +70,7 @@ pub const ROCKET: Law = Law {
     signs: "Positive along the axis; the exhaust speed is relative to the rocket.",
     when: "The exhaust leaves with a steady speed relative to the rocket, and no other force than weight acts.",
     source: "The thrust divided by the mass that is left, integrated over time.",
-    wrong: &[],
+    wrong: wrong::variable_mass::ROCKET,
 };
 
 /// The rocket equation with resistance.
@@ -113,7 +114,7 @@ pub const LIFT_OFF: Law = Law {
     signs: "Magnitudes.",
     when: "The rocket stands on the ground until then.",
     source: "Newton's second law: the push of the ground becomes zero.",
-    wrong: &[],
+    wrong: wrong::variable_mass::LIFT_OFF,
 };
 
 /// The way of a rocket while it burns.

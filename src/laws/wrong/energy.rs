@@ -7,6 +7,11 @@ use super::Misconception;
 use super::Taught;
 use super::Wrong;
 use super::WrongForm;
+use super::momentum::FRICTION_FORGOTTEN;
+use super::momentum::FRICTION_REVERSED;
+use super::momentum::friction_forgotten;
+use super::momentum::friction_reversed;
+use super::momentum::rubs;
 use super::rewrite::factors;
 use super::rewrite::one;
 use super::rewrite::terms;
@@ -54,6 +59,43 @@ pub const DIFFERENCE: Misconception = Misconception {
     hint: "Work out the energy before and the energy after each by itself, then subtract.",
 };
 
+/// The work of weight left out.
+pub const WEIGHT_WORK: Misconception = Misconception {
+    id: "work-of-weight-forgotten",
+    does: "leaves out the work of the weight",
+    ask: "Does the body end higher or lower than it began?",
+    hint: "Weight takes energy on the way up and gives it back on the way down.",
+};
+/// The work of weight with the wrong sign.
+pub const WEIGHT_WORK_REVERSED: Misconception = Misconception {
+    id: "work-of-weight-reversed",
+    does: "gives the work of the weight the wrong sign",
+    ask: "Does weight speed the body up or slow it down on this way?",
+    hint: "Compare the direction of the weight with that in which the body moves.",
+};
+/// `k s^2`.
+pub const SPRING_HALF: Misconception = Misconception {
+    id: "spring-half-forgotten",
+    does: "leaves out the factor of one half in the energy of a spring",
+    ask: "The force of a spring grows from zero: what is its mean over the way?",
+    hint: "Draw the force over the deformation: the energy is the area of a triangle.",
+};
+
+/// Wrong forms of work and energy.
+pub const WORK: &[WrongForm] = &[
+    WrongForm { of: &FRICTION_FORGOTTEN, write: friction_forgotten },
+    WrongForm { of: &FRICTION_REVERSED, write: friction_reversed },
+    WrongForm { of: &WEIGHT_WORK, write: weight_work_forgotten },
+    WrongForm { of: &WEIGHT_WORK_REVERSED, write: |law| law.both(|side| weight_work(law, side)) },
+    WrongForm { of: &SPRING_HALF, write: |law| law.both(|side| spring_doubled(law, side)) },
+];
+/// Wrong forms of conservation of energy.
+pub const CONSERVATION: &[WrongForm] = &[
+    WrongForm { of: &WEIGHT_WORK, write: weight_work_forgotten },
+    WrongForm { of: &WEIGHT_WORK_REVERSED, write: |law| law.both(|side| weight_work(law, side)) },
+    WrongForm { of: &SPRING_HALF, write: |law| law.both(|side| spring_doubled(law, side)) },
+    WrongForm { of: &SQUARE, write: square },
+];
 /// Wrong forms of kinetic energy.
 pub const KINETIC: &[WrongForm] = &[
     WrongForm { of: &HALF, write: |law| one((law.left(), Expr::integer(2) * law.right())) },
@@ -66,6 +108,27 @@ pub const LOSS: &[WrongForm] = &[
     WrongForm { of: &SHARE, write: share },
     WrongForm { of: &DIFFERENCE, write: difference },
 ];
+
+/// Whether a term is the work of a weight: not that of the friction which the weight causes.
+fn is_weight(law: &Taught<'_>, term: &Expr) -> bool {
+    law.has_gravity(term) && !matches!(term, Expr::Sum(_)) && !rubs(law, term)
+}
+
+fn weight_work_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
+    law.without(&|term| is_weight(law, term))
+}
+
+fn weight_work(law: &Taught<'_>, side: &Expr) -> Expr {
+    let parts = terms(side);
+    Expr::sum(parts.into_iter().map(|part| if is_weight(law, &part) { -part } else { part }))
+}
+
+/// The energy of each spring twice: what has a stiffness, which is an energy over a length squared.
+fn spring_doubled(law: &Taught<'_>, side: &Expr) -> Expr {
+    let spring = Dimension::new(1, 0, -2);
+    let parts = terms(side);
+    Expr::sum(parts.into_iter().map(|part| if law.has(&part, spring) { Expr::integer(2) * part } else { part }))
+}
 
 fn square(law: &Taught<'_>) -> Vec<Wrong> {
     law.both(unsquared)

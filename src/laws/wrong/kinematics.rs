@@ -7,7 +7,11 @@ use super::Misconception;
 use super::Taught;
 use super::Wrong;
 use super::WrongForm;
+use super::momentum::SIGN_LOST;
+use super::rewrite::gain_reversed;
 use super::rewrite::one;
+use super::rewrite::sign_lost;
+use super::rewrite::start_forgotten;
 
 /// `v^2 = g h`.
 pub const TWO: Misconception = Misconception {
@@ -74,6 +78,31 @@ pub const FIRST_VELOCITY: Misconception = Misconception {
     hint: "Without gravity, where would the body be after this time?",
 };
 
+/// Gravity that speeds a rising body up.
+pub const GRAVITY_REVERSED: Misconception = Misconception {
+    id: "gravity-reversed",
+    does: "lets gravity act in the opposite direction",
+    ask: "Which way does the axis point, and which way does gravity?",
+    hint: "Give the velocity and gravity their signs along the same axis.",
+};
+/// The place at the start left out.
+pub const START_PLACE: Misconception = Misconception {
+    id: "start-place-forgotten",
+    does: "leaves out the place from which the motion begins",
+    ask: "Where is the body when the time begins to count?",
+    hint: "Velocity times time is how far the body moves, not yet where it is.",
+};
+
+/// Wrong forms of velocity and time in a fall.
+pub const FALL_TIME: &[WrongForm] = &[
+    WrongForm { of: &FIRST_VELOCITY, write: start_forgotten },
+    WrongForm { of: &GRAVITY_REVERSED, write: gain_reversed },
+];
+/// Wrong forms of uniform motion.
+pub const UNIFORM: &[WrongForm] = &[
+    WrongForm { of: &START_PLACE, write: |law| law.without(&|term| !law.has(term, Dimension::VELOCITY)) },
+    WrongForm { of: &SIGN_LOST, write: sign_lost },
+];
 /// Wrong forms of the speed after a fall.
 pub const FALL_SPEED: &[WrongForm] =
     &[WrongForm { of: &TWO, write: two_forgotten }, WrongForm { of: &ROOT, write: root_forgotten }];

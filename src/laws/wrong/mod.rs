@@ -16,10 +16,12 @@ pub mod geometry;
 pub mod kinematics;
 pub mod mass_centre;
 pub mod momentum;
+pub mod orbit;
 pub mod reading;
 pub mod restitution;
 mod rewrite;
 pub mod separation;
+pub mod variable_mass;
 
 /// A usual mistake, as a row of its chapter's table.
 #[derive(Debug)]

@@ -107,6 +107,14 @@ pub const WHOLE_VELOCITY: Misconception = Misconception {
     hint: "Restitution speaks of the line of impact only; across it, a smooth contact gives no impulse.",
 };
 
+/// Weight beside an impact.
+pub const WEIGHT_IN_IMPACT: Misconception = Misconception {
+    id: "weight-in-impact",
+    does: "counts the impulse of the weight during an impact",
+    ask: "How large is the impulse of the weight during the contact, beside that of the impact?",
+    hint: "A force that is not impulsive has next to no impulse in so short a time: weight is left out.",
+};
+
 /// Wrong forms of conservation.
 pub const CONSERVATION: &[WrongForm] = &[
     WrongForm { of: &SIGN_LOST, write: sign_lost },
@@ -122,6 +130,7 @@ pub const IMPULSE_MOMENTUM: &[WrongForm] = &[
     WrongForm { of: &START_FORGOTTEN, write: start_forgotten },
     WrongForm { of: &IMPULSE_REVERSED, write: gain_reversed },
     WrongForm { of: &WEIGHT_FORGOTTEN, write: weight_forgotten },
+    WrongForm { of: &WEIGHT_IN_IMPACT, write: weight_in_impact },
     WrongForm { of: &FRICTION_FORGOTTEN, write: friction_forgotten },
     WrongForm { of: &FRICTION_REVERSED, write: friction_reversed },
     WrongForm { of: &super::geometry::SINE_COSINE, write: sine_and_cosine },
@@ -184,16 +193,32 @@ fn weight_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
     law.without(&|term| law.has_gravity(term) && !law.has(term, Dimension::VELOCITY))
 }
 
+/// `m v_1 + J - m g dt = m v_2`, or with the other sign, where the duration of an impact is told and gravity spoken of.
+fn weight_in_impact(law: &Taught<'_>) -> Vec<Wrong> {
+    let Some(gravity) = law.symbols.find("g").filter(|_| !law.has_gravity(&law.sides.0)) else { return Vec::new() };
+    let level = law
+        .quantities(Dimension::VELOCITY)
+        .into_iter()
+        .any(|own| law.symbols.entry(own).name.rsplit_once('.').is_some_and(|(_, axis)| axis == "x"));
+    let mean = law.beside("mean-force").next().map(|sides| factors(&sides.1));
+    let (Some([_, time]), [mass, _], false) = (mean.as_deref(), &factors(&law.sides.1)[..], level) else {
+        return Vec::new();
+    };
+    let weight = Expr::product([mass.clone(), gravity.into(), time.clone()]);
+    let counted = |weight: Expr| Wrong::from((law.left() + weight, law.right()));
+    vec![counted(-weight.clone()), counted(weight)]
+}
+
 /// Whether friction stands in a term.
-fn rubs(law: &Taught<'_>, term: &Expr) -> bool {
+pub(super) fn rubs(law: &Taught<'_>, term: &Expr) -> bool {
     law.meaning("coefficient of kinetic friction").is_some_and(|mu| term.contains(mu))
 }
 
-fn friction_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
+pub(super) fn friction_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
     law.replaced(&|symbol| (law.meaning("coefficient of kinetic friction") == Some(symbol)).then(Expr::zero))
 }
 
-fn friction_reversed(law: &Taught<'_>) -> Vec<Wrong> {
+pub(super) fn friction_reversed(law: &Taught<'_>) -> Vec<Wrong> {
     if !rubs(law, &law.sides.0) {
         return Vec::new();
     }

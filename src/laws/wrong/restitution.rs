@@ -2,6 +2,7 @@
 
 use crate::expr::Expr;
 use crate::laws::Sides;
+use crate::quantity::Dimension;
 
 use super::Misconception;
 use super::Taught;
@@ -77,6 +78,16 @@ pub const AT_REST: Misconception = Misconception {
     hint: "Restitution compares velocities relative to the surface.",
 };
 
+/// The body that strikes comes to rest.
+pub const STRIKER_STOPS: Misconception = Misconception {
+    id: "striker-stops",
+    does: "lets the body that strikes come to rest, though the bodies stay together",
+    ask: "If the bodies stay together, can one of them be at rest while the other moves?",
+    hint: "Bodies that stay together have one velocity, and both masses move with it.",
+};
+
+/// Wrong forms of a plastic impact.
+pub const PLASTIC: &[WrongForm] = &[WrongForm { of: &STRIKER_STOPS, write: striker_stops }];
 /// Wrong forms for two bodies.
 pub const BODIES: &[WrongForm] = &[
     WrongForm { of: &INVERTED, write: inverted },
@@ -98,6 +109,14 @@ pub const SURFACE: &[WrongForm] = &[
     WrongForm { of: &AT_REST, write: at_rest },
     WrongForm { of: &super::geometry::SINE_COSINE, write: sine_and_cosine },
 ];
+
+/// `v_A2 = 0`, where two bodies are spoken of.
+fn striker_stops(law: &Taught<'_>) -> Vec<Wrong> {
+    match law.quantities(Dimension::VELOCITY).len() {
+        2 => one((law.right(), Expr::zero())),
+        _ => Vec::new(),
+    }
+}
 
 /// The sides with the coefficient made something else.
 fn with_coefficient(law: &Taught<'_>, change: impl Fn(Expr) -> Expr) -> Vec<Wrong> {

@@ -1,0 +1,108 @@
+//! Mistakes about orbits.
+
+use crate::expr::Expr;
+use crate::quantity::Dimension;
+
+use super::Misconception;
+use super::Taught;
+use super::Wrong;
+use super::WrongForm;
+use super::energy::HALF;
+use super::rewrite::one;
+
+/// `g h` far from the ground.
+pub const UNIFORM_GRAVITY: Misconception = Misconception {
+    id: "gravity-by-radius-squared",
+    does: "divides by the square of the distance in the energy of gravity",
+    ask: "Which goes with one over the distance squared: the force of gravity, or its energy?",
+    hint: "The energy is the force integrated over the distance: one power of the distance less.",
+};
+/// `-GM / a`.
+pub const AXIS: Misconception = Misconception {
+    id: "whole-axis-for-half",
+    does: "confuses the semi-major axis with the whole axis",
+    ask: "Is a the whole length of the orbit, from the nearest point to the farthest, or half of it?",
+    hint: "The nearest and the farthest distance add up to the whole axis, which is twice a.",
+};
+/// `T^3 = 4 pi^2 a^2 / GM`.
+pub const POWERS: Misconception = Misconception {
+    id: "keplers-powers-exchanged",
+    does: "exchanges the powers in Kepler's third law",
+    ask: "Which power of the period goes with which power of the axis?",
+    hint: "Check the units: GM is a length cubed over a time squared.",
+};
+/// `T^2 = 2 pi a^3 / GM`.
+pub const PI_SQUARE: Misconception = Misconception {
+    id: "pi-not-squared",
+    does: "does not square the factor with pi beside the square of the period",
+    ask: "What does the factor with pi become when the equation of the period is squared?",
+    hint: "Write the period itself, as a factor times a root, and square all of it.",
+};
+/// `1 - ecc`.
+pub const ECCENTRICITY: Misconception = Misconception {
+    id: "eccentricity-not-squared",
+    does: "does not square the eccentricity",
+    ask: "With which power does the eccentricity stand in the parameter of the orbit?",
+    hint: "Multiply the distances of the nearest and of the farthest point, in terms of the axis and the eccentricity.",
+};
+
+/// Wrong forms of energy under gravity.
+pub const ENERGY: &[WrongForm] = &[
+    WrongForm { of: &HALF, write: |law| law.replaced(&|symbol| speed(law, symbol)) },
+    WrongForm { of: &UNIFORM_GRAVITY, write: |law| law.replaced(&|symbol| radius(law, symbol)) },
+];
+/// Wrong forms of the energy of an ellipse.
+pub const ELLIPSE: &[WrongForm] = &[
+    WrongForm { of: &HALF, write: |law| law.replaced(&|symbol| speed(law, symbol)) },
+    WrongForm { of: &AXIS, write: |law| one((law.left(), Expr::integer(2) * law.right())) },
+];
+/// Wrong forms of the geometry of an ellipse.
+pub const APSES: &[WrongForm] = &[WrongForm { of: &AXIS, write: axis_of_sum }];
+/// Wrong forms of the period.
+pub const PERIOD: &[WrongForm] =
+    &[WrongForm { of: &POWERS, write: powers }, WrongForm { of: &PI_SQUARE, write: |law| pi_square(law) }];
+/// Wrong forms of the angular momentum of an orbit.
+pub const SHAPE: &[WrongForm] = &[WrongForm { of: &ECCENTRICITY, write: |law| law.both(|side| unsquared(law, side)) }];
+
+/// A speed that counts with twice its square.
+fn speed(law: &Taught<'_>, symbol: crate::expr::Symbol) -> Option<Expr> {
+    law.is(symbol, Dimension::VELOCITY).then(|| Expr::integer(2).sqrt() * Expr::from(symbol))
+}
+
+fn radius(law: &Taught<'_>, symbol: crate::expr::Symbol) -> Option<Expr> {
+    law.is(symbol, Dimension::LENGTH).then(|| Expr::from(symbol).powi(2))
+}
+
+/// `a = r_min + r_max`.
+fn axis_of_sum(law: &Taught<'_>) -> Vec<Wrong> {
+    match &law.sides.1 {
+        Expr::Sum(_) => one((law.left(), Expr::integer(2) * law.right())),
+        _ => Vec::new(),
+    }
+}
+
+/// The period with the third power, the axis with the second.
+fn powers(law: &Taught<'_>) -> Vec<Wrong> {
+    let power = |symbol| match () {
+        () if law.is(symbol, Dimension::TIME) => Some(Expr::from(symbol).power(Expr::ratio(3, 2))),
+        () if law.is(symbol, Dimension::LENGTH) => Some(Expr::from(symbol).power(Expr::ratio(2, 3))),
+        () => None,
+    };
+    law.replaced(&power)
+}
+
+fn pi_square(law: &Taught<'_>) -> Vec<Wrong> {
+    one((law.left(), law.right() / (Expr::integer(2) * Expr::Pi)))
+}
+
+/// Squares of pure numbers taken away.
+fn unsquared(law: &Taught<'_>, term: &Expr) -> Expr {
+    match term {
+        Expr::Power(pair)
+            if pair.1 == Expr::integer(2) && matches!(&pair.0, Expr::Symbol(own) if law.is(*own, Dimension::NONE)) =>
+        {
+            pair.0.clone()
+        }
+        other => other.map_children(|part| unsquared(law, part)),
+    }
+}

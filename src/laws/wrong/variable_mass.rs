@@ -1,0 +1,115 @@
+//! Mistakes about streams and rockets.
+
+use crate::expr::Expr;
+use crate::expr::Function;
+use crate::quantity::Dimension;
+
+use super::Misconception;
+use super::Taught;
+use super::Wrong;
+use super::WrongForm;
+use super::force::WEIGHT_AS_MASS;
+use super::momentum::START_FORGOTTEN;
+use super::momentum::WEIGHT_FORGOTTEN;
+use super::rewrite::start_forgotten;
+
+/// What leaves a vane counted like what comes.
+pub const LEAVING_ADDED: Misconception = Misconception {
+    id: "leaving-stream-added",
+    does: "gives the momentum that leaves with the stream the wrong sign",
+    ask: "Where does the stream go when it leaves the body, forwards or backwards?",
+    hint: "The force is the change: the velocity before less the velocity after, each with its sign.",
+};
+/// What leaves a vane left out.
+pub const LEAVING_FORGOTTEN: Misconception = Misconception {
+    id: "leaving-stream-forgotten",
+    does: "leaves out the momentum with which the stream goes away",
+    ask: "Does the stream have any momentum when it leaves the body?",
+    hint: "Only a stream that spreads at right angles, or stays, leaves with no momentum along its old direction.",
+};
+/// The speed over the ground on a moving body.
+pub const BODY_SPEED: Misconception = Misconception {
+    id: "speed-of-body-forgotten",
+    does: "takes the speed of the stream over the ground, though the body moves",
+    ask: "How fast does the stream move as seen from the body?",
+    hint: "Take the speed of the body away from that of the stream, for what arrives and for how fast it arrives.",
+};
+/// The mass taken to stay.
+pub const MASS_KEPT: Misconception = Misconception {
+    id: "rocket-mass-kept",
+    does: "divides the momentum of the exhaust by the mass at the start, as if the mass stayed the same",
+    ask: "Does the thrust move the same mass at the end of the burn as at its start?",
+    hint: "The rocket becomes lighter all the time: small gains add up to a logarithm.",
+};
+/// A logarithm to the base of ten.
+pub const BASE_TEN: Misconception = Misconception {
+    id: "logarithm-to-base-ten",
+    does: "takes the logarithm to the base of ten",
+    ask: "Which logarithm comes of integrating one over the mass?",
+    hint: "The integral of one over the mass is the natural logarithm of the mass.",
+};
+
+/// Wrong forms of the force of a stream.
+pub const STREAM: &[WrongForm] = &[
+    WrongForm { of: &LEAVING_ADDED, write: |law| law.both(|side| leaving(side, &|part| -part)) },
+    WrongForm { of: &LEAVING_FORGOTTEN, write: |law| law.both(|side| leaving(side, &|_| Expr::zero())) },
+    WrongForm { of: &BODY_SPEED, write: body_at_rest },
+];
+/// Wrong forms of what arrives.
+pub const FLOW: &[WrongForm] = &[WrongForm { of: &BODY_SPEED, write: body_at_rest }];
+/// Wrong forms of what a support carries.
+pub const SUPPORT: &[WrongForm] = &[
+    WrongForm { of: &WEIGHT_FORGOTTEN, write: |law| law.without(&|term| law.has_gravity(term)) },
+    WrongForm { of: &WEIGHT_AS_MASS, write: weight_as_mass },
+];
+/// Wrong forms of the rocket equation.
+pub const ROCKET: &[WrongForm] = &[
+    WrongForm { of: &START_FORGOTTEN, write: start_forgotten },
+    WrongForm { of: &WEIGHT_FORGOTTEN, write: |law| law.without(&|term| law.has_gravity(term)) },
+    WrongForm { of: &MASS_KEPT, write: |law| law.both(|side| logarithm(side, &linear)) },
+    WrongForm { of: &BASE_TEN, write: |law| law.both(|side| logarithm(side, &to_base_ten)) },
+];
+/// Wrong forms of the condition of lift-off.
+pub const LIFT_OFF: &[WrongForm] = &[WrongForm { of: &WEIGHT_AS_MASS, write: weight_as_mass }];
+
+/// The term with a sine or a cosine beside a number, changed: `1 - cos(theta)`.
+fn leaving(term: &Expr, change: &dyn Fn(Expr) -> Expr) -> Expr {
+    match term {
+        Expr::Sum(parts) if parts.iter().any(|part| part.as_number().is_some()) => {
+            let changed = parts.iter().map(|part| match part.as_number() {
+                Some(_) => part.clone(),
+                None => change(part.clone()),
+            });
+            Expr::sum(changed)
+        }
+        other => other.map_children(|part| leaving(part, change)),
+    }
+}
+
+/// The speed of the body, where it is spoken of, as zero.
+fn body_at_rest(law: &Taught<'_>) -> Vec<Wrong> {
+    let moves = |symbol| law.symbols.entry(symbol).meaning.contains("along the stream");
+    law.replaced(&|symbol| (law.is(symbol, Dimension::VELOCITY) && moves(symbol)).then(Expr::zero))
+}
+
+fn weight_as_mass(law: &Taught<'_>) -> Vec<Wrong> {
+    let gravity = law.symbols.find("g");
+    law.replaced(&|symbol| (gravity == Some(symbol)).then(|| law.unit_acceleration.clone()))
+}
+
+fn logarithm(term: &Expr, instead: &dyn Fn(&Expr) -> Expr) -> Expr {
+    match term {
+        Expr::Apply(Function::Ln, parts) => parts.first().map_or_else(|| term.clone(), instead),
+        other => other.map_children(|part| logarithm(part, instead)),
+    }
+}
+
+/// `(m_1 - m_2) / m_1` for the logarithm of `m_1 / m_2`.
+fn linear(ratio: &Expr) -> Expr {
+    Expr::one() - ratio.clone().powi(-1)
+}
+
+fn to_base_ten(ratio: &Expr) -> Expr {
+    let natural = |term: Expr| Expr::apply(Function::Ln, term);
+    natural(ratio.clone()) / natural(Expr::integer(10))
+}
