@@ -107,7 +107,8 @@ impl Exercise {
         sitting: Sitting,
     ) -> grade::Report {
         let mut expected = Vec::new();
-        let mut answers = answers.clone();
+        let mut answers: BTreeMap<String, String> =
+            answers.iter().map(|(typed, answer)| (self.usual_name(typed).to_owned(), answer.clone())).collect();
         for part in &self.worked().form.parts {
             self.drop_unit_quantity(part, &mut answers);
             let roots = self.expected_roots(part);
@@ -125,11 +126,22 @@ impl Exercise {
         report
     }
 
+    /// The name in the file of what an answer is for, where the student wrote the course's: `J_A` for `I_A`.
+    #[must_use]
+    pub fn usual_name<'a>(&'a self, typed: &'a str) -> &'a str {
+        let notation = self.problem.notation();
+        if notation.is_usual() {
+            return typed;
+        }
+        let parts = &self.worked().form.parts;
+        parts.iter().map(|part| part.id.as_str()).find(|id| *id == typed || notation.name(id) == typed).unwrap_or(typed)
+    }
+
     /// An answer in terms of a quantity is read as the number before it: `0.75 v_A1` as 0.75.
     fn drop_unit_quantity(&self, part: &Part, answers: &mut BTreeMap<String, String>) {
         let PartKind::Number(NumberPart { unit: AskedUnit::InTermsOf(symbol), .. }) = &part.kind else { return };
         let Some(answer) = answers.get_mut(&part.id) else { return };
-        let name = &self.problem.model().symbols.entry(*symbol).name;
+        let name = &self.problem.name_of(*symbol);
         let typed = answer.trim_end();
         let number = typed.strip_suffix(name.as_str()).or_else(|| typed.strip_suffix(&name.replace('_', "")));
         if let Some(number) = number {
