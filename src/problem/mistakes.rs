@@ -28,6 +28,7 @@ use super::regimes::Leaf;
 use super::restricted::Restricted;
 use super::rounding::half_unit;
 use super::variant::Worked;
+use super::vector::VectorPart;
 
 /// The mistakes of a form, one list for each way in which its scene can go; empty until they are asked for.
 #[derive(Clone, Debug, Default)]
@@ -208,6 +209,14 @@ impl<'a> Worked<'a> {
             }
         };
         values.into_iter().map(|value| value / unit).filter(|value| value.is_finite()).collect()
+    }
+
+    /// What a mistake makes of a vector: its components in the unit of the question.
+    #[must_use]
+    pub fn mistaken_vector(&self, mistake: &Mistake, vector: &VectorPart) -> Vec<Vec<f64>> {
+        let each: Vec<Vec<f64>> = vector.components.iter().map(|own| self.mistaken(mistake, own)).collect();
+        let count = each.iter().map(Vec::len).min().unwrap_or(0);
+        (0..count).map(|place| each.iter().filter_map(|values| values.get(place).copied()).collect()).collect()
     }
 
     /// Whether a mistake changes some answer by more than its tolerance; true where it cannot be made.

@@ -47,6 +47,13 @@ pub enum DecimalFault {
     ExponentTooLarge,
 }
 
+/// The powers of ten that doubles hold exactly.
+#[rustfmt::skip]
+const POWERS_OF_TEN: [f64; 23] = [
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
+    1e21, 1e22,
+];
+
 impl Decimal {
     /// Reads `0.7`, `-3`, `+3`, `.5`, `3.`, `1.2e3`, with no space around it.
     ///
@@ -116,14 +123,20 @@ impl Decimal {
     /// How many figures are written: leading zeros do not count, trailing zeros do; at least one.
     #[must_use]
     pub fn figures(&self) -> usize {
-        digits_of(&self.unscaled).len()
+        match u64::try_from(&self.unscaled.clone().abs()) {
+            Ok(digits) => digits.checked_ilog10().map_or(1, |places| places as usize + 1),
+            Err(_) => digits_of(&self.unscaled).len(),
+        }
     }
 
     /// The fewest figures that the writing can mean: in an integer such as `1200` trailing zeros may only hold the place.
     #[must_use]
     pub fn least_figures(&self) -> usize {
+        if self.scale != 0 {
+            return self.figures();
+        }
         let digits = digits_of(&self.unscaled);
-        if self.scale == 0 { digits.trim_end_matches('0').len().max(1) } else { digits.len() }
+        digits.trim_end_matches('0').len().max(1)
     }
 
     /// The exact value.
@@ -137,6 +150,12 @@ impl Decimal {
     /// The nearest double.
     #[must_use]
     pub fn to_f64(&self) -> f64 {
+        // Digits and powers of ten that doubles hold exactly need one rounding only.
+        let digits = i64::try_from(&self.unscaled).ok().filter(|digits| digits.unsigned_abs() < 1 << 53);
+        if let (Some(digits), Ok(scale @ 0..=22)) = (digits, usize::try_from(self.scale)) {
+            #[allow(clippy::cast_precision_loss, reason = "below 2^53")]
+            return digits as f64 / POWERS_OF_TEN[scale];
+        }
         self.to_rational().to_f64().value()
     }
 

@@ -1,8 +1,20 @@
 //! From a written word to the unit that it names, or to the names nearest to it.
 
+use super::Unit;
 use super::prefix::{PREFIXES, Prefix};
 use super::unit::Symbol;
 use super::units_table::{SPELLINGS, UNITS, UnitRow};
+
+impl Unit {
+    /// Every unit of the table by itself, and those that take prefixes with each of them.
+    pub fn all() -> impl Iterator<Item = Self> {
+        let prefixed = |row: &'static UnitRow| PREFIXES.iter().filter(|_| row.prefixes).map(Some);
+        let symbols = UNITS
+            .iter()
+            .flat_map(move |row| std::iter::once(None).chain(prefixed(row)).map(move |prefix| Symbol { prefix, row }));
+        symbols.filter_map(|symbol| Self::from_powers([(symbol, 1)]))
+    }
+}
 
 /// How many near names an unknown unit is answered with.
 const MOST_NEAR: usize = 3;
@@ -70,7 +82,6 @@ fn names(row: &'static UnitRow) -> impl Iterator<Item = &'static str> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::quantity::Unit;
 
     #[test]
     fn every_name_has_one_meaning() {

@@ -74,6 +74,11 @@ impl<'a> Target<'a> {
         self.tolerance
     }
 
+    /// How far an answer may lie from the value that is known of the right one.
+    pub(super) fn reach(&self) -> f64 {
+        self.tolerance + self.expected.error
+    }
+
     /// Whether the tolerance alone accepts the number.
     pub(super) fn within_tolerance(&self, number: &Number) -> bool {
         self.is_within(number, Limit::Tolerance)

@@ -14,7 +14,16 @@ pub(super) fn power_of_ten(target: &Target, number: &Number) -> Option<isize> {
     if target.expected.cyclic || target.expected.whole || number.is_zero() || target.value() == 0.0 {
         return None;
     }
+    let (given, value, reach) = (number.to_f64(), target.value(), 2.0 * target.reach());
+    let is_near = |power: isize| {
+        #[allow(clippy::cast_precision_loss, reason = "a power of at most nine")]
+        let scaled = given * libm::pow(10.0, -power as f64);
+        (scaled - value).abs() <= reach + 1e-9 * (scaled.abs() + value.abs())
+    };
     let is_right = |power: &isize| {
+        if !is_near(*power) {
+            return false;
+        }
         let scale = Number::exact(Rational::from(10).pow(-power));
         number.times(&scale).is_some_and(|scaled| target.within_tolerance(&scaled))
     };
