@@ -17,6 +17,15 @@ fn written_numbers(printed: &Printed) -> Vec<(String, DecimalMark)> {
     styles.map(|text| (text, DecimalMark::Point)).into_iter().chain(with_comma).collect()
 }
 
+/// The first misreading of each kind.
+fn shown(found: &[String]) -> String {
+    let mut kinds: Vec<&str> = found.iter().map(|own| own.split_once(' ').map_or("", |(_, unit)| unit)).collect();
+    kinds.sort_unstable();
+    kinds.dedup();
+    kinds.truncate(60);
+    kinds.join("\n")
+}
+
 /// Why what was printed is not read as itself; nothing where it is.
 fn misread(printed: &Printed, unit: &Unit) -> Vec<String> {
     let asked = ExpectedKind::Number(ExpectedNumber::new(1.0, unit.clone()));
@@ -55,7 +64,7 @@ fn every_unit_is_read_as_it_is_printed() {
             found.extend(misread(own, &unit));
         }
     }
-    assert!(found.is_empty(), "{} are misread:\n{}", found.len(), found[..found.len().min(40)].join("\n"));
+    assert!(found.is_empty(), "{} are misread:\n{}", found.len(), shown(&found));
 }
 
 #[test]
@@ -70,7 +79,7 @@ fn products_and_powers_are_read_as_they_are_printed() {
             found.extend(misread(&printed, &own));
         }
     }
-    assert!(found.is_empty(), "{} are misread:\n{}", found.len(), found[..found.len().min(40)].join("\n"));
+    assert!(found.is_empty(), "{} are misread:\n{}", found.len(), shown(&found));
 }
 
 proptest! {

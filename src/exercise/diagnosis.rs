@@ -7,6 +7,7 @@ use crate::laws::wrong::Misconception;
 use crate::problem::Mistake;
 use crate::problem::NumberPart;
 use crate::problem::PartKind;
+use crate::problem::Simulated;
 
 use super::marking::Marking;
 
@@ -44,12 +45,12 @@ impl Marking<'_> {
         match self.answered(place)? {
             (PartKind::Number(number), grade::ExpectedKind::Number(right), answer) => {
                 let answer = diagnose::number(right, answer).filter(|own| !diagnose::is_coarse(right, *own))?;
-                let (mistakes, values) = self.outcomes(|mistake| self.worked.mistaken(mistake, number));
+                let (mistakes, values) = self.outcomes(|all, mistake| all.answers(mistake, number));
                 Some(picked(&mistakes, diagnose::matching(right, answer, &values)))
             }
             (PartKind::Vector(vector), grade::ExpectedKind::Vector(right), answer) => {
                 let answer = diagnose::components(right, answer)?;
-                let (mistakes, values) = self.outcomes(|mistake| self.worked.mistaken_vector(mistake, vector));
+                let (mistakes, values) = self.outcomes(|all, mistake| all.vectors(mistake, vector));
                 Some(picked(&mistakes, diagnose::matching_vectors(right, &answer, &values)))
             }
             _ => None,
@@ -57,9 +58,10 @@ impl Marking<'_> {
     }
 
     /// What every mistake makes of an answer.
-    fn outcomes<T>(&self, of: impl Fn(&Mistake) -> Vec<T>) -> (Vec<&Mistake>, Vec<T>) {
+    fn outcomes<T>(&self, of: impl Fn(&Simulated<'_>, &Mistake) -> Vec<T>) -> (Vec<&Mistake>, Vec<T>) {
+        let simulated = self.simulated.get_or_init(|| self.worked.simulated());
         let mistakes = self.worked.mistakes().iter();
-        mistakes.flat_map(|mistake| of(mistake).into_iter().map(move |value| (mistake, value))).unzip()
+        mistakes.flat_map(|mistake| of(simulated, mistake).into_iter().map(move |value| (mistake, value))).unzip()
     }
 
     /// What is said of the mistakes that lead to an answer; nothing where there are none.

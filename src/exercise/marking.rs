@@ -1,6 +1,7 @@
 //! Marking a variant: answers are dealt out to what is expected, judged, and looked at again where they are wrong.
 
 use std::borrow::Cow;
+use std::cell::OnceCell;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -9,6 +10,7 @@ use crate::grade::Expected;
 use crate::grade::Reading;
 use crate::problem::Part;
 use crate::problem::PartKind;
+use crate::problem::Simulated;
 use crate::problem::Worked;
 
 use super::Exercise;
@@ -37,6 +39,8 @@ pub(super) struct Marking<'a> {
     pub(super) readings: Vec<Option<Arc<Reading>>>,
     /// The position of the part to which each of what is expected belongs.
     pub(super) parts: Vec<usize>,
+    /// What comes of the usual mistakes, once somebody asks.
+    pub(super) simulated: OnceCell<Simulated<'a>>,
 }
 
 impl Marker {
@@ -51,6 +55,7 @@ impl Marker {
             expected: Vec::with_capacity(count),
             readings: Vec::with_capacity(count),
             parts: Vec::with_capacity(count),
+            simulated: OnceCell::new(),
         };
         for (position, (part, blank)) in worked.form.parts.iter().zip(&self.blanks).enumerate() {
             let text = answers.iter().find(|(id, _)| *id == part.id).map_or("", |(_, text)| *text);

@@ -57,14 +57,15 @@ impl Exercise {
     pub fn mistaken_answers(&self, part: &Part) -> Vec<(&'static str, String)> {
         let worked = self.worked();
         let mut answers = Vec::new();
+        let simulated = worked.simulated();
         for mistake in worked.mistakes() {
             match &part.kind {
                 PartKind::Number(number) => {
-                    let values = worked.mistaken(mistake, number).into_iter();
+                    let values = simulated.answers(mistake, number).into_iter();
                     answers.extend(values.map(|value| (mistake.of.id, self.written(number, value))));
                 }
                 PartKind::Vector(vector) => {
-                    let values = worked.mistaken_vector(mistake, vector).into_iter();
+                    let values = simulated.vectors(mistake, vector).into_iter();
                     answers.extend(values.map(|own| (mistake.of.id, self.written_vector(vector, own.into_iter()))));
                 }
                 PartKind::Range(_) | PartKind::Choice(_) => {}

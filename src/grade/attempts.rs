@@ -56,8 +56,11 @@ fn reduce(part: &mut PartReport, made: u32, hints: u32, rubric: &Rubric) {
         part.message = format!("{} {}", part.message, Message::NoAttemptLeft);
         return;
     }
+    if made == 0 && hints == 0 || part.points == Points::default() {
+        return;
+    }
     let left = rubric.attempts.left(made, hints);
-    if left == Rational::ONE || part.points == Points::default() {
+    if left == Rational::ONE {
         return;
     }
     part.points = Points(&part.points.0 * &left);

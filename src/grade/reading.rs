@@ -7,8 +7,8 @@ use std::sync::Mutex;
 use super::expected::ExpectedKind;
 use super::read::{Answer, DecimalMark, Unreadable, read};
 
-/// So many readings of one part are remembered before all are forgotten.
-const MOST: usize = 2048;
+/// So many readings of one part make a generation.
+const MOST: usize = 1024;
 
 /// An answer as it was read.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,7 +22,32 @@ pub struct Reading {
 /// What was read as answers to one part. Reading knows nothing of the right value, so the same text is always read in the
 /// same way, and need not be read again.
 #[derive(Debug, Default)]
-pub struct Readings(Mutex<HashMap<String, Arc<Reading>>>);
+pub struct Readings(Mutex<Generations>);
+
+/// What was met lately, and what was met before that; what is not met again while one generation fills is forgotten.
+#[derive(Debug, Default)]
+struct Generations {
+    young: HashMap<String, Arc<Reading>>,
+    old: HashMap<String, Arc<Reading>>,
+}
+
+impl Generations {
+    fn find(&mut self, text: &str) -> Option<Arc<Reading>> {
+        if let Some(known) = self.young.get(text) {
+            return Some(Arc::clone(known));
+        }
+        let (text, reading) = self.old.remove_entry(text)?;
+        self.put(text, Arc::clone(&reading));
+        Some(reading)
+    }
+
+    fn put(&mut self, text: String, reading: Arc<Reading>) {
+        if self.young.len() >= MOST {
+            self.old = std::mem::take(&mut self.young);
+        }
+        self.young.insert(text, reading);
+    }
+}
 
 impl Reading {
     /// Reads an answer; nothing where there is none.
@@ -40,17 +65,14 @@ impl Reading {
 impl Readings {
     /// The same, from memory where the text was read before. Every text must be one for the same part and the same mark.
     pub fn read(&self, text: &str, asked: &ExpectedKind, mark: DecimalMark) -> Option<Arc<Reading>> {
-        if let Ok(known) = self.0.lock()
-            && let Some(reading) = known.get(text)
+        if let Ok(mut known) = self.0.lock()
+            && let Some(reading) = known.find(text)
         {
-            return Some(Arc::clone(reading));
+            return Some(reading);
         }
         let reading = Arc::new(Reading::of(text, asked, mark)?);
         if let Ok(mut known) = self.0.lock() {
-            if known.len() >= MOST {
-                known.clear();
-            }
-            known.insert(text.to_owned(), Arc::clone(&reading));
+            known.put(text.to_owned(), Arc::clone(&reading));
         }
         Some(reading)
     }
@@ -74,6 +96,7 @@ mod tests {
             }
         }
         assert!(readings.read(" ", &asked, DecimalMark::Point).is_none());
-        assert!(readings.0.lock().unwrap().len() <= MOST);
+        let known = readings.0.lock().unwrap();
+        assert!(known.young.len() <= MOST && known.old.len() <= MOST);
     }
 }

@@ -223,6 +223,9 @@ impl fmt::Display for Report {
 /// With at most two decimals: `1.5`, `2`.
 impl fmt::Display for Points {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.0.is_int() {
+            return write!(out, "{}", self.0.numerator());
+        }
         let scaled = (&self.0 * Rational::from(10_u32.pow(DECIMALS))).round();
         let printed = Decimal::from_scaled(i128::try_from(scaled).unwrap_or_default(), DECIMALS).to_string();
         out.write_str(printed.trim_end_matches('0').trim_end_matches('.'))

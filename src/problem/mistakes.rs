@@ -12,7 +12,11 @@ use crate::laws::wrong::reading::MISREADINGS;
 use crate::laws::wrong::reading::SLIPS;
 use crate::laws::wrong::reading::SlipOf;
 use crate::quantity::Unit;
+use crate::solve::Batch;
+use crate::solve::BatchValues;
+use crate::solve::BatchWriter;
 use crate::solve::Bounded;
+use crate::solve::Plan;
 use crate::solve::Program;
 use crate::solve::Real;
 use crate::solve::System;
@@ -30,9 +34,17 @@ use super::rounding::half_unit;
 use super::variant::Worked;
 use super::vector::VectorPart;
 
-/// The mistakes of a form, one list for each way in which its scene can go; empty until they are asked for.
+/// The mistakes of a form, for each way in which its scene can go; empty until they are asked for.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Mistakes(Arc<OnceLock<Vec<Vec<Mistake>>>>);
+pub(super) struct Mistakes(Arc<OnceLock<Vec<Planned>>>);
+
+/// The mistakes of one way in which a scene can go, with the tape of all that are made straight on.
+#[derive(Clone, Debug)]
+pub(super) struct Planned {
+    list: Vec<Mistake>,
+    inputs: Vec<Symbol>,
+    batch: Batch,
+}
 
 /// One way of making one usual mistake.
 #[derive(Clone, Debug)]
@@ -48,11 +60,27 @@ pub struct Mistake {
 #[derive(Clone, Debug)]
 enum Made {
     /// The system has a wrong equation.
-    Solved(Vec<Solver>),
+    Solved(Vec<Way>),
     /// Some givens are taken too large or too small by a factor.
     Misread(Arc<Solver>, Vec<(Symbol, f64)>),
     /// The right value is written down wrongly.
     Written(SlipOf, fn(f64) -> f64),
+}
+
+/// How the values that come of a mistake are found.
+#[derive(Clone, Debug)]
+enum Way {
+    /// At this place of the batch.
+    Batched(usize),
+    /// By a program of its own, which chooses among roots.
+    Alone(Box<Solver>),
+}
+
+/// What comes of every usual mistake with the numbers of a variant.
+#[derive(Debug)]
+pub struct Simulated<'a> {
+    worked: Worked<'a>,
+    batch: Option<BatchValues<'a>>,
 }
 
 /// A program for some of the quantities that are asked, with what chooses among its roots.
@@ -64,6 +92,7 @@ pub(super) struct Solver {
     strict: Option<Program>,
     /// Without them: a wrong value need not be a possible one.
     loose: Program,
+    plan: Plan,
 }
 
 thread_local! {
@@ -72,21 +101,23 @@ thread_local! {
 }
 
 impl Mistakes {
-    pub(super) fn of_leaf(&self, problem: &Problem, form: &Form, leaf: usize) -> &[Mistake] {
+    pub(super) fn of_leaf(&self, problem: &Problem, form: &Form, leaf: usize) -> Option<&Planned> {
         let all = self.0.get_or_init(|| form.solver.leaves().iter().map(|leaf| planned(problem, form, leaf)).collect());
-        all.get(leaf).map_or(&[], Vec::as_slice)
+        all.get(leaf)
     }
 }
 
-fn planned(problem: &Problem, form: &Form, leaf: &Leaf) -> Vec<Mistake> {
+fn planned(problem: &Problem, form: &Form, leaf: &Leaf) -> Planned {
     let used: BTreeSet<usize> = leaf.answer_steps().iter().flat_map(|step| step.equations.iter().copied()).collect();
     let wanted: Vec<Symbol> = form.wanted().collect();
+    let inputs: Vec<Symbol> = form.told.iter().copied().collect();
+    let mut batch = BatchWriter::new(&inputs);
     let mut mistakes: Vec<Mistake> = Vec::new();
     for mistaken in problem.model().mistaken(&leaf.system, &used, &form.told, problem.units()) {
-        let solvers = Solver::each(&mistaken.system, &form.told, &wanted);
-        if !solvers.is_empty() {
-            let made = Made::Solved(solvers);
-            mistakes.push(Mistake { of: mistaken.of, instance: Some(mistaken.instance), made });
+        let solvers = Solver::each(&mistaken.system, &form.told, &wanted).into_iter();
+        let ways: Vec<Way> = solvers.map(|solver| solver.into_batch(&mistaken.system, &mut batch)).collect();
+        if !ways.is_empty() {
+            mistakes.push(Mistake { of: mistaken.of, instance: Some(mistaken.instance), made: Made::Solved(ways) });
         }
     }
     let right = Restricted::new(&leaf.system, used);
@@ -98,7 +129,7 @@ fn planned(problem: &Problem, form: &Form, leaf: &Leaf) -> Vec<Mistake> {
         instance: None,
         made: Made::Written(slip.to, slip.written),
     }));
-    mistakes
+    Planned { list: mistakes, inputs, batch: batch.finish() }
 }
 
 /// Every unit that some given has and that is often overlooked: of all its givens, and of each alone.
@@ -142,7 +173,16 @@ impl Solver {
         let compile = |system: &System| Program::compile(system, &audit, &inputs, wanted, Verify::Redundant).ok();
         let strict = if several { compile(system) } else { None };
         let bare = System { conditions: Vec::new(), ..system.clone() };
-        Some(Self { wanted: wanted.to_vec(), strict, loose: compile(&bare)?, inputs })
+        Some(Self { wanted: wanted.to_vec(), strict, loose: compile(&bare)?, inputs, plan: audit.plan.clone() })
+    }
+
+    /// Its place in the batch, where it has nothing to choose and nothing to judge.
+    fn into_batch(self, system: &System, batch: &mut BatchWriter) -> Way {
+        let plain = self.strict.is_none() && self.loose.is_plain();
+        match batch.add(system, &self.plan, &[], &self.wanted).filter(|_| plain) {
+            Some(place) => Way::Batched(place),
+            None => Way::Alone(Box::new(self)),
+        }
     }
 
     /// What the program takes, in order.
@@ -178,20 +218,22 @@ impl Problem {
     }
 }
 
-impl<'a> Worked<'a> {
-    /// The usual mistakes that can be made with this variant's form. They are planned when this is first called.
-    #[must_use]
-    pub fn mistakes(&self) -> &'a [Mistake] {
-        self.form.mistakes.of_leaf(self.problem, self.form, self.variant.leaf())
-    }
-
+impl<'a> Simulated<'a> {
     /// What a mistake makes of the answer to a part, in the unit of the question; none where it cannot be made there.
     #[must_use]
-    pub fn mistaken(&self, mistake: &Mistake, number: &NumberPart) -> Vec<f64> {
-        let unit = self.unit_of(number);
-        let told = |symbol: Symbol| self.variant.value(symbol);
-        let values = match &mistake.made {
-            Made::Solved(solvers) => solvers.iter().flat_map(|solver| solver.values(number.symbol, &told)).collect(),
+    pub fn answers(&self, mistake: &Mistake, number: &NumberPart) -> Vec<f64> {
+        let unit = self.worked.unit_of(number);
+        let told = |symbol: Symbol| self.worked.variant.value(symbol);
+        let mut values: Vec<f64> = match &mistake.made {
+            Made::Solved(ways) => {
+                let of_way = |way: &Way| match way {
+                    Way::Batched(place) => {
+                        self.batch.as_ref().and_then(|batch| batch.value(*place, number.symbol)).into_iter().collect()
+                    }
+                    Way::Alone(solver) => solver.values(number.symbol, &told),
+                };
+                ways.iter().flat_map(of_way).collect()
+            }
             Made::Misread(right, read) => {
                 let misread = |symbol: Symbol| {
                     let factor = read.iter().find(|(own, _)| *own == symbol).map_or(1.0, |(_, factor)| *factor);
@@ -201,28 +243,53 @@ impl<'a> Worked<'a> {
             }
             Made::Written(to, written) => {
                 let fits = match to {
-                    SlipOf::Signed => self.is_signed(number),
+                    SlipOf::Signed => self.worked.is_signed(number),
                     SlipOf::Angle => number.plain_unit().factor().pi != 0,
                     SlipOf::Count => number.whole,
                 };
                 told(number.symbol).filter(|_| fits).map(|value| written(value.value)).into_iter().collect()
             }
         };
-        values.into_iter().map(|value| value / unit).filter(|value| value.is_finite()).collect()
+        values.iter_mut().for_each(|value| *value /= unit);
+        values.retain(|value| value.is_finite());
+        values
     }
 
     /// What a mistake makes of a vector: its components in the unit of the question.
     #[must_use]
-    pub fn mistaken_vector(&self, mistake: &Mistake, vector: &VectorPart) -> Vec<Vec<f64>> {
-        let each: Vec<Vec<f64>> = vector.components.iter().map(|own| self.mistaken(mistake, own)).collect();
+    pub fn vectors(&self, mistake: &Mistake, vector: &VectorPart) -> Vec<Vec<f64>> {
+        let each: Vec<Vec<f64>> = vector.components.iter().map(|own| self.answers(mistake, own)).collect();
         let count = each.iter().map(Vec::len).min().unwrap_or(0);
         (0..count).map(|place| each.iter().filter_map(|values| values.get(place).copied()).collect()).collect()
+    }
+}
+
+impl<'a> Worked<'a> {
+    /// The usual mistakes that can be made with this variant's form. They are planned when this is first called.
+    #[must_use]
+    pub fn mistakes(&self) -> &'a [Mistake] {
+        self.planned().map_or(&[], |planned| planned.list.as_slice())
+    }
+
+    fn planned(&self) -> Option<&'a Planned> {
+        self.form.mistakes.of_leaf(self.problem, self.form, self.variant.leaf())
+    }
+
+    /// Makes every mistake with the numbers of this variant.
+    #[must_use]
+    pub fn simulated(&self) -> Simulated<'a> {
+        let batch = self.planned().and_then(|planned| {
+            let inputs: Option<Vec<Bounded>> = planned.inputs.iter().map(|own| self.variant.value(*own)).collect();
+            Some(planned.batch.run(&inputs?))
+        });
+        Simulated { worked: *self, batch }
     }
 
     /// Whether a mistake changes some answer by more than its tolerance; true where it cannot be made.
     #[must_use]
     pub fn tells_apart(&self, mistake: &str) -> bool {
         let mut possible = false;
+        let simulated = self.simulated();
         let numbers = || {
             self.form.parts.iter().filter_map(|part| match &part.kind {
                 PartKind::Number(number) => Some(number),
@@ -238,7 +305,7 @@ impl<'a> Worked<'a> {
                     Tolerance::ToFigures => half_unit(right, number.figures),
                 };
                 let allowed = allowed.max(self.judged(number).allowance);
-                for value in self.mistaken(mistake, number) {
+                for value in simulated.answers(mistake, number) {
                     possible = true;
                     if (value - right).abs() > allowed {
                         return true;

@@ -58,7 +58,7 @@ pub use given::{ChoiceEntry, Given, GivenEntry, RangeEntry, ValueEntry};
 pub use known::{Known, Origin};
 pub use literal::Literal;
 pub use load::{Loaded, digest, load};
-pub use mistakes::Mistake;
+pub use mistakes::{Mistake, Simulated};
 pub use part::{AskedUnit, NumberPart, Part, PartKind, Tolerance};
 pub use planned::{Form as PlannedForm, Problem, Reveal};
 pub use position::Index;

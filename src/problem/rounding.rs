@@ -32,7 +32,12 @@ impl Worked<'_> {
             AskedUnit::InTermsOf(symbol) => self.value(*symbol).abs(),
         };
         let figures = number.figures.min(usize::from(self.problem.loaded().draft.figures.unwrap_or(3)));
-        Judged { allowance: self.allowance(number.symbol, figures) / unit, scale: self.scale(number.symbol) / unit }
+        let found = self.allowance(number.symbol, figures) / unit;
+        // Whoever converts the result rounds it once more; a decimal multiple leaves its figures as they are.
+        let power = libm::log10(unit.abs());
+        let is_decimal = (power - libm::round(power)).abs() < 1e-9;
+        let written = half_unit(NEXT_DECADE * self.value(number.symbol) / unit, figures);
+        Judged { allowance: if is_decimal { found } else { found + written }, scale: self.scale(number.symbol) / unit }
     }
 
     fn value(&self, symbol: Symbol) -> f64 {

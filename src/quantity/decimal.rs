@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 use std::fmt;
 use std::ops::Neg;
 
-use dashu::base::{Abs, Sign};
+use dashu::base::{Abs, Sign, UnsignedAbs};
 
 use super::{Integer, Rational};
 
@@ -74,8 +74,11 @@ impl Decimal {
         if exponent.abs() > MAX_EXPONENT {
             return Err(DecimalFault::ExponentTooLarge);
         }
-        let unscaled = Integer::from_str_radix(&format!("{whole}{fraction}"), 10);
-        let unscaled = unscaled.map_err(|_| DecimalFault::NotANumber { at: 0 })?;
+        let unscaled = match few_digits(whole, fraction) {
+            Some(unscaled) => Integer::from(unscaled),
+            None => Integer::from_str_radix(&format!("{whole}{fraction}"), 10)
+                .map_err(|_| DecimalFault::NotANumber { at: 0 })?,
+        };
         let scale = i32::try_from(fraction.len()).map_err(|_| DecimalFault::TooManyDigits)? - exponent;
         Ok(Self { unscaled, scale })
     }
@@ -143,8 +146,10 @@ impl Decimal {
     #[must_use]
     pub fn to_rational(&self) -> Rational {
         let power = power_of_ten(self.scale.unsigned_abs() as usize);
-        let value = Rational::from(self.unscaled.clone());
-        if self.scale >= 0 { value / Rational::from(power) } else { value * Rational::from(power) }
+        if self.scale > 0 {
+            return Rational::from_parts(self.unscaled.clone(), power.unsigned_abs());
+        }
+        Rational::from(&self.unscaled * power)
     }
 
     /// The nearest double.
@@ -211,6 +216,19 @@ impl fmt::Display for Decimal {
         let (whole, fraction) = digits.split_at(digits.len() - places);
         write!(out, "{sign}{whole}.{fraction}")
     }
+}
+
+/// The digits before and behind the point as one integer, where there are few of them.
+fn few_digits(whole: &str, fraction: &str) -> Option<i64> {
+    let digits = whole.trim_start_matches(['+', '-']);
+    if digits.len() + fraction.len() > 18 {
+        return None;
+    }
+    let size = digits
+        .bytes()
+        .chain(fraction.bytes())
+        .try_fold(0_i64, |size, digit| digit.is_ascii_digit().then(|| 10 * size + i64::from(digit - b'0')))?;
+    Some(if whole.starts_with('-') { -size } else { size })
 }
 
 /// How many bytes at the start of the text are a number; 0 where none is.

@@ -46,7 +46,7 @@ impl Source {
             let file = File::open(path).map_err(|error| Failure::file(path, "read", &error))?;
             return Ok(Self::Lines(BufReader::new(file), 0));
         }
-        let table = Table::open(path)?;
+        let table = Table::as_it_stands(path)?;
         let columns = Columns::of(table.headings.iter().map(String::as_str));
         for (needed, heading) in [(Key::Problem, "problem"), (Key::Seed, "seed")] {
             if !columns.has(needed) {

@@ -92,13 +92,13 @@ impl Submission {
 
     /// What stands under a key; nothing where there is none.
     pub(super) fn key(&self, key: Key) -> &str {
-        self.columns.keys[key as usize].and_then(|column| self.row.get(column)).unwrap_or_default()
+        self.columns.keys[key as usize].and_then(|column| self.row.get(column)).unwrap_or_default().trim()
     }
 
     /// The parts that were answered, each with the answer.
     pub(super) fn answers(&self) -> impl Iterator<Item = (&str, &str)> {
         let parts = self.columns.parts.iter();
-        let answers = parts.filter_map(|(part, column)| Some((part.as_str(), self.row.get(*column)?)));
+        let answers = parts.filter_map(|(part, column)| Some((part.as_str(), self.row.get(*column)?.trim())));
         answers.filter(|(_, answer)| !answer.is_empty())
     }
 
