@@ -37,7 +37,8 @@ fn misread(printed: &Printed, unit: &Unit) -> Vec<String> {
                 Ok(Answer::Number(answer)) => {
                     let own = answer.unit.clone().unwrap_or_default();
                     let exact = *answer.number.value() == printed.to_decimal().to_rational();
-                    if exact && own == *unit { None } else { Some(format!("`{text}` as {answer:?}")) }
+                    let same = own.dimension() == unit.dimension() && own.factor() == unit.factor();
+                    if exact && same { None } else { Some(format!("`{text}` as {answer:?}")) }
                 }
                 Ok(other) => Some(format!("`{text}` as {other:?}")),
                 Err(fault) => Some(format!("`{text}`: {fault}")),
@@ -72,7 +73,8 @@ fn products_and_powers_are_read_as_they_are_printed() {
     let printed = Printed::new(4.56, 3).expect("it is finite");
     let second = Unit::parse("s").expect("a unit");
     let mut found = Vec::new();
-    for unit in Unit::all() {
+    // A name such as `miles per hour` cannot stand in a product: it would say something else.
+    for unit in Unit::all().filter(|unit| !unit.spoken(true).contains(" per ")) {
         let made =
             [unit.times(&second), unit.per(&second), unit.per(&second).and_then(|own| own.per(&second)), unit.power(2)];
         for own in made.into_iter().flatten().filter(|own| !own.is_none()) {

@@ -170,7 +170,7 @@ fn blank_number(rules: Rules<'_>, part: &Part, name: &str, number: &NumberPart) 
     let signed = SIGNED.iter().any(|start| name.starts_with(start));
     let senses = senses_of(&rules.problem.loaded().draft.scene, name).filter(|_| signed);
     grade::ExpectedNumber {
-        cyclic: unit.factor().pi != 0,
+        cyclic: unit.has_pi(),
         tolerance: match &number.tolerance {
             problem::Tolerance::Relative(fraction) => grade::Tolerance::Relative(fraction.clone()),
             problem::Tolerance::Absolute(distance) => grade::Tolerance::Absolute(distance.clone()),

@@ -92,7 +92,7 @@ struct Suspect {
 /// Suspects that give the right answer here are none.
 #[must_use]
 pub fn matching(expected: &ExpectedNumber, answer: f64, suspects: &[f64]) -> Vec<usize> {
-    let turn = expected.cyclic.then(|| std::f64::consts::TAU / expected.unit.factor().to_f64());
+    let turn = expected.cyclic.then(|| std::f64::consts::TAU / expected.size);
     let distance = |one: f64, other: f64| match turn {
         Some(turn) => libm::fabs(libm::remainder(one - other, turn)),
         None => (one - other).abs(),

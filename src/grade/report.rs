@@ -191,7 +191,13 @@ impl Report {
 
     /// Adds the points up again, where the points of a part were changed.
     pub fn recount(&mut self) {
-        self.total = Points(self.parts.iter().fold(Rational::ZERO, |sum, part| sum + &part.points.0));
+        // Most points are whole, and whole numbers add up without common denominators.
+        let whole =
+            |part: &PartReport| part.points.0.is_int().then(|| i64::try_from(part.points.0.numerator()).ok())?;
+        self.total = Points(match self.parts.iter().map(whole).sum::<Option<i64>>() {
+            Some(sum) => Rational::from(sum),
+            None => self.parts.iter().fold(Rational::ZERO, |sum, part| sum + &part.points.0),
+        });
     }
 
     /// Whether a part has an answer that cannot be read, so that it was not marked.

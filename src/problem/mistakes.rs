@@ -13,7 +13,6 @@ use crate::laws::wrong::reading::SLIPS;
 use crate::laws::wrong::reading::SlipOf;
 use crate::quantity::Unit;
 use crate::solve::Batch;
-use crate::solve::BatchValues;
 use crate::solve::BatchWriter;
 use crate::solve::Bounded;
 use crate::solve::Plan;
@@ -23,16 +22,11 @@ use crate::solve::System;
 use crate::solve::Verify;
 use crate::solve::Workspace;
 
-use super::part::NumberPart;
-use super::part::PartKind;
-use super::part::Tolerance;
 use super::planned::Form;
 use super::planned::Problem;
 use super::regimes::Leaf;
 use super::restricted::Restricted;
-use super::rounding::half_unit;
 use super::variant::Worked;
-use super::vector::VectorPart;
 
 /// The mistakes of a form, for each way in which its scene can go; empty until they are asked for.
 #[derive(Clone, Debug, Default)]
@@ -42,8 +36,8 @@ pub(super) struct Mistakes(Arc<OnceLock<Vec<Planned>>>);
 #[derive(Clone, Debug)]
 pub(super) struct Planned {
     list: Vec<Mistake>,
-    inputs: Vec<Symbol>,
-    batch: Batch,
+    pub(super) inputs: Vec<Symbol>,
+    pub(super) batch: Batch,
 }
 
 /// One way of making one usual mistake.
@@ -54,11 +48,11 @@ pub struct Mistake {
     /// The law that is got wrong, as it is used: a position in [`crate::model::Model::instances`]; none where nothing is
     /// wrong with the laws.
     pub instance: Option<usize>,
-    made: Made,
+    pub(super) made: Made,
 }
 
 #[derive(Clone, Debug)]
-enum Made {
+pub(super) enum Made {
     /// The system has a wrong equation.
     Solved(Vec<Way>),
     /// Some givens are taken too large or too small by a factor.
@@ -69,18 +63,11 @@ enum Made {
 
 /// How the values that come of a mistake are found.
 #[derive(Clone, Debug)]
-enum Way {
+pub(super) enum Way {
     /// At this place of the batch.
     Batched(usize),
     /// By a program of its own, which chooses among roots.
     Alone(Box<Solver>),
-}
-
-/// What comes of every usual mistake with the numbers of a variant.
-#[derive(Debug)]
-pub struct Simulated<'a> {
-    worked: Worked<'a>,
-    batch: Option<BatchValues<'a>>,
 }
 
 /// A program for some of the quantities that are asked, with what chooses among its roots.
@@ -218,52 +205,6 @@ impl Problem {
     }
 }
 
-impl<'a> Simulated<'a> {
-    /// What a mistake makes of the answer to a part, in the unit of the question; none where it cannot be made there.
-    #[must_use]
-    pub fn answers(&self, mistake: &Mistake, number: &NumberPart) -> Vec<f64> {
-        let unit = self.worked.unit_of(number);
-        let told = |symbol: Symbol| self.worked.variant.value(symbol);
-        let mut values: Vec<f64> = match &mistake.made {
-            Made::Solved(ways) => {
-                let of_way = |way: &Way| match way {
-                    Way::Batched(place) => {
-                        self.batch.as_ref().and_then(|batch| batch.value(*place, number.symbol)).into_iter().collect()
-                    }
-                    Way::Alone(solver) => solver.values(number.symbol, &told),
-                };
-                ways.iter().flat_map(of_way).collect()
-            }
-            Made::Misread(right, read) => {
-                let misread = |symbol: Symbol| {
-                    let factor = read.iter().find(|(own, _)| *own == symbol).map_or(1.0, |(_, factor)| *factor);
-                    told(symbol).map(|own| Bounded { value: own.value * factor, error: own.error * factor })
-                };
-                right.values(number.symbol, &misread)
-            }
-            Made::Written(to, written) => {
-                let fits = match to {
-                    SlipOf::Signed => self.worked.is_signed(number),
-                    SlipOf::Angle => number.plain_unit().factor().pi != 0,
-                    SlipOf::Count => number.whole,
-                };
-                told(number.symbol).filter(|_| fits).map(|value| written(value.value)).into_iter().collect()
-            }
-        };
-        values.iter_mut().for_each(|value| *value /= unit);
-        values.retain(|value| value.is_finite());
-        values
-    }
-
-    /// What a mistake makes of a vector: its components in the unit of the question.
-    #[must_use]
-    pub fn vectors(&self, mistake: &Mistake, vector: &VectorPart) -> Vec<Vec<f64>> {
-        let each: Vec<Vec<f64>> = vector.components.iter().map(|own| self.answers(mistake, own)).collect();
-        let count = each.iter().map(Vec::len).min().unwrap_or(0);
-        (0..count).map(|place| each.iter().filter_map(|values| values.get(place).copied()).collect()).collect()
-    }
-}
-
 impl<'a> Worked<'a> {
     /// The usual mistakes that can be made with this variant's form. They are planned when this is first called.
     #[must_use]
@@ -271,55 +212,7 @@ impl<'a> Worked<'a> {
         self.planned().map_or(&[], |planned| planned.list.as_slice())
     }
 
-    fn planned(&self) -> Option<&'a Planned> {
+    pub(super) fn planned(&self) -> Option<&'a Planned> {
         self.form.mistakes.of_leaf(self.problem, self.form, self.variant.leaf())
-    }
-
-    /// Makes every mistake with the numbers of this variant.
-    #[must_use]
-    pub fn simulated(&self) -> Simulated<'a> {
-        let batch = self.planned().and_then(|planned| {
-            let inputs: Option<Vec<Bounded>> = planned.inputs.iter().map(|own| self.variant.value(*own)).collect();
-            Some(planned.batch.run(&inputs?))
-        });
-        Simulated { worked: *self, batch }
-    }
-
-    /// Whether a mistake changes some answer by more than its tolerance; true where it cannot be made.
-    #[must_use]
-    pub fn tells_apart(&self, mistake: &str) -> bool {
-        let mut possible = false;
-        let simulated = self.simulated();
-        let numbers = || {
-            self.form.parts.iter().filter_map(|part| match &part.kind {
-                PartKind::Number(number) => Some(number),
-                PartKind::Vector(_) | PartKind::Range(_) | PartKind::Choice(_) => None,
-            })
-        };
-        for mistake in self.mistakes().iter().filter(|own| own.of.id == mistake) {
-            for number in numbers() {
-                let right = self.answer(number).value;
-                let allowed = match &number.tolerance {
-                    Tolerance::Relative(share) => share.to_f64() * right.abs(),
-                    Tolerance::Absolute(distance) => distance.to_f64(),
-                    Tolerance::ToFigures => half_unit(right, number.figures),
-                };
-                let allowed = allowed.max(self.judged(number).allowance);
-                for value in simulated.answers(mistake, number) {
-                    possible = true;
-                    if (value - right).abs() > allowed {
-                        return true;
-                    }
-                }
-            }
-        }
-        !possible
-    }
-
-    /// Whether the sign of a number says a direction, so that it can be got wrong.
-    fn is_signed(&self, number: &NumberPart) -> bool {
-        let entry = self.problem.model().symbols.entry(number.symbol);
-        let senses = super::say::senses_of(&self.problem.loaded().draft.scene, &entry.name);
-        senses.is_some() && ["v_", "p_", "J_", "F_avg_"].iter().any(|start| entry.name.starts_with(start))
     }
 }

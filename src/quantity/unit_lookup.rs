@@ -31,9 +31,18 @@ fn find_prefixed(word: &str, prefix: &'static Prefix) -> Option<Symbol> {
     let by_symbol = [prefix.symbol].iter().chain(prefix.aliases).find_map(|letter| short(word.strip_prefix(letter)?));
     let by_name = || {
         let rest = word.strip_prefix(prefix.name)?;
-        rows.find(|row| names(row).any(|name| name == rest && name != row.symbol))
+        let spoken = |row: &UnitRow| row.singular == rest || row.plural == rest;
+        rows.find(|row| spoken(row) || row.aliases.contains(&rest) && rest != row.symbol)
     };
     Some(Symbol { prefix: Some(prefix), row: by_symbol.or_else(by_name)? })
+}
+
+/// How many bytes at the start are a name of several words, or one with a hyphen: `nautical miles`, `pound-mass`. Names such as
+/// `miles per hour` are read word by word.
+pub(super) fn long_name(text: &str) -> Option<usize> {
+    let is_whole = |name: &str| !text[name.len()..].starts_with(char::is_alphabetic);
+    let long = UNITS.iter().flat_map(names).filter(|name| name.contains([' ', '-']) && !name.contains(" per "));
+    long.filter(|name| text.starts_with(name) && is_whole(name)).map(str::len).max()
 }
 
 /// What a word that is not a unit's own name stands for.

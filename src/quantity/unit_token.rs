@@ -2,15 +2,13 @@
 
 use crate::fault::Span;
 
+use super::unit_lookup::long_name;
 use super::{UnitFault, UnitFaultKind};
 
 /// The longest text that is read as a unit, in bytes.
 const MAX_LENGTH: usize = 120;
 /// The largest exponent that may be written.
 const MAX_EXPONENT: i32 = 9;
-
-/// What belongs to a name in spite of its hyphen: `pound-mass`, unlike `foot-pound`.
-const SECOND_HALVES: [&str; 4] = ["-mass", "-force", "-years", "-year"];
 
 /// A word or sign of a unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -81,11 +79,8 @@ fn read_sign_or_word(rest: &str, first: char) -> Option<(Token<'_>, usize)> {
         '°' | '%' => return Some((Token::Word(&rest[..first.len_utf8()]), first.len_utf8())),
         letter if letter.is_alphabetic() => {
             let end = rest.find(|next: char| !next.is_alphabetic()).unwrap_or(rest.len());
-            let length = |second: &str| {
-                let behind = rest[end..].strip_prefix(second)?;
-                (!behind.starts_with(char::is_alphabetic)).then_some(second.len())
-            };
-            let word = &rest[..end + SECOND_HALVES.into_iter().find_map(length).unwrap_or(0)];
+            let goes_on = rest[end..].starts_with([' ', '-']);
+            let word = &rest[..goes_on.then(|| long_name(rest)).flatten().unwrap_or(end)];
             let token = match word {
                 "per" => Token::Divide,
                 "square" => Token::Power(2),

@@ -48,7 +48,7 @@ enum Limit {
 
 impl<'a> Target<'a> {
     pub(super) fn new(expected: &'a ExpectedNumber) -> Self {
-        let turn = expected.cyclic.then(|| std::f64::consts::TAU / expected.unit.factor().to_f64());
+        let turn = expected.cyclic.then(|| std::f64::consts::TAU / expected.size);
         let value = turn.map_or(expected.value, |turn| nearest(expected.value, turn));
         let tolerance = match &expected.tolerance {
             _ if expected.whole => 0.0,

@@ -136,7 +136,7 @@ fn unit_and_direction(
     senses: Option<&[String; 2]>,
     asked: &Unit,
 ) -> Result<(Option<Unit>, Option<(Sense, usize)>), (usize, UnreadableKind)> {
-    if arithmetic::begins_number(&text[end..]) && !text[end..].trim_start().starts_with("1/") {
+    if arithmetic::begins_number(&text[end..]) && !text[end..].trim_start_matches([' ', '(']).starts_with("1/") {
         return Err((end + text[end..].len() - text[end..].trim_start().len(), UnreadableKind::SecondNumber));
     }
     // What is a unit of what is asked has no direction behind it; `N` is then a newton.
@@ -198,7 +198,8 @@ pub(super) fn unit(text: &str, from: usize, to: usize) -> Result<Option<Unit>, (
         let at = (start + fault.span.start).saturating_sub(shift);
         (at, UnreadableKind::Unit(fault))
     };
-    match written.trim_start().strip_prefix('/') {
+    let bare = written.trim_start();
+    match bare.strip_prefix('/').or_else(|| bare.strip_prefix("per ")) {
         // `5 /s`: five per second.
         Some(below) => known_units::parse(&format!("1/{below}")).map_err(|found| fault(found, 1)),
         None => known_units::parse(written).map_err(|found| fault(found, 0)),
