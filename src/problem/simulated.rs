@@ -23,7 +23,7 @@ pub struct Simulated<'a> {
     batch: Option<BatchValues<'a>>,
 }
 
-impl<'a> Simulated<'a> {
+impl Simulated<'_> {
     /// What a mistake makes of the answer to a part, in the unit of the question; none where it cannot be made there.
     #[must_use]
     pub fn answers(&self, mistake: &Mistake, number: &NumberPart) -> Vec<f64> {
@@ -55,7 +55,9 @@ impl<'a> Simulated<'a> {
                 told(number.symbol).filter(|_| fits).map(|value| written(value.value)).into_iter().collect()
             }
         };
-        values.iter_mut().for_each(|value| *value /= unit);
+        for value in &mut values {
+            *value /= unit;
+        }
         values.retain(|value| value.is_finite());
         values
     }
