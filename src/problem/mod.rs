@@ -46,6 +46,7 @@ mod vector;
 pub use ad_hoc::ad_hoc;
 pub use ask::{Ask, Classifiable, Classify, Conservable, Conserved, Count, Find, Holds, Impulsive, Order, Range, Turn};
 pub use check::check;
+pub use comparison::split_relation;
 pub use compile::{compile, compile_ad_hoc};
 pub use decision::{ChoicePart, Claim, Decision, orders};
 pub use document::{Document, Entry, Kind, Node, Scalar, Style};
