@@ -11,7 +11,6 @@ use crate::bank::Audit;
 use crate::bank::Bank;
 use crate::bank::FormAudit;
 use crate::bank::Outcome;
-use crate::bank::Promise;
 use crate::bank::audit;
 use crate::quantity::Printed;
 

@@ -46,7 +46,11 @@ pub(super) fn write_share(output: &mut Output, audits: &[Audit]) -> Result<(), F
     )?;
     for (audit, form) in idle {
         let name = form.form.as_deref().map_or_else(String::new, |name| format!(", {name}"));
-        let what = if form.simulation.unseen.is_empty() { "its answers".to_owned() } else { form.simulation.unseen.join(", ") };
+        let what = if form.simulation.unseen.is_empty() {
+            "its answers".to_owned()
+        } else {
+            form.simulation.unseen.join(", ")
+        };
         let why = form.simulation.nothing.unwrap_or("nothing was drawn");
         writeln!(output, "  {}{name}: {what}: {why}", audit.problem.as_deref().unwrap_or(&audit.file))?;
     }

@@ -34,6 +34,9 @@ const TOLERANCES: [f64; 2] = [1e-11, 1e-9];
 /// By which share of itself an input is changed to see what its own error does.
 const NUDGE: f64 = 1e-6;
 
+/// The share of a value that its bound has to be for the value to count as one that is not zero.
+const NEAR_ZERO: f64 = 1e-4;
+
 /// What the simulation of a form comes to.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Simulated {
@@ -152,13 +155,16 @@ impl<'a> Trial<'a> {
                     comparison.said, comparison.found
                 ));
             }
-            let size = comparison.said.abs().max(comparison.found.abs());
-            if size > 0.0 {
+            let size = comparison.said.abs();
+            // Beside a value that is nothing but rounding, no distance is small.
+            if size > *bound / NEAR_ZERO {
                 simulated.apart = simulated.apart.max(apart / size);
                 simulated.bound = simulated.bound.max(bound / size);
             }
         }
-        let wrong = |answer: &Answer<'_>| parts::agrees(self.worked, &self.case, &witness, answer, TOLERANCES[0]) == Some(false);
+        let wrong = |answer: &Answer<'_>| {
+            parts::agrees(self.worked, &self.case, &witness, answer, TOLERANCES[0]) == Some(false)
+        };
         let answer = Answer::all(self.worked).into_iter().find(wrong)?;
         Some(format!("the answer to {} is another one by simulation", answer.id()))
     }
@@ -191,4 +197,99 @@ fn compared(worked: &Worked<'_>, witness: &Witness<'_>) -> BTreeMap<String, Comp
     let mut all = witness.comparisons();
     all.extend(parts::comparisons(worked, witness));
     all
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test says bluntly what it expects")]
+mod tests {
+    use super::*;
+    use crate::expr::Symbol;
+    use crate::fault::Source;
+    use crate::problem::compile;
+    use crate::problem::load;
+    use crate::scene::Scene;
+    use crate::scene::Stage;
+    use crate::scene::Term;
+
+    const GLANCE: &str = "
+id: a/b
+title: B
+level: intro
+scene:
+  axes: { x: east, y: north }
+  bodies: { A: { name: disc A, mass: m_A }, B: { name: disc B, mass: 2 kg } }
+  stages: [{ impact: { between: [A, B], restitution: e, line_of_impact: 30 deg above +x } }]
+given:
+  m_A: { min: 1, max: 3, step: 0.1, unit: kg }
+  v_A1.x: { min: 2, max: 4, step: 0.1, unit: m/s }
+  v_A1.y: 1 m/s
+  v_B1.x: 0 m/s
+  v_B1.y: 0 m/s
+  e: { min: 0.2, max: 0.8, step: 0.1 }
+text: >
+  Two discs meet, {{ m_A }} at {{ v_A1.x }}; the coefficient of restitution is {{ e }}.
+ask: [{ find: v_A2.x, unit: m/s }, { find: v_B2.y, unit: m/s }, { conserved: energy, of: [A, B] }]
+";
+
+    fn problem() -> Problem {
+        compile(load(Source::new("b.yaml", GLANCE)).unwrap(), None).unwrap()
+    }
+
+    /// What is said of the first variant of a scene that takes the place of the problem's.
+    fn differing(change: impl Fn(&mut Scene), said: impl Fn(&Problem) -> Vec<(Symbol, f64)>) -> Option<String> {
+        let problem = problem();
+        let variant = Sampler::new(&problem, 0).unwrap().variant(1).unwrap();
+        let mut scene = problem.loaded().draft.scene.clone();
+        change(&mut scene);
+        let worked = Worked::new(&problem, &variant).unwrap();
+        let case = Case { problem: &problem, scene: &scene, variant: &variant, said: said(&problem) };
+        Trial::new(&worked, case).differing(&mut Simulated::default())
+    }
+
+    #[test]
+    fn what_the_laws_find_is_what_a_simulation_finds() {
+        let (outcome, simulated) = agrees(&problem(), 0, 4);
+        assert_eq!(outcome, Outcome::Kept);
+        assert_eq!((simulated.seeds, simulated.witnessed.len(), simulated.unseen.len()), (4, 3, 0));
+        assert!(simulated.apart < 1e-9 && simulated.bound < 1e-6, "{simulated:?}");
+    }
+
+    #[test]
+    fn laws_of_another_scene_are_found_out() {
+        let turned = |scene: &mut Scene| {
+            let Some(Stage::Impact(impact)) = scene.stages.first_mut() else { panic!("an impact") };
+            impact.line_of_impact = Some(Term("30.000001 deg above +x".to_owned()));
+        };
+        let said = differing(turned, |_| Vec::new());
+        assert!(said.is_some_and(|said| said.starts_with("`J_A")), "the impulses come first");
+    }
+
+    #[test]
+    fn a_choice_that_the_simulation_does_not_find_is_found_out() {
+        let elastic = |scene: &mut Scene| {
+            let Some(Stage::Impact(impact)) = scene.stages.first_mut() else { panic!("an impact") };
+            (impact.restitution, impact.elastic) = (None, true);
+        };
+        let problem = problem();
+        let variant = Sampler::new(&problem, 0).unwrap().variant(1).unwrap();
+        let mut scene = problem.loaded().draft.scene.clone();
+        elastic(&mut scene);
+        let worked = Worked::new(&problem, &variant).unwrap();
+        let case = Case { problem: &problem, scene: &scene, variant: &variant, said: Vec::new() };
+        let witness = Witness::new(&case, TOLERANCES[0]);
+        let last = Answer::all(&worked).pop().unwrap();
+        assert_eq!(parts::agrees(&worked, &case, &witness, &last, TOLERANCES[0]), Some(false));
+    }
+
+    #[test]
+    fn an_answer_that_is_wrong_by_a_millionth_is_found_out() {
+        let wrong = |problem: &Problem| {
+            let symbol = problem.model().symbol_of("v_A2.x").unwrap();
+            let variant = Sampler::new(problem, 0).unwrap().variant(1).unwrap();
+            vec![(symbol, variant.value(symbol).unwrap().value * (1.0 + 1e-6))]
+        };
+        let said = differing(|_| (), wrong);
+        assert!(said.is_some_and(|said| said.starts_with("`v_A2.x` is ")));
+        assert_eq!(differing(|_| (), |_| Vec::new()), None);
+    }
 }

@@ -71,7 +71,8 @@ pub(super) fn comparisons(worked: &Worked<'_>, witness: &Witness<'_>) -> BTreeMa
             (_, PartKind::Range(range)) => {
                 let sides = [&range.claim.left, &range.claim.right].map(|side| (side, witness.evaluated(side)));
                 let at = |(side, seen): &(&crate::expr::Expr, Option<super::witness::Seen>)| {
-                    let said = || side.evaluate(&|symbol| worked.variant.value(symbol).map_or(f64::NAN, |own| own.value));
+                    let said =
+                        || side.evaluate(&|symbol| worked.variant.value(symbol).map_or(f64::NAN, |own| own.value));
                     seen.map_or_else(|| (said(), 0.0), |seen| (seen.value, seen.error))
                 };
                 if sides.iter().any(|(_, seen)| seen.is_some()) {
@@ -87,7 +88,13 @@ pub(super) fn comparisons(worked: &Worked<'_>, witness: &Witness<'_>) -> BTreeMa
 }
 
 /// Of an answer that is not compared as a number: whether the simulation finds the same; none where it finds nothing of it.
-pub(super) fn agrees(worked: &Worked<'_>, case: &Case<'_>, witness: &Witness<'_>, answer: &Answer<'_>, tolerance: f64) -> Option<bool> {
+pub(super) fn agrees(
+    worked: &Worked<'_>,
+    case: &Case<'_>,
+    witness: &Witness<'_>,
+    answer: &Answer<'_>,
+    tolerance: f64,
+) -> Option<bool> {
     match answer {
         Answer::Choice { part, ask, .. } => {
             let PartKind::Choice(choice) = &part.kind else { return None };

@@ -134,7 +134,8 @@ impl<'a> Witness<'a> {
 
     /// A component of a velocity of which speed and direction are said.
     fn component(&self, name: &str) -> Option<f64> {
-        let Name { base, subject, instant: Some(Instant::Number(at)), component: Some(letter), .. } = Name::parse(name)?
+        let Name { base, subject, instant: Some(Instant::Number(at)), component: Some(letter), .. } =
+            Name::parse(name)?
         else {
             return None;
         };

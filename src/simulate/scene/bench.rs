@@ -140,7 +140,8 @@ impl<'a> Bench<'a> {
 
     /// Notes the kinetic energy that is lost from one list of masses and velocities to the other.
     pub(super) fn note_energy(&mut self, before: &[(f64, [f64; 2])], after: &[(f64, [f64; 2])]) {
-        let [start, end] = [before, after].map(|all| all.iter().map(|(mass, velocity)| kinetic(*mass, *velocity)).sum());
+        let [start, end] =
+            [before, after].map(|all| all.iter().map(|(mass, velocity)| kinetic(*mass, *velocity)).sum());
         let (start, end): (f64, f64) = (start, end);
         self.note_here("T_lost", start - end, start + end);
         self.note_here("T_gained", end - start, start + end);

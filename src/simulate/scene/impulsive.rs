@@ -36,7 +36,8 @@ pub fn is_impulsive(
         // It is integrated over both contacts.
         let over = |time: f64| {
             let pull = values.any_mass(body) * values.named("g").unwrap_or(1.0);
-            let end = Bench::new(&values, tolerance).integrator(time / 4.0).until(0.0, [0.0], time, &|_, _| [pull]).ok()?;
+            let end =
+                Bench::new(&values, tolerance).integrator(time / 4.0).until(0.0, [0.0], time, &|_, _| [pull]).ok()?;
             Some(end[0])
         };
         return Some(over(1.0 / SHORTER)? > over(1.0)? / 2.0);

@@ -62,7 +62,12 @@ pub fn measure(
 
 /// Measures what is asked of a scene in which nothing happens: its bodies are watched for a while in free motion.
 #[must_use]
-pub fn watch(scene: &Scene, alive: &[&str], asked: Asked<'_>, value: &dyn Fn(&str) -> Option<f64>) -> Option<(f64, f64)> {
+pub fn watch(
+    scene: &Scene,
+    alive: &[&str],
+    asked: Asked<'_>,
+    value: &dyn Fn(&str) -> Option<f64>,
+) -> Option<(f64, f64)> {
     let values = Values { scene, value, index: asked.instant.checked_sub(1)? };
     let axis = along(&values, asked);
     match (asked.base, asked.subject) {

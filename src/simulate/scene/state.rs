@@ -61,7 +61,9 @@ impl Values<'_> {
                     }
                 }
                 Some(Stage::Separate(separate)) => {
-                    if let Some(whole) = separate.from.as_deref().filter(|_| separate.into.iter().any(|own| own == body)) {
+                    if let Some(whole) =
+                        separate.from.as_deref().filter(|_| separate.into.iter().any(|own| own == body))
+                    {
                         body = whole;
                     }
                 }

@@ -87,12 +87,8 @@ impl Touch {
             [rate(state), one[0], one[1], other[0], other[1], force]
         };
         let pressing = Integrator { tolerance: bench.tolerance, longest };
-        let (nearest, most) = pressing.event(
-            0.0,
-            start,
-            &|_, state| slope(state, stiffness * state[0]),
-            &|_, state| rate(state),
-        )?;
+        let (nearest, most) =
+            pressing.event(0.0, start, &|_, state| slope(state, stiffness * state[0]), &|_, state| rate(state))?;
         let e = self.restitution;
         let (_, end) = if e > 0.0 {
             let relaxed = most[0] * (1.0 - e * e);

@@ -89,8 +89,7 @@ impl Values<'_> {
     pub(super) fn of_several(&self, text: &str, variables: &[String]) -> Result<OfSeveral, NothingToSimulate> {
         let table = SymbolTable::default();
         let places = BTreeMap::new();
-        let mut reader =
-            Reader { known: self.value, variables, places, table, found: BTreeMap::new(), missing: false };
+        let mut reader = Reader { known: self.value, variables, places, table, found: BTreeMap::new(), missing: false };
         let parsed: Result<Expr, _> = parse(text.trim(), &mut reader);
         let Reader { places, found, missing, .. } = reader;
         let expr =
@@ -117,7 +116,9 @@ impl Values<'_> {
                 Ok(weight / self.named("g")?)
             }),
         };
-        self.scene.members(body).into_iter().map(own).sum()
+        let whole: f64 = self.scene.members(body).into_iter().map(own).sum::<Result<_, _>>()?;
+        // A mass that drops out of every equation is written as none.
+        if whole > 0.0 { Ok(whole) } else { Err(NothingToSimulate::ValueMissing) }
     }
 
     /// The mass of a body whose motion does not depend on it: 1 kg where it is neither told nor solved.

@@ -43,7 +43,8 @@ impl Pull {
 impl Bench<'_> {
     pub(super) fn central(&mut self, stage: &Central) -> Result<(), NothingToSimulate> {
         let (body, first) = (stage.body.as_str(), self.values.index + 1);
-        let named = |base: &str, instant: usize, part: &str| self.values.named(&format!("{base}_{body}{instant}{part}"));
+        let named =
+            |base: &str, instant: usize, part: &str| self.values.named(&format!("{base}_{body}{instant}{part}"));
         let (length, across) = (named("r", first, "")?, named("v", first, ".theta")?);
         let speed = across.abs();
         let radial = named("v", first, ".r").unwrap_or(0.0) / speed;

@@ -36,7 +36,9 @@ impl Bench<'_> {
         let told = |term: &Option<Term>| term.as_ref().and_then(|term| self.values.term(term).ok());
         let time = told(&stage.duration).or_else(|| self.values.duration().ok());
         let (way, stops) = (told(&stage.distance), stage.until.is_some());
-        let slope = |_: f64, state: &[f64; 3]| [(state[1] + state[2]) / 2.0, accelerations(tension)[0], accelerations(tension)[1]];
+        let slope = |_: f64, state: &[f64; 3]| {
+            [f64::midpoint(state[1], state[2]), accelerations(tension)[0], accelerations(tension)[1]]
+        };
         let quick = accelerations(tension)[0].abs().max(f64::MIN_POSITIVE);
         let start = [0.0, speed, speed];
         let (time, end) = match (stops, time, way) {

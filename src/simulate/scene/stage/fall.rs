@@ -12,7 +12,7 @@ use crate::simulate::scene::nothing::NothingToSimulate;
 const NOTHING: f64 = 1e-18;
 
 /// Bounces after which a path is given up.
-const MOST_BOUNCES: usize = 2_000;
+const MOST_BOUNCES: u32 = 2_000;
 
 impl Bench<'_> {
     pub(super) fn fall(&mut self, stage: &Fall) -> Result<(), NothingToSimulate> {
@@ -58,7 +58,7 @@ impl Bench<'_> {
         for bounce in 1..=MOST_BOUNCES {
             rise = self.bounce(rise, gravity, e)?;
             path += 2.0 * rise;
-            if count.is_some_and(|count| libm::round(count) == f64::from(u32::try_from(bounce).unwrap_or(u32::MAX))) {
+            if count.is_some_and(|count| (count - f64::from(bounce)).abs() < 0.5) {
                 self.note("h_n", rise, 0.0);
             }
             if rise <= NOTHING * height {

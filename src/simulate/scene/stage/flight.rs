@@ -77,7 +77,11 @@ impl Bench<'_> {
         };
         let time = self.ending(tracks, &ends)?;
         for track in tracks {
-            self.note(&self.values.velocity_after(&track.body, track.axis), track.speed + track.falls * time, track.speed);
+            self.note(
+                &self.values.velocity_after(&track.body, track.axis),
+                track.speed + track.falls * time,
+                track.speed,
+            );
             if let Some(start) = track.place {
                 let name = self.values.place_name(&track.body, self.values.index + 2, track.axis);
                 self.note(&name, track.place_at(time), start);

@@ -41,7 +41,7 @@ impl Bench<'_> {
         let touch = Touch { parties, normal, restitution: 0.0 };
         let touch = Touch { restitution: self.restitution(stage, &touch)?, ..touch };
         let parted = touch.run(self)?;
-        if parties.iter().all(|party| party.guide.is_none()) {
+        if stage.loss.is_none() && parties.iter().all(|party| party.guide.is_none()) {
             self.take(&self.values.impact(stage)?)?;
         } else {
             self.note_velocities(&touch, bodies, &parted);

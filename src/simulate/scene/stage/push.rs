@@ -39,8 +39,14 @@ impl Bench<'_> {
             let rest: OfTime = Arc::new(|_| 0.0);
             let slide = Slide { drive, grip: rest, changes: felt.changes, start, speed: before };
             // What is gained from rest, in the velocity that the body has anyhow, is the impulse.
-            let gained = Slide { speed: 0.0, drive: Arc::clone(&slide.drive), grip: Arc::clone(&slide.grip), changes: slide.changes.clone(), start }
-                .run(self, 1.0, Until::Time(end))?;
+            let gained = Slide {
+                speed: 0.0,
+                drive: Arc::clone(&slide.drive),
+                grip: Arc::clone(&slide.grip),
+                changes: slide.changes.clone(),
+                start,
+            }
+            .run(self, 1.0, Until::Time(end))?;
             let slid = slide.run(self, 1.0, Until::Time(end))?;
             self.note(&self.values.velocity_after(&stage.body, axis), slid.speed, before);
             let own = unit(axis).map(|part| part * mass * gained.speed);
@@ -76,8 +82,10 @@ impl Bench<'_> {
         }
         changes.sort_by(f64::total_cmp);
         let sum = |of: [f64; 2]| -> OfTime {
-            let parts: Vec<(f64, OfTime)> =
-                all.iter().map(|(towards, strength)| (towards[0] * of[0] + towards[1] * of[1], Arc::clone(strength))).collect();
+            let parts: Vec<(f64, OfTime)> = all
+                .iter()
+                .map(|(towards, strength)| (towards[0] * of[0] + towards[1] * of[1], Arc::clone(strength)))
+                .collect();
             Arc::new(move |time| parts.iter().map(|(part, strength)| part * strength(time)).sum())
         };
         Ok(Felt { along: sum(along), lifted: sum(turned(along, core::f64::consts::FRAC_PI_2)), changes })
@@ -119,7 +127,8 @@ impl Bench<'_> {
                 let integrator = self.integrator((end - start) / 64.0);
                 let still = integrator.run(start, [0.0], end, &|_, _| [0.0], &|time, _| holds(time))?;
                 if !still.stopped {
-                    return self.stays(body, axis);
+                    self.note(&self.values.velocity_after(body, axis), 0.0, 0.0);
+                    return Ok(());
                 }
                 start = still.time;
             }
@@ -143,10 +152,5 @@ impl Bench<'_> {
 
     fn velocity_or_rest(&self, body: &str, axis: Axis) -> Result<f64, NothingToSimulate> {
         Ok(part(self.values.moving(body)?, axis))
-    }
-
-    fn stays(&mut self, body: &str, axis: Axis) -> Result<(), NothingToSimulate> {
-        self.note(&self.values.velocity_after(body, axis), 0.0, 0.0);
-        Ok(())
     }
 }

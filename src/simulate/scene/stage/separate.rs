@@ -30,7 +30,8 @@ impl Bench<'_> {
             (None, Some(relative)) => self.driven(parties, names, relative)?,
             (None, None) => self.parting(parties, names)?,
         };
-        self.note_parts(stage, names, parties, &apart)
+        self.note_parts(stage, names, parties, &apart);
+        Ok(())
     }
 
     /// A spring between the parts, the first behind the second, that holds so much energy.
@@ -50,7 +51,12 @@ impl Bench<'_> {
     }
 
     /// As strong as one part has to move as seen from the other.
-    fn driven(&mut self, parties: [Party; 2], names: [&str; 2], relative: &Relative) -> Result<Apart, NothingToSimulate> {
+    fn driven(
+        &mut self,
+        parties: [Party; 2],
+        names: [&str; 2],
+        relative: &Relative,
+    ) -> Result<Apart, NothingToSimulate> {
         let direction = match &relative.direction {
             Some(term) => self.values.direction(&term.0)?,
             None => self.values.axes().first().map_or([1.0, 0.0], |axis| unit(*axis)),
@@ -132,16 +138,11 @@ impl Bench<'_> {
         Ok(Apart { velocities: [[end[0], end[1]], [end[2], end[3]]], impulse: [end[4], end[5]] })
     }
 
-    fn note_parts(
-        &mut self,
-        stage: &Separate,
-        names: [&str; 2],
-        parties: [Party; 2],
-        apart: &Apart,
-    ) -> Result<(), NothingToSimulate> {
+    fn note_parts(&mut self, stage: &Separate, names: [&str; 2], parties: [Party; 2], apart: &Apart) {
         let scale = apart.velocities.iter().map(|own| libm::hypot(own[0], own[1])).fold(0.0, f64::max);
         let whole = stage.from.as_deref().unwrap_or(names[0]);
-        for ((name, velocity), (party, sign)) in names.iter().zip(apart.velocities).zip(parties.iter().zip([1.0, -1.0])) {
+        for ((name, velocity), (party, sign)) in names.iter().zip(apart.velocities).zip(parties.iter().zip([1.0, -1.0]))
+        {
             self.note_velocity(name, velocity, scale);
             let impulse = apart.impulse.map(|own| sign * own);
             self.note_impulse(name, impulse, stage.duration.as_ref());
@@ -161,6 +162,5 @@ impl Bench<'_> {
         let [start, end]: [f64; 2] =
             [before, after].map(|all| all.into_iter().map(|(mass, velocity)| kinetic(mass, velocity)).sum());
         self.note_term(stage.energy.as_ref(), end - start, start + end);
-        Ok(())
     }
 }

@@ -28,8 +28,13 @@ impl Bench<'_> {
         let gravity = if friction == 0.0 && slope.along == 0.0 { 0.0 } else { self.values.named("g")? };
         let (drive, grip) = (slope.along * gravity, friction * slope.across * gravity);
         let speed = self.values.velocity_before(body, axis)?;
-        let slide =
-            Slide { drive: Arc::new(move |_| drive), grip: Arc::new(move |_| grip), changes: Vec::new(), start: 0.0, speed };
+        let slide = Slide {
+            drive: Arc::new(move |_| drive),
+            grip: Arc::new(move |_| grip),
+            changes: Vec::new(),
+            start: 0.0,
+            speed,
+        };
         let told = |term: &Option<crate::scene::Term>| term.as_ref().and_then(|term| self.values.term(term).ok());
         let time = told(&stage.duration).or_else(|| self.values.duration().ok());
         let way = told(&stage.distance).or_else(|| told(&stage.height).map(|height| height / slope.along.abs()));

@@ -1,5 +1,7 @@
 //! A body that slides from rest down another, which gives way along its guide: both held together by the force between them.
 
+use core::f64::consts::FRAC_PI_2;
+
 use crate::scene::stage::SlideOff;
 
 use crate::simulate::scene::bench::Bench;
@@ -48,8 +50,8 @@ impl Bench<'_> {
         };
         let integrator = self.integrator(0.1 * libm::sqrt(height / gravity));
         let (time, end) = integrator.event(0.0, [0.0; 7], &slope, &|_, state| {
-            // Written as what is left to sink, so that it is positive at the start.
-            height - state[2]
+            // What is left to sink; where the face ends level, what is left of the quarter of a circle.
+            if bend == 0.0 { height - state[2] } else { FRAC_PI_2 / bend - state[0] }
         })?;
         let scale = libm::sqrt(gravity * height);
         self.note_velocity(body, [end[3], end[4]], scale);

@@ -40,7 +40,9 @@ impl Bench<'_> {
         };
         let speed = match from {
             Place::Lowest => sense * before?,
-            Place::Angle(_) => (self.values.value)(&format!("speed_{body}{instant}")).or(before.ok()).unwrap_or(0.0).abs(),
+            Place::Angle(_) => {
+                (self.values.value)(&format!("speed_{body}{instant}")).or(before.ok()).unwrap_or(0.0).abs()
+            }
         };
         let end = match to {
             Place::Lowest => Some(0.0),
@@ -70,7 +72,8 @@ impl Bench<'_> {
         self.note_here(&format!("h_{body}"), rise, length);
         self.note_term(stage.height.as_ref(), rise, length);
         if let (Ok(mass), true) = (self.values.mass(body), stage.length.is_some()) {
-            for (instant, angle, turning) in [(instant, start, speed / length), (instant + 1, angle, reached / length)] {
+            for (instant, angle, turning) in [(instant, start, speed / length), (instant + 1, angle, reached / length)]
+            {
                 // The cord gives what weight does not: the acceleration towards the fixed end, of the motion as it is there.
                 let inwards = length * turning * turning + gravity * libm::cos(angle);
                 self.note(&format!("tension_{body}{instant}"), mass * inwards, mass * gravity);
