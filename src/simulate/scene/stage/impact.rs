@@ -81,7 +81,8 @@ impl Bench<'_> {
         let outward = self.values.direction(&entry.normal.0)?;
         let moves = entry.velocity.as_ref().map_or(Ok(0.0), |term| self.values.term(term))?;
         self.take(&self.values.impact(stage)?)?;
-        let mass = self.values.any_mass(body);
+        // Without a mass nothing but velocities can be spoken of.
+        let Ok(mass) = self.values.mass(body) else { return Ok(()) };
         let wall = Party { mass: None, velocity: outward.map(|own| own * moves), guide: None };
         let parties = [Party::free(mass, self.values.moving(body)?), wall];
         let normal = outward.map(|own| -own);
