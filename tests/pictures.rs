@@ -135,8 +135,14 @@ fn every_stage_has_its_diagram() {
         // Where nothing acts nothing is drawn; a swing, a ramp and a walk have figures of their own.
         let momentum = |stage: &&Stage| match stage {
             Stage::Slide(slide) => !slide.is_ramp(),
-            Stage::Impact(_) | Stage::Push(_) | Stage::Blow(_) | Stage::Separate(_) | Stage::SlideOff(_) => true,
-            Stage::Spring(_) | Stage::Taut(_) | Stage::Connected(_) => true,
+            Stage::Impact(_)
+            | Stage::Push(_)
+            | Stage::Blow(_)
+            | Stage::Separate(_)
+            | Stage::SlideOff(_)
+            | Stage::Spring(_)
+            | Stage::Taut(_)
+            | Stage::Connected(_) => true,
             _ => false,
         };
         let swing = |stage: &&Stage| matches!(stage, Stage::Swing(_));

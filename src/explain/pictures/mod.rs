@@ -41,8 +41,8 @@ pub(super) fn solution(worked: Worked<'_>) -> Vec<Drawing> {
             let plot = plot::force_plot(&quantities, index);
             [plot, momentum::diagram(&quantities, &compass, index)].into_iter().collect()
         }
-        Stage::Slide(slide) if slide.is_ramp() => vec![sheet::ramp::drawing(&quantities, &compass, index, slide)],
-        Stage::Swing(swing) => vec![sheet::swing::drawing(&quantities, &compass, index, swing)],
+        Stage::Slide(slide) if slide.is_ramp() => vec![Some(sheet::ramp::drawing(&quantities, &compass, index, slide))],
+        Stage::Swing(swing) => vec![Some(sheet::swing::drawing(&quantities, &compass, index, swing))],
         Stage::Connected(connected) => vec![string::diagram(&quantities, index, connected)],
         Stage::Stream(stream) => vec![sheet::stream::drawing(&quantities, &compass, index, stream)],
         Stage::Thrust(thrust) => vec![sheet::stream::rocket(&quantities, &compass, index, thrust)],

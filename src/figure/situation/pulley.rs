@@ -121,7 +121,7 @@ impl Pulley {
             let half = side.body.outline().support(Point::new(1.0, 0.0));
             if side.rest == Rest::Hanging { half } else { 0.0 }
         });
-        if hanging { WIDE_WHEEL.max((left + right) / 2.0 + GAP) } else { SMALL_WHEEL.max(left.max(right) - GAP) }
+        if hanging { WIDE_WHEEL.max(f64::midpoint(left, right) + GAP) } else { SMALL_WHEEL.max(left.max(right) - GAP) }
     }
 
     fn lay(&self, number: usize, radius: f64, hanging: bool) -> Laid {

@@ -59,7 +59,9 @@ impl Ramp {
                 Some((vectors?, outline.clone().moved(mirrored(place) + up * outline.support(up))))
             })
             .collect();
-        placed.iter().for_each(|(_, outline)| outline.draw(canvas));
+        for (_, outline) in &placed {
+            outline.draw(canvas);
+        }
         for (vectors, mut outline) in placed {
             let at_foot = outline.centre().y < SIZE.y;
             for moving in vectors {

@@ -59,7 +59,7 @@ impl Swing {
         let scales = Scales::of(&shown, LONGEST);
         let outlines: Vec<Body> =
             angles.iter().map(|angle| self.body.outline().moved(Point::polar(CORD, *angle - FRAC_PI_2))).collect();
-        self.draw_pivot(canvas, &angles);
+        draw_pivot(canvas, &angles);
         for outline in &outlines {
             outline.draw(canvas);
             let inward = outline.centre() * (-1.0 / CORD);
@@ -85,14 +85,6 @@ impl Swing {
         }
         if let (Some(height), [first, second]) = (&self.height, &outlines[..]) {
             draw_height(canvas, [first, second], self.ends.iter().any(|end| !end.vectors.is_empty()), height);
-        }
-    }
-
-    fn draw_pivot(&self, canvas: &mut Canvas, angles: &[f64]) {
-        if angles.iter().all(|angle| angle.abs() < STEEPEST_UNDER_CEILING) {
-            draw_support(canvas, Point::ORIGIN, Point::new(0.0, -1.0), CEILING_HALF);
-        } else {
-            canvas.draw(Shape::Circle { centre: Point::ORIGIN, radius: PIVOT, role: Role::Axis });
         }
     }
 
@@ -124,6 +116,15 @@ impl Swing {
             inner += NEXT_ARC;
             taken = angle.abs();
         }
+    }
+}
+
+/// A ceiling, or a pin where the body goes up beside it.
+fn draw_pivot(canvas: &mut Canvas, angles: &[f64]) {
+    if angles.iter().all(|angle| angle.abs() < STEEPEST_UNDER_CEILING) {
+        draw_support(canvas, Point::ORIGIN, Point::new(0.0, -1.0), CEILING_HALF);
+    } else {
+        canvas.draw(Shape::Circle { centre: Point::ORIGIN, radius: PIVOT, role: Role::Axis });
     }
 }
 

@@ -30,7 +30,7 @@ pub(super) fn drawing(quantities: &Quantities<'_>, compass: &Compass) -> Option<
             contact::drawing(quantities, compass, impact).or_else(|| line::drawing(quantities, compass, 0))
         }
         Some(Stage::Push(push)) if is_graph(push) => plot::force_plot(quantities, 0),
-        Some(Stage::Slide(slide)) if slide.is_ramp() => ramp::drawing(quantities, compass, 0, slide),
+        Some(Stage::Slide(slide)) if slide.is_ramp() => Some(ramp::drawing(quantities, compass, 0, slide)),
         Some(Stage::Taut(taut)) if taut.over.is_some() => Some(pulley::taut(quantities, 0, taut)),
         Some(
             Stage::Push(_)
@@ -44,7 +44,7 @@ pub(super) fn drawing(quantities: &Quantities<'_>, compass: &Compass) -> Option<
         ) => line::drawing(quantities, compass, 0),
         Some(Stage::Rotate(rotate)) => central::on_arm(quantities, rotate),
         Some(Stage::Central(stage)) => central::under_force(quantities, stage),
-        Some(Stage::Swing(swing)) => swing::drawing(quantities, compass, 0, swing),
+        Some(Stage::Swing(swing)) => Some(swing::drawing(quantities, compass, 0, swing)),
         Some(Stage::Connected(connected)) => Some(pulley::connected(quantities, 0, connected)),
         Some(Stage::SlideOff(slide)) => Some(ride::slide(quantities, compass, slide)),
         Some(Stage::Walk(walk)) => ride::walk(quantities, compass, 0, walk),

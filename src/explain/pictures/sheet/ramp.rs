@@ -21,7 +21,7 @@ pub(in super::super) fn drawing(
     compass: &Compass,
     index: usize,
     stage: &Slide,
-) -> Option<Drawing> {
+) -> Drawing {
     let falls = stage.way != Some(Way::Up);
     let forwards = if quantities.is_backwards(stage.direction.as_ref()) { -1.0 } else { 1.0 };
     let rightwards = (compass.place([forwards, 0.0])[0] > 0.0) == falls;
@@ -47,5 +47,5 @@ pub(in super::super) fn drawing(
         caption: sentences([format!("{name} on the ramp{at_ends}")]),
     };
     let ramp = Ramp { body: quantities.body(&stage.body, Vec::new()), top, foot, rightwards, height };
-    Some(Situation { wording, layout: Layout::Ramp(ramp), axes: compass.marks() }.drawing())
+    Situation { wording, layout: Layout::Ramp(ramp), axes: compass.marks() }.drawing()
 }

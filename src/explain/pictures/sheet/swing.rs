@@ -25,7 +25,7 @@ pub(in super::super) fn drawing(
     compass: &Compass,
     index: usize,
     stage: &Swing,
-) -> Option<Drawing> {
+) -> Drawing {
     let length = stage.length.as_ref().and_then(|term| quantities.told(term));
     let named = quantities.staged(&format!("h_{}", stage.body), index);
     let height = match &stage.height {
@@ -54,7 +54,7 @@ pub(in super::super) fn drawing(
     let body = quantities.body(&stage.body, Vec::new());
     let height = height.filter(|_| shows_both);
     let swing = crate::figure::Swing { body, ends, length, height };
-    Some(Situation { wording, layout: Layout::Swing(swing), axes: compass.marks() }.drawing())
+    Situation { wording, layout: Layout::Swing(swing), axes: compass.marks() }.drawing()
 }
 
 /// One end of the swing: the angle of the cord on the drawing, and the vectors of the body there.
