@@ -1,9 +1,11 @@
 //! Where a wrong answer comes from, in the words of the problem.
 
+use crate::expr::Expr;
 use crate::grade;
 use crate::grade::Diagnosis;
 use crate::grade::diagnose;
 use crate::laws::wrong::Misconception;
+use crate::problem::FormulaPart;
 use crate::problem::Mistake;
 use crate::problem::NumberPart;
 use crate::problem::PartKind;
@@ -53,8 +55,28 @@ impl Marking<'_> {
                 let (mistakes, values) = self.outcomes(|all, mistake| all.vectors(mistake, vector));
                 Some(picked(&mistakes, diagnose::matching_vectors(right, &answer, &values)))
             }
+            (PartKind::Formula(formula), grade::ExpectedKind::Formula(right), answer) => {
+                Some(self.of_formula(formula, right, answer))
+            }
             _ => None,
         }
+    }
+
+    /// The mistakes that lead to exactly this formula, and to no right one.
+    fn of_formula(&self, part: &FormulaPart, right: &grade::ExpectedFormula, answer: &grade::Answer) -> Vec<&Mistake> {
+        let is = |formula: &Expr, answer: &grade::Answer| {
+            let dimension = formula.dimension(&right.symbols).unwrap_or(right.dimension);
+            let wrong = grade::ExpectedFormula { formula: formula.clone(), dimension, ..right.clone() };
+            let kind = grade::ExpectedKind::Formula(wrong);
+            grade::judge(&grade::Expected { id: String::new(), points: 0, kind }, answer).verdict.is_right()
+        };
+        let truth =
+            grade::Answer::Formula(grade::FormulaAnswer { text: String::new(), formula: right.formula.clone() });
+        let leads = |mistake: &&Mistake| {
+            let formulas = self.worked.mistaken_formulas(mistake, part.symbol);
+            formulas.iter().any(|formula| is(formula, answer) && !is(formula, &truth))
+        };
+        self.worked.mistakes().iter().filter(leads).collect()
     }
 
     /// What every mistake makes of an answer.

@@ -17,6 +17,7 @@ use crate::problem::Problem;
 use crate::problem::Worked;
 use crate::problem::senses_of;
 
+use super::formula::expected_formula;
 use super::rules::Rules;
 
 /// Beginnings of names of signed components, whose direction a student may give in words.
@@ -92,7 +93,7 @@ impl Blank {
         let number = |name: &str, own: &NumberPart| blank_number(rules, part, name, own);
         let mut boundary = None;
         let kind = match &part.kind {
-            PartKind::Choice(_) => {
+            PartKind::Choice(_) | PartKind::Formula(_) => {
                 grade::ExpectedKind::Choice { options: Vec::new(), right: 0, because: String::new() }
             }
             PartKind::Number(own) => grade::ExpectedKind::Number(number(&part.id, own)),
@@ -136,6 +137,7 @@ impl Blank {
                 let ends = interval.map(|interval| [interval.low.map(end), interval.high.map(end)]);
                 [blank.low, blank.high] = ends.unwrap_or_default();
             }
+            (_, PartKind::Formula(formula)) => expected.kind = expected_formula(worked, formula),
             (_, PartKind::Choice(choice)) => {
                 let problem::Decision { options, right, because } = choice.decided(&worked);
                 expected.kind = grade::ExpectedKind::Choice { options, right, because };

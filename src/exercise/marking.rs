@@ -62,7 +62,11 @@ impl Marker {
             let text = without_unit_quantity(worked, part, text);
             let single = blank.filled(worked, part);
             for (expected, text) in shared_out(single, text, worked, part, self.mark) {
-                marking.readings.push(blank.readings.read(&text, &expected.kind, self.mark));
+                // What a formula may contain depends on the way in which the scene goes.
+                marking.readings.push(match &expected.kind {
+                    grade::ExpectedKind::Formula(_) => Reading::of(&text, &expected.kind, self.mark).map(Arc::new),
+                    kind => blank.readings.read(&text, kind, self.mark),
+                });
                 marking.expected.push(expected);
                 marking.parts.push(position);
             }

@@ -39,7 +39,7 @@ impl Exercise {
         }
         let parts = worked.form.parts.iter().map(|part| {
             let text = match &part.kind {
-                PartKind::Choice(_) | PartKind::Range(_) => self.printed(part),
+                PartKind::Choice(_) | PartKind::Formula(_) | PartKind::Range(_) => self.printed(part),
                 PartKind::Vector(vector) => self.rounded_vector(vector, &values),
                 PartKind::Number(number) => match values.get(&number.symbol) {
                     Some(value) => self.written(number, value / worked.unit_of(number)),
@@ -67,6 +67,11 @@ impl Exercise {
                 PartKind::Vector(vector) => {
                     let values = simulated.vectors(mistake, vector).into_iter();
                     answers.extend(values.map(|own| (mistake.of.id, self.written_vector(vector, own.into_iter()))));
+                }
+                PartKind::Formula(part) => {
+                    let formulas = worked.mistaken_formulas(mistake, part.symbol);
+                    let symbols = &self.problem.model().symbols;
+                    answers.extend(formulas.iter().map(|formula| (mistake.of.id, formula.text(symbols))));
                 }
                 PartKind::Range(_) | PartKind::Choice(_) => {}
             }

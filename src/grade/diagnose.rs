@@ -42,6 +42,8 @@ pub fn is_open(verdict: Verdict) -> bool {
             | Verdict::ComponentsExchanged
             | Verdict::ComponentSign
             | Verdict::DirectionWrong
+            | Verdict::FormulaFactor
+            | Verdict::FormulaDimension
     )
 }
 

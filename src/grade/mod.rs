@@ -31,7 +31,7 @@ pub use frequent::WrongAnswer;
 pub use judge::{Judgement, judge};
 pub use messages::Message;
 pub use number::Number;
-pub use read::{Answer, DecimalMark, Unreadable, UnreadableKind, read, read_several};
+pub use read::{Answer, DecimalMark, FormulaAnswer, Unreadable, UnreadableKind, read, read_several};
 pub use reading::{Reading, Readings};
 pub use report::{InputFault, PartReport, Points, Report, grade, grade_read};
 pub use rubric::{Attempts, Keep, Rubric};

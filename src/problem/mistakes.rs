@@ -63,23 +63,22 @@ pub(super) enum Made {
 
 /// How the values that come of a mistake are found.
 #[derive(Clone, Debug)]
-pub(super) enum Way {
-    /// At this place of the batch.
-    Batched(usize),
-    /// By a program of its own, which chooses among roots.
-    Alone(Box<Solver>),
+pub(super) struct Way {
+    pub(super) solver: Solver,
+    /// The place in the batch, where there is nothing to choose and nothing to judge.
+    pub(super) batched: Option<usize>,
 }
 
 /// A program for some of the quantities that are asked, with what chooses among its roots.
 #[derive(Clone, Debug)]
 pub(super) struct Solver {
-    wanted: Vec<Symbol>,
+    pub(super) wanted: Vec<Symbol>,
     inputs: Vec<Symbol>,
+    pub(super) plan: Plan,
     /// With the conditions of a true solution, where there is something to choose.
     strict: Option<Program>,
     /// Without them: a wrong value need not be a possible one.
     loose: Program,
-    plan: Plan,
 }
 
 thread_local! {
@@ -102,7 +101,7 @@ fn planned(problem: &Problem, form: &Form, leaf: &Leaf) -> Planned {
     let mut mistakes: Vec<Mistake> = Vec::new();
     for mistaken in problem.model().mistaken(&leaf.system, &used, &form.told, problem.units()) {
         let solvers = Solver::each(&mistaken.system, &form.told, &wanted).into_iter();
-        let ways: Vec<Way> = solvers.map(|solver| solver.into_batch(&mistaken.system, &mut batch)).collect();
+        let ways: Vec<Way> = solvers.map(|solver| solver.into_way(&mistaken.system, &mut batch)).collect();
         if !ways.is_empty() {
             mistakes.push(Mistake { of: mistaken.of, instance: Some(mistaken.instance), made: Made::Solved(ways) });
         }
@@ -163,13 +162,10 @@ impl Solver {
         Some(Self { wanted: wanted.to_vec(), strict, loose: compile(&bare)?, inputs, plan: audit.plan.clone() })
     }
 
-    /// Its place in the batch, where it has nothing to choose and nothing to judge.
-    fn into_batch(self, system: &System, batch: &mut BatchWriter) -> Way {
+    fn into_way(self, system: &System, batch: &mut BatchWriter) -> Way {
         let plain = self.strict.is_none() && self.loose.is_plain();
-        match batch.add(system, &self.plan, &[], &self.wanted).filter(|_| plain) {
-            Some(place) => Way::Batched(place),
-            None => Way::Alone(Box::new(self)),
-        }
+        let batched = if plain { batch.add(system, &self.plan, &self.wanted) } else { None };
+        Way { solver: self, batched }
     }
 
     /// What the program takes, in order.

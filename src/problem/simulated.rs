@@ -1,5 +1,6 @@
 //! What comes of the usual mistakes with the numbers of one variant.
 
+use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::laws::wrong::reading::SlipOf;
 use crate::solve::BatchValues;
@@ -16,6 +17,9 @@ use super::rounding::half_unit;
 use super::variant::Worked;
 use super::vector::VectorPart;
 
+/// A formula and a program give the same within this share.
+const SAME: f64 = 1e-9;
+
 /// What comes of every usual mistake with the numbers of a variant.
 #[derive(Debug)]
 pub struct Simulated<'a> {
@@ -31,11 +35,11 @@ impl Simulated<'_> {
         let told = |symbol: Symbol| self.worked.variant.value(symbol);
         let mut values: Vec<f64> = match &mistake.made {
             Made::Solved(ways) => {
-                let of_way = |way: &Way| match way {
-                    Way::Batched(place) => {
-                        self.batch.as_ref().and_then(|batch| batch.value(*place, number.symbol)).into_iter().collect()
+                let of_way = |way: &Way| match way.batched {
+                    Some(place) => {
+                        self.batch.as_ref().and_then(|batch| batch.value(place, number.symbol)).into_iter().collect()
                     }
-                    Way::Alone(solver) => solver.values(number.symbol, &told),
+                    None => way.solver.values(number.symbol, &told),
                 };
                 ways.iter().flat_map(of_way).collect()
             }
@@ -72,6 +76,27 @@ impl Simulated<'_> {
 }
 
 impl<'a> Worked<'a> {
+    /// What a mistake makes of a quantity, as formulas in what is given; none where nothing but numbers is got wrong.
+    #[must_use]
+    pub fn mistaken_formulas(&self, mistake: &Mistake, symbol: Symbol) -> Vec<Expr> {
+        let Made::Solved(ways) = &mistake.made else { return Vec::new() };
+        let told = |symbol: Symbol| self.variant.value(symbol);
+        let right = self.every_formula(&self.leaf().audit.plan, symbol);
+        let mut formulas: Vec<Expr> = Vec::new();
+        for solver in ways.iter().map(|way| &way.solver).filter(|solver| solver.wanted.contains(&symbol)) {
+            let values = solver.values(symbol, &told);
+            for formula in self.every_formula(&solver.plan, symbol) {
+                // Of several roots the one that is possible for these numbers.
+                let value = formula.evaluate(&|own| told(own).map_or(f64::NAN, |value| value.value));
+                let taken = values.iter().any(|own| (own - value).abs() <= SAME * value.abs());
+                if taken && !formulas.contains(&formula) && !right.contains(&formula) {
+                    formulas.push(formula);
+                }
+            }
+        }
+        formulas
+    }
+
     /// Makes every mistake with the numbers of this variant.
     #[must_use]
     pub fn simulated(&self) -> Simulated<'a> {
@@ -90,7 +115,7 @@ impl<'a> Worked<'a> {
         let numbers = || {
             self.form.parts.iter().filter_map(|part| match &part.kind {
                 PartKind::Number(number) => Some(number),
-                PartKind::Vector(_) | PartKind::Range(_) | PartKind::Choice(_) => None,
+                PartKind::Vector(_) | PartKind::Formula(_) | PartKind::Range(_) | PartKind::Choice(_) => None,
             })
         };
         for mistake in self.mistakes().iter().filter(|own| own.of.id == mistake) {

@@ -2,7 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use crate::expr::Expr;
 use crate::expr::Symbol;
 
 use super::real::{Real, Sign};
@@ -53,13 +52,9 @@ impl BatchWriter {
         Self { writer, given, inputs: inputs.into_iter().map(|(_, own)| own).collect(), members: Vec::new() }
     }
 
-    /// Adds a plan, with some inputs taken for other terms; gives its place. `None` where the plan has a choice of roots, or a
-    /// search, or uses what is not given.
-    pub fn add(&mut self, system: &System, plan: &Plan, taken: &[(Symbol, Expr)], wanted: &[Symbol]) -> Option<usize> {
+    /// Adds a plan and gives its place. `None` where it has a choice of roots, or a search, or uses what is not given.
+    pub fn add(&mut self, system: &System, plan: &Plan, wanted: &[Symbol]) -> Option<usize> {
         self.writer.symbols.clone_from(&self.given);
-        let taken: Option<Vec<(Symbol, Register)>> =
-            taken.iter().map(|(symbol, term)| Some((*symbol, self.writer.expr(term)?))).collect();
-        self.writer.symbols.extend(taken?);
         let mut unknowns = Vec::new();
         for step in &plan.steps {
             let [root] = step.roots.as_slice() else { return None };
