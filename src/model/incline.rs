@@ -74,12 +74,13 @@ impl Builder<'_> {
             self.faults.push(fault.help(help).at_path(path.clone()));
             return Incline::level();
         }
-        self.slope(term, path)
+        let slope = self.slope(term, path);
+        self.slopes.push(Slope { stage: index, angle: slope.angle.clone(), rises: slope.sign > 0 });
+        slope
     }
 
     fn slope(&mut self, term: &Term, path: &Path) -> Incline {
         let (sign, angle) = self.incline_angle(term, path);
-        self.slopes.push(Slope { stage: index, angle: angle.clone(), rises: sign > 0 });
         let (along, press) = (angle.clone().sin().simplify(), angle.clone().cos().simplify());
         Incline { angle, sign, along, press }
     }
