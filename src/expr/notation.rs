@@ -43,6 +43,14 @@ impl Notation {
         }
     }
 
+    /// Of some usual names the one that is meant by what was typed, in the usual letters or in the course's; what was typed
+    /// where it is none of them.
+    #[must_use]
+    pub fn usual<'a>(&self, names: impl IntoIterator<Item = &'a str>, typed: &'a str) -> &'a str {
+        let meant = |name: &&str| *name == typed || self.name(name) == typed;
+        if self.is_usual() { typed } else { names.into_iter().find(meant).unwrap_or(typed) }
+    }
+
     /// The name, typeset.
     #[must_use]
     pub fn math(&self, name: &str) -> Math {

@@ -42,6 +42,7 @@ mod rubric;
 mod sampler;
 mod say;
 mod schema;
+mod simulated;
 mod stream;
 mod text;
 mod told;
@@ -55,6 +56,7 @@ pub use ask::{
     Range, Turn, WhichRoot,
 };
 pub use check::check;
+pub use comparison::split_relation;
 pub use compile::{compile, compile_ad_hoc};
 pub use course::CourseSymbols;
 pub use decision::{ChoicePart, Claim, Decision, orders};
@@ -81,6 +83,7 @@ pub use rubric::{Keep, OtherUnits, Rubric, Writing};
 pub use sampler::{MOST_ATTEMPTS, NoVariant, Rejection, Sampler};
 pub use say::{quantity as say_quantity, senses_of, trimmed};
 pub use schema::json_schema;
+pub use simulated::Simulated;
 pub use stream::{Scheme, Streams, Words};
 pub use text::{Filter, Piece, Placeholder, Text, is_name};
 pub use variant::{Variant, Worked};

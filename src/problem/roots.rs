@@ -132,9 +132,9 @@ impl Worked<'_> {
             ],
             right: if both { 4 } else { usize::from(!greater) },
             because: if both {
-                "neither breaks a condition of the scene".into()
+                "both values satisfy the equations, and neither breaks a condition of the scene".into()
             } else {
-                format!("with the other value {reason}")
+                "both values satisfy the equations, but only this one the conditions of the scene".into()
             },
         }
     }
