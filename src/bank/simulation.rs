@@ -13,6 +13,7 @@ use crate::problem::Variant;
 use crate::scene::Scene;
 use crate::simulate::scene::NothingToSimulate;
 use crate::simulate::scene::Reached;
+use crate::simulate::scene::Staged;
 use crate::simulate::scene::translate;
 use crate::solve::Bounded;
 
@@ -32,7 +33,7 @@ pub(super) fn agrees(problem: &Problem, form: usize, seeds: u64) -> Outcome {
     let (mut compared, mut nothing) = (0, empty);
     for seed in 1..=seeds.min(SIMULATED) {
         let Ok(variant) = sampler.variant(seed) else { continue };
-        let witness = Witness::new(problem, scene, &variant);
+        let witness = Witness::new(problem, &variant);
         for stage in 0..scene.stages.len() {
             match witness.stage(stage) {
                 Ok(Compared { agreeing, differing: None }) => compared += agreeing,
@@ -46,8 +47,8 @@ pub(super) fn agrees(problem: &Problem, form: usize, seeds: u64) -> Outcome {
     if compared == 0 { Outcome::NotChecked(nothing.reason()) } else { Outcome::Kept }
 }
 
-/// A variant with the quantities of its scene by name.
-struct Witness<'a> {
+/// A variant with the quantities of its scene by name, from which its stages are simulated in order.
+pub struct Witness<'a> {
     problem: &'a Problem,
     scene: &'a Scene,
     variant: &'a Variant,
@@ -63,8 +64,24 @@ struct Compared {
 }
 
 impl<'a> Witness<'a> {
-    fn new(problem: &'a Problem, scene: &'a Scene, variant: &'a Variant) -> Self {
+    /// The witness of a variant.
+    #[must_use]
+    pub fn new(problem: &'a Problem, variant: &'a Variant) -> Self {
+        let scene = &problem.loaded().draft.scene;
         Self { problem, scene, variant, timeline: Timeline::new(scene), reached: RefCell::default() }
+    }
+
+    /// What simulates a stage, counted from 0, after those before it; what it reaches is kept for those that follow.
+    ///
+    /// # Errors
+    /// There is nothing to simulate: why.
+    pub fn staged(&self, stage: usize) -> Result<Staged, NothingToSimulate> {
+        let staged = translate(self.scene, stage, &|name| Some(self.value(name)?.value))?;
+        if let Ok(reached) = staged.run() {
+            let mut known = self.reached.borrow_mut();
+            known.extend(reached.into_iter().map(|found| (found.name, Bounded { value: found.value, error: found.error })));
+        }
+        Ok(staged)
     }
 
     /// The value of a quantity: what the variant has, else what a stage before reached.
@@ -194,7 +211,7 @@ ask: [{ find: v_A2.x, unit: m/s }, { find: v_B2.y, unit: m/s }]
         let mut scene = problem.loaded().draft.scene.clone();
         let Some(Stage::Impact(impact)) = scene.stages.first_mut() else { panic!("an impact") };
         impact.line_of_impact = Some(Term("30.00000001 deg above +x".to_owned()));
-        let compared = Witness::new(&problem, &scene, &variant).stage(0).unwrap();
+        let compared = Witness { scene: &scene, ..Witness::new(&problem, &variant) }.stage(0).unwrap();
         assert!(compared.differing.is_some_and(|said| said.starts_with("`v_A2.x` is ")));
     }
 }

@@ -33,4 +33,5 @@ pub use situation::{
     AngleMark, Central, Contact, Fall, Ground, Height, Layout, Line, Moment, Moving, MovingBody, Partner, Situation,
 };
 pub use svg::svg;
+pub use ticks::Ticks;
 pub use tikz::tikz;

@@ -9,7 +9,7 @@ mod motion;
 mod nothing;
 mod values;
 
-pub use experiment::{Reached, Staged};
+pub use experiment::{Experiment, Reached, Reading, Staged};
 pub use nothing::NothingToSimulate;
 
 use crate::scene::{Scene, Stage};
