@@ -64,7 +64,13 @@ impl Findings {
         }
     }
 
-    fn experiment<const D: usize>(&mut self, name: &str, problem: &Problem, variant: &momentous::problem::Variant, experiment: &Experiment<D>) {
+    fn experiment<const D: usize>(
+        &mut self,
+        name: &str,
+        problem: &Problem,
+        variant: &momentous::problem::Variant,
+        experiment: &Experiment<D>,
+    ) {
         let (world, budget) = (&experiment.world, &experiment.budget);
         let classified = classify(world, budget).unwrap_or_else(|refusal| panic!("{name}: {refusal}"));
         let best = EventDriven.run(world, budget).or_else(|_| RungeKutta { tolerance: 1e-13 }.run(world, budget));

@@ -79,7 +79,9 @@ impl<'a> Witness<'a> {
         let staged = translate(self.scene, stage, &|name| Some(self.value(name)?.value))?;
         if let Ok(reached) = staged.run() {
             let mut known = self.reached.borrow_mut();
-            known.extend(reached.into_iter().map(|found| (found.name, Bounded { value: found.value, error: found.error })));
+            known.extend(
+                reached.into_iter().map(|found| (found.name, Bounded { value: found.value, error: found.error })),
+            );
         }
         Ok(staged)
     }

@@ -16,11 +16,25 @@ fn number(value: &Value) -> f64 {
 fn the_table_of_impacts_is_the_solution_of_the_problem() {
     let room = Room::empty();
     let text = room.fine(&["simulate", "impact/two-carts", "--seed", "7"]);
-    assert!(text.starts_with("impact/two-carts, seed 7\n\nstage 1: A, B along x\n  event driven, the cheapest"), "{text}");
+    assert!(
+        text.starts_with("impact/two-carts, seed 7\n\nstage 1: A, B along x\n  event driven, the cheapest"),
+        "{text}"
+    );
     assert!(text.contains("time in s  between  impulse in N s  energy before in J  energy after in J"), "{text}");
 
     let film = json(&room, &["impact/two-carts", "--seed", "7"])["stages"][0].clone();
-    let solved = room.fine(&["solve", "impact/two-carts", "--seed", "7", "--find", "T_lost", "--find", "J_B", "--format", "json"]);
+    let solved = room.fine(&[
+        "solve",
+        "impact/two-carts",
+        "--seed",
+        "7",
+        "--find",
+        "T_lost",
+        "--find",
+        "J_B",
+        "--format",
+        "json",
+    ]);
     let solved: Value = serde_json::from_str(&solved).unwrap();
     let find = |id: &str| {
         let part = solved["ask"].as_array().unwrap().iter().find(|part| part["id"] == id);
@@ -61,7 +75,9 @@ fn the_balances_hold_in_what_is_plotted() {
 fn the_plots_show_what_was_asked_for() {
     let room = Room::empty();
     let drawing = room.fine(&["simulate", "impact/two-carts", "--format", "svg"]);
-    for part in ["place x", "velocity along x", "momentum along x", "energy", "impacts", "mass centre", "lost in impacts"] {
+    for part in
+        ["place x", "velocity along x", "momentum along x", "energy", "impacts", "mass centre", "lost in impacts"]
+    {
         assert!(drawing.contains(part), "{part}");
     }
     let ball = room.fine(&["simulate", "bouncing/rubber-ball", "--format", "svg"]);
@@ -75,14 +91,30 @@ fn a_picture_is_made_where_the_program_can() {
     let room = Room::empty();
     for arguments in [
         &["simulate", "impact/two-carts", "--format", "png", "-o", "a.png"][..],
-        &["chart", "head-on", "--finest-step", "0.02", "--repetitions", "1", "--format", "png", "--dark", "-o", "a.png"],
+        &[
+            "chart",
+            "head-on",
+            "--finest-step",
+            "0.02",
+            "--repetitions",
+            "1",
+            "--format",
+            "png",
+            "--dark",
+            "-o",
+            "a.png",
+        ],
     ] {
         let ran = room.run(arguments);
         if cfg!(feature = "png") {
             assert_eq!(ran.code, 0, "{}", ran.err);
             assert!(std::fs::read(room.path("a.png")).unwrap().starts_with(b"\x89PNG"));
         } else {
-            assert!(ran.code == 2 && ran.err.contains("--format svg") && ran.err.contains("--features png"), "{}", ran.err);
+            assert!(
+                ran.code == 2 && ran.err.contains("--format svg") && ran.err.contains("--features png"),
+                "{}",
+                ran.err
+            );
         }
     }
 }
@@ -92,7 +124,8 @@ fn a_method_can_be_chosen_and_then_errs_as_it_does() {
     let room = Room::empty();
     let exact = json(&room, &["impact/two-carts"]);
     let coarse = json(&room, &["impact/two-carts", "--method", "penalty", "--accuracy", "0.5"]);
-    let after = |run: &Value| number(&run["stages"][0]["moments"].as_array().unwrap().last().unwrap()["velocities"][0][0]);
+    let after =
+        |run: &Value| number(&run["stages"][0]["moments"].as_array().unwrap().last().unwrap()["velocities"][0][0]);
     assert_eq!(coarse["stages"][0]["method"], "penalty");
     let apart = (after(&exact) - after(&coarse)).abs();
     assert!(apart > 1e-9 && apart < 0.5 * after(&exact).abs().max(1.0), "{apart}");

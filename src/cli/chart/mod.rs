@@ -1,5 +1,6 @@
 //! `momentous chart`
 
+mod certificates;
 mod costs;
 mod diagram;
 mod points;
@@ -17,6 +18,7 @@ use crate::simulate::stability::run_all;
 use super::exit::Exit;
 use super::failure::Failure;
 use super::output::Output;
+use super::plot::Page;
 use super::plot::Theme;
 use super::plot::png;
 
@@ -51,6 +53,9 @@ pub(super) struct Chart {
     /// Measure the table of costs anew, from which `momentous simulate` chooses
     #[arg(long, conflicts_with_all = ["tasks", "from", "stability", "format"])]
     costs: bool,
+    /// Draw the table of certificates and errors that `cargo test --test certificates` writes
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["tasks", "from", "stability", "costs"])]
+    certificates: Option<PathBuf>,
     /// Draw the points of a table that was measured before
     #[arg(long, value_name = "FILE")]
     from: Option<PathBuf>,
@@ -100,11 +105,18 @@ impl Chart {
         match (self.stability, look) {
             (true, Look::Text) => stability_text(&mut text)?,
             (true, Look::Csv) => stability_csv(&mut text)?,
-            (true, Look::Svg | Look::Png) => return Err(Failure::unusable("the stability table is text or csv, not a drawing")),
-            (false, Look::Text) => return Err(Failure::unusable("text is for --stability; a chart is svg, png or csv")),
+            (true, Look::Svg | Look::Png) => {
+                return Err(Failure::unusable("the stability table is text or csv, not a drawing"));
+            }
+            (false, Look::Text) => {
+                return Err(Failure::unusable("text is for --stability; a chart is svg, png or csv"));
+            }
+            (false, Look::Csv) if self.certificates.is_some() => {
+                return Err(Failure::unusable("the certificates are a table already; a chart is svg or png"));
+            }
             (false, Look::Csv) => points::write(&self.rows()?, &mut text)?,
-            (false, Look::Svg) => text.extend(diagram::page(&self.rows()?).svg(Theme::Either).into_bytes()),
-            (false, Look::Png) => text.extend(png(&diagram::page(&self.rows()?), theme(self.dark))?),
+            (false, Look::Svg) => text.extend(self.page()?.svg(Theme::Either).into_bytes()),
+            (false, Look::Png) => text.extend(png(&self.page()?, theme(self.dark))?),
         }
         self.put(&text)
     }
@@ -114,6 +126,13 @@ impl Chart {
         output.write_all(bytes)?;
         output.finish()?;
         Ok(Exit::Fine)
+    }
+
+    fn page(&self) -> Result<Page, Failure> {
+        match &self.certificates {
+            Some(path) => Ok(certificates::page(&certificates::read(path)?)),
+            None => Ok(diagram::page(&self.rows()?)),
+        }
     }
 
     /// The points that were measured before, or are measured now.

@@ -14,9 +14,15 @@ pub(crate) struct Axis {
 
 #[derive(Clone, Copy, Debug)]
 enum Scale {
-    Linear { low: f64, high: f64 },
+    Linear {
+        low: f64,
+        high: f64,
+    },
     /// In powers of ten.
-    Logarithmic { low: f64, high: f64 },
+    Logarithmic {
+        low: f64,
+        high: f64,
+    },
 }
 
 /// The decades of errors: what is smaller counts as exact, what is larger is drawn at the edge.
@@ -61,6 +67,14 @@ impl Axis {
         });
         let scale = Scale::Logarithmic { low: f64::from(EXACT), high: f64::from(LARGEST) };
         Self { label: super::escaped(label), ticks: ticks.collect(), scale }
+    }
+
+    /// Powers of ten from one to another.
+    pub(crate) fn decades(label: &str, low: f64, high: f64) -> Self {
+        let (low, high) = (libm::round(libm::log10(low)), libm::round(libm::log10(high)));
+        let decades = (-300..=300).filter(|decade| (low..=high).contains(&f64::from(*decade)));
+        let ticks = decades.map(|decade| (libm::pow(10.0, f64::from(decade)), power_of_ten(decade))).collect();
+        Self { label: super::escaped(label), scale: Scale::Logarithmic { low, high }, ticks }
     }
 
     /// Whole decades, from the shortest time to the longest.

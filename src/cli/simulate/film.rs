@@ -29,6 +29,16 @@ pub(super) struct Film {
     pub ending: &'static str,
     /// What was found.
     pub record: Record,
+    /// The bodies whose mass is not known; it counts as 1 kg, and no velocity depends on it.
+    pub unweighed: Vec<String>,
+}
+
+impl Film {
+    /// What a reader of momenta and energies must know.
+    pub(super) fn caution(&self) -> Option<String> {
+        let bodies = self.unweighed.join(" and ");
+        (!bodies.is_empty()).then(|| format!("The mass of {bodies} is not told: impulses and energies are for 1 kg."))
+    }
 }
 
 /// A component of positions and velocities.
@@ -65,12 +75,26 @@ pub(super) fn shoot(problem: &Problem, variant: &Variant, request: &Request) -> 
             }
         }
     }
+    for film in &mut shot.films {
+        let names = film.record.bodies.iter().map(|body| body.name.clone());
+        film.unweighed = names.filter(|body| !is_weighed(problem, variant, body)).collect();
+    }
     if shot.films.is_empty() {
         let reason = shot.nothing.first().map_or("nothing to simulate: nothing happens in the scene", |(_, why)| why);
         let help = "`momentous list` shows other problems; docs/methods.md says what can be simulated";
         return Err(Failure::unusable(format!("{}: {reason}\nhelp: {help}", problem.id())));
     }
     Ok(shot)
+}
+
+/// Whether the mass of a body, or of each of its parts, is told or solved.
+fn is_weighed(problem: &Problem, variant: &Variant, body: &str) -> bool {
+    let scene = &problem.loaded().draft.scene;
+    let value = |name: &str| problem.model().symbol_of(name).and_then(|symbol| variant.value(symbol));
+    let known = |name: &str| value(name).is_some_and(|mass| mass.value > 0.0);
+    let own =
+        |part: &&str| scene.bodies.get(*part).is_some_and(|body| body.mass.is_some()) || known(&format!("m_{part}"));
+    scene.members(body).iter().all(own)
 }
 
 fn filmed<const D: usize>(
@@ -95,7 +119,7 @@ fn filmed<const D: usize>(
         Ending::Exhausted => "before its time: too many steps",
     };
     let record = Record::of(&shown.world, &run, shown.origin);
-    Ok(Film { stage, axes: components(experiment, scene), choice, ending, record })
+    Ok(Film { stage, axes: components(experiment, scene), choice, ending, record, unweighed: Vec::new() })
 }
 
 /// What the components of an experiment are called: as the quantities that are read off it, else as the axes of the scene.
@@ -103,9 +127,7 @@ fn components<const D: usize>(experiment: &Experiment<D>, scene: &Scene) -> Vec<
     let axes = scene.axes.rectangular();
     let suffix = experiment.readings.iter().find_map(|(name, _)| name.rsplit_once('.').map(|(_, letter)| letter));
     let own: Vec<Axis> = match suffix {
-        Some(letter) if D == 1 => {
-            axes.iter().map(|(axis, _)| *axis).filter(|axis| axis.letter() == letter).collect()
-        }
+        Some(letter) if D == 1 => axes.iter().map(|(axis, _)| *axis).filter(|axis| axis.letter() == letter).collect(),
         _ => axes.iter().map(|(axis, _)| *axis).collect(),
     };
     let vertical = |axis: Axis| {

@@ -56,6 +56,9 @@ pub(super) fn text(title: &str, shot: &Shot) -> String {
         let bodies: Vec<&str> = film.record.bodies.iter().map(|body| body.name.as_str()).collect();
         let _ = writeln!(out, "\nstage {}: {} along {}", film.stage, bodies.join(", "), axes.join(", "));
         let _ = writeln!(out, "  {}", film.choice);
+        if let Some(caution) = film.caution() {
+            let _ = writeln!(out, "  {caution}");
+        }
         if film.ending != "at its time" {
             let _ = writeln!(out, "  it ends {}", film.ending);
         }
@@ -88,7 +91,8 @@ pub(super) fn csv(shot: &Shot) -> Result<Vec<u8>, Failure> {
     for film in &shot.films {
         for impact in &film.record.impacts {
             let part = |place: usize| impact.impulse.get(place).map(f64::to_string).unwrap_or_default();
-            let [time, before, after] = [impact.time, impact.energy_before, impact.energy_after].map(|own| own.to_string());
+            let [time, before, after] =
+                [impact.time, impact.energy_before, impact.energy_after].map(|own| own.to_string());
             let row = [film.stage.to_string(), time, impact.contact.clone(), part(0), part(1), before, after];
             table.write_record(row).map_err(unwritten)?;
         }
@@ -123,6 +127,7 @@ fn film(film: &Film) -> Value {
         "why": film.choice.to_string(),
         "ends": film.ending,
         "bodies": bodies,
+        "mass_not_told": film.unweighed,
         "impacts": film.record.impacts.iter().map(impact).collect::<Vec<_>>(),
         "moments": film.record.moments.iter().map(moment).collect::<Vec<_>>(),
     })

@@ -51,9 +51,7 @@ fn over_time(name: &str, colour: usize, record: &Record, value: impl Fn(&Moment)
 fn each(record: &Record, value: impl Fn(&Moment, usize) -> f64) -> Vec<Curve> {
     let named = record.bodies.iter().enumerate();
     named
-        .map(|(place, body)| {
-            over_time(&body.name, BODIES[place % BODIES.len()], record, |moment| value(moment, place))
-        })
+        .map(|(place, body)| over_time(&body.name, BODIES[place % BODIES.len()], record, |moment| value(moment, place)))
         .collect()
 }
 
@@ -80,11 +78,12 @@ fn momenta(film: &Film, component: usize, axis: &Component, named: &dyn Fn(&str)
         curves.push(over_time("all together", ALL, record, |moment| moment.momentum[component]));
     }
     let outside = |moment: &Moment| moment.outside[component];
+    // Without it the balance is the momentum itself.
     if record.moments.iter().any(|moment| outside(moment) != 0.0) {
-        curves.push(over_time("impulse from outside", 1, record, outside));
+        curves.push(over_time("impulse from outside", 1, record, outside).dashed());
+        let kept = |moment: &Moment| moment.momentum[component] - outside(moment);
+        curves.push(over_time("balance", ALL, record, kept).dashed());
     }
-    let kept = |moment: &Moment| moment.momentum[component] - outside(moment);
-    curves.push(over_time("balance", ALL, record, kept).dashed());
     let letter = axis.letter;
     panel(named(&format!("momentum along {letter}")), &format!("p along {letter} in N s"), curves)
 }
@@ -114,6 +113,7 @@ fn impacts(film: &Film, named: &dyn Fn(&str) -> String) -> Table {
     let more = rows.len().saturating_sub(MOST_ROWS);
     rows.truncate(MOST_ROWS);
     let mut notes = vec![film.choice.to_string()];
+    notes.extend(film.caution());
     if rows.is_empty() {
         notes.push("There is no impact.".to_owned());
     }

@@ -109,7 +109,8 @@ pub fn choose(scene: &Classified, request: &Request) -> Result<Choice, NoChoice>
 }
 
 fn nearest(rows: &[&Cost], most_accurate: &Cost) -> String {
-    let cheapest = rows.first().map(|cost| format!("; the cheapest, {}, takes {}", cost.method.name(), time(cost.seconds)));
+    let cheapest =
+        rows.first().map(|cost| format!("; the cheapest, {}, takes {}", cost.method.name(), time(cost.seconds)));
     format!(
         "the most accurate, {}, errs by up to {:.0e} in {}{}",
         most_accurate.method.name(),
@@ -125,7 +126,11 @@ fn untabled(scene: &Classified, request: &Request) -> Result<Choice, NoChoice> {
         let nearest = "the table has no row for it".to_owned();
         return Err(NoChoice::OutOfReach { class: scene.class.name(), nearest });
     };
-    let why = format!("{}, as asked for; the reference tasks of the class `{}` are beyond it", method.name(), scene.class.name());
+    let why = format!(
+        "{}, as asked for; the reference tasks of the class `{}` are beyond it",
+        method.name(),
+        scene.class.name()
+    );
     Ok(Choice { class: scene.class, method, setting: method.usual_setting(), cost: None, why })
 }
 

@@ -96,7 +96,9 @@ pub fn classify<const D: usize>(world: &World<D>, budget: &Budget) -> Result<Cla
         _ => {}
     }
     match ClosedForm.run(world, &glance) {
-        Ok(_) if contacts.is_empty() => said(Class::ClosedForm, "nothing meets, and the motion is a polynomial in the time"),
+        Ok(_) if contacts.is_empty() => {
+            said(Class::ClosedForm, "nothing meets, and the motion is a polynomial in the time")
+        }
         Ok(_) => said(Class::ClosedForm, "the bounces of one body on a level floor are a geometric sequence"),
         Err(_) => said(Class::Piecewise, "between impacts the motion is a polynomial in the time"),
     }

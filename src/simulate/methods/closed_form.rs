@@ -143,7 +143,8 @@ mod tests {
         let budgets = [Budget::impacts(7), Budget::until(2.5), Budget::until(0.1), Budget::until(50.0)];
         for world in [thrown(4.0, 0.0, 0.75), thrown(0.0, 5.0, 0.5), thrown(1e-12, -3.0, 0.9), thrown(2.0, 1.0, 0.0)] {
             for budget in budgets {
-                let (own, other) = (ClosedForm.run(&world, &budget).unwrap(), EventDriven.run(&world, &budget).unwrap());
+                let (own, other) =
+                    (ClosedForm.run(&world, &budget).unwrap(), EventDriven.run(&world, &budget).unwrap());
                 assert!((own.last.time - other.last.time).abs() < 1e-12 * other.last.time, "{budget:?}");
                 for body in [0] {
                     let (left, right) = (own.last.velocities[body].x, other.last.velocities[body].x);
