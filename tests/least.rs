@@ -113,8 +113,12 @@ impl Findings {
 #[test]
 fn the_choice_meets_the_request_on_the_reference_tasks() {
     let mut findings = Findings::default();
-    ON_A_LINE.iter().for_each(|task| findings.task(task));
-    IN_THE_PLANE.iter().for_each(|task| findings.task(task));
+    for task in ON_A_LINE {
+        findings.task(task);
+    }
+    for task in IN_THE_PLANE {
+        findings.task(task);
+    }
     assert!(findings.wrong.is_empty(), "{}", findings.wrong.join("\n"));
 }
 

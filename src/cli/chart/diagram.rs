@@ -70,5 +70,5 @@ fn curve(rows: &[&Row], method: &str, mark: Mark, colour: usize) -> Option<Curve
     };
     let spots: Vec<Spot> = rows.iter().map(spot).collect();
     let (name, mark) = (method.to_owned(), Some(mark));
-    (!spots.is_empty()).then(|| Curve { name, note, colour, mark, joined: true, dashed: false, spots })
+    (!spots.is_empty()).then_some(Curve { name, note, colour, mark, joined: true, dashed: false, spots })
 }

@@ -88,8 +88,11 @@ fn momenta(film: &Film, component: usize, axis: &Component, named: &dyn Fn(&str)
     panel(named(&format!("momentum along {letter}")), &format!("p along {letter} in N s"), curves)
 }
 
+/// One of the energies of a moment, in J.
+type Energy = fn(&Moment) -> f64;
+
 fn energies(record: &Record, named: &dyn Fn(&str) -> String) -> Panel {
-    let kinds: [(&str, usize, fn(&Moment) -> f64); 4] = [
+    let kinds: [(&str, usize, Energy); 4] = [
         ("kinetic", 3, |moment| moment.kinetic),
         ("potential", 2, |moment| moment.potential),
         ("lost in impacts", 4, |moment| moment.lost),
@@ -97,7 +100,7 @@ fn energies(record: &Record, named: &dyn Fn(&str) -> String) -> Panel {
     ];
     let largest = record.moments.iter().map(|moment| moment.kinetic.abs() + moment.potential.abs()).fold(0.0, f64::max);
     // A sum that is nothing but rounding is no energy.
-    let matters = |value: fn(&Moment) -> f64| record.moments.iter().any(|moment| value(moment).abs() > 1e-9 * largest);
+    let matters = |value: Energy| record.moments.iter().any(|moment| value(moment).abs() > 1e-9 * largest);
     let mut curves = Vec::new();
     for (name, colour, value) in kinds {
         if name == "kinetic" || matters(value) {

@@ -59,7 +59,7 @@ mod tests {
         assert_eq!(method("Runge_Kutta").map(Named::kind), Ok(MethodKind::RungeKutta));
         assert_eq!(method("event driven").map(Named::kind), Ok(MethodKind::EventDriven));
         assert!(method("penalti").is_err_and(|said| said.contains("`penalty`")));
-        assert_eq!([accuracy("1e-6"), accuracy("0"), accuracy("x")].map(|read| read.ok()), [Some(1e-6), None, None]);
+        assert_eq!([accuracy("1e-6"), accuracy("0"), accuracy("x")].map(Result::ok), [Some(1e-6), None, None]);
         for text in ["10us", "10 µs", "0.00001", "1e-5 s"] {
             assert!(budget(text).is_ok_and(|seconds| (seconds - 1e-5).abs() < 1e-18), "{text}: {:?}", budget(text));
         }

@@ -136,24 +136,19 @@ fn untabled(scene: &Classified, request: &Request) -> Result<Choice, NoChoice> {
 
 /// One line: the method, what it costs, and why nothing less serves.
 fn sentence(scene: &Classified, request: &Request, cost: &Cost) -> String {
-    let mut line = cost.method.name().to_owned();
-    if let Some(setting) = cost.method.told(cost.setting) {
-        line.push_str(&format!(" with {setting}"));
-    }
+    let setting = cost.method.told(cost.setting).map_or_else(String::new, |setting| format!(" with {setting}"));
     let reason = &scene.reason;
-    match (request.method, scene.class, request.accuracy, request.budget) {
-        (Some(_), ..) => line.push_str(", as asked for"),
-        (None, Class::ClosedForm, ..) => line.push_str(&format!(", because {reason}")),
-        (None, _, None, Some(budget)) => {
-            line.push_str(&format!(", the most accurate within {}, because {reason}", time(budget)));
-        }
+    let why = match (request.method, scene.class, request.accuracy, request.budget) {
+        (Some(_), ..) => "as asked for".to_owned(),
+        (None, Class::ClosedForm, ..) => format!("because {reason}"),
+        (None, _, None, Some(budget)) => format!("the most accurate within {}, because {reason}", time(budget)),
         (None, _, accuracy, _) => {
             let accuracy = accuracy.unwrap_or(DEFAULT_ACCURACY);
-            line.push_str(&format!(", the cheapest within {accuracy:.0e}, because {reason}"));
+            format!("the cheapest within {accuracy:.0e}, because {reason}")
         }
-    }
-    line.push_str(&format!(" (reference tasks: error up to {:.0e} in {})", cost.error, time(cost.seconds)));
-    line
+    };
+    let (name, seconds) = (cost.method.name(), time(cost.seconds));
+    format!("{name}{setting}, {why} (reference tasks: error up to {:.0e} in {seconds})", cost.error)
 }
 
 /// A time as people say it.
