@@ -6,7 +6,7 @@
 #[path = "support/variants.rs"]
 mod variants;
 
-use momentous::bank::Witness;
+use momentous::bank::staged;
 use momentous::problem::{Problem, Sampler};
 use momentous::simulate::least::{Class, Request, choose, classify, costs};
 use momentous::simulate::scene::Experiment;
@@ -95,9 +95,8 @@ impl Findings {
         for form in 0..problem.forms().len() {
             let mut sampler = Sampler::new(problem, form).unwrap();
             let Ok(variant) = sampler.variant(1) else { continue };
-            let witness = Witness::new(problem, &variant);
-            for stage in 0..problem.loaded().draft.scene.stages.len() {
-                let Ok(staged) = witness.staged(stage) else { continue };
+            for (stage, found) in staged(problem, &variant).into_iter().enumerate() {
+                let Ok(staged) = found else { continue };
                 let name = format!("{}, stage {}", variants::form_name(problem, form), stage + 1);
                 for experiment in &staged.on_lines {
                     self.experiment(&name, problem, &variant, experiment);

@@ -1,6 +1,6 @@
 //! The stages of a variant, simulated one after another.
 
-use crate::bank::Witness;
+use crate::bank::staged;
 use crate::problem::Problem;
 use crate::problem::Variant;
 use crate::scene::Axis;
@@ -59,11 +59,10 @@ pub(super) struct Shot {
 /// Simulates every stage.
 pub(super) fn shoot(problem: &Problem, variant: &Variant, request: &Request) -> Result<Shot, Failure> {
     let scene = &problem.loaded().draft.scene;
-    let witness = Witness::new(problem, variant);
     let mut shot = Shot { films: Vec::new(), nothing: Vec::new() };
-    for place in 0..scene.stages.len() {
+    for (place, found) in staged(problem, variant).into_iter().enumerate() {
         let stage = place + 1;
-        match witness.staged(place) {
+        match found {
             Err(reason) => shot.nothing.push((stage, reason.reason())),
             Ok(staged) => {
                 for experiment in &staged.on_lines {

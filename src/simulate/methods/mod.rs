@@ -1,7 +1,7 @@
 //! The numerical methods, cheapest first, one file each.
 
 mod closed_form;
-mod dormand_prince;
+pub(super) mod dormand_prince;
 mod event_driven;
 mod explicit_euler;
 mod kind;
