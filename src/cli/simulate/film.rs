@@ -14,6 +14,7 @@ use crate::simulate::least::Request;
 use crate::simulate::least::choose;
 use crate::simulate::least::classify;
 use crate::simulate::scene::Experiment;
+use crate::simulate::scene::NothingToSimulate;
 
 use super::super::failure::Failure;
 
@@ -63,7 +64,7 @@ pub(super) fn shoot(problem: &Problem, variant: &Variant, request: &Request) -> 
     for (place, found) in staged(problem, variant).into_iter().enumerate() {
         let stage = place + 1;
         match found {
-            Err(reason) => shot.nothing.push((stage, reason.reason())),
+            Err(reason) => shot.nothing.push((stage, said(reason))),
             Ok(staged) => {
                 for experiment in &staged.on_lines {
                     shot.films.push(filmed(experiment, scene, stage, request)?);
@@ -84,6 +85,16 @@ pub(super) fn shoot(problem: &Problem, variant: &Variant, request: &Request) -> 
         return Err(Failure::unusable(format!("{}: {reason}\nhelp: {help}", problem.id())));
     }
     Ok(shot)
+}
+
+/// Why a stage is not shown.
+fn said(reason: NothingToSimulate) -> &'static str {
+    match reason {
+        NothingToSimulate::NoMethod => {
+            "not shown: `momentous check` simulates such a motion, but not yet as a run of bodies"
+        }
+        other => other.reason(),
+    }
 }
 
 /// Whether the mass of a body, or of each of its parts, is told or solved.

@@ -123,8 +123,7 @@ impl Values<'_> {
 
     /// The mass of a body whose motion does not depend on it: 1 kg where it is neither told nor solved.
     pub(super) fn any_mass(&self, body: &str) -> f64 {
-        // What the laws leave undetermined may stand there as 0.
-        self.mass(body).ok().filter(|mass| *mass > 0.0).unwrap_or(1.0)
+        self.mass(body).unwrap_or(1.0)
     }
 
     /// The name of a component of the velocity of a body after the stage.
