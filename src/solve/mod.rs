@@ -50,6 +50,7 @@ mod program;
 mod rank;
 mod real;
 mod replay;
+mod sample;
 mod search;
 mod structure;
 mod stuck;
