@@ -14,9 +14,9 @@ pub(super) struct Freedom(Vec<Vec<f64>>);
 
 impl Freedom {
     /// The null space of the system's Jacobian.
-    pub(super) fn new(system: &System, structure: &Structure, sample: &Sample) -> Self {
+    pub(super) fn new(system: &System, structure: &Structure) -> Self {
         let width = structure.unknowns.len();
-        let mut rows = gradients(system, structure, sample);
+        let mut rows = gradients(system, structure);
         let mut pivots: Vec<usize> = Vec::new();
         for place in 0..rows.len() {
             let entries = (place..rows.len()).flat_map(|row| (0..width).map(move |column| (row, column)));
@@ -69,8 +69,9 @@ fn reduced(mut vector: Vec<f64>, basis: &[Vec<f64>]) -> Vec<f64> {
     vector
 }
 
-/// The derivatives of every equation, each in every unknown.
-pub(super) fn gradients(system: &System, structure: &Structure, sample: &Sample) -> Vec<Vec<f64>> {
+/// The derivatives of every equation, each in every unknown, where all of them hold.
+pub(super) fn gradients(system: &System, structure: &Structure) -> Vec<Vec<f64>> {
+    let sample = &Sample::of(system, structure);
     structure.rows.iter().map(|row| gradient(system, structure, row, sample)).collect()
 }
 

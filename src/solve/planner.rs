@@ -8,7 +8,6 @@ use super::bits::Bits;
 use super::blocks::blocks;
 use super::freedom::{Freedom, gradients};
 use super::rank::dependent;
-use super::sample::Sample;
 use super::search::Search;
 use super::structure::Structure;
 use super::stuck::{Reason, Stuck, enough};
@@ -50,17 +49,16 @@ pub fn plan(system: &System, known: &BTreeSet<Symbol>, wanted: &[Symbol]) -> Res
         return Err(stuck(Reason::Underdetermined { wanted, enough: Vec::new() }));
     };
     let wanted = Bits::of(structure.unknowns.len(), columns);
-    let sample = Sample::of(system);
     let determined = structure.determined(&Bits::empty(structure.unknowns.len()));
     if !determined.covers(&wanted) {
         let lost: Vec<usize> = wanted.iter().filter(|column| !determined.contains(*column)).collect();
-        return Err(stuck(underdetermined(&structure, &Freedom::new(system, &structure, &sample), &wanted, &lost)));
+        return Err(stuck(underdetermined(&structure, &Freedom::new(system, &structure), &wanted, &lost)));
     }
     let whole = structure.clone();
     structure.prune(&determined, &wanted);
 
     let mut closer = Closer { system, structure: &structure, asked: &remaining, closed: BTreeMap::new() };
-    let gradients = gradients(system, &structure, &sample);
+    let gradients = gradients(system, &structure);
     let mut search = Search::new(&structure, &gradients, &wanted);
     let (mut obstacle, mut freedom) = (None, None);
     let (mut avoided, mut tried) = (Bits::empty(structure.rows.len()), BTreeSet::new());
@@ -86,7 +84,7 @@ pub fn plan(system: &System, known: &BTreeSet<Symbol>, wanted: &[Symbol]) -> Res
                             avoided.insert(row);
                         }
                         search.forbid(rows);
-                        let freedom = freedom.get_or_insert_with(|| Freedom::new(system, &whole, &sample));
+                        let freedom = freedom.get_or_insert_with(|| Freedom::new(system, &whole));
                         let lost: Vec<usize> = wanted.iter().filter(|column| !freedom.fixes(*column, &[])).collect();
                         if !lost.is_empty() {
                             return Err(stuck(underdetermined(&whole, freedom, &wanted, &lost)));
@@ -98,8 +96,7 @@ pub fn plan(system: &System, known: &BTreeSet<Symbol>, wanted: &[Symbol]) -> Res
         }
     }
     let lost: Vec<usize> = wanted.iter().collect();
-    let reason =
-        obstacle.unwrap_or_else(|| underdetermined(&whole, &Freedom::new(system, &whole, &sample), &wanted, &lost));
+    let reason = obstacle.unwrap_or_else(|| underdetermined(&whole, &Freedom::new(system, &whole), &wanted, &lost));
     Err(stuck(reason))
 }
 

@@ -2,44 +2,100 @@
 //! are not: with `v_x = v cos(theta)` and `v_y = v sin(theta)`, `v^2 = v_x^2 + v_y^2` says nothing new, but its derivatives
 //! show that only where the first two hold.
 
+use std::collections::BTreeSet;
+
 use nalgebra::{DMatrix, DVector};
 
 use crate::expr::{Expr, Symbol};
 
+use super::structure::Structure;
 use super::{Statement, System};
 
 /// Places from which the search for one begins.
-const STARTS: u32 = 4;
+const STARTS: u32 = 8;
+
+/// How many of the places found are compared.
+const COMPARED: usize = 2;
 
 /// How many steps are taken from a start.
-const STEPS: usize = 40;
-
-/// No value changes by more in a step, so that a start far off does not lead astray.
-const LONGEST: f64 = 0.5;
+const STEPS: usize = 30;
 
 /// Sides that differ by less are equal; the values are near one.
 const EQUAL: f64 = 1e-10;
 
-/// Keeps redundant equations from making a step endless.
-const DAMPING: f64 = 1e-9;
+/// A value nearer to zero than this is no example: `(F_A + F_B) dt = 0` holds for `dt = 0`, whatever the forces.
+const NOTHING: f64 = 0.02;
+
+/// What keeps a step short: at first, and at least, since of equations that say the same twice no step is the shortest.
+const DAMPING: (f64, f64) = (1e-2, 1e-10);
 
 /// A value for each symbol of a system.
 #[derive(Clone, Debug)]
 pub(super) struct Sample(Vec<f64>);
 
 impl Sample {
-    /// Values at which every equation of the system holds, found by steps of least length (Gauss and Newton's) from values
-    /// in no relation to each other; where that leads nowhere, as with equations that contradict each other, those values.
-    pub(super) fn of(system: &System) -> Self {
-        let residuals: Vec<Expr> = system.equations.iter().filter_map(|own| residual(&own.statement)).collect();
-        let count = system.equations.iter().flat_map(super::Equation::symbols).map(|symbol| symbol.index() + 1).max();
-        let start = |salt| Self((0..count.unwrap_or(0)).map(|index| generic(index, salt)).collect());
-        (0..STARTS).find_map(|salt| start(salt).settled(&residuals)).unwrap_or_else(|| start(0))
+    /// Values at which every equation among the rows holds, with as few zeros as can be; where none are found, as with
+    /// equations that contradict each other, values in no relation to each other.
+    pub(super) fn of(system: &System, structure: &Structure) -> Self {
+        let stated = structure.rows.iter().filter_map(|row| system.equations.get(row.equation));
+        let stated: Vec<&Statement> = stated.map(|equation| &equation.statement).collect();
+        let residuals: Vec<Expr> = stated.iter().filter_map(|own| residual(own)).collect();
+        let symbols = || residuals.iter().flat_map(Expr::symbols);
+        let blank = Self(vec![1.0; symbols().map(|symbol| symbol.index() + 1).max().unwrap_or(0)]);
+        let told = stated.iter().filter(|own| is_zero(own)).count();
+        let is_allowed = |found: &Self| system.positive.iter().all(|symbol| found.value(*symbol) > NOTHING);
+        let settled = (0..STARTS).filter_map(|salt| blank.start(system, &stated, salt).settled(&residuals));
+        let mut fewest: Option<Self> = None;
+        for found in settled.filter(is_allowed).take(COMPARED) {
+            if fewest.as_ref().is_none_or(|least| found.zeros() < least.zeros()) {
+                fewest = Some(found);
+            }
+            if fewest.as_ref().is_some_and(|least| least.zeros() <= told) {
+                break;
+            }
+        }
+        fewest.unwrap_or_else(|| Self((0..blank.0.len()).map(|index| generic(index, 0)).collect()))
+    }
+
+    /// Values in no relation to each other, but for symbols that stand alone in an equation: these have the value of its
+    /// other side.
+    fn start(&self, system: &System, stated: &[&Statement], salt: u32) -> Self {
+        let signed = |index| {
+            let sign = if generic(index, salt + STARTS) < 1.0 { -1.0 } else { 1.0 };
+            sign * generic(index, salt)
+        };
+        let mut sample = Self((0..self.0.len()).map(signed).collect());
+        for symbol in &system.positive {
+            sample.set(*symbol, generic(symbol.index(), salt));
+        }
+        let mut given = BTreeSet::new();
+        for statement in stated {
+            let Statement::Equal { left, right } = statement else { continue };
+            for (side, other) in [(left, right), (right, left)] {
+                let Expr::Symbol(symbol) = side else { continue };
+                let value = other.evaluate(&|symbol| sample.value(symbol));
+                if !other.contains(*symbol) && value.is_finite() && given.insert(*symbol) {
+                    sample.set(*symbol, value);
+                    break;
+                }
+            }
+        }
+        sample
     }
 
     /// The value of a symbol.
     pub(super) fn value(&self, symbol: Symbol) -> f64 {
         self.0.get(symbol.index()).copied().unwrap_or(1.0)
+    }
+
+    fn set(&mut self, symbol: Symbol, value: f64) {
+        if let Some(own) = self.0.get_mut(symbol.index()) {
+            *own = value;
+        }
+    }
+
+    fn zeros(&self) -> usize {
+        self.0.iter().filter(|value| value.abs() < NOTHING).count()
     }
 
     /// The derivatives of a term, in parts: one for each place at which a symbol stands.
@@ -49,26 +105,38 @@ impl Sample {
         slopes
     }
 
+    /// Moved to where all terms are zero, by damped steps (Levenberg and Marquardt's).
     fn settled(mut self, residuals: &[Expr]) -> Option<Self> {
+        let mut damping = DAMPING.0;
+        let mut off = self.off(residuals)?;
         for _ in 0..STEPS {
-            let off = DVector::from_iterator(
-                residuals.len(),
-                residuals.iter().map(|residual| residual.evaluate(&|symbol| self.value(symbol))),
-            );
-            if off.iter().all(|own| own.abs() < EQUAL) {
+            if off.amax() < EQUAL {
                 return Some(self);
             }
             let rows: Vec<Vec<(Symbol, f64)>> = residuals.iter().map(|residual| self.slopes(residual)).collect();
-            let shares = self.products(&rows).cholesky()?.solve(&off);
-            let step = self.dense(rows.iter().zip(&shares).flat_map(|(row, share)| scaled(row, *share)));
-            let longest = step.iter().fold(0.0_f64, |longest, change| longest.max(change.abs()));
-            if !longest.is_finite() {
-                return None;
+            let mut products = self.products(&rows);
+            for place in 0..rows.len() {
+                products[(place, place)] += damping;
             }
-            let share = (LONGEST / longest).min(1.0);
-            self.0.iter_mut().zip(&step).for_each(|(value, change)| *value -= share * change);
+            let shares = products.cholesky()?.solve(&off);
+            let step = self.dense(rows.iter().zip(&shares).flat_map(|(row, share)| scaled(row, *share)));
+            let moved = Self(self.0.iter().zip(&step).map(|(value, change)| value - change).collect());
+            match moved.off(residuals).filter(|after| after.norm_squared() < off.norm_squared()) {
+                Some(after) => {
+                    (self, off) = (moved, after);
+                    damping = (damping / 100.0).max(DAMPING.1);
+                }
+                None => damping *= 30.0,
+            }
         }
         None
+    }
+
+    /// How far off each term is from zero; none where one has no value.
+    fn off(&self, residuals: &[Expr]) -> Option<DVector<f64>> {
+        let values = residuals.iter().map(|residual| residual.evaluate(&|symbol| self.value(symbol)));
+        let off = DVector::from_iterator(residuals.len(), values);
+        off.iter().all(|own| own.is_finite()).then_some(off)
     }
 
     /// Each row of derivatives times each other.
@@ -81,7 +149,6 @@ impl Sample {
                 products[(place, other)] = product;
                 products[(other, place)] = product;
             }
-            products[(place, place)] += DAMPING;
         }
         products
     }
@@ -96,6 +163,11 @@ impl Sample {
 
 fn scaled(row: &[(Symbol, f64)], by: f64) -> impl Iterator<Item = (Symbol, f64)> + '_ {
     row.iter().map(move |(symbol, slope)| (*symbol, by * slope))
+}
+
+/// Whether an equation says no more than that a symbol is zero.
+fn is_zero(statement: &Statement) -> bool {
+    matches!(statement, Statement::Equal { left: Expr::Symbol(_), right } if right.is_zero())
 }
 
 /// Left side minus right side; none for a count.
@@ -146,10 +218,14 @@ mod tests {
         System { equations, ..System::default() }
     }
 
+    fn sample(system: &System) -> Sample {
+        Sample::of(system, &Structure::new(system, &BTreeSet::new()))
+    }
+
     #[test]
     fn equations_that_follow_from_others_are_seen_to() {
         let polar = system(&[["x", "v*cos(a)"], ["y", "v*sin(a)"], ["v^2", "x^2 + y^2"]]);
-        let sample = Sample::of(&polar);
+        let sample = sample(&polar);
         let mut basis = Basis::default();
         let terms = polar.equations.iter().filter_map(|own| residual(&own.statement));
         let new: Vec<bool> = terms.map(|term| basis.add(&sample.dense(sample.slopes(&term).into_iter()))).collect();
@@ -157,8 +233,15 @@ mod tests {
     }
 
     #[test]
-    fn a_contradiction_leaves_the_values_it_began_with() {
+    fn what_holds_only_where_something_vanishes_is_no_example() {
+        let forces = system(&[["J", "F*t"], ["K", "G*t"], ["J", "-K"]]);
+        let sample = sample(&forces);
+        assert_eq!(sample.zeros(), 0, "{sample:?}");
+    }
+
+    #[test]
+    fn a_contradiction_leaves_values_in_no_relation() {
         let never = system(&[["x", "1 + x^2"]]);
-        assert_eq!(Sample::of(&never).0, [generic(0, 0)]);
+        assert_eq!(sample(&never).0, [generic(0, 0)]);
     }
 }
