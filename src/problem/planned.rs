@@ -11,11 +11,13 @@ use crate::quantity::UnitSystem;
 use super::compile::Built;
 use super::follow::Followings;
 use super::form::Question;
+use super::formula::Formulas;
 use super::known::Known;
 use super::load::Loaded;
 use super::mistakes::Mistakes;
 use super::part::AskedUnit;
 use super::part::Part;
+use super::part::PartKind;
 use super::regimes::Regimes;
 use super::stream::Streams;
 
@@ -39,6 +41,8 @@ pub struct Form {
     pub parts: Vec<Part>,
     /// What the student is told: the symbols that the solver takes as known.
     pub told: BTreeSet<Symbol>,
+    /// Of these, the quantities whose values the sheet does not tell: they may be anything, or are known by their symbols only.
+    pub free: BTreeSet<Symbol>,
     /// What is solved first and then told.
     pub reveal: Vec<Reveal>,
     /// Solves what is revealed.
@@ -51,6 +55,8 @@ pub struct Form {
     pub(super) mistakes: Mistakes,
     /// What follows from earlier answers; planned when a wrong answer first asks for it.
     pub(super) followings: Followings,
+    /// The formulas of what is asked; composed when one is first wanted.
+    pub(super) formulas: Formulas,
 }
 
 /// A value that is solved first and then told, rounded as it is printed.
@@ -81,7 +87,7 @@ impl Form {
         })
     }
 
-    /// What the answer plans use of what is told.
+    /// What the answer plans, and what is to be decided, use of what is told.
     #[must_use]
     pub fn needed(&self) -> BTreeSet<Symbol> {
         let mut needed = BTreeSet::new();
@@ -91,6 +97,11 @@ impl Form {
                 needed.extend(equation.symbols().intersection(&self.told).copied());
             }
         }
+        let choices = self.parts.iter().filter_map(|part| match &part.kind {
+            PartKind::Choice(choice) => Some(choice.depends_on()),
+            _ => None,
+        });
+        needed.extend(choices.flatten().filter(|symbol| self.told.contains(symbol)));
         needed
     }
 }

@@ -95,7 +95,7 @@ impl Builder<'_> {
         let mass = self.mass(body);
         let stops = stage.until == Some(Until::Rest);
         let way = self.one_way(index, body, stage.direction.as_ref(), stops, path);
-        let incline = self.incline(stage.incline.as_ref(), path);
+        let incline = self.incline(index, stage.incline.as_ref(), path);
         let energy_of =
             |own: &Expr, deformation: &Expr| mass.clone() * own.clone() + energy::of_spring(stiffness, deformation);
         let mut start = energy_of(&way.energies[0], &deformation.before);
@@ -174,6 +174,6 @@ impl Builder<'_> {
         self.require(warning, greater.clone(), Relation::AtLeast, less.clone(), reason);
         let pair = Pair { index, bodies, before, after, link: "the spring", pulley: None };
         self.pair(&pair, "", &|_, impulse| vec![impulse.clone()], None, path);
-        self.omit("friction with the ground", "the problem does not mention any");
+        self.omit("friction and other resistance", "the problem does not mention any");
     }
 }
