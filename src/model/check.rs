@@ -20,14 +20,18 @@ use super::Name;
 use super::timeline::Timeline;
 
 /// Kinds of quantity that only a scene makes.
-const STRUCTURAL: &[&str] =
-    &["v", "speed", "angle", "p", "J", "F_avg", "T", "T_lost", "T_gained", "J_def", "J_rest", "v_common", "H", "W"];
+const STRUCTURAL: &[&str] = &[
+    "v", "speed", "angle", "p", "J", "F_avg", "T", "T_lost", "T_gained", "J_def", "J_rest", "v_common", "T_rel",
+    "v_rel", "H", "W",
+];
+/// Kinds of quantity about a fixed point or the mass centre, at an instant.
+const ABOUT: &[&str] = &["M", "H_rate"];
 /// Kinds of place, of a body at an instant.
 const PLACES: &[&str] = &["r", "x", "y", "z"];
 
 /// Whether a name is one that the scene makes by itself, rather than one that the author chose.
 pub(super) fn is_structural(scene: &Scene, name: &str) -> bool {
-    if name.starts_with("angle(") {
+    if name.starts_with("angle(") || name.starts_with("magnitude(") {
         return true;
     }
     let Some(name) = Name::parse(name) else { return false };
@@ -37,7 +41,9 @@ pub(super) fn is_structural(scene: &Scene, name: &str) -> bool {
         || scene.points.contains_key(&name.subject)
         || timeline.bodies().any(|body| body == name.subject);
     let is_place = PLACES.contains(&name.base.as_str()) && !name.subject.is_empty() && name.instant.is_some();
-    known_subject && (STRUCTURAL.contains(&name.base.as_str()) || is_place)
+    let is_about = ABOUT.contains(&name.base.as_str()) && name.instant.is_some();
+    let is_about = is_about && (name.subject == "G" || scene.points.contains_key(&name.subject));
+    known_subject && (STRUCTURAL.contains(&name.base.as_str()) || is_place || is_about)
 }
 
 /// Every way in which the parts of a scene contradict each other.
@@ -50,13 +56,13 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
         }
     }
     if let Axes::Rectangular(axes) = &scene.axes
-        && (axes.is_empty() || axes.len() > 2)
+        && axes.is_empty()
     {
-        let fault = Fault::new(Code::Value, format!("a scene has one or two axes, not {}", axes.len()));
-        faults.push(
-            fault.help("write `axes: { x: to the right }` or `axes: { x: east, y: north }`").at_path(at.key("axes")),
-        );
+        let fault = Fault::new(Code::Value, "a scene needs an axis");
+        let help = "write `axes: { x: to the right }`, or two or three: `axes: { x: east, y: north, z: upwards }`";
+        faults.push(fault.help(help).at_path(at.key("axes")));
     }
+    faults.extend(super::space::faults(scene));
     faults.extend(names_of_instants(scene));
     faults.extend(unions_without_a_name_of_their_own(scene));
     faults.extend(stages_of_one_name(scene));

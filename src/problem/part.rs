@@ -1,13 +1,13 @@
 //! One part of a question, compiled: what is asked, how it is answered and judged.
 
 use crate::expr::Symbol;
+use crate::model::component_name;
 use crate::quantity::Decimal;
 use crate::quantity::Unit;
 
 use super::decision::ChoicePart;
 use super::range::RangePart;
 use super::vector::VectorPart;
-use super::vector::component_name;
 
 /// One part of a question.
 #[derive(Clone, Debug)]

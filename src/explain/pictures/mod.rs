@@ -27,6 +27,9 @@ pub(super) fn solution(worked: Worked<'_>) -> Vec<Drawing> {
     let sibling = solved_sibling(worked);
     let worked = sibling.as_ref().and_then(|variant| Worked::new(worked.problem, variant)).unwrap_or(worked);
     let quantities = Quantities::new(worked, Scope::Solved);
+    if is_in_space(&quantities) {
+        return Vec::new();
+    }
     let compass = Compass::of(quantities.scene());
     let stages = &quantities.scene().stages;
     if stages.is_empty() {
@@ -85,5 +88,10 @@ fn solved_sibling(worked: Worked<'_>) -> Option<Variant> {
 pub fn situation(worked: Worked<'_>) -> Option<Drawing> {
     let quantities = Quantities::new(worked, Scope::Given);
     let compass = Compass::of(quantities.scene());
-    sheet::drawing(&quantities, &compass)
+    sheet::drawing(&quantities, &compass).filter(|_| !is_in_space(&quantities))
+}
+
+/// Whether a scene has three dimensions, of which a drawing shows two.
+fn is_in_space(quantities: &Quantities<'_>) -> bool {
+    quantities.axes.len() > 2
 }

@@ -9,9 +9,13 @@ use crate::scene::Stage;
 
 use super::super::Builder;
 use super::super::Name;
+use super::relative::energy_of_the_centre;
 
 pub(super) fn kinetic_energy(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let instant = builder.number(name)?;
+    if name.subject == "G" {
+        return energy_of_the_centre(builder, instant);
+    }
     let when = builder.when(instant);
     let (whose, bodies) = if name.subject.is_empty() {
         ("the system".to_owned(), builder.timeline.alive(instant).into_iter().map(str::to_owned).collect())

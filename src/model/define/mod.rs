@@ -1,15 +1,16 @@
 //! Quantities that exist because somebody mentions them: speeds, momenta, energies, the mass centre. A table by the
 //! beginning of the name; each row makes the symbol and the equation that defines it.
 
-mod between;
+mod angular;
 mod kinetic;
 mod mass_centre;
 mod phases;
+mod relative;
 mod speed;
+mod vector;
 
 use crate::expr::Expr;
 use crate::expr::Symbol;
-use crate::laws::angular;
 use crate::laws::force;
 use crate::laws::geometry;
 use crate::laws::kinematics;
@@ -22,6 +23,9 @@ use super::Builder;
 use super::Instant;
 use super::Name;
 use super::builder::SECOND_COST;
+use angular::angular_momentum;
+use angular::moment_of_forces;
+use angular::rate_of_angular_momentum;
 use kinetic::energy_gained;
 use kinetic::energy_lost;
 use kinetic::kinetic_energy;
@@ -30,6 +34,8 @@ use mass_centre::mass_centre_velocity;
 use phases::common_velocity;
 use phases::deformation;
 use phases::restoring;
+use relative::relative_energy;
+use relative::relative_velocity;
 use speed::angle;
 use speed::speed;
 
@@ -53,7 +59,11 @@ const DEFINITIONS: &[(&str, Define)] = &[
     ("J_def", deformation),
     ("J_rest", restoring),
     ("v_common", common_velocity),
+    ("T_rel", relative_energy),
+    ("v_rel", relative_velocity),
     ("H", angular_momentum),
+    ("M", moment_of_forces),
+    ("H_rate", rate_of_angular_momentum),
     ("W", weight),
 ];
 
@@ -65,6 +75,9 @@ impl Builder<'_> {
         }
         if name.starts_with("angle(") {
             return self.angle_between(name);
+        }
+        if name.starts_with("magnitude(") {
+            return self.magnitude_of(name);
         }
         let mut name = Name::parse(name)?;
         if let Some(Instant::Named(instant)) = &name.instant {
@@ -173,18 +186,19 @@ impl Builder<'_> {
         let suffix = self.stage_suffix(stage);
         let magnitude =
             self.positive(format!("J_{body}{suffix}"), Dimension::MOMENTUM, format!("the magnitude of {meaning}"));
-        let direction =
-            self.symbol(format!("angle_J_{body}{suffix}"), Dimension::NONE, format!("the direction of {meaning}"));
-        let [x, y] = components else { return };
-        self.directions.insert(direction, [x.clone(), y.clone()]);
-        let because = "the impulse is resolved along the axes";
-        for sides in geometry::components(&magnitude.into(), &direction.into(), x, y) {
-            self.law_at(SECOND_COST, &geometry::COMPONENTS, Some(stage), because, sides);
+        if let [x, y] = components {
+            let direction =
+                self.symbol(format!("angle_J_{body}{suffix}"), Dimension::NONE, format!("the direction of {meaning}"));
+            self.directions.insert(direction, [x.clone(), y.clone()]);
+            let because = "the impulse is resolved along the axes";
+            for sides in geometry::components(&magnitude.into(), &direction.into(), x, y) {
+                self.law_at(SECOND_COST, &geometry::COMPONENTS, Some(stage), because, sides);
+            }
+            let angle = y.clone().atan2(x.clone());
+            self.law(&geometry::DIRECTION, Some(stage), "the components give the direction", (direction.into(), angle));
         }
-        let angle = y.clone().atan2(x.clone());
-        self.law(&geometry::DIRECTION, Some(stage), "the components give the direction", (direction.into(), angle));
         let because = "the components of the impulse are perpendicular";
-        let squares = Expr::sum([x.clone().powi(2), y.clone().powi(2)]);
+        let squares = Expr::sum(components.iter().map(|component| component.clone().powi(2)));
         self.law(&geometry::MAGNITUDE, Some(stage), because, (Expr::from(magnitude), squares.sqrt()));
     }
 }
@@ -307,39 +321,6 @@ fn impulse(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let symbol = builder.symbol(spelling, Dimension::MOMENTUM, meaning);
     let total = Expr::sum(acting.into_iter().map(|(_, impulse)| impulse));
     builder.law(&force::IMPULSE, Some(stage), "by definition", (symbol.into(), total));
-    Some(symbol)
-}
-
-fn angular_momentum(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
-    let instant = builder.number(name)?;
-    if !builder.scene.points.contains_key(&name.subject) {
-        return None;
-    }
-    let (centre, when) = (builder.point(&name.subject), builder.when(instant));
-    let spelling = builder.spelling(name);
-    let symbol =
-        builder.symbol(spelling, Dimension::ANGULAR_MOMENTUM, format!("the angular momentum about {centre} {when}"));
-    let bodies: Vec<String> = builder.timeline.alive(instant).into_iter().map(str::to_owned).collect();
-    let mut terms = Vec::new();
-    for body in bodies {
-        let mass = builder.mass(&body);
-        if builder.axes.is_empty() {
-            let (radius, velocity) = builder.polar_state(&body, &name.subject, instant);
-            terms.push(Expr::product([mass, radius, velocity]));
-            continue;
-        }
-        let place = ["x", "y"].map(|letter| builder.resolve(&format!("r_{body}{instant}.{letter}")).map(Expr::from));
-        let [Some(x), Some(y)] = place else { return None };
-        let velocities = builder.velocities(&body, instant);
-        let [vx, vy] = &velocities[..] else { return None };
-        terms.push(angular::moment_of_momentum(&mass, [&x, &y], [vx, vy]));
-    }
-    builder.law(
-        &angular::ANGULAR_MOMENTUM,
-        None,
-        "angular momentum is the moment of the momentum",
-        (symbol.into(), Expr::sum(terms)),
-    );
     Some(symbol)
 }
 
