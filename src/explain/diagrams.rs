@@ -114,7 +114,15 @@ fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) -> Option<S
             let acting: Vec<String> = impulses.iter().map(|impulse| impulse.called.clone()).collect();
             during(format!("{body} {is} acted on by {}", list(&acting)))
         }
-        (Stage::Rotate(_) | Stage::Central(_) | Stage::Stream(_), _) => {
+        (Stage::Strike(_), _) => format!(
+            "During {phrase} the only impulsive forces are that between {body} and the arm and that of the support."
+        ),
+        (Stage::Moment(_) | Stage::Interact(_), _) => return None,
+        (Stage::Rotate(rotate), [_, _, ..]) => {
+            let held: Vec<String> = rotate.held().into_iter().map(|(body, _)| name(body)).collect();
+            during(format!("{} are acted on by {}", list(&held), first.called))
+        }
+        (Stage::Rotate(_) | Stage::Central(_) | Stage::Conical(_) | Stage::Bowl(_) | Stage::Stream(_), _) => {
             during(format!("{body} {is} acted on by {}", first.called))
         }
     })

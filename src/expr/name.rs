@@ -3,7 +3,7 @@
 use super::{Math, Operator};
 
 /// Names that are typeset as letters of the Greek alphabet, or that the subject abbreviates.
-const LETTERS: [(&str, &str); 25] = [
+const LETTERS: [(&str, &str); 26] = [
     ("alpha", "\u{3b1}"),
     ("beta", "\u{3b2}"),
     ("gamma", "\u{3b3}"),
@@ -29,6 +29,7 @@ const LETTERS: [(&str, &str); 25] = [
     ("flow", "q"),
     ("ecc", "\u{3b5}"),
     ("period", "T"),
+    ("work", "U"),
 ];
 
 /// The typeset form of a quantity's name. A stage in square brackets is shown for durations only.

@@ -49,6 +49,17 @@ pub const RATE: Law = Law {
     wrong: &[],
 };
 
+/// Conservation of angular momentum.
+pub const CONSERVATION: Law = Law {
+    id: "conservation-of-angular-momentum",
+    name: "conservation of angular momentum",
+    statement: "Where no moment acts on a system from outside about a fixed point, its angular momentum about that point stays the same.",
+    signs: "In a plane, from x towards y is positive; in space along each axis, by the right-hand rule.",
+    when: "No force from outside has a moment about the point; forces within the system cancel in pairs.",
+    source: "The principle of angular impulse and momentum, without an angular impulse.",
+    wrong: wrong::angular::CONSERVATION,
+};
+
 /// The integral of a moment.
 pub const MOMENT_IMPULSE: Law = Law {
     id: "angular-impulse",
@@ -83,7 +94,8 @@ pub const AREAL: Law = Law {
 };
 
 /// The laws of this chapter.
-pub const LAWS: &[&Law] = &[&ANGULAR_MOMENTUM, &MOMENT, &RATE, &MOMENT_IMPULSE, &ANGULAR_IMPULSE, &CENTRAL, &AREAL];
+pub const LAWS: &[&Law] =
+    &[&ANGULAR_MOMENTUM, &MOMENT, &RATE, &MOMENT_IMPULSE, &ANGULAR_IMPULSE, &CONSERVATION, &CENTRAL, &AREAL];
 
 /// The moments of a vector at a place: one in a plane, one for each axis in space, and none along a line.
 #[must_use]

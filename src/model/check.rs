@@ -104,18 +104,13 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
                 faults.extend(held(scene, stage).map(|fault| fault.at_path(at)));
             }
             Stage::Blow(stage) => body(&stage.body, "body"),
-            Stage::Rotate(stage) => {
-                body(&stage.body, "body");
-                faults.extend(unknown_point(scene, &stage.about).map(|fault| fault.at_path(at.key("about"))));
-            }
-            Stage::Central(stage) => {
-                body(&stage.body, "body");
-                faults.extend(unknown_point(scene, &stage.about).map(|fault| fault.at_path(at.key("about"))));
-                if matches!(scene.axes, Axes::Rectangular(_)) {
-                    let fault = Fault::new(Code::Value, "a central force needs polar axes");
-                    faults.push(fault.help("write `axes: polar`").at_path(at.clone()));
-                }
-            }
+            Stage::Rotate(_)
+            | Stage::Central(_)
+            | Stage::Moment(_)
+            | Stage::Strike(_)
+            | Stage::Conical(_)
+            | Stage::Bowl(_)
+            | Stage::Interact(_) => faults.extend(super::space::turning(scene, &timeline, index, stage)),
             Stage::Bounces(stage) => body(&stage.body, "body"),
             Stage::SlideOff(SlideOff { body: own, on, .. }) | Stage::Walk(Walk { body: own, on, .. }) => {
                 body(own, "body");
@@ -326,16 +321,11 @@ fn bad_body_name(name: &str) -> Fault {
         .help("end its short name in a letter (digits number the instants; `G` is the mass centre)")
 }
 
-fn unknown(kind: &str, name: &str, known: &[&str]) -> Fault {
+pub(super) fn unknown(kind: &str, name: &str, known: &[&str]) -> Fault {
     let fault = Fault::new(Code::UnknownName, format!("there is no {kind} `{name}` at this point of the scene"));
     match did_you_mean(name, known.iter().copied()) {
         Some(near) => fault.help(format!("did you mean `{near}`?")),
         None if known.is_empty() => fault.help(format!("declare it under the scene's {kind}s")),
         None => fault.help(format!("the scene has: {}", known.join(", "))),
     }
-}
-
-fn unknown_point(scene: &Scene, name: &str) -> Option<Fault> {
-    let known: Vec<&str> = scene.points.keys().map(String::as_str).collect();
-    (!scene.points.contains_key(name)).then(|| unknown("point", name, &known))
 }

@@ -106,9 +106,17 @@ fn energy(loaded: &Loaded, builder: &Builder<'_>, stage: usize) -> Verdict {
         ),
         Some(Stage::Impact(impact)) if is_elastic(loaded, impact) => (true, "the impact is elastic (e = 1)".into()),
         Some(Stage::Impact(_)) => (false, "with e below 1 part of the kinetic energy is lost in the impact".into()),
-        Some(Stage::Rotate(stage)) if stage.moment.is_none() && matches!(stage.arm, Arm::Constant(_)) => {
+        Some(Stage::Rotate(stage))
+            if stage.moment.is_none() && stage.held().iter().all(|(_, arm)| matches!(arm, Arm::Constant(_))) =>
+        {
             (true, "the only force in the plane is at right angles to the motion and does no work".into())
         }
+        Some(Stage::Moment(_)) => (false, "the moment does work as the system turns".into()),
+        Some(Stage::Interact(stage)) if stage.elastic => (true, "the bodies lose no kinetic energy".into()),
+        Some(Stage::Interact(_)) => (false, "the bodies do work on each other".into()),
+        Some(Stage::Strike(_)) => (false, "part of the kinetic energy is lost in the impact".into()),
+        Some(Stage::Bowl(_)) => (false, "weight does work as the height changes".into()),
+        Some(Stage::Conical(_)) => (false, "the cord does work as it is drawn in or let out".into()),
         Some(Stage::Swing(_)) => (
             false,
             "weight does work as the height changes, though the cord, at right angles to the motion, does none".into(),
@@ -143,6 +151,11 @@ fn angular(builder: &Builder<'_>, stage: usize) -> Verdict {
         }
         Some(Stage::Rotate(stage)) if stage.moment.is_none() => {
             (true, "the only force in the plane passes through the point and has no moment about it".into())
+        }
+        Some(Stage::Strike(_)) => (true, "the impulse of the support passes through the point".into()),
+        Some(Stage::Conical(_) | Stage::Bowl(_)) => (true, "no force has a moment about the vertical axis".into()),
+        Some(Stage::Interact(_)) => {
+            (true, "the forces between the bodies are equal and opposite along one line".into())
         }
         _ => (false, "a force has a moment about the point".into()),
     }

@@ -51,7 +51,14 @@ pub(super) fn solution(worked: Worked<'_>) -> Vec<Drawing> {
         // What a ball gains before it bounces on is not asked for; the figure of the bounces shows its fall.
         Stage::Fall(_) if matches!(stages.get(index + 1), Some(Stage::Bounces(_))) => Vec::new(),
         Stage::SlideOff(_) | Stage::Walk(_) => vec![sheet::line::after(&quantities, &compass, index)],
-        Stage::Swing(_) | Stage::Connected(_) | Stage::Drift(_) => Vec::new(),
+        Stage::Swing(_)
+        | Stage::Connected(_)
+        | Stage::Drift(_)
+        | Stage::Moment(_)
+        | Stage::Strike(_)
+        | Stage::Conical(_)
+        | Stage::Bowl(_)
+        | Stage::Interact(_) => Vec::new(),
         Stage::Flight(_) if quantities.scene().plane == Plane::Horizontal => Vec::new(),
         Stage::Impact(_)
         | Stage::Spring(_)

@@ -110,6 +110,11 @@ pub const ANGULAR_IMPULSE: &[WrongForm] = &[
     WrongForm { of: &VELOCITY_KEPT, write: |law| arms(law, 1) },
     WrongForm { of: &RATE_KEPT, write: |law| arms(law, 2) },
 ];
+/// Wrong forms of conservation.
+pub const CONSERVATION: &[WrongForm] = &[
+    WrongForm { of: &VELOCITY_KEPT, write: |law| arms(law, 1) },
+    WrongForm { of: &RATE_KEPT, write: |law| arms(law, 2) },
+];
 /// Wrong forms of the impulse of a moment.
 pub const MOMENT_IMPULSE: &[WrongForm] = &[
     WrongForm { of: &VALUE_TIMES_TIME, write: value_times_time },

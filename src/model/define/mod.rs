@@ -20,6 +20,7 @@ use crate::scene::Axis;
 use crate::scene::Stage;
 
 use super::Builder;
+use super::ForceKind;
 use super::Instant;
 use super::Name;
 use super::builder::SECOND_COST;
@@ -29,6 +30,7 @@ use angular::rate_of_angular_momentum;
 use kinetic::energy_gained;
 use kinetic::energy_lost;
 use kinetic::kinetic_energy;
+use kinetic::work;
 use mass_centre::mass_centre_position;
 use mass_centre::mass_centre_velocity;
 use phases::common_velocity;
@@ -56,6 +58,7 @@ const DEFINITIONS: &[(&str, Define)] = &[
     ("T", kinetic_energy),
     ("T_lost", energy_lost),
     ("T_gained", energy_gained),
+    ("work", work),
     ("J_def", deformation),
     ("J_rest", restoring),
     ("v_common", common_velocity),
@@ -171,6 +174,19 @@ impl Builder<'_> {
         }
     }
 
+    /// The impulse of the weight of a body that no floor carries during a push, along the axis of that position.
+    fn impulse_of_weight(&self, body: &str, stage: usize, position: usize) -> Option<Expr> {
+        let own =
+            |kind| self.forces.iter().find(|force| force.stage == stage && force.on == body && force.kind == kind);
+        if own(ForceKind::Normal).is_some() {
+            return None;
+        }
+        let weight = own(ForceKind::Weight)?;
+        let part = self.components(&weight.direction).into_iter().nth(position).filter(|part| !part.is_zero())?;
+        let [start, end] = &weight.during;
+        Some(part * weight.strength.clone() * (end.clone() - start.clone()))
+    }
+
     fn component_phrase(name: &Name) -> String {
         name.component.as_ref().map_or_else(String::new, |letter| format!("the {letter}-component of "))
     }
@@ -266,7 +282,9 @@ fn clock(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let instant = builder.number(name).filter(|_| name.subject.is_empty())?;
     let lasting = builder.lasting.iter().zip(&builder.scene.stages).take(instant - 1);
     let durations: Vec<Expr> = lasting
-        .filter(|(_, stage)| !matches!(stage, Stage::Impact(_) | Stage::Blow(_) | Stage::Separate(_)))
+        .filter(|(_, stage)| {
+            !matches!(stage, Stage::Impact(_) | Stage::Blow(_) | Stage::Separate(_) | Stage::Strike(_))
+        })
         .map(|(duration, _)| duration.clone())
         .collect::<Option<_>>()?;
     let meaning = format!("the time {}, counted from the start", builder.when(instant));
@@ -319,7 +337,8 @@ fn impulse(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     );
     let spelling = builder.spelling(name);
     let symbol = builder.symbol(spelling, Dimension::MOMENTUM, meaning);
-    let total = Expr::sum(acting.into_iter().map(|(_, impulse)| impulse));
+    let weight = builder.impulse_of_weight(&name.subject, stage, position);
+    let total = Expr::sum(acting.into_iter().map(|(_, impulse)| impulse).chain(weight));
     builder.law(&force::IMPULSE, Some(stage), "by definition", (symbol.into(), total));
     Some(symbol)
 }

@@ -40,7 +40,15 @@ pub(super) fn drawing(quantities: &Quantities<'_>, compass: &Compass) -> Option<
         ) => line::drawing(quantities, compass, 0),
         Some(Stage::Rotate(rotate)) => central::on_arm(quantities, rotate),
         Some(Stage::Central(stage)) => central::under_force(quantities, stage),
-        Some(Stage::Swing(_) | Stage::Connected(_)) => None,
+        Some(
+            Stage::Swing(_)
+            | Stage::Connected(_)
+            | Stage::Moment(_)
+            | Stage::Strike(_)
+            | Stage::Conical(_)
+            | Stage::Bowl(_)
+            | Stage::Interact(_),
+        ) => None,
         Some(Stage::Fall(fall)) => fall::drawing(quantities, compass, fall),
         Some(Stage::Stream(stream)) => stream::drawing(quantities, compass, 0, stream),
         Some(Stage::Thrust(thrust)) => stream::rocket(quantities, compass, 0, thrust),
