@@ -187,6 +187,8 @@ fn formula() -> (ExpectedKind, usize) {
         symbols: Arc::new(symbols),
         asked,
         domain,
+        values: Vec::new(),
+        multiple_of: None,
         dimension: Dimension::VELOCITY,
     });
     (kind, count)

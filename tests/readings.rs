@@ -74,6 +74,8 @@ fn formula() -> ExpectedKind {
         symbols: Arc::new(symbols),
         asked,
         domain,
+        values: Vec::new(),
+        multiple_of: None,
         dimension: Dimension::VELOCITY,
     })
 }

@@ -137,7 +137,7 @@ pub(super) fn spreads(parts: &[Part], symbols: &SymbolTable, samples: &Samples) 
         })
     };
     let spread = |part: &Part| match &part.kind {
-        PartKind::Choice(_) => choice(part).into_iter().collect(),
+        PartKind::Choice(_) | PartKind::Formula(_) => choice(part).into_iter().collect(),
         PartKind::Number(_) | PartKind::Vector(_) | PartKind::Range(_) => {
             part.numbers().filter_map(&mut number).collect::<Vec<_>>()
         }

@@ -69,11 +69,11 @@ pub enum AnswerSpread {
         /// The largest bound on an error.
         error_bound: Option<f64>,
     },
-    /// A choice.
+    /// A choice, or a formula.
     Choice {
         /// The part.
         id: String,
-        /// How often each phrase is the right one.
+        /// How often each phrase, or each formula, is the right one.
         right: BTreeMap<String, usize>,
     },
 }

@@ -39,7 +39,7 @@ pub(super) struct Sample {
     pub given: String,
     /// The answers in the order of the parts that are numbers.
     pub answers: Vec<Answered>,
-    /// The right phrases in the order of the parts that are choices.
+    /// The right phrases in the order of the parts that are choices or formulas.
     pub chosen: Vec<String>,
 }
 
@@ -104,10 +104,13 @@ impl Sample {
     fn of(problem: &Problem, variant: &Variant) -> Option<Self> {
         let worked = Worked::new(problem, variant)?;
         let given: Vec<String> = variant.all_given().iter().map(|(_, value, unit)| format!("{value} {unit}")).collect();
-        let chosen = worked.form.parts.iter().filter_map(|part| {
-            let PartKind::Choice(choice) = &part.kind else { return None };
-            let decision = choice.decided(&worked);
-            decision.options.get(decision.right).cloned()
+        let chosen = worked.form.parts.iter().filter_map(|part| match &part.kind {
+            PartKind::Choice(choice) => {
+                let decision = choice.decided(&worked);
+                decision.options.get(decision.right).cloned()
+            }
+            PartKind::Formula(formula) => worked.formula(formula).map(|formula| formula.text(&problem.model().symbols)),
+            PartKind::Number(_) | PartKind::Vector(_) | PartKind::Range(_) => None,
         });
         let chosen = chosen.collect();
         Some(Self { given: given.join("; "), answers: answers(&worked, worked.form), chosen })

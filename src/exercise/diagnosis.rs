@@ -2,10 +2,12 @@
 
 use std::collections::BTreeMap;
 
+use crate::expr::Expr;
 use crate::grade;
 use crate::grade::Diagnosis;
 use crate::grade::diagnose;
 use crate::laws::wrong::Misconception;
+use crate::problem::FormulaPart;
 use crate::problem::Mistake;
 use crate::problem::NumberPart;
 use crate::problem::PartKind;
@@ -25,12 +27,18 @@ impl Exercise {
         for own in report.parts.iter_mut().filter(|part| diagnose::is_open(part.verdict) && part.follows.is_none()) {
             let part = self.worked().form.parts.iter().find(|part| part.id == own.id);
             let (Some(part), Some(text)) = (part, answers.get(&own.id)) else { continue };
-            let PartKind::Number(number) = &part.kind else { continue };
             let Some(expected) = expected.iter().find(|expected| expected.id == part.id) else { continue };
-            let grade::ExpectedKind::Number(right) = &expected.kind else { continue };
-            let read = grade::read(text, &expected.kind, mark).ok();
-            let Some(answer) = read.and_then(|answer| diagnose::number(right, &answer)) else { continue };
-            if let Some(diagnosis) = self.diagnosis(number, right, answer) {
+            let Ok(answer) = grade::read(text, &expected.kind, mark) else { continue };
+            let diagnosis = match (&part.kind, &expected.kind) {
+                (PartKind::Number(number), grade::ExpectedKind::Number(right)) => {
+                    diagnose::number(right, &answer).and_then(|answer| self.diagnosis(number, right, answer))
+                }
+                (PartKind::Formula(formula), grade::ExpectedKind::Formula(right)) => {
+                    self.diagnosis_of_formula(formula, right, &answer)
+                }
+                _ => None,
+            };
+            if let Some(diagnosis) = diagnosis {
                 own.message = std::iter::once(own.message.as_str())
                     .chain(diagnosis.hints.iter().take(hints + 1).map(String::as_str))
                     .collect::<Vec<_>>()
@@ -53,8 +61,34 @@ impl Exercise {
         }
         let values: Vec<f64> = suspects.iter().map(|(_, value)| *value).collect();
         let places = diagnose::matching(right, answer, &values);
-        let mut found: Vec<&Mistake> =
-            places.into_iter().filter_map(|place| suspects.get(place)).map(|own| own.0).collect();
+        self.told_of(places.into_iter().filter_map(|place| suspects.get(place)).map(|own| own.0).collect())
+    }
+
+    /// The mistakes that lead to exactly this formula, and to no right one.
+    fn diagnosis_of_formula(
+        &self,
+        part: &FormulaPart,
+        right: &grade::ExpectedFormula,
+        answer: &grade::Answer,
+    ) -> Option<Diagnosis> {
+        let worked = self.worked();
+        let is = |formula: &Expr, answer: &grade::Answer| {
+            let dimension = formula.dimension(&right.symbols).unwrap_or(right.dimension);
+            let wrong = grade::ExpectedFormula { formula: formula.clone(), dimension, ..right.clone() };
+            let kind = grade::ExpectedKind::Formula(wrong);
+            grade::judge(&grade::Expected { id: String::new(), points: 0, kind }, answer).verdict.is_right()
+        };
+        let truth =
+            grade::Answer::Formula(grade::FormulaAnswer { text: String::new(), formula: right.formula.clone() });
+        let leads = |mistake: &&Mistake| {
+            let formulas = worked.mistaken_formulas(mistake, part.symbol);
+            formulas.iter().any(|formula| is(formula, answer) && !is(formula, &truth))
+        };
+        self.told_of(worked.mistakes().iter().filter(leads).collect())
+    }
+
+    /// What is said of mistakes that cannot be told apart.
+    fn told_of(&self, mut found: Vec<&Mistake>) -> Option<Diagnosis> {
         // A law says more than a slip of the pen, and an author's own words more than ours.
         found.sort_by_key(|mistake| (self.feedback(mistake.of).is_none(), mistake.instance.is_none()));
         let first = found.first()?;

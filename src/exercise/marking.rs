@@ -37,6 +37,7 @@ impl Exercise {
                 grade::ExpectedKind::Choice { options, right, because }
             }
             PartKind::Number(number) => grade::ExpectedKind::Number(self.expected_number(part, &part.id, number)),
+            PartKind::Formula(formula) => self.expected_formula(formula),
             PartKind::Range(range) => grade::ExpectedKind::Interval(Box::new(self.expected_interval(part, range))),
             PartKind::Vector(vector) => grade::ExpectedKind::Vector(grade::ExpectedVector {
                 components: part.numbers().map(|(name, own)| self.expected_number(part, &name, own)).collect(),

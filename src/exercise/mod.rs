@@ -3,6 +3,7 @@
 mod diagnosis;
 mod drawer;
 mod follow_through;
+mod formula;
 mod marking;
 mod record;
 mod rubric;
@@ -164,6 +165,7 @@ impl Exercise {
                 let name = crate::expr::name_math(&part.id);
                 (vec![Inline::Text(format!("Find {}, ", part.label)), Inline::Math(name), Inline::Text(along)], unit)
             }
+            PartKind::Formula(formula) => (self.formula_on_sheet(part, formula), None),
             PartKind::Range(_) => (vec![Inline::Text(part.label.clone())], None),
             PartKind::Choice(ChoicePart::Order(symbols)) => {
                 let name = |symbol: Symbol| crate::expr::name_math(&self.problem.model().symbols.entry(symbol).name);
@@ -227,6 +229,9 @@ impl Exercise {
             answer: match &part.kind {
                 PartKind::Number(number) => roots_joined(explain::printed_answers(self.worked(), number)),
                 PartKind::Vector(vector) => vec![Inline::Math(explain::printed_vector(self.worked(), vector))],
+                PartKind::Formula(formula) => {
+                    explain::printed_formula(self.worked(), formula).into_iter().map(Inline::Math).collect()
+                }
                 PartKind::Range(range) => {
                     explain::printed_range(self.worked(), range).into_iter().map(Inline::Math).collect()
                 }
@@ -266,6 +271,7 @@ impl Exercise {
                 let decision = choice.decided(&self.worked());
                 decision.options.get(decision.right).cloned().unwrap_or_default()
             }
+            PartKind::Formula(formula) => self.printed_formula(formula),
             PartKind::Range(range) => self.printed_range(range),
             PartKind::Vector(vector) => {
                 let shown = |number: &NumberPart| {

@@ -23,7 +23,9 @@ impl Exercise {
             .filter(|(symbol, ..)| !self.problem.model().literals.iter().any(|(own, _)| own == symbol))
             .map(|(symbol, value, unit)| {
                 let name = self.problem.model().symbols.entry(*symbol).name.clone();
-                (name, json!({ "value": value.to_string(), "unit": unit.to_string() }))
+                // Of what is told by its symbol only, the value is no part of the question.
+                let value = (!worked.form.free.contains(symbol)).then(|| value.to_string());
+                (name, json!({ "value": value, "unit": unit.to_string() }))
             })
             .collect();
         let ask: Vec<Value> = worked.form.parts.iter().map(|part| self.asked(part)).collect();
@@ -79,6 +81,7 @@ impl Exercise {
                     "points": part.points,
                 })
             }
+            PartKind::Formula(formula) => self.formula_record(part, formula),
             PartKind::Range(range) => {
                 let interval = self.worked().interval(range);
                 let end = |end: Option<End>| {

@@ -39,7 +39,7 @@ impl Exercise {
         }
         let parts = worked.form.parts.iter().map(|part| {
             let text = match &part.kind {
-                PartKind::Choice(_) | PartKind::Range(_) => self.printed(part),
+                PartKind::Choice(_) | PartKind::Formula(_) | PartKind::Range(_) => self.printed(part),
                 PartKind::Vector(vector) => self.rounded_vector(vector, &values),
                 PartKind::Number(number) => match values.get(&number.symbol) {
                     Some(value) => self.written(number, value / worked.unit_of(number)),
@@ -55,12 +55,20 @@ impl Exercise {
     /// that comes of it, rounded to the figures that are asked.
     #[must_use]
     pub fn mistaken_answers(&self, part: &Part) -> Vec<(&'static str, String)> {
-        let PartKind::Number(number) = &part.kind else { return Vec::new() };
         let worked = self.worked();
         let mut answers = Vec::new();
         for mistake in worked.mistakes() {
-            for value in worked.mistaken(mistake, number) {
-                answers.push((mistake.of.id, self.written(number, value)));
+            match &part.kind {
+                PartKind::Number(number) => {
+                    let values = worked.mistaken(mistake, number);
+                    answers.extend(values.into_iter().map(|value| (mistake.of.id, self.written(number, value))));
+                }
+                PartKind::Formula(part) => {
+                    let formulas = worked.mistaken_formulas(mistake, part.symbol);
+                    let symbols = &self.problem.model().symbols;
+                    answers.extend(formulas.iter().map(|formula| (mistake.of.id, formula.text(symbols))));
+                }
+                PartKind::Vector(_) | PartKind::Range(_) | PartKind::Choice(_) => {}
             }
         }
         answers.sort();

@@ -6,6 +6,7 @@ use crate::expr::name_math;
 use crate::problem::AskedUnit;
 use crate::problem::ChoicePart;
 use crate::problem::Decision;
+use crate::problem::FormulaPart;
 use crate::problem::NumberPart;
 use crate::problem::Part;
 use crate::problem::PartKind;
@@ -18,6 +19,7 @@ use crate::solve::Bounded;
 
 use super::Block;
 use super::Inline;
+use super::algebra;
 use super::display::Display;
 use super::display::Shown;
 use super::display::number_math;
@@ -51,6 +53,7 @@ fn sentence(display: Display<'_>, part: &Part) -> Vec<Inline> {
                 Inline::Text(format!(": {because}.")),
             ]
         }
+        PartKind::Formula(formula) => formula_sentence(display, part, formula),
         PartKind::Range(range) => interval::sentence(display, part, range),
         PartKind::Vector(vector) => {
             let is =
@@ -79,6 +82,28 @@ fn sentence(display: Display<'_>, part: &Part) -> Vec<Inline> {
             words
         }
     }
+}
+
+/// The formula, and its value where the numbers are told.
+fn formula_sentence(display: Display<'_>, part: &Part, formula: &FormulaPart) -> Vec<Inline> {
+    let is = |math: Math| Inline::Math(Math::relation(display.name(formula.symbol), Operator::Equals, math));
+    let mut words = vec![Inline::Text(format!("{}: ", capitalised(&part.label)))];
+    words.extend(printed_formula(display.worked, formula).map(is));
+    if !display.free.contains(&formula.symbol) {
+        let figures = usize::from(display.worked.problem.loaded().draft.figures.unwrap_or(3));
+        let value = Inline::Math(display.quantity_to(formula.symbol, figures));
+        words.extend([Inline::Text(", here ".into()), value]);
+    }
+    words.push(Inline::Text(".".into()));
+    words
+}
+
+/// A formula as it is printed.
+#[must_use]
+pub fn printed_formula(worked: Worked<'_>, part: &FormulaPart) -> Option<Math> {
+    let display = Display { worked, free: &worked.free(), shown: &Shown::default() };
+    let formula = worked.formula(part)?;
+    Some(display.symbolic(&algebra::positive_first(display, &formula)))
 }
 
 /// Whether the answer is asked in another unit than the steps computed in.

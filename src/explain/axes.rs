@@ -36,7 +36,10 @@ pub(super) fn axes(display: Display<'_>) -> Vec<Block> {
     let told = display.worked.variant.all_given().iter();
     let told: Vec<Vec<Inline>> = told
         .filter(|(symbol, ..)| used.contains(symbol) && !literals.iter().any(|(own, _)| own == symbol))
-        .map(|given| vec![Inline::Math(value(display, given))])
+        .map(|given| {
+            let free = display.free.contains(&given.0);
+            vec![Inline::Math(if free { display.name(given.0) } else { value(display, given) })]
+        })
         .collect();
     if !told.is_empty() {
         let given = [vec![Inline::Text("Given: ".into())], join(told), vec![Inline::Text(".".into())]];

@@ -18,7 +18,7 @@ mod solution;
 mod steps;
 mod wording;
 
-pub use answers::{printed_answers, printed_vector};
+pub use answers::{printed_answers, printed_formula, printed_vector};
 pub use interval::printed_range;
 pub use outline::{Audience, Block, Inline, Outline, Section};
 pub use pictures::situation;

@@ -9,6 +9,7 @@ use crate::solve::Move;
 
 use super::Block;
 use super::Inline;
+use super::algebra::positive_first;
 use super::display::Display;
 use super::display::number_math;
 use super::display::printed;
@@ -43,6 +44,9 @@ impl Coefficient {
 /// The equation of a move and its roots; `None` for another move, or where a coefficient has no value.
 pub(super) fn solution(display: Display<'_>, step_move: &Move, figures: usize) -> Option<Vec<Block>> {
     let Move::Quadratic { unknown, a, b, c } = step_move else { return None };
+    if display.free.contains(unknown) {
+        return Some(in_symbols(display, *unknown, [a, b, c]));
+    }
     if ![a, b, c].into_iter().all(|term| display.has_value(term)) {
         return None;
     }
@@ -67,6 +71,22 @@ pub(super) fn solution(display: Display<'_>, step_move: &Move, figures: usize) -
         Block::Equation { lines: vec![with_numbers([&display.symbolic(&x.powi(2)), &name], &a, &b, &c)], number: None },
         Block::Equation { lines, number: None },
     ])
+}
+
+/// The equation without numbers, what is given as zero left out.
+fn in_symbols(display: Display<'_>, unknown: Symbol, coefficients: [&Expr; 3]) -> Vec<Block> {
+    let values = display.worked.alphabet().values;
+    let [a, b, c] = coefficients.map(|term| term.substitute(&|own| values.get(&own).cloned()).simplify());
+    let x = Expr::from(unknown);
+    let left = Expr::sum([a * x.clone().powi(2), b * x, c]);
+    vec![
+        Block::Paragraph(vec![
+            Inline::Text("This is a quadratic equation in ".into()),
+            Inline::Math(display.name(unknown)),
+            Inline::Text(":".into()),
+        ]),
+        Block::Equation { lines: vec![display.equation(&positive_first(display, &left), &Expr::zero())], number: None },
+    ]
 }
 
 /// `(18.9 kg) v^2 - (43.47 kg m/s) v + 10.90 J = 0`.

@@ -7,6 +7,7 @@ use crate::expr::Math;
 use crate::expr::Operator;
 use crate::expr::Symbol;
 use crate::model::Instance;
+use crate::problem::PartKind;
 use crate::solve::Cause;
 use crate::solve::Closed;
 use crate::solve::Move;
@@ -18,6 +19,7 @@ use crate::solve::Step;
 use super::Block;
 use super::Inline;
 use super::algebra;
+use super::answers::printed_formula;
 use super::counting;
 use super::display::Display;
 use super::quadratic;
@@ -54,7 +56,7 @@ impl Steps<'_> {
         for step_move in &step.moves {
             match (step_move, quadratic::solution(self.display, step_move, self.figures.intermediate)) {
                 (Move::Quadratic { unknown, .. }, Some(shown)) => {
-                    solved = Some(*unknown);
+                    solved = Some(*unknown).filter(|unknown| !self.display.free.contains(unknown));
                     blocks.extend(shown);
                 }
                 (Move::Numeric { unknown }, _) if self.formula_of_piece(step, *unknown).is_some() => {}
@@ -138,10 +140,13 @@ impl Steps<'_> {
             return trials;
         }
         let formula = match closed {
+            // The plan's form of a root guards against rounding, which symbols need not.
+            Closed::Formula(Expr::Piecewise(_)) if self.display.free.contains(&unknown) => self.in_givens(unknown),
             Closed::Formula(formula) => Some(algebra::positive_first(self.display, &self.display.resolved(formula))),
             _ => self.formula_of_piece(step, unknown),
         };
         let mut blocks = vec![self.value(unknown, formula.as_ref())];
+        blocks.extend(self.put_together(unknown, formula.as_ref()));
         if !self.angle_explained && formula.as_ref().is_some_and(algebra::has_angle_of_point) {
             self.angle_explained = true;
             blocks.push(text(
@@ -149,6 +154,28 @@ impl Steps<'_> {
             ));
         }
         blocks
+    }
+
+    /// What is asked as a formula, with what the steps before found put in.
+    fn put_together(&self, unknown: Symbol, formula: Option<&Expr>) -> Vec<Block> {
+        let worked = self.display.worked;
+        let part = worked.form.parts.iter().find_map(|part| match &part.kind {
+            PartKind::Formula(part) if part.symbol == unknown => Some(part),
+            _ => None,
+        });
+        let Some(part) = part else { return Vec::new() };
+        let Some(whole) = self.in_givens(unknown).filter(|whole| formula != Some(whole)) else { return Vec::new() };
+        let mut lines = vec![self.display.equation(&unknown.into(), &whole)];
+        let multiple = part.in_terms_of.and_then(|_| printed_formula(worked, part));
+        let multiple = multiple.filter(|math| *math != self.display.symbolic(&whole));
+        lines.extend(multiple.map(|math| Math::Row(vec![Math::Operator(Operator::Equals), math])));
+        vec![text("With what was found and given before:"), Block::Equation { lines, number: None }]
+    }
+
+    fn in_givens(&self, unknown: Symbol) -> Option<Expr> {
+        let worked = self.display.worked;
+        let whole = worked.in_givens(unknown, &worked.alphabet().values)?;
+        Some(algebra::positive_first(self.display, &whole))
     }
 
     /// What an unknown equals where its equation, for these numbers, is linear in it.
@@ -223,6 +250,11 @@ impl Steps<'_> {
                     vec![Inline::Math(Math::relation(self.display.name(*unknown), Operator::Equals, number))]
                 })
                 .collect();
+            let in_symbols = step.unknowns.iter().any(|unknown| self.display.free.contains(unknown));
+            if in_symbols {
+                blocks.push(text(&format!("The other root is not a solution: {reason}.")));
+                continue;
+            }
             let mut words = vec![Inline::Text("The other root, ".into())];
             words.extend(join(values));
             words.push(Inline::Text(format!(", is not a solution: {reason}.")));

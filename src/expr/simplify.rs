@@ -23,7 +23,13 @@ impl Expr {
     #[must_use]
     pub fn simplify_where(&self, positive: &dyn Fn(Symbol) -> bool) -> Self {
         let simple = readable_form(self, positive).map(|form| form.to_expr());
-        simple.filter(|simple| size(simple) <= 2 * size(self) + 8).unwrap_or_else(|| self.clone())
+        simple.filter(|simple| simple.size() <= 2 * self.size() + 8).unwrap_or_else(|| self.clone())
+    }
+
+    /// How many numbers, symbols and operations the term has.
+    #[must_use]
+    pub fn size(&self) -> usize {
+        1 + self.children().into_iter().map(Self::size).sum::<usize>()
     }
 
     /// The coefficients of the powers 0, 1, 2, ... of `symbol` in the numerator, once denominators are cleared.
@@ -59,11 +65,6 @@ impl Expr {
         };
         Some((parts.into_iter().map(tidy).collect(), Self::sum(rest)))
     }
-}
-
-/// How many numbers, symbols and operations a term has.
-fn size(term: &Expr) -> usize {
-    1 + term.children().into_iter().map(size).sum::<usize>()
 }
 
 /// The form with fewer terms of the two: with squares of sines, or with squares of cosines in their place.

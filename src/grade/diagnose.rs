@@ -34,6 +34,8 @@ pub fn is_open(verdict: Verdict) -> bool {
             | Verdict::SenseReversed
             | Verdict::UnitPrefix
             | Verdict::OrderOfMagnitude
+            | Verdict::FormulaFactor
+            | Verdict::FormulaDimension
     )
 }
 

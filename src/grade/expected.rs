@@ -147,6 +147,10 @@ pub struct ExpectedFormula {
     pub asked: Symbol,
     /// What it may contain, each with the least and the greatest value that it has in the problem, in SI units.
     pub domain: Vec<(Symbol, f64, f64)>,
+    /// What else it may contain, each with what it stands for: a number that the sheet tells, or a term in the symbols above.
+    pub values: Vec<(Symbol, Expr)>,
+    /// The quantity of which the answer is asked as a multiple: the bare multiple is as good.
+    pub multiple_of: Option<Symbol>,
     /// What it measures.
     pub dimension: Dimension,
 }

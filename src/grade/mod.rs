@@ -28,7 +28,7 @@ pub use follow::Follows;
 pub use judge::{Judgement, judge};
 pub use messages::Message;
 pub use number::Number;
-pub use read::{Answer, DecimalMark, Unreadable, UnreadableKind, read, read_several};
+pub use read::{Answer, DecimalMark, FormulaAnswer, Unreadable, UnreadableKind, read, read_several};
 pub use report::{InputFault, PartReport, Points, Report, grade};
 pub use rubric::{Attempts, Keep, Rubric};
 pub use statistics::{Gathering, Item, ItemStatistics, Statistics, VerdictCount};

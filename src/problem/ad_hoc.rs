@@ -4,6 +4,7 @@ use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Path;
 
+use super::ask::Answered;
 use super::ask::Ask;
 use super::ask::Find;
 use super::entries::Entries;
@@ -72,6 +73,7 @@ fn asked(parts: &[Ask], name: &str) -> Ask {
     own.cloned().unwrap_or_else(|| {
         Ask::Find(Find {
             find: name.to_owned(),
+            answered: Answered::Number,
             unit: None,
             points: None,
             tolerance: None,

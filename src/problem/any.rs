@@ -1,6 +1,7 @@
 //! `any`: the proof that a quantity without a value does not matter for the answers.
 
 use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 
 use crate::expr::Expr;
 use crate::expr::Symbol;
@@ -8,17 +9,27 @@ use crate::expr::equal;
 use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Path;
+use crate::model::Model;
 use crate::solve::Closed;
 
+use super::formula::exact;
+use super::formula::symbols_only;
 use super::known::Known;
 use super::known::Origin;
+use super::load::Loaded;
 use super::part::AskedUnit;
 use super::planned::Form;
 use super::regimes::Leaf;
 
+/// What may be anything, and what a form's text names without telling its value.
+pub(super) fn free(loaded: &Loaded, model: &Model, known: &[Known], form: &Form) -> BTreeSet<Symbol> {
+    let any = known.iter().filter(|known| matches!(known.origin, Origin::Any)).map(|known| known.symbol);
+    any.chain(symbols_only(loaded, form, &|name| model.symbol_of(name))).collect()
+}
+
 /// A fault for each answer of a form that is not proven to be the same whatever its `any` givens are.
 pub(super) fn check(known: &[Known], form: &Form) -> Vec<Fault> {
-    let free: Vec<&Known> = known.iter().filter(|known| matches!(known.origin, Origin::Any)).collect();
+    let free: Vec<&Known> = known.iter().filter(|known| form.free.contains(&known.symbol)).collect();
     let mut faults = Vec::new();
     if free.is_empty() {
         return faults;
@@ -37,7 +48,8 @@ pub(super) fn check(known: &[Known], form: &Form) -> Vec<Fault> {
                     if !independent {
                         let message =
                             format!("it cannot be proven that `{}` does not depend on `{}`", part.id, known.name);
-                        let help = "give it a value, or ask for the answer in terms of it: `unit: v_A1`";
+                        let help =
+                            "tell its value, or ask for the answer in terms of it: `unit: v_A1`, or `as: formula`";
                         let fault = Fault::new(Code::UnderDetermined, message).help(help);
                         faults.push(fault.at_path(Path::root().key("given").key(known.name.as_str())));
                     }
@@ -51,9 +63,7 @@ pub(super) fn check(known: &[Known], form: &Form) -> Vec<Fault> {
 /// The values that never change, as exact numbers.
 fn fixed(known: &[Known]) -> BTreeMap<Symbol, Expr> {
     let value = |known: &Known| match (&known.origin, known.unit.factor()) {
-        (Origin::Fixed(value), factor) if factor.pi == 0 => {
-            Some((known.symbol, Expr::Number(value.to_rational() * factor.rational)))
-        }
+        (Origin::Fixed(value), factor) if factor.pi == 0 => Some((known.symbol, exact(value, &known.unit))),
         _ => None,
     };
     known.iter().filter_map(value).collect()

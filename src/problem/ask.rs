@@ -33,6 +33,9 @@ pub enum Ask {
 pub struct Find {
     /// The name of the quantity: `v_A2`, `T_lost`, `J_A[hit]`.
     pub find: String,
+    /// How it is answered. Default: by a number.
+    #[serde(default, rename = "as")]
+    pub answered: Answered,
     /// The unit of the answer, or the name of a quantity in terms of which it is asked: `m/s`, `v_A1`.
     #[serde(default)]
     pub unit: Option<String>,
@@ -56,6 +59,17 @@ pub struct Find {
     /// How the part is called on the sheet. Default: the meaning of the name.
     #[serde(default)]
     pub label: Option<String>,
+}
+
+/// How the value of a quantity is answered.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Answered {
+    /// By a number with its unit.
+    #[default]
+    Number,
+    /// By a formula in the symbols of what is given.
+    Formula,
 }
 
 /// The first whole number that satisfies a condition is asked.

@@ -1,7 +1,5 @@
 //! From a loaded file to a problem that can be drawn and solved: names become symbols, what is asked becomes plans.
 
-use std::collections::BTreeSet;
-
 use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::fault::Code;
@@ -11,7 +9,6 @@ use crate::fault::Path;
 use crate::fault::did_you_mean;
 use crate::model::Builder;
 use crate::model::Model;
-use crate::model::Warning;
 use crate::quantity::Decimal;
 use crate::quantity::Unit;
 use crate::quantity::UnitSystem;
@@ -25,20 +22,15 @@ use super::comparison::split_relation;
 use super::declared::declared;
 use super::draft::Units;
 use super::feedback;
-use super::follow::Followings;
-use super::form::Question;
+use super::form_draft::FormDraft;
+use super::formula;
 use super::given::Given;
 use super::known::Known;
 use super::known::Origin;
 use super::load::Loaded;
 use super::mentions::mention_in_texts;
-use super::mistakes::Mistakes;
-use super::parts;
 use super::planned::Form;
 use super::planned::Problem;
-use super::planned::Reveal;
-use super::range;
-use super::regimes::Regimes;
 use super::sampler::Rejection;
 use super::sampler::Sampler;
 use super::stream::Scheme;
@@ -143,11 +135,12 @@ fn build(loaded: &Loaded, secret: Option<&[u8]>) -> Result<Built, Vec<Fault>> {
     let mut forms = Vec::new();
     for form in drafts {
         match form.plan(&model, &known, &require) {
-            Ok(form) => forms.push(form),
+            Ok(form) => forms.push(Form { free: any::free(loaded, &model, &known, &form), ..form }),
             Err(found) => faults.extend(found),
         }
     }
     faults.extend(forms.iter().flat_map(|form| any::check(&known, form)));
+    faults.extend(forms.iter().flat_map(|form| formula::check(&known, &model.literals, form)));
     if !faults.is_empty() {
         return Err(faults);
     }
@@ -271,128 +264,4 @@ pub(super) fn condition(builder: &mut Builder<'_>, text: &str, reason: &str, pat
         builder.fault(fault.help("check the units on both sides").at_path(path.clone()));
     }
     Some(builder.compare(left, relation, right, reason))
-}
-
-/// A form whose names are symbols, but which is not planned yet.
-struct FormDraft {
-    question: Question,
-    parts: Vec<super::part::Part>,
-    wanted: Vec<Symbol>,
-    counts: Vec<crate::solve::Equation>,
-    reveal: Vec<Reveal>,
-    conditions: Vec<Condition>,
-    allowed: Vec<Warning>,
-}
-
-impl FormDraft {
-    fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'_>) -> Self {
-        let read = parts::read(loaded, question, builder);
-        let figures = usize::from(loaded.draft.figures.unwrap_or(3));
-        let mut reveal = Vec::new();
-        for (index, name) in question.reveal.iter().enumerate() {
-            match builder.mention(name) {
-                Some(symbol) if read.wanted.contains(&symbol) => {
-                    let fault = Fault::new(Code::Duplicate, format!("`{name}` is asked, so it cannot be told as well"));
-                    let help = "remove it from `reveal`, or ask for something else";
-                    builder.fault(fault.help(help).at_path(question.path.key("reveal").index(index)));
-                }
-                Some(symbol) => {
-                    let dimension = builder.symbols().entry(symbol).dimension;
-                    let unit = parts::unit_for(loaded, name, dimension);
-                    reveal.push(Reveal { name: name.clone(), symbol, unit, figures });
-                }
-                None => {
-                    let fault = builder.unknown(name).at_path(question.path.key("reveal").index(index));
-                    builder.fault(fault);
-                }
-            }
-        }
-        let conditions = question.conditions.iter();
-        let conditions = conditions
-            .filter_map(|(path, text)| condition(builder, text, "the problem asks for the other solution", path))
-            .collect();
-        Self {
-            question: question.clone(),
-            parts: read.parts,
-            wanted: read.wanted,
-            counts: read.counts,
-            reveal,
-            conditions,
-            allowed: allowed(question, builder),
-        }
-    }
-
-    /// Plans the form: what it reveals from everything given, what it asks from what it tells. What stands under `where`
-    /// holds for the whole scene, so it also picks the solution from which something is revealed.
-    fn plan(self, model: &Model, known: &[Known], require: &[Condition]) -> Result<Form, Vec<Fault>> {
-        let everything: BTreeSet<Symbol> = inputs(model, known);
-        let mut told = everything.clone();
-        for symbol in &self.wanted {
-            told.remove(symbol);
-        }
-        told.extend(self.reveal.iter().map(|reveal| reveal.symbol));
-        // What an answer is a multiple of must be known too, and where it is not told it is solved.
-        let multiplied = self.parts.iter().filter_map(|part| part.kind.in_terms_of());
-        let wanted: Vec<Symbol> =
-            self.wanted.iter().copied().chain(multiplied.filter(|symbol| !told.contains(symbol))).collect();
-        let extra = |conditions: &[Condition]| [require, conditions].concat();
-        let revealed: Vec<Symbol> = self.reveal.iter().map(|reveal| reveal.symbol).collect();
-        let path = self.question.path.key("ask");
-        let forward = if revealed.is_empty() {
-            None
-        } else {
-            let at = self.question.path.key("reveal");
-            let planned = Regimes::plan(model, &[], &extra(&self.conditions), &everything, &revealed, &self.allowed);
-            Some(planned.map_err(|fault| vec![fault.at_path(at)])?)
-        };
-        let given = self.wanted.iter().find(|symbol| everything.contains(symbol));
-        let solver = Regimes::plan(model, &self.counts, &extra(&self.conditions), &told, &wanted, &self.allowed)
-            .map_err(|fault| match given.map(|symbol| &model.symbols.entry(*symbol).name) {
-                Some(name) => fault.help(format!(
-                    "`{name}` stands under `given`, and a form that asks for it must tell what it follows from: \
-                     `reveal: [...]`"
-                )),
-                None => fault,
-            })
-            .map_err(|fault| vec![fault.at_path(path)])?;
-        let trials = range::trials(model, &self.parts, &told, &self.allowed)
-            .map_err(|fault| vec![fault.at_path(self.question.path.key("ask"))])?;
-        Ok(Form {
-            trials,
-            question: self.question,
-            parts: self.parts,
-            told,
-            reveal: self.reveal,
-            forward,
-            solver,
-            mistakes: Mistakes::default(),
-            followings: Followings::default(),
-        })
-    }
-}
-
-/// The warnings that a form is meant to cause; all of them where it is meant to end in something impossible.
-fn allowed(question: &Question, builder: &mut Builder<'_>) -> Vec<Warning> {
-    if question.expect.is_some() {
-        return Warning::NAMES.iter().map(|(_, warning)| *warning).collect();
-    }
-    let mut allowed = Vec::new();
-    for (path, name) in &question.allow {
-        match Warning::NAMES.iter().find(|(own, _)| own == name) {
-            Some((_, warning)) => allowed.push(*warning),
-            None => {
-                let known = Warning::NAMES.iter().map(|(own, _)| *own);
-                let near = did_you_mean(name, known.clone()).map(|near| format!("did you mean `{near}`?"));
-                let help = near.unwrap_or_else(|| format!("known are: {}", known.collect::<Vec<_>>().join(", ")));
-                let fault = Fault::new(Code::UnknownName, format!("there is no warning `{name}`"));
-                builder.fault(fault.help(help).at_path(path.clone()));
-            }
-        }
-    }
-    allowed
-}
-
-/// Everything that has a value before anything is solved.
-fn inputs(model: &Model, known: &[Known]) -> BTreeSet<Symbol> {
-    known.iter().map(|known| known.symbol).chain(model.literals.iter().map(|(symbol, _)| *symbol)).collect()
 }

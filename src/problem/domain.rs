@@ -127,6 +127,12 @@ impl Grid {
         Decimal::from_scaled(i128::from(self.low), self.scale)
     }
 
+    /// The greatest value.
+    #[must_use]
+    pub fn high(&self) -> Decimal {
+        Decimal::from_scaled(i128::from(self.scaled(self.count)), self.scale)
+    }
+
     fn scaled(self, index: u64) -> i64 {
         // The last value fits, so every value before it does.
         let steps = i64::try_from(index.min(self.count - 1)).unwrap_or(0);

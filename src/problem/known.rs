@@ -43,6 +43,20 @@ impl Origin {
         }
     }
 
+    /// The least and the greatest value, in the unit of the given; some range for what may be anything.
+    #[must_use]
+    pub fn limits(&self) -> [f64; 2] {
+        match self {
+            Self::Drawn(Domain::Grid(grid)) => [grid.low(), grid.high()].map(|end| end.to_f64()),
+            Self::Drawn(Domain::Choice(values)) => {
+                let values = || values.iter().map(Decimal::to_f64);
+                [values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max)]
+            }
+            Self::Fixed(value) => [value.to_f64(); 2],
+            Self::Any => [1.0, 2.0],
+        }
+    }
+
     /// Whether each seed draws it.
     #[must_use]
     pub fn is_drawn(&self) -> bool {

@@ -6,6 +6,7 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::sync::OnceLock;
 
+use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::laws::wrong::Misconception;
 use crate::laws::wrong::reading::MISREADINGS;
@@ -13,6 +14,7 @@ use crate::laws::wrong::reading::SLIPS;
 use crate::laws::wrong::reading::SlipOf;
 use crate::quantity::Unit;
 use crate::solve::Bounded;
+use crate::solve::Plan;
 use crate::solve::Program;
 use crate::solve::Real;
 use crate::solve::System;
@@ -59,11 +61,15 @@ enum Made {
 pub(super) struct Solver {
     wanted: Vec<Symbol>,
     inputs: Vec<Symbol>,
+    plan: Plan,
     /// With the conditions of a true solution, where there is something to choose.
     strict: Option<Program>,
     /// Without them: a wrong value need not be a possible one.
     loose: Program,
 }
+
+/// A formula and a program give the same within this share.
+const SAME: f64 = 1e-9;
 
 thread_local! {
     /// A wrong answer runs some dozens of programs; with one memory for all of them they allocate nothing.
@@ -141,7 +147,8 @@ impl Solver {
         let compile = |system: &System| Program::compile(system, &audit, &inputs, wanted, Verify::Redundant).ok();
         let strict = if several { compile(system) } else { None };
         let bare = System { conditions: Vec::new(), ..system.clone() };
-        Some(Self { wanted: wanted.to_vec(), strict, loose: compile(&bare)?, inputs })
+        let loose = compile(&bare)?;
+        Some(Self { wanted: wanted.to_vec(), strict, loose, inputs, plan: audit.plan })
     }
 
     /// What the program takes, in order.
@@ -184,6 +191,27 @@ impl<'a> Worked<'a> {
         self.form.mistakes.of_leaf(self.problem, self.form, self.variant.leaf())
     }
 
+    /// What a mistake makes of a quantity, as formulas in what is given; none where nothing but numbers is got wrong.
+    #[must_use]
+    pub fn mistaken_formulas(&self, mistake: &Mistake, symbol: Symbol) -> Vec<Expr> {
+        let Made::Solved(solvers) = &mistake.made else { return Vec::new() };
+        let told = |symbol: Symbol| self.variant.value(symbol);
+        let right = self.every_formula(&self.leaf().audit.plan, symbol);
+        let mut formulas: Vec<Expr> = Vec::new();
+        for solver in solvers.iter().filter(|solver| solver.wanted.contains(&symbol)) {
+            let values = solver.values(symbol, &told);
+            for formula in self.every_formula(&solver.plan, symbol) {
+                // Of several roots the one that is possible for these numbers.
+                let value = formula.evaluate(&|own| told(own).map_or(f64::NAN, |value| value.value));
+                let taken = values.iter().any(|own| (own - value).abs() <= SAME * value.abs());
+                if taken && !formulas.contains(&formula) && !right.contains(&formula) {
+                    formulas.push(formula);
+                }
+            }
+        }
+        formulas
+    }
+
     /// What a mistake makes of the answer to a part, in the unit of the question; none where it cannot be made there.
     #[must_use]
     pub fn mistaken(&self, mistake: &Mistake, number: &NumberPart) -> Vec<f64> {
@@ -217,7 +245,7 @@ impl<'a> Worked<'a> {
         let numbers = || {
             self.form.parts.iter().filter_map(|part| match &part.kind {
                 PartKind::Number(number) => Some(number),
-                PartKind::Vector(_) | PartKind::Range(_) | PartKind::Choice(_) => None,
+                PartKind::Vector(_) | PartKind::Formula(_) | PartKind::Range(_) | PartKind::Choice(_) => None,
             })
         };
         for mistake in self.mistakes().iter().filter(|own| own.of.id == mistake) {

@@ -17,6 +17,8 @@ mod entries;
 mod feedback;
 mod follow;
 mod form;
+mod form_draft;
+mod formula;
 mod given;
 mod input;
 mod known;
@@ -44,7 +46,9 @@ mod variant;
 mod vector;
 
 pub use ad_hoc::ad_hoc;
-pub use ask::{Ask, Classifiable, Classify, Conservable, Conserved, Count, Find, Holds, Impulsive, Order, Range, Turn};
+pub use ask::{
+    Answered, Ask, Classifiable, Classify, Conservable, Conserved, Count, Find, Holds, Impulsive, Order, Range, Turn,
+};
 pub use check::check;
 pub use compile::{compile, compile_ad_hoc};
 pub use decision::{ChoicePart, Claim, Decision, orders};
@@ -54,6 +58,7 @@ pub use draft::{Draft, Expect, Form, Level, Relation, Roots, Units};
 pub use entries::Entries;
 pub use follow::Consequence;
 pub use form::Question;
+pub use formula::FormulaPart;
 pub use given::{ChoiceEntry, Given, GivenEntry, RangeEntry, ValueEntry};
 pub use known::{Known, Origin};
 pub use literal::Literal;

@@ -6,6 +6,7 @@ use crate::quantity::Decimal;
 use crate::quantity::Unit;
 
 use super::decision::ChoicePart;
+use super::formula::FormulaPart;
 use super::range::RangePart;
 use super::vector::VectorPart;
 
@@ -29,6 +30,8 @@ pub enum PartKind {
     Number(NumberPart),
     /// By a vector with a unit.
     Vector(VectorPart),
+    /// By a formula in the symbols of what is given.
+    Formula(FormulaPart),
     /// By an interval or a condition.
     Range(RangePart),
     /// By one of several phrases.
@@ -90,7 +93,7 @@ impl PartKind {
             Self::Number(number) => std::slice::from_ref(number),
             Self::Vector(vector) => &vector.components,
             Self::Range(range) => std::slice::from_ref(&range.number),
-            Self::Choice(_) => &[],
+            Self::Formula(_) | Self::Choice(_) => &[],
         }
     }
 
@@ -101,6 +104,7 @@ impl PartKind {
             Self::Number(_) | Self::Vector(_) | Self::Range(_) => {
                 self.numbers().iter().map(|number| number.symbol).collect()
             }
+            Self::Formula(formula) => vec![formula.symbol],
             Self::Choice(choice) => choice.symbols(),
         }
     }
@@ -108,6 +112,9 @@ impl PartKind {
     /// The quantity of which the answer is a multiple, where it has no unit of its own.
     #[must_use]
     pub fn in_terms_of(&self) -> Option<Symbol> {
+        if let Self::Formula(formula) = self {
+            return formula.in_terms_of;
+        }
         self.numbers().iter().find_map(|number| match &number.unit {
             AskedUnit::InTermsOf(symbol) => Some(*symbol),
             AskedUnit::Unit(_) => None,

@@ -14,6 +14,7 @@ use crate::quantity::dimension_name;
 use crate::scene::Term;
 use crate::solve::Equation;
 
+use super::ask::Answered;
 use super::ask::Ask;
 use super::ask::Count;
 use super::ask::Find;
@@ -22,6 +23,7 @@ use super::comparing;
 use super::comparison::split_relation;
 use super::concept;
 use super::form::Question;
+use super::formula::FormulaPart;
 use super::given::Given;
 use super::literal::unit_fault;
 use super::load::Loaded;
@@ -116,6 +118,13 @@ type Named = (String, String, PartKind);
 fn number(loaded: &Loaded, find: &Find, builder: &mut Builder<'_>, path: &Path) -> Option<Named> {
     let Some(symbol) = builder.mention(&find.find) else {
         if let Some(symbols) = vector::components(&find.find, builder) {
+            if find.answered == Answered::Formula {
+                let fault =
+                    Fault::new(Code::Value, format!("`{}` is a vector, which has no single formula", find.find));
+                let help = format!("ask for its components: `{}.x`", find.find);
+                builder.fault(fault.help(help).at_path(path.key("find")));
+                return None;
+            }
             return vector::read(loaded, find, &symbols, builder, path);
         }
         let fault = builder.unknown(&find.find).at_path(path.key("find"));
@@ -124,10 +133,31 @@ fn number(loaded: &Loaded, find: &Find, builder: &mut Builder<'_>, path: &Path) 
     };
     let (symbol, reference) = reference(find, symbol, builder, path)?;
     let entry = builder.symbols().entry(symbol).clone();
-    let kind = number_part(loaded, find, symbol, builder, path)?;
+    let kind = match find.answered {
+        Answered::Number => PartKind::Number(number_part(loaded, find, symbol, builder, path)?),
+        Answered::Formula => PartKind::Formula(formula_part(find, symbol, builder, path)?),
+    };
     let meaning = if entry.meaning.is_empty() { format!("the value of {}", find.find) } else { entry.meaning };
     let label = format!("{meaning}{reference}");
-    Some((find.find.clone(), label, PartKind::Number(kind)))
+    Some((find.find.clone(), label, kind))
+}
+
+/// A formula has no unit and no figures; it may be a multiple of a quantity.
+fn formula_part(find: &Find, symbol: Symbol, builder: &mut Builder<'_>, path: &Path) -> Option<FormulaPart> {
+    let keys = [("figures", find.figures.is_some()), ("tolerance", find.tolerance.is_some())];
+    if let Some((key, _)) = keys.into_iter().find(|(_, written)| *written) {
+        let fault = Fault::new(Code::Value, format!("a formula has no {key}"));
+        builder.fault(fault.help("remove it, or ask for a number").at_path(path.key(key)));
+        return None;
+    }
+    let Some(unit) = &find.unit else { return Some(FormulaPart { symbol, in_terms_of: None }) };
+    let Some(other) = builder.mention(unit).filter(|_| Unit::parse(unit).is_err()) else {
+        let fault = Fault::new(Code::Value, "a formula has no unit");
+        let help = "remove it, or name a quantity in terms of which it is asked: `unit: v_A1`";
+        builder.fault(fault.help(help).at_path(path.key("unit")));
+        return None;
+    };
+    Some(FormulaPart { symbol, in_terms_of: Some(other) })
 }
 
 /// How a quantity is asked: in which unit, to how many figures, and how closely.

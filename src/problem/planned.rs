@@ -11,6 +11,7 @@ use crate::quantity::UnitSystem;
 use super::compile::Built;
 use super::follow::Followings;
 use super::form::Question;
+use super::formula::Formulas;
 use super::known::Known;
 use super::load::Loaded;
 use super::mistakes::Mistakes;
@@ -39,6 +40,8 @@ pub struct Form {
     pub parts: Vec<Part>,
     /// What the student is told: the symbols that the solver takes as known.
     pub told: BTreeSet<Symbol>,
+    /// Of these, the quantities whose values the sheet does not tell: they may be anything, or are known by their symbols only.
+    pub free: BTreeSet<Symbol>,
     /// What is solved first and then told.
     pub reveal: Vec<Reveal>,
     /// Solves what is revealed.
@@ -51,6 +54,8 @@ pub struct Form {
     pub(super) mistakes: Mistakes,
     /// What follows from earlier answers; planned when a wrong answer first asks for it.
     pub(super) followings: Followings,
+    /// The formulas of what is asked; composed when one is first wanted.
+    pub(super) formulas: Formulas,
 }
 
 /// A value that is solved first and then told, rounded as it is printed.

@@ -17,6 +17,7 @@ use crate::solve::Bounded;
 use crate::solve::Equation;
 use crate::solve::Relation;
 
+use super::ask::Answered;
 use super::ask::Find;
 use super::ask::Range;
 use super::comparing;
@@ -89,6 +90,7 @@ pub(super) fn read(
     };
     let find = Find {
         find: ask.range.clone(),
+        answered: Answered::Number,
         unit: ask.unit.clone(),
         tolerance: ask.tolerance.clone(),
         figures: ask.figures,

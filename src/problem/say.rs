@@ -1,6 +1,7 @@
 //! Filling an author's text: how a quantity is said in a sentence.
 
 use crate::expr::Symbol;
+use crate::expr::name_math;
 use crate::quantity::Decimal;
 use crate::quantity::Printed;
 use crate::quantity::Unit;
@@ -87,7 +88,13 @@ impl Speaker<'_> {
             Filter::Magnitude => quantity(&value.abs(), &unit),
             Filter::Direction => self.direction(&value),
             Filter::Motion => self.motion(&value, &unit, before),
+            Filter::Symbol => self.in_symbols(),
+            Filter::Named => format!("{} = {}", self.in_symbols(), quantity(&value, &unit)),
         }
+    }
+
+    fn in_symbols(&self) -> String {
+        format!("${}$", name_math(&self.problem.model().symbols.entry(self.symbol).name).latex())
     }
 
     fn is_rounded(&self) -> bool {

@@ -50,6 +50,24 @@ pub enum Filter {
     Direction,
     /// The magnitude with its unit.
     Magnitude,
+    /// The symbol only, so that the sheet tells no number: `$m_A$`.
+    Symbol,
+    /// The symbol and its value: `$m_A$ = 2 kg`.
+    Named,
+}
+
+impl Filter {
+    /// Whether the reader learns what the quantity is called.
+    #[must_use]
+    pub fn names(self) -> bool {
+        matches!(self, Self::Symbol | Self::Named)
+    }
+
+    /// Whether the reader learns a number.
+    #[must_use]
+    pub fn tells(self) -> bool {
+        self != Self::Symbol
+    }
 }
 
 /// The filters by the names that authors write.
@@ -59,6 +77,8 @@ const FILTERS: &[(&str, Filter)] = &[
     ("unit", Filter::Unit),
     ("direction", Filter::Direction),
     ("magnitude", Filter::Magnitude),
+    ("symbol", Filter::Symbol),
+    ("named", Filter::Named),
 ];
 
 impl Text {

@@ -29,6 +29,10 @@ pub(super) fn check(loaded: &Loaded, model: &Model, known: &[Known], form: &Form
         for placeholder in text.placeholders() {
             let Some(symbol) = model.symbol_of(&placeholder.name) else { continue };
             printed.insert(symbol);
+            // The symbol alone tells nothing.
+            if !placeholder.filter.tells() {
+                continue;
+            }
             if asked.contains(&symbol) {
                 let fault = Fault::new(Code::Text, format!("the text prints `{}`, which is asked", placeholder.name));
                 let help = "leave it out of the text of this form, or ask for something else";

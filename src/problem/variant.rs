@@ -9,8 +9,6 @@ use crate::quantity::Unit;
 use crate::solve::Bounded;
 use crate::solve::Real;
 
-use super::known::Known;
-use super::known::Origin;
 use super::part::AskedUnit;
 use super::part::NumberPart;
 use super::planned::Form;
@@ -165,11 +163,10 @@ impl<'a> Worked<'a> {
         self.in_unit(value, number)
     }
 
-    /// The quantities that have no value of their own because something they depend on may be anything.
+    /// The quantities that have no value of their own because the sheet tells no value of something they depend on.
     #[must_use]
     pub fn free(&self) -> BTreeSet<Symbol> {
-        let any = |known: &&Known| matches!(known.origin, Origin::Any);
-        let mut free: BTreeSet<Symbol> = self.problem.known().iter().filter(any).map(|known| known.symbol).collect();
+        let mut free = self.form.free.clone();
         if free.is_empty() {
             return free;
         }

@@ -11,7 +11,6 @@ use crate::expr::parse;
 use crate::model::Direction;
 use crate::model::Model;
 use crate::model::Timeline;
-use crate::problem::Origin;
 use crate::problem::Worked;
 use crate::scene::Axis;
 use crate::scene::Scene;
@@ -81,7 +80,7 @@ impl<'a> Quantities<'a> {
 
     /// Whether a quantity stands for any value, so that no number of the problem means anything by itself.
     fn is_any(&self, symbol: Symbol) -> bool {
-        self.worked.problem.known().iter().any(|known| known.symbol == symbol && matches!(known.origin, Origin::Any))
+        self.worked.form.free.contains(&symbol)
     }
 
     /// Whether a symbol is a value that the author wrote into a term.
@@ -91,7 +90,7 @@ impl<'a> Quantities<'a> {
 
     /// Whether the numbers of the figure mean something.
     pub(super) fn has_numbers(&self) -> bool {
-        !self.worked.problem.known().iter().any(|known| matches!(known.origin, Origin::Any))
+        self.worked.form.free.is_empty()
     }
 
     /// The value of the quantity of that name.

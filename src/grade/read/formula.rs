@@ -40,6 +40,8 @@ const FUNCTIONS: [(&str, Function); 10] = [
 ];
 const ROOTS: [&str; 2] = ["sqrt", "√"];
 const ARCTANGENTS: [&str; 2] = ["arctan", "atan"];
+/// The angle of the point (x, y), as our keys write it: `atan2(y, x)`.
+const POINT_ANGLES: [&str; 2] = ["atan2", "arctan2"];
 
 /// Reads a formula.
 pub(super) fn read(answer: &str, asked: &ExpectedFormula, mark: DecimalMark) -> Result<FormulaAnswer, Unreadable> {
@@ -278,6 +280,10 @@ impl<'a> Reader<'a> {
                     || name == "√"
             })
         };
+        if let Some(name) = POINT_ANGLES.iter().find(|name| is_here(name)) {
+            self.at = self.text.len() - rest.len() + name.len();
+            return Some(self.nested(Self::angle_of_point));
+        }
         let root = ROOTS.iter().find(|name| is_here(name));
         let arctangent = ARCTANGENTS.iter().find(|name| is_here(name));
         let other = FUNCTIONS.iter().find(|(name, _)| is_here(name));
@@ -313,6 +319,25 @@ impl<'a> Reader<'a> {
         Ok(power.map_or(value.clone(), |power| value.power(power)))
     }
 
+    fn angle_of_point(&mut self) -> At<Expr> {
+        self.functions += 1;
+        if self.functions > MAX_FUNCTIONS {
+            return self.fault(UnreadableKind::TooManyParts);
+        }
+        let start = self.at;
+        if !self.take("(") {
+            return self.fault(UnreadableKind::NotAFormula);
+        }
+        let y = self.sum()?;
+        self.skip_spaces();
+        if !self.take(",") && !self.take(";") {
+            return self.fault(UnreadableKind::NotAFormula);
+        }
+        let x = self.sum()?;
+        self.skip_spaces();
+        if self.take(")") { Ok(y.atan2(x)) } else { Err((start, UnreadableKind::OpenBracket)) }
+    }
+
     /// A plain number needs a unit to be an angle.
     fn angle(&mut self, argument: Expr) -> At<Expr> {
         let rest = self.rest().trim_start();
@@ -340,5 +365,5 @@ impl<'a> Reader<'a> {
 
 /// The symbols that a formula may contain.
 pub(super) fn allowed(asked: &ExpectedFormula) -> impl Iterator<Item = Symbol> + '_ {
-    asked.domain.iter().map(|(symbol, ..)| *symbol)
+    asked.domain.iter().map(|(symbol, ..)| *symbol).chain(asked.values.iter().map(|(symbol, _)| *symbol))
 }

@@ -1,0 +1,88 @@
+//! Parts that are answered by a formula: on the sheet, in the key, as JSON, and what marking expects.
+
+use std::sync::Arc;
+
+use serde_json::Value;
+use serde_json::json;
+
+use crate::explain;
+use crate::explain::Inline;
+use crate::expr::Expr;
+use crate::expr::Symbol;
+use crate::expr::name_math;
+use crate::grade;
+use crate::problem::FormulaPart;
+use crate::problem::Part;
+use crate::quantity::Dimension;
+
+use super::Exercise;
+
+impl Exercise {
+    /// The question, with the symbols in which it is answered.
+    pub(super) fn formula_on_sheet(&self, part: &Part, formula: &FormulaPart) -> Vec<Inline> {
+        let symbols = &self.problem.model().symbols;
+        let name = |symbol: Symbol| Inline::Math(name_math(&symbols.entry(symbol).name));
+        let mut text = vec![Inline::Text(format!("Find {}, ", part.label)), name(formula.symbol)];
+        let letters = self.letters(formula);
+        for (index, letter) in letters.iter().enumerate() {
+            let joint = match index {
+                0 => ", in terms of ",
+                _ if index + 1 == letters.len() => " and ",
+                _ => ", ",
+            };
+            text.extend([Inline::Text(joint.into()), name(*letter)]);
+        }
+        text.push(Inline::Text(".".into()));
+        text
+    }
+
+    /// The symbols in which an answer is written: that of which it is a multiple first, then all that are given.
+    fn letters(&self, formula: &FormulaPart) -> Vec<Symbol> {
+        let given = self.worked().alphabet().letters.into_iter().map(|(symbol, ..)| symbol);
+        formula.in_terms_of.into_iter().chain(given.filter(|symbol| Some(*symbol) != formula.in_terms_of)).collect()
+    }
+
+    /// A formula as a student may type it.
+    pub(super) fn printed_formula(&self, part: &FormulaPart) -> String {
+        let formula = self.worked().formula(part);
+        formula.map_or_else(|| "not defined".into(), |formula| formula.text(&self.problem.model().symbols))
+    }
+
+    pub(super) fn formula_record(&self, part: &Part, formula: &FormulaPart) -> Value {
+        let name = |symbol: Symbol| self.problem.model().symbols.entry(symbol).name.clone();
+        let letters: Vec<String> = self.letters(formula).into_iter().map(name).collect();
+        let math = explain::printed_formula(self.worked(), formula);
+        json!({
+            "id": part.id,
+            "kind": "formula",
+            "find": name(formula.symbol),
+            "value": self.printed_formula(formula),
+            "latex": math.map(|math| math.latex()),
+            "symbols": letters,
+            "printed": self.printed_formula(formula),
+            "points": part.points,
+        })
+    }
+
+    pub(super) fn expected_formula(&self, part: &FormulaPart) -> grade::ExpectedKind {
+        let worked = self.worked();
+        let mut alphabet = worked.alphabet();
+        if let Some(unit) = part.in_terms_of
+            && !alphabet.letters.iter().any(|(own, ..)| *own == unit)
+            && let Some(value) = worked.in_givens(unit, &alphabet.values)
+        {
+            alphabet.values.insert(unit, value);
+        }
+        let formula = worked.in_givens(part.symbol, &alphabet.values);
+        let symbols = &self.problem.model().symbols;
+        grade::ExpectedKind::Formula(grade::ExpectedFormula {
+            formula: formula.unwrap_or_else(|| Expr::from(part.symbol)),
+            symbols: Arc::new(symbols.clone()),
+            asked: part.symbol,
+            domain: alphabet.letters,
+            values: alphabet.values.into_iter().collect(),
+            multiple_of: part.in_terms_of.filter(|unit| symbols.entry(*unit).dimension != Dimension::NONE),
+            dimension: symbols.entry(part.symbol).dimension,
+        })
+    }
+}

@@ -1,0 +1,153 @@
+//! A form between its file and its plan: what is asked, told and required of it as symbols.
+
+use std::collections::BTreeSet;
+
+use crate::expr::Symbol;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::did_you_mean;
+use crate::model::Builder;
+use crate::model::Model;
+use crate::model::Warning;
+use crate::solve::Condition;
+use crate::solve::Equation;
+
+use super::compile::condition;
+use super::follow::Followings;
+use super::form::Question;
+use super::formula::Formulas;
+use super::known::Known;
+use super::load::Loaded;
+use super::mistakes::Mistakes;
+use super::part::Part;
+use super::parts;
+use super::planned::Form;
+use super::planned::Reveal;
+use super::range;
+use super::regimes::Regimes;
+
+/// A form whose names are symbols, but which is not planned yet.
+pub(super) struct FormDraft {
+    question: Question,
+    parts: Vec<Part>,
+    wanted: Vec<Symbol>,
+    pub(super) counts: Vec<Equation>,
+    reveal: Vec<Reveal>,
+    pub(super) conditions: Vec<Condition>,
+    allowed: Vec<Warning>,
+}
+
+impl FormDraft {
+    pub(super) fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'_>) -> Self {
+        let read = parts::read(loaded, question, builder);
+        let figures = usize::from(loaded.draft.figures.unwrap_or(3));
+        let mut reveal = Vec::new();
+        for (index, name) in question.reveal.iter().enumerate() {
+            match builder.mention(name) {
+                Some(symbol) if read.wanted.contains(&symbol) => {
+                    let fault = Fault::new(Code::Duplicate, format!("`{name}` is asked, so it cannot be told as well"));
+                    let help = "remove it from `reveal`, or ask for something else";
+                    builder.fault(fault.help(help).at_path(question.path.key("reveal").index(index)));
+                }
+                Some(symbol) => {
+                    let dimension = builder.symbols().entry(symbol).dimension;
+                    let unit = parts::unit_for(loaded, name, dimension);
+                    reveal.push(Reveal { name: name.clone(), symbol, unit, figures });
+                }
+                None => {
+                    let fault = builder.unknown(name).at_path(question.path.key("reveal").index(index));
+                    builder.fault(fault);
+                }
+            }
+        }
+        let conditions = question.conditions.iter();
+        let conditions = conditions
+            .filter_map(|(path, text)| condition(builder, text, "the problem asks for the other solution", path))
+            .collect();
+        Self {
+            question: question.clone(),
+            parts: read.parts,
+            wanted: read.wanted,
+            counts: read.counts,
+            reveal,
+            conditions,
+            allowed: allowed(question, builder),
+        }
+    }
+
+    /// Plans the form: what it reveals from everything given, what it asks from what it tells. What stands under `where`
+    /// holds for the whole scene, so it also picks the solution from which something is revealed.
+    pub(super) fn plan(self, model: &Model, known: &[Known], require: &[Condition]) -> Result<Form, Vec<Fault>> {
+        let everything: BTreeSet<Symbol> = inputs(model, known);
+        let mut told = everything.clone();
+        for symbol in &self.wanted {
+            told.remove(symbol);
+        }
+        told.extend(self.reveal.iter().map(|reveal| reveal.symbol));
+        // What an answer is a multiple of must be known too, and where it is not told it is solved.
+        let multiplied = self.parts.iter().filter_map(|part| part.kind.in_terms_of());
+        let wanted: Vec<Symbol> =
+            self.wanted.iter().copied().chain(multiplied.filter(|symbol| !told.contains(symbol))).collect();
+        let extra = |conditions: &[Condition]| [require, conditions].concat();
+        let revealed: Vec<Symbol> = self.reveal.iter().map(|reveal| reveal.symbol).collect();
+        let path = self.question.path.key("ask");
+        let forward = if revealed.is_empty() {
+            None
+        } else {
+            let at = self.question.path.key("reveal");
+            let planned = Regimes::plan(model, &[], &extra(&self.conditions), &everything, &revealed, &self.allowed);
+            Some(planned.map_err(|fault| vec![fault.at_path(at)])?)
+        };
+        let given = self.wanted.iter().find(|symbol| everything.contains(symbol));
+        let solver = Regimes::plan(model, &self.counts, &extra(&self.conditions), &told, &wanted, &self.allowed)
+            .map_err(|fault| match given.map(|symbol| &model.symbols.entry(*symbol).name) {
+                Some(name) => fault.help(format!(
+                    "`{name}` stands under `given`, and a form that asks for it must tell what it follows from: \
+                     `reveal: [...]`"
+                )),
+                None => fault,
+            })
+            .map_err(|fault| vec![fault.at_path(path)])?;
+        let trials = range::trials(model, &self.parts, &told, &self.allowed)
+            .map_err(|fault| vec![fault.at_path(self.question.path.key("ask"))])?;
+        Ok(Form {
+            trials,
+            question: self.question,
+            parts: self.parts,
+            told,
+            free: BTreeSet::new(),
+            formulas: Formulas::default(),
+            reveal: self.reveal,
+            forward,
+            solver,
+            mistakes: Mistakes::default(),
+            followings: Followings::default(),
+        })
+    }
+}
+
+/// The warnings that a form is meant to cause; all of them where it is meant to end in something impossible.
+fn allowed(question: &Question, builder: &mut Builder<'_>) -> Vec<Warning> {
+    if question.expect.is_some() {
+        return Warning::NAMES.iter().map(|(_, warning)| *warning).collect();
+    }
+    let mut allowed = Vec::new();
+    for (path, name) in &question.allow {
+        match Warning::NAMES.iter().find(|(own, _)| own == name) {
+            Some((_, warning)) => allowed.push(*warning),
+            None => {
+                let known = Warning::NAMES.iter().map(|(own, _)| *own);
+                let near = did_you_mean(name, known.clone()).map(|near| format!("did you mean `{near}`?"));
+                let help = near.unwrap_or_else(|| format!("known are: {}", known.collect::<Vec<_>>().join(", ")));
+                let fault = Fault::new(Code::UnknownName, format!("there is no warning `{name}`"));
+                builder.fault(fault.help(help).at_path(path.clone()));
+            }
+        }
+    }
+    allowed
+}
+
+/// Everything that has a value before anything is solved.
+fn inputs(model: &Model, known: &[Known]) -> BTreeSet<Symbol> {
+    known.iter().map(|known| known.symbol).chain(model.literals.iter().map(|(symbol, _)| *symbol)).collect()
+}
