@@ -156,7 +156,7 @@ mod tests {
             ("v_bullet1", "v_bullet1", r"v_{\text{bullet}1}"),
             ("e", "e", "e"),
             ("areal_rate", "dA/(dt)", r"\frac{dA}{dt}"),
-            ("magnitude(H_O1)", "|H_O1|", "\\left|H_{O1}\\right|"),
+            ("magnitude(H_O1)", "|H_O1|", r"\lvert H_{O1}\rvert"),
             ("H_rate_O1", "dH_O1/(dt)", r"\frac{dH_{O1}}{dt}"),
             ("angle(v_A2, v_B2)", "angle(v_A2, v_B2)", r"\operatorname{angle}(v_{A2},\; v_{B2})"),
         ] {

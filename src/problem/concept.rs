@@ -115,7 +115,6 @@ fn energy(loaded: &Loaded, builder: &Builder<'_>, stage: usize) -> Verdict {
         Some(Stage::Interact(stage)) if stage.elastic => (true, "the bodies lose no kinetic energy".into()),
         Some(Stage::Interact(_)) => (false, "the bodies do work on each other".into()),
         Some(Stage::Strike(_)) => (false, "part of the kinetic energy is lost in the impact".into()),
-        Some(Stage::Bowl(_)) => (false, "weight does work as the height changes".into()),
         Some(Stage::Conical(_)) => (false, "the cord does work as it is drawn in or let out".into()),
         Some(Stage::Swing(_)) => (
             false,
@@ -127,7 +126,7 @@ fn energy(loaded: &Loaded, builder: &Builder<'_>, stage: usize) -> Verdict {
         Some(Stage::Slide(slide)) if slide.incline.is_none() && slide.height.is_none() => {
             (true, "the smooth level floor pushes at right angles to the motion, and nothing does work".into())
         }
-        Some(Stage::Slide(_)) => (false, "weight does work as the height changes".into()),
+        Some(Stage::Slide(_) | Stage::Bowl(_)) => (false, "weight does work as the height changes".into()),
         Some(Stage::Spring(_)) => {
             (false, "the spring does work: it stores kinetic energy when it is deformed, and gives it back".into())
         }

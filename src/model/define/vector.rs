@@ -7,6 +7,7 @@ use crate::laws::geometry;
 use crate::quantity::Dimension;
 
 use super::super::Builder;
+use super::super::Instant;
 use super::super::Name;
 use super::super::builder::SECOND_COST;
 use super::super::component_name;
@@ -41,10 +42,8 @@ impl Builder<'_> {
     /// The magnitude of a vector that has components.
     pub(super) fn magnitude_of(&mut self, text: &str) -> Option<Symbol> {
         let name = text.strip_prefix("magnitude(")?.strip_suffix(')')?.trim();
-        if let Some(Name { base, subject, instant: Some(super::Instant::Number(number)), .. }) =
-            Name::parse(name).filter(|name| name.base == "v" && name.subject != "G" && name.component.is_none())
-            && base == "v"
-        {
+        let velocity = Name::parse(name).filter(|own| own.base == "v" && own.subject != "G" && own.component.is_none());
+        if let Some(Name { subject, instant: Some(Instant::Number(number)), .. }) = velocity {
             return self.resolve(&format!("speed_{subject}{number}"));
         }
         let (components, meaning, dimension) = self.components_of(name)?;
@@ -81,12 +80,11 @@ impl Builder<'_> {
         let [first, second] = [&one, &other].map(|name| self.vector(name));
         let (first, second) = (first?, second?);
         let both_velocities = [&first, &second].iter().all(|own| own.dimension == Dimension::VELOCITY);
-        let meaning = match both_velocities {
-            true => {
-                let [a, b] = [&first, &second].map(|own| own.meaning.replacen("the velocity", "that", 1));
-                format!("the angle between two velocities: {a} and {b}")
-            }
-            false => format!("the angle between {} and {}", first.meaning, second.meaning),
+        let meaning = if both_velocities {
+            let [a, b] = [&first, &second].map(|own| own.meaning.replacen("the velocity", "that", 1));
+            format!("the angle between two velocities: {a} and {b}")
+        } else {
+            format!("the angle between {} and {}", first.meaning, second.meaning)
         };
         let angle = self.positive(format!("angle({one}, {other})"), Dimension::NONE, meaning);
         if !self.defined.insert(format!("between {one} {other}")) {
