@@ -6,6 +6,7 @@ use crate::expr::Math;
 use crate::expr::Operator;
 use crate::expr::Symbol;
 use crate::model::Frame;
+use crate::problem::PartKind;
 use crate::problem::Worked;
 use crate::quantity::Decimal;
 use crate::quantity::Unit;
@@ -114,7 +115,7 @@ fn letter(name: &str) -> Inline {
     Inline::Math(Math::Identifier(name.into()))
 }
 
-/// Every quantity that a step of the answer mentions.
+/// Every quantity that a step of the answer mentions, or on which a choice depends.
 fn used(worked: Worked<'_>) -> BTreeSet<Symbol> {
     let leaf = worked.leaf();
     let steps = leaf.answer_steps();
@@ -128,6 +129,11 @@ fn used(worked: Worked<'_>) -> BTreeSet<Symbol> {
         .collect();
     let roots = steps.iter().flat_map(|step| &step.roots).flat_map(|root| &root.values);
     used.extend(roots.flat_map(|(_, closed): &(Symbol, Closed)| closed.symbols()));
+    let choices = worked.form.parts.iter().filter_map(|part| match &part.kind {
+        PartKind::Choice(choice) => Some(choice.depends_on()),
+        _ => None,
+    });
+    used.extend(choices.flatten());
     used
 }
 

@@ -153,7 +153,7 @@ const TABLE: &[(Verdict, &str, &str, Worth)] = &[
     (
         Verdict::FormulaDimension,
         "formula_dimension",
-        "a formula that adds or compares quantities of different dimensions",
+        "a formula that adds or compares quantities of different dimensions, or measures something else than what is asked",
         Part(0, 1),
     ),
     (Verdict::Wrong, "wrong", "not right", Nothing),

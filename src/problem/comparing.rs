@@ -1,5 +1,7 @@
 //! Questions that compare quantities: whether one is greater than another, and in which order several are.
 
+use std::collections::BTreeSet;
+
 use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::fault::Code;
@@ -15,6 +17,7 @@ use super::compile::condition;
 use super::decision::ChoicePart;
 use super::decision::Claim;
 use super::decision::MOST_ORDERED;
+use super::given::Given;
 use super::load::Loaded;
 use super::part::PartKind;
 
@@ -42,10 +45,21 @@ pub(super) fn claim(loaded: &Loaded, text: &str, builder: &mut Builder<'_>, path
     let said = format!("{} {than} {}", words[0], words[1]);
     let mut quantities = left.symbols();
     quantities.extend(right.symbols());
-    let is_told = |symbol: Symbol| loaded.given.get(&builder.symbols().entry(symbol).name).is_some();
-    let quantities = quantities.into_iter().filter(|symbol| !builder.is_literal(*symbol) && !is_told(*symbol));
-    let quantities = quantities.collect();
+    let quantities = to_solve(loaded, builder, quantities);
     Some((said, Claim { left, relation, right, words, quantities }))
+}
+
+/// Of some quantities those that have to be solved: they have no value of their own.
+pub(super) fn to_solve(loaded: &Loaded, builder: &Builder<'_>, quantities: BTreeSet<Symbol>) -> Vec<Symbol> {
+    let has_value = |name: &str| match loaded.given.get(name) {
+        Some(given) => !matches!(given, Given::Expression(_)),
+        None => false,
+    };
+    let is_told = |symbol: Symbol| {
+        let name = &builder.symbols().entry(symbol).name;
+        has_value(name) || name.split_once('.').is_some_and(|(whole, _)| has_value(whole))
+    };
+    quantities.into_iter().filter(|symbol| !builder.is_literal(*symbol) && !is_told(*symbol)).collect()
 }
 
 /// In which order some quantities are.

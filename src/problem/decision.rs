@@ -1,11 +1,13 @@
 //! Questions with several phrases to choose from, and which of them is right: settled by the scene, or by a variant's numbers.
 
 use std::cmp::Ordering;
+use std::collections::BTreeSet;
 
 use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::solve::Relation;
 
+use super::impact_kind::OfImpact;
 use super::variant::Worked;
 
 /// A choice between phrases.
@@ -13,6 +15,8 @@ use super::variant::Worked;
 pub enum ChoicePart {
     /// The scene settles it, whatever the numbers.
     Settled(Decision),
+    /// The coefficient of restitution of an impact settles it.
+    OfImpact(Box<OfImpact>),
     /// Whether something holds of the numbers: yes or no.
     Holds(Claim),
     /// In which order some quantities are, the least first.
@@ -60,11 +64,23 @@ impl Decision {
 }
 
 impl ChoicePart {
-    /// The quantities on whose values the choice depends.
+    /// Everything on which the choice depends, what is told included.
+    #[must_use]
+    pub fn depends_on(&self) -> BTreeSet<Symbol> {
+        match self {
+            Self::Settled(_) => BTreeSet::new(),
+            Self::OfImpact(choice) => choice.symbols(),
+            Self::Holds(claim) => claim.left.symbols().union(&claim.right.symbols()).copied().collect(),
+            Self::Order(symbols) => symbols.iter().copied().collect(),
+        }
+    }
+
+    /// The quantities that have to be solved for the choice.
     #[must_use]
     pub fn symbols(&self) -> Vec<Symbol> {
         match self {
             Self::Settled(_) => Vec::new(),
+            Self::OfImpact(choice) => choice.quantities().to_vec(),
             Self::Holds(claim) => claim.quantities.clone(),
             Self::Order(symbols) => symbols.clone(),
         }
@@ -75,17 +91,18 @@ impl ChoicePart {
     pub fn decided(&self, worked: &Worked<'_>) -> Decision {
         match self {
             Self::Settled(decision) => decision.clone(),
+            Self::OfImpact(choice) => choice.decided(worked),
             Self::Holds(claim) => claim.decided(worked),
             Self::Order(symbols) => ordered(symbols, worked),
         }
     }
 }
 
-fn value(worked: &Worked<'_>, expr: &Expr) -> f64 {
+pub(super) fn value(worked: &Worked<'_>, expr: &Expr) -> f64 {
     expr.evaluate(&|symbol| worked.variant.value(symbol).map_or(f64::NAN, |value| value.value))
 }
 
-fn compared(left: f64, right: f64) -> Ordering {
+pub(super) fn compared(left: f64, right: f64) -> Ordering {
     if (left - right).abs() <= EQUAL * left.abs().max(right.abs()) { Ordering::Equal } else { left.total_cmp(&right) }
 }
 

@@ -22,9 +22,11 @@ use super::ask::Turn;
 use super::comparing;
 use super::comparison::split_relation;
 use super::concept;
+use super::conserved;
 use super::form::Question;
 use super::formula::FormulaPart;
 use super::given::Given;
+use super::impact_kind;
 use super::literal::unit_fault;
 use super::load::Loaded;
 use super::part::AskedUnit;
@@ -56,9 +58,13 @@ pub(super) fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'
         let part = match ask {
             Ask::Find(find) => number(loaded, find, builder, &path),
             Ask::Count(count) => counted(count, builder, &path, &mut read.counts),
-            Ask::Conserved(ask) => concept::conserved(loaded, ask, builder, &path).map(|kind| (letter, kind.0, kind.1)),
-            Ask::Classify(ask) => concept::classify(loaded, ask, builder, &path).map(|kind| (letter, kind.0, kind.1)),
-            Ask::Impulsive(ask) => concept::impulsive(loaded, ask, builder, &path).map(|kind| (letter, kind.0, kind.1)),
+            Ask::Conserved(ask) => {
+                conserved::conserved(loaded, ask, builder, &path).map(|kind| (letter, kind.0, kind.1))
+            }
+            Ask::Classify(ask) => {
+                impact_kind::classify(loaded, ask, builder, &path).map(|kind| (letter, kind.0, kind.1))
+            }
+            Ask::Impulsive(ask) => concept::impulsive(ask, builder, &path).map(|kind| (letter, kind.0, kind.1)),
             Ask::Holds(ask) => comparing::holds(loaded, ask, builder, &path).map(|kind| (letter, kind.0, kind.1)),
             Ask::Range(ask) => range::read(loaded, ask, builder, &path).map(|(label, kind, boundary)| {
                 read.counts.push(boundary);

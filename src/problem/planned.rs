@@ -17,6 +17,7 @@ use super::load::Loaded;
 use super::mistakes::Mistakes;
 use super::part::AskedUnit;
 use super::part::Part;
+use super::part::PartKind;
 use super::regimes::Regimes;
 use super::stream::Streams;
 
@@ -86,7 +87,7 @@ impl Form {
         })
     }
 
-    /// What the answer plans use of what is told.
+    /// What the answer plans, and what is to be decided, use of what is told.
     #[must_use]
     pub fn needed(&self) -> BTreeSet<Symbol> {
         let mut needed = BTreeSet::new();
@@ -96,6 +97,11 @@ impl Form {
                 needed.extend(equation.symbols().intersection(&self.told).copied());
             }
         }
+        let choices = self.parts.iter().filter_map(|part| match &part.kind {
+            PartKind::Choice(choice) => Some(choice.depends_on()),
+            _ => None,
+        });
+        needed.extend(choices.flatten().filter(|symbol| self.told.contains(symbol)));
         needed
     }
 }

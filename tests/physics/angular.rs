@@ -100,8 +100,8 @@ impl System {
 
     fn scene(&self, axes: usize, point: [i64; 3]) -> String {
         let axes = if axes == 3 { "{ x: east, y: north, z: upwards }" } else { "{ x: east, y: north }" };
-        let bodies: String =
-            NAMES[..self.masses.len()].iter().map(|own| format!("  {own}: {{ name: body {own} }}\n")).collect();
+        let bodies = NAMES[..self.masses.len()].iter().map(|own| format!("  {own}: {{ name: body {own} }}\n"));
+        let bodies = bodies.collect::<Vec<_>>().concat();
         let [x, y, z] = point.map(|own| decimal(own, 1));
         let at =
             if axes.contains('z') { format!("x: {x} m, y: {y} m, z: {z} m") } else { format!("x: {x} m, y: {y} m") };
@@ -239,7 +239,8 @@ proptest! {
         let (second, after) = (found("omega_2"), found("v_P2"));
         close(m * a * a * first + n * b * before, m * a * a * second + n * b * after)?;
         close(b * second - after, e * (before - b * first))?;
-        let lost = (m * a * a * (first * first - second * second) + n * (before * before - after * after)) / 2.0;
+        let energy = |turn: f64, velocity: f64| m / 2.0 * (a * turn).powi(2) + n / 2.0 * velocity * velocity;
+        let lost = energy(first, before) - energy(second, after);
         close(found("T_lost"), lost)?;
         prop_assert!(found("T_lost") >= -1e-9 * lost.abs().max(1.0));
     }

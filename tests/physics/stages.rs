@@ -1,5 +1,6 @@
 //! Swings, slides, springs and strings with random numbers: what is balanced, whatever the numbers, the units and the side.
 
+use momentous::problem::Worked;
 use proptest::prelude::*;
 
 use crate::scenes::decimal;
@@ -146,12 +147,11 @@ fn keeps_energy(plane: &str, stage: &str, given: &str, of: &str) -> (String, Str
     let text = format!(
         "id: test/kept\ntitle: Kept\nlevel: core\nscene:\n  axes: {{ x: to the right }}\n  plane: {plane}\n  bodies:\n    A: {{ name: block A }}\n    B: {{ name: block B }}\n  stages:\n    - {stage}\ngiven: {{ {given} }}\ntext: Something moves.\nask:\n  - {{ conserved: energy, of: [{of}] }}\n"
     );
-    let (problem, _) = solved(&text);
-    let momentous::problem::PartKind::Choice(momentous::problem::ChoicePart::Settled(decision)) =
-        &problem.forms()[0].parts[0].kind
-    else {
+    let (problem, variant) = solved(&text);
+    let momentous::problem::PartKind::Choice(choice) = &problem.forms()[0].parts[0].kind else {
         panic!("a question of yes or no");
     };
+    let decision = choice.decided(&Worked::new(&problem, &variant).unwrap());
     (decision.options[decision.right].clone(), decision.because.clone())
 }
 

@@ -137,8 +137,8 @@ impl Builder<'_> {
         }
         if self.scene.plane == Plane::Horizontal {
             self.omit(
-                "weight and the support of the ground",
-                "they act across the motion and cancel, and nothing impulsive presses the bodies into the ground",
+                "weight and whatever supports the bodies",
+                "they act across the motion, and nothing impulsive presses on the support",
             );
         }
     }
@@ -195,7 +195,9 @@ impl Builder<'_> {
     fn general_impact(&mut self, contact: &Contact<'_>, first: &str, second: &str) {
         let (name_a, name_b) = (self.called(first), self.called(second));
         self.exchange(contact, [first, second], [first, second]);
-        self.omit("weight and the support of the ground", "they act across the plane of motion and cancel");
+        if self.scene.plane == Plane::Horizontal {
+            self.omit("weight and whatever supports the bodies", "they act across the plane of motion and cancel");
+        }
         self.omit(
             "the impulse between the bodies",
             format!("within the system it cancels: on {name_a} and on {name_b} it is equal and opposite"),
@@ -290,8 +292,8 @@ impl Builder<'_> {
         self.omit("the forces between the bodies", "their impulses cancel in pairs within the system");
         if self.scene.plane == Plane::Horizontal {
             self.omit(
-                "friction with the ground",
-                "it is not impulsive: its impulse during the short impact is negligible",
+                "friction and other resistance from outside",
+                "they are not impulsive: their impulse during the short impact is negligible",
             );
         }
     }

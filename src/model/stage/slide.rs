@@ -56,6 +56,7 @@ impl Builder<'_> {
             }
         }
         self.slide_forces(index, body, friction.as_ref(), &incline, &way, &duration);
+        self.slide_impulse(index, stage, &incline);
         self.omit("air resistance", "the problem does not mention any");
         if friction.is_none() {
             self.omit("friction", "the floor is smooth");
@@ -144,11 +145,20 @@ impl Builder<'_> {
         let acts = Acts { stage: index, on: body, during: [&zero, duration] };
         let kinetic = friction.cloned().unwrap_or_else(Expr::zero);
         self.note_floor(acts, incline, weight, normal, kinetic, way.sign < 0);
+    }
+
+    /// What gives the body an impulse along its way; without friction nothing does so on a level floor.
+    fn slide_impulse(&mut self, index: usize, stage: &Slide, incline: &Incline) {
+        let called = match stage.friction {
+            Some(_) => "friction",
+            None if incline.is_level() && stage.height.is_none() => return,
+            None => "weight",
+        };
         self.impulses.push(Impulse {
             stage: index,
-            on: body.to_owned(),
+            on: stage.body.clone(),
             by: Agent::Outside,
-            called: if friction.is_some() { "friction".into() } else { "weight".into() },
+            called: called.into(),
             components: Vec::new(),
             impulsive: false,
         });

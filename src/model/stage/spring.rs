@@ -174,6 +174,6 @@ impl Builder<'_> {
         self.require(warning, greater.clone(), Relation::AtLeast, less.clone(), reason);
         let pair = Pair { index, bodies, before, after, link: "the spring", pulley: None };
         self.pair(&pair, "", &|_, impulse| vec![impulse.clone()], None, path);
-        self.omit("friction with the ground", "the problem does not mention any");
+        self.omit("friction and other resistance", "the problem does not mention any");
     }
 }
