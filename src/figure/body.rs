@@ -61,6 +61,15 @@ impl Body {
         Self { name: name.clone(), outline, centre, angle: 0.0, taken: Vec::new() }
     }
 
+    /// A block of that size at least.
+    pub(super) fn plank(name: &Math, size: Point) -> Self {
+        let mut own = Self::new(name, Form::Block, Point::ORIGIN);
+        if let Outline::Block(least) = own.outline {
+            own.outline = Outline::Block(Point::new(least.x.max(size.x), least.y.max(size.y)));
+        }
+        own
+    }
+
     /// The same body, turned about its centre; its name stays level, so a block grows to hold it.
     pub(super) fn turned(mut self, angle: f64) -> Self {
         if let Outline::Block(size) = self.outline {

@@ -24,7 +24,7 @@ const WIDEST: f64 = 0.74;
 const ALLOWANCE: f64 = 1.06;
 
 /// Heights above and below the baseline, in units of the type size.
-const LOW_LETTERS: &str = "acegmnopqrsuvwxyz.,:+\u{2212}=\u{2009}\u{a0}";
+const LOW_LETTERS: &str = "acegmnopqrsuvwxyz.,:+\u{2212}=\u{2009}\u{a0}\u{3b1}\u{3b5}\u{3bc}\u{3c0}\u{3c3}\u{3c9}";
 const HANGING_LETTERS: &str = "gjpqy,()[]/Q|\u{222b}\u{3b2}\u{3bc}";
 const LOW_HEIGHT: f64 = 0.46;
 const FULL_HEIGHT: f64 = 0.69;

@@ -14,7 +14,7 @@ const TICK: f64 = 3.5;
 const TICK_GAP: f64 = 4.0;
 /// Free part of the plot above the curve, and of the axes beyond it.
 const HEADROOM: f64 = 1.12;
-const AXIS_OVERHANG: f64 = 14.0;
+const AXIS_OVERHANG: f64 = 24.0;
 
 /// What a plot of force against time shows.
 #[derive(Clone, Debug, PartialEq)]

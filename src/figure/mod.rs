@@ -2,6 +2,7 @@
 
 mod angular_diagram;
 mod body;
+mod coil;
 mod drawing;
 mod extent;
 mod force_plot;
@@ -30,7 +31,8 @@ pub use mass_centre::{MassCentre, PlacedParticle};
 pub use momentum_diagram::{BodyMomentum, MomentumDiagram};
 pub use place::{Overlap, overlaps};
 pub use situation::{
-    AngleMark, Central, Contact, Fall, Ground, Height, Layout, Line, Moment, Moving, MovingBody, Partner, Situation,
+    AngleMark, Central, Contact, Face, Fall, Ground, Height, Layout, Line, LineSpring, Moment, Moving, MovingBody,
+    Partner, Pulley, PulleySide, Ramp, Rest, Ride, Situation, Swing, SwingEnd,
 };
-pub use svg::svg;
+pub use svg::{svg, svg_file};
 pub use tikz::tikz;

@@ -1,5 +1,7 @@
 //! The impulse-momentum diagram: for each body, momentum before + impulses = momentum after.
 
+use std::f64::consts::FRAC_PI_2;
+
 use crate::expr::Math;
 use crate::expr::Operator;
 
@@ -104,8 +106,11 @@ impl BodyMomentum {
         }
     }
 
+    /// Turned with a slanting surface.
     fn body(&self) -> Body {
-        Body::new(&self.name, self.form, Point::ORIGIN)
+        let normal = self.surface.filter(|angle| angle.is_finite()).unwrap_or_default();
+        let turn = normal - libm::round(normal / FRAC_PI_2) * FRAC_PI_2;
+        Body::new(&self.name, self.form, Point::ORIGIN).turned(turn)
     }
 
     fn momentum_panel(&self, momentum: &LabelledVector, scale: Scale) -> Vec<Shape> {

@@ -19,6 +19,9 @@ const CLEARANCE: f64 = 1.2;
 const DISTANCES: [f64; 2] = [11.0, 6.0];
 /// How near another arrow must be for labels to be mixed up.
 const NEARBY: f64 = 18.0;
+/// Below this part of a label's width a line is short; above this part of its length its lesser side makes it slant.
+const SHORT: f64 = 0.5;
+const SLANTING: f64 = 0.12;
 /// How far beyond the arc of an angle its label is tried.
 const OPENINGS: [f64; 6] = [0.0, 6.0, 12.0, 18.0, 24.0, 30.0];
 /// Step from ring to ring, number of rings, places on a ring.
@@ -126,18 +129,21 @@ fn place(label: Extent, anchor: Anchor, shapes: &[Shape], boxes: &[Option<Extent
         let own = label.moved(*at).grown(distance);
         is_free(at) && foreign.iter().all(|shape| own.contact(shape) == Contact::Clear)
     };
-    let near_and_end = || near.iter().copied().chain(end_place(anchor, label.size()));
+    // Beside a short slanting arrow a wide label lies far off; about its end it does not.
+    let ends = end_places(anchor, label.size());
+    let (first, second) = if is_short(anchor, label.size()) { (&ends[..], None) } else { (&[][..], ends.first()) };
+    let near_and_end = || first.iter().chain(&near).chain(second).copied();
     let clear = |distance: f64| near_and_end().find(|at| is_clear(at, distance));
     // Where no other arrow is near, any place beside its own will do.
     let best = if foreign.is_empty() { None } else { DISTANCES.into_iter().find_map(clear) };
-    best.or_else(|| near.iter().copied().chain(rings).find(is_free)).unwrap_or(start)
+    best.or_else(|| first.iter().chain(&near).copied().chain(rings).find(is_free)).unwrap_or(start)
 }
 
 /// Whether a label that belongs to an arrow could be taken for that of this shape, another arrow near to it.
 fn is_foreign(anchor: Anchor, shape: &Shape) -> bool {
     match (anchor, shape) {
         // An arrow's label lies along it from its tail, or towards its tail.
-        (Anchor::Along { from: start, to: end }, Shape::Arrow { from, .. }) => {
+        (Anchor::Along { from: start, to: end }, Shape::Arrow { from, role, .. }) if *role != Role::Guide => {
             let near = Extent::around([start, end]).grown(NEARBY);
             *from != start && *from != end && near.contact(shape) != Contact::Clear
         }
@@ -153,11 +159,20 @@ fn is_blocked(own: Extent, shape: &Shape) -> bool {
     }
 }
 
-/// Beyond the end of an arrow or a line; the anchor of an arrow ends amid its head.
-fn end_place(anchor: Anchor, size: Point) -> Option<Point> {
-    let Anchor::Along { from, to } = anchor else { return None };
+/// Beyond the end of an arrow or a line, then to the sides of that; the anchor of an arrow ends amid its head.
+fn end_places(anchor: Anchor, size: Point) -> Vec<Point> {
+    let Anchor::Along { from, to } = anchor else { return Vec::new() };
+    let along = (to - from).angle();
+    let place = |eighths: f64| clear_of(to, Point::polar(1.0, along + eighths * TAU / 8.0), GAP + HEAD_LENGTH, size);
+    if from == to { Vec::new() } else { [0.0, 0.5, -0.5, 1.0, -1.0, 1.5, -1.5].map(place).to_vec() }
+}
+
+/// Whether a label is much longer than the slanting line that it belongs to.
+fn is_short(anchor: Anchor, size: Point) -> bool {
+    let Anchor::Along { from, to } = anchor else { return false };
     let along = to - from;
-    (along.length() > 0.0).then(|| clear_of(to, along * (1.0 / along.length()), GAP + HEAD_LENGTH, size))
+    let slants = along.x.abs().min(along.y.abs()) > SLANTING * along.length();
+    slants && along.length() < SHORT * size.x
 }
 
 fn near_places(anchor: Anchor, size: Point) -> Vec<Point> {

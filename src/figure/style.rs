@@ -11,6 +11,8 @@ pub(super) struct Style {
     pub class: &'static str,
     /// Colour in SVG. The coloured ones have a luminance near 0.18, which stands out equally on white and on near-black.
     pub colour: &'static str,
+    /// A lighter one for dark pages, where the reader's program knows of them.
+    pub dark: &'static str,
     /// The same as a mix for LaTeX's xcolor.
     pub mix: &'static str,
     /// Line width.
@@ -19,24 +21,25 @@ pub(super) struct Style {
     pub fill: f64,
 }
 
-const INK: &str = "currentColor";
+const INK: (&str, &str) = ("currentColor", "currentColor");
 
 /// The look of `role`.
 pub(super) fn style(role: Role) -> Style {
-    let (class, colour, mix, width, fill) = match role {
+    let (class, colours, mix, width, fill) = match role {
         Role::Body => ("body", INK, "black", 1.0, 0.07),
-        Role::Momentum => ("momentum", "#2878c8", "blue!75!black", 1.6, 0.0),
-        Role::Impulse => ("impulse", "#c8501e", "red!75!black", 1.6, 0.16),
-        Role::Velocity => ("velocity", "#238551", "green!45!black", 1.6, 0.0),
-        Role::Force => ("force", "#a84fc0", "violet!85!black", 1.6, 0.0),
+        Role::Momentum => ("momentum", ("#2878c8", "#74b4f0"), "blue!75!black", 1.6, 0.0),
+        Role::Impulse => ("impulse", ("#c8501e", "#f0935f"), "red!75!black", 1.6, 0.16),
+        Role::Velocity => ("velocity", ("#238551", "#5cc48c"), "green!45!black", 1.6, 0.0),
+        Role::Force => ("force", ("#a84fc0", "#d297e4"), "violet!85!black", 1.6, 0.0),
         Role::Length => ("length", INK, "black", 0.9, 0.0),
         Role::Surface => ("surface", INK, "black", 1.2, 0.0),
         Role::Axis => ("axis", INK, "black", 0.7, 0.0),
         Role::Path => ("path", INK, "black!65", 0.8, 0.0),
-        Role::Curve => ("curve", "#a84fc0", "violet!85!black", 1.5, 0.12),
+        Role::Curve => ("curve", ("#a84fc0", "#d297e4"), "violet!85!black", 1.5, 0.12),
         Role::Guide => ("guide", INK, "black!55", 0.5, 0.0),
     };
-    Style { class, colour, mix, width, fill }
+    let (colour, dark) = colours;
+    Style { class, colour, dark, mix, width, fill }
 }
 
 /// Every role, in the order of the style sheet.
@@ -73,6 +76,9 @@ mod tests {
         for luminance in ROLES.iter().filter_map(|role| luminance(style(*role).colour)) {
             assert!(1.05 / (luminance + 0.05) > 3.8, "too pale on white");
             assert!((luminance + 0.05) / 0.057 > 3.8, "too dark on near-black");
+        }
+        for luminance in ROLES.iter().filter_map(|role| luminance(style(*role).dark)) {
+            assert!((luminance + 0.05) / 0.057 > 7.0, "too dark for a dark page");
         }
     }
 }

@@ -1,4 +1,4 @@
-//! A drawing as SVG: complete in itself, its ink following the page's text colour, in light and in dark.
+//! A drawing as SVG: within a page, its ink following the page's text colour; or as a file, on a card of its own.
 
 use std::fmt::Write;
 
@@ -6,13 +6,19 @@ use crate::expr::Math;
 
 use super::extent::Measure;
 use super::geometry::{arc_points, arrow_head, coordinate, corners};
-use super::style::{ROLES, TYPE_SIZE, style};
+use super::style::{ROLES, Style, TYPE_SIZE, style};
 use super::typeset::{Face, runs};
 use super::{Drawing, Point, Role, Shape};
 
 /// Serif faces that readers' machines have; no font is loaded.
 const FONTS: &str = "'STIX Two Text','Times New Roman',Times,'Liberation Serif',serif";
 const DASHES: &str = "5 3";
+/// Paper and ink of a file, in light and in dark.
+const CARD_STYLE: &str = "\
+.momentous-figure{color:#1f2328;color-scheme:light dark}
+.momentous-figure .card{fill:#fdfdfb}
+@media (prefers-color-scheme:dark){.momentous-figure{color:#e2e5e9}.momentous-figure .card{fill:#16191d}}
+";
 
 /// The drawing as an SVG element, with title and description for screen readers.
 ///
@@ -27,6 +33,26 @@ const DASHES: &str = "5 3";
 /// ```
 #[must_use]
 pub fn svg(drawing: &Drawing) -> String {
+    element(drawing, "", "")
+}
+
+/// The drawing as an SVG file. A picture cannot know the colour of the page that shows it (a page may be dark for a reader
+/// whose screen is light), so it stands on a card of its own, which is light or dark as the reader's screen is.
+///
+/// ```
+/// use momentous::figure::{Drawing, Point, svg_file};
+///
+/// let (low, high) = (Point { x: 0.0, y: 0.0 }, Point { x: 40.0, y: 20.0 });
+/// let words = String::new;
+/// let text = svg_file(&Drawing { title: words(), description: words(), caption: words(), low, high, shapes: Vec::new() });
+/// assert!(text.contains("prefers-color-scheme:dark") && text.contains("<rect class=\"card\""));
+/// ```
+#[must_use]
+pub fn svg_file(drawing: &Drawing) -> String {
+    element(drawing, CARD_STYLE, "<rect class=\"card\" width=\"100%\" height=\"100%\" rx=\"6\"/>\n")
+}
+
+fn element(drawing: &Drawing, style: &str, ground: &str) -> String {
     let size = drawing.high - drawing.low;
     let (width, height) = (coordinate(size.x), coordinate(size.y));
     let (title, description) = (escape(&drawing.title), escape(&drawing.description));
@@ -34,7 +60,7 @@ pub fn svg(drawing: &Drawing) -> String {
     page.put(format_args!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" class=\"momentous-figure\" \
          width=\"{width}pt\" height=\"{height}pt\" viewBox=\"0 0 {width} {height}\">\n\
-         <title>{title}</title>\n<desc>{description}</desc>\n<style>\n{}</style>\n",
+         <title>{title}</title>\n<desc>{description}</desc>\n<style>\n{}{style}</style>\n{ground}",
         style_sheet()
     ));
     for shape in &drawing.shapes {
@@ -55,19 +81,31 @@ fn style_sheet() -> String {
          {scope} .dashed{{stroke-dasharray:{DASHES}}}\n"
     );
     for style in ROLES.map(style) {
-        let (class, colour, width, fill) = (style.class, style.colour, style.width, style.fill);
+        let (class, width, fill) = (style.class, style.width, style.fill);
         let rule = format!(
-            "{scope} .{class}{{stroke:{colour};stroke-width:{width};fill:none}}\n\
-             {scope} .{class}.head,{scope} text.{class}{{fill:{colour};stroke:none}}\n"
+            "{scope} .{class}{{{};stroke-width:{width};fill:none}}\n\
+             {scope} .{class}.head,{scope} text.{class}{{{};stroke:none}}\n",
+            paint("stroke", &style),
+            paint("fill", &style),
         );
         sheet.push_str(&rule);
         if fill > 0.0 {
-            let filled = format!("{scope} .{class}.filled{{fill:{colour};fill-opacity:{fill}}}\n");
+            let filled = format!("{scope} .{class}.filled{{{};fill-opacity:{fill}}}\n", paint("fill", &style));
             sheet.push_str(&filled);
         }
     }
     sheet.push_str(".momentous-figure .area{stroke:none}\n");
     sheet
+}
+
+/// A colour for the light and the dark scheme of the page; programs that do not know of schemes keep the first.
+fn paint(property: &str, style: &Style) -> String {
+    let (light, dark) = (style.colour, style.dark);
+    if light == dark {
+        format!("{property}:{light}")
+    } else {
+        format!("{property}:{light};{property}:light-dark({light},{dark})")
+    }
 }
 
 struct Page {

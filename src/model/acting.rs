@@ -38,6 +38,17 @@ pub enum ForceKind {
     Friction,
 }
 
+/// The slope of the floor in a stage.
+#[derive(Clone, Debug)]
+pub struct Slope {
+    /// The stage, counted from 0.
+    pub stage: usize,
+    /// Its angle against the level.
+    pub angle: Expr,
+    /// Whether it rises along the positive axis.
+    pub rises: bool,
+}
+
 /// A stream that meets a body.
 #[derive(Clone, Debug)]
 pub struct Flowing {

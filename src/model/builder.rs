@@ -31,6 +31,7 @@ use super::Instance;
 use super::Integral;
 use super::Omission;
 use super::Reason;
+use super::Slope;
 use super::Warning;
 use super::frame::Frame;
 use super::timeline::Timeline;
@@ -65,6 +66,7 @@ pub struct Builder<'s> {
     pub(super) impulses: Vec<Impulse>,
     pub(super) forces: Vec<ActingForce>,
     pub(super) flowing: Vec<Flowing>,
+    pub(super) slopes: Vec<Slope>,
     /// How long each stage lasts, where that is spoken of.
     pub(super) lasting: Vec<Option<Expr>>,
     pub(super) literals: Vec<(Symbol, Quantity)>,
@@ -94,6 +96,7 @@ impl<'s> Builder<'s> {
             impulses: Vec::new(),
             forces: Vec::new(),
             flowing: Vec::new(),
+            slopes: Vec::new(),
             lasting: vec![None; scene.stages.len()],
             literals: Vec::new(),
             frames: vec![None; scene.stages.len()],

@@ -7,6 +7,7 @@ use crate::fault::Path;
 use crate::scene::Term;
 
 use super::Builder;
+use super::acting::Slope;
 use super::frame::Direction;
 
 /// How the way of a body lies in space.
@@ -49,7 +50,7 @@ const DOWN: &[&str] = &["down ", "downhill"];
 
 impl Builder<'_> {
     /// The slope that a stage states; without one the floor is level, or the axis of a vertical plane is vertical.
-    pub(super) fn incline(&mut self, term: Option<&Term>, path: &Path) -> Incline {
+    pub(super) fn incline(&mut self, index: usize, term: Option<&Term>, path: &Path) -> Incline {
         let Some(term) = term else {
             return match self.downwards(0).filter(|_| self.axes.len() == 1) {
                 Some(down) => Incline { angle: Expr::zero(), sign: -down, along: Expr::one(), press: Expr::zero() },
@@ -58,6 +59,7 @@ impl Builder<'_> {
         };
         let path = &path.key("incline");
         let (sign, angle) = self.incline_angle(term, path);
+        self.slopes.push(Slope { stage: index, angle: angle.clone(), rises: sign > 0 });
         let (along, press) = (angle.clone().sin().simplify(), angle.clone().cos().simplify());
         Incline { angle, sign, along, press }
     }

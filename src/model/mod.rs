@@ -21,7 +21,7 @@ mod timeline;
 mod way;
 mod wording;
 
-pub use acting::{ActingForce, Flowing, ForceKind};
+pub use acting::{ActingForce, Flowing, ForceKind, Slope};
 pub use builder::{Alternative, Builder};
 pub use frame::{Direction, Frame};
 pub use instance::{Agent, Impulse, Instance, Integral, Omission, Reason, Warning};
@@ -68,6 +68,8 @@ pub struct Model {
     pub impulses: Vec<Impulse>,
     /// The forces of each push.
     pub forces: Vec<ActingForce>,
+    /// The slopes of floors.
+    pub slopes: Vec<Slope>,
     /// The streams that meet bodies.
     pub flowing: Vec<Flowing>,
     /// Values that the author wrote into terms: known, and the same in every variant.
@@ -331,6 +333,7 @@ impl<'s> Builder<'s> {
             flowing: self.flowing,
             literals: self.literals,
             frames: self.frames,
+            slopes: self.slopes,
             free: self.free,
             mentions: self.mentions,
         })

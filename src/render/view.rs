@@ -182,7 +182,7 @@ impl<'a> View<'a> {
     fn figure(&mut self, drawing: &Drawing) -> Value {
         let file = self.beside_prefix.map(|prefix| format!("{prefix}-{}.svg", self.beside.len() + 1));
         if let Some(name) = &file {
-            self.beside.push(BesideFile { name: name.clone(), text: figure::svg(drawing) });
+            self.beside.push(BesideFile { name: name.clone(), text: figure::svg_file(drawing) });
         }
         let inline = if file.is_some() { String::new() } else { self.writer.figure(drawing) };
         map([

@@ -5,7 +5,7 @@
 mod random;
 mod scenes;
 
-use momentous::figure::{Drawing, Overlap, bounds, overlaps, svg, tikz};
+use momentous::figure::{Drawing, Overlap, bounds, overlaps, svg, svg_file, tikz};
 use random::Dice;
 
 const SEEDS: u64 = 200;
@@ -30,6 +30,7 @@ fn assert_good(name: &str, drawing: &Drawing) {
     assert!(frame.low.x >= drawing.low.x && frame.high.x <= drawing.high.x, "{name}: clipped at a side");
     assert!(frame.low.y >= drawing.low.y && frame.high.y <= drawing.high.y, "{name}: clipped above or below");
     assert_well_formed(name, &svg(drawing));
+    assert_well_formed(name, &svg_file(drawing));
     assert_balanced(name, &tikz(drawing));
 }
 
@@ -82,9 +83,10 @@ fn momentum_diagrams_fit_on_a_sheet() {
 
 #[test]
 fn random_figures_are_clear_complete_and_well_formed() {
-    let kinds: [(&str, Draw); 5] = [
+    let kinds: [(&str, Draw); 6] = [
         ("momentum", random::momentum_diagram),
         ("situation", random::situation),
+        ("held", random::held),
         ("angular", random::angular_diagram),
         ("force", random::force_plot),
         ("centre", random::mass_centre),

@@ -104,7 +104,14 @@ pub fn situation(dice: &mut Dice) -> Drawing {
             angle: if dice.chance(60) { 0.0 } else { dice.angle() },
             bodies: (0..=dice.below(3) as usize).map(|number| moving_body(dice, number)).collect(),
             floor: dice.chance(60),
-            slope: angle,
+            slope: angle.map(|angle| angle.label),
+            spring: dice.chance(40).then(|| {
+                let place = [LineSpring::Ahead, LineSpring::Behind, LineSpring::Between][dice.below(3) as usize];
+                (place, dice.chance(60).then(|| name("k")))
+            }),
+            hung: dice.chance(20).then_some(0),
+            tied: dice.chance(20),
+            wall: dice.chance(20),
         }),
         1 => Layout::Contact(Contact {
             line_of_impact: dice.angle(),
@@ -130,11 +137,66 @@ pub fn situation(dice: &mut Dice) -> Drawing {
                     value: dice.between(1.5, 2.0) / f64::from(index + 1),
                 })
                 .collect(),
-            ground: match dice.below(3) {
+            ground: match dice.below(4) {
                 0 => Ground::Level,
                 1 => Ground::Slope(dice.between(-0.8, 0.8), dice.chance(70).then(|| name("\u{3b2}"))),
+                2 => Ground::Sprung(moving_body(dice, 1)),
                 _ => Ground::Body(moving_body(dice, 1)),
             },
+        }),
+    };
+    Situation { wording: wording("A random situation"), layout, axes: xy() }.drawing()
+}
+
+/// Bodies on cords, strings, ramps and other bodies.
+pub fn held(dice: &mut Dice) -> Drawing {
+    let label = |dice: &mut Dice, text: &str| dice.chance(70).then(|| name(text));
+    // None of them has vectors with angles of their own.
+    let moving_body = |dice: &mut Dice, number| {
+        let mut moving = moving_body(dice, number);
+        moving.vectors.iter_mut().for_each(|vector| vector.angle = None);
+        moving
+    };
+    let layout = match dice.below(4) {
+        0 => Layout::Swing(Swing {
+            body: MovingBody::new(body_name(dice, 0)).shaped(form(dice)),
+            ends: (0..=dice.below(2))
+                .map(|_| SwingEnd {
+                    angle: if dice.chance(40) { 0.0 } else { dice.between(-2.0, 2.0) },
+                    label: label(dice, "\u{3b8}"),
+                    vectors: moving_body(dice, 0).vectors,
+                })
+                .collect(),
+            length: label(dice, "L"),
+            height: label(dice, "h"),
+        }),
+        1 => {
+            let side = |dice: &mut Dice, number| PulleySide {
+                body: moving_body(dice, number),
+                rest: match dice.below(3) {
+                    0 => Rest::Hanging,
+                    1 => Rest::Level,
+                    _ => Rest::Slope(dice.between(0.1, 1.3), label(dice, "\u{3b1}")),
+                },
+            };
+            Layout::Pulley(Pulley { sides: [side(dice, 0), side(dice, 1)] })
+        }
+        2 => {
+            let rightwards = dice.chance(50);
+            let face = if dice.chance(50) {
+                Face::Deck { way: label(dice, "L"), rightwards }
+            } else {
+                let (angle, height) = (dice.between(0.1, 1.2), label(dice, "h"));
+                Face::Slope { angle, label: label(dice, "\u{3b2}"), rightwards, height }
+            };
+            Layout::Ride(Ride { rider: moving_body(dice, 0), carrier: moving_body(dice, 1), face })
+        }
+        _ => Layout::Ramp(Ramp {
+            body: MovingBody::new(body_name(dice, 0)).shaped(form(dice)),
+            top: dice.chance(80).then(|| moving_body(dice, 0).vectors),
+            foot: dice.chance(80).then(|| moving_body(dice, 0).vectors),
+            rightwards: dice.chance(50),
+            height: label(dice, "h"),
         }),
     };
     Situation { wording: wording("A random situation"), layout, axes: xy() }.drawing()
@@ -210,6 +272,12 @@ pub fn nonsense() -> Vec<Drawing> {
         first: moving.clone(),
         second: Partner::Surface,
     };
+    let end = SwingEnd { angle: f64::NAN, label: Some(name("a")), vectors: moving.vectors.clone() };
+    let swing = Swing { body: moving.clone(), ends: vec![end], length: None, height: Some(name("h")) };
+    let side = || PulleySide { body: moving.clone(), rest: Rest::Slope(f64::NAN, Some(name("a"))) };
+    let pulley = Pulley { sides: [side(), side()] };
+    let face = Face::Slope { angle: f64::NAN, label: Some(name("a")), rightwards: true, height: None };
+    let ride = Ride { rider: moving.clone(), carrier: moving.clone(), face };
     let fall = Fall {
         body: moving,
         heights: vec![Height { label: None, value: f64::NAN }],
@@ -231,6 +299,9 @@ pub fn nonsense() -> Vec<Drawing> {
         MomentumDiagram::default().drawing(),
         situation(Layout::Contact(contact)).drawing(),
         situation(Layout::Fall(fall)).drawing(),
+        situation(Layout::Swing(swing)).drawing(),
+        situation(Layout::Pulley(pulley)).drawing(),
+        situation(Layout::Ride(ride)).drawing(),
         plot.drawing(),
     ]
 }

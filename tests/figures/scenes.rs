@@ -156,7 +156,7 @@ pub fn situations() -> Vec<(&'static str, Situation)> {
             body("C").shaped(Form::Block).with(velocity(sub("v", "C1"), [0.0, 0.0])),
         ],
         floor: true,
-        slope: None,
+        ..Line::default()
     };
     let slope = Line {
         angle: PI / 9.0,
@@ -165,7 +165,8 @@ pub fn situations() -> Vec<(&'static str, Situation)> {
             body("B").shaped(Form::Block).with(Moving::force(LabelledVector::known(name("F"), [-2.0, -0.7279]))),
         ],
         floor: true,
-        slope: Some(AngleMark { from: 0.0, label: degrees("20") }),
+        slope: Some(degrees("20")),
+        ..Line::default()
     };
     let oblique = Contact {
         line_of_impact: PI / 6.0,

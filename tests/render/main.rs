@@ -88,6 +88,8 @@ fn a_sheet_and_its_solution_share_a_document_with_one_main_heading() {
     let html = renderer().render(&pages, Format::Html).unwrap().text;
     assert_eq!(html.matches("<h1>").count(), 1);
     assert_eq!(html.matches("<article").count(), 2);
+    let title = samples::sheet().title;
+    assert_eq!(html.matches(&format!(">{title}</h")).count(), 1, "the shared title stands once");
     let latex = renderer().render(&pages, Format::Latex).unwrap().text;
     assert_eq!(latex.matches("\\begin{document}").count(), 1);
     assert_eq!(latex.matches("\\clearpage").count(), 1);

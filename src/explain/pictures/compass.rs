@@ -28,6 +28,8 @@ pub(super) struct Compass {
     x: [f64; 2],
     y: [f64; 2],
     named: Vec<(Axis, Senses, u8)>,
+    /// By how much the axes are turned from what their words say, for a motion along a slope.
+    tilt: f64,
 }
 
 impl Compass {
@@ -49,7 +51,22 @@ impl Compass {
         let place = |position: usize, axis: Axis| if position == 1 || single && axis == Axis::Y { y } else { x };
         let named =
             axes.into_iter().enumerate().map(|(position, (axis, senses))| (axis, senses, place(position, axis)));
-        Self { x: unit(x), y: unit(y), named: named.collect() }
+        Self { x: unit(x), y: unit(y), named: named.collect(), tilt: 0.0 }
+    }
+
+    /// The same axes, x rising along a slope of that angle.
+    pub(super) fn tilted(&self, rise: f64) -> Self {
+        let tilt = if self.x[0] < 0.0 { -rise } else { rise };
+        let [x, y] = [self.x, self.y].map(|axis| turned(axis, tilt));
+        Self { x, y, named: self.named.clone(), tilt: self.tilt + tilt }
+    }
+
+    /// The directions of the paper itself, for bodies each of which has an axis of its own.
+    pub(super) fn paper() -> Self {
+        let senses = |positive: &str, negative: &str| Senses { positive: positive.into(), negative: negative.into() };
+        let named =
+            vec![(Axis::X, senses("to the right", "to the left"), 0), (Axis::Y, senses("upwards", "downwards"), 1)];
+        Self { x: unit(0), y: unit(1), named, tilt: 0.0 }
     }
 
     /// A vector along x and y as one of the drawing.
@@ -65,12 +82,15 @@ impl Compass {
 
     /// The axes to be named in a figure.
     pub(super) fn marks(&self) -> Vec<AxisMark> {
-        self.named.iter().map(|(axis, _, quarter)| AxisMark::new(axis.letter(), radians(*quarter))).collect()
+        self.named
+            .iter()
+            .map(|(axis, _, quarter)| AxisMark::new(axis.letter(), radians(*quarter) + self.tilt))
+            .collect()
     }
 
     /// The angle on the drawing of the axis of that position.
     pub(super) fn axis_angle(&self, position: usize) -> f64 {
-        self.named.get(position).map_or(0.0, |(_, _, quarter)| radians(*quarter))
+        self.named.get(position).map_or(0.0, |(_, _, quarter)| radians(*quarter) + self.tilt)
     }
 
     /// A direction in words: `to the right`; `at 34.2\u{b0} to the x axis, towards +y` where it lies along no axis.
@@ -78,7 +98,7 @@ impl Compass {
         let size = libm::hypot(vector[0], vector[1]);
         let [right, up] = self.place(vector);
         let aligned = self.named.iter().find_map(|(_, senses, quarter)| {
-            let axis = unit(*quarter);
+            let axis = turned(unit(*quarter), self.tilt);
             let cosine = (axis[0] * right + axis[1] * up) / size;
             let sense = if cosine > 0.0 { &senses.positive } else { &senses.negative };
             (cosine.abs() > 1.0 - ALIGNED).then(|| sense.clone())
@@ -108,6 +128,12 @@ fn unit(quarter: u8) -> [f64; 2] {
         2 => [-1.0, 0.0],
         _ => [0.0, -1.0],
     }
+}
+
+/// A vector turned counter-clockwise.
+fn turned([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
+    let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
+    [x * cosine - y * sine, x * sine + y * cosine]
 }
 
 fn radians(quarter: u8) -> f64 {

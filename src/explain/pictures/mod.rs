@@ -7,6 +7,7 @@ mod plot;
 mod quantities;
 mod sheet;
 mod snapshot;
+mod string;
 mod vectors;
 mod words;
 
@@ -43,17 +44,15 @@ pub(super) fn solution(worked: Worked<'_>) -> Vec<Drawing> {
             let plot = plot::force_plot(&quantities, index);
             [plot, momentum::diagram(&quantities, &compass, index)].into_iter().collect()
         }
-        Stage::Slide(_) if momentum::has_no_time(&quantities, index) => Vec::new(),
-        Stage::Slide(_) => vec![momentum::diagram(&quantities, &compass, index).filter(is_known)],
-        Stage::Spring(spring) if spring.between.is_none() => Vec::new(),
+        Stage::Slide(slide) if slide.is_ramp() => vec![Some(sheet::ramp::drawing(&quantities, &compass, index, slide))],
+        Stage::Swing(swing) => vec![Some(sheet::swing::drawing(&quantities, &compass, index, swing))],
+        Stage::Connected(connected) => vec![string::diagram(&quantities, index, connected)],
         Stage::Stream(stream) => vec![sheet::stream::drawing(&quantities, &compass, index, stream)],
         Stage::Thrust(thrust) => vec![sheet::stream::rocket(&quantities, &compass, index, thrust)],
         // What a ball gains before it bounces on is not asked for; the figure of the bounces shows its fall.
         Stage::Fall(_) if matches!(stages.get(index + 1), Some(Stage::Bounces(_))) => Vec::new(),
-        Stage::SlideOff(_) | Stage::Walk(_) => vec![sheet::line::after(&quantities, &compass, index)],
-        Stage::Swing(_)
-        | Stage::Connected(_)
-        | Stage::Drift(_)
+        Stage::Walk(walk) => vec![sheet::ride::walk(&quantities, &compass, index, walk)],
+        Stage::Drift(_)
         | Stage::Moment(_)
         | Stage::Strike(_)
         | Stage::Conical(_)
@@ -66,14 +65,16 @@ pub(super) fn solution(worked: Worked<'_>) -> Vec<Drawing> {
         | Stage::Blow(_)
         | Stage::Fall(_)
         | Stage::Separate(_)
+        | Stage::Slide(_)
+        | Stage::SlideOff(_)
         | Stage::Flight(_) => {
             vec![momentum::diagram(&quantities, &compass, index)]
         }
     });
-    drawings.flatten().collect()
+    drawings.flatten().filter(is_known).collect()
 }
 
-/// Whether every arrow of a diagram has a value: what slides on to its rest may be solved without its forces.
+/// Whether every arrow of a diagram has a value: what nobody asks for may be solved without its forces.
 fn is_known(drawing: &Drawing) -> bool {
     let is_unknown = |shape: &Shape| matches!(shape, Shape::Label { text, .. } if text.plain().ends_with("= ?"));
     !drawing.shapes.iter().any(is_unknown)

@@ -1,8 +1,11 @@
 //! Impulse-momentum diagrams: for each body of a stage, momentum before + impulses = momentum after.
 
+use crate::expr::Expr;
+use crate::expr::Math;
 use crate::figure::BodyMomentum;
 use crate::figure::Drawing;
 use crate::figure::MomentumDiagram;
+use crate::model::ActingForce;
 use crate::model::ForceKind;
 use crate::scene::Stage;
 use crate::scene::stage::Ends;
@@ -27,6 +30,14 @@ pub(super) struct Balance {
 pub(super) fn diagram(quantities: &Quantities<'_>, compass: &Compass, stage: usize) -> Option<Drawing> {
     let own = quantities.scene().stages.get(stage)?;
     let mut bodies = participants(own);
+    let compass = &match quantities.slope(stage) {
+        Some((rise, _)) => compass.tilted(rise),
+        None => compass.clone(),
+    };
+    let reckoned = match &bodies[..] {
+        [only] => quantities.reckoned(stage, &only.body),
+        _ => quantities.clone(),
+    };
     if concerns_mass_centre(quantities) {
         let taken = |body: &str| bodies.iter().any(|own| own.body == body || own.before == body);
         let others: Vec<String> =
@@ -35,7 +46,7 @@ pub(super) fn diagram(quantities: &Quantities<'_>, compass: &Compass, stage: usi
         bodies.sort();
     }
     let mut balances: Vec<Balance> =
-        bodies.iter().map(|participant| balance(quantities, own, stage, participant, bodies.len())).collect();
+        bodies.iter().map(|participant| balance(&reckoned, own, stage, participant, bodies.len())).collect();
     let act_on_each_other = match own {
         Stage::Impact(impact) => impact.between.is_some(),
         Stage::Spring(spring) => spring.between.is_some(),
@@ -51,7 +62,7 @@ pub(super) fn diagram(quantities: &Quantities<'_>, compass: &Compass, stage: usi
         quantities.model().forces.iter().any(|force| force.stage == stage && force.kind == ForceKind::Normal);
     let surface = match own {
         Stage::Impact(impact) if impact.against.is_some() => normal,
-        _ => on_floor.then(|| compass.angle([0.0, 1.0])),
+        _ => (on_floor || quantities.slope(stage).is_some()).then(|| compass.angle([0.0, 1.0])),
     };
     let rows = balances.iter().map(|balance| BodyMomentum {
         name: body_math(&balance.body),
@@ -67,10 +78,25 @@ pub(super) fn diagram(quantities: &Quantities<'_>, compass: &Compass, stage: usi
     Some(diagram.drawing())
 }
 
-/// Whether nothing tells for how long the forces of a stage act, so that their impulses are not known.
-pub(super) fn has_no_time(quantities: &Quantities<'_>, stage: usize) -> bool {
-    let mut own = quantities.model().forces.iter().filter(|force| force.stage == stage);
-    own.any(|force| quantities.evaluate(&force.during[1]).is_none())
+impl Quantities<'_> {
+    /// The same with what the arrows of a stage of one body need and its solution does not: a mass that cancels, and the
+    /// time in which forces that do not change make the momentum what it is.
+    fn reckoned(&self, stage: usize, body: &str) -> Self {
+        let massless = self.mass_symbol(body).filter(|_| self.mass(body).is_none());
+        let own = massless.map_or_else(|| self.clone(), |mass| self.assuming(mass, 1.0));
+        let forces: Vec<&ActingForce> =
+            own.model().forces.iter().filter(|force| force.stage == stage && force.on == body).collect();
+        let ends = forces.first().map(|force| &force.during[1]);
+        let Some(Expr::Symbol(time)) = ends.filter(|end| own.evaluate(end).is_none()) else { return own };
+        let gain = || {
+            let [before, after] = [stage + 1, stage + 2].map(|instant| own.velocity(body, instant));
+            Some(own.mass(body)? * (after?[0] - before?[0]))
+        };
+        let along = |force: &&ActingForce| Some(own.evaluate(&force.strength)? * own.direction(&force.direction)?[0]);
+        let force: Option<f64> = forces.iter().map(along).sum();
+        let lasted = gain().zip(force).map(|(gain, force)| gain / force).filter(|time| time.is_finite());
+        lasted.map_or_else(|| own.clone(), |lasted| own.assuming(*time, lasted))
+    }
 }
 
 /// Whether anything in the problem speaks of the mass centre.
@@ -124,6 +150,7 @@ fn participants(stage: &Stage) -> Vec<Participant> {
         Stage::Taut(stage) => stage.between.iter().map(|body| Participant::alone(body)).collect(),
         Stage::Blow(stage) => alone(&stage.body),
         Stage::Fall(stage) => alone(&stage.body),
+        Stage::SlideOff(stage) => [&stage.body, &stage.on].map(|body| Participant::alone(body)).to_vec(),
         Stage::Swing(_)
         | Stage::Connected(_)
         | Stage::Rotate(_)
@@ -137,7 +164,6 @@ fn participants(stage: &Stage) -> Vec<Participant> {
         | Stage::Stream(_)
         | Stage::Thrust(_)
         | Stage::Drift(_)
-        | Stage::SlideOff(_)
         | Stage::Walk(_) => Vec::new(),
     }
 }
@@ -160,9 +186,14 @@ fn balance(
             forces.map(|force| quantities.impulse_of_force(force)).collect()
         }
         Stage::Fall(_) | Stage::Flight(_) => vec![quantities.impulse_of_weight(body)],
+        Stage::Spring(spring) if spring.between.is_none() => vec![resultant()],
+        Stage::SlideOff(_) => vec![resultant()],
         _ => {
             let impulses = model.impulses.iter().filter(|impulse| impulse.stage == stage && impulse.on == *body);
-            impulses.map(|impulse| quantities.impulse(impulse)).collect()
+            let impulses = impulses.map(|impulse| quantities.impulse(impulse));
+            // To the scale of velocities, an impulse is the change of velocity.
+            let massless = quantities.mass_symbol(body).is_some_and(|mass| quantities.is_assumed(mass));
+            impulses.map(|impulse| if massless { impulse.unknown() } else { impulse }).collect()
         }
     };
     Balance {
@@ -173,9 +204,17 @@ fn balance(
     }
 }
 
+/// All impulses on a body in one, where nobody needs to tell them apart; it follows from the momenta.
+fn resultant() -> Labelled {
+    let bound = || Box::new(Math::Row(Vec::new()));
+    let [sum, force, time] = ["\u{3a3}", "F", "t"].map(|letter| Math::Identifier(letter.to_owned()));
+    let forces = Math::Row(vec![sum, force]);
+    Labelled { label: Math::Integral(bound(), bound(), Box::new(forces), Box::new(time)), value: None }
+}
+
 /// What a plan that is no longer than needed has not solved: the last unknown of each body follows from the others, and
 /// the impulse on one of two bodies from that on the other.
-fn complete(balances: &mut [Balance], act_on_each_other: bool) {
+pub(super) fn complete(balances: &mut [Balance], act_on_each_other: bool) {
     balances.iter_mut().for_each(Balance::complete);
     if let (true, [first, second]) = (act_on_each_other, &mut *balances) {
         second.take_reaction(first);

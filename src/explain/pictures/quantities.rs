@@ -14,7 +14,10 @@ use crate::model::Timeline;
 use crate::problem::Worked;
 use crate::scene::Axis;
 use crate::scene::Scene;
+use crate::scene::Stage;
 use crate::scene::Term;
+use crate::solve::Equation;
+use crate::solve::Statement;
 
 use super::super::display::Display;
 use super::super::display::Shown;
@@ -35,7 +38,14 @@ pub(super) struct Quantities<'a> {
     pub timeline: Timeline,
     pub axes: Vec<Axis>,
     scope: Scope,
+    /// What a figure takes a quantity to be that nobody needs to know, such as a mass that cancels.
+    assumed: Vec<(Symbol, f64)>,
 }
+
+/// How far the definitions of quantities are followed that the plan had no need to solve.
+const DEEPEST: usize = 4;
+/// The angle of a slope or a cord that is not given, as a sketch has it.
+pub(super) const SKETCHED: f64 = 0.42;
 
 /// The names of a model, for terms that an author wrote.
 struct Known<'a>(&'a Model);
@@ -54,7 +64,7 @@ impl<'a> Quantities<'a> {
     pub(super) fn new(worked: Worked<'a>, scope: Scope) -> Self {
         let scene = &worked.problem.loaded().draft.scene;
         let axes = scene.axes.rectangular().into_iter().map(|(axis, _)| axis).collect();
-        Self { worked, timeline: Timeline::new(scene), axes, scope }
+        Self { worked, timeline: Timeline::new(scene), axes, scope, assumed: Vec::new() }
     }
 
     pub(super) fn scope(&self) -> Scope {
@@ -75,7 +85,78 @@ impl<'a> Quantities<'a> {
         if self.scope == Scope::Given && !told() {
             return None;
         }
-        self.worked.variant.value(symbol).map(|bounded| bounded.value).filter(|value| value.is_finite())
+        self.known(symbol, DEEPEST)
+    }
+
+    /// What was solved or assumed, or follows at once from an equation that was not needed.
+    fn known(&self, symbol: Symbol, depth: usize) -> Option<f64> {
+        let assumed = self.assumed.iter().find(|(own, _)| *own == symbol).map(|(_, value)| *value);
+        let solved = || self.worked.variant.value(symbol).map(|bounded| bounded.value);
+        let value = assumed.or_else(solved).filter(|value| value.is_finite());
+        if value.is_some() || depth == 0 || self.scope == Scope::Given {
+            return value;
+        }
+        let own = Expr::from(symbol);
+        let definition = |equation: &Equation| match &equation.statement {
+            Statement::Equal { left, right } if *left == own => Some(right.clone()),
+            Statement::Equal { left, right } if *right == own => Some(left.clone()),
+            _ => None,
+        };
+        self.model().system.equations.iter().filter_map(definition).find_map(|term| {
+            let value = term.evaluate(&|symbol| self.known(symbol, depth - 1).unwrap_or(f64::NAN));
+            value.is_finite().then_some(value)
+        })
+    }
+
+    /// The same quantities with one more value, for a figure that needs it and an explanation that does not.
+    pub(super) fn assuming(&self, symbol: Symbol, value: f64) -> Self {
+        let mut own = self.clone();
+        own.assumed.push((symbol, value));
+        own
+    }
+
+    /// Whether a quantity has a value only because a figure needs one.
+    pub(super) fn is_assumed(&self, symbol: Symbol) -> bool {
+        self.assumed.iter().any(|(own, _)| *own == symbol)
+    }
+
+    /// The name of a quantity of a stage, as the model makes it: `dt`, `dt[skid]`.
+    pub(super) fn staged(&self, base: &str, stage: usize) -> String {
+        let stages = &self.scene().stages;
+        match stages.get(stage).and_then(Stage::name) {
+            _ if stages.len() < 2 => base.to_owned(),
+            Some(name) => format!("{base}[{name}]"),
+            None => format!("{base}[{}]", stage + 1),
+        }
+    }
+
+    /// The slope of the floor in a stage: its angle, positive where the first axis rises, and how it is written. An angle
+    /// that may not be shown is sketched and has no label.
+    pub(super) fn slope(&self, stage: usize) -> Option<(f64, Option<Math>)> {
+        let slope = self.model().slopes.iter().find(|slope| slope.stage == stage)?;
+        let (angle, label) = self.angle_or_sketch(&slope.angle);
+        Some((if slope.rises { angle } else { -angle }, label))
+    }
+
+    /// An angle with its label, or the angle of a sketch without one.
+    pub(super) fn angle_or_sketch(&self, angle: &Expr) -> (f64, Option<Math>) {
+        match self.evaluate(angle) {
+            Some(value) => (value, Some(self.symbolic(angle))),
+            None => (SKETCHED, None),
+        }
+    }
+
+    /// How a term is written, where its value may be shown.
+    pub(super) fn told(&self, term: &Term) -> Option<Math> {
+        let term = self.term(term)?;
+        self.evaluate(&term)?;
+        Some(self.symbolic(&term))
+    }
+
+    /// Whether words point against the only axis.
+    pub(super) fn is_backwards(&self, direction: Option<&Term>) -> bool {
+        let words = direction.map_or("", |term| term.0.trim());
+        words.starts_with('-') || self.scene().axes.rectangular().iter().any(|(_, senses)| senses.negative == words)
     }
 
     /// Whether a quantity stands for any value, so that no number of the problem means anything by itself.
@@ -200,10 +281,23 @@ impl<'a> Quantities<'a> {
             Some(term) => self.evaluate(&self.term(term)?),
             None => self.named(&format!("m_{body}")),
         };
+        // No body is without mass: where the equations leave only that, the mass is not known.
+        let own = own.filter(|mass| *mass > 0.0);
         let parts = self.scene().division_of(body);
         let sum = || parts.iter().map(|part| self.mass(part)).sum::<Option<f64>>().filter(|_| !parts.is_empty());
         let own = own.or_else(sum);
         own.or_else(|| Some(self.named(&format!("W_{body}"))? / self.named("g")?))
+    }
+
+    /// The symbol of the mass of a body, where it is one.
+    pub(super) fn mass_symbol(&self, body: &str) -> Option<Symbol> {
+        match self.mass_term(body) {
+            Some(term) => match self.term(term)? {
+                Expr::Symbol(symbol) => Some(symbol),
+                _ => None,
+            },
+            None => self.model().symbol_of(&format!("m_{body}")),
+        }
     }
 
     /// How the mass of a body is written.

@@ -17,8 +17,22 @@ use super::compass::Compass;
 use super::quantities::Quantities;
 
 /// Words in the name of a body that is drawn as a disc; other bodies are drawn as blocks.
-const ROUND: &[&str] =
-    &["ball", "puck", "disc", "disk", "stone", "marble", "bead", "coin", "particle", "satellite", "planet", "bullet"];
+const ROUND: &[&str] = &[
+    "ball",
+    "puck",
+    "disc",
+    "disk",
+    "stone",
+    "marble",
+    "bead",
+    "coin",
+    "particle",
+    "satellite",
+    "planet",
+    "bullet",
+    "egg",
+    "bob",
+];
 
 /// A vector along x and y with its label.
 #[derive(Clone, Debug)]
@@ -28,6 +42,11 @@ pub(super) struct Labelled {
 }
 
 impl Labelled {
+    /// The same vector without its value.
+    pub(super) fn unknown(self) -> Self {
+        Self { value: None, ..self }
+    }
+
     /// The same vector as the drawing has it.
     pub(super) fn placed(&self, compass: &Compass) -> LabelledVector {
         LabelledVector { label: self.label.clone(), value: self.value.map(|value| compass.place(value)) }
@@ -58,7 +77,9 @@ impl Quantities<'_> {
             let name = self.called(body).to_lowercase();
             name.split(|letter: char| !letter.is_alphabetic()).any(|word| ROUND.contains(&word))
         };
-        if round(body) { Form::Disc } else { Form::Block }
+        // What consists of several bodies is round where all of them are.
+        let members = self.scene().members(body);
+        if members.into_iter().all(round) { Form::Disc } else { Form::Block }
     }
 
     /// The momentum of `mass_of` with the velocity that `body` has at an instant; the two differ where bodies have become one.
@@ -94,7 +115,8 @@ impl Quantities<'_> {
     pub(super) fn impulse_of_force(&self, force: &ActingForce) -> Labelled {
         let [start, end] = &force.during;
         let clock = self.model().symbols.find("t");
-        let size = clock.and_then(|clock| force.strength.definite(clock, start, end));
+        let steady = || Some(force.strength.clone() * (end.clone() - start.clone()));
+        let size = clock.map_or_else(steady, |clock| force.strength.definite(clock, start, end));
         let value = size.and_then(|size| self.evaluate(&size)).zip(self.direction(&force.direction));
         let label = if clock.is_some_and(|clock| force.strength.contains(clock)) {
             self.integral_name(force)
@@ -114,7 +136,7 @@ impl Quantities<'_> {
     }
 
     /// How the weight of a body is written.
-    fn weight_math(&self, body: &str) -> Math {
+    pub(super) fn weight_math(&self, body: &str) -> Math {
         let weight = format!("W_{body}");
         match self.named(&weight) {
             Some(_) => name_math(&weight),

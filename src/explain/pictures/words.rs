@@ -22,6 +22,8 @@ use super::vectors::Labelled;
 
 /// Below this part of the largest vector of a figure a vector counts as zero.
 const NOTHING: f64 = 1e-9;
+/// How all impulses on a body in one are written in a caption.
+const RESULTANT: &str = "\u{222b}\u{3a3}F\u{2009}dt";
 /// Figures of the numbers in descriptions.
 const FIGURES: usize = 3;
 
@@ -33,6 +35,11 @@ fn sentence(words: &str) -> String {
 /// Sentences one after another.
 pub(super) fn sentences(words: impl IntoIterator<Item = String>) -> String {
     words.into_iter().map(|words| sentence(&words)).filter(|words| !words.is_empty()).collect::<Vec<_>>().join(" ")
+}
+
+/// Whether a vector is the impulse of all forces in one.
+fn is_resultant(impulse: &Labelled) -> bool {
+    matches!(&impulse.label, Math::Integral(_, _, force, _) if matches!(**force, Math::Row(_)))
 }
 
 /// What is said about a momentum diagram.
@@ -54,6 +61,7 @@ pub(super) fn diagram_wording(
     let rows = balances.iter().map(|balance| speak.balance(&quantities.called(&balance.body), balance));
     let several = balances.iter().any(|balance| balance.impulses.len() > 1);
     let impulses = if several { "impulses" } else { "impulse" };
+    let in_one = balances.iter().flat_map(|balance| &balance.impulses).any(is_resultant);
     let duration = balances.iter().find_map(|balance| quantities.nameless_duration(stage, &balance.body));
     Wording {
         title: format!("Impulse-momentum diagram of {phrase}"),
@@ -61,6 +69,7 @@ pub(super) fn diagram_wording(
         caption: sentences([
             format!("{phrase}: momentum before + {impulses} = momentum after, for {}", list(&names)),
             duration.unwrap_or_default(),
+            if in_one { format!("{RESULTANT} is the impulse of all forces together") } else { String::new() },
         ]),
     }
 }
@@ -84,6 +93,7 @@ impl Speak<'_> {
     /// `m_A v_A1, 8.00 kg m/s to the right`.
     fn vector(&self, vector: &Labelled) -> String {
         let name = match &vector.label {
+            Math::Integral(..) if is_resultant(vector) => "the impulse of all forces together".to_owned(),
             Math::Integral(..) => "the integral of F over the time".to_owned(),
             label => label.plain(),
         };

@@ -15,6 +15,9 @@ const REFERENCE_SHARE: f64 = 0.6;
 const ARC_SHARE: f64 = 0.4;
 /// An arc shorter than this (radians) cannot be seen, and one this close to a half turn has no short way.
 const SMALLEST_ANGLE: f64 = 0.02;
+/// How high the wedge of a slope must be for a label, and how far from its foot it may be so.
+const WEDGE_HEIGHT: f64 = 15.0;
+const WEDGE: (f64, f64) = (30.0, 92.0);
 /// Strokes keep this far from bodies.
 const CLEARANCE: f64 = 1.0;
 
@@ -35,12 +38,20 @@ pub(super) struct Vertex {
     pub inner: f64,
     /// How far away the next body is.
     pub room: f64,
+    /// By how much a smaller angle takes up the opening, in radians.
+    pub taken: f64,
 }
 
 impl Vertex {
     /// A vertex with nothing near it but what lies within `inner`.
     pub(super) fn open(at: Point, inner: f64) -> Self {
-        Self { at, inner, room: f64::INFINITY }
+        Self { at, inner, room: f64::INFINITY, taken: 0.0 }
+    }
+
+    /// The same vertex, where a smaller angle has its place within the opening.
+    pub(super) fn beyond(mut self, taken: f64) -> Self {
+        self.taken = taken;
+        self
     }
 
     fn reference(self, angle: f64) -> [Point; 2] {
@@ -84,8 +95,13 @@ pub(super) fn draw_angle(canvas: &mut Canvas, vertices: &[Vertex], direction: Po
     let (centre, radius) = (vertex.at, vertex.radius());
     let (from, to) = if turn > 0.0 { (mark.from, mark.from + turn) } else { (mark.from + turn, mark.from) };
     canvas.draw(Shape::Arc { centre, radius, from, to, arrow: false, role: Role::Guide });
-    let prefer = f64::midpoint(from, to);
+    let prefer = mark.from + f64::midpoint(turn, vertex.taken.copysign(turn));
     canvas.label(&mark.label, Role::Body, Anchor::Opening { at: centre, radius, prefer });
+}
+
+/// From the foot of a slope to the arc of its angle, far enough for a label between slope and level.
+pub(super) fn wedge(angle: f64) -> f64 {
+    (WEDGE_HEIGHT / libm::sin(angle).abs().max(1e-3)).clamp(WEDGE.0, WEDGE.1)
 }
 
 /// Whether an arrow lies where the reference would.

@@ -4,27 +4,27 @@ use std::f64::consts::PI;
 
 use crate::expr::Math;
 use crate::figure::body::Attach;
-use crate::figure::place::{Anchor, Canvas};
+use crate::figure::coil::{draw_coil, draw_support};
+use crate::figure::place::Canvas;
 use crate::figure::surface::draw_surface;
 use crate::figure::{Point, Role};
 
-use super::angle::{AngleMark, Vertex, draw_angle};
+use super::angle::{AngleMark, Vertex, draw_angle, wedge};
+use super::dimension::draw_dimension;
 use super::moving::{MovingBody, Scales, draw_vector};
 
-/// The greatest height, the least that can be seen, and the least that a dimension line fits into.
+/// The greatest height, and the least that can be seen.
 const HIGHEST: f64 = 120.0;
 const LOWEST: f64 = 3.0;
-const LOWEST_DIMENSION: f64 = 16.0;
 /// Width of a bounce as high as the fall.
 const BOUNCE_WIDTH: f64 = 84.0;
 const DIMENSION_GAP: f64 = 26.0;
 const OVERHANG: f64 = 24.0;
 const ARC_PARTS: u32 = 24;
+/// Length of the spring under a body.
+const SPRING: f64 = 44.0;
 /// Half the length of a slope.
 const SLOPE_HALF: f64 = 70.0;
-/// How high the wedge of a slope must be for a label, and how far from its foot it may be so.
-const WEDGE_HEIGHT: f64 = 15.0;
-const WEDGE: (f64, f64) = (30.0, 92.0);
 
 /// A fall.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,6 +47,8 @@ pub enum Ground {
     Slope(f64, Option<Math>),
     /// Another body.
     Body(MovingBody),
+    /// Another body, which a spring carries.
+    Sprung(MovingBody),
 }
 
 /// A height above the floor.
@@ -112,23 +114,24 @@ impl Ground {
                     draw_angle(canvas, &[Vertex::open(foot, wedge(*angle))], -foot, &AngleMark { from, label });
                 }
             }
-            Self::Body(body) => {
+            Self::Body(body) | Self::Sprung(body) => {
                 let outline = body.outline();
                 let mut outline = outline.clone().moved(Point::new(0.0, -outline.support(Point::new(0.0, 1.0))));
                 outline.draw(canvas);
                 for moving in &body.vectors {
                     draw_vector(canvas, &mut outline, moving, &Scales::of([body], HIGHEST / 3.0), Attach::Leaving);
                 }
+                if matches!(self, Self::Sprung(_)) {
+                    let up = Point::new(0.0, 1.0);
+                    let top = outline.centre() - up * outline.support(up);
+                    draw_coil(canvas, top, top - up * SPRING);
+                    draw_support(canvas, top - up * SPRING, up, OVERHANG);
+                }
                 let edge = outline.reach(Point::new(1.0, 0.0));
                 canvas.line([Point::new(left - 4.0, 0.0), Point::new(-edge, 0.0)], Role::Guide, false);
             }
         }
     }
-}
-
-/// From the foot of a slope to the arc of its angle, far enough for a label between slope and level.
-fn wedge(angle: f64) -> f64 {
-    (WEDGE_HEIGHT / libm::sin(angle).abs().max(1e-3)).clamp(WEDGE.0, WEDGE.1)
 }
 
 fn parabola(start: f64, width: f64, height: f64) -> impl Iterator<Item = Point> {
@@ -138,17 +141,11 @@ fn parabola(start: f64, width: f64, height: f64) -> impl Iterator<Item = Point> 
     })
 }
 
-/// A double arrow from `top` down to the floor, and a guide from its top to what is that high.
+/// The height of `top` above the floor, and a guide from it to what is that high.
 fn dimension(canvas: &mut Canvas, top: Point, guide_to: Option<f64>, label: Option<&Math>) {
     let Some(label) = label else { return };
-    if top.y < LOWEST_DIMENSION {
-        return canvas.label(label, Role::Body, Anchor::Around { at: top, radius: 0.0, prefer: PI / 2.0 });
-    }
-    let (foot, middle) = (Point::new(top.x, 0.0), Point::new(top.x, top.y / 2.0));
-    canvas.arrow(middle, top, Role::Guide);
-    canvas.arrow(middle, foot, Role::Guide);
     if let Some(end) = guide_to {
         canvas.line([Point::new(top.x - 4.0, top.y), Point::new(end, top.y)], Role::Guide, false);
     }
-    canvas.label(label, Role::Body, Anchor::Along { from: foot, to: top });
+    draw_dimension(canvas, Point::new(top.x, 0.0), top, label);
 }

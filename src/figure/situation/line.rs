@@ -2,23 +2,33 @@
 
 use std::f64::consts::PI;
 
+use crate::expr::Math;
 use crate::figure::body::{Attach, Body};
+use crate::figure::coil::{draw_coil, draw_cord, draw_slack, draw_support};
 use crate::figure::extent::Measure;
-use crate::figure::place::Canvas;
+use crate::figure::place::{Anchor, Canvas};
 use crate::figure::surface::draw_surface;
 use crate::figure::{Point, Role};
 
-use super::angle::{AngleMark, Vertex, draw_angle};
+use super::angle::{AngleMark, Vertex, draw_angle, wedge};
 use super::moving::{Moving, MovingBody, Scales, draw_vector};
 
 const LONGEST: f64 = 58.0;
 const GAP: f64 = 22.0;
 const OVERHANG: f64 = 18.0;
-/// From the foot of a slope to the arc of its angle, far enough for a label in the wedge.
-const WEDGE: f64 = 44.0;
+/// Bodies on a slope leave room for its angle.
+const SLOPE_OVERHANG: f64 = 34.0;
+const SPRING: f64 = 62.0;
+/// Half the height of the wall that holds a spring, and its height above a floor.
+const WALL_HALF: f64 = 22.0;
+/// From the last body to a wall, and between bodies on a slack cord.
+const WALL_GAP: f64 = 46.0;
+const TIED_GAP: f64 = 44.0;
+const CORD: f64 = 64.0;
+const CEILING_HALF: f64 = 26.0;
 
 /// Bodies along a line.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Line {
     /// Its angle in radians, from which the bodies follow each other: 0 from left to right.
     pub angle: f64,
@@ -27,7 +37,32 @@ pub struct Line {
     /// Whether they rest on a hatched floor parallel to the line.
     pub floor: bool,
     /// The slope's angle against the level, marked at its foot.
-    pub slope: Option<AngleMark>,
+    pub slope: Option<Math>,
+    /// A spring along the line, and what is written at it.
+    pub spring: Option<(LineSpring, Option<Math>)>,
+    /// Which of the bodies hangs on a cord from above.
+    pub hung: Option<usize>,
+    /// A slack cord between the bodies, from each to the next.
+    pub tied: bool,
+    /// A fixed wall beyond the last body.
+    pub wall: bool,
+}
+
+/// Where a spring along a line lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LineSpring {
+    /// From the last body to a wall.
+    Ahead,
+    /// From a wall to the first body.
+    Behind,
+    /// Between the first body and the next.
+    Between,
+}
+
+/// How a line lies on the drawing.
+struct Frame {
+    along: Point,
+    up: Point,
 }
 
 impl Line {
@@ -35,65 +70,142 @@ impl Line {
         let angle = if self.angle.is_finite() { self.angle } else { 0.0 };
         let along = Point::polar(1.0, angle);
         let up = if along.turned().y < -1e-9 { -along.turned() } else { along.turned() };
+        let frame = Frame { along, up };
         let scales = Scales::of(&self.bodies, LONGEST);
         let outlines: Vec<Body> = self.bodies.iter().map(|body| body.outline().turned(angle)).collect();
         let floor = outlines.iter().map(|body| body.support(up)).fold(0.0, f64::max);
         let mut end = 0.0;
-        let mut placed = Vec::new();
-        for (body, outline) in self.bodies.iter().zip(outlines) {
-            let (low, high) = self.reach_along(body, &outline, &scales, along, up);
+        let mut placed: Vec<(usize, Body)> = Vec::new();
+        for (number, (body, outline)) in self.bodies.iter().zip(outlines).enumerate() {
+            let (low, high) = self.reach_along(number, body, &outline, &scales, &frame);
             // On a floor all stand on it; else their centres are in line.
             let height = if self.floor { outline.support(up) - floor } else { 0.0 };
             let outline = outline.moved(along * (end - low) + up * height);
             outline.draw(canvas);
-            placed.push((body, outline));
-            end += high - low + GAP;
+            placed.push((number, outline));
+            let between = number == 0 && self.lies(LineSpring::Between);
+            end += high - low
+                + match (between, self.tied) {
+                    (true, _) => SPRING,
+                    (_, true) => TIED_GAP,
+                    _ => GAP,
+                };
         }
+        let mut ends = [-OVERHANG, end - GAP + if self.wall { WALL_GAP } else { OVERHANG }];
+        if let (Some((_, first)), Some((_, last))) = (placed.first(), placed.last()) {
+            self.draw_spring(canvas, &placed, &frame, floor);
+            let reach = |body: &Body, side: f64| body.centre().dot(along) + side * (body.support(along) + SPRING);
+            ends[0] = if self.lies(LineSpring::Behind) { reach(first, -1.0) } else { ends[0] };
+            ends[1] = if self.lies(LineSpring::Ahead) { reach(last, 1.0) } else { ends[1] };
+        }
+        if self.slope.is_some() {
+            let lower = usize::from(along.y < 0.0);
+            ends[lower] += if lower == 0 { -SLOPE_OVERHANG } else { SLOPE_OVERHANG };
+        }
+        self.draw_cords(canvas, &placed, &frame);
         // Angles look out for bodies, so all bodies come before the first vector.
-        for (body, mut outline) in placed {
-            for moving in &body.vectors {
-                let attach = self.attach(&scales, moving, up);
+        for (number, mut outline) in placed {
+            for moving in self.bodies.get(number).map_or(&[][..], |body| &body.vectors) {
+                let attach = self.attach(number, &scales, moving, &frame);
                 draw_vector(canvas, &mut outline, moving, &scales, attach);
             }
         }
+        if self.wall && !self.lies(LineSpring::Ahead) {
+            let foot = if self.floor { -up * floor } else { -up * WALL_HALF };
+            frame.draw_wall(canvas, along * ends[1] + foot, up * (2.0 * WALL_HALF), 1.0);
+        }
         if self.floor {
-            let foot = -up * floor;
-            let (start, end) = (foot - along * OVERHANG, foot + along * (end - GAP + OVERHANG));
+            let [start, end] = ends.map(|end| along * end - up * floor);
             let ends = if along.turned().dot(up) > 0.0 { (start, end) } else { (end, start) };
             draw_surface(canvas, ends.0, ends.1);
-            if let Some(mark) = &self.slope {
-                Self::draw_slope(canvas, start, end, mark);
+            if let Some(label) = &self.slope {
+                Self::draw_slope(canvas, start, end, label);
+            }
+        }
+    }
+
+    fn lies(&self, place: LineSpring) -> bool {
+        self.spring.as_ref().is_some_and(|(own, _)| *own == place)
+    }
+
+    fn draw_spring(&self, canvas: &mut Canvas, placed: &[(usize, Body)], frame: &Frame, floor: f64) {
+        let (Some((place, label)), along) = (&self.spring, frame.along) else { return };
+        let face = |body: &Body, side: f64| body.centre() + along * (side * body.support(along));
+        let ends = match (place, placed) {
+            (LineSpring::Between, [(_, first), (_, second), ..]) => Some([face(first, 1.0), face(second, -1.0)]),
+            (LineSpring::Ahead, [.., (_, last)]) => Some([face(last, 1.0), face(last, 1.0) + along * SPRING]),
+            (LineSpring::Behind, [(_, first), ..]) => Some([face(first, -1.0), face(first, -1.0) - along * SPRING]),
+            _ => None,
+        };
+        let Some([from, to]) = ends else { return };
+        draw_coil(canvas, from, to);
+        if let Some(label) = label {
+            // Beside the turns, which are wider than a line.
+            let aside = frame.up * 5.0;
+            canvas.label(label, Role::Body, Anchor::Along { from: from + aside, to: to + aside });
+        }
+        if *place != LineSpring::Between {
+            let foot = if self.floor { to.dot(frame.up) + floor } else { WALL_HALF };
+            let side = if *place == LineSpring::Ahead { 1.0 } else { -1.0 };
+            frame.draw_wall(canvas, to - frame.up * foot, frame.up * (foot + WALL_HALF), side);
+        }
+    }
+
+    /// The cord on which a body hangs, and slack cords between bodies.
+    fn draw_cords(&self, canvas: &mut Canvas, placed: &[(usize, Body)], frame: &Frame) {
+        if let Some((_, body)) = self.hung.and_then(|number| placed.get(number)) {
+            let up = Point::new(0.0, 1.0);
+            let (top, hook) = (body.centre() + up * body.support(up), body.centre() + up * (body.support(up) + CORD));
+            draw_cord(canvas, top, hook);
+            draw_support(canvas, hook, -up, CEILING_HALF);
+        }
+        if self.tied {
+            for pair in placed.windows(2) {
+                let [(_, first), (_, second)] = pair else { continue };
+                let face = |body: &Body, side: f64| body.centre() + frame.along * (side * body.support(frame.along));
+                draw_slack(canvas, face(first, 1.0), face(second, -1.0));
             }
         }
     }
 
     /// The level line at the lower end of the slope, and the angle between them.
-    fn draw_slope(canvas: &mut Canvas, start: Point, end: Point, mark: &AngleMark) {
+    fn draw_slope(canvas: &mut Canvas, start: Point, end: Point, label: &Math) {
         let (foot, top) = if start.y <= end.y { (start, end) } else { (end, start) };
         let level = if (top - foot).x < 0.0 { PI } else { 0.0 };
-        let width = (top - foot).x.abs();
+        let (width, height) = ((top - foot).x.abs(), (top - foot).y);
         canvas.line([foot, foot + Point::polar(width, level)], Role::Guide, false);
-        draw_angle(
-            canvas,
-            &[Vertex::open(foot, WEDGE)],
-            top - foot,
-            &AngleMark { from: level, label: mark.label.clone() },
-        );
+        let room = wedge(libm::atan2(height, width));
+        let mark = AngleMark { from: level, label: label.clone() };
+        draw_angle(canvas, &[Vertex::open(foot, room)], top - foot, &mark);
     }
 
-    /// What pushes a body down to its floor is drawn from above.
-    fn attach(&self, scales: &Scales, moving: &Moving, up: Point) -> Attach {
-        let into_floor = scales.arrow(moving).is_some_and(|arrow| arrow.dot(up) < -0.1 * arrow.length());
-        if self.floor && into_floor { Attach::Arriving } else { moving.attach }
+    /// What pushes a body down to its floor is drawn from above, and what moves it into a spring from behind.
+    fn attach(&self, number: usize, scales: &Scales, moving: &Moving, frame: &Frame) -> Attach {
+        let into = |side: Point| scales.arrow(moving).is_some_and(|arrow| arrow.dot(side) > 0.1 * arrow.length());
+        let last = self.bodies.len().saturating_sub(1);
+        let meets_spring = self.spring.as_ref().is_some_and(|(place, _)| match place {
+            LineSpring::Ahead => number == last && into(frame.along),
+            LineSpring::Behind => number == 0 && into(-frame.along),
+            LineSpring::Between => number == 0 && into(frame.along) || number == 1 && into(-frame.along),
+        });
+        if meets_spring || self.floor && into(-frame.up) { Attach::Arriving } else { moving.attach }
     }
 
     /// How far the body and its arrows reach back and forth along the line.
-    fn reach_along(&self, body: &MovingBody, outline: &Body, scales: &Scales, along: Point, up: Point) -> (f64, f64) {
+    fn reach_along(
+        &self,
+        number: usize,
+        body: &MovingBody,
+        outline: &Body,
+        scales: &Scales,
+        frame: &Frame,
+    ) -> (f64, f64) {
+        let along = frame.along;
         let mut trial = outline.clone();
         let (mut low, mut high) = (-outline.support(along), outline.support(along));
         for moving in &body.vectors {
             if let Some(arrow) = scales.arrow(moving) {
-                let (from, to) = trial.attach(arrow, self.attach(scales, moving, up));
+                let (from, to) = trial.attach(arrow, self.attach(number, scales, moving, frame));
                 for point in [from, to] {
                     low = low.min(point.dot(along));
                     high = high.max(point.dot(along));
@@ -105,5 +217,14 @@ impl Line {
             (low, high) = (low - lack, high + lack);
         }
         (low, high)
+    }
+}
+
+impl Frame {
+    /// A wall from its foot, with its free side back along the line (`side` 1) or forwards (-1).
+    fn draw_wall(&self, canvas: &mut Canvas, foot: Point, height: Point, side: f64) {
+        let upright = height.dot(self.along.turned()) * side > 0.0;
+        let ends = if upright { [foot, foot + height] } else { [foot + height, foot] };
+        draw_surface(canvas, ends[0], ends[1]);
     }
 }

@@ -3,17 +3,26 @@
 mod angle;
 mod central;
 mod contact;
+mod dimension;
 mod fall;
 mod line;
 mod moving;
+mod pulley;
+mod ramp;
+mod ride;
+mod swing;
 
 pub use angle::AngleMark;
 pub(super) use central::draw_centre;
 pub use central::{Central, Moment};
 pub use contact::{Contact, Partner};
 pub use fall::{Fall, Ground, Height};
-pub use line::Line;
+pub use line::{Line, LineSpring};
 pub use moving::{Moving, MovingBody};
+pub use pulley::{Pulley, PulleySide, Rest};
+pub use ramp::Ramp;
+pub use ride::{Face, Ride};
+pub use swing::{Swing, SwingEnd};
 
 use super::extent::bounds;
 use super::input::{AxisMark, Wording};
@@ -43,6 +52,14 @@ pub enum Layout {
     Central(Central),
     /// A body that falls, and perhaps bounces.
     Fall(Fall),
+    /// A body on a cord.
+    Swing(Swing),
+    /// Two bodies on a string over a pulley.
+    Pulley(Pulley),
+    /// A body on another one that can give way.
+    Ride(Ride),
+    /// A body on a ramp of any shape.
+    Ramp(Ramp),
 }
 
 impl Situation {
@@ -56,7 +73,7 @@ impl Situation {
     ///     let velocity = LabelledVector::known(Math::subscripted("v", name), [speed, 0.0]);
     ///     MovingBody::new(Math::Identifier(name.into())).with(Moving::velocity(velocity))
     /// };
-    /// let line = Line { angle: 0.0, bodies: vec![cart("A", 3.0), cart("B", -2.0)], floor: true, slope: None };
+    /// let line = Line { bodies: vec![cart("A", 3.0), cart("B", -2.0)], floor: true, ..Line::default() };
     /// let situation = Situation { wording: Wording::default(), layout: Layout::Line(line), axes: Vec::new() };
     /// assert!(overlaps(&situation.drawing()).is_empty());
     /// ```
@@ -68,6 +85,10 @@ impl Situation {
             Layout::Contact(contact) => contact.draw(&mut canvas),
             Layout::Central(central) => central.draw(&mut canvas),
             Layout::Fall(fall) => fall.draw(&mut canvas),
+            Layout::Swing(swing) => swing.draw(&mut canvas),
+            Layout::Pulley(pulley) => pulley.draw(&mut canvas),
+            Layout::Ride(ride) => ride.draw(&mut canvas),
+            Layout::Ramp(ramp) => ramp.draw(&mut canvas),
         }
         let shapes: Vec<Shape> = canvas.settle();
         // The axes go below everything, labels included.

@@ -141,7 +141,7 @@ pub(super) fn draw_vector(canvas: &mut Canvas, body: &mut Body, moving: &Moving,
 fn draw_angle_at(canvas: &mut Canvas, body: &Body, [from, to]: [Point; 2], attach: Attach, mark: &AngleMark) {
     let arrow = to - from;
     let at_body = match attach {
-        Attach::Arriving => Vertex { at: from, inner: 0.0, room: arrow.length() },
+        Attach::Arriving => Vertex { room: arrow.length(), ..Vertex::open(from, 0.0) },
         // About the centre, so that the reference does not start inside the outline of the body.
         Attach::Leaving => Vertex::open(body.centre(), body.reach(Point::polar(1.0, mark.from))),
     };

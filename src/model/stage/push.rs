@@ -67,7 +67,7 @@ impl Builder<'_> {
         for force in &acting {
             self.told_throughout(&force.name, &force.strength, &end);
         }
-        let incline = self.incline(stage.incline.as_ref(), path);
+        let incline = self.incline(index, stage.incline.as_ref(), path);
         let over = stage.over.as_ref().map(|term| {
             let meaning = format!("the distance over which {} is pushed", self.called(&stage.body));
             self.read_positive(term, Dimension::LENGTH, &meaning, &path.key("over"))

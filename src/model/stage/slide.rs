@@ -30,7 +30,7 @@ impl Builder<'_> {
         let phrase = self.stage_phrase(index);
         let stops = stage.until == Some(Until::Rest);
         let way = self.one_way(index, body, stage.direction.as_ref(), stops, path);
-        let incline = self.incline(stage.incline.as_ref(), path);
+        let incline = self.incline(index, stage.incline.as_ref(), path);
         let friction = stage.friction.as_ref().map(|term| {
             self.read_positive(term, Dimension::NONE, "the coefficient of kinetic friction", &path.key("friction"))
         });

@@ -95,7 +95,7 @@ impl Builder<'_> {
         let mass = self.mass(body);
         let stops = stage.until == Some(Until::Rest);
         let way = self.one_way(index, body, stage.direction.as_ref(), stops, path);
-        let incline = self.incline(stage.incline.as_ref(), path);
+        let incline = self.incline(index, stage.incline.as_ref(), path);
         let energy_of =
             |own: &Expr, deformation: &Expr| mass.clone() * own.clone() + energy::of_spring(stiffness, deformation);
         let mut start = energy_of(&way.energies[0], &deformation.before);

@@ -43,3 +43,11 @@ pub struct Slide {
     #[serde(default)]
     pub until: Option<Until>,
 }
+
+impl Slide {
+    /// Whether it goes along a smooth ramp of any shape, of which only the height is known.
+    #[must_use]
+    pub fn is_ramp(&self) -> bool {
+        self.height.is_some() && self.incline.is_none()
+    }
+}

@@ -2,7 +2,6 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::expr::Math;
 use crate::expr::name_math;
 use crate::figure::Drawing;
 use crate::figure::Fall;
@@ -11,7 +10,6 @@ use crate::figure::Height;
 use crate::figure::Layout;
 use crate::figure::Situation;
 use crate::scene::Stage;
-use crate::scene::Term;
 use crate::scene::stage;
 use crate::scene::stage::Bounces;
 use crate::scene::stage::Partners;
@@ -37,25 +35,25 @@ pub(in super::super) fn drawing(quantities: &Quantities<'_>, compass: &Compass, 
         Some(Stage::Impact(impact)) => match impact.partners() {
             Some(Partners::Bodies(first, second)) => {
                 let other = if first == fall.body { second } else { first };
-                Ground::Body(quantities.body(other, quantities.motion(compass, other, 1)))
+                let body = quantities.body(other, quantities.motion(compass, other, 1));
+                if is_carried(quantities, other) { Ground::Sprung(body) } else { Ground::Body(body) }
             }
             Some(Partners::Surface(..)) => slope(quantities, compass),
             None => Ground::Level,
         },
         _ => Ground::Level,
     };
-    let label = given_height(quantities, &fall.height);
+    let label = quantities.told(&fall.height);
     let body = quantities.body(&fall.body, quantities.motion(compass, &fall.body, 1));
     let wording = fall_wording(quantities, &fall.body, label.as_ref(), 0);
     let fall = Fall { body, heights: vec![Height { label, value: 1.0 }], ground };
     Some(Situation { wording, layout: Layout::Fall(fall), axes: compass.marks() }.drawing())
 }
 
-/// How a height is written, where it may be shown.
-fn given_height(quantities: &Quantities<'_>, height: &Term) -> Option<Math> {
-    let height = quantities.term(height)?;
-    quantities.evaluate(&height)?;
-    Some(quantities.symbolic(&height))
+/// Whether a spring carries a body.
+fn is_carried(quantities: &Quantities<'_>, body: &str) -> bool {
+    let carries = |stage: &Stage| matches!(stage, Stage::Spring(spring) if spring.carried.as_deref() == Some(body));
+    quantities.scene().stages.iter().any(carries)
 }
 
 /// The surface that the second stage strikes: a slope where its normal is turned from the vertical.
@@ -81,7 +79,7 @@ pub(in super::super) fn bouncing(quantities: &Quantities<'_>, bounces: &Bounces)
         _ => None,
     });
     let label = match drop {
-        Some(term) => given_height(quantities, term),
+        Some(term) => quantities.told(term),
         None => quantities.named("h_0").map(|_| name_math("h_0")),
     };
     let restitution = quantities.term(&bounces.restitution).and_then(|e| quantities.evaluate(&e));

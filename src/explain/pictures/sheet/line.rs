@@ -1,15 +1,19 @@
 //! Bodies along a line: on a track before an impact, or one that is pushed or struck.
 
+use crate::expr::Math;
 use crate::figure::Drawing;
 use crate::figure::Form;
 use crate::figure::Layout;
 use crate::figure::Line;
+use crate::figure::LineSpring;
 use crate::figure::Moving;
 use crate::figure::MovingBody;
 use crate::figure::Situation;
 use crate::model::ForceKind;
 use crate::scene::Plane;
 use crate::scene::Stage;
+use crate::scene::Term;
+use crate::scene::stage::Ends;
 use crate::scene::stage::Partners;
 
 use super::super::compass::Compass;
@@ -20,6 +24,11 @@ use super::super::words::situation_wording;
 /// The bodies before a stage; after the last one, where nothing is given of them before. In a solution with their momenta.
 pub(in super::super) fn drawing(quantities: &Quantities<'_>, compass: &Compass, stage: usize) -> Option<Drawing> {
     let last = quantities.timeline.last();
+    let slope = quantities.slope(stage);
+    let compass = &match &slope {
+        Some((rise, _)) => compass.tilted(*rise),
+        None => compass.clone(),
+    };
     let before = bodies(quantities, compass, stage);
     let is_telling = |bodies: &[(String, MovingBody)]| bodies.iter().any(|(_, body)| !body.vectors.is_empty());
     let rebounds = |body: &str| !departure(quantities, compass, body, stage).is_empty();
@@ -41,30 +50,18 @@ pub(in super::super) fn drawing(quantities: &Quantities<'_>, compass: &Compass, 
         return None;
     }
     let wording = situation_wording(quantities, &bodies, &when);
-    let floor = has_floor(quantities, stage, &bodies);
-    let bodies = bodies.into_iter().map(|(_, body)| body).collect();
-    let line = Line { angle: compass.axis_angle(0), bodies, floor, slope: None };
-    Some(Situation { wording, layout: Layout::Line(line), axes: compass.marks() }.drawing())
-}
-
-/// The bodies with their momenta after a stage that has no impulses to draw.
-pub(in super::super) fn after(quantities: &Quantities<'_>, compass: &Compass, stage: usize) -> Option<Drawing> {
-    let instant = stage + 2;
-    let bodies: Vec<(String, MovingBody)> = quantities
-        .timeline
-        .alive(instant)
-        .into_iter()
-        .map(|body| {
-            let momentum = quantities.momentum(body, body, instant, quantities.mass(body));
-            (body.to_owned(), quantities.body(body, vec![Moving::momentum(momentum.placed(compass))]))
-        })
-        .collect();
-    if bodies.is_empty() {
-        return None;
-    }
-    let wording = situation_wording(quantities, &bodies, &quantities.when(instant));
-    let bodies = bodies.into_iter().map(|(_, body)| body).collect();
-    let line = Line { angle: compass.axis_angle(0), bodies, floor: true, slope: None };
+    let upright = libm::cos(compass.axis_angle(0)).abs() < 1e-9;
+    let names: Vec<&str> = bodies.iter().map(|(name, _)| name.as_str()).collect();
+    let line = Line {
+        angle: line_angle(quantities, compass, stage),
+        floor: !upright && has_floor(quantities, stage, &bodies),
+        slope: slope.and_then(|(_, label)| label),
+        spring: spring(quantities, &names, stage),
+        hung: hung(quantities, &names).filter(|_| !upright),
+        tied: matches!(quantities.scene().stages.get(stage), Some(Stage::Taut(_))),
+        wall: has_wall(quantities, stage),
+        bodies: bodies.into_iter().map(|(_, body)| body).collect(),
+    };
     Some(Situation { wording, layout: Layout::Line(line), axes: compass.marks() }.drawing())
 }
 
@@ -119,10 +116,70 @@ fn order(quantities: &Quantities<'_>, stage: usize) -> Vec<String> {
     order
 }
 
-/// A floor is drawn under what rubs on it, and under vehicles that meet on a level line.
+/// A floor is drawn under what rubs on it or is held by a spring, and under vehicles that meet on a level line.
 fn has_floor(quantities: &Quantities<'_>, stage: usize, bodies: &[(String, MovingBody)]) -> bool {
     let rubs = quantities.model().forces.iter().any(|force| force.stage == stage && force.kind == ForceKind::Normal);
+    let sprung = matches!(quantities.scene().stages.get(stage), Some(Stage::Spring(_)));
     let level = quantities.scene().plane == Plane::Horizontal && quantities.axes.len() == 1;
     let vehicles = bodies.len() > 1 && bodies.iter().all(|(_, body)| body.form == Form::Block);
-    rubs || level && vehicles
+    rubs || sprung || level && vehicles
+}
+
+/// The direction in which the bodies follow each other: that of the string between them, or the first axis.
+fn line_angle(quantities: &Quantities<'_>, compass: &Compass, stage: usize) -> f64 {
+    let taut = matches!(quantities.scene().stages.get(stage), Some(Stage::Taut(taut)) if taut.along.is_some());
+    let frame = quantities.model().frames.get(stage).and_then(Option::as_ref).filter(|_| taut);
+    let string = frame.and_then(|frame| quantities.direction(&frame.normal));
+    string.map_or_else(|| compass.axis_angle(0), |direction| compass.angle(direction))
+}
+
+/// The spring of this stage or the next, where it lies along the line; what is written at it is its stiffness.
+fn spring(quantities: &Quantities<'_>, names: &[&str], stage: usize) -> Option<(LineSpring, Option<Math>)> {
+    let scene = quantities.scene();
+    let (at, spring) = scene.stages.iter().enumerate().skip(stage).take(2).find_map(|(at, own)| match own {
+        Stage::Spring(spring) => Some((at, spring)),
+        _ => None,
+    })?;
+    let place = match spring.ends()? {
+        Ends::Free(first, second) if at == stage && names.starts_with(&[first, second]) => LineSpring::Between,
+        Ends::Free(..) => return None,
+        Ends::Fixed(body) => {
+            let deformed = |term: &Option<Term>| quantities.evaluate(&quantities.term(term.as_ref()?)?);
+            let relaxes = deformed(&spring.from).zip(deformed(&spring.to)).is_some_and(|(from, to)| from > to);
+            // A spring is pressed ahead of a body that moves into it, and drives one that it moves from behind.
+            let drives = spring.releases() || relaxes;
+            let members = scene.members(body);
+            let holds = |name: Option<&&str>| name.is_some_and(|name| *name == body || members.contains(name));
+            if drives == quantities.is_backwards(spring.direction.as_ref()) {
+                holds(names.last()).then_some(LineSpring::Ahead)?
+            } else {
+                holds(names.first()).then_some(LineSpring::Behind)?
+            }
+        }
+    };
+    Some((place, quantities.told(&spring.stiffness)))
+}
+
+/// Which of the bodies hangs on a cord, on which it or what it becomes will swing: one that is at rest.
+fn hung(quantities: &Quantities<'_>, names: &[&str]) -> Option<usize> {
+    let body = quantities.scene().stages.iter().find_map(|stage| match stage {
+        Stage::Swing(swing) => Some(swing.body.as_str()),
+        _ => None,
+    })?;
+    let members = quantities.scene().members(body);
+    let resting = |name: &&&str| quantities.velocity(name, 1).is_some_and(|velocity| velocity == [0.0, 0.0]);
+    let own = names.iter().filter(|name| members.contains(name));
+    let chosen = own.clone().find(resting).or_else(|| own.clone().next_back())?;
+    names.iter().position(|name| name == chosen)
+}
+
+/// Whether a body will strike a wall that lies beyond the last of them.
+fn has_wall(quantities: &Quantities<'_>, stage: usize) -> bool {
+    let later = quantities.scene().stages.iter().enumerate().skip(stage + 1);
+    let walls = later.filter(
+        |(_, own)| matches!(own, Stage::Impact(impact) if matches!(impact.partners(), Some(Partners::Surface(..)))),
+    );
+    let frames = walls.filter_map(|(index, _)| quantities.model().frames.get(index)?.as_ref());
+    let mut normals = frames.filter_map(|frame| quantities.direction(&frame.normal));
+    quantities.axes.len() == 1 && normals.any(|[x, y]| x + y < 0.0)
 }

@@ -5,7 +5,11 @@ pub(super) mod contact;
 pub(super) mod fall;
 pub(super) mod given;
 pub(super) mod line;
+pub(super) mod pulley;
+pub(super) mod ramp;
+pub(super) mod ride;
 pub(super) mod stream;
+pub(super) mod swing;
 
 use crate::figure::Drawing;
 use crate::scene::Force;
@@ -26,6 +30,8 @@ pub(super) fn drawing(quantities: &Quantities<'_>, compass: &Compass) -> Option<
             contact::drawing(quantities, compass, impact).or_else(|| line::drawing(quantities, compass, 0))
         }
         Some(Stage::Push(push)) if is_graph(push) => plot::force_plot(quantities, 0),
+        Some(Stage::Slide(slide)) if slide.is_ramp() => Some(ramp::drawing(quantities, compass, 0, slide)),
+        Some(Stage::Taut(taut)) if taut.over.is_some() => Some(pulley::taut(quantities, 0, taut)),
         Some(
             Stage::Push(_)
             | Stage::Slide(_)
@@ -34,21 +40,15 @@ pub(super) fn drawing(quantities: &Quantities<'_>, compass: &Compass) -> Option<
             | Stage::Blow(_)
             | Stage::Separate(_)
             | Stage::Flight(_)
-            | Stage::SlideOff(_)
-            | Stage::Walk(_)
             | Stage::Drift(_),
         ) => line::drawing(quantities, compass, 0),
         Some(Stage::Rotate(rotate)) => central::on_arm(quantities, rotate),
         Some(Stage::Central(stage)) => central::under_force(quantities, stage),
-        Some(
-            Stage::Swing(_)
-            | Stage::Connected(_)
-            | Stage::Moment(_)
-            | Stage::Strike(_)
-            | Stage::Conical(_)
-            | Stage::Bowl(_)
-            | Stage::Interact(_),
-        ) => None,
+        Some(Stage::Swing(swing)) => Some(swing::drawing(quantities, compass, 0, swing)),
+        Some(Stage::Connected(connected)) => Some(pulley::connected(quantities, 0, connected)),
+        Some(Stage::SlideOff(slide)) => Some(ride::slide(quantities, compass, slide)),
+        Some(Stage::Walk(walk)) => ride::walk(quantities, compass, 0, walk),
+        Some(Stage::Moment(_) | Stage::Strike(_) | Stage::Conical(_) | Stage::Bowl(_) | Stage::Interact(_)) => None,
         Some(Stage::Fall(fall)) => fall::drawing(quantities, compass, fall),
         Some(Stage::Stream(stream)) => stream::drawing(quantities, compass, 0, stream),
         Some(Stage::Thrust(thrust)) => stream::rocket(quantities, compass, 0, thrust),

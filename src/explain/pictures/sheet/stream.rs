@@ -84,6 +84,6 @@ fn lone(quantities: &Quantities<'_>, compass: &Compass, index: usize, name: &str
     let bodies = [(name.to_owned(), body)];
     let wording = situation_wording(quantities, &bodies, &quantities.when(index + 1));
     let bodies = bodies.into_iter().map(|(_, body)| body).collect();
-    let line = Line { angle: compass.axis_angle(0), bodies, floor: false, slope: None };
+    let line = Line { angle: compass.axis_angle(0), bodies, ..Line::default() };
     Situation { wording, layout: Layout::Line(line), axes: compass.marks() }.drawing()
 }

@@ -1,0 +1,87 @@
+//! Two bodies on a string over a pulley.
+
+use crate::expr::name_math;
+use crate::figure::Drawing;
+use crate::figure::LabelledVector;
+use crate::figure::Layout;
+use crate::figure::Moving;
+use crate::figure::Pulley;
+use crate::figure::PulleySide;
+use crate::figure::Rest;
+use crate::figure::Situation;
+use crate::scene::stage::Connected;
+use crate::scene::stage::Strand;
+use crate::scene::stage::Taut;
+
+use super::super::quantities::Quantities;
+use super::super::quantities::SKETCHED;
+use super::super::words::situation_wording;
+
+/// A body on its side of the pulley, as the drawing has it.
+pub(in super::super) struct Side<'a> {
+    pub body: &'a str,
+    pub rest: Rest,
+    /// The direction in which it moves when the string runs forwards, as a unit vector.
+    pub forwards: [f64; 2],
+    /// Whether the string pulls it forwards (1) or back (-1).
+    pub pull: f64,
+}
+
+/// The trailing body lies to the left and is drawn towards the pulley; the leading one, to the right, moves away from it.
+fn sides<'a>(trailing: (&'a str, Rest), leading: (&'a str, Rest)) -> [Side<'a>; 2] {
+    let unit = |rest: &Rest| [libm::cos(rest.angle()), libm::sin(rest.angle())];
+    let [x, y] = unit(&trailing.1);
+    let forwards = unit(&leading.1);
+    [
+        Side { body: trailing.0, rest: trailing.1, forwards: [x, -y], pull: 1.0 },
+        Side { body: leading.0, rest: leading.1, forwards, pull: -1.0 },
+    ]
+}
+
+fn rest(quantities: &Quantities<'_>, strand: &Strand) -> Rest {
+    match strand.on.as_ref().map(|term| (term, term.0.trim())) {
+        None | Some((_, "hanging")) => Rest::Hanging,
+        Some((_, "level")) => Rest::Level,
+        Some((term, _)) => {
+            let angle = quantities.term(term).map(|angle| quantities.angle_or_sketch(&angle));
+            let (angle, label) = angle.unwrap_or((SKETCHED, None));
+            Rest::Slope(angle, label)
+        }
+    }
+}
+
+/// The two sides of a string that stays taut.
+pub(in super::super) fn sides_of<'a>(quantities: &Quantities<'_>, stage: &'a Connected) -> [Side<'a>; 2] {
+    let [trailing, leading] = [&stage.trailing, &stage.leading].map(|own| (own.body.as_str(), rest(quantities, own)));
+    sides(trailing, leading)
+}
+
+/// The bodies on their string at the start.
+pub(in super::super) fn connected(quantities: &Quantities<'_>, index: usize, stage: &Connected) -> Drawing {
+    situation(quantities, index, sides_of(quantities, stage))
+}
+
+/// Two bodies that hang on a slack string over a pulley.
+pub(in super::super) fn taut(quantities: &Quantities<'_>, index: usize, stage: &Taut) -> Drawing {
+    let [trailing, leading] = stage.between.each_ref().map(|body| (body.as_str(), Rest::Hanging));
+    situation(quantities, index, sides(trailing, leading))
+}
+
+fn situation(quantities: &Quantities<'_>, index: usize, sides: [Side<'_>; 2]) -> Drawing {
+    let sides = sides.map(|side| {
+        let name = quantities.velocity_name(side.body, index + 1);
+        let velocity = quantities.named(&name).map(|speed| {
+            let value = side.forwards.map(|part| part * speed);
+            Moving::velocity(LabelledVector::known(name_math(&name), value))
+        });
+        (
+            side.body.to_owned(),
+            PulleySide { body: quantities.body(side.body, velocity.into_iter().collect()), rest: side.rest },
+        )
+    });
+    let bodies = sides.each_ref().map(|(name, side)| (name.clone(), side.body.clone()));
+    let mut wording = situation_wording(quantities, &bodies, &quantities.when(index + 1));
+    wording.description.push_str(" They are on the ends of a string that runs over a pulley.");
+    let pulley = Pulley { sides: sides.map(|(_, side)| side) };
+    Situation { wording, layout: Layout::Pulley(pulley), axes: Vec::new() }.drawing()
+}

@@ -1,0 +1,51 @@
+//! A body on a smooth ramp of any shape.
+
+use crate::figure::Drawing;
+use crate::figure::Layout;
+use crate::figure::Moving;
+use crate::figure::Ramp;
+use crate::figure::Situation;
+use crate::figure::Wording;
+use crate::scene::stage::Slide;
+use crate::scene::stage::Way;
+
+use super::super::super::wording::capitalised;
+use super::super::compass::Compass;
+use super::super::quantities::Quantities;
+use super::super::quantities::Scope;
+use super::super::words::sentences;
+
+/// The body where it starts, in a solution also where it ends, there with its momenta.
+pub(in super::super) fn drawing(
+    quantities: &Quantities<'_>,
+    compass: &Compass,
+    index: usize,
+    stage: &Slide,
+) -> Drawing {
+    let falls = stage.way != Some(Way::Up);
+    let forwards = if quantities.is_backwards(stage.direction.as_ref()) { -1.0 } else { 1.0 };
+    let rightwards = (compass.place([forwards, 0.0])[0] > 0.0) == falls;
+    let vectors = |instant: usize| match quantities.scope() {
+        Scope::Given => quantities.motion(compass, &stage.body, instant),
+        Scope::Solved => {
+            let scale = quantities.mass(&stage.body).unwrap_or(1.0);
+            let momentum = quantities.momentum(&stage.body, &stage.body, instant, Some(scale));
+            momentum.value.map(|_| Moving::momentum(momentum.placed(compass))).into_iter().collect::<Vec<_>>()
+        }
+    };
+    let [start, end] = [index + 1, index + 2].map(vectors);
+    let end = (quantities.scope() == Scope::Solved || !end.is_empty()).then_some(end);
+    let (top, foot) = if falls { (Some(start), end) } else { (end, Some(start)) };
+    let height = stage.height.as_ref().and_then(|height| quantities.told(height));
+    let name = quantities.called(&stage.body);
+    let told =
+        height.as_ref().map_or_else(String::new, |height| format!("the height of the ramp is {}", height.plain()));
+    let at_ends = if quantities.scope() == Scope::Solved { ", with its momentum at both ends" } else { "" };
+    let wording = Wording {
+        title: capitalised(&format!("{name} on the ramp")),
+        description: sentences([format!("{name} on a smooth ramp{at_ends}"), told]),
+        caption: sentences([format!("{name} on the ramp{at_ends}")]),
+    };
+    let ramp = Ramp { body: quantities.body(&stage.body, Vec::new()), top, foot, rightwards, height };
+    Situation { wording, layout: Layout::Ramp(ramp), axes: compass.marks() }.drawing()
+}

@@ -1,0 +1,112 @@
+//! A body on a cord: on a sheet where it is and what is given of its swing, in a solution both ends with the momenta.
+
+use crate::expr::Expr;
+use crate::expr::name_math;
+use crate::figure::Drawing;
+use crate::figure::Layout;
+use crate::figure::Moving;
+use crate::figure::Situation;
+use crate::figure::SwingEnd;
+use crate::figure::Wording;
+use crate::scene::Term;
+use crate::scene::stage::Place;
+use crate::scene::stage::Swing;
+
+use super::super::super::wording::capitalised;
+use super::super::compass::Compass;
+use super::super::quantities::Quantities;
+use super::super::quantities::SKETCHED;
+use super::super::quantities::Scope;
+use super::super::words::sentences;
+
+/// The places of a body on its cord, with what may be told of them.
+pub(in super::super) fn drawing(
+    quantities: &Quantities<'_>,
+    compass: &Compass,
+    index: usize,
+    stage: &Swing,
+) -> Drawing {
+    let length = stage.length.as_ref().and_then(|term| quantities.told(term));
+    let named = quantities.staged(&format!("h_{}", stage.body), index);
+    let height = match &stage.height {
+        Some(term) => quantities.told(term),
+        None => quantities.named(&named).map(|_| name_math(&named)),
+    };
+    let ends = [0, 1].map(|side| end(quantities, compass, index, stage, side));
+    let telling = |end: &SwingEnd| end.label.is_some() || !end.vectors.is_empty();
+    let shows_both = quantities.scope() == Scope::Solved || height.is_some() || telling(&ends[1]);
+    let ends = ends.into_iter().take(if shows_both { 2 } else { 1 }).collect();
+    let name = quantities.called(&stage.body);
+    let phrase = quantities.model().phrase(quantities.scene(), index);
+    let on_cord = length.as_ref().map_or_else(String::new, |length| format!(" of the length {}", length.plain()));
+    let rises = height
+        .as_ref()
+        .map_or_else(String::new, |height| format!("the height between the two places is {}", height.plain()));
+    let what = match quantities.scope() {
+        Scope::Given => format!("{name} on its cord"),
+        Scope::Solved => format!("{phrase}: the momentum of {name} at its start and at its end"),
+    };
+    let wording = Wording {
+        title: capitalised(&format!("{name} on its cord")),
+        description: sentences([format!("{name} hangs on a cord{on_cord}"), rises]),
+        caption: sentences([what]),
+    };
+    let body = quantities.body(&stage.body, Vec::new());
+    let height = height.filter(|_| shows_both);
+    let swing = crate::figure::Swing { body, ends, length, height };
+    Situation { wording, layout: Layout::Swing(swing), axes: compass.marks() }.drawing()
+}
+
+/// One end of the swing: the angle of the cord on the drawing, and the vectors of the body there.
+fn end(quantities: &Quantities<'_>, compass: &Compass, index: usize, stage: &Swing, side: usize) -> SwingEnd {
+    let places = stage.places();
+    let instant = index + 1 + side;
+    let (size, label) = match &places[side] {
+        Place::Lowest => (0.0, None),
+        Place::Angle(Some(term)) => match quantities.term(term) {
+            Some(angle) => quantities.angle_or_sketch(&angle),
+            None => (SKETCHED, None),
+        },
+        Place::Angle(None) => {
+            let since = quantities.timeline.since(&stage.body, instant).unwrap_or(instant);
+            let own = quantities.model().symbol_of(&format!("angle_{}{since}", stage.body));
+            let own = own.map(|symbol| quantities.angle_or_sketch(&Expr::from(symbol)));
+            own.filter(|(_, label)| label.is_some()).unwrap_or_else(|| (from_height(quantities, index, stage), None))
+        }
+    };
+    // It swings up to the side to which it moves, and comes down from the other one.
+    let forwards = if quantities.is_backwards(stage.direction.as_ref()) { -1.0 } else { 1.0 };
+    let sense = compass.place([forwards, 0.0])[0];
+    let comes = side == 0 || matches!(places[0], Place::Angle(_)) && !stage.stops();
+    let angle = if comes { -sense * size } else { sense * size };
+    SwingEnd { angle, label, vectors: vectors(quantities, compass, &stage.body, instant, angle) }
+}
+
+/// The angle to which a height leads, where cord and height are known.
+fn from_height(quantities: &Quantities<'_>, index: usize, stage: &Swing) -> f64 {
+    let value = |term: Option<&Term>| quantities.evaluate(&quantities.term(term?)?);
+    let height = value(stage.height.as_ref())
+        .or_else(|| quantities.named(&quantities.staged(&format!("h_{}", stage.body), index)));
+    let angle = height.zip(value(stage.length.as_ref())).map(|(height, length)| libm::acos(1.0 - height / length));
+    angle.filter(|angle| angle.is_finite()).unwrap_or(SKETCHED)
+}
+
+/// Velocities on a sheet, the momentum in a solution; along one axis they turn with the cord.
+fn vectors(quantities: &Quantities<'_>, compass: &Compass, body: &str, instant: usize, angle: f64) -> Vec<Moving> {
+    let mut vectors = match quantities.scope() {
+        Scope::Given => quantities.motion(compass, body, instant),
+        Scope::Solved => {
+            let scale = quantities.mass(body).unwrap_or(1.0);
+            let momentum = quantities.momentum(body, body, instant, Some(scale));
+            let known = momentum.value.map(|_| Moving::momentum(momentum.placed(compass)));
+            known.into_iter().collect()
+        }
+    };
+    if quantities.axes.len() == 1 {
+        for [x, y] in vectors.iter_mut().filter_map(|moving| moving.vector.value.as_mut()) {
+            let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
+            (*x, *y) = (*x * cosine - *y * sine, *x * sine + *y * cosine);
+        }
+    }
+    vectors
+}

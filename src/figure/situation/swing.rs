@@ -1,0 +1,179 @@
+//! A body on a cord, at the two ends of its swing.
+
+use std::f64::consts::FRAC_PI_2;
+
+use crate::expr::Math;
+use crate::figure::body::{Attach, Body};
+use crate::figure::coil::{draw_cord, draw_support};
+use crate::figure::place::{Anchor, Canvas};
+use crate::figure::{Point, Role, Shape};
+
+use super::angle::{AngleMark, Vertex, draw_angle};
+use super::dimension::draw_dimension;
+use super::moving::{Moving, MovingBody, Scales, draw_vector};
+
+const CORD: f64 = 112.0;
+const LONGEST: f64 = 52.0;
+const CEILING_HALF: f64 = 26.0;
+const PIVOT: f64 = 1.8;
+/// Beyond this angle a ceiling would be in the way of the body.
+const STEEPEST_UNDER_CEILING: f64 = 1.2;
+/// Angles less far from the vertical, or from each other, are drawn so, to keep the places apart.
+const SMALLEST: f64 = 0.4;
+const LARGEST: f64 = 2.6;
+/// From the pivot to the arc of the first angle; the second lies further out.
+const ARC_ROOM: f64 = 12.0;
+const NEXT_ARC: f64 = 18.0;
+const DIMENSION_GAP: f64 = 24.0;
+const PATH_PARTS: u32 = 24;
+
+/// A swing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Swing {
+    /// The body; its vectors are those of the ends.
+    pub body: MovingBody,
+    /// The places that are shown.
+    pub ends: Vec<SwingEnd>,
+    /// What is written at the cord.
+    pub length: Option<Math>,
+    /// What is written at the height between the two places.
+    pub height: Option<Math>,
+}
+
+/// A place of a body on a cord.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SwingEnd {
+    /// The angle of the cord from straight down, in radians, counter-clockwise.
+    pub angle: f64,
+    /// What is written at that angle.
+    pub label: Option<Math>,
+    /// The body's vectors there.
+    pub vectors: Vec<Moving>,
+}
+
+impl Swing {
+    pub(super) fn draw(&self, canvas: &mut Canvas) {
+        let angles = self.drawn_angles();
+        let shown: Vec<MovingBody> =
+            self.ends.iter().map(|end| MovingBody { vectors: end.vectors.clone(), ..self.body.clone() }).collect();
+        let scales = Scales::of(&shown, LONGEST);
+        let outlines: Vec<Body> =
+            angles.iter().map(|angle| self.body.outline().moved(Point::polar(CORD, *angle - FRAC_PI_2))).collect();
+        draw_pivot(canvas, &angles);
+        for outline in &outlines {
+            outline.draw(canvas);
+            let inward = outline.centre() * (-1.0 / CORD);
+            let end = outline.centre() + inward * outline.reach(inward);
+            draw_cord(canvas, Point::ORIGIN, end);
+        }
+        if let ([one, other], [first, second]) = (&angles[..], &outlines[..]) {
+            draw_path(canvas, [*one, *other], [first, second]);
+        }
+        self.mark_angles(canvas, &angles);
+        for (number, (end, mut outline)) in shown.iter().zip(outlines.iter().cloned()).enumerate() {
+            let other = outlines.get(1 - number.min(1)).map(|other| other.centre() - outline.centre());
+            for moving in &end.vectors {
+                // The place of the other end is in the way of an arrow towards it.
+                let arrow = scales.arrow(moving).unwrap_or_default();
+                let arrives = other.is_some_and(|other| other.dot(arrow) > 0.0);
+                let attach = if arrives { Attach::Arriving } else { Attach::Leaving };
+                draw_vector(canvas, &mut outline, moving, &scales, attach);
+            }
+        }
+        if let (Some(length), Some(outline)) = (&self.length, outlines.first()) {
+            canvas.label(length, Role::Length, Anchor::Along { from: Point::ORIGIN, to: outline.centre() * 0.9 });
+        }
+        if let (Some(height), [first, second]) = (&self.height, &outlines[..]) {
+            draw_height(canvas, [first, second], self.ends.iter().any(|end| !end.vectors.is_empty()), height);
+        }
+    }
+
+    /// The angles, far enough apart to be told from each other.
+    fn drawn_angles(&self) -> Vec<f64> {
+        let mut drawn: Vec<f64> = Vec::new();
+        for end in &self.ends {
+            let angle = if end.angle.is_finite() { end.angle.clamp(-LARGEST, LARGEST) } else { 0.0 };
+            let angle = if angle == 0.0 { 0.0 } else { angle.abs().max(SMALLEST).copysign(angle) };
+            let angle = match drawn.first() {
+                Some(first) if (angle - first).abs() < SMALLEST => first + SMALLEST.copysign(angle - first),
+                _ => angle,
+            };
+            drawn.push(angle);
+        }
+        drawn
+    }
+
+    fn mark_angles(&self, canvas: &mut Canvas, angles: &[f64]) {
+        let mut inner = ARC_ROOM;
+        let mut marked: Vec<(&SwingEnd, f64)> = self.ends.iter().zip(angles.iter().copied()).collect();
+        marked.sort_by(|(_, one), (_, other)| one.abs().total_cmp(&other.abs()));
+        let mut taken = 0.0;
+        for (end, angle) in marked {
+            let Some(label) = &end.label else { continue };
+            let mark = AngleMark { from: -FRAC_PI_2, label: label.clone() };
+            let direction = Point::polar(1.0, angle - FRAC_PI_2);
+            draw_angle(canvas, &[Vertex::open(Point::ORIGIN, inner).beyond(taken)], direction, &mark);
+            inner += NEXT_ARC;
+            taken = angle.abs();
+        }
+    }
+}
+
+/// A ceiling, or a pin where the body goes up beside it.
+fn draw_pivot(canvas: &mut Canvas, angles: &[f64]) {
+    if angles.iter().all(|angle| angle.abs() < STEEPEST_UNDER_CEILING) {
+        draw_support(canvas, Point::ORIGIN, Point::new(0.0, -1.0), CEILING_HALF);
+    } else {
+        canvas.draw(Shape::Circle { centre: Point::ORIGIN, radius: PIVOT, role: Role::Axis });
+    }
+}
+
+/// Dashed, from one body to the other.
+fn draw_path(canvas: &mut Canvas, [from, to]: [f64; 2], [first, second]: [&Body; 2]) {
+    let hidden = |body: &Body, angle: f64| 1.15 * body.reach(Point::polar(1.0, angle)) / CORD;
+    let way = (to - from).signum();
+    let (start, end) = (from + way * hidden(first, from), to - way * hidden(second, to));
+    if (end - start) * way > 0.0 {
+        let part = |part: u32| start + (end - start) * f64::from(part) / f64::from(PATH_PARTS);
+        canvas.line((0..=PATH_PARTS).map(|number| Point::polar(CORD, part(number) - FRAC_PI_2)), Role::Path, true);
+    }
+}
+
+/// Between the levels of the two places, beside the outer one and its arrow.
+fn draw_height(canvas: &mut Canvas, bodies: [&Body; 2], arrows: bool, label: &Math) {
+    let (down, half) = (Point::new(0.0, -1.0), bodies[0].support(Point::new(1.0, 0.0)));
+    let places = bodies.map(|body| body.centre() + down * body.support(down));
+    let [low, high] = if places[0].y <= places[1].y { places } else { [places[1], places[0]] };
+    let side = if high.x < low.x { -1.0 } else { 1.0 };
+    let gap = if arrows { LONGEST + DIMENSION_GAP / 2.0 } else { DIMENSION_GAP };
+    let outer = (high.x * side).max(low.x * side) + half + gap;
+    let x = side * outer;
+    for place in [low, high] {
+        canvas.line(
+            [Point::new(place.x + side * (half + 2.0), place.y), Point::new(x + side * 4.0, place.y)],
+            Role::Guide,
+            false,
+        );
+    }
+    draw_dimension(canvas, Point::new(x, low.y), Point::new(x, high.y), label);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    use std::f64::consts::PI;
+
+    fn swing(angles: [f64; 2]) -> Swing {
+        let end = |angle| SwingEnd { angle, label: None, vectors: Vec::new() };
+        let body = MovingBody::new(Math::Identifier("A".into()));
+        Swing { body, ends: angles.map(end).to_vec(), length: None, height: None }
+    }
+
+    #[test]
+    fn small_angles_are_drawn_large_enough_to_be_seen() {
+        assert_eq!(swing([0.0, 0.05]).drawn_angles(), [0.0, SMALLEST]);
+        assert_eq!(swing([-0.6, -0.5]).drawn_angles(), [-0.6, -0.6 + SMALLEST]);
+        assert_eq!(swing([PI / 4.0, 0.0]).drawn_angles(), [PI / 4.0, 0.0]);
+    }
+}
