@@ -52,6 +52,7 @@ pub use ask::{
     Answered, Ask, Classifiable, Classify, Conservable, Conserved, Count, Find, Holds, Impulsive, Order, Range, Turn,
 };
 pub use check::check;
+pub use comparison::split_relation;
 pub use compile::{compile, compile_ad_hoc};
 pub use decision::{ChoicePart, Claim, Decision, orders};
 pub use document::{Document, Entry, Kind, Node, Scalar, Style};

@@ -40,11 +40,10 @@ impl Values<'_> {
     /// A force along one axis, on the clock of a stage that starts at `start`.
     fn pull(&self, world: &mut World<1>, pull: &Pull, axis: Axis, start: f64) -> Result<(), NothingToSimulate> {
         let along = match (&pull.direction, self.axes().first()) {
-            _ if matches!(pull.value, Told::Components(_)) => 1.0,
             (Some(term), _) => part(self.direction(&term.0)?, axis),
             (None, first) => f64::from(u8::from(first == Some(&axis))),
         };
-        let (strength, changes) = self.strength(&pull.value, axis)?;
+        let (strength, changes) = self.strength(&pull.value)?;
         let strength = Strength::Function(std::sync::Arc::new(move |time| strength(time + start)));
         let direction = Vector::from([along]);
         world.forces.push(Force::Varying { body: 0, direction, strength });
@@ -54,13 +53,11 @@ impl Values<'_> {
         Ok(())
     }
 
-    /// A strength in the time, of components that along the axis, and when it changes its law.
-    fn strength(&self, told: &Told, axis: Axis) -> Result<(OfTime, Vec<f64>), NothingToSimulate> {
+    /// A strength in the time, and when it changes its law.
+    pub(super) fn strength(&self, told: &Told) -> Result<(OfTime, Vec<f64>), NothingToSimulate> {
         match told {
-            Told::Components(components) => match components.get(axis) {
-                Some(term) => Ok((self.of_time(term)?, Vec::new())),
-                None => Ok((std::sync::Arc::new(|_| 0.0), Vec::new())),
-            },
+            // A vector has no one strength.
+            Told::Components(_) => Err(NothingToSimulate::Unread),
             Told::Term(term) => Ok((self.of_time(term)?, Vec::new())),
             Told::Pieces(pieces) => {
                 let mut laws = Vec::new();
