@@ -2,6 +2,7 @@
 
 mod blow;
 mod bounces;
+mod bounces_on;
 mod bowl;
 mod central;
 mod conical;

@@ -91,7 +91,7 @@ pub enum Stage {
     Central(Central),
     /// A body falls freely through a height.
     Fall(Fall),
-    /// A body bounces on a level floor, again and again.
+    /// A body bounces on a floor, again and again.
     Bounces(Bounces),
     /// A steady stream meets a body.
     Stream(Stream),

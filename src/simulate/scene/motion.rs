@@ -104,6 +104,9 @@ impl Values<'_> {
 
     /// Free flight for a known time.
     pub(super) fn flight(&self, stage: &Flight) -> Result<Staged, NothingToSimulate> {
+        if stage.incline.is_some() {
+            return Err(NothingToSimulate::NoMethod);
+        }
         let time = stage.during.as_ref().map_or_else(|| self.duration(), |term| self.term(term))?;
         let mut staged = Staged::default();
         for body in stage.flying() {
@@ -138,7 +141,8 @@ impl Values<'_> {
         let before = self.index.checked_sub(1).and_then(|before| self.scene.stages.get(before));
         let height = match before {
             Some(Stage::Fall(fall)) if fall.body == stage.body => self.term(&fall.height)?,
-            _ => self.named(DROP)?,
+            Some(_) => return Err(NothingToSimulate::NoMethod),
+            None => self.named(DROP)?,
         };
         let mut world = World::<1>::new(self.term(&stage.restitution)?);
         world.gravity = Vector::from([-self.named("g")?]);
