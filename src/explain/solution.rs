@@ -23,7 +23,6 @@ use super::instructor;
 use super::steps::Figures;
 use super::steps::Steps;
 use super::steps::text;
-use super::wording::agree;
 use super::wording::capitalised;
 use super::wording::list;
 
@@ -96,7 +95,7 @@ fn system(worked: Worked<'_>) -> Vec<Block> {
 /// What happens in a stage, as a noun phrase.
 fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
     let name = |body: &str| scene.called(body);
-    let does = |body: &str, forms: [&str; 2]| format!("{} {}", name(body), agree(&name(body), forms));
+    let does = |body: &str, forms: [&str; 2]| scene.does(body, forms);
     match stage {
         Stage::Impact(impact) => match (&impact.between, &impact.body, &impact.against) {
             (Some([a, b]), ..) => format!("{phrase} of {} and {}", name(a), name(b)),

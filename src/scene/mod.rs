@@ -90,4 +90,12 @@ impl Scene {
             _ => names.concat(),
         }
     }
+
+    /// A body as it does something, the verb for one body and for several: `the boat moves`, `the arrow and the target
+    /// together move`.
+    #[must_use]
+    pub fn does(&self, body: &str, verb: [&str; 2]) -> String {
+        let several = self.members(body).len() > 1;
+        format!("{} {}", self.called(body), verb[usize::from(several)])
+    }
 }
