@@ -118,7 +118,19 @@ fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
             format!("{leading} draws {trailing} along by the string")
         }
         Stage::Blow(blow) => format!("{} acts on {}", blow.by, name(&blow.body)),
-        Stage::Rotate(rotate) => format!("{} moves round on its arm", name(&rotate.body)),
+        Stage::Rotate(rotate) => {
+            let held: Vec<String> = rotate.held().into_iter().map(|(body, _)| name(body)).collect();
+            let [turns, its] = if held.len() > 1 { ["move", "the"] } else { ["moves", "its"] };
+            format!("{} {turns} round on {its} arm", list(&held))
+        }
+        Stage::Moment(_) => "a moment acts on them".to_owned(),
+        Stage::Strike(strike) => format!("{} strikes the arm", name(&strike.body)),
+        Stage::Conical(conical) => format!("the cord of {} changes its length", name(&conical.body)),
+        Stage::Bowl(bowl) => format!("{} slides round inside the wall", name(&bowl.body)),
+        Stage::Interact(interact) => {
+            let bodies: Vec<String> = interact.between.iter().map(|body| name(body)).collect();
+            format!("{} act on each other", list(&bodies))
+        }
         Stage::Central(central) => format!("{} moves under the central force", name(&central.body)),
         Stage::Fall(fall) => format!("{} falls", name(&fall.body)),
         Stage::Bounces(bounces) => format!("{} bounces", name(&bounces.body)),

@@ -2,12 +2,14 @@
 
 mod axes;
 mod body;
+mod components;
 mod force;
 pub mod stage;
 mod term;
 
 pub use axes::{Axes, Axis, Sense, Senses};
 pub use body::{Body, Guide, Plane, Point, Surface};
+pub use components::Components;
 pub use force::{Force, Friction, Piece, Pull, Strength};
 pub use stage::Stage;
 pub use term::Term;
