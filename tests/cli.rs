@@ -373,16 +373,6 @@ fn a_users_own_templates_take_the_place_of_the_built_in_ones() {
 }
 
 #[test]
-fn a_file_with_faults_shows_all_of_them_with_their_places() {
-    let room = Room::with(&[("bad.yaml", "id: a/b\ntitel: B\nlevel: hard\nscene: {}\ntext: What?\nask: []\n")]);
-    let ran = room.run(&["check", "bad.yaml"]);
-    assert_eq!(ran.code, 2);
-    for place in ["bad.yaml:2:1", "bad.yaml:3:8", "bad.yaml:6:6", "did you mean `title`?"] {
-        assert!(ran.out.contains(place), "{place}\n{}", ran.out);
-    }
-}
-
-#[test]
 fn a_reader_that_leaves_early_is_no_fault() {
     let room = Room::empty();
     let program = assert_cmd::cargo::cargo_bin("momentous");

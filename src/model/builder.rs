@@ -33,6 +33,7 @@ use super::Omission;
 use super::Reason;
 use super::Slope;
 use super::Warning;
+use super::alternative::Alternative;
 use super::frame::Frame;
 use super::timeline::Timeline;
 
@@ -40,17 +41,6 @@ use super::timeline::Timeline;
 pub(super) const LAW_COST: u32 = 10;
 /// The cost of an equation that says the same as others in a way that is taught second.
 pub(super) const SECOND_COST: u32 = 11;
-
-/// One of several ways in which a stage can go, with what holds only there.
-#[derive(Clone, Debug, Default)]
-pub struct Alternative {
-    /// What happens, as a clause: `the crate stays at rest`.
-    pub what: String,
-    /// Equations that hold only there.
-    pub equations: Vec<Equation>,
-    /// When it is the way that is taken.
-    pub conditions: Vec<Condition>,
-}
 
 /// A model in the making. Stages add to it, and so does every name that somebody mentions.
 pub struct Builder<'s> {

@@ -19,7 +19,7 @@ use super::Impulse;
 use super::Integral;
 use super::Warning;
 use super::acting::Acts;
-use super::builder::Alternative;
+use super::alternative::Alternative;
 use super::builder::LAW_COST;
 use super::stage::Pushed;
 

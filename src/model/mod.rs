@@ -1,6 +1,7 @@
 //! A scene and the laws, turned into a system of equations.
 
 mod acting;
+mod alternative;
 mod builder;
 mod check;
 mod define;
@@ -22,7 +23,8 @@ mod way;
 mod wording;
 
 pub use acting::{ActingForce, Flowing, ForceKind, Slope};
-pub use builder::{Alternative, Builder};
+pub use alternative::Alternative;
+pub use builder::Builder;
 pub use frame::{Direction, Frame};
 pub use instance::{Agent, Impulse, Instance, Integral, Omission, Reason, Warning};
 pub use mistaken::Mistaken;
@@ -378,24 +380,5 @@ impl Model {
     #[must_use]
     pub fn phrase(&self, scene: &Scene, stage: usize) -> String {
         wording::stage(scene, stage)
-    }
-
-    /// The system of every combination of ways in which the stages can go, with what happens in each.
-    #[must_use]
-    pub fn systems(&self) -> Vec<(Vec<String>, System)> {
-        let mut all = vec![(Vec::new(), self.system.clone())];
-        for ways in &self.choices {
-            let extend = |(words, system): &(Vec<String>, System)| {
-                let one = |way: &Alternative| {
-                    let mut system = system.clone();
-                    system.equations.extend(way.equations.iter().cloned());
-                    system.conditions.extend(way.conditions.iter().cloned());
-                    (words.iter().cloned().chain([way.what.clone()]).collect(), system)
-                };
-                ways.iter().map(one).collect::<Vec<_>>()
-            };
-            all = all.iter().flat_map(extend).collect();
-        }
-        all
     }
 }

@@ -66,3 +66,13 @@ fn input_that_cannot_be_used_is_said_and_ends_with_2() {
         assert_eq!(room.names(".").len(), files.len(), "{arguments:?} leaves nothing behind");
     }
 }
+
+#[test]
+fn a_file_with_faults_shows_all_of_them_with_their_places() {
+    let room = Room::with(&[("bad.yaml", "id: a/b\ntitel: B\nlevel: hard\nscene: {}\ntext: What?\nask: []\n")]);
+    let ran = room.run(&["check", "bad.yaml"]);
+    assert_eq!(ran.code, 2);
+    for place in ["bad.yaml:2:1", "bad.yaml:3:8", "bad.yaml:6:6", "did you mean `title`?"] {
+        assert!(ran.out.contains(place), "{place}\n{}", ran.out);
+    }
+}
