@@ -76,7 +76,7 @@ fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) -> Option<S
             let (are, their) = if bodies.len() > 1 { ("are", "their") } else { ("is", "its") };
             during(format!("{} {are} acted on by {their} weight alone", list(&bodies)))
         }
-        (Stage::Separate(_) | Stage::Walk(_) | Stage::Drift(_), _) => return None,
+        (Stage::Separate(_) | Stage::Walk(_) | Stage::Drift(_) | Stage::Motion(_), _) => return None,
         (Stage::Impact(_) | Stage::Blow(_), _) => {
             format!("During {phrase} the only impulsive force on {body} is that of {}.", first.called)
         }

@@ -96,6 +96,7 @@ impl<'s> Builder<'s> {
                 builder.symbol(name.clone(), *dimension, "");
             }
         }
+        builder.masses_by_name();
         builder.stages();
         Ok(builder)
     }

@@ -131,6 +131,7 @@ fn changed_bodies(stage: &Stage) -> Vec<String> {
         Stage::Taut(stage) => stage.between.to_vec(),
         Stage::Connected(stage) => vec![stage.trailing.body.clone(), stage.leading.body.clone()],
         Stage::Blow(stage) => vec![stage.body.clone()],
+        Stage::Motion(stage) => vec![stage.body.clone()],
         Stage::Rotate(stage) => vec![stage.body.clone()],
         Stage::Central(stage) => vec![stage.body.clone()],
         Stage::Fall(stage) => vec![stage.body.clone()],

@@ -10,6 +10,7 @@ mod fall;
 mod flight;
 mod guided;
 mod impact;
+mod motion;
 mod orbit;
 mod push;
 mod rotate;
@@ -54,6 +55,7 @@ impl Builder<'_> {
                 Stage::Thrust(stage) => self.thrust(index, stage, &path),
                 Stage::Drift(stage) => self.drift(index, stage, &path),
                 Stage::Flight(stage) => self.flight(index, stage, &path),
+                Stage::Motion(stage) => self.motion(index, stage, &path),
                 Stage::SlideOff(stage) => self.slide_off(index, stage, &path),
                 Stage::Walk(stage) => self.walk(index, stage, &path),
                 Stage::Separate(stage) => self.separate(index, stage, &path),

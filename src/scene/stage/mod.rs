@@ -8,6 +8,7 @@ mod drift;
 mod fall;
 mod flight;
 mod impact;
+mod motion;
 mod push;
 mod rotate;
 mod separate;
@@ -29,6 +30,7 @@ pub use drift::Drift;
 pub use fall::Fall;
 pub use flight::Flight;
 pub use impact::{Impact, Partners};
+pub use motion::{Components, Course, Motion};
 pub use push::{During, Push};
 pub use rotate::{Arm, Rotate};
 pub use separate::{Relative, Separate, When};
@@ -88,6 +90,8 @@ pub enum Stage {
     Walk(Walk),
     /// Bodies move freely until something is so.
     Flight(Flight),
+    /// A body moves as a function of time or place says.
+    Motion(Motion),
 }
 
 impl Stage {
@@ -114,6 +118,7 @@ impl Stage {
             Self::SlideOff(_) => "slide_off",
             Self::Walk(_) => "walk",
             Self::Flight(_) => "flight",
+            Self::Motion(_) => "motion",
         }
     }
 
@@ -140,6 +145,7 @@ impl Stage {
             Self::SlideOff(stage) => &stage.name,
             Self::Walk(stage) => &stage.name,
             Self::Flight(stage) => &stage.name,
+            Self::Motion(stage) => &stage.name,
         };
         name.as_deref()
     }
