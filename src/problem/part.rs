@@ -45,6 +45,8 @@ pub struct NumberPart {
     pub symbol: Symbol,
     /// In which unit, or in terms of which quantity.
     pub unit: AskedUnit,
+    /// The size of that unit in SI units; one, where there is none.
+    pub size: f64,
     /// Significant figures of the printed answer.
     pub figures: usize,
     /// How far an answer may lie from the exact one.
@@ -119,6 +121,16 @@ impl PartKind {
             AskedUnit::InTermsOf(symbol) => Some(*symbol),
             AskedUnit::Unit(_) => None,
         })
+    }
+}
+
+impl AskedUnit {
+    /// The size in SI units of a unit; one, where there is none.
+    pub(super) fn size(&self) -> f64 {
+        match self {
+            Self::Unit(unit) => unit.factor().to_f64(),
+            Self::InTermsOf(_) => 1.0,
+        }
     }
 }
 

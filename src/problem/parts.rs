@@ -210,7 +210,7 @@ pub(super) fn number_part(
         }
     };
     let figures = usize::from(find.figures.or(loaded.draft.figures).unwrap_or(3));
-    Some(NumberPart { symbol, unit, figures, tolerance, whole: false })
+    Some(NumberPart { symbol, size: unit.size(), unit, figures, tolerance, whole: false })
 }
 
 /// A direction is asked from a stated axis and in a stated sense; the symbol that is counted so, and the words for it.
@@ -345,6 +345,7 @@ fn counted(count: &Count, builder: &mut Builder<'_>, path: &Path, counts: &mut V
     let kind = NumberPart {
         symbol,
         unit: AskedUnit::Unit(Unit::none()),
+        size: 1.0,
         figures: 12,
         tolerance: Tolerance::Absolute(Decimal::from_scaled(0, 0)),
         whole: true,

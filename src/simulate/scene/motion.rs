@@ -54,7 +54,7 @@ impl Values<'_> {
     }
 
     /// A strength in the time, and when it changes its law.
-    fn strength(&self, told: &Told) -> Result<(OfTime, Vec<f64>), NothingToSimulate> {
+    pub(super) fn strength(&self, told: &Told) -> Result<(OfTime, Vec<f64>), NothingToSimulate> {
         match told {
             Told::Term(term) => Ok((self.of_time(term)?, Vec::new())),
             Told::Pieces(pieces) => {
