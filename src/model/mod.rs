@@ -14,7 +14,9 @@ mod name;
 mod pair;
 mod place;
 mod read;
+mod space;
 mod stage;
+mod strength;
 mod timeline;
 mod way;
 mod wording;
@@ -24,7 +26,7 @@ pub use builder::{Alternative, Builder};
 pub use frame::{Direction, Frame};
 pub use instance::{Agent, Impulse, Instance, Integral, Omission, Reason, Warning};
 pub use mistaken::Mistaken;
-pub use name::{Instant, Name};
+pub use name::{Instant, Name, component_name};
 pub use timeline::Timeline;
 
 use std::collections::BTreeMap;
@@ -96,7 +98,6 @@ impl<'s> Builder<'s> {
                 builder.symbol(name.clone(), *dimension, "");
             }
         }
-        builder.masses_by_name();
         builder.stages();
         Ok(builder)
     }
@@ -207,8 +208,7 @@ impl<'s> Builder<'s> {
     /// The equation of the boundary between where a comparison holds and where it does not; it is not added to the system.
     pub fn boundary(&mut self, left: Expr, right: Expr) -> Equation {
         let tag = self.instances.len();
-        let because = "the boundary lies where both sides of the condition are equal";
-        let because = because.to_owned();
+        let because = "the boundary lies where both sides of the condition are equal".to_owned();
         self.instances.push(Instance { law: &geometry::RELATION, because, stage: None, integral: None });
         Equation { statement: Statement::Equal { left, right }, tag, cost: builder::LAW_COST }
     }

@@ -128,7 +128,7 @@ impl Builder<'_> {
         let size = self.read(&relative.velocity, Dimension::VELOCITY, &meaning, &path.key("velocity"));
         let direction = match &relative.direction {
             Some(term) => self.direction(term, &path.key("direction")),
-            None => Direction::axis(usize::from(self.axes.first().is_some_and(|(axis, _)| *axis == Axis::Y)), false),
+            None => self.first_axis(),
         };
         // Before, the other part moves with the whole.
         let (seen_from, instant, when) = match relative.when {
