@@ -1,6 +1,5 @@
-//! Marking at scale: `cargo bench --bench marking`. The mix is that of `benches/mix`.
+//! Marking at scale, and its worst cases: `cargo bench --bench marking`. The mix is that of `benches/mix`.
 
-use std::collections::BTreeMap;
 use std::hint::black_box;
 use std::sync::Arc;
 
@@ -9,48 +8,126 @@ use criterion::Throughput;
 use criterion::criterion_group;
 use criterion::criterion_main;
 use momentous::exercise::Drawer;
+use momentous::exercise::Marker;
+use momentous::exercise::Sitting;
+use momentous::expr::Expr;
+use momentous::expr::SymbolEntry;
+use momentous::expr::SymbolTable;
 use momentous::grade::DecimalMark;
+use momentous::grade::Expected;
+use momentous::grade::ExpectedFormula;
+use momentous::grade::ExpectedKind;
+use momentous::grade::ExpectedNumber;
+use momentous::grade::judge;
+use momentous::grade::read;
 use momentous::problem::Problem;
+use momentous::quantity::Dimension;
+use momentous::quantity::Unit;
 use rayon::prelude::*;
 
 mod mix;
 
-/// Submissions, grouped by problem as the command groups them.
+/// Submissions, grouped by problem.
 const SUBMISSIONS: u64 = 10_000;
 
 struct Row {
     seed: u64,
-    answers: BTreeMap<String, String>,
+    answers: Vec<(String, String)>,
 }
 
 /// Draws and marks one after the other; how many parts are right.
-fn marked(problem: &Arc<Problem>, rows: &[Row]) -> usize {
+fn marked(problem: &Arc<Problem>, marker: &Marker, rows: &[Row]) -> usize {
     let Ok(mut drawer) = Drawer::new(problem, 0) else { return 0 };
-    let reports =
-        rows.iter().filter_map(|row| Some(drawer.draw(row.seed).ok()?.grade(&row.answers, DecimalMark::Point)));
+    let reports = rows.iter().filter_map(|row| {
+        let answers: Vec<(&str, &str)> = row.answers.iter().map(|(id, text)| (id.as_str(), text.as_str())).collect();
+        let exercise = drawer.draw(row.seed).ok()?;
+        Some(marker.mark(exercise.worked(), &answers, Sitting::default()))
+    });
     reports.map(|report| report.parts.iter().filter(|part| part.verdict.is_right()).count()).sum()
 }
 
 fn marking(criterion: &mut Criterion) {
     let problems: Vec<Arc<Problem>> = mix::PROBLEMS.iter().map(|id| mix::problem(id)).collect();
+    let markers: Vec<Marker> = problems.iter().filter_map(|own| Marker::new(own, 0, DecimalMark::Point).ok()).collect();
     let mut groups: Vec<Vec<Row>> = mix::PROBLEMS.iter().map(|_| Vec::new()).collect();
     let mut answers = 0;
     for submission in mix::submissions(&problems, 0, SUBMISSIONS) {
         answers += submission.answers.len() as u64;
-        let row = Row { seed: submission.seed, answers: submission.answers.into_iter().collect() };
-        groups[submission.problem].push(row);
+        groups[submission.problem].push(Row { seed: submission.seed, answers: submission.answers });
     }
     let mut group = criterion.benchmark_group("marking");
     group.sample_size(10).throughput(Throughput::Elements(answers));
     for cores in [1, 2] {
         let Ok(pool) = rayon::ThreadPoolBuilder::new().num_threads(cores).build() else { continue };
         group.bench_function(format!("answers, {cores} cores"), |bencher| {
-            let all = || problems.par_iter().zip(&groups).map(|(problem, rows)| marked(problem, rows)).sum::<usize>();
+            let one = |((problem, marker), rows): ((_, _), &Vec<Row>)| marked(problem, marker, rows);
+            let all = || problems.par_iter().zip(&markers).zip(&groups).map(one).sum::<usize>();
             bencher.iter(|| black_box(pool.install(all)));
         });
     }
     group.finish();
 }
 
-criterion_group!(benches, marking);
+/// Texts that were made to take long. Each is repeated to ten thousand characters, and cut to the longest that is read.
+const HOSTILE: [(&str, &str); 8] = [
+    ("digits", "9"),
+    ("brackets", "("),
+    ("powers", "9^9"),
+    ("powers of powers", "9^999/7^999+"),
+    ("roots", "sqrt(2)*"),
+    ("words", "left "),
+    ("unknown units", "m kgm/ssq "),
+    ("signs of LaTeX", "\\cdot{"),
+];
+
+fn reading(criterion: &mut Criterion) {
+    let unit = Unit::parse("m/s").unwrap_or_default();
+    let senses = Some(["to the right".to_owned(), "to the left".to_owned()]);
+    let asked = ExpectedKind::Number(ExpectedNumber { senses, ..ExpectedNumber::new(1.0, unit) });
+    let mut group = criterion.benchmark_group("reading");
+    group.sample_size(10);
+    for (name, text) in HOSTILE {
+        for length in [10_000, 200] {
+            let text: String = text.chars().cycle().take(length).collect();
+            group.bench_function(format!("{name}, {length} characters"), |bencher| {
+                bencher.iter(|| black_box(read(&text, &asked, DecimalMark::Point).is_ok()));
+            });
+        }
+    }
+    group.finish();
+}
+
+/// Formulas of about two hundred parts that equal `a + b`, so that no point tells them apart.
+fn formulas(criterion: &mut Criterion) {
+    let mut symbols = SymbolTable::default();
+    let entry = |name: &str| SymbolEntry { name: name.into(), dimension: Dimension::NONE, meaning: String::new() };
+    let [a, b, asked] = ["a", "b", "x"].map(|name| symbols.intern(entry(name)));
+    let formula = Expr::from(a) + Expr::from(b);
+    let domain = vec![(a, 1.0, 3.0), (b, 2.0, 5.0)];
+    let expected = ExpectedFormula {
+        formula,
+        symbols: Arc::new(symbols),
+        asked,
+        domain,
+        values: Vec::new(),
+        multiple_of: None,
+        dimension: Dimension::NONE,
+    };
+    let part = Expected { id: "x".to_owned(), points: 1, kind: ExpectedKind::Formula(expected) };
+    let hostile = [
+        ("a sum", format!("a + b{}", "+a-a".repeat(47))),
+        ("nested fractions", format!("{}a + b{}", "1/(1/(".repeat(10), "))".repeat(10))),
+        ("powers of sums", format!("(a + b)^12/(a + b)^11{}", "*(a+b)/(b+a)".repeat(22))),
+        ("sines", format!("a + b{}", "+sin(a*b)-sin(b*a)".repeat(4))),
+    ];
+    let mut group = criterion.benchmark_group("formulas");
+    group.sample_size(10);
+    for (name, text) in hostile {
+        let Ok(answer) = read(&text, &part.kind, DecimalMark::Point) else { continue };
+        group.bench_function(name, |bencher| bencher.iter(|| black_box(judge(&part, &answer))));
+    }
+    group.finish();
+}
+
+criterion_group!(benches, marking, reading, formulas);
 criterion_main!(benches);

@@ -251,13 +251,16 @@ fn grade_marks_a_table_and_keeps_going_at_a_bad_row() {
 fn check_tells_what_is_promised_and_what_was_not_looked_at() {
     let room = Room::empty();
     let text = room.fine(&["check", "impact/two-carts", "--seeds", "50"]);
-    for part in ["find-e", "key-marks, simulation", "simulate: 0 %", "restitution", "v_A2"] {
+    for part in
+        ["find-e", "key-marks, simulation", "for an answer in 0.0 %", "0.1 %: v_A2, v_B2, T_lost", "restitution"]
+    {
         assert!(text.contains(part), "{part}\n{text}");
     }
     let json = room.fine(&["check", "impact/two-carts", "--seeds", "50", "--format", "json"]);
     let audit = &lines(&json)[0];
     assert_eq!((&audit["problem"], audit["forms"].as_array().unwrap().len()), (&"impact/two-carts".into(), 2));
     assert_eq!(audit["forms"][0]["promises"][0]["outcome"], "kept");
+    assert_eq!(audit["forms"][1]["simulation"]["witnessed"][0], "e");
     assert_eq!(json, room.fine(&["check", "impact/two-carts", "--seeds", "50", "--format", "json"]));
 }
 

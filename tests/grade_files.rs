@@ -141,3 +141,59 @@ fn the_summary_counts_what_was_found() {
     let page = fs::read_to_string(folder.path().join("class.html")).unwrap();
     assert!(page.contains("<code>T_lost</code>") && !page.contains("<script"));
 }
+
+/// Three attempts count, each before costs a quarter and each hint a tenth: of v_A2 = -0.4 m/s by hand, worth two points.
+const ATTEMPTS: &str = "\
+student,problem,seed,attempt,hints,v_A2,v_B2
+s1,carts.yaml,1,1,,9 m/s,8 m/s
+s1,carts.yaml,1,2,1,RIGHT,8..1 m/s
+s1,carts.yaml,1,3,1,9 m/s,8 m/s
+s1,carts.yaml,1,4,1,RIGHT,8 m/s
+s2,carts.yaml,1,3,,RIGHT,8 m/s
+,carts.yaml,1,,,RIGHT,8 m/s
+,carts.yaml,1,,,RIGHT,8 m/s
+";
+
+fn attempts(keep: &str) -> Vec<String> {
+    let folder = tempdir().unwrap();
+    let fixture = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures/problems/two_carts.yaml");
+    let rubric = format!("rubric: {{ attempts: 3, attempt_penalty: 1/4, hint_penalty: 10 %, keep: {keep} }}\n");
+    fs::write(folder.path().join("carts.yaml"), rubric + &fs::read_to_string(fixture).unwrap()).unwrap();
+    let (_, printed, _) = momentous(folder.path(), "generate carts.yaml --seed 1 --format json");
+    let variant: Value = serde_json::from_str(&printed).unwrap();
+    let right = variant["ask"][0]["printed"].as_str().unwrap();
+    fs::write(folder.path().join("class.csv"), ATTEMPTS.replace("RIGHT", right)).unwrap();
+    momentous(folder.path(), "grade class.csv -o marks.csv --summary class");
+    let rows = rows(folder.path(), "marks.csv").into_iter().filter(|row| row[5] == "v_A2");
+    rows.map(|row| format!("{} {} {}", row[6], row[8], row[11])).collect()
+}
+
+#[test]
+fn rows_that_stand_together_are_attempts() {
+    let best = attempts("best");
+    let expected =
+        ["0 wrong no", "1.3 right yes", "0 wrong no", "0 right no", "1 right yes", "2 right yes", "2 right yes"];
+    assert_eq!(best, expected);
+    assert_eq!(attempts("last")[..4], ["0 wrong no", "1.3 right no", "0 wrong yes", "0 right no"]);
+}
+
+/// By hand: with v_A2 = +0.5 m/s momentum leaves (13.75 - 7 - 1.25)/2 = 2.75 m/s for B; 67.5 J is twice the loss of 33.75 J.
+#[test]
+fn the_marks_and_the_summary_name_the_mistake_and_what_follows() {
+    let folder = tempdir().unwrap();
+    let row = |student: &str| format!("{student},impact/two-carts,1,0.5 m/s,2.75 m/s,67.5 J\n");
+    let class = format!("student,problem,seed,v_A2,v_B2,T_lost\n{}{}", row("a"), row("b"));
+    fs::write(folder.path().join("class.csv"), class).unwrap();
+    momentous(folder.path(), "grade class.csv -o marks.csv --summary class");
+    let marks = rows(folder.path(), "marks.csv");
+    assert_eq!((&*marks[1][8], &*marks[1][13]), ("follow_through", "v_A2"));
+    assert!(marks[2][12].split(' ').any(|code| code == "half-forgotten"), "{marks:?}");
+    let summary: Value = serde_json::from_str(&fs::read_to_string(folder.path().join("class.json")).unwrap()).unwrap();
+    let item = |part: &str| summary["items"].as_array().unwrap().iter().find(|item| item["part"] == part).unwrap();
+    assert_eq!(item("v_B2")["followed"], 2);
+    let lost = item("T_lost");
+    assert_eq!((&lost["mistakes"][0]["mistake"], &lost["mistakes"][0]["count"]), (&"half-forgotten".into(), &2.into()));
+    assert_eq!((&lost["wrong"][0]["answer"], &lost["wrong"][0]["count"]), (&"67.5 joules".into(), &2.into()));
+    let page = fs::read_to_string(folder.path().join("class.html")).unwrap();
+    assert!(page.contains("<code>half-forgotten</code>") && page.contains("67.5 joules"), "{page}");
+}

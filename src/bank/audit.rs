@@ -51,6 +51,7 @@ fn form_audit(problem: &Arc<Problem>, position: usize, seeds: u64, idle: &Outcom
     let samples = Samples::draw(problem, position, seeds)?;
     let columns = answers::columns(&form.parts, &samples);
     let variants = samples.variants();
+    let (witnessed, simulated) = simulation::agrees(problem, position, seeds);
     let look = |promise: Promise| match promise {
         // It is compiled, or there would be no form to look at.
         Promise::Compiles => Outcome::Kept,
@@ -64,7 +65,7 @@ fn form_audit(problem: &Arc<Problem>, position: usize, seeds: u64, idle: &Outcom
         Promise::KeyMarks => repeat::key_marks(problem, position, seeds),
         Promise::Sharp => repeat::sharp(problem, position, seeds),
         Promise::Requires => idle.clone(),
-        Promise::Simulation => simulation::agrees(problem, position, seeds),
+        Promise::Simulation => witnessed.clone(),
         Promise::WrongForms => wrong_forms::told_apart(problem, position, seeds),
         Promise::Rounding => Outcome::NotChecked("this version does not round as a student does"),
     };
@@ -77,6 +78,7 @@ fn form_audit(problem: &Arc<Problem>, position: usize, seeds: u64, idle: &Outcom
         laws: problem.laws(form).iter().map(|law| law.name.to_owned()).collect(),
         answers: answers::spreads(&form.parts, &problem.model().symbols, &samples),
         promises: Promise::all().map(|promise| Finding { promise, outcome: look(promise) }).collect(),
+        simulation: simulated,
     })
 }
 

@@ -17,4 +17,6 @@ pub use collection::{Bank, FOLDER, files_under};
 pub use diagnosis::{Diagnosed, Tally, diagnosed};
 pub use entry::Card;
 pub use promise::{Finding, Outcome, Promise};
+
 pub use report::{AnswerSpread, Audit, FormAudit};
+pub use simulation::{SIMULATED, Simulated};

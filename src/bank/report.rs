@@ -7,6 +7,7 @@ use serde::Serialize;
 use super::promise::Finding;
 use super::promise::Outcome;
 use super::promise::Promise;
+use super::simulation::Simulated;
 
 /// What was found of one problem; the keys of `momentous check --format json`.
 #[derive(Clone, Debug, Serialize)]
@@ -42,6 +43,8 @@ pub struct FormAudit {
     pub answers: Vec<AnswerSpread>,
     /// What was found of each promise.
     pub promises: Vec<Finding>,
+    /// How it was simulated, and how closely that agrees.
+    pub simulation: Simulated,
 }
 
 /// How the answers to one part lie.

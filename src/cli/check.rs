@@ -11,7 +11,6 @@ use crate::bank::Audit;
 use crate::bank::Bank;
 use crate::bank::FormAudit;
 use crate::bank::Outcome;
-use crate::bank::Promise;
 use crate::bank::audit;
 use crate::quantity::Printed;
 
@@ -21,6 +20,7 @@ use super::format::Listing;
 use super::output::Output;
 use super::progress;
 use super::style::Style;
+use super::witnessed;
 
 const HELP: &str = "\
 Examples:
@@ -103,19 +103,7 @@ fn write_text(output: &mut Output, audits: &[Audit]) -> Result<(), Failure> {
         0 => writeln!(output, "{counted}: {}", style.good("every promise that was checked holds"))?,
         _ => writeln!(output, "{counted}: {}", style.bad(&format!("{} broken", count(broken, "problem"))))?,
     }
-    if let Some(share) = unsimulated(audits) {
-        writeln!(output, "nothing to simulate: {share:.0} % of the forms")?;
-    }
-    Ok(())
-}
-
-/// The share of the forms in which an independent simulation had nothing to do, in percent; none where there are no forms.
-fn unsimulated(audits: &[Audit]) -> Option<f64> {
-    let forms: Vec<&FormAudit> = audits.iter().flat_map(|audit| &audit.forms).collect();
-    let idle = |form: &&&FormAudit| matches!(form.outcome(Promise::Simulation), Some(Outcome::NotChecked(_)));
-    #[allow(clippy::cast_precision_loss)] // counts of forms are far below 2^53
-    let (idle, all) = (forms.iter().filter(idle).count() as f64, forms.len() as f64);
-    (all > 0.0).then(|| 100.0 * idle / all)
+    witnessed::write_share(output, audits)
 }
 
 fn count(number: usize, what: &str) -> String {
@@ -139,6 +127,7 @@ fn write_form(output: &mut Output, form: &FormAudit, style: Style) -> Result<(),
     for line in spread_table(&form.answers) {
         writeln!(output, "    {line}")?;
     }
+    witnessed::write_form(output, &form.simulation)?;
     let with_outcome = |wanted: &str| -> Vec<&str> {
         let found = form.promises.iter().filter(|finding| finding.outcome.name() == wanted);
         found.map(|finding| finding.promise.name()).collect()

@@ -20,6 +20,7 @@ mod snapshot;
 mod solve;
 mod style;
 mod table;
+mod witnessed;
 
 use std::ffi::OsString;
 

@@ -7,6 +7,9 @@ use std::path::Path;
 
 use super::failure::Failure;
 
+/// About how many bytes a row has.
+const ROW: usize = 128;
+
 /// A table with a line of headings, read row by row.
 pub(super) struct Table {
     /// The headings, without spaces around them and without the byte order mark that some programs write.
@@ -18,12 +21,21 @@ pub(super) struct Table {
 impl Table {
     /// Opens a table; semicolons separate its cells where the first line has some and no comma.
     pub(super) fn open(path: &Path) -> Result<Self, Failure> {
+        Self::trimmed(path, csv::Trim::All)
+    }
+
+    /// The same with cells as they stand, spaces around them included: much faster where a table has many columns.
+    pub(super) fn as_it_stands(path: &Path) -> Result<Self, Failure> {
+        Self::trimmed(path, csv::Trim::None)
+    }
+
+    fn trimmed(path: &Path, trim: csv::Trim) -> Result<Self, Failure> {
         let unreadable = |error: &std::io::Error| Failure::file(path, "read", error);
         let mut file = BufReader::new(File::open(path).map_err(|error| unreadable(&error))?);
         let start = file.fill_buf().map_err(|error| unreadable(&error))?;
         let line = start.split(|byte| *byte == b'\n').next().unwrap_or_default();
         let delimiter = if line.contains(&b';') && !line.contains(&b',') { b';' } else { b',' };
-        let mut rows = csv::ReaderBuilder::new().delimiter(delimiter).trim(csv::Trim::All).from_reader(file);
+        let mut rows = csv::ReaderBuilder::new().delimiter(delimiter).trim(trim).from_reader(file);
         let said =
             |error: &csv::Error| Failure::unusable(format!("{} cannot be read as a table: {error}", path.display()));
         let headings = rows.headers().map_err(|error| said(&error))?;
@@ -39,7 +51,7 @@ impl Table {
 
     /// The next row with its line number, or what is wrong with it.
     pub(super) fn next_row(&mut self) -> Option<(u64, Result<csv::StringRecord, String>)> {
-        let mut row = csv::StringRecord::new();
+        let mut row = csv::StringRecord::with_capacity(ROW, self.headings.len());
         match self.rows.read_record(&mut row) {
             Ok(false) => None,
             Ok(true) => {

@@ -1,7 +1,5 @@
 //! Where a wrong answer comes from, in the words of the problem.
 
-use std::collections::BTreeMap;
-
 use crate::expr::Expr;
 use crate::grade;
 use crate::grade::Diagnosis;
@@ -11,67 +9,61 @@ use crate::problem::FormulaPart;
 use crate::problem::Mistake;
 use crate::problem::NumberPart;
 use crate::problem::PartKind;
+use crate::problem::Simulated;
 
-use super::Exercise;
+use super::marking::Marking;
 
-impl Exercise {
+impl Marking<'_> {
     /// Says of every wrong answer in a report which usual mistake leads to it, where one does.
-    pub(super) fn diagnose(
-        &self,
-        report: &mut grade::Report,
-        expected: &[grade::Expected],
-        answers: &BTreeMap<String, String>,
-        mark: grade::DecimalMark,
-        hints: usize,
-    ) {
-        for own in report.parts.iter_mut().filter(|part| diagnose::is_open(part.verdict) && part.follows.is_none()) {
-            let part = self.worked().form.parts.iter().find(|part| part.id == own.id);
-            let (Some(part), Some(text)) = (part, answers.get(&own.id)) else { continue };
-            let Some(expected) = expected.iter().find(|expected| expected.id == part.id) else { continue };
-            let Ok(answer) = grade::read(text, &expected.kind, mark) else { continue };
-            let diagnosis = match (&part.kind, &expected.kind) {
-                (PartKind::Number(number), grade::ExpectedKind::Number(right)) => {
-                    diagnose::number(right, &answer).and_then(|answer| self.diagnosis(number, right, answer))
-                }
-                (PartKind::Formula(formula), grade::ExpectedKind::Formula(right)) => {
-                    self.diagnosis_of_formula(formula, right, &answer)
-                }
-                _ => None,
-            };
-            if let Some(diagnosis) = diagnosis {
-                own.message = std::iter::once(own.message.as_str())
-                    .chain(diagnosis.hints.iter().take(hints + 1).map(String::as_str))
-                    .collect::<Vec<_>>()
-                    .join(" ");
-                own.diagnosis = Some(diagnosis);
+    pub(super) fn diagnose(&self, report: &mut grade::Report, hints: usize) {
+        for (place, own) in report.parts.iter_mut().enumerate() {
+            if !diagnose::is_open(own.verdict) || own.follows.is_some() {
+                continue;
             }
+            let Some(diagnosis) = self.suspects(place).and_then(|found| self.diagnosis(found)) else { continue };
+            let told = diagnosis.hints.iter().take(hints + 1).map(String::as_str);
+            own.message = std::iter::once(own.message.as_str()).chain(told).collect::<Vec<_>>().join(" ");
+            own.diagnosis = Some(diagnosis);
         }
     }
 
-    /// The mistakes that lead to this wrong answer, in the unit of the question.
-    #[must_use]
-    pub fn diagnosis(&self, number: &NumberPart, right: &grade::ExpectedNumber, answer: f64) -> Option<Diagnosis> {
-        if diagnose::is_coarse(right, answer) {
-            return None;
+    /// A number that is asked, what is right, and what was answered; of several roots the first alone.
+    pub(super) fn wrong(&self, place: usize) -> Option<(&NumberPart, &grade::ExpectedNumber, &grade::Answer)> {
+        let (part, expected, answer) = self.answered(place)?;
+        match (part, expected) {
+            (PartKind::Number(number), grade::ExpectedKind::Number(right)) => Some((number, right, answer)),
+            _ => None,
         }
-        let worked = self.worked();
-        let mut suspects: Vec<(&Mistake, f64)> = Vec::new();
-        for mistake in worked.mistakes() {
-            suspects.extend(worked.mistaken(mistake, number).into_iter().map(|value| (mistake, value)));
+    }
+
+    fn answered(&self, place: usize) -> Option<(&PartKind, &grade::ExpectedKind, &grade::Answer)> {
+        let expected = self.expected.get(place)?;
+        let part = self.worked.form.parts.get(*self.parts.get(place)?).filter(|part| part.id == expected.id)?;
+        Some((&part.kind, &expected.kind, self.readings.get(place)?.as_ref()?.answer.as_ref().ok()?))
+    }
+
+    /// The mistakes that lead to the answer there.
+    fn suspects(&self, place: usize) -> Option<Vec<&Mistake>> {
+        match self.answered(place)? {
+            (PartKind::Number(number), grade::ExpectedKind::Number(right), answer) => {
+                let answer = diagnose::number(right, answer).filter(|own| !diagnose::is_coarse(right, *own))?;
+                let (mistakes, values) = self.outcomes(|all, mistake| all.answers(mistake, number));
+                Some(picked(&mistakes, diagnose::matching(right, answer, &values)))
+            }
+            (PartKind::Vector(vector), grade::ExpectedKind::Vector(right), answer) => {
+                let answer = diagnose::components(right, answer)?;
+                let (mistakes, values) = self.outcomes(|all, mistake| all.vectors(mistake, vector));
+                Some(picked(&mistakes, diagnose::matching_vectors(right, &answer, &values)))
+            }
+            (PartKind::Formula(formula), grade::ExpectedKind::Formula(right), answer) => {
+                Some(self.of_formula(formula, right, answer))
+            }
+            _ => None,
         }
-        let values: Vec<f64> = suspects.iter().map(|(_, value)| *value).collect();
-        let places = diagnose::matching(right, answer, &values);
-        self.told_of(places.into_iter().filter_map(|place| suspects.get(place)).map(|own| own.0).collect())
     }
 
     /// The mistakes that lead to exactly this formula, and to no right one.
-    fn diagnosis_of_formula(
-        &self,
-        part: &FormulaPart,
-        right: &grade::ExpectedFormula,
-        answer: &grade::Answer,
-    ) -> Option<Diagnosis> {
-        let worked = self.worked();
+    fn of_formula(&self, part: &FormulaPart, right: &grade::ExpectedFormula, answer: &grade::Answer) -> Vec<&Mistake> {
         let is = |formula: &Expr, answer: &grade::Answer| {
             let dimension = formula.dimension(&right.symbols).unwrap_or(right.dimension);
             let wrong = grade::ExpectedFormula { formula: formula.clone(), dimension, ..right.clone() };
@@ -81,14 +73,21 @@ impl Exercise {
         let truth =
             grade::Answer::Formula(grade::FormulaAnswer { text: String::new(), formula: right.formula.clone() });
         let leads = |mistake: &&Mistake| {
-            let formulas = worked.mistaken_formulas(mistake, part.symbol);
+            let formulas = self.worked.mistaken_formulas(mistake, part.symbol);
             formulas.iter().any(|formula| is(formula, answer) && !is(formula, &truth))
         };
-        self.told_of(worked.mistakes().iter().filter(leads).collect())
+        self.worked.mistakes().iter().filter(leads).collect()
     }
 
-    /// What is said of mistakes that cannot be told apart.
-    fn told_of(&self, mut found: Vec<&Mistake>) -> Option<Diagnosis> {
+    /// What every mistake makes of an answer.
+    fn outcomes<T>(&self, of: impl Fn(&Simulated<'_>, &Mistake) -> Vec<T>) -> (Vec<&Mistake>, Vec<T>) {
+        let simulated = self.simulated.get_or_init(|| self.worked.simulated());
+        let mistakes = self.worked.mistakes().iter();
+        mistakes.flat_map(|mistake| of(simulated, mistake).into_iter().map(move |value| (mistake, value))).unzip()
+    }
+
+    /// What is said of the mistakes that lead to an answer; nothing where there are none.
+    fn diagnosis(&self, mut found: Vec<&Mistake>) -> Option<Diagnosis> {
         // A law says more than a slip of the pen, and an author's own words more than ours.
         found.sort_by_key(|mistake| (self.feedback(mistake.of).is_none(), mistake.instance.is_none()));
         let first = found.first()?;
@@ -103,14 +102,14 @@ impl Exercise {
 
     /// What the author says of a mistake.
     fn feedback(&self, kind: &Misconception) -> Option<String> {
-        self.variant.feedback(&self.problem, kind.id)
+        self.worked.variant.feedback(self.worked.problem, kind.id)
     }
 
     /// The step at which a law is got wrong: `the law of restitution, in the impact`.
     fn step(&self, mistake: &Mistake) -> Option<String> {
-        let model = self.problem.model();
+        let model = self.worked.problem.model();
         let instance = model.instances.get(mistake.instance?)?;
-        let scene = &self.problem.loaded().draft.scene;
+        let scene = &self.worked.problem.loaded().draft.scene;
         let stage = instance.stage.filter(|_| scene.stages.len() > 1).map(|stage| model.phrase(scene, stage));
         Some(match stage {
             Some(stage) => format!("{}, in {stage}", instance.law.name),
@@ -124,8 +123,12 @@ impl Exercise {
             Some(step) => format!("Look at the step with {step}. {question}"),
             None => question,
         };
-        let law = mistake.instance.and_then(|own| self.problem.model().instances.get(own)).map(|own| own.law);
+        let law = mistake.instance.and_then(|own| self.worked.problem.model().instances.get(own)).map(|own| own.law);
         let statement = law.map(|law| format!("{} {}", law.statement, law.signs));
         [Some(first), Some(mistake.of.hint.to_owned()), statement].into_iter().flatten().collect()
     }
+}
+
+fn picked<'m>(mistakes: &[&'m Mistake], places: Vec<usize>) -> Vec<&'m Mistake> {
+    places.into_iter().filter_map(|place| mistakes.get(place).copied()).collect()
 }

@@ -1,7 +1,5 @@
 //! Follow-through: an answer that is wrong only because an earlier one was.
 
-use std::collections::BTreeMap;
-
 use crate::expr::Symbol;
 use crate::grade;
 use crate::grade::Follows;
@@ -9,10 +7,10 @@ use crate::grade::Verdict;
 use crate::grade::diagnose;
 use crate::problem::Consequence;
 use crate::problem::NumberPart;
-use crate::problem::PartKind;
+use crate::quantity::Dimension;
 use crate::quantity::Printed;
 
-use super::Exercise;
+use super::marking::Marking;
 
 /// So many wrong earlier answers are looked at in every combination, the latest ones.
 const MOST_EARLIER: usize = 4;
@@ -36,35 +34,24 @@ struct Found {
     fraction: crate::quantity::Rational,
 }
 
-impl Exercise {
+impl Marking<'_> {
     /// Accepts every wrong answer that follows from earlier wrong ones. Where the question is closed, what would have followed
     /// is shown for the others; before that it could be typed in.
-    pub(super) fn follow_through(
-        &self,
-        report: &mut grade::Report,
-        expected: &[grade::Expected],
-        answers: &BTreeMap<String, String>,
-        mark: grade::DecimalMark,
-        rubric: &grade::Rubric,
-        closed: bool,
-    ) {
+    pub(super) fn follow_through(&self, report: &mut grade::Report, closed: bool) {
         let mut earlier: Vec<Earlier> = Vec::new();
-        for part in &self.worked().form.parts {
-            let (PartKind::Number(number), Some(text)) = (&part.kind, answers.get(&part.id)) else { continue };
-            let Some(own) = report.parts.iter_mut().find(|own| own.id == part.id) else { continue };
+        for (place, own) in report.parts.iter_mut().enumerate() {
             if !diagnose::is_open(own.verdict) {
                 continue;
             }
-            let Some(expected) = expected.iter().find(|expected| expected.id == part.id) else { continue };
-            let grade::ExpectedKind::Number(right) = &expected.kind else { continue };
-            let Ok(answer) = grade::read(text, &expected.kind, mark) else { continue };
-            let Some(value) = diagnose::number(right, &answer) else { continue };
+            let Some((number, right, answer)) = self.wrong(place) else { continue };
+            let Some(value) = diagnose::number(right, answer) else { continue };
+            let Some(expected) = self.expected.get(place) else { continue };
             let relevant = earlier.get(earlier.len().saturating_sub(MOST_EARLIER)..).unwrap_or_default();
-            if let Some(found) = self.followed(number, expected, &answer, relevant, rubric) {
+            if let Some(found) = self.followed(number, expected, (answer, value), relevant) {
                 let flagged = found.consequence.unphysical.is_some();
                 own.verdict = if flagged { Verdict::FollowThroughUnphysical } else { Verdict::FollowThrough };
-                let fraction = rubric.fraction(own.verdict) * found.fraction;
-                own.points = grade::Points(fraction * crate::quantity::Rational::from(part.points));
+                let fraction = self.rubric.fraction(own.verdict) * found.fraction;
+                own.points = grade::Points(fraction * crate::quantity::Rational::from(own.out_of));
                 let follows = Follows {
                     from: found.from,
                     by: found.consequence.by.iter().map(|law| law.name).collect(),
@@ -75,9 +62,9 @@ impl Exercise {
             } else if closed && !relevant.is_empty() {
                 own.own_values = self.own_values(number, relevant);
             }
-            let value = value * self.worked().unit_of(number);
+            let value = value * self.worked.unit_of(number);
             if self.can_be_built_upon(number.symbol, value) {
-                earlier.push(Earlier { id: part.id.clone(), symbol: number.symbol, value });
+                earlier.push(Earlier { id: own.id.clone(), symbol: number.symbol, value });
             }
         }
         report.recount();
@@ -85,10 +72,10 @@ impl Exercise {
 
     /// What makes the rest trivial or impossible is not built upon: nothing, and what is given anyway.
     fn can_be_built_upon(&self, symbol: Symbol, value: f64) -> bool {
-        let dimension = self.problem.model().symbols.entry(symbol).dimension;
-        let given = self.variant.all_given().iter().any(|(_, given, unit)| {
-            let given = given.to_f64() * unit.factor().to_f64();
-            unit.dimension() == dimension && (given - value).abs() <= SAME * given.abs()
+        let dimension = self.worked.problem.model().symbols.entry(symbol).dimension;
+        let given = self.worked.variant.all_given().iter().any(|(own, _, unit)| {
+            let given = self.worked.variant.value(*own).map(|given| given.value);
+            unit.dimension() == dimension && given.is_some_and(|given| (given - value).abs() <= SAME * given.abs())
         });
         value != 0.0 && value.is_finite() && !given
     }
@@ -98,15 +85,18 @@ impl Exercise {
         &self,
         number: &NumberPart,
         expected: &grade::Expected,
-        answer: &grade::Answer,
+        (answer, written): (&grade::Answer, f64),
         earlier: &[Earlier],
-        rubric: &grade::Rubric,
     ) -> Option<Found> {
         let mut best: Option<Found> = None;
+        let grade::ExpectedKind::Number(right) = &expected.kind else { return None };
         let mut target = expected.clone();
         for chosen in subsets(earlier) {
             let mut verdicts = Vec::new();
             let mut accept = |value: f64| {
+                if is_far(right, value, written) {
+                    return false;
+                }
                 aim(&mut target, expected, value);
                 let judged = grade::judge(&target, answer).verdict;
                 let accepted = judged.is_right() || judged == Verdict::UnitMissing;
@@ -120,7 +110,7 @@ impl Exercise {
                     .is_none_or(|best| best.consequence.unphysical.is_some() && consequence.unphysical.is_none());
                 if better {
                     let from = chosen.iter().map(|own| own.id.clone()).collect();
-                    best = Some(Found { from, consequence, fraction: rubric.fraction(judged) });
+                    best = Some(Found { from, consequence, fraction: self.rubric.fraction(judged) });
                 }
             }
         }
@@ -135,9 +125,9 @@ impl Exercise {
         accept: &mut dyn FnMut(f64) -> bool,
     ) -> Vec<Consequence> {
         let values = chosen.iter().map(|own| (own.symbol, own.value)).collect();
-        let unit = self.worked().unit_of(number);
+        let unit = self.worked.unit_of(number);
         let mut accept = |value: f64| self.can_be_built_upon(number.symbol, value * unit) && accept(value);
-        self.worked().following(number, &values, &mut accept)
+        self.worked.following(number, &values, &mut accept)
     }
 
     /// What would have followed from the student's own answers: every value, and the laws by which it follows.
@@ -162,6 +152,19 @@ impl Exercise {
             .collect();
         Some(format!("From your own {} it would follow: {}.", chosen.join(" and "), said.join(", or ")))
     }
+}
+
+/// Whether an answer is so far from a value, whatever its sign, that it cannot be taken for it. An angle is never far, nor is what
+/// may be a fraction of something.
+fn is_far(right: &grade::ExpectedNumber, value: f64, answer: f64) -> bool {
+    let size = value.abs().max(right.scale);
+    let tolerance = match &right.tolerance {
+        grade::Tolerance::Relative(share) => share.to_f64().abs() * size,
+        grade::Tolerance::Absolute(distance) => distance.to_f64().abs(),
+        grade::Tolerance::ToFigures => size,
+    };
+    let reach = 2.0 * (tolerance + right.allowance + ROUNDING * size);
+    !right.cyclic && right.unit.dimension() != Dimension::NONE && (answer.abs() - value.abs()).abs() > reach
 }
 
 /// Every choice of earlier answers, small ones first.

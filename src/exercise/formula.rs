@@ -13,6 +13,7 @@ use crate::expr::name_math;
 use crate::grade;
 use crate::problem::FormulaPart;
 use crate::problem::Part;
+use crate::problem::Worked;
 use crate::quantity::Dimension;
 
 use super::Exercise;
@@ -63,26 +64,26 @@ impl Exercise {
             "points": part.points,
         })
     }
+}
 
-    pub(super) fn expected_formula(&self, part: &FormulaPart) -> grade::ExpectedKind {
-        let worked = self.worked();
-        let mut alphabet = worked.alphabet();
-        if let Some(unit) = part.in_terms_of
-            && !alphabet.letters.iter().any(|(own, ..)| *own == unit)
-            && let Some(value) = worked.in_givens(unit, &alphabet.values)
-        {
-            alphabet.values.insert(unit, value);
-        }
-        let formula = worked.in_givens(part.symbol, &alphabet.values);
-        let symbols = &self.problem.model().symbols;
-        grade::ExpectedKind::Formula(grade::ExpectedFormula {
-            formula: formula.unwrap_or_else(|| Expr::from(part.symbol)),
-            symbols: Arc::new(symbols.clone()),
-            asked: part.symbol,
-            domain: alphabet.letters,
-            values: alphabet.values.into_iter().collect(),
-            multiple_of: part.in_terms_of.filter(|unit| symbols.entry(*unit).dimension != Dimension::NONE),
-            dimension: symbols.entry(part.symbol).dimension,
-        })
+/// What a right answer to a formula is.
+pub(super) fn expected_formula(worked: Worked<'_>, part: &FormulaPart) -> grade::ExpectedKind {
+    let mut alphabet = worked.alphabet();
+    if let Some(unit) = part.in_terms_of
+        && !alphabet.letters.iter().any(|(own, ..)| *own == unit)
+        && let Some(value) = worked.in_givens(unit, &alphabet.values)
+    {
+        alphabet.values.insert(unit, value);
     }
+    let formula = worked.in_givens(part.symbol, &alphabet.values);
+    let symbols = &worked.problem.model().symbols;
+    grade::ExpectedKind::Formula(grade::ExpectedFormula {
+        formula: formula.unwrap_or_else(|| Expr::from(part.symbol)),
+        symbols: Arc::new(symbols.clone()),
+        asked: part.symbol,
+        domain: alphabet.letters,
+        values: alphabet.values.into_iter().collect(),
+        multiple_of: part.in_terms_of.filter(|unit| symbols.entry(*unit).dimension != Dimension::NONE),
+        dimension: symbols.entry(part.symbol).dimension,
+    })
 }

@@ -1,22 +1,25 @@
-//! Marking a variant: what is expected is read from the solved variant, answers are dealt out to several roots.
+//! Marking a variant: answers are dealt out to what is expected, judged, and looked at again where they are wrong.
 
+use std::borrow::Cow;
+use std::cell::OnceCell;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use crate::grade;
-use crate::problem;
-use crate::problem::AskedUnit;
-use crate::problem::End;
-use crate::problem::NumberPart;
+use crate::grade::Expected;
+use crate::grade::Reading;
 use crate::problem::Part;
 use crate::problem::PartKind;
-use crate::problem::RangePart;
-use crate::problem::senses_of;
+use crate::problem::Simulated;
+use crate::problem::Worked;
 
 use super::Exercise;
 use super::ROOTS_JOINED;
-
-/// Beginnings of names of signed components, whose direction a student may give in words.
-const SIGNED: [&str; 4] = ["v_", "p_", "J_", "F_avg_"];
+use super::marker::Blank;
+use super::marker::Marker;
+use super::marker::widen;
+use super::marker::without_unit_quantity;
+use super::rules::Rules;
 
 /// What marking says more of, besides the verdicts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -27,78 +30,85 @@ pub struct Sitting {
     pub closed: bool,
 }
 
+/// One set of answers to one variant, on its way to a report.
+#[derive(Debug)]
+pub(super) struct Marking<'a> {
+    pub(super) worked: Worked<'a>,
+    pub(super) rubric: &'a grade::Rubric,
+    pub(super) expected: Vec<Expected>,
+    pub(super) readings: Vec<Option<Arc<Reading>>>,
+    /// The position of the part to which each of what is expected belongs.
+    pub(super) parts: Vec<usize>,
+    /// What comes of the usual mistakes, once somebody asks.
+    pub(super) simulated: OnceCell<Simulated<'a>>,
+}
+
+impl Marker {
+    /// Marks answers to a variant of this form, by part. Of wrong answers it says what they follow from, or which usual mistake
+    /// leads to them.
+    #[must_use]
+    pub fn mark(&self, worked: Worked<'_>, answers: &[(&str, &str)], sitting: Sitting) -> grade::Report {
+        let count = self.blanks.len();
+        let mut marking = Marking {
+            worked,
+            rubric: &self.rubric,
+            expected: Vec::with_capacity(count),
+            readings: Vec::with_capacity(count),
+            parts: Vec::with_capacity(count),
+            simulated: OnceCell::new(),
+        };
+        for (position, (part, blank)) in worked.form.parts.iter().zip(&self.blanks).enumerate() {
+            let text = answers.iter().find(|(id, _)| *id == part.id).map_or("", |(_, text)| *text);
+            let text = without_unit_quantity(worked, part, text);
+            let single = blank.filled(worked, part);
+            for (expected, text) in shared_out(single, text, worked, part, self.mark) {
+                // What a formula may contain depends on the way in which the scene goes.
+                marking.readings.push(match &expected.kind {
+                    grade::ExpectedKind::Formula(_) => Reading::of(&text, &expected.kind, self.mark).map(Arc::new),
+                    kind => blank.readings.read(&text, kind, self.mark),
+                });
+                marking.expected.push(expected);
+                marking.parts.push(position);
+            }
+        }
+        let Marking { expected, readings, parts, .. } = &mut marking;
+        let mut widen = |place: usize, expected: &mut Expected| {
+            if let Some(part) = parts.get(place).and_then(|position| worked.form.parts.get(*position)) {
+                widen(expected, worked, part);
+            }
+        };
+        let mut report = grade::grade_read(expected, readings, &self.rubric, &mut widen);
+        let asked = |id: &str| marking.expected.iter().any(|own| own.id == id);
+        let is_part = |id: &str| worked.form.parts.iter().any(|part| part.id == id);
+        let not_asked = answers.iter().filter(|(id, _)| !asked(id) && !is_part(id));
+        report.not_asked = not_asked.map(|(id, _)| (*id).to_owned()).collect();
+        if !report.is_right() {
+            marking.follow_through(&mut report, sitting.closed);
+            marking.diagnose(&mut report, sitting.hints);
+        }
+        report
+    }
+}
+
 impl Exercise {
     /// What a right answer to a part is.
     #[must_use]
-    pub fn expected(&self, part: &Part) -> grade::Expected {
-        let kind = match &part.kind {
-            PartKind::Choice(choice) => {
-                let problem::Decision { options, right, because } = choice.decided(&self.worked());
-                grade::ExpectedKind::Choice { options, right, because }
-            }
-            PartKind::Number(number) => grade::ExpectedKind::Number(self.expected_number(part, &part.id, number)),
-            PartKind::Formula(formula) => self.expected_formula(formula),
-            PartKind::Range(range) => grade::ExpectedKind::Interval(Box::new(self.expected_interval(part, range))),
-            PartKind::Vector(vector) => grade::ExpectedKind::Vector(grade::ExpectedVector {
-                components: part.numbers().map(|(name, own)| self.expected_number(part, &name, own)).collect(),
-                frame: self.frame(&vector.axes),
-            }),
-        };
-        grade::Expected { id: part.id.clone(), points: part.points, kind }
-    }
-
-    fn expected_number(&self, part: &Part, name: &str, number: &NumberPart) -> grade::ExpectedNumber {
+    pub fn expected(&self, part: &Part) -> Expected {
         let worked = self.worked();
-        let answer = worked.answer(number);
-        let unit = number.plain_unit();
-        let judged = worked.judged(number);
-        let signed = SIGNED.iter().any(|start| name.starts_with(start));
-        let senses = senses_of(&self.problem.loaded().draft.scene, name).filter(|_| signed);
-        grade::ExpectedNumber {
-            value: answer.value,
-            error: answer.error,
-            exact: None,
-            cyclic: unit.factor().pi != 0,
-            unit,
-            tolerance: match &number.tolerance {
-                problem::Tolerance::Relative(fraction) => grade::Tolerance::Relative(fraction.clone()),
-                problem::Tolerance::Absolute(distance) => grade::Tolerance::Absolute(distance.clone()),
-                problem::Tolerance::ToFigures => grade::Tolerance::ToFigures,
-            },
-            units: self.units(),
-            writing: self.writing(),
-            reference: self.reference(part),
-            figures: number.figures,
-            allowance: judged.allowance,
-            scale: judged.scale,
-            magnitude: senses.is_none() && answer.value >= 0.0,
-            senses: senses.map(|senses| [senses.positive, senses.negative]),
-            whole: number.whole,
-        }
+        let rules = Rules { problem: worked.problem, form: worked.form };
+        let mut expected = Blank::new(rules, part).filled(worked, part);
+        widen(&mut expected, worked, part);
+        expected
     }
 
-    fn expected_interval(&self, part: &Part, range: &RangePart) -> grade::ExpectedInterval {
-        let unit = range.number.plain_unit();
-        let boundary = self.expected_number(part, &part.id, &range.number);
-        let end = |end: End| {
-            let own = grade::ExpectedNumber::new(end.value.value, unit.clone());
-            let number = if end.own { own } else { boundary.clone() };
-            grade::ExpectedEnd { number, closed: end.closed, own: end.own }
-        };
-        let interval = self.worked().interval(range);
-        let ends = interval.map(|interval| [interval.low.map(end), interval.high.map(end)]);
-        let [low, high] = ends.unwrap_or_default();
-        grade::ExpectedInterval { name: part.id.clone(), low, high, unit }
-    }
-
-    /// Marks answers to this variant, by part. Of wrong answers it says what they follow from, or which usual mistake leads
-    /// to them.
+    /// Marks answers to this variant, by part.
     #[must_use]
     pub fn grade(&self, answers: &BTreeMap<String, String>, mark: grade::DecimalMark) -> grade::Report {
         self.mark(answers, mark, Sitting::default())
     }
 
-    /// The same for a student who has asked for hints, or who has no attempts left.
+    /// The same for a student who has asked for hints, or who has no attempts left. Where many answers to one form are marked,
+    /// a [`Marker`] does it faster.
     #[must_use]
     pub fn mark(
         &self,
@@ -106,79 +116,56 @@ impl Exercise {
         mark: grade::DecimalMark,
         sitting: Sitting,
     ) -> grade::Report {
-        let mut expected = Vec::new();
-        let mut answers = answers.clone();
-        for part in &self.worked().form.parts {
-            self.drop_unit_quantity(part, &mut answers);
-            let roots = self.expected_roots(part);
-            if roots.len() > 1 {
-                share_out(part, &roots, &mut answers, mark);
-            }
-            expected.extend(roots);
-        }
-        let rubric = self.rubric();
-        let mut report = grade::grade(&expected, &answers, mark, &rubric);
-        if !report.is_right() {
-            self.follow_through(&mut report, &expected, &answers, mark, &rubric, sitting.closed);
-            self.diagnose(&mut report, &expected, &answers, mark, sitting.hints);
-        }
-        report
-    }
-
-    /// An answer in terms of a quantity is read as the number before it: `0.75 v_A1` as 0.75.
-    fn drop_unit_quantity(&self, part: &Part, answers: &mut BTreeMap<String, String>) {
-        let PartKind::Number(NumberPart { unit: AskedUnit::InTermsOf(symbol), .. }) = &part.kind else { return };
-        let Some(answer) = answers.get_mut(&part.id) else { return };
-        let name = &self.problem.model().symbols.entry(*symbol).name;
-        let typed = answer.trim_end();
-        let number = typed.strip_suffix(name.as_str()).or_else(|| typed.strip_suffix(&name.replace('_', "")));
-        if let Some(number) = number {
-            *answer = number.trim_end().trim_end_matches(['*', '·', '×']).trim_end().to_owned();
-        }
-    }
-
-    /// What right answers to a part are: one, or one for each root where all are asked for, sharing its points.
-    fn expected_roots(&self, part: &Part) -> Vec<grade::Expected> {
-        let single = self.expected(part);
-        let PartKind::Number(number) = &part.kind else { return vec![single] };
-        let answers = self.worked().answers(number);
-        let count = u32::try_from(answers.len()).unwrap_or(1).max(1);
-        let roots = answers.iter().enumerate().map(|(index, answer)| {
-            let mut root = single.clone();
-            if index > 0 {
-                root.id = format!("{} ({})", part.id, index + 1);
-            }
-            let spare = u32::from(u32::try_from(index).unwrap_or(0) < part.points % count);
-            root.points = part.points / count + spare;
-            if let grade::ExpectedKind::Number(own) = &mut root.kind {
-                (own.value, own.error) = (answer.value, answer.error);
-            }
-            root
-        });
-        roots.collect()
+        let answers: Vec<(&str, &str)> = answers.iter().map(|(id, text)| (id.as_str(), text.as_str())).collect();
+        let worked = self.worked();
+        Marker::of(worked.problem, worked.form, mark).mark(worked, &answers, sitting)
     }
 }
 
-/// Deals the values of one answer out to the roots: each root gets the first value that is right for it, whatever the
-/// order in which they were typed; what is left goes to the roots that are left.
-fn share_out(part: &Part, roots: &[grade::Expected], answers: &mut BTreeMap<String, String>, mark: grade::DecimalMark) {
-    let Some(text) = answers.remove(&part.id) else { return };
+/// What is expected, each with the text that answers it: the part itself, or one for each of its roots. Each root gets the
+/// first value that is right for it, whatever the order in which they were typed; what is left goes to the roots that are left.
+fn shared_out<'t>(
+    single: Expected,
+    text: &'t str,
+    worked: Worked<'_>,
+    part: &Part,
+    mark: grade::DecimalMark,
+) -> Vec<(Expected, Cow<'t, str>)> {
+    let roots = match &part.kind {
+        PartKind::Number(number) => worked.answers(number),
+        _ => Vec::new(),
+    };
+    if roots.len() < 2 {
+        return vec![(single, Cow::Borrowed(text))];
+    }
+    let count = u32::try_from(roots.len()).unwrap_or(1).max(1);
+    let root = |(index, answer): (usize, &crate::solve::Bounded)| {
+        let mut root = single.clone();
+        if index > 0 {
+            root.id = format!("{} ({})", part.id, index + 1);
+        }
+        let spare = u32::from(u32::try_from(index).unwrap_or(0) < part.points % count);
+        root.points = part.points / count + spare;
+        if let grade::ExpectedKind::Number(own) = &mut root.kind {
+            (own.value, own.error) = (answer.value, answer.error);
+        }
+        widen(&mut root, worked, part);
+        root
+    };
+    let roots: Vec<Expected> = roots.iter().enumerate().map(root).collect();
     let pieces = text.replace(" and ", ROOTS_JOINED).replace(';', ROOTS_JOINED);
-    let mut values: Vec<String> = pieces.split(ROOTS_JOINED).map(|value| value.trim().to_owned()).collect();
-    let mut open = Vec::new();
-    for root in roots {
+    let mut values: Vec<&str> = pieces.split(ROOTS_JOINED).map(str::trim).collect();
+    let mut dealt: Vec<Option<String>> = Vec::new();
+    for root in &roots {
         let right = values.iter().position(|value| {
             let read = grade::read(value, &root.kind, mark);
             read.is_ok_and(|answer| grade::judge(root, &answer).verdict.is_right())
         });
-        match right {
-            Some(position) => {
-                answers.insert(root.id.clone(), values.remove(position));
-            }
-            None => open.push(&root.id),
-        }
+        dealt.push(right.map(|position| values.remove(position).to_owned()));
     }
-    for (id, value) in open.into_iter().zip(values) {
-        answers.insert(id.clone(), value);
-    }
+    let mut left = values.into_iter();
+    let pairs = roots.into_iter().zip(dealt);
+    pairs
+        .map(|(root, own)| (root, Cow::Owned(own.unwrap_or_else(|| left.next().unwrap_or_default().to_owned()))))
+        .collect()
 }

@@ -1,12 +1,14 @@
 //! The whole path of a problem as one type: a variant is drawn and solved, printed, explained and marked.
 
+mod attempts;
 mod diagnosis;
 mod drawer;
 mod follow_through;
 mod formula;
+mod marker;
 mod marking;
 mod record;
-mod rubric;
+mod rules;
 mod students;
 
 pub use drawer::Drawer;
@@ -46,6 +48,8 @@ use crate::render::Sheet;
 use crate::render::SheetPart;
 use crate::solve::Bounded;
 
+pub use attempts::Try;
+pub use marker::Marker;
 pub use marking::Sitting;
 
 /// What stands between several roots of one part, printed or typed.

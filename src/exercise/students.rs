@@ -57,18 +57,23 @@ impl Exercise {
     pub fn mistaken_answers(&self, part: &Part) -> Vec<(&'static str, String)> {
         let worked = self.worked();
         let mut answers = Vec::new();
+        let simulated = worked.simulated();
         for mistake in worked.mistakes() {
             match &part.kind {
                 PartKind::Number(number) => {
-                    let values = worked.mistaken(mistake, number);
-                    answers.extend(values.into_iter().map(|value| (mistake.of.id, self.written(number, value))));
+                    let values = simulated.answers(mistake, number).into_iter();
+                    answers.extend(values.map(|value| (mistake.of.id, self.written(number, value))));
+                }
+                PartKind::Vector(vector) => {
+                    let values = simulated.vectors(mistake, vector).into_iter();
+                    answers.extend(values.map(|own| (mistake.of.id, self.written_vector(vector, own.into_iter()))));
                 }
                 PartKind::Formula(part) => {
                     let formulas = worked.mistaken_formulas(mistake, part.symbol);
                     let symbols = &self.problem.model().symbols;
                     answers.extend(formulas.iter().map(|formula| (mistake.of.id, formula.text(symbols))));
                 }
-                PartKind::Vector(_) | PartKind::Range(_) | PartKind::Choice(_) => {}
+                PartKind::Range(_) | PartKind::Choice(_) => {}
             }
         }
         answers.sort();
@@ -86,9 +91,14 @@ impl Exercise {
         let worked = self.worked();
         let component = |number: &NumberPart| {
             let value = values.get(&number.symbol).map(|value| value / worked.unit_of(number));
-            written_number(number, value.unwrap_or_else(|| worked.answer(number).value))
+            value.unwrap_or_else(|| worked.answer(number).value)
         };
-        let components: Vec<String> = vector.components.iter().map(component).collect();
+        self.written_vector(vector, vector.components.iter().map(component))
+    }
+
+    fn written_vector(&self, vector: &VectorPart, values: impl Iterator<Item = f64>) -> String {
+        let numbers = vector.components.iter().zip(values);
+        let components: Vec<String> = numbers.map(|(number, value)| written_number(number, value)).collect();
         let unit = vector.components.first().map(|own| self.unit_name(own)).unwrap_or_default();
         format!("({}) {unit}", components.join(", ")).trim_end().to_owned()
     }

@@ -7,7 +7,7 @@ use crate::expr::Math;
 use crate::expr::Operator;
 use crate::expr::Symbol;
 use crate::laws::angular;
-use crate::laws::kinematics;
+use crate::laws::bouncing;
 use crate::laws::mass_centre;
 use crate::laws::momentum;
 use crate::laws::orbit;
@@ -42,7 +42,7 @@ const BALANCES: &[(&str, &str)] = &[
     (angular::ANGULAR_IMPULSE.id, "Angular momentum before with the angular impulse, and after:"),
     (angular::CENTRAL.id, "Radius times transverse velocity, before and after:"),
     (orbit::ORBIT_ENERGY.id, "Energy of each unit of mass, before and after:"),
-    (kinematics::BOUNCE_TIME.id, "The time, and the sum of the times of flight:"),
+    (bouncing::BOUNCE_TIME.id, "The time, and the sum of the times of flight:"),
 ];
 
 /// The checks of a variant; none for a form that only asks for concepts.

@@ -54,7 +54,7 @@ impl Trial<'_> {
         let (gives, relation) = if holds {
             (" gives ", operator(self.relation))
         } else {
-            (" still gives ", operator(opposite(self.relation)))
+            (" still gives ", operator(self.relation.opposite()))
         };
         vec![
             Inline::Math(Math::relation(self.display.name(self.unknown), Operator::Equals, number)),
@@ -75,16 +75,5 @@ impl Trial<'_> {
             if symbol == self.unknown { self.number } else { known() }
         });
         with_unit(number_math(&printed(value / unit.factor().to_f64(), FIGURES)), &unit)
-    }
-}
-
-/// What holds where a relation does not.
-fn opposite(relation: Relation) -> Relation {
-    match relation {
-        Relation::Less => Relation::AtLeast,
-        Relation::AtMost => Relation::Greater,
-        Relation::Greater => Relation::AtMost,
-        Relation::AtLeast => Relation::Less,
-        Relation::Differs => Relation::Differs,
     }
 }

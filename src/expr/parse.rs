@@ -30,7 +30,7 @@ pub struct ParseFault {
     pub help: Option<String>,
 }
 
-/// The functions by name, with the number of their arguments; `sqrt` is a power and stands apart.
+/// The functions by name, with the number of their arguments; `sqrt` is a power and `atan` an `atan2`, and stand apart.
 const FUNCTIONS: [(&str, Function, usize); 9] = [
     ("sin", Function::Sin, 1),
     ("cos", Function::Cos, 1),
@@ -235,10 +235,11 @@ impl Parser<'_> {
         match (name.as_str(), function, open) {
             ("pi", _, None) => Ok(Expr::Pi),
             ("sqrt", _, Some(open)) => Ok(self.arguments(token, &open, 1)?.swap_remove(0).sqrt()),
+            ("atan", _, Some(open)) => Ok(self.arguments(token, &open, 1)?.swap_remove(0).atan2(Expr::one())),
             (_, Some((_, function, count)), Some(open)) => {
                 Ok(Expr::Apply(*function, self.arguments(token, &open, *count)?.into()))
             }
-            ("sqrt", _, None) | (_, Some(_), None) => Self::fault(
+            ("sqrt" | "atan", _, None) | (_, Some(_), None) => Self::fault(
                 token,
                 format!("`{name}` needs its argument in brackets"),
                 Some(format!("write `{name}(x)`")),
@@ -281,7 +282,7 @@ impl Parser<'_> {
         let count = inside.take_while(|token| matches!(token.kind, Kind::Name | Kind::Comma)).count();
         let end = self.next + 1 + count;
         let Some(last) = self.tokens.get(end).filter(|token| token.kind == Kind::Close).cloned() else {
-            let help = "functions are sqrt, sin, cos, tan, asin, acos, atan2, exp, ln and abs";
+            let help = "functions are sqrt, sin, cos, tan, asin, acos, atan, atan2, exp, ln and abs";
             return Self::fault(name, format!("`{own}` is not a function"), Some(help.to_owned()));
         };
         let parts: Vec<_> =
@@ -310,6 +311,7 @@ mod tests {
             ("-(1 + 2)*3", -9.0),
             ("1.2e3 + .5 + 3.", 1203.5),
             ("sqrt(16) + abs(-3) + atan2(0, 1)", 7.0),
+            ("tan(atan(3/4))", 0.75),
             ("7 \u{2212} 2\u{b7}3", 1.0),
             ("cos(pi)", -1.0),
         ] {

@@ -49,6 +49,12 @@ impl SymbolTable {
         }
     }
 
+    /// Whether it is said what a symbol is.
+    #[must_use]
+    pub fn is_described(&self, symbol: Symbol) -> bool {
+        !self.entry(symbol).meaning.is_empty()
+    }
+
     /// The symbol of that exact name.
     #[must_use]
     pub fn find(&self, name: &str) -> Option<Symbol> {

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::quantity::round_to_figures;
 
-use super::expected::ExpectedNumber;
+use super::expected::{ExpectedNumber, ExpectedVector};
 use super::read::{Answer, NumberAnswer};
 use super::verdict::Verdict;
 
@@ -34,6 +34,14 @@ pub fn is_open(verdict: Verdict) -> bool {
             | Verdict::SenseReversed
             | Verdict::UnitPrefix
             | Verdict::OrderOfMagnitude
+            | Verdict::AngleReversed
+            | Verdict::AngleOtherSense
+            | Verdict::AngleSupplement
+            | Verdict::AngleComplement
+            | Verdict::AngleOtherAxis
+            | Verdict::ComponentsExchanged
+            | Verdict::ComponentSign
+            | Verdict::DirectionWrong
             | Verdict::FormulaFactor
             | Verdict::FormulaDimension
     )
@@ -47,6 +55,7 @@ pub fn number(expected: &ExpectedNumber, answer: &Answer) -> Option<f64> {
     let own = answer.directed().to_f64();
     let value = match unit(answer) {
         None => own,
+        Some(unit) if *unit == expected.unit => own,
         Some(unit) if unit.dimension() == expected.unit.dimension() => {
             own * (unit.factor() * expected.unit.factor().power(-1)).to_f64()
         }
@@ -59,40 +68,87 @@ fn unit(answer: &NumberAnswer) -> Option<&crate::quantity::Unit> {
     answer.unit.as_ref().filter(|unit| !unit.is_none())
 }
 
+/// The components of a vector in the unit of the question, in the same way.
+#[must_use]
+pub fn components(expected: &ExpectedVector, answer: &Answer) -> Option<Vec<f64>> {
+    let (Answer::Vector(answer), Some(first)) = (answer, expected.components.first()) else { return None };
+    let factor = match answer.unit.as_ref().filter(|unit| !unit.is_none()) {
+        Some(unit) if unit.dimension() != first.unit.dimension() => return None,
+        Some(unit) if *unit != first.unit => (unit.factor() * first.unit.factor().power(-1)).to_f64(),
+        _ => 1.0,
+    };
+    let components: Vec<f64> = answer.components.iter().map(|own| own.to_f64() * factor).collect();
+    (components.len() == expected.components.len() && components.iter().all(|own| own.is_finite()))
+        .then_some(components)
+}
+
+/// What a mistake makes of an answer, as marking compares it with what was written.
+struct Suspect {
+    place: usize,
+    size: f64,
+    /// How far the answer is from it.
+    away: f64,
+}
+
 /// The suspects that lead to the answer: those within its rounding, or the nearest within that of the values on the way.
 /// Suspects that give the right answer here are none.
 #[must_use]
 pub fn matching(expected: &ExpectedNumber, answer: f64, suspects: &[f64]) -> Vec<usize> {
-    let turn = expected.cyclic.then(|| std::f64::consts::TAU / expected.unit.factor().to_f64());
+    let turn = expected.cyclic.then(|| std::f64::consts::TAU / expected.size);
     let distance = |one: f64, other: f64| match turn {
         Some(turn) => libm::fabs(libm::remainder(one - other, turn)),
         None => (one - other).abs(),
     };
-    let rounding = |value: f64| {
-        let last = half_unit(value, expected.figures);
-        if expected.whole { 0.0 } else { last * 1.001 + 1e-9 * value.abs() }
-    };
+    let rounding = |value: f64| if expected.whole { 0.0 } else { rounding(value, expected.figures) };
     let is_right = |value: f64| distance(value, expected.value) <= rounding(expected.value).min(expected.allowance);
-    let candidates: Vec<(usize, f64)> = suspects
+    let reach = reach(expected.figures);
+    let near = suspects
         .iter()
         .enumerate()
-        .filter(|(_, value)| !is_right(**value))
-        .map(|(place, value)| (place, distance(*value, answer)))
-        .collect();
-    let within = |limit: &dyn Fn(f64) -> f64| -> Vec<usize> {
-        let near = candidates.iter().filter(|(place, away)| *away <= limit(suspects[*place]));
-        near.map(|(place, _)| *place).collect()
-    };
-    let exact = within(&rounding);
-    if !exact.is_empty() || expected.whole {
+        .map(|(place, value)| Suspect { place, size: value.abs(), away: distance(*value, answer) })
+        .filter(|own| own.away <= reach * own.size && !is_right(suspects[own.place]));
+    let limit = |own: &Suspect| rounding(own.size);
+    chosen(&near.collect::<Vec<_>>(), &limit, rounding(answer), !expected.whole)
+}
+
+/// The same for vectors: sizes and distances are those of vectors.
+#[must_use]
+pub fn matching_vectors(expected: &ExpectedVector, answer: &[f64], suspects: &[Vec<f64>]) -> Vec<usize> {
+    let figures = expected.components.first().map_or(3, |first| first.figures);
+    let size = |vector: &[f64]| libm::sqrt(vector.iter().map(|own| own * own).sum());
+    let distance =
+        |one: &[f64], other: &[f64]| size(&one.iter().zip(other).map(|(one, other)| one - other).collect::<Vec<f64>>());
+    let right: Vec<f64> = expected.components.iter().map(|own| own.value).collect();
+    // Each component is rounded for itself, so that the vector is off by no more than all of them.
+    let limits: Vec<f64> = suspects.iter().map(|own| own.iter().map(|value| rounding(*value, figures)).sum()).collect();
+    let near = suspects
+        .iter()
+        .enumerate()
+        .map(|(place, own)| Suspect { place, size: size(own), away: distance(own, answer) })
+        .filter(|own| distance(&suspects[own.place], &right) > limits[own.place]);
+    let own_rounding = answer.iter().map(|value| rounding(*value, figures)).sum();
+    chosen(&near.collect::<Vec<_>>(), &|own| limits[own.place], own_rounding, true)
+}
+
+/// Those within their limit; else, where values on the way may have been rounded, the nearest with what is beside it.
+fn chosen(near: &[Suspect], limit: &dyn Fn(&Suspect) -> f64, own_rounding: f64, on_the_way: bool) -> Vec<usize> {
+    let exact: Vec<usize> = near.iter().filter(|own| own.away <= limit(own)).map(|own| own.place).collect();
+    if !exact.is_empty() || !on_the_way {
         return exact;
     }
-    let loose = within(&|value: f64| rounding(value).max(ROUNDED_ON_THE_WAY * value.abs()));
-    let nearest = candidates.iter().filter(|(place, _)| loose.contains(place)).map(|(_, away)| *away);
-    let nearest = nearest.fold(f64::INFINITY, f64::min);
-    let beside =
-        |place: &usize| candidates.iter().any(|(own, away)| own == place && *away <= nearest + rounding(answer));
-    loose.into_iter().filter(|place| beside(place)).collect()
+    let loose = || near.iter().filter(|own| own.away <= ROUNDED_ON_THE_WAY * own.size);
+    let nearest = loose().map(|own| own.away).fold(f64::INFINITY, f64::min);
+    loose().filter(|own| own.away <= nearest + own_rounding).map(|own| own.place).collect()
+}
+
+/// The share of a value beyond which no rounding leads.
+fn reach(figures: usize) -> f64 {
+    libm::pow(0.1, f64::from(u32::try_from(figures).unwrap_or(1)) - 1.0).max(2.0 * ROUNDED_ON_THE_WAY)
+}
+
+/// How far rounding moves a value.
+fn rounding(value: f64, figures: usize) -> f64 {
+    half_unit(value, figures) * 1.001 + 1e-9 * value.abs()
 }
 
 /// Half a unit of the last of so many figures.
@@ -109,6 +165,9 @@ fn half_unit(value: f64, figures: usize) -> f64 {
 /// Whether an answer is the right one cut to two figures: rounding, not a wrong method.
 #[must_use]
 pub fn is_coarse(expected: &ExpectedNumber, answer: f64) -> bool {
+    if expected.figures <= 2 || expected.whole || (answer - expected.value).abs() > 0.1 * expected.value.abs() {
+        return false;
+    }
     let rounded = round_to_figures(expected.value, 2).map(|value| value.to_f64());
-    expected.figures > 2 && !expected.whole && rounded.is_some_and(|value| (value - answer).abs() <= 1e-9 * value.abs())
+    rounded.is_some_and(|value| (value - answer).abs() <= 1e-9 * value.abs())
 }

@@ -54,6 +54,8 @@ pub struct ExpectedNumber {
     pub exact: Option<Rational>,
     /// The unit in which it is asked; any other of the same dimension is as good.
     pub unit: Unit,
+    /// The size of that unit in SI units.
+    pub size: f64,
     /// How far an answer may lie from the exact one.
     pub tolerance: Tolerance,
     /// The significant figures that are asked.
@@ -193,6 +195,7 @@ impl ExpectedNumber {
             value,
             error: 0.0,
             exact: None,
+            size: unit.factor().to_f64(),
             unit,
             tolerance: Tolerance::Relative(Decimal::from_scaled(1, 2)),
             figures: 3,

@@ -209,6 +209,21 @@ fn wrong(expected: &ExpectedNumber, answer: &NumberAnswer) -> Judgement {
 }
 
 impl Judgement {
+    /// Whether no allowance for rounding, and no larger scale, can change it: the answer is plainly right.
+    #[must_use]
+    pub fn is_settled(&self) -> bool {
+        self.verdict == Verdict::Right && !self.messages.contains(&Message::LastFigure)
+    }
+
+    /// What the student is told, in words.
+    #[must_use]
+    pub fn told(&self) -> String {
+        match self.messages.as_slice() {
+            [one] => one.to_string(),
+            all => all.iter().map(ToString::to_string).collect::<Vec<_>>().join(" "),
+        }
+    }
+
     fn of(verdict: Verdict, message: Message) -> Self {
         Self { verdict, also: None, messages: vec![message] }
     }
@@ -234,8 +249,8 @@ impl Judgement {
         self
     }
 
-    fn told(mut self, message: Option<Message>) -> Self {
-        self.messages.extend(message);
+    fn with(mut self, message: Message) -> Self {
+        self.messages.push(message);
         self
     }
 }

@@ -56,6 +56,8 @@ pub enum Message {
     FormulaClash(String),
     /// Earlier attempts or hints have cost this per cent of the points.
     Reduced(u32),
+    /// No attempt was left.
+    NoAttemptLeft,
     /// No direction; the words for it.
     Sense(Option<[String; 2]>),
     /// The opposite direction.

@@ -8,28 +8,32 @@ pub mod catalogue;
 pub mod diagnose;
 mod expected;
 mod follow;
+mod frequent;
 pub mod judge;
 mod messages;
 mod number;
 pub mod read;
+mod reading;
 pub mod report;
 mod rubric;
 mod statistics;
 mod swapped;
 mod verdict;
 
-pub use attempts::over_attempts;
+pub use attempts::{Attempt, counted, over_attempts, weigh};
 pub use diagnose::Diagnosis;
 pub use expected::{
     Expected, ExpectedEnd, ExpectedFormula, ExpectedInterval, ExpectedKind, ExpectedNumber, ExpectedVector, Frame,
     FrameAxis, Reference, Tolerance, Units, Writing,
 };
 pub use follow::Follows;
+pub use frequent::WrongAnswer;
 pub use judge::{Judgement, judge};
 pub use messages::Message;
 pub use number::Number;
 pub use read::{Answer, DecimalMark, FormulaAnswer, Unreadable, UnreadableKind, read, read_several};
-pub use report::{InputFault, PartReport, Points, Report, grade};
+pub use reading::{Reading, Readings};
+pub use report::{InputFault, PartReport, Points, Report, grade, grade_read};
 pub use rubric::{Attempts, Keep, Rubric};
-pub use statistics::{Gathering, Item, ItemStatistics, Statistics, VerdictCount};
+pub use statistics::{Gathering, Item, ItemStatistics, MistakeCount, Statistics, VerdictCount};
 pub use verdict::Verdict;

@@ -14,23 +14,37 @@ const DOUBLE_SLACK: f64 = 1e-12;
 /// A number, and whether it is exact or went through double precision (a root, a sine, pi).
 ///
 /// Every operation is bounded in time and memory and answers `None` where its result would be too large, or is not a number.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub struct Number {
     value: Rational,
+    /// The double nearest to it: most comparisons need no more.
+    near: f64,
     exact: bool,
 }
+
+impl PartialEq for Number {
+    fn eq(&self, other: &Self) -> bool {
+        self.exact == other.exact && self.value == other.value
+    }
+}
+
+impl Eq for Number {}
 
 impl Number {
     /// An exact number.
     #[must_use]
     pub fn exact(value: Rational) -> Self {
-        Self { value, exact: true }
+        Self::new(value, true)
+    }
+
+    fn new(value: Rational, exact: bool) -> Self {
+        Self { near: value.to_f64().value(), value, exact }
     }
 
     /// A number known to double precision; `None` where it is not finite.
     #[must_use]
     pub fn rounded(value: f64) -> Option<Self> {
-        Rational::try_from(value).ok().map(|value| Self { value, exact: false })
+        Rational::try_from(value).ok().map(|exact| Self { value: exact, near: value, exact: false })
     }
 
     /// Its value: the exact one, or the double that stands for it.
@@ -42,7 +56,7 @@ impl Number {
     /// The nearest double.
     #[must_use]
     pub fn to_f64(&self) -> f64 {
-        self.value.to_f64().value()
+        self.near
     }
 
     /// Whether it is zero.
@@ -67,7 +81,7 @@ impl Number {
     /// The opposite number.
     #[must_use]
     pub fn negated(self) -> Self {
-        Self { value: -self.value, ..self }
+        Self { value: -self.value, near: -self.near, ..self }
     }
 
     /// The sum.
@@ -118,7 +132,7 @@ impl Number {
             if self.bits().checked_mul(whole.unsigned_abs())? > MAX_BITS {
                 return None;
             }
-            return Self { value: self.value.pow(whole), exact: self.exact && exponent.exact }.bounded();
+            return Self::new(self.value.pow(whole), self.exact && exponent.exact).bounded();
         }
         if self.is_negative() {
             return None;
@@ -135,7 +149,7 @@ impl Number {
         let exact = || {
             let above = integer_root(self.value.numerator())?;
             let below = integer_root(&Integer::from(self.value.denominator().clone()))?;
-            Some(Self { value: Rational::from(above) / Rational::from(below), exact: self.exact })
+            Some(Self::new(Rational::from(above) / Rational::from(below), self.exact))
         };
         exact().or_else(|| Self::rounded(self.to_f64().sqrt()))
     }
@@ -148,7 +162,7 @@ impl Number {
 
     fn with(&self, other: &Self, operation: fn(Rational, Rational) -> Rational) -> Option<Self> {
         let value = operation(self.value.clone(), other.value.clone());
-        Self { value, exact: self.exact && other.exact }.bounded()
+        Self::new(value, self.exact && other.exact).bounded()
     }
 
     fn bits(&self) -> usize {

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fmt;
+use std::sync::Arc;
 
 use serde::{Serialize, Serializer};
 
@@ -13,7 +14,8 @@ use super::expected::Expected;
 use super::follow::Follows;
 use super::judge::judge;
 use super::messages::Message;
-use super::read::{Answer, DecimalMark, read};
+use super::read::DecimalMark;
+use super::reading::Reading;
 use super::rubric::Rubric;
 use super::swapped;
 use super::verdict::Verdict;
@@ -26,7 +28,7 @@ const DECIMALS: u32 = 2;
 pub struct Points(pub Rational);
 
 /// What was found about every part, in the order of the question.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Report {
     /// The parts.
     pub parts: Vec<PartReport>,
@@ -64,6 +66,9 @@ pub struct PartReport {
     /// What would have followed from the student's own earlier answers; said only once the question is closed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub own_values: Option<String>,
+    /// Whether it is this attempt of the student's that counts.
+    #[serde(skip)]
+    pub counts: bool,
 }
 
 /// Where and why an answer cannot be read.
@@ -90,57 +95,91 @@ pub struct InputFault {
 /// ```
 #[must_use]
 pub fn grade(expected: &[Expected], answers: &BTreeMap<String, String>, mark: DecimalMark, rubric: &Rubric) -> Report {
-    let mut parts = Vec::with_capacity(expected.len());
-    let mut not_right = Vec::new();
-    for (position, part) in expected.iter().enumerate() {
-        let (report, answer) = grade_part(part, answers.get(&part.id).map_or("", String::as_str), mark, rubric);
-        not_right.extend(answer.filter(|_| !report.verdict.is_right()).map(|answer| (position, answer)));
-        parts.push(report);
-    }
-    for position in swapped::find(expected, &not_right) {
-        if let Some(part) = parts.get_mut(position) {
-            part.verdict = Verdict::BodiesSwapped;
-            part.points = Points(rubric.fraction(Verdict::BodiesSwapped) * Rational::from(part.out_of));
-            part.message = Message::BodiesSwapped.to_string();
-        }
-    }
-    let total = parts.iter().fold(Rational::ZERO, |sum, part| sum + &part.points.0);
-    let out_of = expected.iter().fold(0, |sum: u32, part| sum.saturating_add(part.points));
+    let text = |part: &Expected| answers.get(&part.id).map_or("", String::as_str);
+    let readings: Vec<_> =
+        expected.iter().map(|part| Reading::of(text(part), &part.kind, mark).map(Arc::new)).collect();
+    let mut report = grade_read(&mut expected.to_vec(), &readings, rubric, &mut |_, _| {});
     let is_asked = |name: &&String| expected.iter().any(|part| part.id == **name);
-    let not_asked = answers.keys().filter(|name| !is_asked(name)).cloned().collect();
-    Report { parts, total: Points(total), out_of, not_asked }
+    report.not_asked = answers.keys().filter(|name| !is_asked(name)).cloned().collect();
+    report
 }
 
-/// The report on a part, and its answer where it could be read.
-fn grade_part(expected: &Expected, text: &str, mark: DecimalMark, rubric: &Rubric) -> (PartReport, Option<Answer>) {
-    let report = |verdict, fraction: Rational, understood, message: String| PartReport {
+/// Judges and reports answers that were read, one for each part or none.
+///
+/// How far honest rounding leads, and how large such quantities are, costs more to know than all the rest, and can only turn
+/// a judgement in the student's favour. So `widen` puts them in, at its position, where an answer is not plainly right.
+pub fn grade_read(
+    expected: &mut [Expected],
+    readings: &[Option<Arc<Reading>>],
+    rubric: &Rubric,
+    widen: &mut dyn FnMut(usize, &mut Expected),
+) -> Report {
+    let mut parts = Vec::with_capacity(expected.len());
+    for (position, (part, reading)) in expected.iter_mut().zip(readings).enumerate() {
+        parts.push(grade_part(part, reading.as_deref(), rubric, &mut |part| widen(position, part)));
+    }
+    if parts.iter().filter(|part| !part.verdict.is_right()).count() > 1 {
+        let not_right = parts.iter().zip(readings).enumerate().filter_map(|(position, (part, reading))| {
+            let answer = reading.as_ref()?.answer.as_ref().ok()?;
+            (!part.verdict.is_right()).then_some((position, answer))
+        });
+        for position in swapped::find(expected, &not_right.collect::<Vec<_>>()) {
+            if let Some(part) = parts.get_mut(position) {
+                part.verdict = Verdict::BodiesSwapped;
+                part.points = rubric.points(Verdict::BodiesSwapped, part.out_of);
+                part.message = Message::BodiesSwapped.to_string();
+            }
+        }
+    }
+    let out_of = expected.iter().fold(0, |sum: u32, part| sum.saturating_add(part.points));
+    let mut report = Report { parts, total: Points::default(), out_of, not_asked: Vec::new() };
+    report.recount();
+    report
+}
+
+/// The report on a part.
+fn grade_part(
+    expected: &mut Expected,
+    reading: Option<&Reading>,
+    rubric: &Rubric,
+    widen: &mut dyn FnMut(&mut Expected),
+) -> PartReport {
+    let mut report = PartReport {
         id: expected.id.clone(),
-        verdict,
-        points: Points(fraction * Rational::from(expected.points)),
+        verdict: Verdict::Unanswered,
+        points: Points::default(),
         out_of: expected.points,
-        understood,
+        understood: None,
         fault: None,
-        message,
+        message: String::new(),
         diagnosis: None,
         follows: None,
         own_values: None,
+        counts: true,
     };
-    if text.trim().is_empty() {
-        return (report(Verdict::Unanswered, Rational::ZERO, None, Message::Unanswered.to_string()), None);
-    }
-    let answer = match read(text, &expected.kind, mark) {
-        Ok(answer) => answer,
-        Err(fault) => {
-            let place = InputFault { character: fault.at + 1, code: fault.kind.code() };
-            let unreadable = report(Verdict::Unreadable, Rational::ZERO, None, fault.to_string());
-            return (PartReport { fault: Some(place), ..unreadable }, None);
+    match reading.map(|reading| (&reading.answer, &reading.told)) {
+        None => report.message = Message::Unanswered.to_string(),
+        Some((Err(fault), told)) => {
+            report.verdict = Verdict::Unreadable;
+            report.fault = Some(InputFault { character: fault.at + 1, code: fault.kind.code() });
+            report.message.clone_from(told);
         }
-    };
-    let judgement = judge(expected, &answer);
-    let also = judgement.also.map_or(Rational::ONE, |also| rubric.fraction(also));
-    let fraction = rubric.fraction(judgement.verdict) * also;
-    let messages: Vec<String> = judgement.messages.iter().map(ToString::to_string).collect();
-    (report(judgement.verdict, fraction, Some(answer.echo()), messages.join(" ")), Some(answer))
+        Some((Ok(answer), told)) => {
+            let mut judgement = judge(expected, answer);
+            if !judgement.is_settled() {
+                widen(expected);
+                judgement = judge(expected, answer);
+            }
+            report.verdict = judgement.verdict;
+            report.points = rubric.points(judgement.verdict, expected.points);
+            if let Some(also) = judgement.also {
+                report.points.0 *= rubric.fraction(also);
+            }
+            report.understood = Some(told.clone());
+            report.message = judgement.told();
+        }
+    }
+    report
 }
 
 impl Report {
@@ -152,7 +191,13 @@ impl Report {
 
     /// Adds the points up again, where the points of a part were changed.
     pub fn recount(&mut self) {
-        self.total = Points(self.parts.iter().fold(Rational::ZERO, |sum, part| sum + &part.points.0));
+        // Most points are whole, and whole numbers add up without common denominators.
+        let whole =
+            |part: &PartReport| part.points.0.is_int().then(|| i64::try_from(part.points.0.numerator()).ok())?;
+        self.total = Points(match self.parts.iter().map(whole).sum::<Option<i64>>() {
+            Some(sum) => Rational::from(sum),
+            None => self.parts.iter().fold(Rational::ZERO, |sum, part| sum + &part.points.0),
+        });
     }
 
     /// Whether a part has an answer that cannot be read, so that it was not marked.
@@ -184,6 +229,9 @@ impl fmt::Display for Report {
 /// With at most two decimals: `1.5`, `2`.
 impl fmt::Display for Points {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.0.is_int() {
+            return write!(out, "{}", self.0.numerator());
+        }
         let scaled = (&self.0 * Rational::from(10_u32.pow(DECIMALS))).round();
         let printed = Decimal::from_scaled(i128::try_from(scaled).unwrap_or_default(), DECIMALS).to_string();
         out.write_str(printed.trim_end_matches('0').trim_end_matches('.'))

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::quantity::Rational;
 
+use super::report::Points;
 use super::verdict::Verdict;
 
 /// The fraction of a part's points for each kind of partly right answer, and the cost of attempts and hints.
@@ -67,6 +68,14 @@ impl Rubric {
         let (above, below) = verdict.usual_fraction();
         let usual = || Rational::from(above) / Rational::from(below);
         self.fractions.get(&verdict).cloned().unwrap_or_else(usual)
+    }
+    /// The points of an answer with this verdict.
+    #[must_use]
+    pub fn points(&self, verdict: Verdict, out_of: u32) -> Points {
+        if verdict.is_right() {
+            return Points(Rational::from(out_of));
+        }
+        Points(self.fraction(verdict) * Rational::from(out_of))
     }
 }
 

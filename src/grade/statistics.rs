@@ -6,6 +6,9 @@ use std::collections::BinaryHeap;
 
 use serde::Serialize;
 
+use crate::laws::wrong::find;
+
+use super::frequent::{Frequent, WrongAnswer};
 use super::report::PartReport;
 
 /// Answers of a part that are kept for its discrimination.
@@ -63,6 +66,25 @@ pub struct ItemStatistics {
     pub discrimination: Option<f64>,
     /// How often each verdict was given, the most frequent first.
     pub verdicts: Vec<VerdictCount>,
+    /// The usual mistakes that wrong answers come from, the most frequent first. An answer that comes of several counts for each.
+    pub mistakes: Vec<MistakeCount>,
+    /// Answers that followed from an earlier wrong one.
+    pub followed: u64,
+    /// The wrong answers that were given most often.
+    pub wrong: Vec<WrongAnswer>,
+}
+
+/// How often a usual mistake was diagnosed.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MistakeCount {
+    /// The stable code of the mistake.
+    pub mistake: &'static str,
+    /// What the student does, as it follows a subject.
+    pub does: &'static str,
+    /// How often.
+    pub count: u64,
+    /// What was understood of the first few.
+    pub examples: Vec<String>,
 }
 
 /// How often a verdict was given.
@@ -90,6 +112,9 @@ struct Gathered {
     tally: Tally,
     answers: u64,
     verdicts: BTreeMap<&'static str, (bool, u64, Vec<String>)>,
+    mistakes: BTreeMap<&'static str, (u64, Vec<String>)>,
+    followed: u64,
+    wrong: Frequent,
     sample: BinaryHeap<Sampled>,
 }
 
@@ -138,9 +163,13 @@ impl Tally {
 }
 
 impl Gathering {
-    /// Adds a student's answer to a part.
+    /// Adds a student's answer to a part. Every attempt is counted as an answer; points are of those that count.
     pub fn add(&mut self, student: &str, problem: &str, form: &str, part: &PartReport) {
-        let tally = Tally { reached: part.points.0.to_f64().value(), out_of: f64::from(part.out_of) };
+        let tally = if part.counts {
+            Tally { reached: part.points.0.to_f64().value(), out_of: f64::from(part.out_of) }
+        } else {
+            Tally::default()
+        };
         match self.students.get_mut(student) {
             Some(own) => own.add(tally),
             None => {
@@ -156,6 +185,18 @@ impl Gathering {
         *count += 1;
         if let Some(understood) = part.understood.as_ref().filter(|_| examples.len() < EXAMPLES) {
             examples.push(understood.clone());
+        }
+        for code in part.diagnosis.iter().flat_map(|own| &own.codes) {
+            let (count, examples) = gathered.mistakes.entry(code).or_default();
+            *count += 1;
+            examples.extend(part.understood.clone().filter(|_| examples.len() < EXAMPLES));
+        }
+        gathered.followed += u64::from(part.follows.is_some());
+        if !part.verdict.is_right() {
+            gathered.wrong.add(part);
+        }
+        if !part.counts {
+            return;
         }
         let word = mixed(gathered.answers);
         if gathered.sample.len() < SAMPLE || gathered.sample.peek().is_some_and(|most| word < most.word) {
@@ -205,12 +246,23 @@ impl Gathering {
             })
             .collect();
         verdicts.sort_by_key(|verdict| std::cmp::Reverse(verdict.count));
+        let mistake = |(code, (count, examples)): (&&'static str, &(u64, Vec<String>))| MistakeCount {
+            mistake: code,
+            does: find(code).map_or("", |kind| kind.does),
+            count: *count,
+            examples: examples.clone(),
+        };
+        let mut mistakes: Vec<MistakeCount> = gathered.mistakes.iter().map(mistake).collect();
+        mistakes.sort_by_key(|mistake| std::cmp::Reverse(mistake.count));
         ItemStatistics {
             item: item.clone(),
             answers: gathered.answers,
             facility: gathered.tally.share().unwrap_or(0.0),
             discrimination: correlation(&pairs.collect::<Vec<_>>()),
             verdicts,
+            mistakes,
+            followed: gathered.followed,
+            wrong: gathered.wrong.most(),
         }
     }
 }
@@ -258,6 +310,7 @@ mod tests {
             diagnosis: None,
             follows: None,
             own_values: None,
+            counts: true,
         }
     }
 

@@ -5,10 +5,10 @@ use super::judge::judge;
 use super::read::Answer;
 
 /// An answer that was read and is not right, with the position of its part.
-pub(super) type NotRight = (usize, Answer);
+pub(super) type NotRight<'a> = (usize, &'a Answer);
 
 /// The positions of answers that are right for each other's parts.
-pub(super) fn find(expected: &[Expected], not_right: &[NotRight]) -> Vec<usize> {
+pub(super) fn find(expected: &[Expected], not_right: &[NotRight<'_>]) -> Vec<usize> {
     let is_right_for =
         |part: usize, answer: &Answer| expected.get(part).is_some_and(|part| judge(part, answer).verdict.is_right());
     let same_quantity = |one: usize, other: usize| {

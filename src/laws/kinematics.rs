@@ -1,4 +1,4 @@
-//! Motion between impacts: free fall and bouncing.
+//! Motion between impacts: free fall, flight and uniform motion.
 
 use crate::expr::Expr;
 
@@ -83,50 +83,6 @@ pub const UNTIL: Law = Law {
     wrong: &[],
 };
 
-/// Heights of successive bounces.
-pub const BOUNCE_HEIGHT: Law = Law {
-    id: "bounce-height",
-    name: "restitution and energy",
-    statement: "Each bounce multiplies the speed by e, hence the height by the square of e.",
-    signs: "Heights are positive.",
-    when: "Dropped from rest on a level fixed floor; air resistance is left out.",
-    source: "Restitution at a surface, and energy between bounces.",
-    wrong: wrong::kinematics::BOUNCE_HEIGHT,
-};
-
-/// Speeds of successive bounces.
-pub const BOUNCE_SPEED: Law = Law {
-    id: "bounce-speed",
-    name: "the law of restitution",
-    statement: "Each bounce multiplies the speed by e.",
-    signs: "Speeds are positive.",
-    when: "Dropped from rest on a level fixed floor; air resistance is left out.",
-    source: "Restitution at a surface; the ball returns with the speed with which it left.",
-    wrong: wrong::kinematics::BOUNCE_SPEED,
-};
-
-/// Times of bounces.
-pub const BOUNCE_TIME: Law = Law {
-    id: "bounce-time",
-    name: "the sum of a geometric series",
-    statement: "After the first fall, each flight takes e times as long as the one before: a geometric series.",
-    signs: "Counted from the release.",
-    when: "Dropped from rest on a level fixed floor; air resistance is left out.",
-    source: "Restitution at a surface, and a geometric series.",
-    wrong: wrong::kinematics::BOUNCE_TIME,
-};
-
-/// The whole path of a bouncing body.
-pub const BOUNCE_PATH: Law = Law {
-    id: "bounce-path",
-    name: "the sum of a geometric series",
-    statement: "After the first fall, each flight goes up and down by the height of its bounce: a geometric series.",
-    signs: "Lengths are positive.",
-    when: "Dropped from rest on a level fixed floor; air resistance is left out.",
-    source: "The height after n bounces, and a geometric series.",
-    wrong: wrong::kinematics::BOUNCE_PATH,
-};
-
 /// Times add up.
 pub const CLOCK: Law = Law {
     id: "times-add-up",
@@ -172,23 +128,8 @@ pub const COUNT: Law = Law {
 };
 
 /// The laws of this chapter.
-pub const LAWS: &[&Law] = &[
-    &FALL_SPEED,
-    &FALL_TIME,
-    &UNIFORM,
-    &FLIGHT_PLACE,
-    &FLIGHT_SPEED,
-    &TOP,
-    &UNTIL,
-    &BOUNCE_HEIGHT,
-    &BOUNCE_SPEED,
-    &BOUNCE_TIME,
-    &BOUNCE_PATH,
-    &REST,
-    &TOGETHER,
-    &COUNT,
-    &CLOCK,
-];
+pub const LAWS: &[&Law] =
+    &[&FALL_SPEED, &FALL_TIME, &UNIFORM, &FLIGHT_PLACE, &FLIGHT_SPEED, &TOP, &UNTIL, &REST, &TOGETHER, &COUNT, &CLOCK];
 
 /// `v_2^2 = v_1^2 + 2 g h`.
 #[must_use]
@@ -215,43 +156,4 @@ pub fn accelerated(from: &Expr, velocity: &Expr, acceleration: &Expr, time: &Exp
 pub fn flight_speed(acceleration: &Expr, [from, to]: [&Expr; 2], before: &Expr, after: &Expr) -> Sides {
     let moved = to.clone() - from.clone();
     (after.clone().powi(2), before.clone().powi(2) + Expr::product([Expr::integer(2), acceleration.clone(), moved]))
-}
-
-/// `h_n = e^(2 n) h_0`.
-#[must_use]
-pub fn bounce_height(e: &Expr, count: &Expr, drop: &Expr) -> Expr {
-    e.clone().power(Expr::integer(2) * count.clone()) * drop.clone()
-}
-
-/// `v_n = e^n sqrt(2 g h_0)`.
-#[must_use]
-pub fn bounce_speed(e: &Expr, count: &Expr, gravity: &Expr, drop: &Expr) -> Expr {
-    e.clone().power(count.clone()) * Expr::product([Expr::integer(2), gravity.clone(), drop.clone()]).sqrt()
-}
-
-/// The time of the first fall, `sqrt(2 h_0 / g)`.
-#[must_use]
-pub fn first_fall(gravity: &Expr, drop: &Expr) -> Expr {
-    (Expr::integer(2) * drop.clone() / gravity.clone()).sqrt()
-}
-
-/// The time at which the n-th bounce happens: `t_0 (1 + 2 e (1 - e^(n-1)) / (1 - e))`, `t_0` the time of the first fall.
-#[must_use]
-pub fn bounce_time(e: &Expr, count: &Expr, first: &Expr) -> Expr {
-    let one = Expr::one();
-    let series = (one.clone() - e.clone().power(count.clone() - one.clone())) / (one.clone() - e.clone());
-    first.clone() * (one + Expr::product([Expr::integer(2), e.clone(), series]))
-}
-
-/// The time after which all bounces are over: `t_0 (1 + e) / (1 - e)`.
-#[must_use]
-pub fn total_time(e: &Expr, first: &Expr) -> Expr {
-    Expr::product([first.clone(), Expr::one() + e.clone(), (Expr::one() - e.clone()).powi(-1)])
-}
-
-/// The whole path: `h_0 (1 + e^2) / (1 - e^2)`.
-#[must_use]
-pub fn total_path(e: &Expr, drop: &Expr) -> Expr {
-    let square = e.clone().powi(2);
-    Expr::product([drop.clone(), Expr::one() + square.clone(), (Expr::one() - square).powi(-1)])
 }

@@ -2,6 +2,7 @@
 //! comes from; beside its row stands the function that writes its equation for given terms.
 
 pub mod angular;
+pub mod bouncing;
 pub mod energy;
 pub mod force;
 pub mod geometry;
@@ -53,6 +54,7 @@ pub const CHAPTERS: &[(&str, &[&Law])] = &[
     ("Angular impulse and momentum", angular::LAWS),
     ("Central force of gravity", orbit::LAWS),
     ("Motion between impacts", kinematics::LAWS),
+    ("Bouncing", bouncing::LAWS),
     ("Streams and variable mass", variable_mass::LAWS),
 ];
 

@@ -1,9 +1,10 @@
-//! The slope of the floor on which a body moves along the one axis of a scene.
+//! The slope of the floor on which a body moves along the one axis of a scene, or above which it flies.
 
 use crate::expr::Expr;
 use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Path;
+use crate::scene::Plane;
 use crate::scene::Term;
 
 use super::Builder;
@@ -40,8 +41,17 @@ impl Incline {
 
     /// Where weight points as seen along the axis, for a body on a floor.
     pub(super) fn downwards(&self) -> Direction {
-        Direction { quarters: 3, turn: (Expr::integer(-self.sign) * self.angle.clone()).simplify() }
+        Direction::turned(3, (Expr::integer(-self.sign) * self.angle.clone()).simplify())
     }
+}
+
+/// What weight does along one axis to a body in the air.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Fall {
+    /// It draws the body to the floor, along the axis (1) or against it (-1).
+    Towards { acceleration: Expr, down: i64 },
+    /// It has this part along the floor: zero where the floor is level.
+    Along(Expr),
 }
 
 /// Words of an axis that runs up a slope, and down.
@@ -58,21 +68,54 @@ impl Builder<'_> {
             };
         };
         let path = &path.key("incline");
+        if self.axes.len() != 1 {
+            let fault = Fault::new(Code::Value, "an incline needs a scene with one axis, along the slope");
+            let help = "leave one axis, such as `axes: { x: up the slope }`";
+            self.faults.push(fault.help(help).at_path(path.clone()));
+            return Incline::level();
+        }
+        let slope = self.slope(term, path);
+        self.slopes.push(Slope { stage: index, angle: slope.angle.clone(), rises: slope.sign > 0 });
+        slope
+    }
+
+    fn slope(&mut self, term: &Term, path: &Path) -> Incline {
         let (sign, angle) = self.incline_angle(term, path);
-        self.slopes.push(Slope { stage: index, angle: angle.clone(), rises: sign > 0 });
         let (along, press) = (angle.clone().sin().simplify(), angle.clone().cos().simplify());
         Incline { angle, sign, along, press }
     }
 
+    /// What weight does along each axis to a body in the air: with an incline the first axis runs along the slope and the second
+    /// away from it. A fault is noted where weight has no part in the scene.
+    pub(super) fn falling(&mut self, incline: Option<&Term>, path: &Path) -> Option<Vec<Fall>> {
+        let gravity = self.gravity();
+        if let Some(term) = incline {
+            let path = &path.key("incline");
+            if self.axes.len() != 2 {
+                let fault = Fault::new(Code::Value, "a body in the air above a slope needs a scene with two axes");
+                let help = "write `axes: { x: up the slope, y: away from the slope }`";
+                self.faults.push(fault.help(help).at_path(path.clone()));
+                return None;
+            }
+            let slope = self.slope(term, path);
+            let along = Fall::Along((-(gravity.clone() * slope.rise())).simplify());
+            return Some(vec![along, Fall::Towards { acceleration: -(gravity * slope.press), down: -1 }]);
+        }
+        if self.scene.plane == Plane::Horizontal {
+            let fault = Fault::new(Code::Value, "a body bounces on a floor only where weight acts");
+            self.faults.push(fault.help("write `plane: vertical` under `scene`").at_path(path.clone()));
+            return None;
+        }
+        let falls = (0..self.axes.len()).map(|position| match self.downwards(position) {
+            Some(down) => Fall::Towards { acceleration: Expr::integer(down) * gravity.clone(), down },
+            None => Fall::Along(Expr::zero()),
+        });
+        Some(falls.collect())
+    }
+
     /// Whether the positive axis rises or falls, and the angle of the slope.
     fn incline_angle(&mut self, term: &Term, path: &Path) -> (i64, Expr) {
-        let [(_, senses)] = &self.axes[..] else {
-            let fault = Fault::new(Code::Value, "an incline needs a scene with one axis, along the slope");
-            let help = "leave one axis, such as `axes: { x: up the slope }`";
-            self.faults.push(fault.help(help).at_path(path.clone()));
-            return (1, Expr::zero());
-        };
-        let words = senses.positive.clone();
+        let words = self.axes.first().map_or_else(String::new, |(_, senses)| senses.positive.clone());
         if term.0.contains(" above ") || term.0.contains(" below ") {
             let direction = self.direction(term, path);
             let above = if term.0.contains(" above ") { 1 } else { -1 };

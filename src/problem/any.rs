@@ -35,15 +35,25 @@ pub(super) fn check(known: &[Known], form: &Form) -> Vec<Fault> {
         return faults;
     }
     for leaf in form.solver.leaves() {
+        let sources = Sources::of(leaf);
         let mut written = fixed(known);
         for part in &form.parts {
             for number in part.kind.numbers() {
+                let mut needed = vec![number.symbol];
+                if let AskedUnit::InTermsOf(unit) = number.unit {
+                    needed.push(unit);
+                }
+                let open: Vec<&&Known> =
+                    free.iter().filter(|known| !sources.never_use(leaf, &needed, known.symbol)).collect();
+                if open.is_empty() {
+                    continue;
+                }
                 let mut answer = written_in_givens(leaf, number.symbol, &mut written);
                 if let AskedUnit::InTermsOf(unit) = number.unit {
                     let unit = written_in_givens(leaf, unit, &mut written);
                     answer = answer.zip(unit).map(|(answer, unit)| (answer / unit).simplify());
                 }
-                for known in &free {
+                for known in open {
                     let independent = answer.as_ref().is_some_and(|answer| does_not_depend(answer, known.symbol));
                     if !independent {
                         let message =
@@ -67,6 +77,33 @@ fn fixed(known: &[Known]) -> BTreeMap<Symbol, Expr> {
         _ => None,
     };
     known.iter().filter_map(value).collect()
+}
+
+/// From which other quantities each one is computed, at whatever distance.
+struct Sources(BTreeMap<Symbol, BTreeSet<Symbol>>);
+
+impl Sources {
+    fn of(leaf: &Leaf) -> Self {
+        let mut own = Self(BTreeMap::new());
+        for root in leaf.audit.plan.steps.iter().flat_map(|step| &step.roots) {
+            for (unknown, closed) in &root.values {
+                let symbols = closed.symbols();
+                let further = symbols.iter().filter_map(|source| own.0.get(source)).flatten().copied();
+                let all: BTreeSet<Symbol> = further.collect::<Vec<_>>().into_iter().chain(symbols).collect();
+                own.0.entry(*unknown).or_default().extend(all);
+            }
+        }
+        own
+    }
+
+    /// Whether none of these is computed from a given, and no choice among roots looks at it: a proof without algebra.
+    fn never_use(&self, leaf: &Leaf, needed: &[Symbol], given: Symbol) -> bool {
+        let uses = |own: &Symbol| *own == given || self.0.get(own).is_some_and(|from| from.contains(&given));
+        let conditions = leaf.system.conditions.iter().flat_map(|own| [own.left.symbols(), own.right.symbols()]);
+        let looked_at: BTreeSet<Symbol> = conditions.flatten().chain(leaf.system.positive.iter().copied()).collect();
+        let one_root = leaf.audit.plan.steps.iter().all(|step| step.roots.len() == 1);
+        !needed.iter().any(uses) && (one_root || !looked_at.iter().filter(|own| **own != given).any(uses))
+    }
 }
 
 /// Whether the slope of a term with respect to a quantity is zero, proven by algebra.

@@ -76,7 +76,7 @@ pub enum Answered {
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Count {
-    /// The number and its condition: `first n with h_n < h_min`.
+    /// The number and its condition: `first n with h_n < h_min`, or `last n with x_n < d` for the last before it fails.
     pub count: String,
     /// How many points the part is worth: `2`.
     #[serde(default)]

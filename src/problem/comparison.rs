@@ -12,7 +12,8 @@ const RELATIONS: &[(&str, Relation)] = &[
 ];
 
 /// The two sides of a comparison and how they compare.
-pub(super) fn split_relation(text: &str) -> Option<(&str, Relation, &str)> {
+#[must_use]
+pub fn split_relation(text: &str) -> Option<(&str, Relation, &str)> {
     RELATIONS.iter().find_map(|(sign, relation)| {
         let (left, right) = text.split_once(sign)?;
         Some((left.trim(), *relation, right.trim()))

@@ -161,7 +161,9 @@ fn idle(loaded: &Loaded, model: &Model, known: &[Known], forms: &[FormDraft], re
     let names: Vec<&str> = used.iter().map(|symbol| model.symbols.entry(*symbol).name.as_str()).collect();
     // Asked anew, without its text, a problem may leave some of its own givens aside.
     let aside = |known: &Known| loaded.text.pieces().is_empty() && loaded.draft.given.get(&known.name).is_some();
-    let idle = known.iter().filter(|known| !used.contains(&known.symbol) && !aside(known));
+    // A quantity of the scene that must not matter may be one that no equation needs.
+    let any = |known: &Known| matches!(known.origin, Origin::Any) && model.symbols.is_described(known.symbol);
+    let idle = known.iter().filter(|known| !used.contains(&known.symbol) && !aside(known) && !any(known));
     let fault = |known: &Known| {
         let fault = Fault::new(Code::UnknownName, format!("nothing in the scene uses `{}`", known.name));
         let near = did_you_mean(&known.name, names.iter().copied());

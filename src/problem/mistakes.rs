@@ -6,13 +6,14 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::sync::OnceLock;
 
-use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::laws::wrong::Misconception;
 use crate::laws::wrong::reading::MISREADINGS;
 use crate::laws::wrong::reading::SLIPS;
 use crate::laws::wrong::reading::SlipOf;
 use crate::quantity::Unit;
+use crate::solve::Batch;
+use crate::solve::BatchWriter;
 use crate::solve::Bounded;
 use crate::solve::Plan;
 use crate::solve::Program;
@@ -21,19 +22,23 @@ use crate::solve::System;
 use crate::solve::Verify;
 use crate::solve::Workspace;
 
-use super::part::NumberPart;
-use super::part::PartKind;
-use super::part::Tolerance;
 use super::planned::Form;
 use super::planned::Problem;
 use super::regimes::Leaf;
 use super::restricted::Restricted;
-use super::rounding::half_unit;
 use super::variant::Worked;
 
-/// The mistakes of a form, one list for each way in which its scene can go; empty until they are asked for.
+/// The mistakes of a form, for each way in which its scene can go; empty until they are asked for.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Mistakes(Arc<OnceLock<Vec<Vec<Mistake>>>>);
+pub(super) struct Mistakes(Arc<OnceLock<Vec<Planned>>>);
+
+/// The mistakes of one way in which a scene can go, with the tape of all that are made straight on.
+#[derive(Clone, Debug)]
+pub(super) struct Planned {
+    list: Vec<Mistake>,
+    pub(super) inputs: Vec<Symbol>,
+    pub(super) batch: Batch,
+}
 
 /// One way of making one usual mistake.
 #[derive(Clone, Debug)]
@@ -43,33 +48,38 @@ pub struct Mistake {
     /// The law that is got wrong, as it is used: a position in [`crate::model::Model::instances`]; none where nothing is
     /// wrong with the laws.
     pub instance: Option<usize>,
-    made: Made,
+    pub(super) made: Made,
 }
 
 #[derive(Clone, Debug)]
-enum Made {
+pub(super) enum Made {
     /// The system has a wrong equation.
-    Solved(Vec<Solver>),
+    Solved(Vec<Way>),
     /// Some givens are taken too large or too small by a factor.
     Misread(Arc<Solver>, Vec<(Symbol, f64)>),
     /// The right value is written down wrongly.
     Written(SlipOf, fn(f64) -> f64),
 }
 
+/// How the values that come of a mistake are found.
+#[derive(Clone, Debug)]
+pub(super) struct Way {
+    pub(super) solver: Solver,
+    /// The place in the batch, where there is nothing to choose and nothing to judge.
+    pub(super) batched: Option<usize>,
+}
+
 /// A program for some of the quantities that are asked, with what chooses among its roots.
 #[derive(Clone, Debug)]
 pub(super) struct Solver {
-    wanted: Vec<Symbol>,
+    pub(super) wanted: Vec<Symbol>,
     inputs: Vec<Symbol>,
-    plan: Plan,
+    pub(super) plan: Plan,
     /// With the conditions of a true solution, where there is something to choose.
     strict: Option<Program>,
     /// Without them: a wrong value need not be a possible one.
     loose: Program,
 }
-
-/// A formula and a program give the same within this share.
-const SAME: f64 = 1e-9;
 
 thread_local! {
     /// A wrong answer runs some dozens of programs; with one memory for all of them they allocate nothing.
@@ -77,21 +87,23 @@ thread_local! {
 }
 
 impl Mistakes {
-    pub(super) fn of_leaf(&self, problem: &Problem, form: &Form, leaf: usize) -> &[Mistake] {
+    pub(super) fn of_leaf(&self, problem: &Problem, form: &Form, leaf: usize) -> Option<&Planned> {
         let all = self.0.get_or_init(|| form.solver.leaves().iter().map(|leaf| planned(problem, form, leaf)).collect());
-        all.get(leaf).map_or(&[], Vec::as_slice)
+        all.get(leaf)
     }
 }
 
-fn planned(problem: &Problem, form: &Form, leaf: &Leaf) -> Vec<Mistake> {
+fn planned(problem: &Problem, form: &Form, leaf: &Leaf) -> Planned {
     let used: BTreeSet<usize> = leaf.answer_steps().iter().flat_map(|step| step.equations.iter().copied()).collect();
     let wanted: Vec<Symbol> = form.wanted().collect();
+    let inputs: Vec<Symbol> = form.told.iter().copied().collect();
+    let mut batch = BatchWriter::new(&inputs);
     let mut mistakes: Vec<Mistake> = Vec::new();
     for mistaken in problem.model().mistaken(&leaf.system, &used, &form.told, problem.units()) {
-        let solvers = Solver::each(&mistaken.system, &form.told, &wanted);
-        if !solvers.is_empty() {
-            let made = Made::Solved(solvers);
-            mistakes.push(Mistake { of: mistaken.of, instance: Some(mistaken.instance), made });
+        let solvers = Solver::each(&mistaken.system, &form.told, &wanted).into_iter();
+        let ways: Vec<Way> = solvers.map(|solver| solver.into_way(&mistaken.system, &mut batch)).collect();
+        if !ways.is_empty() {
+            mistakes.push(Mistake { of: mistaken.of, instance: Some(mistaken.instance), made: Made::Solved(ways) });
         }
     }
     let right = Restricted::new(&leaf.system, used);
@@ -103,7 +115,7 @@ fn planned(problem: &Problem, form: &Form, leaf: &Leaf) -> Vec<Mistake> {
         instance: None,
         made: Made::Written(slip.to, slip.written),
     }));
-    mistakes
+    Planned { list: mistakes, inputs, batch: batch.finish() }
 }
 
 /// Every unit that some given has and that is often overlooked: of all its givens, and of each alone.
@@ -147,8 +159,13 @@ impl Solver {
         let compile = |system: &System| Program::compile(system, &audit, &inputs, wanted, Verify::Redundant).ok();
         let strict = if several { compile(system) } else { None };
         let bare = System { conditions: Vec::new(), ..system.clone() };
-        let loose = compile(&bare)?;
-        Some(Self { wanted: wanted.to_vec(), strict, loose, inputs, plan: audit.plan })
+        Some(Self { wanted: wanted.to_vec(), strict, loose: compile(&bare)?, inputs, plan: audit.plan.clone() })
+    }
+
+    fn into_way(self, system: &System, batch: &mut BatchWriter) -> Way {
+        let plain = self.strict.is_none() && self.loose.is_plain();
+        let batched = if plain { batch.add(system, &self.plan, &self.wanted) } else { None };
+        Way { solver: self, batched }
     }
 
     /// What the program takes, in order.
@@ -188,90 +205,10 @@ impl<'a> Worked<'a> {
     /// The usual mistakes that can be made with this variant's form. They are planned when this is first called.
     #[must_use]
     pub fn mistakes(&self) -> &'a [Mistake] {
+        self.planned().map_or(&[], |planned| planned.list.as_slice())
+    }
+
+    pub(super) fn planned(&self) -> Option<&'a Planned> {
         self.form.mistakes.of_leaf(self.problem, self.form, self.variant.leaf())
-    }
-
-    /// What a mistake makes of a quantity, as formulas in what is given; none where nothing but numbers is got wrong.
-    #[must_use]
-    pub fn mistaken_formulas(&self, mistake: &Mistake, symbol: Symbol) -> Vec<Expr> {
-        let Made::Solved(solvers) = &mistake.made else { return Vec::new() };
-        let told = |symbol: Symbol| self.variant.value(symbol);
-        let right = self.every_formula(&self.leaf().audit.plan, symbol);
-        let mut formulas: Vec<Expr> = Vec::new();
-        for solver in solvers.iter().filter(|solver| solver.wanted.contains(&symbol)) {
-            let values = solver.values(symbol, &told);
-            for formula in self.every_formula(&solver.plan, symbol) {
-                // Of several roots the one that is possible for these numbers.
-                let value = formula.evaluate(&|own| told(own).map_or(f64::NAN, |value| value.value));
-                let taken = values.iter().any(|own| (own - value).abs() <= SAME * value.abs());
-                if taken && !formulas.contains(&formula) && !right.contains(&formula) {
-                    formulas.push(formula);
-                }
-            }
-        }
-        formulas
-    }
-
-    /// What a mistake makes of the answer to a part, in the unit of the question; none where it cannot be made there.
-    #[must_use]
-    pub fn mistaken(&self, mistake: &Mistake, number: &NumberPart) -> Vec<f64> {
-        let unit = self.unit_of(number);
-        let told = |symbol: Symbol| self.variant.value(symbol);
-        let values = match &mistake.made {
-            Made::Solved(solvers) => solvers.iter().flat_map(|solver| solver.values(number.symbol, &told)).collect(),
-            Made::Misread(right, read) => {
-                let misread = |symbol: Symbol| {
-                    let factor = read.iter().find(|(own, _)| *own == symbol).map_or(1.0, |(_, factor)| *factor);
-                    told(symbol).map(|own| Bounded { value: own.value * factor, error: own.error * factor })
-                };
-                right.values(number.symbol, &misread)
-            }
-            Made::Written(to, written) => {
-                let fits = match to {
-                    SlipOf::Signed => self.is_signed(number),
-                    SlipOf::Angle => number.plain_unit().factor().pi != 0,
-                    SlipOf::Count => number.whole,
-                };
-                told(number.symbol).filter(|_| fits).map(|value| written(value.value)).into_iter().collect()
-            }
-        };
-        values.into_iter().map(|value| value / unit).filter(|value| value.is_finite()).collect()
-    }
-
-    /// Whether a mistake changes some answer by more than its tolerance; true where it cannot be made.
-    #[must_use]
-    pub fn tells_apart(&self, mistake: &str) -> bool {
-        let mut possible = false;
-        let numbers = || {
-            self.form.parts.iter().filter_map(|part| match &part.kind {
-                PartKind::Number(number) => Some(number),
-                PartKind::Vector(_) | PartKind::Formula(_) | PartKind::Range(_) | PartKind::Choice(_) => None,
-            })
-        };
-        for mistake in self.mistakes().iter().filter(|own| own.of.id == mistake) {
-            for number in numbers() {
-                let right = self.answer(number).value;
-                let allowed = match &number.tolerance {
-                    Tolerance::Relative(share) => share.to_f64() * right.abs(),
-                    Tolerance::Absolute(distance) => distance.to_f64(),
-                    Tolerance::ToFigures => half_unit(right, number.figures),
-                };
-                let allowed = allowed.max(self.judged(number).allowance);
-                for value in self.mistaken(mistake, number) {
-                    possible = true;
-                    if (value - right).abs() > allowed {
-                        return true;
-                    }
-                }
-            }
-        }
-        !possible
-    }
-
-    /// Whether the sign of a number says a direction, so that it can be got wrong.
-    fn is_signed(&self, number: &NumberPart) -> bool {
-        let entry = self.problem.model().symbols.entry(number.symbol);
-        let senses = super::say::senses_of(&self.problem.loaded().draft.scene, &entry.name);
-        senses.is_some() && ["v_", "p_", "J_", "F_avg_"].iter().any(|start| entry.name.starts_with(start))
     }
 }

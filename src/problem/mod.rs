@@ -40,6 +40,7 @@ mod rubric;
 mod sampler;
 mod say;
 mod schema;
+mod simulated;
 mod stream;
 mod text;
 mod told;
@@ -52,6 +53,7 @@ pub use ask::{
     Answered, Ask, Classifiable, Classify, Conservable, Conserved, Count, Find, Holds, Impulsive, Order, Range, Turn,
 };
 pub use check::check;
+pub use comparison::split_relation;
 pub use compile::{compile, compile_ad_hoc};
 pub use decision::{ChoicePart, Claim, Decision, orders};
 pub use document::{Document, Entry, Kind, Node, Scalar, Style};
@@ -77,6 +79,7 @@ pub use rubric::{Keep, OtherUnits, Rubric, Writing};
 pub use sampler::{MOST_ATTEMPTS, NoVariant, Rejection, Sampler};
 pub use say::{quantity as say_quantity, senses_of, trimmed};
 pub use schema::json_schema;
+pub use simulated::Simulated;
 pub use stream::{Scheme, Streams, Words};
 pub use text::{Filter, Piece, Placeholder, Text, is_name};
 pub use variant::{Variant, Worked};

@@ -1,6 +1,7 @@
 //! One part of a question, compiled: what is asked, how it is answered and judged.
 
 use crate::expr::Symbol;
+use crate::model::component_name;
 use crate::quantity::Decimal;
 use crate::quantity::Unit;
 
@@ -8,7 +9,6 @@ use super::decision::ChoicePart;
 use super::formula::FormulaPart;
 use super::range::RangePart;
 use super::vector::VectorPart;
-use super::vector::component_name;
 
 /// One part of a question.
 #[derive(Clone, Debug)]
@@ -45,6 +45,8 @@ pub struct NumberPart {
     pub symbol: Symbol,
     /// In which unit, or in terms of which quantity.
     pub unit: AskedUnit,
+    /// The size of that unit in SI units; one, where there is none.
+    pub size: f64,
     /// Significant figures of the printed answer.
     pub figures: usize,
     /// How far an answer may lie from the exact one.
@@ -119,6 +121,16 @@ impl PartKind {
             AskedUnit::InTermsOf(symbol) => Some(*symbol),
             AskedUnit::Unit(_) => None,
         })
+    }
+}
+
+impl AskedUnit {
+    /// The size in SI units of a unit; one, where there is none.
+    pub(super) fn size(&self) -> f64 {
+        match self {
+            Self::Unit(unit) => unit.factor().to_f64(),
+            Self::InTermsOf(_) => 1.0,
+        }
     }
 }
 

@@ -1,5 +1,6 @@
 //! Reading what is asked: each entry of `ask` becomes a part.
 
+use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::fault::Code;
 use crate::fault::Fault;
@@ -209,7 +210,7 @@ pub(super) fn number_part(
         }
     };
     let figures = usize::from(find.figures.or(loaded.draft.figures).unwrap_or(3));
-    Some(NumberPart { symbol, unit, figures, tolerance, whole: false })
+    Some(NumberPart { symbol, size: unit.size(), unit, figures, tolerance, whole: false })
 }
 
 /// A direction is asked from a stated axis and in a stated sense; the symbol that is counted so, and the words for it.
@@ -296,15 +297,23 @@ fn read_tolerance(term: &Term, dimension: Dimension) -> Option<Tolerance> {
     (bare || quantity.unit.dimension() == dimension).then_some(Tolerance::Absolute(quantity.value))
 }
 
-/// Reads `first n with h_n < h_min`.
+/// Which number is counted: the first for which a condition holds, or the last as long as it holds.
+enum End {
+    First,
+    Last,
+}
+
+/// Reads `first n with h_n < h_min`, `last n with x_n < d`.
 fn counted(count: &Count, builder: &mut Builder<'_>, path: &Path, counts: &mut Vec<Equation>) -> Option<Named> {
     let path = path.key("count");
-    let words: Option<(&str, &str)> =
-        count.count.trim().strip_prefix("first ").and_then(|rest| rest.split_once(" with "));
-    let parts = words.and_then(|(name, condition)| Some((name.trim(), split_relation(condition)?)));
-    let Some((name, (left, relation, right))) = parts else {
+    let text = count.count.trim();
+    let ends = [("first ", End::First), ("last ", End::Last)];
+    let end = ends.into_iter().find_map(|(word, end)| Some((end, text.strip_prefix(word)?.split_once(" with ")?)));
+    let parts = end.and_then(|(end, (name, condition))| Some((end, name.trim(), split_relation(condition)?)));
+    let Some((end, name, (left, relation, right))) = parts else {
         let fault = Fault::new(Code::Syntax, format!("`{}` does not say what is counted", count.count));
-        builder.fault(fault.help("write it as `first n with h_n < h_min`").at_path(path));
+        let help = "write it as `first n with h_n < h_min`, or `last n with x_n < d`";
+        builder.fault(fault.help(help).at_path(path));
         return None;
     };
     let Some(symbol) = builder.mention(name) else {
@@ -315,15 +324,39 @@ fn counted(count: &Count, builder: &mut Builder<'_>, path: &Path, counts: &mut V
     let [left, right] = [left, right].map(|side| builder.term(side, &path));
     let because = [&left, &right].into_iter().find_map(|side| builder.reason_of(side, symbol)).map(str::to_owned);
     let [left, right] = [left, right].map(|side| builder.written_out(&side, symbol));
-    counts.push(builder.first_integer(because.as_deref(), symbol, 1, left, relation, right));
     let meaning = builder.symbols().entry(symbol).meaning.clone();
-    let label = format!("{} until the condition holds", if meaning.is_empty() { "the number".into() } else { meaning });
+    let meaning = if meaning.is_empty() { "the number".into() } else { meaning };
+    let label = match end {
+        End::First => {
+            counts.push(builder.first_integer(because.as_deref(), symbol, 1, left, relation, right));
+            format!("{meaning} until the condition holds")
+        }
+        End::Last => {
+            let next = |side: &Expr| {
+                exponents_simplified(&side.substitute(&|own| (own == symbol).then(|| Expr::from(symbol) + Expr::one())))
+            };
+            let over = "the last number is the first after which the condition fails";
+            let because = because.map_or_else(|| over.to_owned(), |because| format!("{because}; {over}"));
+            let (left, right) = (next(&left), next(&right));
+            counts.push(builder.first_integer(Some(&because), symbol, 0, left, relation.opposite(), right));
+            format!("{meaning} as long as the condition holds")
+        }
+    };
     let kind = NumberPart {
         symbol,
         unit: AskedUnit::Unit(Unit::none()),
+        size: 1.0,
         figures: 12,
         tolerance: Tolerance::Absolute(Decimal::from_scaled(0, 0)),
         whole: true,
     };
     Some((name.to_owned(), label, PartKind::Number(kind)))
+}
+
+/// `e^n` for `e^(n + 1 - 1)`.
+fn exponents_simplified(term: &Expr) -> Expr {
+    match term {
+        Expr::Power(pair) => pair.0.clone().power(pair.1.simplify()),
+        other => other.map_children(exponents_simplified),
+    }
 }

@@ -11,6 +11,9 @@ use super::part::AskedUnit;
 use super::part::NumberPart;
 use super::variant::Worked;
 
+/// A value just below a power of ten may be computed just above it, where its last figure counts ten times as much.
+const NEXT_DECADE: f64 = 1.02;
+
 /// What marking needs besides the answer itself, in the unit of the question.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Judged {
@@ -25,11 +28,16 @@ impl Worked<'_> {
     #[must_use]
     pub fn judged(&self, number: &NumberPart) -> Judged {
         let unit = match &number.unit {
-            AskedUnit::Unit(unit) => unit.factor().to_f64(),
+            AskedUnit::Unit(_) => number.size,
             AskedUnit::InTermsOf(symbol) => self.value(*symbol).abs(),
         };
         let figures = number.figures.min(usize::from(self.problem.loaded().draft.figures.unwrap_or(3)));
-        Judged { allowance: self.allowance(number.symbol, figures) / unit, scale: self.scale(number.symbol) / unit }
+        let found = self.allowance(number.symbol, figures) / unit;
+        // Whoever converts the result rounds it once more; a decimal multiple leaves its figures as they are.
+        let power = libm::log10(unit.abs());
+        let is_decimal = (power - libm::round(power)).abs() < 1e-9;
+        let written = half_unit(NEXT_DECADE * self.value(number.symbol) / unit, figures);
+        Judged { allowance: if is_decimal { found } else { found + written }, scale: self.scale(number.symbol) / unit }
     }
 
     fn value(&self, symbol: Symbol) -> f64 {
@@ -47,7 +55,7 @@ impl Worked<'_> {
             let Some(root) = step.roots.get(choice).or(step.roots.first()) else { continue };
             for (unknown, closed) in root.values.iter().rev() {
                 let Some(slope) = slopes.get(unknown).copied() else { continue };
-                total += slope.abs() * half_unit(self.value(*unknown), figures);
+                total += slope.abs() * half_unit(NEXT_DECADE * self.value(*unknown), figures);
                 let Closed::Formula(formula) = closed else { continue };
                 let mut partials: BTreeMap<Symbol, f64> = BTreeMap::new();
                 let value = |own| self.value(own);

@@ -129,9 +129,8 @@ impl Variant {
     }
 }
 
-/// The size of a unit in SI units, as the nearest double.
-fn factor(unit: &Unit) -> Bounded {
-    let value = unit.factor().to_f64();
+/// The size of a unit in SI units: the nearest double, with a bound on its error.
+fn factor(value: f64) -> Bounded {
     let exact = value.fract() == 0.0 && value < 9e15;
     Bounded { value, error: if exact { 0.0 } else { value * f64::EPSILON / 2.0 } }
 }
@@ -191,7 +190,7 @@ impl<'a> Worked<'a> {
 
     fn in_unit(&self, value: Bounded, number: &NumberPart) -> Bounded {
         let unit = match &number.unit {
-            AskedUnit::Unit(unit) => Some(factor(unit)),
+            AskedUnit::Unit(_) => Some(factor(number.size)),
             AskedUnit::InTermsOf(symbol) => self.variant.value(*symbol),
         };
         unit.map_or(value, |unit| value.div(&unit))
@@ -201,7 +200,7 @@ impl<'a> Worked<'a> {
     #[must_use]
     pub fn unit_of(&self, number: &NumberPart) -> f64 {
         match &number.unit {
-            AskedUnit::Unit(unit) => unit.factor().to_f64(),
+            AskedUnit::Unit(_) => number.size,
             AskedUnit::InTermsOf(symbol) => self.variant.value(*symbol).map_or(1.0, |value| value.value),
         }
     }
@@ -220,7 +219,7 @@ mod tests {
 
     #[test]
     fn a_unit_larger_than_whole_doubles_reach_is_not_exact() {
-        let error = |unit: &str| factor(&Unit::parse(unit).unwrap()).error;
+        let error = |unit: &str| factor(Unit::parse(unit).unwrap().factor().to_f64()).error;
         assert_eq!((error("km"), error("h")), (0.0, 0.0));
         assert!(error("t Tm^2/s^2") > 0.0 && error("km/h") > 0.0);
     }

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 use std::fmt;
 use std::ops::Neg;
 
-use dashu::base::{Abs, Sign};
+use dashu::base::{Abs, Sign, UnsignedAbs};
 
 use super::{Integer, Rational};
 
@@ -47,6 +47,13 @@ pub enum DecimalFault {
     ExponentTooLarge,
 }
 
+/// The powers of ten that doubles hold exactly.
+#[rustfmt::skip]
+const POWERS_OF_TEN: [f64; 23] = [
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
+    1e21, 1e22,
+];
+
 impl Decimal {
     /// Reads `0.7`, `-3`, `+3`, `.5`, `3.`, `1.2e3`, with no space around it.
     ///
@@ -67,8 +74,11 @@ impl Decimal {
         if exponent.abs() > MAX_EXPONENT {
             return Err(DecimalFault::ExponentTooLarge);
         }
-        let unscaled = Integer::from_str_radix(&format!("{whole}{fraction}"), 10);
-        let unscaled = unscaled.map_err(|_| DecimalFault::NotANumber { at: 0 })?;
+        let unscaled = match few_digits(whole, fraction) {
+            Some(unscaled) => Integer::from(unscaled),
+            None => Integer::from_str_radix(&format!("{whole}{fraction}"), 10)
+                .map_err(|_| DecimalFault::NotANumber { at: 0 })?,
+        };
         let scale = i32::try_from(fraction.len()).map_err(|_| DecimalFault::TooManyDigits)? - exponent;
         Ok(Self { unscaled, scale })
     }
@@ -116,27 +126,41 @@ impl Decimal {
     /// How many figures are written: leading zeros do not count, trailing zeros do; at least one.
     #[must_use]
     pub fn figures(&self) -> usize {
-        digits_of(&self.unscaled).len()
+        match u64::try_from(&self.unscaled.clone().abs()) {
+            Ok(digits) => digits.checked_ilog10().map_or(1, |places| places as usize + 1),
+            Err(_) => digits_of(&self.unscaled).len(),
+        }
     }
 
     /// The fewest figures that the writing can mean: in an integer such as `1200` trailing zeros may only hold the place.
     #[must_use]
     pub fn least_figures(&self) -> usize {
+        if self.scale != 0 {
+            return self.figures();
+        }
         let digits = digits_of(&self.unscaled);
-        if self.scale == 0 { digits.trim_end_matches('0').len().max(1) } else { digits.len() }
+        digits.trim_end_matches('0').len().max(1)
     }
 
     /// The exact value.
     #[must_use]
     pub fn to_rational(&self) -> Rational {
         let power = power_of_ten(self.scale.unsigned_abs() as usize);
-        let value = Rational::from(self.unscaled.clone());
-        if self.scale >= 0 { value / Rational::from(power) } else { value * Rational::from(power) }
+        if self.scale > 0 {
+            return Rational::from_parts(self.unscaled.clone(), power.unsigned_abs());
+        }
+        Rational::from(&self.unscaled * power)
     }
 
     /// The nearest double.
     #[must_use]
     pub fn to_f64(&self) -> f64 {
+        // Digits and powers of ten that doubles hold exactly need one rounding only.
+        let digits = i64::try_from(&self.unscaled).ok().filter(|digits| digits.unsigned_abs() < 1 << 53);
+        if let (Some(digits), Ok(scale @ 0..=22)) = (digits, usize::try_from(self.scale)) {
+            #[allow(clippy::cast_precision_loss, reason = "below 2^53")]
+            return digits as f64 / POWERS_OF_TEN[scale];
+        }
         self.to_rational().to_f64().value()
     }
 
@@ -192,6 +216,19 @@ impl fmt::Display for Decimal {
         let (whole, fraction) = digits.split_at(digits.len() - places);
         write!(out, "{sign}{whole}.{fraction}")
     }
+}
+
+/// The digits before and behind the point as one integer, where there are few of them.
+fn few_digits(whole: &str, fraction: &str) -> Option<i64> {
+    let digits = whole.trim_start_matches(['+', '-']);
+    if digits.len() + fraction.len() > 18 {
+        return None;
+    }
+    let size = digits
+        .bytes()
+        .chain(fraction.bytes())
+        .try_fold(0_i64, |size, digit| digit.is_ascii_digit().then(|| 10 * size + i64::from(digit - b'0')))?;
+    Some(if whole.starts_with('-') { -size } else { size })
 }
 
 /// How many bytes at the start of the text are a number; 0 where none is.

@@ -1,6 +1,7 @@
 //! Exact factors between units: a rational number times a power of pi.
 
 use std::ops::Mul;
+use std::sync::OnceLock;
 
 use super::decimal::power_of_ten;
 use super::{Integer, Rational};
@@ -46,7 +47,12 @@ impl Mul for Factor {
 }
 
 /// Pi cut off after 60 decimals: enough for every double, whatever power a unit raises it to.
-fn pi_to_60_places() -> Rational {
+fn pi_to_60_places() -> &'static Rational {
+    static PI: OnceLock<Rational> = OnceLock::new();
+    PI.get_or_init(made_pi)
+}
+
+fn made_pi() -> Rational {
     let (groups, places) = PI_DIGITS;
     let join = |sum: Integer, group: &u128| sum * power_of_ten(places / 2) + Integer::from(*group);
     Rational::from(groups.iter().fold(Integer::ZERO, join)) / Rational::from(power_of_ten(places))

@@ -130,6 +130,13 @@ impl Unit {
         self.dimension
     }
 
+    /// Whether its size has a power of pi in it, as that of a degree has.
+    #[must_use]
+    pub fn has_pi(&self) -> bool {
+        let each = self.powers.iter().map(|power| i32::from(power.symbol.row.factor.pi()) * i32::from(power.exponent));
+        each.sum::<i32>() != 0
+    }
+
     /// Its size in the coherent SI unit of its dimension (kilogram, metre, second, radian).
     #[must_use]
     pub fn factor(&self) -> Factor {

@@ -1,8 +1,20 @@
 //! From a written word to the unit that it names, or to the names nearest to it.
 
+use super::Unit;
 use super::prefix::{PREFIXES, Prefix};
 use super::unit::Symbol;
 use super::units_table::{SPELLINGS, UNITS, UnitRow};
+
+impl Unit {
+    /// Every unit of the table by itself, and those that take prefixes with each of them.
+    pub fn all() -> impl Iterator<Item = Self> {
+        let prefixed = |row: &'static UnitRow| PREFIXES.iter().filter(|_| row.prefixes).map(Some);
+        let symbols = UNITS
+            .iter()
+            .flat_map(move |row| std::iter::once(None).chain(prefixed(row)).map(move |prefix| Symbol { prefix, row }));
+        symbols.filter_map(|symbol| Self::from_powers([(symbol, 1)]))
+    }
+}
 
 /// How many near names an unknown unit is answered with.
 const MOST_NEAR: usize = 3;
@@ -19,9 +31,18 @@ fn find_prefixed(word: &str, prefix: &'static Prefix) -> Option<Symbol> {
     let by_symbol = [prefix.symbol].iter().chain(prefix.aliases).find_map(|letter| short(word.strip_prefix(letter)?));
     let by_name = || {
         let rest = word.strip_prefix(prefix.name)?;
-        rows.find(|row| names(row).any(|name| name == rest && name != row.symbol))
+        let spoken = |row: &UnitRow| row.singular == rest || row.plural == rest;
+        rows.find(|row| spoken(row) || row.aliases.contains(&rest) && rest != row.symbol)
     };
     Some(Symbol { prefix: Some(prefix), row: by_symbol.or_else(by_name)? })
+}
+
+/// How many bytes at the start are a name of several words, or one with a hyphen: `nautical miles`, `pound-mass`. Names such as
+/// `miles per hour` are read word by word.
+pub(super) fn long_name(text: &str) -> Option<usize> {
+    let is_whole = |name: &str| !text[name.len()..].starts_with(char::is_alphabetic);
+    let long = UNITS.iter().flat_map(names).filter(|name| name.contains([' ', '-']) && !name.contains(" per "));
+    long.filter(|name| text.starts_with(name) && is_whole(name)).map(str::len).max()
 }
 
 /// What a word that is not a unit's own name stands for.
@@ -70,7 +91,6 @@ fn names(row: &'static UnitRow) -> impl Iterator<Item = &'static str> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::quantity::Unit;
 
     #[test]
     fn every_name_has_one_meaning() {

@@ -126,6 +126,13 @@ impl<'text> Reader<'text> {
         self.next += 1;
         let base = match token {
             Token::Word(word) => word_powers(word, span, depth)?,
+            Token::Power(power) => match self.peek() {
+                Some((Token::Word(word), span)) => {
+                    self.next += 1;
+                    return Ok(raise(word_powers(word, span, depth)?, power));
+                }
+                _ => return Err(self.unexpected(span)),
+            },
             Token::Open if depth >= MAX_DEPTH => return Err(UnitFault { kind: UnitFaultKind::TooLong, span }),
             Token::Open => {
                 let inner = self.product(depth + 1)?;

@@ -2,6 +2,7 @@
 
 use crate::fault::Span;
 
+use super::unit_lookup::long_name;
 use super::{UnitFault, UnitFaultKind};
 
 /// The longest text that is read as a unit, in bytes.
@@ -18,6 +19,8 @@ pub(super) enum Token<'text> {
     One,
     /// An exponent, of what stands before it.
     Exponent(i32),
+    /// A power in words before its unit: `square`, `cubic`.
+    Power(i32),
     /// A sign of multiplication; a space is none.
     Times,
     /// A fraction bar, or the word `per`.
@@ -44,6 +47,8 @@ pub(super) fn tokens(text: &str) -> Result<Vec<(Token<'_>, Span)>, UnitFault> {
             found.last().is_some_and(|(token, span)| span.end == at && matches!(token, Token::Word(_) | Token::Close));
         let token = if first.is_whitespace() {
             None
+        } else if let Some((value, length)) = spoken_power(rest) {
+            Some((Token::Exponent(value), length))
         } else if let Some(exponent) = read_exponent(rest, follows) {
             let (value, length) = exponent;
             let fault = UnitFault::new(UnitFaultKind::Exponent, at, at + length);
@@ -73,12 +78,33 @@ fn read_sign_or_word(rest: &str, first: char) -> Option<(Token<'_>, usize)> {
         '1' if !rest[1..].starts_with(|next: char| next.is_ascii_digit() || next == '.') => Token::One,
         '°' | '%' => return Some((Token::Word(&rest[..first.len_utf8()]), first.len_utf8())),
         letter if letter.is_alphabetic() => {
-            let word = &rest[..rest.find(|next: char| !next.is_alphabetic()).unwrap_or(rest.len())];
-            return Some((if word == "per" { Token::Divide } else { Token::Word(word) }, word.len()));
+            let end = rest.find(|next: char| !next.is_alphabetic()).unwrap_or(rest.len());
+            let goes_on = rest[end..].starts_with([' ', '-']);
+            let word = &rest[..goes_on.then(|| long_name(rest)).flatten().unwrap_or(end)];
+            let token = match word {
+                "per" => Token::Divide,
+                "square" => Token::Power(2),
+                "cubic" => Token::Power(3),
+                _ => Token::Word(word),
+            };
+            return Some((token, word.len()));
         }
         _ => return None,
     };
     Some((token, first.len_utf8()))
+}
+
+/// An exponent in words behind its unit, and its length: `squared`, `cubed`, `to the power of 4`.
+fn spoken_power(rest: &str) -> Option<(i32, usize)> {
+    let is_whole = |word: &str| !rest[word.len()..].starts_with(char::is_alphabetic);
+    for (word, value) in [("squared", 2), ("cubed", 3)] {
+        if rest.starts_with(word) && is_whole(word) {
+            return Some((value, word.len()));
+        }
+    }
+    let digits = rest.strip_prefix("to the power of ")?;
+    let (value, length) = read_integer(digits);
+    Some((value.filter(|value| value.abs() <= MAX_EXPONENT)?, rest.len() - digits.len() + length))
 }
 
 /// An exponent and its length: `^-1`, `**2`, `^{-1}`, `^(2)`, `⁻¹`, and directly behind a word also `2` and `-1`.

@@ -32,6 +32,7 @@
 mod audit;
 mod ball;
 mod basis;
+mod batch;
 mod bits;
 mod blocks;
 mod bounded;
@@ -50,6 +51,7 @@ mod program;
 mod rank;
 mod real;
 mod replay;
+mod sample;
 mod search;
 mod structure;
 mod stuck;
@@ -62,6 +64,7 @@ mod writer;
 
 pub use audit::{Audit, audit};
 pub use ball::Ball;
+pub use batch::{Batch, BatchValues, BatchWriter};
 pub use bounded::Bounded;
 pub use evaluate::evaluate;
 pub use exact::Exact;

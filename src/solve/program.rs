@@ -125,6 +125,15 @@ impl Program {
         &self.unchecked
     }
 
+    /// Whether it only computes: no choice of roots, no search, and nothing to judge.
+    #[must_use]
+    pub fn is_plain(&self) -> bool {
+        let runs = |work: &Work| matches!(work, Work::Run(_));
+        self.is_straight()
+            && self.stages.iter().all(|own| own.tests.is_empty())
+            && self.stages.iter().flat_map(|own| &own.roots).flat_map(|own| &own.work).all(runs)
+    }
+
     /// Whether no step has a choice of roots.
     pub(super) fn is_straight(&self) -> bool {
         self.stages.iter().all(|stage| stage.roots.len() == 1)

@@ -66,6 +66,20 @@ pub enum Relation {
     Differs,
 }
 
+impl Relation {
+    /// What holds where this does not; that two sides differ is its own opposite, since equality is no comparison.
+    #[must_use]
+    pub fn opposite(self) -> Self {
+        match self {
+            Self::Less => Self::AtLeast,
+            Self::AtMost => Self::Greater,
+            Self::Greater => Self::AtMost,
+            Self::AtLeast => Self::Less,
+            Self::Differs => Self::Differs,
+        }
+    }
+}
+
 /// An inequality that holds in every true solution.
 #[derive(Clone, Debug)]
 pub struct Condition {

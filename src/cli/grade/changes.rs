@@ -8,14 +8,17 @@ use crate::cli::output::Output;
 use crate::cli::table::Table;
 use crate::grade::PartReport;
 
-use super::sink::HEAD;
-use super::submission::Submission;
+use super::submission::{Key, Submission};
+
+/// The columns that are read.
+const READ: [&str; 10] =
+    ["line", "student", "problem", "seed", "form", "attempt", "part", "marks", "out_of", "verdict"];
 
 /// The marks of an earlier run, read beside those of this one: both are in the order of the submissions.
 pub(super) struct Changes {
     name: String,
     old: Table,
-    columns: [usize; HEAD.len()],
+    columns: [usize; READ.len()],
     output: Output,
     moved: u64,
     compared: u64,
@@ -25,8 +28,8 @@ impl Changes {
     /// Opens the marks of an earlier run, a table that `momentous grade` wrote.
     pub(super) fn since(path: &Path) -> Result<Self, Failure> {
         let old = Table::open(path)?;
-        let mut columns = [0; HEAD.len()];
-        for (index, heading) in HEAD.iter().enumerate() {
+        let mut columns = [0; READ.len()];
+        for (index, heading) in READ.iter().enumerate() {
             columns[index] = old.column(heading).ok_or_else(|| {
                 let help = "give the file that an earlier `momentous grade -o` wrote";
                 Failure::unusable(format!("{} has no column `{heading}`\nhelp: {help}", path.display()))
@@ -37,14 +40,14 @@ impl Changes {
 
     /// Compares what was found about one part with the earlier marks.
     pub(super) fn part(&mut self, submission: &Submission, part: &PartReport) -> Result<(), Failure> {
-        let [line, student, problem, seed, form, attempt, name, marks, out_of, verdict, ..] = self.columns;
+        let [line, student, problem, seed, form, attempt, name, marks, out_of, verdict] = self.columns;
         let key = [
             submission.place.to_string(),
-            submission.key("student").to_owned(),
-            submission.key("problem").to_owned(),
-            submission.key("seed").to_owned(),
-            submission.key("form").to_owned(),
-            submission.key("attempt").to_owned(),
+            submission.key(Key::Student).to_owned(),
+            submission.key(Key::Problem).to_owned(),
+            submission.key(Key::Seed).to_owned(),
+            submission.key(Key::Form).to_owned(),
+            submission.key(Key::Attempt).to_owned(),
             part.id.clone(),
         ];
         let same = |row: &csv::StringRecord| {

@@ -14,7 +14,7 @@ use crate::cli::output::Output;
 use crate::grade::PartReport;
 use crate::grade::Verdict;
 
-use super::submission::{Place, Submission};
+use super::submission::{Key, Place, Submission};
 
 /// The cases so far, by problem.
 #[derive(Default)]
@@ -32,11 +32,11 @@ impl Junit {
         };
         status.set_type(part.verdict.code());
         status.set_message(&*part.message);
-        let student = submission.key("student");
+        let student = submission.key(Key::Student);
         let who = if student.is_empty() { format!("line {}", submission.place) } else { student.to_owned() };
-        let mut case = TestCase::new(format!("{who}, seed {}: {}", submission.key("seed"), part.id), status);
-        case.set_classname(submission.key("problem"));
-        self.suites.entry(submission.key("problem").to_owned()).or_default().push(case);
+        let mut case = TestCase::new(format!("{who}, seed {}: {}", submission.key(Key::Seed), part.id), status);
+        case.set_classname(submission.key(Key::Problem));
+        self.suites.entry(submission.key(Key::Problem).to_owned()).or_default().push(case);
     }
 
     /// Adds a submission that could not be used.

@@ -1,22 +1,18 @@
 //! Submissions of one chunk, marked by all cores, in the order in which they came.
 
-use std::collections::BTreeMap;
-use std::sync::Arc;
-
 use rayon::prelude::*;
 
-use crate::cli::open;
-use crate::exercise::Drawer;
-use crate::grade::DecimalMark;
+use crate::cli::failure::Failure;
 use crate::grade::Report;
-use crate::problem::Problem;
 
+use super::desk::Desk;
 use super::problems::Problems;
+use super::sink::{MarksFormat, Rows};
 use super::source::Next;
-use super::submission::{Place, Submission};
+use super::submission::{Key, Place, Submission};
 
 /// Submissions that one core marks in one go.
-const PORTION: usize = 256;
+const PORTION: usize = 4096;
 
 /// A submission with what was found, or why it cannot be used.
 pub(super) enum Marked {
@@ -24,91 +20,80 @@ pub(super) enum Marked {
     Unusable(Place, String),
 }
 
-/// A submission whose problem and form are known.
-struct Ready {
-    position: usize,
-    submission: Submission,
-    problem: Arc<Problem>,
-    form: usize,
-    seed: u64,
+/// What became of a portion.
+pub(super) struct Portion {
+    /// The rows of the result.
+    pub rows: Vec<u8>,
+    /// The submissions in their order; only those that cannot be used where the others are not wanted.
+    pub marked: Vec<Marked>,
+    /// Whether everything that counts is right.
+    pub is_right: bool,
 }
 
-/// Marks a chunk. Submissions to the same form are marked together, because what draws a form can be used again.
-pub(super) fn marked(chunk: Vec<Next>, problems: &mut Problems, mark: DecimalMark) -> Vec<Marked> {
-    let mut results: Vec<Option<Marked>> = Vec::new();
-    results.resize_with(chunk.len(), || None);
-    let mut groups: BTreeMap<(String, usize), Vec<Ready>> = BTreeMap::new();
-    for (position, next) in chunk.into_iter().enumerate() {
-        match next.and_then(|submission| ready(position, submission, problems)) {
-            Ok(ready) => groups.entry((ready.problem.id().to_owned(), ready.form)).or_default().push(ready),
-            Err((place, message)) => results[position] = Some(Marked::Unusable(place, message)),
+/// Marks a chunk. It has all attempts of a student at a question, or none.
+pub(super) fn marked(
+    mut chunk: Vec<Next>,
+    problems: &mut Problems,
+    format: MarksFormat,
+    keep: bool,
+) -> Result<Vec<Portion>, Failure> {
+    for submission in chunk.iter().flatten() {
+        problems.meet(submission.key(Key::Problem));
+    }
+    let problems = &*problems;
+    let mut portions: Vec<Vec<Next>> = Vec::new();
+    while !chunk.is_empty() {
+        let mut end = PORTION.min(chunk.len());
+        while end < chunk.len() && are_beside(&chunk[end - 1], &chunk[end]) {
+            end += 1;
         }
+        let rest = chunk.split_off(end);
+        portions.push(std::mem::replace(&mut chunk, rest));
     }
-    let portions: Vec<Vec<Ready>> = groups.into_values().flat_map(portions).collect();
-    let done: Vec<(usize, Marked)> =
-        portions.into_par_iter().flat_map_iter(|portion| together(portion, mark)).collect();
-    for (position, marked) in done {
-        results[position] = Some(marked);
-    }
-    results.into_iter().flatten().collect()
+    portions.into_par_iter().map(|portion| at_one_desk(portion, problems, format, keep)).collect()
 }
 
-/// A group cut into pieces, so that every core has some.
-fn portions(mut group: Vec<Ready>) -> Vec<Vec<Ready>> {
-    let mut portions = Vec::new();
-    while group.len() > PORTION {
-        let rest = group.split_off(PORTION);
-        portions.push(std::mem::replace(&mut group, rest));
-    }
-    portions.push(group);
-    portions
+/// Whether two submissions are attempts of one student at one question.
+pub(super) fn are_beside(one: &Next, other: &Next) -> bool {
+    matches!((one, other), (Ok(one), Ok(other)) if one.is_beside(other))
 }
 
-fn ready(position: usize, submission: Submission, problems: &mut Problems) -> Result<Ready, (Place, String)> {
-    let found = (|| {
-        let problem = problems.open(submission.key("problem"))?;
-        let digest = &problem.loaded().digest;
-        if !submission.key("digest").is_empty() && submission.key("digest") != digest {
-            return Err(format!("the sheet was made from another version of {}: its digest is {digest}", problem.id()));
-        }
-        let text = submission.key("seed");
-        let seed = open::seed(text).map_err(|why| format!("`{text}` is no seed: {why}"))?;
-        let form = Some(submission.key("form")).filter(|form| !form.is_empty());
-        let form = open::form(&problem, form).map_err(|failure| failure.to_string())?;
-        Ok((problem, form, seed))
-    })();
-    match found {
-        Ok((problem, form, seed)) => Ok(Ready { position, submission, problem, form, seed }),
-        Err(message) => Err((submission.place, message)),
-    }
-}
-
-/// Marks submissions to the same form.
-fn together(portion: Vec<Ready>, mark: DecimalMark) -> Vec<(usize, Marked)> {
-    let Some((problem, form)) = portion.first().map(|first| (Arc::clone(&first.problem), first.form)) else {
-        return Vec::new();
-    };
-    let mut drawer = Drawer::new(&problem, form);
-    let mut one = |ready: Ready| {
-        let report = match &mut drawer {
-            Ok(drawer) => drawer.draw(ready.seed).map_err(|reason| reason.to_string()),
-            Err(reason) => Err(reason.to_string()),
-        };
-        let report = report.and_then(|exercise| {
-            let answers = ready.submission.answers().map(|(part, answer)| (part.to_owned(), answer.to_owned()));
-            let report = exercise.grade(&answers.collect(), mark);
-            match report.not_asked.first() {
-                Some(name) => {
-                    Err(format!("`{name}` has an answer, and {} does not ask for it in this form", problem.id()))
-                }
-                None => Ok(report),
+fn at_one_desk(portion: Vec<Next>, problems: &Problems, format: MarksFormat, keep: bool) -> Result<Portion, Failure> {
+    let mut desk = Desk::new(problems);
+    let mut rows = Rows::new(format);
+    let mut done = Portion { rows: Vec::new(), marked: Vec::new(), is_right: true };
+    let mut rest = portion.into_iter().peekable();
+    while let Some(next) = rest.next() {
+        let first = match next {
+            Ok(submission) => submission,
+            Err((place, message)) => {
+                done.marked.push(Marked::Unusable(place, message));
+                continue;
             }
-        });
-        let marked = match report {
-            Ok(report) => Marked::Report(ready.submission, report),
-            Err(message) => Marked::Unusable(ready.submission.place, message),
         };
-        (ready.position, marked)
-    };
-    portion.into_iter().map(&mut one).collect()
+        let mut attempts = vec![first];
+        while let Some(Ok(more)) = rest.next_if(|next| {
+            let last = attempts.last();
+            matches!((last, next), (Some(last), Ok(next)) if last.is_beside(next))
+        }) {
+            attempts.push(more);
+        }
+        let reports = desk.mark(&attempts);
+        for (submission, report) in attempts.into_iter().zip(reports) {
+            match report {
+                Ok(report) => {
+                    for part in &report.parts {
+                        done.is_right &= part.verdict.is_right() || !part.counts;
+                        rows.part(&submission, part)?;
+                    }
+                    if keep {
+                        done.marked.push(Marked::Report(submission, report));
+                    }
+                }
+                Err(message) => done.marked.push(Marked::Unusable(submission.place, message)),
+            }
+        }
+    }
+    done.rows = rows.into_bytes()?;
+    Ok(done)
 }

@@ -1,6 +1,7 @@
 //! `momentous grade`
 
 mod changes;
+mod desk;
 mod junit;
 mod marked;
 mod problems;

@@ -1,4 +1,4 @@
-//! Where the marks go: a table, or JSON lines.
+//! Where the marks go: a table, or JSON lines. Rows are written by every core into memory of its own, and joined in order.
 
 use std::io::Write;
 use std::path::Path;
@@ -9,12 +9,13 @@ use serde::Serialize;
 use crate::cli::failure::Failure;
 use crate::cli::output::Output;
 use crate::grade::PartReport;
+use crate::grade::Points;
 
 use super::source::is_json;
-use super::submission::Submission;
+use super::submission::{Key, Submission};
 
 /// The headings of the table.
-pub(super) const HEAD: [&str; 12] = [
+pub(super) const HEAD: [&str; 15] = [
     "line",
     "student",
     "problem",
@@ -27,6 +28,9 @@ pub(super) const HEAD: [&str; 12] = [
     "verdict",
     "message",
     "understood",
+    "counts",
+    "mistakes",
+    "follows_from",
 ];
 
 /// The format of the marks.
@@ -39,87 +43,138 @@ pub(super) enum MarksFormat {
 }
 
 /// Where the marks go.
-pub(super) enum Sink {
-    Table(Box<csv::Writer<Output>>),
-    Lines(Output),
+pub(super) struct Sink {
+    output: Output,
+    format: MarksFormat,
 }
 
-/// A line of the marks as JSON: the columns of the table under the same names.
+/// Rows on their way.
+pub(super) enum Rows {
+    Table(Box<csv::Writer<Vec<u8>>>),
+    Lines(Vec<u8>),
+}
+
+/// A row of the marks: the columns of the table, under the same names.
 #[derive(Serialize)]
-struct MarksRow<'a> {
-    line: String,
+struct Row<'a> {
+    line: &'a str,
     student: &'a str,
     problem: &'a str,
     seed: &'a str,
     form: &'a str,
     attempt: &'a str,
     part: &'a str,
-    marks: &'a crate::grade::Points,
+    marks: &'a Points,
     out_of: u32,
     verdict: &'static str,
     message: &'a str,
     understood: Option<&'a str>,
+    counts: &'static str,
+    mistakes: String,
+    follows_from: String,
 }
 
 impl Sink {
     /// To a file or standard output; JSON where that is said, or where the file's name says so.
     pub(super) fn to(path: Option<&Path>, format: Option<MarksFormat>) -> Result<Self, Failure> {
-        let output = Output::to(path)?;
+        let mut output = Output::to(path)?;
         let format = format.unwrap_or_else(|| match path {
             Some(path) if is_json(path) => MarksFormat::Json,
             _ => MarksFormat::Csv,
         });
-        Ok(match format {
-            MarksFormat::Json => Self::Lines(output),
-            MarksFormat::Csv => {
-                let mut table = csv::Writer::from_writer(output);
-                table.write_record(HEAD).map_err(unwritten)?;
-                Self::Table(Box::new(table))
-            }
-        })
+        if format == MarksFormat::Csv {
+            writeln!(output, "{}", HEAD.join(","))?;
+        }
+        Ok(Self { output, format })
     }
 
-    /// Writes what was found about one part.
-    pub(super) fn part(&mut self, submission: &Submission, part: &PartReport) -> Result<(), Failure> {
-        let place = submission.place.to_string();
-        match self {
-            Self::Table(table) => {
-                let copied = ["student", "problem", "seed", "form", "attempt"].map(|key| submission.key(key));
-                let marks = [part.points.to_string(), part.out_of.to_string()];
-                let understood = part.understood.as_deref().unwrap_or_default();
-                let found = [&part.id, marks[0].as_str(), &marks[1], part.verdict.code(), &part.message, understood];
-                table.write_record(std::iter::once(place.as_str()).chain(copied).chain(found)).map_err(unwritten)
-            }
-            Self::Lines(output) => {
-                let line = MarksRow {
-                    line: place,
-                    student: submission.key("student"),
-                    problem: submission.key("problem"),
-                    seed: submission.key("seed"),
-                    form: submission.key("form"),
-                    attempt: submission.key("attempt"),
-                    part: &part.id,
-                    marks: &part.points,
-                    out_of: part.out_of,
-                    verdict: part.verdict.code(),
-                    message: &part.message,
-                    understood: part.understood.as_deref(),
-                };
-                serde_json::to_writer(&mut *output, &line)?;
-                Ok(output.write_all(b"\n")?)
-            }
-        }
+    pub(super) fn format(&self) -> MarksFormat {
+        self.format
+    }
+
+    /// Writes rows.
+    pub(super) fn write(&mut self, rows: &[u8]) -> Result<(), Failure> {
+        Ok(self.output.write_all(rows)?)
     }
 
     /// Lets the result appear.
     pub(super) fn finish(self) -> Result<(), Failure> {
+        self.output.finish()
+    }
+}
+
+impl Rows {
+    /// No rows yet.
+    pub(super) fn new(format: MarksFormat) -> Self {
+        match format {
+            MarksFormat::Json => Self::Lines(Vec::new()),
+            MarksFormat::Csv => Self::Table(Box::new(csv::Writer::from_writer(Vec::new()))),
+        }
+    }
+
+    /// Adds what was found about one part.
+    pub(super) fn part(&mut self, submission: &Submission, part: &PartReport) -> Result<(), Failure> {
+        let place = submission.place.to_string();
+        let row = Row {
+            line: &place,
+            student: submission.key(Key::Student),
+            problem: submission.key(Key::Problem),
+            seed: submission.key(Key::Seed),
+            form: submission.key(Key::Form),
+            attempt: submission.key(Key::Attempt),
+            part: &part.id,
+            marks: &part.points,
+            out_of: part.out_of,
+            verdict: part.verdict.code(),
+            message: &part.message,
+            understood: part.understood.as_deref(),
+            counts: if part.counts { "yes" } else { "no" },
+            mistakes: part.diagnosis.as_ref().map(|own| own.codes.join(" ")).unwrap_or_default(),
+            follows_from: part.follows.as_ref().map(|own| own.from.join(" ")).unwrap_or_default(),
+        };
         match self {
-            Self::Lines(output) => output.finish(),
-            Self::Table(table) => {
-                let output = table.into_inner();
-                output.map_err(|error| Failure::from(std::io::Error::other(error.error().to_string())))?.finish()
+            Self::Table(table) => row.write_to(table).map_err(unwritten),
+            Self::Lines(lines) => {
+                serde_json::to_writer(&mut *lines, &row)?;
+                lines.push(b'\n');
+                Ok(())
             }
         }
+    }
+
+    /// The bytes of all rows.
+    pub(super) fn into_bytes(self) -> Result<Vec<u8>, Failure> {
+        match self {
+            Self::Lines(lines) => Ok(lines),
+            Self::Table(table) => {
+                table.into_inner().map_err(|error| Failure::from(std::io::Error::other(error.error().to_string())))
+            }
+        }
+    }
+}
+
+impl Row<'_> {
+    /// The cells, in the order of [`HEAD`].
+    fn write_to(&self, table: &mut csv::Writer<Vec<u8>>) -> Result<(), csv::Error> {
+        let (marks, out_of) = (self.marks.to_string(), self.out_of.to_string());
+        let cells: [&str; HEAD.len()] = [
+            self.line,
+            self.student,
+            self.problem,
+            self.seed,
+            self.form,
+            self.attempt,
+            self.part,
+            &marks,
+            &out_of,
+            self.verdict,
+            self.message,
+            self.understood.unwrap_or_default(),
+            self.counts,
+            &self.mistakes,
+            &self.follows_from,
+        ];
+        table.write_record(cells)
     }
 }
 

@@ -17,7 +17,7 @@ use crate::bank::files_under;
 use crate::cli::failure::Failure;
 use crate::cli::table::Table;
 
-use super::submission::{Columns, Place, Submission};
+use super::submission::{Columns, Key, Place, Submission};
 
 /// A line of JSON that is longer than this is none of ours.
 const LONGEST_LINE: u64 = 1 << 20;
@@ -46,11 +46,11 @@ impl Source {
             let file = File::open(path).map_err(|error| Failure::file(path, "read", &error))?;
             return Ok(Self::Lines(BufReader::new(file), 0));
         }
-        let table = Table::open(path)?;
+        let table = Table::as_it_stands(path)?;
         let columns = Columns::of(table.headings.iter().map(String::as_str));
-        for needed in ["problem", "seed"] {
+        for (needed, heading) in [(Key::Problem, "problem"), (Key::Seed, "seed")] {
             if !columns.has(needed) {
-                return Err(Failure::unusable(format!("{} has no column `{needed}`", path.display())));
+                return Err(Failure::unusable(format!("{} has no column `{heading}`", path.display())));
             }
         }
         Ok(Self::Table(Box::new(table), Arc::new(columns)))
@@ -135,6 +135,8 @@ struct Written {
     #[serde(default)]
     attempt: Value,
     #[serde(default)]
+    hints: Value,
+    #[serde(default)]
     answers: Map<String, Value>,
 }
 
@@ -148,6 +150,7 @@ fn flat(value: &Value) -> Result<(Columns, StringRecord), String> {
         ("seed", &written.seed),
         ("form", &written.form),
         ("attempt", &written.attempt),
+        ("hints", &written.hints),
     ];
     let answers = written.answers.iter().map(|(part, answer)| (part.as_str(), answer));
     let cells: Vec<(&str, String)> = keys
@@ -181,7 +184,7 @@ mod tests {
         let shown = |next: Next| match next {
             Ok(submission) => {
                 let answers: Vec<_> = submission.answers().map(|(part, answer)| format!("{part}={answer}")).collect();
-                Ok(format!("{} {} {}", submission.place, submission.key("seed"), answers.join(" ")))
+                Ok(format!("{} {} {}", submission.place, submission.key(Key::Seed), answers.join(" ")))
             }
             Err((place, message)) => Err(format!("{place}: {message}")),
         };

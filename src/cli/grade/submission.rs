@@ -7,7 +7,30 @@ use std::sync::Arc;
 use csv::StringRecord;
 
 /// The columns, or keys, that are not parts.
-pub(super) const KEYS: [&str; 6] = ["student", "problem", "digest", "seed", "form", "attempt"];
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Key {
+    Student,
+    Problem,
+    Digest,
+    Seed,
+    Form,
+    Attempt,
+    Hints,
+}
+
+/// Every key with its heading, in the order of the type.
+pub(super) const KEYS: [(Key, &str); 7] = [
+    (Key::Student, "student"),
+    (Key::Problem, "problem"),
+    (Key::Digest, "digest"),
+    (Key::Seed, "seed"),
+    (Key::Form, "form"),
+    (Key::Attempt, "attempt"),
+    (Key::Hints, "hints"),
+];
+
+/// The keys that two attempts at the same question share.
+const SHARED: [Key; 5] = [Key::Student, Key::Problem, Key::Digest, Key::Seed, Key::Form];
 
 /// Where a submission stands.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -39,8 +62,8 @@ impl Columns {
     pub(super) fn of<'a>(headings: impl Iterator<Item = &'a str>) -> Self {
         let mut columns = Self::default();
         for (index, heading) in headings.enumerate() {
-            match KEYS.iter().position(|key| key.eq_ignore_ascii_case(heading)) {
-                Some(key) => columns.keys[key] = columns.keys[key].or(Some(index)),
+            match KEYS.iter().find(|(_, own)| own.eq_ignore_ascii_case(heading)) {
+                Some((key, _)) => columns.keys[*key as usize] = columns.keys[*key as usize].or(Some(index)),
                 None if heading.is_empty() => {}
                 None => columns.parts.push((heading.to_owned(), index)),
             }
@@ -49,8 +72,8 @@ impl Columns {
     }
 
     /// Whether there is a column for that key.
-    pub(super) fn has(&self, key: &str) -> bool {
-        KEYS.iter().position(|own| *own == key).is_some_and(|index| self.keys[index].is_some())
+    pub(super) fn has(&self, key: Key) -> bool {
+        self.keys[key as usize].is_some()
     }
 }
 
@@ -68,15 +91,34 @@ impl Submission {
     }
 
     /// What stands under a key; nothing where there is none.
-    pub(super) fn key(&self, key: &str) -> &str {
-        let column = KEYS.iter().position(|own| *own == key).and_then(|index| self.columns.keys[index]);
-        column.and_then(|column| self.row.get(column)).unwrap_or_default()
+    pub(super) fn key(&self, key: Key) -> &str {
+        self.columns.keys[key as usize].and_then(|column| self.row.get(column)).unwrap_or_default().trim()
     }
 
     /// The parts that were answered, each with the answer.
     pub(super) fn answers(&self) -> impl Iterator<Item = (&str, &str)> {
         let parts = self.columns.parts.iter();
-        let answers = parts.filter_map(|(part, column)| Some((part.as_str(), self.row.get(*column)?)));
+        let answers = parts.filter_map(|(part, column)| Some((part.as_str(), self.row.get(*column)?.trim())));
         answers.filter(|(_, answer)| !answer.is_empty())
+    }
+
+    /// Whether both are attempts of one student at one question. What has no student is nobody's second attempt.
+    pub(super) fn is_beside(&self, other: &Self) -> bool {
+        !self.key(Key::Student).is_empty() && SHARED.iter().all(|key| self.key(*key) == other.key(*key))
+    }
+
+    /// The number of the attempt, from 1; none where nothing, or no number, stands there.
+    pub(super) fn attempt(&self) -> Option<u32> {
+        self.key(Key::Attempt).parse().ok().filter(|number| *number > 0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_keys_stand_in_the_order_of_the_type() {
+        assert!(KEYS.iter().enumerate().all(|(place, (key, _))| *key as usize == place));
     }
 }

@@ -48,7 +48,7 @@ enum Limit {
 
 impl<'a> Target<'a> {
     pub(super) fn new(expected: &'a ExpectedNumber) -> Self {
-        let turn = expected.cyclic.then(|| std::f64::consts::TAU / expected.unit.factor().to_f64());
+        let turn = expected.cyclic.then(|| std::f64::consts::TAU / expected.size);
         let value = turn.map_or(expected.value, |turn| nearest(expected.value, turn));
         let tolerance = match &expected.tolerance {
             _ if expected.whole => 0.0,
@@ -72,6 +72,11 @@ impl<'a> Target<'a> {
     /// How far an answer may lie from the right value.
     pub(super) fn tolerance(&self) -> f64 {
         self.tolerance
+    }
+
+    /// How far an answer may lie from the value that is known of the right one.
+    pub(super) fn reach(&self) -> f64 {
+        self.tolerance + self.expected.error
     }
 
     /// Whether the tolerance alone accepts the number.

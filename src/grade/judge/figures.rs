@@ -23,7 +23,7 @@ pub(super) fn judged(
     let Some((verdict, message)) = finding(target, written, number, converted) else { return judgement };
     match expected.writing {
         Writing::Require => Judgement::of(verdict, message),
-        Writing::Ignore | Writing::Advise => judgement.told(Some(message)),
+        Writing::Ignore | Writing::Advise => judgement.with(message),
     }
 }
 

@@ -8,13 +8,24 @@ use super::closeness::Target;
 
 /// The largest slip that is looked for.
 const LARGEST: isize = 9;
+/// The powers of ten up to there.
+const POWERS: [f64; 10] = [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9];
 
 /// The power of ten by which the number must be divided to be right, where there is one.
 pub(super) fn power_of_ten(target: &Target, number: &Number) -> Option<isize> {
     if target.expected.cyclic || target.expected.whole || number.is_zero() || target.value() == 0.0 {
         return None;
     }
+    let (given, value, reach) = (number.to_f64(), target.value(), 2.0 * target.reach());
+    let is_near = |power: isize| {
+        let size = POWERS[power.unsigned_abs().min(POWERS.len() - 1)];
+        let scaled = if power > 0 { given / size } else { given * size };
+        (scaled - value).abs() <= reach + 1e-9 * (scaled.abs() + value.abs())
+    };
     let is_right = |power: &isize| {
+        if !is_near(*power) {
+            return false;
+        }
         let scale = Number::exact(Rational::from(10).pow(-power));
         number.times(&scale).is_some_and(|scaled| target.within_tolerance(&scaled))
     };

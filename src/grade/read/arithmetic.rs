@@ -13,6 +13,9 @@ use super::unreadable::UnreadableKind;
 /// How deeply brackets, functions and powers may be nested.
 const MAX_DEPTH: usize = 16;
 
+/// The most numbers, brackets and functions: what they are made of is bounded, and so is all the work.
+const MAX_PARTS: usize = 60;
+
 /// A fault and its byte.
 pub(super) type At<T> = Result<T, (usize, UnreadableKind)>;
 
@@ -47,7 +50,7 @@ impl Form {
 
 /// Reads the calculation at the start of a text, and how many bytes it takes; a unit may follow.
 pub(super) fn read(text: &str, mark: DecimalMark) -> At<(Term, usize)> {
-    let mut reader = Reader { text, at: 0, mark, depth: 0 };
+    let mut reader = Reader { text, at: 0, mark, depth: 0, parts: 0 };
     let term = reader.sum()?;
     Ok((term, reader.at))
 }
@@ -73,6 +76,7 @@ struct Reader<'text> {
     at: usize,
     mark: DecimalMark,
     depth: usize,
+    parts: usize,
 }
 
 impl<'text> Reader<'text> {
@@ -213,6 +217,10 @@ impl<'text> Reader<'text> {
     /// A number, a bracket, pi, or a function with its argument.
     fn primary(&mut self) -> At<Term> {
         self.skip_spaces();
+        self.parts += 1;
+        if self.parts > MAX_PARTS {
+            return self.fault(UnreadableKind::TooManyParts);
+        }
         let rest = self.rest();
         if rest.starts_with('(') {
             return self.nested(Self::bracket);

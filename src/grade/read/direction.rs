@@ -66,7 +66,11 @@ pub(super) fn is_compass_letter(phrase: &str) -> bool {
 
 /// Whether a character is an arrow.
 pub(super) fn is_arrow(character: char) -> bool {
-    DIRECTIONS.iter().any(|words| words.iter().any(|word| word.chars().eq([character]) && !character.is_alphabetic()))
+    // Most characters are letters and digits, and no arrow.
+    !character.is_ascii()
+        && DIRECTIONS
+            .iter()
+            .any(|words| words.iter().any(|word| word.chars().eq([character]) && !character.is_alphabetic()))
 }
 
 fn same(left: &str, right: &str) -> bool {

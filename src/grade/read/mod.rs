@@ -8,6 +8,7 @@ mod formula;
 mod functions;
 mod heading;
 mod interval;
+mod known_units;
 mod names;
 mod numeral;
 mod plain;

@@ -10,6 +10,7 @@ use super::answer::{NumberAnswer, Sense, echo_number};
 use super::arithmetic::{self, Term};
 use super::direction::{self, Phrase};
 use super::heading;
+use super::known_units;
 use super::numeral::DecimalMark;
 use super::plain::Plain;
 use super::unreadable::{Unreadable, UnreadableKind};
@@ -108,6 +109,9 @@ fn leading_direction(
 ) -> Result<(Option<Sense>, usize), (usize, UnreadableKind)> {
     let is_filling = |next: char| next == ' ' || next == '=' || next == '≈' || next == '~';
     let first = text.len() - text.trim_start_matches(is_filling).len();
+    if arithmetic::begins_number(&text[first..]) {
+        return Ok((None, first));
+    }
     let mut words = spans(text, first);
     words.truncate(MOST_WORDS + 1);
     let Some(next) = words.iter().position(|(start, _)| arithmetic::begins_number(&text[*start..])) else {
@@ -132,8 +136,14 @@ fn unit_and_direction(
     senses: Option<&[String; 2]>,
     asked: &Unit,
 ) -> Result<(Option<Unit>, Option<(Sense, usize)>), (usize, UnreadableKind)> {
-    if arithmetic::begins_number(&text[end..]) && !text[end..].trim_start().starts_with("1/") {
+    if arithmetic::begins_number(&text[end..]) && !text[end..].trim_start_matches([' ', '(']).starts_with("1/") {
         return Err((end + text[end..].len() - text[end..].trim_start().len(), UnreadableKind::SecondNumber));
+    }
+    // What is a unit of what is asked has no direction behind it; `N` is then a newton.
+    if let Ok(Some(whole)) = unit(text, end, text.len())
+        && whole.dimension() == asked.dimension()
+    {
+        return Ok((Some(whole), None));
     }
     let words = spans(text, end);
     let mut found = None;
@@ -188,10 +198,11 @@ pub(super) fn unit(text: &str, from: usize, to: usize) -> Result<Option<Unit>, (
         let at = (start + fault.span.start).saturating_sub(shift);
         (at, UnreadableKind::Unit(fault))
     };
-    match written.trim_start().strip_prefix('/') {
+    let bare = written.trim_start();
+    match bare.strip_prefix('/').or_else(|| bare.strip_prefix("per ")) {
         // `5 /s`: five per second.
-        Some(below) => Unit::parse(&format!("1/{below}")).map_err(|found| fault(found, 1)),
-        None => Unit::parse(written).map_err(|found| fault(found, 0)),
+        Some(below) => known_units::parse(&format!("1/{below}")).map_err(|found| fault(found, 1)),
+        None => known_units::parse(written).map_err(|found| fault(found, 0)),
     }
     .map(Some)
 }

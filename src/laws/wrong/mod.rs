@@ -10,6 +10,7 @@ use crate::expr::SymbolTable;
 use super::Sides;
 
 pub mod angular;
+pub mod bouncing;
 pub mod energy;
 pub mod force;
 pub mod geometry;

@@ -38,6 +38,13 @@ pub const LENGTHS: Misconception = Misconception {
     ask: "In which unit is the length given, and in which must it enter?",
     hint: "Convert every length to metres before you calculate.",
 };
+/// Areas in a multiple of the square metre.
+pub const AREAS: Misconception = Misconception {
+    id: "areas-converted-as-lengths",
+    does: "converts an area with the factor of a length",
+    ask: "How many square centimetres fill a square metre?",
+    hint: "Both sides of a square are converted: the factor of the length enters squared.",
+};
 /// Times in a multiple of the second.
 pub const TIMES: Misconception = Misconception {
     id: "times-not-in-seconds",
@@ -101,6 +108,8 @@ pub const MISREADINGS: &[Misreading] = &[
     Misreading { of: &LENGTHS, given: "cm", taken: "m" },
     Misreading { of: &LENGTHS, given: "mm", taken: "m" },
     Misreading { of: &LENGTHS, given: "km", taken: "m" },
+    Misreading { of: &AREAS, given: "cm^2", taken: "m cm" },
+    Misreading { of: &AREAS, given: "mm^2", taken: "m mm" },
     Misreading { of: &TIMES, given: "ms", taken: "s" },
     Misreading { of: &TIMES, given: "min", taken: "s" },
     Misreading { of: &FORCES, given: "kN", taken: "N" },

@@ -11,6 +11,7 @@ use super::WrongForm;
 use super::force::WEIGHT_AS_MASS;
 use super::momentum::START_FORGOTTEN;
 use super::momentum::WEIGHT_FORGOTTEN;
+use super::rewrite::one;
 use super::rewrite::start_forgotten;
 
 /// What leaves a vane counted like what comes.
@@ -34,6 +35,20 @@ pub const BODY_SPEED: Misconception = Misconception {
     ask: "How fast does the stream move as seen from the body?",
     hint: "Take the speed of the body away from that of the stream, for what arrives and for how fast it arrives.",
 };
+/// A stream taken to come back.
+pub const RETURNED: Misconception = Misconception {
+    id: "stream-taken-to-return",
+    does: "lets the stream come straight back, though it does not",
+    ask: "Where does the stream go after it has met the body?",
+    hint: "A stream that comes straight back gives twice the force of one that spreads sideways, or stays.",
+};
+/// `q v / 2` for `q v`.
+pub const STREAM_ENERGY: Misconception = Misconception {
+    id: "energy-for-momentum-of-stream",
+    does: "takes the force from the kinetic energy that the stream gains or loses",
+    ask: "Does all the work of the force become kinetic energy of the stream, or is some of it lost as the stream is slowed or dragged along?",
+    hint: "Use momentum: the force is the mass flow times the change of velocity, without a factor of a half.",
+};
 /// The mass taken to stay.
 pub const MASS_KEPT: Misconception = Misconception {
     id: "rocket-mass-kept",
@@ -54,6 +69,8 @@ pub const STREAM: &[WrongForm] = &[
     WrongForm { of: &LEAVING_ADDED, write: |law| law.both(|side| leaving(side, &|part| -part)) },
     WrongForm { of: &LEAVING_FORGOTTEN, write: |law| law.both(|side| leaving(side, &|_| Expr::zero())) },
     WrongForm { of: &BODY_SPEED, write: body_at_rest },
+    WrongForm { of: &RETURNED, write: returned },
+    WrongForm { of: &STREAM_ENERGY, write: |law| one((law.left(), law.right() * Expr::ratio(1, 2))) },
 ];
 /// Wrong forms of what arrives.
 pub const FLOW: &[WrongForm] = &[WrongForm { of: &BODY_SPEED, write: body_at_rest }];
@@ -83,6 +100,15 @@ fn leaving(term: &Expr, change: &dyn Fn(Expr) -> Expr) -> Expr {
             Expr::sum(changed)
         }
         other => other.map_children(|part| leaving(part, change)),
+    }
+}
+
+/// Twice the force of a stream that neither is turned by an angle nor comes back.
+fn returned(law: &Taught<'_>) -> Vec<Wrong> {
+    if law.right() == leaving(&law.sides.1, &|_| Expr::zero()) {
+        one((law.left(), law.right() * Expr::integer(2)))
+    } else {
+        Vec::new()
     }
 }
 

@@ -1,8 +1,9 @@
-//! Repeated bounces on a level floor, in closed form.
+//! Repeated bounces of a body that was dropped on a level floor, in closed form.
 
 use crate::expr::Expr;
 use crate::fault::Path;
 use crate::laws::Law;
+use crate::laws::bouncing;
 use crate::laws::kinematics;
 use crate::model::Agent;
 use crate::model::Builder;
@@ -13,57 +14,16 @@ use crate::scene::stage::Bounces;
 
 impl Builder<'_> {
     pub(in crate::model) fn bounces(&mut self, index: usize, stage: &Bounces, path: &Path) {
-        let name = self.called(&stage.body);
         let e = self.restitution_coefficient(&stage.restitution, &path.key("restitution"));
-        let gravity = self.gravity();
-        let drop = self.drop_height(index, &stage.body);
-        let first = kinematics::first_fall(&gravity, &drop);
-        let speeds = format!("{name} is dropped, and each bounce multiplies its speed by e");
-        let heights = format!("{speeds}, hence the height that it reaches by the square of e");
-        let times = format!("{speeds}, hence the time of each flight by e");
-        let law =
-            |builder: &mut Self, (law, because): (&'static Law, &str), symbol: (&str, Dimension, String), value| {
-                let symbol = builder.positive(symbol.0, symbol.1, symbol.2);
-                builder.law(law, Some(index), because, (symbol.into(), value));
-            };
-        if let Some(term) = &stage.count {
-            let count = self.read_positive(term, Dimension::NONE, "the number of bounces", &path.key("count"));
-            let height = kinematics::bounce_height(&e, &count, &drop);
-            law(
-                self,
-                (&kinematics::BOUNCE_HEIGHT, &heights),
-                ("h_n", Dimension::LENGTH, format!("the height that {name} reaches after the n-th bounce")),
-                height,
-            );
-            let speed = kinematics::bounce_speed(&e, &count, &gravity, &drop);
-            law(
-                self,
-                (&kinematics::BOUNCE_SPEED, &speeds),
-                ("v_n", Dimension::VELOCITY, format!("the speed of {name} just after the n-th bounce")),
-                speed,
-            );
-            let time = kinematics::bounce_time(&e, &count, &first);
-            law(
-                self,
-                (&kinematics::BOUNCE_TIME, &times),
-                ("t_n", Dimension::TIME, "the time of the n-th bounce, counted from the release".into()),
-                time,
-            );
+        let count = stage
+            .count
+            .as_ref()
+            .map(|term| self.read_positive(term, Dimension::NONE, "the number of bounces", &path.key("count")));
+        if self.is_dropped(index, stage) {
+            self.bounces_after_a_drop(index, stage, &e, count.as_ref());
+        } else {
+            self.bounces_after_arrival(index, stage, [&e, count.as_ref().unwrap_or(&Expr::one())], path);
         }
-        let total = kinematics::total_time(&e, &first);
-        law(
-            self,
-            (&kinematics::BOUNCE_TIME, &times),
-            ("t_total", Dimension::TIME, format!("the time after which {name} lies still, counted from the release")),
-            total,
-        );
-        let path_length = kinematics::total_path(&e, &drop);
-        law(
-            self,
-            (&kinematics::BOUNCE_PATH, &heights),
-            ("path_total", Dimension::LENGTH, format!("the whole path of {name}")),
-            path_length,
-        );
         self.impulses.push(Impulse {
             stage: index,
             on: stage.body.clone(),
@@ -74,6 +34,78 @@ impl Builder<'_> {
         });
         self.omit("air resistance", "the problem does not mention any");
         self.omit("the duration of each contact", "it is short beside the time in the air");
+    }
+
+    /// Whether the height of a drop says how the body arrives: of the fall just before, or `h_0`.
+    fn is_dropped(&self, index: usize, stage: &Bounces) -> bool {
+        let before = index.checked_sub(1).and_then(|before| self.scene.stages.get(before));
+        let falls = matches!(before, Some(Stage::Fall(fall)) if fall.body == stage.body);
+        self.axes.len() == 1 && stage.incline.is_none() && (falls || before.is_none())
+    }
+
+    fn bounces_after_a_drop(&mut self, index: usize, stage: &Bounces, e: &Expr, count: Option<&Expr>) {
+        let name = self.called(&stage.body);
+        let gravity = self.gravity();
+        let drop = self.drop_height(index, &stage.body);
+        if index > 0 {
+            let because = format!("{name} is let go from rest");
+            for velocity in self.velocities(&stage.body, index) {
+                self.law(&kinematics::REST, Some(index), because.clone(), (velocity, Expr::zero()));
+            }
+        }
+        let first = bouncing::first_fall(&gravity, &drop);
+        let speeds = format!("{name} is dropped, and each bounce multiplies its speed by e");
+        let heights = format!("{speeds}, hence the height that it reaches by the square of e");
+        let times = format!("{speeds}, hence the time of each flight by e");
+        let law =
+            |builder: &mut Self, (law, because): (&'static Law, &str), symbol: (&str, Dimension, String), value| {
+                let symbol = builder.positive(symbol.0, symbol.1, symbol.2);
+                builder.law(law, Some(index), because, (symbol.into(), value));
+            };
+        if let Some(count) = count {
+            let height = bouncing::bounce_height(e, count, &drop);
+            law(
+                self,
+                (&bouncing::BOUNCE_HEIGHT, &heights),
+                ("h_n", Dimension::LENGTH, format!("the height that {name} reaches after the n-th bounce")),
+                height,
+            );
+            let speed = bouncing::bounce_speed(e, count, &gravity, &drop);
+            law(
+                self,
+                (&bouncing::BOUNCE_SPEED, &speeds),
+                ("v_n", Dimension::VELOCITY, format!("the speed of {name} just after the n-th bounce")),
+                speed.clone(),
+            );
+            let flight = bouncing::flight(&speed, &gravity);
+            law(
+                self,
+                (&bouncing::BOUNCE_FLIGHT, &times),
+                ("dt_n", Dimension::TIME, format!("the duration of the flight of {name} after the n-th bounce")),
+                flight,
+            );
+            let time = bouncing::bounce_time(e, count, &first);
+            law(
+                self,
+                (&bouncing::BOUNCE_TIME, &times),
+                ("t_n", Dimension::TIME, "the time of the n-th bounce, counted from the release".into()),
+                time,
+            );
+        }
+        let total = bouncing::total_time(e, &first);
+        law(
+            self,
+            (&bouncing::BOUNCE_TIME, &times),
+            ("t_total", Dimension::TIME, format!("the time after which {name} lies still, counted from the release")),
+            total,
+        );
+        let path_length = bouncing::total_path(e, &drop);
+        law(
+            self,
+            (&bouncing::BOUNCE_PATH, &heights),
+            ("path_total", Dimension::LENGTH, format!("the whole path of {name}")),
+            path_length,
+        );
     }
 
     /// The height of the fall just before, or `h_0`.

@@ -8,19 +8,26 @@ use crate::laws::kinematics;
 use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Impulse;
+use crate::model::incline::Fall;
 use crate::quantity::Dimension;
 use crate::scene::Axis;
 use crate::scene::Plane;
+use crate::scene::Stage;
 use crate::scene::Term;
 use crate::scene::stage::Flight;
+use crate::solve::Relation;
 
 impl Builder<'_> {
     pub(in crate::model) fn flight(&mut self, index: usize, stage: &Flight, path: &Path) {
         let time = self.flight_time(index, stage);
         self.lasting[index] = Some(time.clone());
         let bodies: Vec<&str> = stage.flying().collect();
+        let falls = match &stage.incline {
+            Some(_) => self.falling(stage.incline.as_ref(), path).unwrap_or_default(),
+            None => Vec::new(),
+        };
         for body in &bodies {
-            self.free_motion(index, body, &time);
+            self.free_motion(index, body, &time, &falls);
         }
         if let Some(until) = &stage.until {
             self.end_of_flight(index, &bodies, until, &path.key("until"));
@@ -41,8 +48,18 @@ impl Builder<'_> {
         }
     }
 
+    /// The acceleration along the axis of that position, where there is one.
+    fn accelerates(&mut self, position: usize, falls: &[Fall]) -> Option<Expr> {
+        match falls.get(position) {
+            Some(Fall::Towards { acceleration, .. } | Fall::Along(acceleration)) => {
+                (!acceleration.is_zero()).then(|| acceleration.clone())
+            }
+            None => Some(Expr::integer(self.downwards(position)?) * self.gravity()),
+        }
+    }
+
     /// Velocity and place of one body at the end.
-    fn free_motion(&mut self, index: usize, body: &str, time: &Expr) {
+    fn free_motion(&mut self, index: usize, body: &str, time: &Expr, falls: &[Fall]) {
         let name = self.called(body);
         let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
         let mut weight = Vec::new();
@@ -50,7 +67,7 @@ impl Builder<'_> {
             let [before, after] = [index + 1, index + 2].map(|instant| self.velocity(body, instant, *axis));
             let [from, to] = [index + 1, index + 2].map(|instant| self.place(body, instant, *axis));
             let along = if axes.len() > 1 { format!(" along {}", axis.letter()) } else { String::new() };
-            let Some(down) = self.downwards(position) else {
+            let Some(gravity) = self.accelerates(position, falls) else {
                 let because = format!("nothing acts on {name}{along}");
                 self.law(&crate::laws::momentum::NO_IMPULSE, Some(index), because.clone(), (after, before.clone()));
                 let sides = kinematics::uniform(&from, &before, time, &to);
@@ -59,7 +76,6 @@ impl Builder<'_> {
                 continue;
             };
             let because = format!("weight is the only force on {name} in {}", self.stage_phrase(index));
-            let gravity = Expr::integer(down) * self.gravity();
             let gained = gravity.clone() * time.clone();
             self.law(
                 &kinematics::FALL_TIME,
@@ -73,7 +89,7 @@ impl Builder<'_> {
             self.law(&kinematics::FLIGHT_SPEED, Some(index), because, sides);
             weight.push(self.mass(body) * gained);
         }
-        if self.scene.plane == Plane::Vertical {
+        if self.scene.plane == Plane::Vertical || !falls.is_empty() {
             self.impulses.push(Impulse {
                 stage: index,
                 on: body.to_owned(),
@@ -104,9 +120,33 @@ impl Builder<'_> {
             self.faults.push(fault.help(help).at_path(path.clone()));
             return;
         };
-        let [left, right] = [left, right].map(|side| self.places_in(side, index + 2, bodies));
-        let sides = (self.read_any(&left, path), self.read_any(&right, path));
-        self.law(&kinematics::UNTIL, Some(index), format!("{} ends there", self.stage_phrase(index)), sides);
+        let [end, start] = [index + 2, index + 1].map(|instant| {
+            let [left, right] = [left, right].map(|side| self.places_in(side, instant, bodies));
+            (left, right)
+        });
+        let mut sides = (self.read_any(&end.0, path), self.read_any(&end.1, path));
+        let mut because = format!("{} ends there", self.stage_phrase(index));
+        if self.began_there(index, bodies, until) {
+            // The way from the line back to it, so that the root at which it has not left yet drops out exactly.
+            sides = (sides.0 - self.read_any(&start.0, path), sides.1 - self.read_any(&start.1, path));
+            because = format!("{because}, where it also began");
+        }
+        if let Some(time) = self.lasting.get(index).cloned().flatten() {
+            let reason = format!("{} must take some time", self.stage_phrase(index));
+            let condition = self.condition(time, Relation::Greater, Expr::zero(), reason);
+            self.system.conditions.push(condition);
+        }
+        self.law(&kinematics::UNTIL, Some(index), because, sides);
+    }
+
+    /// Whether the flight before ended by the same condition, and the bodies are still there.
+    fn began_there(&self, index: usize, bodies: &[&str], until: &Term) -> bool {
+        bodies.iter().all(|body| {
+            let (body, since) = self.place_since(body, index + 1);
+            let before = since.checked_sub(2).and_then(|before| self.scene.stages.get(before));
+            matches!(before, Some(Stage::Flight(flight))
+                if flight.until.as_ref().is_some_and(|own| own.0.trim() == until.0.trim()) && flight.flying().any(|own| own == body))
+        })
     }
 
     /// A text with the names `x`, `y_A` of places replaced by the names that they have at an instant.

@@ -1,11 +1,12 @@
-//! Repeated bounces on a level floor.
+//! Repeated bounces on a floor.
 
 use schemars::JsonSchema;
 use serde::Deserialize;
 
 use crate::scene::Term;
 
-/// A body that was dropped bounces on a level floor, again and again.
+/// A body bounces on a smooth floor, again and again. Where a fall came before, the body was dropped from rest; otherwise it arrives
+/// with the velocity that it then has.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Bounces {
@@ -16,7 +17,11 @@ pub struct Bounces {
     pub body: String,
     /// The coefficient of restitution at each bounce.
     pub restitution: Term,
-    /// How many bounces `h_n` and `t_n` speak of.
+    /// How many bounces `h_n`, `v_n`, `t_n`, `dt_n`, `x_n` and `range_n` speak of.
     #[serde(default)]
     pub count: Option<Term>,
+    /// The slope of the floor, where the first axis runs along it and the second away from it: `alpha` where the first axis points up
+    /// or down the slope, else `alpha above +x`. Default: a level floor.
+    #[serde(default)]
+    pub incline: Option<Term>,
 }

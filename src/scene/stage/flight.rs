@@ -25,6 +25,10 @@ pub struct Flight {
     /// How long it lasts.
     #[serde(default)]
     pub during: Option<Term>,
+    /// The slope along which the first axis runs, the second pointing away from it: `alpha` where the first axis points up or down
+    /// the slope, else `alpha above +x`. Default: the axes are level and upright.
+    #[serde(default)]
+    pub incline: Option<Term>,
 }
 
 impl Flight {

@@ -1,6 +1,6 @@
 //! The numerical methods, cheapest first, one file each.
 
-mod dormand_prince;
+pub(super) mod dormand_prince;
 mod event_driven;
 mod explicit_euler;
 mod linear_solve;

@@ -48,9 +48,8 @@ impl Values<'_> {
                     || text.strip_prefix(sign) == Some(axis.letter())
             };
             let unit = match axis {
-                Axis::X => [1.0, 0.0],
-                Axis::Y => [0.0, 1.0],
                 Axis::Z => return None,
+                _ => unit(axis),
             };
             if text == axis.letter() || said(&senses.positive, '+') {
                 Some(unit)
@@ -61,8 +60,17 @@ impl Values<'_> {
     }
 }
 
+/// The unit vector along an axis of the plane.
+pub(super) fn unit(axis: Axis) -> [f64; 2] {
+    match axis {
+        Axis::X => [1.0, 0.0],
+        Axis::Y => [0.0, 1.0],
+        Axis::Z => [0.0, 0.0],
+    }
+}
+
 /// A vector turned counter-clockwise.
-fn turned([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
+pub(super) fn turned([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
     let (sin, cos) = (libm::sin(angle), libm::cos(angle));
     [cos * x - sin * y, sin * x + cos * y]
 }

@@ -28,7 +28,7 @@ impl Values<'_> {
         }
     }
 
-    fn coefficient(&self, stage: &Impact) -> Result<f64, NothingToSimulate> {
+    pub(super) fn coefficient(&self, stage: &Impact) -> Result<f64, NothingToSimulate> {
         match &stage.restitution {
             Some(term) => self.term(term),
             None if stage.plastic => Ok(0.0),

@@ -2,19 +2,77 @@
 //!
 //! This is the independent witness of `momentous check`: it reads the scene anew, and shares no code with the laws.
 
+mod bench;
 mod direction;
 mod experiment;
+mod floor;
 mod impact;
+mod impulsive;
+mod integrate;
+mod measure;
 mod motion;
 mod nothing;
+mod stage;
+mod state;
+mod touch;
 mod values;
 
+pub use bench::{Observed, Way};
 pub use experiment::{Reached, Staged};
+pub use impulsive::is_impulsive;
+pub use measure::{Asked, measure, watch};
 pub use nothing::NothingToSimulate;
 
 use crate::scene::{Scene, Stage};
 
+use bench::Bench;
 use values::Values;
+
+/// Simulates a stage of a scene, counted from 0, whatever its kind, and says what is found: with errors of the order of the
+/// tolerance, which a second run with another tolerance makes known. `value` gives the quantities of the scene as for [`translate`].
+///
+/// ```
+/// use momentous::scene::Scene;
+/// use momentous::simulate::scene::observe;
+///
+/// let scene: Scene = serde_json::from_str(r#"{
+///     "axes": { "x": "towards the quay" },
+///     "bodies": { "P": { "name": "the deckhand" }, "B": { "name": "the barge" } },
+///     "stages": [{ "walk": { "body": "P", "on": "B", "distance": "4 m" } }]
+/// }"#).unwrap();
+/// let value = |name: &str| match name { "m_P" => Some(80.0), "m_B" => Some(240.0), _ => None };
+/// let observed = observe(&scene, 0, &value, 1e-11).unwrap();
+/// let barge = observed.found.iter().find(|own| own.name == "s_B").unwrap();
+/// assert!((barge.value + 1.0).abs() < 1e-9);
+/// ```
+///
+/// # Errors
+/// There is nothing to simulate: why.
+pub fn observe(
+    scene: &Scene,
+    stage: usize,
+    value: &dyn Fn(&str) -> Option<f64>,
+    tolerance: f64,
+) -> Result<Observed, NothingToSimulate> {
+    let own = scene.stages.get(stage).ok_or(NothingToSimulate::NoStage)?;
+    let values = Values { scene, value, index: stage };
+    let mut bench = Bench::new(&values, tolerance);
+    bench.stage(own)?;
+    Ok(bench.observed)
+}
+
+/// The value of a term of a scene, where all its names have values.
+#[must_use]
+pub fn value_of(scene: &Scene, text: &str, value: &dyn Fn(&str) -> Option<f64>) -> Option<f64> {
+    Values { scene, value, index: 0 }.number(text).ok()
+}
+
+/// The angle from one direction, as authors write them, to a vector, counter-clockwise positive; between -π and π.
+#[must_use]
+pub fn angle_from(scene: &Scene, from: &str, vector: [f64; 2], value: &dyn Fn(&str) -> Option<f64>) -> Option<f64> {
+    let [x, y] = Values { scene, value, index: 0 }.direction(from).ok()?;
+    Some(libm::atan2(x * vector[1] - y * vector[0], x * vector[0] + y * vector[1]))
+}
 
 /// What simulates a stage of a scene, counted from 0, where `value` gives the quantities of the scene in SI units by their
 /// names: masses `m_A`, velocities `v_A1.x` just before the stage, coefficients, times.

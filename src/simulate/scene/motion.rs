@@ -54,8 +54,10 @@ impl Values<'_> {
     }
 
     /// A strength in the time, and when it changes its law.
-    fn strength(&self, told: &Told) -> Result<(OfTime, Vec<f64>), NothingToSimulate> {
+    pub(super) fn strength(&self, told: &Told) -> Result<(OfTime, Vec<f64>), NothingToSimulate> {
         match told {
+            // A vector has no one strength.
+            Told::Components(_) => Err(NothingToSimulate::Unread),
             Told::Term(term) => Ok((self.of_time(term)?, Vec::new())),
             Told::Pieces(pieces) => {
                 let mut laws = Vec::new();
@@ -102,6 +104,9 @@ impl Values<'_> {
 
     /// Free flight for a known time.
     pub(super) fn flight(&self, stage: &Flight) -> Result<Staged, NothingToSimulate> {
+        if stage.incline.is_some() {
+            return Err(NothingToSimulate::NoMethod);
+        }
         let time = stage.during.as_ref().map_or_else(|| self.duration(), |term| self.term(term))?;
         let mut staged = Staged::default();
         for body in stage.flying() {
@@ -136,7 +141,8 @@ impl Values<'_> {
         let before = self.index.checked_sub(1).and_then(|before| self.scene.stages.get(before));
         let height = match before {
             Some(Stage::Fall(fall)) if fall.body == stage.body => self.term(&fall.height)?,
-            _ => self.named(DROP)?,
+            Some(_) => return Err(NothingToSimulate::NoMethod),
+            None => self.named(DROP)?,
         };
         let mut world = World::<1>::new(self.term(&stage.restitution)?);
         world.gravity = Vector::from([-self.named("g")?]);

@@ -22,11 +22,14 @@ pub(super) struct Values<'a> {
 /// A term in the time of a stage.
 pub(super) type OfTime = Arc<dyn Fn(f64) -> f64 + Send + Sync>;
 
-/// The names of one term, with the values of those that are not the clock.
+/// A term in several variables.
+pub(super) type OfSeveral = Arc<dyn Fn(&[f64]) -> f64 + Send + Sync>;
+
+/// The names of one term, with the values of those that are not variables.
 struct Reader<'a> {
     known: &'a dyn Fn(&str) -> Option<f64>,
-    clock: Option<Symbol>,
-    has_clock: bool,
+    variables: &'a [String],
+    places: BTreeMap<Symbol, usize>,
     table: SymbolTable,
     found: BTreeMap<Symbol, f64>,
     missing: bool,
@@ -43,9 +46,9 @@ impl Reader<'_> {
 
 impl Names for Reader<'_> {
     fn symbol(&mut self, name: &str) -> Option<Symbol> {
-        if name == CLOCK && self.has_clock {
+        if let Some(place) = self.variables.iter().position(|own| own == name) {
             let symbol = self.note(name, f64::NAN);
-            self.clock = Some(symbol);
+            self.places.insert(symbol, place);
             return Some(symbol);
         }
         let value = (self.known)(name);
@@ -67,7 +70,7 @@ impl Values<'_> {
 
     /// The value of a term that does not depend on the time.
     pub(super) fn number(&self, text: &str) -> Result<f64, NothingToSimulate> {
-        let value = self.read(text, false)?(0.0);
+        let value = self.of_several(text, &[])?(&[]);
         if value.is_finite() { Ok(value) } else { Err(NothingToSimulate::ValueMissing) }
     }
 
@@ -78,20 +81,23 @@ impl Values<'_> {
 
     /// A term that may contain the clock.
     pub(super) fn of_time(&self, term: &Term) -> Result<OfTime, NothingToSimulate> {
-        self.read(&term.0, true)
+        let read = self.of_several(&term.0, &[CLOCK.to_owned()])?;
+        Ok(Arc::new(move |time| read(&[time])))
     }
 
-    fn read(&self, text: &str, has_clock: bool) -> Result<OfTime, NothingToSimulate> {
+    /// A term in variables of these names.
+    pub(super) fn of_several(&self, text: &str, variables: &[String]) -> Result<OfSeveral, NothingToSimulate> {
         let table = SymbolTable::default();
-        let mut reader =
-            Reader { known: self.value, clock: None, has_clock, table, found: BTreeMap::new(), missing: false };
+        let places = BTreeMap::new();
+        let mut reader = Reader { known: self.value, variables, places, table, found: BTreeMap::new(), missing: false };
         let parsed: Result<Expr, _> = parse(text.trim(), &mut reader);
-        let Reader { clock, found, missing, .. } = reader;
+        let Reader { places, found, missing, .. } = reader;
         let expr =
             parsed.map_err(|_| if missing { NothingToSimulate::ValueMissing } else { NothingToSimulate::Unread })?;
-        Ok(Arc::new(move |time| {
-            expr.evaluate(&|symbol| {
-                if Some(symbol) == clock { time } else { found.get(&symbol).copied().unwrap_or(f64::NAN) }
+        Ok(Arc::new(move |values| {
+            expr.evaluate(&|symbol| match places.get(&symbol) {
+                Some(place) => values.get(*place).copied().unwrap_or(f64::NAN),
+                None => found.get(&symbol).copied().unwrap_or(f64::NAN),
             })
         }))
     }
@@ -105,9 +111,14 @@ impl Values<'_> {
     pub(super) fn mass(&self, body: &str) -> Result<f64, NothingToSimulate> {
         let own = |member: &str| match self.scene.bodies.get(member) {
             Some(Body { mass: Some(term), .. }) => self.term(term),
-            _ => self.named(&format!("m_{member}")),
+            _ => self.named(&format!("m_{member}")).or_else(|missing| {
+                let weight = self.named(&format!("W_{member}")).map_err(|_| missing)?;
+                Ok(weight / self.named("g")?)
+            }),
         };
-        self.scene.members(body).into_iter().map(own).sum()
+        let whole: f64 = self.scene.members(body).into_iter().map(own).sum::<Result<_, _>>()?;
+        // A mass that drops out of every equation is written as none.
+        if whole > 0.0 { Ok(whole) } else { Err(NothingToSimulate::ValueMissing) }
     }
 
     /// The mass of a body whose motion does not depend on it: 1 kg where it is neither told nor solved.
@@ -118,6 +129,11 @@ impl Values<'_> {
     /// The name of a component of the velocity of a body after the stage.
     pub(super) fn velocity_after(&self, body: &str, axis: Axis) -> String {
         self.velocity_name(body, self.index + 2, axis)
+    }
+
+    /// The name of a component of the velocity of a body before the stage.
+    pub(super) fn start_name(&self, body: &str, axis: Axis) -> String {
+        self.velocity_name(body, self.index + 1, axis)
     }
 
     fn velocity_name(&self, body: &str, instant: usize, axis: Axis) -> String {
@@ -153,14 +169,18 @@ impl Values<'_> {
         }
     }
 
+    /// What the names of this stage's own quantities end with: `[hit]`, `[2]`; nothing where it is the only stage.
+    pub(super) fn suffix(&self) -> String {
+        let stages = &self.scene.stages;
+        match stages.get(self.index).and_then(crate::scene::Stage::name) {
+            Some(name) if stages.len() > 1 => format!("[{name}]"),
+            _ if stages.len() > 1 => format!("[{}]", self.index + 1),
+            _ => String::new(),
+        }
+    }
+
     /// How long the stage lasts, where no term says so.
     pub(super) fn duration(&self) -> Result<f64, NothingToSimulate> {
-        let stages = &self.scene.stages;
-        let name = match stages.get(self.index).and_then(crate::scene::Stage::name) {
-            Some(name) if stages.len() > 1 => format!("dt[{name}]"),
-            _ if stages.len() > 1 => format!("dt[{}]", self.index + 1),
-            _ => "dt".to_owned(),
-        };
-        self.named(&name)
+        self.named(&format!("dt{}", self.suffix()))
     }
 }

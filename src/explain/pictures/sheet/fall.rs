@@ -73,6 +73,12 @@ fn slope(quantities: &Quantities<'_>, compass: &Compass) -> Ground {
 
 /// A fall and its bounces: to scale in a solution, sketched on a sheet.
 pub(in super::super) fn bouncing(quantities: &Quantities<'_>, bounces: &Bounces) -> Option<Drawing> {
+    let scene = quantities.scene();
+    let falls = scene.stages.iter().any(|stage| matches!(stage, Stage::Fall(fall) if fall.body == bounces.body));
+    // Of a body that arrives in another way, height and speed are not known before they are solved.
+    if !falls && quantities.named("h_0").is_none() {
+        return None;
+    }
     let solved = quantities.scope() == Scope::Solved;
     let drop = quantities.scene().stages.iter().find_map(|stage| match stage {
         Stage::Fall(fall) if fall.body == bounces.body => Some(&fall.height),

@@ -1,6 +1,4 @@
-//! What the problem file says of marking, in the terms of marking; and marking of several attempts.
-
-use std::collections::BTreeMap;
+//! What the problem file says of marking, in the terms of marking.
 
 use crate::grade;
 use crate::grade::Attempts;
@@ -8,18 +6,23 @@ use crate::grade::Rubric;
 use crate::grade::Verdict;
 use crate::problem;
 use crate::problem::Part;
+use crate::problem::PlannedForm;
+use crate::problem::Problem;
 use crate::quantity::Rational;
-
-use super::Exercise;
-use super::Sitting;
 
 /// Verdicts that the key `figures` of a rubric speaks of.
 const FIGURES: [Verdict; 3] = [Verdict::FiguresFew, Verdict::FiguresMany, Verdict::FiguresWrong];
 
-impl Exercise {
+/// The file of a problem, as marking asks it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Rules<'a> {
+    pub(super) problem: &'a Problem,
+    pub(super) form: &'a PlannedForm,
+}
+
+impl Rules<'_> {
     /// What partly right answers are worth, and what attempts and hints cost.
-    #[must_use]
-    pub fn rubric(&self) -> Rubric {
+    pub(super) fn rubric(self) -> Rubric {
         let written = &self.problem.loaded().draft.rubric;
         let mut rubric = Rubric::default();
         for verdict in Verdict::all().filter(|verdict| verdict.is_negotiable()) {
@@ -40,14 +43,16 @@ impl Exercise {
         rubric
     }
 
-    pub(super) fn units(&self) -> grade::Units {
+    /// Which units will do.
+    pub(super) fn units(self) -> grade::Units {
         match self.problem.loaded().draft.rubric.other_units {
             Some(problem::OtherUnits::Refuse) => grade::Units::AsAsked,
             Some(problem::OtherUnits::Accept) | None => grade::Units::Any,
         }
     }
 
-    pub(super) fn writing(&self) -> grade::Writing {
+    /// What is made of the figures of a right value.
+    pub(super) fn writing(self) -> grade::Writing {
         match self.problem.loaded().draft.rubric.writing {
             Some(problem::Writing::Ignore) => grade::Writing::Ignore,
             Some(problem::Writing::Require) => grade::Writing::Require,
@@ -56,14 +61,13 @@ impl Exercise {
     }
 
     /// How a direction that is asked is counted, so that it may be answered in words.
-    pub(super) fn reference(&self, part: &Part) -> Option<grade::Reference> {
-        let draft = &self.problem.loaded().draft;
-        let question = &self.worked().form.question;
-        let (from, sense) = question.ask.iter().find_map(|ask| match ask {
+    pub(super) fn reference(self, part: &Part) -> Option<grade::Reference> {
+        let (from, sense) = self.form.question.ask.iter().find_map(|ask| match ask {
             problem::Ask::Find(find) if find.find == part.id => Some((find.from.clone()?, find.sense?)),
             _ => None,
         })?;
-        let axes: Vec<grade::FrameAxis> = draft.scene.axes.rectangular().into_iter().take(2).map(frame_axis).collect();
+        let axes = self.problem.loaded().draft.scene.axes.rectangular();
+        let axes: Vec<grade::FrameAxis> = axes.into_iter().take(2).map(frame_axis).collect();
         let letter = from.trim_start_matches(['+', '-']).trim();
         let axis = axes.iter().position(|axis| letter.chars().eq([axis.letter]))?;
         let quarters = i32::try_from(axis).ok()? + if from.trim().starts_with('-') { 2 } else { 0 };
@@ -72,31 +76,10 @@ impl Exercise {
     }
 
     /// The axes of those letters, with the words for their directions.
-    pub(super) fn frame(&self, letters: &[&str]) -> grade::Frame {
+    pub(super) fn frame(self, letters: &[&str]) -> grade::Frame {
         let axes = self.problem.loaded().draft.scene.axes.rectangular();
         let asked = axes.into_iter().filter(|(axis, _)| letters.contains(&axis.letter()));
         grade::Frame { axes: asked.map(frame_axis).collect() }
-    }
-
-    /// Marks a student's attempts at this variant, the earliest first, after so many hints were shown. The mark depends on
-    /// these, the variant and its rubric, and on nothing else. `None` where there is no attempt.
-    #[must_use]
-    pub fn grade_attempts(
-        &self,
-        attempts: &[BTreeMap<String, String>],
-        hints: u32,
-        mark: grade::DecimalMark,
-    ) -> Option<grade::Report> {
-        let rubric = self.rubric();
-        let closed =
-            rubric.attempts.most.is_some_and(|most| attempts.len() >= usize::try_from(most).unwrap_or(usize::MAX));
-        let last = attempts.len().saturating_sub(1);
-        let report = |(position, answers): (usize, &BTreeMap<String, String>)| {
-            let own = Sitting { hints: usize::try_from(hints).unwrap_or(0), closed: closed && position == last };
-            self.mark(answers, mark, own)
-        };
-        let reports: Vec<grade::Report> = attempts.iter().enumerate().map(report).collect();
-        grade::over_attempts(&reports, hints, &rubric)
     }
 }
 

@@ -1,0 +1,295 @@
+//! Variants simulated stage by stage, by methods that share no code with the laws: whatever is asked has to come out.
+//!
+//! What is told and what is answered is put in together, and every quantity that both the laws and the simulation know is
+//! compared. Whether an answer is witnessed at all is tried: put wrong by a thousandth, it has to be found out.
+
+mod choices;
+mod parts;
+mod witness;
+
+use std::collections::BTreeMap;
+use std::collections::BTreeSet;
+
+use serde::Serialize;
+
+use crate::problem::Problem;
+use crate::problem::Sampler;
+use crate::problem::Worked;
+use crate::simulate::scene::NothingToSimulate;
+use crate::simulate::scene::Way;
+
+use super::promise::Outcome;
+
+use parts::Answer;
+use witness::Case;
+use witness::Comparison;
+use witness::Witness;
+
+/// Seeds whose variants are simulated.
+pub const SIMULATED: u64 = 64;
+
+/// The tolerances of the two runs whose difference says how far the finer one may be off.
+const TOLERANCES: [f64; 2] = [1e-11, 1e-9];
+
+/// By which share of itself an input is changed to see what its own error does.
+const NUDGE: f64 = 1e-6;
+
+/// The share of a value that its bound has to be for the value to count as one that is not zero.
+const NEAR_ZERO: f64 = 1e-4;
+
+/// What the simulation of a form comes to.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Simulated {
+    /// How many seeds were simulated.
+    pub seeds: u64,
+    /// By which ways.
+    pub ways: Vec<&'static str>,
+    /// How many quantities were compared, over all seeds.
+    pub compared: usize,
+    /// The largest distance between laws and simulation, in parts of the value.
+    pub apart: f64,
+    /// The bound on that distance, in parts of the value, where it is largest.
+    pub bound: f64,
+    /// The answers that were found out when they were put wrong by a thousandth.
+    pub witnessed: Vec<String>,
+    /// The answers that were not.
+    pub unseen: Vec<String>,
+    /// Why something was not simulated.
+    pub nothing: Option<&'static str>,
+}
+
+impl Simulated {
+    /// Whether every answer would be found out if it were wrong.
+    #[must_use]
+    pub fn is_whole(&self) -> bool {
+        self.unseen.is_empty() && !self.witnessed.is_empty()
+    }
+}
+
+/// Whether simulations of a form agree with its variants, and how that was found.
+pub(super) fn agrees(problem: &Problem, form: usize, seeds: u64) -> (Outcome, Simulated) {
+    let mut simulated = Simulated::default();
+    let Ok(mut sampler) = Sampler::new(problem, form) else {
+        return (Outcome::NotChecked("nothing was drawn"), simulated);
+    };
+    let scene = &problem.loaded().draft.scene;
+    let mut ways = BTreeSet::new();
+    let mut reason = None;
+    for seed in 1..=seeds.min(SIMULATED) {
+        let Ok(variant) = sampler.variant(seed) else { continue };
+        let Some(worked) = Worked::new(problem, &variant) else { continue };
+        let case = Case { problem, scene, variant: &variant, said: Vec::new() };
+        let trial = Trial::new(&worked, case);
+        simulated.seeds += 1;
+        ways.extend(trial.ways.iter().copied());
+        reason = reason.or(trial.nothing);
+        if let Some(said) = trial.differing(&mut simulated) {
+            return (Outcome::Broken(format!("with seed {seed}, {said}")), simulated);
+        }
+        if simulated.seeds == 1 {
+            trial.put_wrong(&mut simulated);
+        }
+    }
+    simulated.ways = ways.into_iter().map(Way::called).collect();
+    let nothing = reason.unwrap_or(NothingToSimulate::NothingSolved).reason();
+    let outcome = match (simulated.witnessed.is_empty(), simulated.unseen.is_empty()) {
+        _ if simulated.seeds == 0 => Outcome::NotChecked("nothing was drawn"),
+        (true, _) => Outcome::NotChecked(nothing),
+        (false, true) => Outcome::Kept,
+        (false, false) => Outcome::Noted(format!("no simulation finds {}: {nothing}", simulated.unseen.join(", "))),
+    };
+    if !simulated.unseen.is_empty() {
+        simulated.nothing = Some(nothing);
+    }
+    (outcome, simulated)
+}
+
+/// One variant, simulated and compared, with a bound on how far each comparison may be off.
+struct Trial<'a> {
+    worked: &'a Worked<'a>,
+    case: Case<'a>,
+    all: BTreeMap<String, (Comparison, f64)>,
+    ways: BTreeSet<Way>,
+    nothing: Option<NothingToSimulate>,
+}
+
+impl<'a> Trial<'a> {
+    fn new(worked: &'a Worked<'a>, case: Case<'a>) -> Self {
+        let [fine, coarse] = TOLERANCES;
+        let witness = Witness::new(&case, fine);
+        let own = compared(worked, &witness);
+        let rough = compared(worked, &Witness::new(&case, coarse));
+        let (ways, nothing, inputs) = (witness.ways.clone(), witness.nothing, witness.inputs());
+        drop(witness);
+        let mut all: BTreeMap<String, (Comparison, f64)> = BTreeMap::new();
+        for (name, comparison) in own {
+            let run = rough.get(&name).map_or(0.0, |rough| (rough.found - comparison.found).abs());
+            let bound = comparison.error + run;
+            all.insert(name, (comparison, bound));
+        }
+        for symbol in inputs {
+            let Some(value) = worked.variant.value(symbol).filter(|value| value.error > 0.0) else { continue };
+            let nudge = if value.value == 0.0 { NUDGE } else { value.value.abs() * NUDGE };
+            let other = Case { said: vec![(symbol, value.value - nudge)], ..case };
+            let changed = compared(worked, &Witness::new(&other, fine));
+            for (name, (comparison, bound)) in &mut all {
+                if let Some(changed) = changed.get(name) {
+                    // Twice the slope: a chord is not the tangent.
+                    *bound += 2.0 * ((changed.apart() - comparison.apart()) / nudge).abs() * value.error;
+                }
+            }
+        }
+        Self { worked, case, all, ways, nothing }
+    }
+
+    /// The first quantity on which laws and simulation differ; what was compared is counted.
+    fn differing(&self, simulated: &mut Simulated) -> Option<String> {
+        let witness = Witness::new(&self.case, TOLERANCES[0]);
+        for (name, (comparison, bound)) in &self.all {
+            simulated.compared += 1;
+            let apart = comparison.apart().abs();
+            // A bound that is no number bounds nothing.
+            if bound.is_nan() || apart.is_nan() || apart > *bound {
+                return Some(format!(
+                    "`{name}` is {} by the laws and {} by simulation, {apart:e} apart where errors allow {bound:e}",
+                    comparison.said, comparison.found
+                ));
+            }
+            let size = comparison.said.abs();
+            // Beside a value that is nothing but rounding, no distance is small.
+            if size > *bound / NEAR_ZERO {
+                simulated.apart = simulated.apart.max(apart / size);
+                simulated.bound = simulated.bound.max(bound / size);
+            }
+        }
+        let wrong = |answer: &Answer<'_>| {
+            parts::agrees(self.worked, &self.case, &witness, answer, TOLERANCES[0]) == Some(false)
+        };
+        let answer = Answer::all(self.worked).into_iter().find(wrong)?;
+        Some(format!("the answer to {} is another one by simulation", answer.id()))
+    }
+
+    /// Puts every answer wrong, one after another, and sorts them by whether that is found out.
+    fn put_wrong(&self, simulated: &mut Simulated) {
+        let witness = Witness::new(&self.case, TOLERANCES[0]);
+        for answer in Answer::all(self.worked) {
+            let found_out = match answer.wrong(self.worked) {
+                // Any other phrase would differ from the one that the simulation finds.
+                None => parts::agrees(self.worked, &self.case, &witness, &answer, TOLERANCES[0]).is_some(),
+                Some(wrong) => {
+                    let case = Case { said: vec![wrong], ..self.case };
+                    let witness = Witness::new(&case, TOLERANCES[0]);
+                    let differs = |(name, other): (&String, &Comparison)| {
+                        self.all.get(name).is_some_and(|(_, bound)| other.apart().abs() > *bound)
+                    };
+                    compared(self.worked, &witness).iter().any(differs)
+                        || parts::agrees(self.worked, &case, &witness, &answer, TOLERANCES[0]) == Some(false)
+                }
+            };
+            let list = if found_out { &mut simulated.witnessed } else { &mut simulated.unseen };
+            list.push(answer.id().to_owned());
+        }
+    }
+}
+
+/// Everything that is both said and found.
+fn compared(worked: &Worked<'_>, witness: &Witness<'_>) -> BTreeMap<String, Comparison> {
+    let mut all = witness.comparisons();
+    all.extend(parts::comparisons(worked, witness));
+    all
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test says bluntly what it expects")]
+mod tests {
+    use super::*;
+    use crate::expr::Symbol;
+    use crate::fault::Source;
+    use crate::problem::compile;
+    use crate::problem::load;
+    use crate::scene::Scene;
+    use crate::scene::Stage;
+    use crate::scene::Term;
+
+    const GLANCE: &str = "
+id: a/b
+title: B
+level: intro
+scene:
+  axes: { x: east, y: north }
+  bodies: { A: { name: disc A, mass: m_A }, B: { name: disc B, mass: 2 kg } }
+  stages: [{ impact: { between: [A, B], restitution: e, line_of_impact: 30 deg above +x } }]
+given:
+  m_A: { min: 1, max: 3, step: 0.1, unit: kg }
+  v_A1.x: { min: 2, max: 4, step: 0.1, unit: m/s }
+  v_A1.y: 1 m/s
+  v_B1.x: 0 m/s
+  v_B1.y: 0 m/s
+  e: { min: 0.2, max: 0.8, step: 0.1 }
+text: >
+  Two discs meet, {{ m_A }} at {{ v_A1.x }}; the coefficient of restitution is {{ e }}.
+ask: [{ find: v_A2.x, unit: m/s }, { find: v_B2.y, unit: m/s }, { conserved: energy, of: [A, B] }]
+";
+
+    fn problem() -> Problem {
+        compile(load(Source::new("b.yaml", GLANCE)).unwrap(), None).unwrap()
+    }
+
+    /// What is said of the first variant of a scene that takes the place of the problem's.
+    fn differing(change: impl Fn(&mut Scene), said: impl Fn(&Problem) -> Vec<(Symbol, f64)>) -> Option<String> {
+        let problem = problem();
+        let variant = Sampler::new(&problem, 0).unwrap().variant(1).unwrap();
+        let mut scene = problem.loaded().draft.scene.clone();
+        change(&mut scene);
+        let worked = Worked::new(&problem, &variant).unwrap();
+        let case = Case { problem: &problem, scene: &scene, variant: &variant, said: said(&problem) };
+        Trial::new(&worked, case).differing(&mut Simulated::default())
+    }
+
+    #[test]
+    fn what_the_laws_find_is_what_a_simulation_finds() {
+        let (outcome, simulated) = agrees(&problem(), 0, 4);
+        assert_eq!(outcome, Outcome::Kept);
+        assert_eq!((simulated.seeds, simulated.witnessed.len(), simulated.unseen.len()), (4, 3, 0));
+        assert!(simulated.apart < 1e-9 && simulated.bound < 1e-6, "{simulated:?}");
+    }
+
+    #[test]
+    fn laws_of_another_scene_are_found_out() {
+        let turned = |scene: &mut Scene| {
+            let Some(Stage::Impact(impact)) = scene.stages.first_mut() else { panic!("an impact") };
+            impact.line_of_impact = Some(Term("30.000001 deg above +x".to_owned()));
+        };
+        let said = differing(turned, |_| Vec::new());
+        assert!(said.is_some_and(|said| said.starts_with("`J_A")), "the impulses come first");
+    }
+
+    #[test]
+    fn a_choice_that_the_simulation_does_not_find_is_found_out() {
+        let elastic = |scene: &mut Scene| {
+            let Some(Stage::Impact(impact)) = scene.stages.first_mut() else { panic!("an impact") };
+            (impact.restitution, impact.elastic) = (None, true);
+        };
+        let problem = problem();
+        let variant = Sampler::new(&problem, 0).unwrap().variant(1).unwrap();
+        let mut scene = problem.loaded().draft.scene.clone();
+        elastic(&mut scene);
+        let worked = Worked::new(&problem, &variant).unwrap();
+        let case = Case { problem: &problem, scene: &scene, variant: &variant, said: Vec::new() };
+        let witness = Witness::new(&case, TOLERANCES[0]);
+        let last = Answer::all(&worked).pop().unwrap();
+        assert_eq!(parts::agrees(&worked, &case, &witness, &last, TOLERANCES[0]), Some(false));
+    }
+
+    #[test]
+    fn an_answer_that_is_wrong_by_a_millionth_is_found_out() {
+        let wrong = |problem: &Problem| {
+            let symbol = problem.model().symbol_of("v_A2.x").unwrap();
+            let variant = Sampler::new(problem, 0).unwrap().variant(1).unwrap();
+            vec![(symbol, variant.value(symbol).unwrap().value * (1.0 + 1e-6))]
+        };
+        let said = differing(|_| (), wrong);
+        assert!(said.is_some_and(|said| said.starts_with("`v_A2.x` is ")));
+        assert_eq!(differing(|_| (), |_| Vec::new()), None);
+    }
+}

@@ -1,0 +1,111 @@
+//! What is asked, part by part, beside what the simulation finds of it.
+
+use std::collections::BTreeMap;
+
+use crate::expr::Symbol;
+use crate::problem::Ask;
+use crate::problem::Part;
+use crate::problem::PartKind;
+use crate::problem::Turn;
+use crate::problem::Worked;
+
+use super::choices::chosen;
+use super::choices::is_first;
+use super::witness::Case;
+use super::witness::Comparison;
+use super::witness::Witness;
+
+/// The share by which an answer is put wrong, to see that the simulation finds it out.
+const WRONG: f64 = 1e-3;
+
+/// An answer that can be put wrong.
+pub(super) enum Answer<'a> {
+    /// A number: the quantity, whether it is a whole number.
+    Number { id: String, symbol: Symbol, whole: bool, ask: &'a Ask },
+    /// A phrase.
+    Choice { id: String, part: &'a Part, ask: &'a Ask },
+}
+
+impl<'a> Answer<'a> {
+    /// Every answer of a form.
+    pub(super) fn all(worked: &Worked<'a>) -> Vec<Self> {
+        let mut all = Vec::new();
+        for (part, ask) in worked.form.parts.iter().zip(&worked.form.question.ask) {
+            if matches!(part.kind, PartKind::Choice(_)) {
+                all.push(Self::Choice { id: part.id.clone(), part, ask });
+            }
+            for (id, number) in part.numbers() {
+                all.push(Self::Number { id, symbol: number.symbol, whole: number.whole, ask });
+            }
+        }
+        all
+    }
+
+    /// What the answer is called.
+    pub(super) fn id(&self) -> &str {
+        match self {
+            Self::Number { id, .. } | Self::Choice { id, .. } => id,
+        }
+    }
+
+    /// A value near the right one that is wrong: by a thousandth, or by one where it is a whole number.
+    pub(super) fn wrong(&self, worked: &Worked<'_>) -> Option<(Symbol, f64)> {
+        let Self::Number { symbol, whole, .. } = self else { return None };
+        let right = worked.variant.value(*symbol)?.value;
+        let step = if right == 0.0 { WRONG } else { right * WRONG };
+        Some((*symbol, if *whole { right + 1.0 } else { right + step }))
+    }
+}
+
+/// Comparisons that belong to what is asked rather than to a quantity: directions counted from somewhere, and boundaries.
+pub(super) fn comparisons(worked: &Worked<'_>, witness: &Witness<'_>) -> BTreeMap<String, Comparison> {
+    let mut all = BTreeMap::new();
+    for (part, ask) in worked.form.parts.iter().zip(&worked.form.question.ask) {
+        match (ask, &part.kind) {
+            (Ask::Find(find), PartKind::Number(number)) => {
+                if let (Some(from), Some(sense)) = (&find.from, find.sense) {
+                    let compared = witness.direction(number.symbol, from, sense == Turn::Clockwise);
+                    all.extend(compared.map(|own| (part.id.clone(), own)));
+                }
+            }
+            (_, PartKind::Range(range)) => {
+                let sides = [&range.claim.left, &range.claim.right].map(|side| (side, witness.evaluated(side)));
+                let at = |(side, seen): &(&crate::expr::Expr, Option<super::witness::Seen>)| {
+                    let said =
+                        || side.evaluate(&|symbol| worked.variant.value(symbol).map_or(f64::NAN, |own| own.value));
+                    seen.map_or_else(|| (said(), 0.0), |seen| (seen.value, seen.error))
+                };
+                if sides.iter().any(|(_, seen)| seen.is_some()) {
+                    let [(left, one), (right, other)] = [at(&sides[0]), at(&sides[1])];
+                    let boundary = Comparison { said: 0.0, found: left - right, error: one + other, turns: false };
+                    all.insert(format!("the boundary of {}", part.id), boundary);
+                }
+            }
+            _ => {}
+        }
+    }
+    all
+}
+
+/// Of an answer that is not compared as a number: whether the simulation finds the same; none where it finds nothing of it.
+pub(super) fn agrees(
+    worked: &Worked<'_>,
+    case: &Case<'_>,
+    witness: &Witness<'_>,
+    answer: &Answer<'_>,
+    tolerance: f64,
+) -> Option<bool> {
+    match answer {
+        Answer::Choice { part, ask, .. } => {
+            let PartKind::Choice(choice) = &part.kind else { return None };
+            let right = choice.decided(worked).right;
+            Some(chosen(case, witness, ask, choice, tolerance)? == right)
+        }
+        Answer::Number { symbol, ask: Ask::Count(count), .. } => {
+            let put = case.said.iter().find(|(own, _)| own == symbol).map(|(_, value)| *value);
+            let number = put.or_else(|| Some(worked.variant.value(*symbol)?.value))?;
+            is_first(worked, case.scene, count, number, tolerance)
+        }
+        Answer::Number { .. } => None,
+    }
+}

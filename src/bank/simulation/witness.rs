@@ -1,0 +1,279 @@
+//! One variant simulated stage by stage, with everything about it that can be compared with the laws.
+
+use std::cell::Cell;
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::collections::BTreeSet;
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+use crate::model::Instant;
+use crate::model::Name;
+use crate::model::Timeline;
+use crate::problem::Problem;
+use crate::problem::Variant;
+use crate::scene::Scene;
+use crate::simulate::scene::Asked;
+use crate::simulate::scene::NothingToSimulate;
+use crate::simulate::scene::Reached;
+use crate::simulate::scene::Way;
+use crate::simulate::scene::angle_from;
+use crate::simulate::scene::measure;
+use crate::simulate::scene::observe;
+use crate::simulate::scene::value_of;
+use crate::simulate::scene::watch;
+
+/// The variant of a problem, and what is said of it that is not so.
+pub(super) struct Case<'a> {
+    pub problem: &'a Problem,
+    pub scene: &'a Scene,
+    pub variant: &'a Variant,
+    /// Values that take the place of the variant's.
+    pub said: Vec<(Symbol, f64)>,
+}
+
+/// A simulation of a variant.
+pub(super) struct Witness<'a> {
+    case: &'a Case<'a>,
+    timeline: Timeline,
+    tolerance: f64,
+    found: BTreeMap<String, Reached>,
+    terms: Vec<Reached>,
+    /// By which ways it was simulated.
+    pub ways: BTreeSet<Way>,
+    /// Why a stage was not simulated.
+    pub nothing: Option<NothingToSimulate>,
+    run: BTreeSet<usize>,
+    used: RefCell<BTreeSet<Symbol>>,
+}
+
+/// What the laws say and what the simulation finds.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Comparison {
+    pub said: f64,
+    pub found: f64,
+    /// What the run and the value that is said may be off by; the errors of inputs come on top.
+    pub error: f64,
+    /// Whether only the direction matters.
+    pub turns: bool,
+}
+
+impl Comparison {
+    /// How far what is found lies from what is said.
+    pub(super) fn apart(&self) -> f64 {
+        let apart = self.found - self.said;
+        let whole = core::f64::consts::TAU;
+        if self.turns { apart - whole * libm::round(apart / whole) } else { apart }
+    }
+}
+
+/// A value with the error that the simulation gives it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Seen {
+    pub value: f64,
+    pub error: f64,
+}
+
+impl<'a> Witness<'a> {
+    /// Simulates all stages, one after another, each from what is said of its start, or else from where the one before ended.
+    pub(super) fn new(case: &'a Case<'a>, tolerance: f64) -> Self {
+        let mut witness = Self {
+            case,
+            timeline: Timeline::new(case.scene),
+            tolerance,
+            found: BTreeMap::new(),
+            terms: Vec::new(),
+            ways: BTreeSet::new(),
+            nothing: None,
+            run: BTreeSet::new(),
+            used: RefCell::default(),
+        };
+        for stage in 0..case.scene.stages.len() {
+            match observe(case.scene, stage, &|name| witness.value(name), tolerance) {
+                Ok(observed) => {
+                    witness.run.insert(stage);
+                    witness.ways.extend(observed.ways);
+                    witness.terms.extend(observed.terms);
+                    witness.found.extend(observed.found.into_iter().map(|own| (own.name.clone(), own)));
+                }
+                Err(reason) => witness.nothing = Some(reason),
+            }
+        }
+        witness
+    }
+
+    /// The quantities of the variant that the simulation started from.
+    pub(super) fn inputs(&self) -> BTreeSet<Symbol> {
+        self.used.borrow().clone()
+    }
+
+    fn symbol(&self, name: &str) -> Option<Symbol> {
+        self.case.problem.model().symbol_of(name)
+    }
+
+    /// What the variant says of a quantity, or what is put in its place.
+    fn said(&self, symbol: Symbol) -> Option<f64> {
+        let other = self.case.said.iter().rev().find(|(own, _)| *own == symbol);
+        other.map(|(_, value)| *value).or_else(|| Some(self.case.variant.value(symbol)?.value))
+    }
+
+    fn said_of(&self, name: &str) -> Option<(Symbol, f64)> {
+        let symbol = self.symbol(&self.since(name))?;
+        Some((symbol, self.said(symbol)?))
+    }
+
+    /// What the simulation starts from: what is said, else what a stage before reached.
+    pub(super) fn value(&self, name: &str) -> Option<f64> {
+        if let Some((symbol, value)) = self.said_of(name) {
+            self.used.borrow_mut().insert(symbol);
+            return Some(value);
+        }
+        let since = self.since(name);
+        self.found_as(name).map(|own| own.value).or_else(|| self.component(&since))
+    }
+
+    /// A component of a velocity of which speed and direction are said.
+    fn component(&self, name: &str) -> Option<f64> {
+        let Name { base, subject, instant: Some(Instant::Number(at)), component: Some(letter), .. } =
+            Name::parse(name)?
+        else {
+            return None;
+        };
+        if base != "v" || self.case.scene.axes.rectangular().len() != 2 {
+            return None;
+        }
+        let angle = self.said_of(&format!("angle_{subject}{at}"))?;
+        let speed = self.said_of(&format!("speed_{subject}{at}"))?;
+        self.used.borrow_mut().extend([angle.0, speed.0]);
+        match letter.as_str() {
+            "x" => Some(speed.1 * libm::cos(angle.1)),
+            "y" => Some(speed.1 * libm::sin(angle.1)),
+            _ => None,
+        }
+    }
+
+    /// A velocity under the name of the instant since which the body has it.
+    fn since(&self, name: &str) -> String {
+        let Some(Name { base, subject, instant: Some(Instant::Number(at)), component, stage: None }) =
+            Name::parse(name)
+        else {
+            return name.to_owned();
+        };
+        let since = self.timeline.since(&subject, at).unwrap_or(at);
+        let component = component.map_or_else(String::new, |letter| format!(".{letter}"));
+        if base == "v" { format!("v_{subject}{since}{component}") } else { name.to_owned() }
+    }
+
+    /// What the simulation finds of a quantity by name: itself, or measured on what it finds of the bodies.
+    pub(super) fn seen(&self, name: &str) -> Option<Seen> {
+        let found = self.found_as(name);
+        found.map(|own| Seen { value: own.value, error: own.error }).or_else(|| self.measured(name))
+    }
+
+    fn measured(&self, name: &str) -> Option<Seen> {
+        let parsed = Name::parse(name)?;
+        let at = match &parsed.instant {
+            Some(Instant::Number(at)) => *at,
+            Some(Instant::Named(named)) => self.timeline.instant(named)?,
+            None => return None,
+        };
+        let (subject, component) = (parsed.subject.as_str(), parsed.component.as_deref());
+        let asked = Asked { base: &parsed.base, subject, instant: at, component };
+        let alive = self.timeline.alive(at);
+        let simulated = Cell::new(false);
+        let value = |name: &str| {
+            let found = self.found_as(name).map(|own| own.value);
+            simulated.set(simulated.get() || found.is_some());
+            found.or_else(|| self.value(name))
+        };
+        // What nothing simulated enters would only repeat a formula.
+        let own = measure(self.case.scene, &alive, asked, &value).filter(|_| simulated.get());
+        // Where no stage has been yet, the bodies are watched.
+        let own = own.or_else(|| watch(self.case.scene, &alive, asked, &value).filter(|_| at == 1));
+        own.map(|(value, scale)| Seen { value, error: self.tolerance * value.abs().max(scale) })
+    }
+
+    /// What a term comes to with what the simulation finds; none where it finds nothing in it.
+    pub(super) fn evaluated(&self, expr: &Expr) -> Option<Seen> {
+        let (error, any) = (Cell::new(0.0), Cell::new(false));
+        let value = expr.evaluate(&|symbol| {
+            let name = &self.case.problem.model().symbols.entry(symbol).name;
+            if let Some(seen) = self.seen(name) {
+                error.set(error.get() + seen.error);
+                any.set(true);
+                return seen.value;
+            }
+            self.said(symbol).unwrap_or(f64::NAN)
+        });
+        any.get().then(|| Seen { value, error: error.get() })
+    }
+
+    /// A quantity of the variant with what the simulation finds of it.
+    pub(super) fn comparison(&self, symbol: Symbol) -> Option<Comparison> {
+        let name = &self.case.problem.model().symbols.entry(symbol).name;
+        let seen = self.seen(name)?;
+        Some(self.compared(symbol, self.said(symbol)?, seen, name.starts_with("angle")))
+    }
+
+    fn compared(&self, symbol: Symbol, said: f64, seen: Seen, turns: bool) -> Comparison {
+        let own = self.case.variant.value(symbol).map_or(0.0, |value| value.error);
+        Comparison { said, found: seen.value, error: seen.error + own, turns }
+    }
+
+    /// A direction that is counted from somewhere.
+    pub(super) fn direction(&self, symbol: Symbol, from: &str, clockwise: bool) -> Option<Comparison> {
+        let name = &self.case.problem.model().symbols.entry(symbol).name;
+        let parsed = Name::parse(name)?;
+        let Some(Instant::Number(at)) = parsed.instant else { return None };
+        let part = |letter: &str| self.seen(&format!("v_{}{at}.{letter}", parsed.subject));
+        let (x, y) = (part("x")?, part("y")?);
+        let angle = angle_from(self.case.scene, from, [x.value, y.value], &|name| self.value(name))?;
+        let error = (x.error + y.error) / libm::hypot(x.value, y.value) + self.tolerance;
+        let seen = Seen { value: if clockwise { -angle } else { angle }, error };
+        Some(self.compared(symbol, self.said(symbol)?, seen, true))
+    }
+
+    /// Everything that is both said and found, under a name each.
+    pub(super) fn comparisons(&self) -> BTreeMap<String, Comparison> {
+        let mut all = BTreeMap::new();
+        for (symbol, entry) in self.case.problem.model().symbols.iter() {
+            all.extend(self.comparison(symbol).map(|comparison| (entry.name.clone(), comparison)));
+        }
+        for reached in self.found.values() {
+            if let Some((symbol, said)) = self.said_of(&reached.name) {
+                let seen = Seen { value: reached.value, error: reached.error };
+                all.insert(reached.name.clone(), self.compared(symbol, said, seen, reached.name.starts_with("angle")));
+            }
+        }
+        for term in &self.terms {
+            let own = value_of(self.case.scene, &term.name, &|name| self.value(name));
+            if let Some(said) = own {
+                let comparison = Comparison { said, found: term.value, error: term.error, turns: false };
+                all.insert(format!("`{}` of the scene", term.name), comparison);
+            }
+        }
+        all
+    }
+
+    /// Who exists when.
+    pub(super) fn timeline(&self) -> &Timeline {
+        &self.timeline
+    }
+
+    /// Whether a stage was simulated.
+    pub(super) fn has_run(&self, stage: usize) -> bool {
+        self.run.contains(&stage)
+    }
+
+    /// What a body has at an instant, of velocity (`v`), momentum (`p`) or kinetic energy (`T`), alone or as a part of another.
+    pub(super) fn carried(&self, base: &str, body: &str, instant: usize, letter: &str) -> Option<f64> {
+        let component = Some(letter).filter(|letter| !letter.is_empty());
+        let asked = Asked { base, subject: body, instant, component };
+        let value = |name: &str| self.found_as(name).map(|own| own.value).or_else(|| self.value(name));
+        Some(measure(self.case.scene, &[body], asked, &value)?.0)
+    }
+
+    fn found_as(&self, name: &str) -> Option<&Reached> {
+        self.found.get(&self.since(name)).or_else(|| self.found.get(name))
+    }
+}

@@ -1,0 +1,204 @@
+//! Marking one form of a problem: what does not depend on the numbers is prepared once, and shared by all threads.
+
+use std::sync::Arc;
+
+use crate::grade;
+use crate::grade::Readings;
+use crate::grade::Rubric;
+use crate::problem;
+use crate::problem::AskedUnit;
+use crate::problem::End;
+use crate::problem::NoVariant;
+use crate::problem::NumberPart;
+use crate::problem::Part;
+use crate::problem::PartKind;
+use crate::problem::PlannedForm;
+use crate::problem::Problem;
+use crate::problem::Worked;
+use crate::problem::senses_of;
+
+use super::formula::expected_formula;
+use super::rules::Rules;
+
+/// Beginnings of names of signed components, whose direction a student may give in words.
+const SIGNED: [&str; 4] = ["v_", "p_", "J_", "F_avg_"];
+
+/// All that marking knows of a form before its numbers are drawn. With them it marks answers, always in the same way.
+///
+/// ```
+/// use std::sync::Arc;
+/// use momentous::bank::Bank;
+/// use momentous::exercise::{Drawer, Marker, Sitting};
+/// use momentous::grade::DecimalMark;
+/// use momentous::problem::{compile, load};
+///
+/// let problem = Arc::new(compile(load(Bank::built_in().find("impact/two-carts")?.clone())?, None)?);
+/// let marker = Marker::new(&problem, 0, DecimalMark::Point)?;
+/// let mut drawer = Drawer::new(&problem, 0)?;
+/// for seed in 1..4 {
+///     let exercise = drawer.draw(seed)?;
+///     let right = exercise.printed(&exercise.worked().form.parts[0]);
+///     let report = marker.mark(exercise.worked(), &[("v_A2", &right)], Sitting::default());
+///     assert!(report.parts[0].verdict.is_right());
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub struct Marker {
+    pub(super) blanks: Vec<Blank>,
+    pub(super) rubric: Rubric,
+    pub(super) mark: grade::DecimalMark,
+}
+
+/// One part, with everything but the right answer.
+#[derive(Debug)]
+pub(super) struct Blank {
+    asked: grade::Expected,
+    /// The boundary of an interval; its ends are known with the numbers.
+    boundary: Option<grade::ExpectedNumber>,
+    /// What was read as answers to it.
+    pub(super) readings: Readings,
+}
+
+impl Marker {
+    /// A marker for the form at that position; answers are written with this decimal mark.
+    ///
+    /// # Errors
+    /// [`NoVariant::NoForm`] where there is none.
+    pub fn new(problem: &Arc<Problem>, form: usize, mark: grade::DecimalMark) -> Result<Self, NoVariant> {
+        let own = problem.forms().get(form).ok_or(NoVariant::NoForm)?;
+        Ok(Self::of(problem, own, mark))
+    }
+
+    pub(super) fn of(problem: &Problem, form: &PlannedForm, mark: grade::DecimalMark) -> Self {
+        let rules = Rules { problem, form };
+        Self { blanks: form.parts.iter().map(|part| Blank::new(rules, part)).collect(), rubric: rules.rubric(), mark }
+    }
+
+    /// Whether the form has a part of that name.
+    #[must_use]
+    pub fn asks(&self, id: &str) -> bool {
+        self.blanks.iter().any(|blank| blank.asked.id == id)
+    }
+
+    /// What partly right answers are worth, and what attempts and hints cost.
+    #[must_use]
+    pub fn rubric(&self) -> &Rubric {
+        &self.rubric
+    }
+}
+
+impl Blank {
+    pub(super) fn new(rules: Rules<'_>, part: &Part) -> Self {
+        let number = |name: &str, own: &NumberPart| blank_number(rules, part, name, own);
+        let mut boundary = None;
+        let kind = match &part.kind {
+            PartKind::Choice(_) | PartKind::Formula(_) => {
+                grade::ExpectedKind::Choice { options: Vec::new(), right: 0, because: String::new() }
+            }
+            PartKind::Number(own) => grade::ExpectedKind::Number(number(&part.id, own)),
+            PartKind::Vector(vector) => grade::ExpectedKind::Vector(grade::ExpectedVector {
+                components: part.numbers().map(|(name, own)| number(&name, own)).collect(),
+                frame: rules.frame(&vector.axes),
+            }),
+            PartKind::Range(range) => {
+                boundary = Some(number(&part.id, &range.number));
+                let (name, unit) = (part.id.clone(), range.number.plain_unit());
+                grade::ExpectedKind::Interval(Box::new(grade::ExpectedInterval { name, low: None, high: None, unit }))
+            }
+        };
+        Self {
+            asked: grade::Expected { id: part.id.clone(), points: part.points, kind },
+            boundary,
+            readings: Readings::default(),
+        }
+    }
+
+    /// The part with its right answer. What [`widen`] puts in is left out.
+    pub(super) fn filled(&self, worked: Worked<'_>, part: &Part) -> grade::Expected {
+        let mut expected = self.asked.clone();
+        match (&mut expected.kind, &part.kind) {
+            (grade::ExpectedKind::Number(blank), PartKind::Number(number)) => fill(blank, worked, number),
+            (grade::ExpectedKind::Vector(blank), PartKind::Vector(vector)) => {
+                for (blank, number) in blank.components.iter_mut().zip(&vector.components) {
+                    fill(blank, worked, number);
+                }
+            }
+            (grade::ExpectedKind::Interval(blank), PartKind::Range(range)) => {
+                let end = |end: End| {
+                    let mut number = grade::ExpectedNumber::new(end.value.value, blank.unit.clone());
+                    if let Some(boundary) = self.boundary.as_ref().filter(|_| !end.own) {
+                        number = boundary.clone();
+                        fill(&mut number, worked, &range.number);
+                    }
+                    grade::ExpectedEnd { number, closed: end.closed, own: end.own }
+                };
+                let interval = worked.interval(range);
+                let ends = interval.map(|interval| [interval.low.map(end), interval.high.map(end)]);
+                [blank.low, blank.high] = ends.unwrap_or_default();
+            }
+            (_, PartKind::Formula(formula)) => expected.kind = expected_formula(worked, formula),
+            (_, PartKind::Choice(choice)) => {
+                let problem::Decision { options, right, because } = choice.decided(&worked);
+                expected.kind = grade::ExpectedKind::Choice { options, right, because };
+            }
+            _ => {}
+        }
+        expected
+    }
+}
+
+/// Puts in how far honest rounding can move the answer, and the problem's own scale for such quantities.
+pub(super) fn widen(expected: &mut grade::Expected, worked: Worked<'_>, part: &Part) {
+    let put = |number: &mut grade::ExpectedNumber, own: &NumberPart| {
+        let judged = worked.judged(own);
+        (number.allowance, number.scale) = (judged.allowance, judged.scale);
+    };
+    match (&mut expected.kind, &part.kind) {
+        (grade::ExpectedKind::Number(number), PartKind::Number(own)) => put(number, own),
+        (grade::ExpectedKind::Vector(expected), PartKind::Vector(vector)) => {
+            expected.components.iter_mut().zip(&vector.components).for_each(|(number, own)| put(number, own));
+        }
+        (grade::ExpectedKind::Interval(interval), PartKind::Range(range)) => {
+            let ends = [&mut interval.low, &mut interval.high].into_iter().flatten();
+            ends.filter(|end| !end.own).for_each(|end| put(&mut end.number, &range.number));
+        }
+        _ => {}
+    }
+}
+
+fn blank_number(rules: Rules<'_>, part: &Part, name: &str, number: &NumberPart) -> grade::ExpectedNumber {
+    let unit = number.plain_unit();
+    let signed = SIGNED.iter().any(|start| name.starts_with(start));
+    let senses = senses_of(&rules.problem.loaded().draft.scene, name).filter(|_| signed);
+    grade::ExpectedNumber {
+        cyclic: unit.has_pi(),
+        tolerance: match &number.tolerance {
+            problem::Tolerance::Relative(fraction) => grade::Tolerance::Relative(fraction.clone()),
+            problem::Tolerance::Absolute(distance) => grade::Tolerance::Absolute(distance.clone()),
+            problem::Tolerance::ToFigures => grade::Tolerance::ToFigures,
+        },
+        units: rules.units(),
+        writing: rules.writing(),
+        reference: rules.reference(part),
+        figures: number.figures,
+        senses: senses.map(|senses| [senses.positive, senses.negative]),
+        whole: number.whole,
+        ..grade::ExpectedNumber::new(f64::NAN, unit)
+    }
+}
+
+fn fill(blank: &mut grade::ExpectedNumber, worked: Worked<'_>, number: &NumberPart) {
+    let answer = worked.answer(number);
+    (blank.value, blank.error) = (answer.value, answer.error);
+    blank.magnitude = blank.senses.is_none() && answer.value >= 0.0;
+}
+
+/// An answer in terms of a quantity is read as the number before it: `0.75 v_A1` as 0.75.
+pub(super) fn without_unit_quantity<'t>(worked: Worked<'_>, part: &Part, text: &'t str) -> &'t str {
+    let PartKind::Number(NumberPart { unit: AskedUnit::InTermsOf(symbol), .. }) = &part.kind else { return text };
+    let name = &worked.problem.model().symbols.entry(*symbol).name;
+    let typed = text.trim_end();
+    let number = typed.strip_suffix(name.as_str()).or_else(|| typed.strip_suffix(&name.replace('_', "")));
+    number.map_or(text, |number| number.trim_end().trim_end_matches(['*', '·', '×']).trim_end())
+}

@@ -1,0 +1,29 @@
+//! Units that were read before: people write the same few again and again.
+
+use std::cell::RefCell;
+use std::collections::HashMap;
+
+use crate::quantity::Unit;
+use crate::quantity::UnitFault;
+
+/// So many are remembered before all are forgotten.
+const MOST: usize = 256;
+
+thread_local! {
+    static KNOWN: RefCell<HashMap<String, Result<Unit, UnitFault>>> = RefCell::default();
+}
+
+/// The unit that a text says, from memory where it was read before on this thread.
+pub(super) fn parse(text: &str) -> Result<Unit, UnitFault> {
+    KNOWN.with_borrow_mut(|known| {
+        if let Some(unit) = known.get(text) {
+            return unit.clone();
+        }
+        if known.len() >= MOST {
+            known.clear();
+        }
+        let unit = Unit::parse(text);
+        known.insert(text.to_owned(), unit.clone());
+        unit
+    })
+}

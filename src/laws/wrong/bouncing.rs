@@ -1,0 +1,141 @@
+//! Mistakes about bouncing.
+
+use crate::expr::Expr;
+use crate::quantity::Dimension;
+
+use super::Misconception;
+use super::Taught;
+use super::Wrong;
+use super::WrongForm;
+use super::rewrite::one;
+
+/// `h' = e h`.
+pub const HEIGHT_BY_E: Misconception = Misconception {
+    id: "height-by-e",
+    does: "multiplies the height by e at each bounce",
+    ask: "The coefficient multiplies the speed. What does that do to the height?",
+    hint: "The height goes with the square of the speed with which the body leaves the floor.",
+};
+/// `v' = e^2 v`.
+pub const SPEED_BY_E_SQUARED: Misconception = Misconception {
+    id: "speed-by-e-squared",
+    does: "multiplies a speed or a time by e\u{b2} at each bounce",
+    ask: "Which quantity goes with e, and which with its square?",
+    hint: "Speeds and times of flight go with e, heights and energies with its square.",
+};
+/// One bounce too few or too many.
+pub const ONE_OFF: Misconception = Misconception {
+    id: "bounces-miscounted",
+    does: "counts one bounce too few or too many",
+    ask: "How many bounces has the body made at this moment?",
+    hint: "Write the first two bounces down one by one, and begin with the release, when nothing has bounced yet.",
+};
+/// Flights counted one way only.
+pub const ONE_WAY: Misconception = Misconception {
+    id: "flights-one-way",
+    does: "counts only one way of each flight",
+    ask: "What does the body do between two bounces? How often does it pass each height?",
+    hint: "After the first fall, every flight goes up and comes down again.",
+};
+/// The first fall counted as a whole flight.
+pub const FIRST_TWICE: Misconception = Misconception {
+    id: "first-fall-doubled",
+    does: "counts the first fall as a whole flight",
+    ask: "How does the first part of the motion differ from all later flights?",
+    hint: "The body is let go from above: the first fall has no rise before it.",
+};
+
+/// Up, and not down again.
+pub const HALF_FLIGHT: Misconception = Misconception {
+    id: "flight-up-only",
+    does: "takes the time to the top of a flight for the time of the whole flight",
+    ask: "What happens between the top of a flight and the next bounce?",
+    hint: "By symmetry the way down takes as long as the way up.",
+};
+/// The velocity along the floor multiplied by e.
+pub const ALONG_BY_E: Misconception = Misconception {
+    id: "velocity-along-by-e",
+    does: "multiplies the velocity along the floor by e, too",
+    ask: "Which component of the velocity does a smooth floor change?",
+    hint: "A smooth floor gives no impulse along itself.",
+};
+
+/// Wrong forms of a bounce's height.
+pub const BOUNCE_HEIGHT: &[WrongForm] =
+    &[WrongForm { of: &HEIGHT_BY_E, write: |law| e_to(law, Expr::sqrt) }, WrongForm { of: &ONE_OFF, write: one_off }];
+/// Wrong forms of a bounce's speed.
+pub const BOUNCE_SPEED: &[WrongForm] = &[
+    WrongForm { of: &SPEED_BY_E_SQUARED, write: |law| e_to(law, squared) },
+    WrongForm { of: &ONE_OFF, write: one_off },
+];
+/// Wrong forms of the time of bounces.
+pub const BOUNCE_TIME: &[WrongForm] = &[
+    WrongForm { of: &SPEED_BY_E_SQUARED, write: |law| e_to(law, squared) },
+    WrongForm { of: &ONE_WAY, write: |law| series(law, &Expr::one()) },
+    WrongForm { of: &FIRST_TWICE, write: |law| series(law, &Expr::integer(2)) },
+    WrongForm { of: &ONE_OFF, write: one_off },
+];
+/// Wrong forms of the whole path.
+pub const BOUNCE_PATH: &[WrongForm] = &[
+    WrongForm { of: &HEIGHT_BY_E, write: |law| e_to(law, Expr::sqrt) },
+    WrongForm { of: &ONE_WAY, write: |law| series(law, &Expr::one()) },
+    WrongForm { of: &FIRST_TWICE, write: |law| series(law, &Expr::integer(2)) },
+];
+
+/// Wrong forms of the duration of a flight.
+pub const BOUNCE_FLIGHT: &[WrongForm] = &[
+    WrongForm { of: &HALF_FLIGHT, write: half_flight },
+    WrongForm { of: &SPEED_BY_E_SQUARED, write: |law| e_to(law, squared) },
+    WrongForm { of: &ONE_OFF, write: one_off },
+];
+/// Wrong forms of the place of a bounce.
+pub const BOUNCE_PLACE: &[WrongForm] = &[
+    WrongForm { of: &SPEED_BY_E_SQUARED, write: |law| e_to(law, squared) },
+    WrongForm { of: &ONE_OFF, write: one_off },
+];
+/// Wrong forms of the range of a flight.
+pub const BOUNCE_RANGE: &[WrongForm] = &[WrongForm { of: &ALONG_BY_E, write: along_by_e }];
+
+fn squared(term: Expr) -> Expr {
+    term.powi(2)
+}
+
+/// `v / g` for `2 v / g`.
+fn half_flight(law: &Taught<'_>) -> Vec<Wrong> {
+    one((law.left(), Expr::ratio(1, 2) * law.right()))
+}
+
+/// `e^n v` for the velocity along the floor.
+fn along_by_e(law: &Taught<'_>) -> Vec<Wrong> {
+    let Some((_, speed)) = law.beside("bounce-speed").next() else { return Vec::new() };
+    let shrinks = |term: &Expr| match term {
+        Expr::Power(pair) => law.coefficient(&pair.0).is_some().then(|| term.clone()),
+        _ => None,
+    };
+    let Some(share) = super::rewrite::factors(speed).iter().find_map(shrinks) else { return Vec::new() };
+    let along = law.meaning("-component of the velocity");
+    law.replaced(&|symbol| (along == Some(symbol)).then(|| share.clone() * Expr::from(symbol)))
+}
+
+/// The coefficient of restitution made something else.
+fn e_to(law: &Taught<'_>, change: fn(Expr) -> Expr) -> Vec<Wrong> {
+    let e = law.meaning("coefficient of restitution");
+    law.replaced(&|symbol| (e == Some(symbol)).then(|| change(symbol.into())))
+}
+
+fn one_off(law: &Taught<'_>) -> Vec<Wrong> {
+    let Some(count) = law.meaning("number of bounces") else { return Vec::new() };
+    let by = |step: i64| law.replaced(&|symbol| (symbol == count).then(|| Expr::from(symbol) + Expr::integer(step)));
+    [by(-1), by(1)].concat()
+}
+
+/// The sum of a geometric series with another numerator in place of `1 + q`.
+fn series(law: &Taught<'_>, numerator: &Expr) -> Vec<Wrong> {
+    let Expr::Product(parts) = &law.sides.1 else { return Vec::new() };
+    let is_numerator = |part: &&Expr| matches!(part, Expr::Sum(_)) && !law.has(part, Dimension::LENGTH);
+    if parts.iter().filter(is_numerator).count() != 1 {
+        return Vec::new();
+    }
+    let changed = parts.iter().map(|part| if is_numerator(&part) { numerator.clone() } else { part.clone() });
+    one((law.left(), Expr::product(changed)))
+}

@@ -1,0 +1,157 @@
+//! Repeated bounces of a body that arrives somehow on a smooth floor, level or sloping.
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+use crate::fault::Path;
+use crate::laws::Law;
+use crate::laws::bouncing;
+use crate::laws::momentum;
+use crate::model::Builder;
+use crate::model::Warning;
+use crate::model::incline::Fall;
+use crate::quantity::Dimension;
+use crate::scene::Axis;
+use crate::scene::stage::Bounces;
+use crate::solve::Relation;
+
+/// The bounces of one body: how it arrives, and what acts on it between.
+struct Bouncing<'a> {
+    index: usize,
+    name: String,
+    e: &'a Expr,
+    count: &'a Expr,
+    /// The speed towards the floor with which it first arrives.
+    arrival: Expr,
+    /// The acceleration towards the floor.
+    press: Expr,
+    /// Along the floor, where the scene has two axes.
+    along: Option<Along>,
+}
+
+struct Along {
+    axis: Axis,
+    velocity: Expr,
+    acceleration: Expr,
+    from: Expr,
+}
+
+impl Builder<'_> {
+    pub(super) fn bounces_after_arrival(&mut self, index: usize, stage: &Bounces, [e, count]: [&Expr; 2], path: &Path) {
+        let body = stage.body.as_str();
+        let Some(falls) = self.falling(stage.incline.as_ref(), path) else { return };
+        let mut arrival = None;
+        let mut along = None;
+        for (axis, fall) in self.axes.clone().into_iter().map(|(axis, _)| axis).zip(falls) {
+            let velocity = self.velocity(body, index + 1, axis);
+            match fall {
+                Fall::Towards { acceleration, down } => {
+                    arrival = Some((Expr::integer(down) * velocity, Expr::integer(down) * acceleration));
+                }
+                Fall::Along(acceleration) => {
+                    let from = self.place(body, index + 1, axis);
+                    along = Some(Along { axis, velocity, acceleration, from });
+                }
+            }
+        }
+        let Some((arrival, press)) = arrival else { return };
+        let name = self.called(body);
+        let reason = format!("{name} would not move towards the floor");
+        self.require(Warning::NoImpact, arrival.clone(), Relation::AtLeast, Expr::zero(), reason);
+        let bouncing = Bouncing { index, name, e, count, arrival, press, along };
+        self.speeds_and_times(&bouncing);
+        self.places_of_bounces(body, &bouncing);
+    }
+
+    /// Speed, height and time of the n-th bounce, and when all are over.
+    fn speeds_and_times(&mut self, own: &Bouncing<'_>) {
+        let (name, e, press) = (&own.name, own.e, &own.press);
+        let because = format!("each bounce multiplies the speed of {name} away from the floor by e");
+        let speed = own.quantity(
+            self,
+            "v_n",
+            Dimension::VELOCITY,
+            "the speed of {} away from the floor just after the n-th bounce",
+        );
+        let value = bouncing::speed_after(e, own.count, &own.arrival);
+        own.law(self, &bouncing::BOUNCE_SPEED, &because, (speed, value));
+        let height = own.quantity(
+            self,
+            "h_n",
+            Dimension::LENGTH,
+            "the greatest distance of {} from the floor after the n-th bounce",
+        );
+        let value = bouncing::height_of(&speed.into(), press);
+        own.law(
+            self,
+            &bouncing::BOUNCE_HEIGHT,
+            &format!("{name} rises until it no longer moves away from the floor"),
+            (height, value),
+        );
+        let flight =
+            own.quantity(self, "dt_n", Dimension::TIME, "the duration of the flight of {} after the n-th bounce");
+        let value = bouncing::flight(&speed.into(), press);
+        own.law(
+            self,
+            &bouncing::BOUNCE_FLIGHT,
+            &format!("{name} comes back to the floor as fast as it left it"),
+            (flight, value),
+        );
+        let start = self.resolve(&format!("t_{}", own.index + 1)).map_or_else(Expr::zero, Expr::from);
+        let because = format!("{because}, hence the time of each flight by e");
+        let whole = own.whole();
+        let time = own.quantity(self, "t_n", Dimension::TIME, "the time of the n-th bounce of {}");
+        let value = start.clone() + bouncing::time_to(e, own.count, &whole);
+        own.law(self, &bouncing::BOUNCE_TIME, &because, (time, value));
+        let total = own.quantity(self, "t_total", Dimension::TIME, "the time at which {} stops bouncing");
+        let value = start + bouncing::time_of_all(e, &whole);
+        own.law(self, &bouncing::BOUNCE_TIME, &because, (total, value));
+    }
+
+    /// Where the n-th bounce is along the floor, how far it is to the next, and where all are over.
+    fn places_of_bounces(&mut self, body: &str, own: &Bouncing<'_>) {
+        let Some(along) = &own.along else { return };
+        let letter = along.axis.letter();
+        let level = along.acceleration.is_zero();
+        let because = if level {
+            format!("the floor is smooth and level: nothing changes the velocity of {} along it", own.name)
+        } else {
+            format!("the floor is smooth: along it {} has the acceleration of its weight alone", own.name)
+        };
+        let way = |time: &Expr| bouncing::along(&along.velocity, &along.acceleration, time);
+        let times = [
+            ("n", "at its n-th bounce", bouncing::time_to(own.e, own.count, &own.whole())),
+            ("total", "where its bouncing ends", bouncing::time_of_all(own.e, &own.whole())),
+        ];
+        for (which, when, time) in times {
+            let meaning = format!("the {letter}-component of the position of {} {when}", own.name);
+            let place = self.symbol(format!("{letter}_{which}"), Dimension::LENGTH, meaning);
+            own.law(self, &bouncing::BOUNCE_PLACE, &because, (place, along.from.clone() + way(&time)));
+        }
+        let flight = own.quantity(self, "dt_n", Dimension::TIME, "");
+        let gained = bouncing::time_to(own.e, own.count, &own.whole()) * along.acceleration.clone();
+        let leaving = if level { along.velocity.clone() } else { along.velocity.clone() + gained };
+        let meaning = format!("the distance along the floor from the n-th bounce of {} to the next", own.name);
+        let range = self.symbol("range_n", Dimension::LENGTH, meaning);
+        let value = bouncing::along(&leaving, &along.acceleration, &flight.into());
+        own.law(self, &bouncing::BOUNCE_RANGE, &because, (range, value));
+        if level {
+            let after = self.velocity(body, own.index + 2, along.axis);
+            self.law(&momentum::NO_IMPULSE, Some(own.index), because, (after, along.velocity.clone()));
+        }
+    }
+}
+
+impl Bouncing<'_> {
+    /// The duration of a flight that begins with the speed of the first arrival.
+    fn whole(&self) -> Expr {
+        bouncing::flight(&self.arrival, &self.press)
+    }
+
+    fn quantity(&self, builder: &mut Builder<'_>, name: &str, dimension: Dimension, meaning: &str) -> Symbol {
+        builder.positive(name, dimension, meaning.replace("{}", &self.name))
+    }
+
+    fn law(&self, builder: &mut Builder<'_>, law: &'static Law, because: &str, (symbol, value): (Symbol, Expr)) {
+        builder.law(law, Some(self.index), because, (symbol.into(), value));
+    }
+}

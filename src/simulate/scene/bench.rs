@@ -1,0 +1,169 @@
+//! Where a stage is simulated: its numbers, how finely, and what has been found.
+
+use crate::scene::{Axis, Term};
+
+use super::experiment::{Reached, Staged};
+use super::integrate::Integrator;
+use super::nothing::NothingToSimulate;
+use super::values::Values;
+
+/// By which way a stage was simulated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Way {
+    /// Exact motion between exactly located impacts.
+    EventDriven,
+    /// Newton's second law integrated in time.
+    Integrated,
+    /// A contact that lasts, as a spring that gives back less than it took.
+    Contact,
+    /// Droplets, one after another.
+    Droplets,
+    /// The mean of places, and the area that radii sweep, in free motion.
+    Measured,
+}
+
+impl Way {
+    /// How it is called in a report.
+    #[must_use]
+    pub fn called(self) -> &'static str {
+        match self {
+            Self::EventDriven => "event driven",
+            Self::Integrated => "integration in time",
+            Self::Contact => "a contact as a spring",
+            Self::Droplets => "droplets",
+            Self::Measured => "free motion measured",
+        }
+    }
+}
+
+/// What a simulation of a stage finds.
+#[derive(Clone, Debug, Default)]
+pub struct Observed {
+    /// By which ways.
+    pub ways: Vec<Way>,
+    /// Quantities by their names.
+    pub found: Vec<Reached>,
+    /// Quantities by terms of the scene, which say them: `d`, `2*r`.
+    pub terms: Vec<Reached>,
+}
+
+/// A stage on the bench.
+pub(super) struct Bench<'a> {
+    pub values: &'a Values<'a>,
+    /// The tolerance of integrations.
+    pub tolerance: f64,
+    /// How many times as short contacts last as they would otherwise.
+    pub shorter: f64,
+    pub observed: Observed,
+}
+
+impl<'a> Bench<'a> {
+    /// An empty bench.
+    pub(super) fn new(values: &'a Values<'a>, tolerance: f64) -> Self {
+        Self { values, tolerance, shorter: 1.0, observed: Observed::default() }
+    }
+
+    /// An integrator whose steps are at most so long.
+    pub(super) fn integrator(&mut self, longest: f64) -> Integrator {
+        self.by(Way::Integrated);
+        Integrator { tolerance: self.tolerance, longest }
+    }
+
+    /// Notes by which way something was found.
+    pub(super) fn by(&mut self, way: Way) {
+        if !self.observed.ways.contains(&way) {
+            self.observed.ways.push(way);
+        }
+    }
+
+    fn reached(&self, name: &str, value: f64, scale: f64) -> Reached {
+        Reached { name: name.to_owned(), value, error: self.tolerance * scale.abs().max(value.abs()) }
+    }
+
+    /// Notes a quantity; `scale` is the size of what it is a difference of.
+    pub(super) fn note(&mut self, name: &str, value: f64, scale: f64) {
+        let reached = self.reached(name, value, scale);
+        self.observed.found.push(reached);
+    }
+
+    /// Notes a quantity under its name with the suffix of the stage.
+    pub(super) fn note_here(&mut self, base: &str, value: f64, scale: f64) {
+        self.note(&format!("{base}{}", self.values.suffix()), value, scale);
+    }
+
+    /// Notes what a term of the scene says.
+    pub(super) fn note_term(&mut self, term: Option<&Term>, value: f64, scale: f64) {
+        if let Some(Term(text)) = term {
+            let reached = self.reached(text, value, scale);
+            self.observed.terms.push(reached);
+        }
+    }
+
+    /// Notes how long the stage lasted, and the clock at its end.
+    pub(super) fn note_duration(&mut self, term: Option<&Term>, time: f64) {
+        self.note_here("dt", time, time);
+        self.note_term(term, time, time);
+        if let Some(before) = self.values.clock_before() {
+            self.note(&format!("t_{}", self.values.index + 2), before + time, time);
+        }
+    }
+
+    /// Notes the velocity of a body after the stage.
+    pub(super) fn note_velocity(&mut self, body: &str, velocity: [f64; 2], scale: f64) {
+        for axis in self.values.axes() {
+            self.note(&self.values.velocity_after(body, axis), part(velocity, axis), scale);
+        }
+    }
+
+    /// Notes a vector that belongs to the stage by components, magnitude and direction: `J_A.x[hit]`, `J_A[hit]`.
+    pub(super) fn note_vector(&mut self, name: &str, vector: [f64; 2]) {
+        let size = libm::hypot(vector[0], vector[1]);
+        match self.values.axes()[..] {
+            [only] => self.note_here(name, part(vector, only), size),
+            _ => {
+                for axis in self.values.axes() {
+                    self.note_here(&format!("{name}.{}", axis.letter()), part(vector, axis), size);
+                }
+                self.note_here(name, size, size);
+                self.note_here(&format!("angle_{name}"), libm::atan2(vector[1], vector[0]), 1.0);
+            }
+        }
+    }
+
+    /// Notes the impulse on a body, and the mean force where it is told how long it acted.
+    pub(super) fn note_impulse(&mut self, body: &str, impulse: [f64; 2], duration: Option<&Term>) {
+        self.note_vector(&format!("J_{body}"), impulse);
+        if let Some(time) = duration.and_then(|term| self.values.term(term).ok()) {
+            self.note_vector(&format!("F_avg_{body}"), impulse.map(|own| own / time));
+        }
+    }
+
+    /// Notes the kinetic energy that is lost from one list of masses and velocities to the other.
+    pub(super) fn note_energy(&mut self, before: &[(f64, [f64; 2])], after: &[(f64, [f64; 2])]) {
+        let [start, end] =
+            [before, after].map(|all| all.iter().map(|(mass, velocity)| kinetic(*mass, *velocity)).sum());
+        let (start, end): (f64, f64) = (start, end);
+        self.note_here("T_lost", start - end, start + end);
+        self.note_here("T_gained", end - start, start + end);
+    }
+
+    /// Takes over what a run of worlds found.
+    pub(super) fn take(&mut self, staged: &Staged) -> Result<(), NothingToSimulate> {
+        let all = staged.run().map_err(|_| NothingToSimulate::NoMethod)?;
+        self.by(Way::EventDriven);
+        for Reached { name, value, error } in all {
+            self.note(&name, value, error / self.tolerance);
+        }
+        Ok(())
+    }
+}
+
+/// The kinetic energy of a body.
+pub(super) fn kinetic(mass: f64, [x, y]: [f64; 2]) -> f64 {
+    mass * (x * x + y * y) / 2.0
+}
+
+/// The component of a vector along an axis, where a scene with one axis has all along that.
+pub(super) fn part(vector: [f64; 2], axis: Axis) -> f64 {
+    super::direction::part(vector, axis)
+}

@@ -1,0 +1,105 @@
+//! A body on a floor or a slope, along one axis: how it slides, and what ends the slide.
+
+use super::bench::Bench;
+use super::nothing::NothingToSimulate;
+use super::values::{OfTime, Values};
+use crate::scene::{Axis, Term};
+
+/// A slope against the level.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Slope {
+    /// The part of weight along the axis: positive where it pulls the body along it.
+    pub along: f64,
+    /// The part of weight that presses on the floor.
+    pub across: f64,
+}
+
+/// A body that slides.
+pub(super) struct Slide {
+    /// The acceleration along the axis without friction, in the time of the stage.
+    pub drive: OfTime,
+    /// The greatest deceleration by friction while it slides.
+    pub grip: OfTime,
+    /// Times at which the drive changes its law.
+    pub changes: Vec<f64>,
+    pub start: f64,
+    pub speed: f64,
+}
+
+/// What ends a slide.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Until {
+    Rest,
+    Time(f64),
+    Way(f64),
+}
+
+/// How a slide ended: when, how far from where it began, and how fast.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Slid {
+    pub time: f64,
+    pub way: f64,
+    pub speed: f64,
+}
+
+impl Values<'_> {
+    /// The slope that a term says: `alpha above +x`, or an angle alone where the axis points up or down the slope.
+    pub(super) fn slope(&self, term: Option<&Term>) -> Result<Slope, NothingToSimulate> {
+        let Some(Term(text)) = term else { return Ok(Slope { along: 0.0, across: 1.0 }) };
+        let joint = [(" above ", -1.0), (" below ", 1.0)];
+        let joined = joint.into_iter().find_map(|(joint, sign)| Some((text.split_once(joint)?, sign)));
+        let (angle, sign) = match joined {
+            Some(((angle, base), sign)) => (angle, if base.trim().starts_with('-') { -sign } else { sign }),
+            None => {
+                let axes = self.scene.axes.rectangular();
+                let senses = axes.first().map_or("", |(_, senses)| senses.positive.as_str());
+                (text.as_str(), if senses.contains("down") { 1.0 } else { -1.0 })
+            }
+        };
+        let angle = self.number(angle)?;
+        Ok(Slope { along: sign * libm::sin(angle), across: libm::cos(angle) })
+    }
+
+    /// The sense of a motion along an axis: where a term points, or else along the axis.
+    pub(super) fn sense(&self, direction: Option<&Term>, axis: Axis) -> Result<f64, NothingToSimulate> {
+        let Some(Term(text)) = direction else { return Ok(1.0) };
+        Ok(super::bench::part(self.direction(text)?, axis).signum())
+    }
+}
+
+impl Slide {
+    /// Runs the slide; `sense` is where it goes if it starts from rest.
+    pub(super) fn run(&self, bench: &mut Bench<'_>, sense: f64, until: Until) -> Result<Slid, NothingToSimulate> {
+        let sense = if self.speed == 0.0 { sense } else { self.speed.signum() };
+        let end = match until {
+            Until::Time(time) => time,
+            Until::Rest | Until::Way(_) => f64::INFINITY,
+        };
+        let mut state = [0.0, self.speed];
+        let mut time = self.start;
+        let change = ((self.drive)(time).abs() + (self.grip)(time)).max(f64::MIN_POSITIVE);
+        let typical = match until {
+            Until::Way(way) => way / (self.speed.abs() + libm::sqrt(way * change)),
+            _ => self.speed.abs() / change,
+        };
+        let longest = if end.is_finite() { (end - time) / 4.0 } else { typical.clamp(1e-6, 100.0) / 4.0 };
+        let integrator = bench.integrator(longest);
+        let slope = |time: f64, state: &[f64; 2]| [state[1], (self.drive)(time) - sense * (self.grip)(time)];
+        let stop = |_: f64, state: &[f64; 2]| match until {
+            Until::Rest => sense * state[1],
+            Until::Time(_) => 1.0,
+            Until::Way(way) => way - state[0].abs(),
+        };
+        let stops = self.changes.iter().copied().filter(|change| *change > self.start && *change < end);
+        for next in stops.chain([end]) {
+            // Just before a change the old law holds.
+            let held = |at: f64, state: &[f64; 2]| slope(if at >= next { next.next_down() } else { at }, state);
+            let run = integrator.run(time, state, next, &held, &stop)?;
+            (time, state) = (run.time, run.state);
+            if run.stopped {
+                break;
+            }
+        }
+        Ok(Slid { time: time - self.start, way: state[0], speed: if until == Until::Rest { 0.0 } else { state[1] } })
+    }
+}

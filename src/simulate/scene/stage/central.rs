@@ -1,0 +1,112 @@
+//! A particle under a force towards a fixed point, integrated in the plane of its orbit.
+
+use crate::scene::stage::{Central, Orbit};
+
+use crate::simulate::scene::bench::Bench;
+use crate::simulate::scene::integrate::Integrator;
+use crate::simulate::scene::nothing::NothingToSimulate;
+
+/// Place, velocity, and the area that the radius has swept, in units of the distance and the speed at the start.
+type State = [f64; 5];
+
+/// The motion under an attraction that falls with the square of the distance.
+struct Pull {
+    parameter: f64,
+    integrator: Integrator,
+}
+
+fn distance(state: &State) -> f64 {
+    libm::hypot(state[0], state[1])
+}
+
+/// How fast the particle goes away from the centre.
+fn outwards(state: &State) -> f64 {
+    (state[0] * state[2] + state[1] * state[3]) / distance(state)
+}
+
+/// How fast it goes round, counter-clockwise positive.
+fn around(state: &State) -> f64 {
+    (state[0] * state[3] - state[1] * state[2]) / distance(state)
+}
+
+impl Pull {
+    fn to(&self, from: (f64, State), stop: &dyn Fn(&State) -> f64) -> Result<(f64, State), NothingToSimulate> {
+        let slope = |_: f64, state: &State| {
+            let [x, y, u, v, _] = *state;
+            let pull = -self.parameter / libm::pow(distance(state), 3.0);
+            [u, v, pull * x, pull * y, (x * v - y * u) / 2.0]
+        };
+        self.integrator.event(from.0, from.1, &slope, &|_, state| stop(state))
+    }
+}
+
+impl Bench<'_> {
+    pub(super) fn central(&mut self, stage: &Central) -> Result<(), NothingToSimulate> {
+        if stage.spring.is_some() {
+            return Err(NothingToSimulate::NoMethod);
+        }
+        let (body, first) = (stage.body.as_str(), self.values.index + 1);
+        let named =
+            |base: &str, instant: usize, part: &str| self.values.named(&format!("{base}_{body}{instant}{part}"));
+        let (length, across) = (named("r", first, "")?, named("v", first, ".theta")?);
+        let speed = across.abs();
+        let radial = named("v", first, ".r").unwrap_or(0.0) / speed;
+        let goal = named("r", first + 1, "").map(|goal| goal / length);
+        let told = stage.gravity.as_ref().map(|term| self.values.term(term)).transpose()?;
+        // Where no force is told, any that brings the particle to its goal will do.
+        let parameter = match (told, &goal) {
+            (Some(told), _) => told / (length * speed * speed),
+            (None, Ok(goal)) if *goal > 1.0 => (1.0 + 1.0 / goal) / 4.0,
+            (None, Ok(goal)) => 1.0 + 1.0 / goal,
+            (None, Err(missing)) => return Err(*missing),
+        };
+        let pull = Pull { parameter, integrator: self.integrator(0.1) };
+        let start = (0.0, [1.0, 0.0, radial, across.signum(), 0.0]);
+        self.note_there(body, first, &start.1, [length, speed]);
+        if let Ok(goal) = goal {
+            let sense = if goal >= 1.0 { 1.0 } else { -1.0 };
+            let (time, end) = pull.to(start, &|state| sense * (goal - distance(state)))?;
+            self.note_there(body, first + 1, &end, [length, speed]);
+            self.note(&format!("v_{body}{}.theta", first + 1), speed * around(&end), speed);
+            self.note("areal_rate", end[4] / time * length * speed, 0.0);
+            if radial == 0.0 {
+                self.note_here("dt", time * length / speed, 0.0);
+            }
+        }
+        if stage.orbit == Some(Orbit::Ellipse) && told.is_some() {
+            self.go_round(body, &pull, start, [length, speed])?;
+        }
+        Ok(())
+    }
+
+    fn note_there(&mut self, body: &str, instant: usize, state: &State, [length, speed]: [f64; 2]) {
+        self.note(&format!("speed_{body}{instant}"), speed * libm::hypot(state[2], state[3]), 0.0);
+        if let Ok(mass) = self.values.mass(body) {
+            let about = mass * around(state) * distance(state) * length * speed;
+            let points: Vec<String> = self.values.scene.points.keys().cloned().collect();
+            for point in points {
+                self.note(&format!("H_{point}{instant}"), about, 0.0);
+            }
+        }
+    }
+
+    /// Once round: farthest, nearest, farthest again.
+    fn go_round(
+        &mut self,
+        body: &str,
+        pull: &Pull,
+        start: (f64, State),
+        [length, speed]: [f64; 2],
+    ) -> Result<(), NothingToSimulate> {
+        let far = pull.to(start, &outwards)?;
+        let near = pull.to(far, &|state| -outwards(state))?;
+        let again = pull.to(near, &outwards)?;
+        let [most, least] = [&far.1, &near.1].map(|state| distance(state) * length);
+        self.note(&format!("r_{body}.max"), most, 0.0);
+        self.note(&format!("r_{body}.min"), least, 0.0);
+        self.note(&format!("a_{body}"), f64::midpoint(most, least), most);
+        self.note(&format!("ecc_{body}"), (most - least) / (most + least), 1.0);
+        self.note(&format!("period_{body}"), (again.0 - far.0) * length / speed, 0.0);
+        Ok(())
+    }
+}

@@ -1,0 +1,137 @@
+//! Free flights and even motion: every body from its place with its velocity, until a time or an equation in the places.
+
+use std::sync::Arc;
+
+use crate::scene::stage::{Drift, Flight};
+use crate::scene::{Axis, Term};
+
+use crate::simulate::scene::bench::Bench;
+use crate::simulate::scene::nothing::NothingToSimulate;
+use crate::simulate::scene::values::OfSeveral;
+
+/// The time after which it is looked on which side of its end a motion that starts on it has gone.
+const SOON: f64 = 1e-6;
+
+/// One component of the motion of one body.
+struct Track {
+    body: String,
+    axis: Axis,
+    place: Option<f64>,
+    speed: f64,
+    falls: f64,
+}
+
+/// What ends a motion.
+enum Ends {
+    Time(f64),
+    Top,
+    /// Where this is zero, in the places in the order of the tracks.
+    Meets(OfSeveral),
+}
+
+impl Track {
+    fn place_at(&self, time: f64) -> f64 {
+        self.place.unwrap_or(f64::NAN) + time * (self.speed + time * self.falls / 2.0)
+    }
+}
+
+impl Bench<'_> {
+    pub(super) fn flight(&mut self, stage: &Flight) -> Result<(), NothingToSimulate> {
+        let mut tracks = Vec::new();
+        for body in stage.flying() {
+            for axis in self.values.axes() {
+                tracks.push(self.track(body, axis, self.values.gravity(axis)?)?);
+            }
+        }
+        self.go(&tracks, stage.until.as_ref(), stage.during.as_ref())
+    }
+
+    pub(super) fn drift(&mut self, stage: &Drift) -> Result<(), NothingToSimulate> {
+        let mut tracks = Vec::new();
+        let named = self.values.scene.bodies.keys().map(String::as_str);
+        let unions = self.values.scene.stages.iter().filter_map(|stage| match stage {
+            crate::scene::Stage::Impact(impact) => impact.becomes.as_deref(),
+            _ => None,
+        });
+        for body in named.chain(unions) {
+            for axis in self.values.axes() {
+                tracks.extend(self.track(body, axis, 0.0).ok().filter(|track| track.place.is_some()));
+            }
+        }
+        if tracks.is_empty() {
+            return Err(NothingToSimulate::ValueMissing);
+        }
+        self.go(&tracks, stage.until.as_ref(), stage.during.as_ref())
+    }
+
+    fn track(&self, body: &str, axis: Axis, falls: f64) -> Result<Track, NothingToSimulate> {
+        let place = self.values.place_before(body, axis).ok();
+        Ok(Track { body: body.to_owned(), axis, place, speed: self.values.velocity_before(body, axis)?, falls })
+    }
+
+    fn go(&mut self, tracks: &[Track], until: Option<&Term>, during: Option<&Term>) -> Result<(), NothingToSimulate> {
+        let ends = match until.map(|term| term.0.trim()) {
+            None => Ends::Time(during.map_or_else(|| self.values.duration(), |term| self.values.term(term))?),
+            Some("top") => Ends::Top,
+            Some(text) => Ends::Meets(self.equation(tracks, text)?),
+        };
+        let time = self.ending(tracks, &ends)?;
+        for track in tracks {
+            self.note(
+                &self.values.velocity_after(&track.body, track.axis),
+                track.speed + track.falls * time,
+                track.speed,
+            );
+            if let Some(start) = track.place {
+                let name = self.values.place_name(&track.body, self.values.index + 2, track.axis);
+                self.note(&name, track.place_at(time), start);
+            }
+        }
+        self.note_duration(during, time);
+        Ok(())
+    }
+
+    /// The two sides of an equation in places as a function of the places that is zero where they are equal.
+    fn equation(&self, tracks: &[Track], text: &str) -> Result<OfSeveral, NothingToSimulate> {
+        let (left, right) = text.split_once('=').ok_or(NothingToSimulate::Unread)?;
+        let alone = tracks.iter().all(|track| track.body == tracks[0].body);
+        let full: Vec<String> = tracks.iter().map(|track| format!("{}_{}", track.axis.letter(), track.body)).collect();
+        let short: Vec<String> = tracks.iter().map(|track| track.axis.letter().to_owned()).collect();
+        let mut names = full;
+        if alone {
+            names.extend(short);
+        }
+        let [left, right] = [left, right].map(|side| self.values.of_several(side, &names));
+        let (left, right) = (left?, right?);
+        Ok(Arc::new(move |places| {
+            let both = [places, places].concat();
+            left(&both) - right(&both)
+        }))
+    }
+
+    /// When the motion ends: the motion is marched in time, and the last step shortened.
+    fn ending(&mut self, tracks: &[Track], ends: &Ends) -> Result<f64, NothingToSimulate> {
+        let signed: Box<dyn Fn(f64) -> f64> = match ends {
+            Ends::Time(time) => return Ok(*time),
+            Ends::Top => {
+                let Some(rising) = tracks.iter().find(|track| track.falls != 0.0) else {
+                    return Err(NothingToSimulate::NothingChanges);
+                };
+                let (speed, falls) = (rising.speed, rising.falls);
+                Box::new(move |time| speed + falls * time)
+            }
+            Ends::Meets(apart) => {
+                Box::new(move |time| apart(&tracks.iter().map(|track| track.place_at(time)).collect::<Vec<_>>()))
+            }
+        };
+        let first = if signed(0.0) == 0.0 { signed(SOON) } else { signed(0.0) };
+        // How long a place needs for a change of the order of itself.
+        let spans = tracks.iter().map(|track| {
+            let way = track.place.unwrap_or(0.0).abs() + 1.0;
+            way / (track.speed.abs() + libm::sqrt(way * track.falls.abs())).max(f64::MIN_POSITIVE)
+        });
+        let integrator = self.integrator(spans.fold(f64::INFINITY, f64::min).min(1e6) / 8.0);
+        let (time, _) = integrator.event(0.0, [0.0], &|_, _| [1.0], &|time, _| signed(time) * first.signum())?;
+        Ok(time)
+    }
+}

@@ -1,0 +1,150 @@
+//! Impacts: velocities event driven, the two phases and the impulses by a contact that lasts.
+
+use crate::scene::stage::{Impact, Partners};
+
+use crate::simulate::scene::bench::Bench;
+use crate::simulate::scene::direction::unit;
+use crate::simulate::scene::nothing::NothingToSimulate;
+use crate::simulate::scene::touch::{Parted, Party, Touch, dot};
+
+/// The share of the energy before at which a search for the coefficient of restitution ends.
+const CLOSE: f64 = 1e-14;
+
+/// Halvings of that search.
+const HALVINGS: usize = 60;
+
+impl Bench<'_> {
+    pub(super) fn impact(&mut self, stage: &Impact) -> Result<(), NothingToSimulate> {
+        match stage.partners() {
+            Some(Partners::Bodies(first, second)) if stage.plastic => self.stick(stage, [first, second]),
+            Some(Partners::Bodies(first, second)) => self.collide(stage, [first, second]),
+            Some(Partners::Surface(body, surface)) => self.strike(stage, body, surface),
+            None => Err(NothingToSimulate::NoStage),
+        }
+    }
+
+    /// A body as one that touches another.
+    pub(super) fn party(&self, body: &str) -> Result<Party, NothingToSimulate> {
+        let guide = self.values.guide(body).transpose()?;
+        Ok(Party { mass: Some(self.values.mass(body)?), velocity: self.values.moving(body)?, guide })
+    }
+
+    fn collide(&mut self, stage: &Impact, bodies: [&str; 2]) -> Result<(), NothingToSimulate> {
+        let normal = match &stage.line_of_impact {
+            Some(term) => self.values.direction(&term.0)?,
+            None => match self.values.axes()[..] {
+                [only] => unit(only),
+                _ => return Err(NothingToSimulate::NoLineOfImpact),
+            },
+        };
+        let parties = [self.party(bodies[0])?, self.party(bodies[1])?];
+        let touch = Touch { parties, normal, restitution: 0.0 };
+        let touch = Touch { restitution: self.restitution(stage, &touch)?, ..touch };
+        let parted = touch.run(self)?;
+        if stage.loss.is_none() && parties.iter().all(|party| party.guide.is_none()) {
+            self.take(&self.values.impact(stage)?)?;
+        } else {
+            self.note_velocities(&touch, bodies, &parted);
+        }
+        self.note_parting(stage, &touch, &bodies, &parted);
+        for ((body, party), reaction) in bodies.iter().zip(parties).zip(parted.reactions) {
+            if let Some([x, y]) = party.guide {
+                self.note_here(&format!("R_{body}"), dot([-y, x], reaction), 0.0);
+            }
+        }
+        Ok(())
+    }
+
+    /// The coefficient of restitution: told, or found by trying which one loses the energy that is told.
+    fn restitution(&mut self, stage: &Impact, touch: &Touch) -> Result<f64, NothingToSimulate> {
+        let Some(term) = &stage.loss else { return self.values.coefficient(stage) };
+        let loss = self.values.term(term)?;
+        let energy = |velocities: [[f64; 2]; 2]| -> f64 {
+            let each = touch.parties.iter().zip(velocities);
+            each.map(|(party, velocity)| party.mass.unwrap_or(0.0) * dot(velocity, velocity) / 2.0).sum()
+        };
+        let start = energy(touch.parties.map(|party| party.velocity));
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..HALVINGS {
+            let middle = f64::midpoint(low, high);
+            let lost = start - energy(Touch { restitution: middle, ..*touch }.run(self)?.velocities);
+            if (lost - loss).abs() <= CLOSE * start {
+                return Ok(middle);
+            }
+            if lost > loss { low = middle } else { high = middle }
+        }
+        Ok(f64::midpoint(low, high))
+    }
+
+    fn strike(&mut self, stage: &Impact, body: &str, surface: &str) -> Result<(), NothingToSimulate> {
+        let entry = self.values.scene.surfaces.get(surface).ok_or(NothingToSimulate::NoStage)?;
+        let outward = self.values.direction(&entry.normal.0)?;
+        let moves = entry.velocity.as_ref().map_or(Ok(0.0), |term| self.values.term(term))?;
+        self.take(&self.values.impact(stage)?)?;
+        // Without a mass nothing but velocities can be spoken of.
+        let Ok(mass) = self.values.mass(body) else { return Ok(()) };
+        let wall = Party { mass: None, velocity: outward.map(|own| own * moves), guide: None };
+        let parties = [Party::free(mass, self.values.moving(body)?), wall];
+        let normal = outward.map(|own| -own);
+        let touch = Touch { parties, normal, restitution: self.values.coefficient(stage)? };
+        let mut parted = touch.run(self)?;
+        parted.common = -parted.common;
+        self.note_parting(stage, &touch, &[body], &parted);
+        Ok(())
+    }
+
+    /// Bodies that stay together: what holds them takes up their relative motion along each axis.
+    fn stick(&mut self, stage: &Impact, bodies: [&str; 2]) -> Result<(), NothingToSimulate> {
+        let parties = [self.party(bodies[0])?, self.party(bodies[1])?];
+        if parties.iter().any(|party| party.guide.is_some()) {
+            return Err(NothingToSimulate::NoMethod);
+        }
+        self.take(&self.values.impact(stage)?)?;
+        let mut held = Touch { parties, normal: [0.0; 2], restitution: 0.0 };
+        let mut impulses = [[0.0; 2]; 2];
+        for axis in self.values.axes() {
+            let along = unit(axis);
+            let closing = dot(held.parties[0].velocity, along) - dot(held.parties[1].velocity, along);
+            if closing == 0.0 {
+                continue;
+            }
+            held.normal = along.map(|own| own * closing.signum());
+            let parted = held.run(self)?;
+            for own in [0, 1] {
+                held.parties[own].velocity = parted.velocities[own];
+                impulses[own] = [0, 1].map(|axis| impulses[own][axis] + parted.impulses[own][axis]);
+            }
+        }
+        for (body, impulse) in bodies.iter().zip(impulses) {
+            self.note_impulse(body, impulse, stage.duration.as_ref());
+        }
+        let before = Touch { parties, ..held };
+        let carriers = |touch: &Touch| touch.parties.map(|party| (party.mass.unwrap_or(0.0), party.velocity));
+        self.note_energy(&carriers(&before), &carriers(&held));
+        Ok(())
+    }
+
+    fn note_velocities(&mut self, touch: &Touch, bodies: [&str; 2], parted: &Parted) {
+        let scale = touch.parties.iter().map(|party| dot(party.velocity, party.velocity)).fold(0.0, f64::max);
+        for (body, velocity) in bodies.iter().zip(parted.velocities) {
+            self.note_velocity(body, velocity, libm::sqrt(scale));
+        }
+    }
+
+    fn note_parting(&mut self, stage: &Impact, touch: &Touch, bodies: &[&str], parted: &Parted) {
+        for (body, impulse) in bodies.iter().zip(parted.impulses) {
+            self.note_impulse(body, impulse, stage.duration.as_ref());
+        }
+        for (body, impulse) in bodies.iter().zip(parted.impulses) {
+            self.note_here(&format!("J_{body}.n"), dot(touch.normal, impulse), 0.0);
+        }
+        self.note_here("v_common", parted.common, 0.0);
+        self.note_here("J_def", parted.phases[0], 0.0);
+        self.note_here("J_rest", parted.phases[1], parted.phases[0]);
+        let carriers = |velocities: [[f64; 2]; 2]| -> Vec<(f64, [f64; 2])> {
+            let each = touch.parties.iter().zip(velocities);
+            each.filter_map(|(party, velocity)| Some((party.mass?, velocity))).collect()
+        };
+        self.note_energy(&carriers(touch.parties.map(|party| party.velocity)), &carriers(parted.velocities));
+    }
+}

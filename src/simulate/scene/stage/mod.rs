@@ -1,0 +1,297 @@
+//! What simulates each kind of stage: one file each, as in the scene.
+
+mod blow;
+mod central;
+mod connected;
+mod fall;
+mod flight;
+mod impact;
+mod push;
+mod rotate;
+mod separate;
+mod slide;
+mod slide_off;
+mod spring;
+mod stream;
+mod swing;
+mod taut;
+mod thrust;
+mod walk;
+
+use crate::scene::Stage;
+
+use super::bench::Bench;
+use super::nothing::NothingToSimulate;
+
+impl Bench<'_> {
+    /// Simulates a stage, whatever its kind.
+    pub(super) fn stage(&mut self, stage: &Stage) -> Result<(), NothingToSimulate> {
+        if self.values.axes().len() > 2 {
+            return Err(NothingToSimulate::NoMethod);
+        }
+        match stage {
+            Stage::Moment(_) | Stage::Strike(_) | Stage::Conical(_) | Stage::Bowl(_) | Stage::Interact(_) => {
+                Err(NothingToSimulate::NoMethod)
+            }
+            Stage::Impact(stage) => self.impact(stage),
+            Stage::Push(stage) => self.push(stage),
+            Stage::Slide(stage) => self.slide(stage),
+            Stage::Spring(stage) => self.spring(stage),
+            Stage::Swing(stage) => self.swing(stage),
+            Stage::Taut(stage) => self.taut(stage),
+            Stage::Connected(stage) => self.connected(stage),
+            Stage::Blow(stage) => self.blow(stage),
+            Stage::Rotate(stage) => self.rotate(stage),
+            Stage::Central(stage) => self.central(stage),
+            Stage::Fall(stage) => self.fall(stage),
+            Stage::Bounces(stage) => self.bounces(stage),
+            Stage::Stream(stage) => self.stream(stage),
+            Stage::Thrust(stage) => self.thrust(stage),
+            Stage::Drift(stage) => self.drift(stage),
+            Stage::Separate(stage) => self.separate(stage),
+            Stage::SlideOff(stage) => self.slide_off(stage),
+            Stage::Walk(stage) => self.walk(stage),
+            Stage::Flight(stage) => self.flight(stage),
+        }
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test says bluntly what it expects")]
+mod tests {
+    use crate::scene::Scene;
+    use crate::simulate::scene::{NothingToSimulate, Observed, observe};
+
+    const RIGHT: &str = r#"{"x":"to the right"}"#;
+    const UP: &str = r#"{"y":"upwards"}"#;
+    const UPHILL: &str = r#"{"x":"up the slope"}"#;
+    const BOTH: &str = r#"{"x":"to the right","y":"upwards"}"#;
+    const POLAR: &str = r#""polar""#;
+
+    type Row = (&'static str, &'static str, &'static str, &'static str);
+
+    /// Axes, a stage, what is told, and what comes out, all worked out by hand with g = 10 m/s².
+    const BY_HAND: &[Row] = &[
+        (
+            UPHILL,
+            r#"{"slide":{"body":"A","incline":"30 deg","distance":"d","until":"rest"}}"#,
+            "v_A1 6",
+            "d 3.6, dt 1.2",
+        ),
+        (
+            RIGHT,
+            r#"{"slide":{"body":"A","friction":0.5,"distance":"d","until":"rest"}}"#,
+            "v_A1 10",
+            "d 10, dt 2, v_A2 0",
+        ),
+        (RIGHT, r#"{"slide":{"body":"A","height":"0.8 m"}}"#, "v_A1 3", "v_A2 5"),
+        (
+            RIGHT,
+            r#"{"push":{"body":"A","during":["0 s","3 s"],"forces":[{"value":"10*t*1 N/s"},{"friction":{"static":0.5,"kinetic":0.4}}]}}"#,
+            "m_A 2",
+            "t_start 1, v_A2 12",
+        ),
+        (
+            UP,
+            r#"{"push":{"body":"A","over":"d","direction":"downwards","until":"rest","forces":[{"value":"100 N","direction":"upwards"}]}}"#,
+            "m_A 2, v_A1 -5",
+            "d 0.3125, dt 0.125",
+        ),
+        (
+            RIGHT,
+            r#"{"push":{"body":"A","during":"2 s","forces":[{"value":"3*t^2*1 N/s^2"}]}}"#,
+            "m_A 4, v_A1 1",
+            "v_A2 3, J_A 8",
+        ),
+        (RIGHT, r#"{"spring":{"body":"A","stiffness":"200 N/m","to":"s","until":"rest"}}"#, "m_A 2, v_A1 1", "s 0.1"),
+        (RIGHT, r#"{"spring":{"body":"A","stiffness":"200 N/m","from":"0.1 m"}}"#, "m_A 2, v_A1 0", "v_A2 1"),
+        (
+            RIGHT,
+            r#"{"spring":{"between":["A","B"],"stiffness":"300 N/m","from":"0.2 m"}}"#,
+            "m_A 1, m_B 3, v_A1 0, v_B1 0",
+            "v_A2 -3, v_B2 1",
+        ),
+        (
+            RIGHT,
+            r#"{"swing":{"body":"A","length":"2.5 m"}}"#,
+            "m_A 2, v_A1 5",
+            "h_A 1.25, angle_A2 1.0471975511965976, tension_A1 40",
+        ),
+        (RIGHT, r#"{"swing":{"body":"A","length":"2.5 m","from":"60 deg"}}"#, "m_A 2", "v_A2 5, tension_A2 40"),
+        (RIGHT, r#"{"swing":{"body":"A","height":"1.25 m","way":"down"}}"#, "m_A 2", "v_A2 5"),
+        (
+            RIGHT,
+            r#"{"taut":{"between":["A","B"],"duration":"0.1 s"}}"#,
+            "m_A 1, m_B 3, v_A1 0, v_B1 4",
+            "v_A2 3, v_B2 3, F_avg_A 30, T_lost 6",
+        ),
+        (
+            RIGHT,
+            r#"{"connected":{"trailing":{"body":"A"},"leading":{"body":"B"},"duration":"2 s"}}"#,
+            "m_A 1, m_B 3, v_A1 0",
+            "v_A2 10, v_B2 10, tension 15",
+        ),
+        (
+            RIGHT,
+            r#"{"connected":{"trailing":{"body":"A","on":"level","friction":0.5},"leading":{"body":"B"},"distance":"4 m"}}"#,
+            "m_A 2, m_B 2, v_A1 1",
+            "v_B2 4.58257569495584, tension 15",
+        ),
+        (
+            RIGHT,
+            r#"{"blow":{"body":"A","by":"the bat","duration":"0.01 s"}}"#,
+            "m_A 2, v_A1 -3, J_A 10",
+            "v_A2 2, F_avg_A 1000",
+        ),
+        (RIGHT, r#"{"blow":{"body":"A","by":"the bat"}}"#, "m_A 2, v_A1 -3, v_A2 2", "J_A 10"),
+        (
+            RIGHT,
+            r#"{"rotate":{"body":"A","about":"O","arm":["2 m","1 m"]}}"#,
+            "m_A 2, v_A1 3",
+            "v_A2 6, omega_A2 6, H_O2 12",
+        ),
+        (
+            RIGHT,
+            r#"{"rotate":{"body":"A","about":"O","arm":"2 m","moment":"6*t*1 N m/s","during":"2 s"}}"#,
+            "m_A 3, v_A1 1",
+            "v_A2 3, H_O2 18",
+        ),
+        (
+            POLAR,
+            r#"{"central":{"body":"A","about":"O"}}"#,
+            "r_A1 1, r_A2 2, v_A1.theta 3",
+            "v_A2.theta 1.5, areal_rate 1.5",
+        ),
+        (
+            POLAR,
+            r#"{"central":{"body":"A","about":"O","gravity":"GM","orbit":"ellipse"}}"#,
+            "GM 4, r_A1 1, r_A2 2, v_A1.theta 2.449489742783178",
+            "a_A 2, r_A.max 3, ecc_A 0.5, period_A 8.88576587631673, speed_A2 1.4142135623730951",
+        ),
+        (
+            UP,
+            r#"{"bounces":{"body":"A","restitution":0.5,"count":2}}"#,
+            "h_0 5",
+            "h_n 0.3125, path_total 8.333333333333334",
+        ),
+        (
+            RIGHT,
+            r#"{"stream":{"body":"A","by":"the jet","speed":"10 m/s","moves":"4 m/s","density":"1000 kg/m^3","area":"0.001 m^2"}}"#,
+            "",
+            "flow_A 6, F_A 36, F_hold_A -36, P_A 144",
+        ),
+        (
+            RIGHT,
+            r#"{"stream":{"body":"A","by":"the jet","speed":"10 m/s","flow":"2 kg/s","turned":"180 deg"}}"#,
+            "",
+            "F_A 40",
+        ),
+        (
+            RIGHT,
+            r#"{"stream":{"body":"A","by":"the hail","drop":"5 m","flow":"2 kg/s","restitution":0.5}}"#,
+            "",
+            "F_A 30",
+        ),
+        (
+            RIGHT,
+            r#"{"thrust":{"body":"A","mass":["2 kg","1 kg"],"exhaust":"1 km/s","flow":"0.1 kg/s"}}"#,
+            "v_A1 0",
+            "v_A2 693.1471805599453, F_A 100, dt 10",
+        ),
+        (
+            UP,
+            r#"{"thrust":{"body":"A","mass":["20 kg","10 kg"],"exhaust":"100 m/s","flow":"1.5 kg/s","on_ground":true}}"#,
+            "v_A1 0",
+            "t_start 3.3333333333333335, v_A2 7.213177477483106",
+        ),
+        (RIGHT, r#"{"walk":{"body":"A","on":"B","distance":"4 m"}}"#, "m_A 1, m_B 3", "s_A 3, s_B -1"),
+        (
+            RIGHT,
+            r#"{"separate":{"from":"W","into":["A","B"],"energy":"6 J"}}"#,
+            "m_A 1, m_B 3, v_W1 1",
+            "v_A2 -2, v_B2 2, T_gained 6",
+        ),
+        (
+            RIGHT,
+            r#"{"separate":{"from":"W","into":["A","B"],"relative":{"of":"A","to":"B","velocity":"4 m/s"}}}"#,
+            "m_A 1, m_B 3, v_W1 0",
+            "v_A2 3, v_B2 -1, J_A 3",
+        ),
+        (
+            BOTH,
+            r#"{"slide_off":{"body":"A","on":"G","height":"0.6 m","direction":"to the right"}}"#,
+            "m_A 1, m_G 3",
+            "v_A2.x 3, v_G2.x -1",
+        ),
+        (
+            BOTH,
+            r#"{"slide_off":{"body":"A","on":"G","height":"0.6 m","direction":"45 deg below +x"}}"#,
+            "m_A 1, m_G 1",
+            "v_G2.x -1.4142135623730951, v_A2.y -2.8284271247461903",
+        ),
+        (RIGHT, r#"{"drift":{"until":"x_A = x_B"}}"#, "v_A1 3, v_B1 1, r_A1 0, r_B1 6", "dt 3, r_A2 9, t_2 3"),
+        (
+            BOTH,
+            r#"{"flight":{"body":"A","until":"y = 0 m"}}"#,
+            "v_A1.x 3, v_A1.y 10, r_A1.x 0, r_A1.y 0",
+            "dt 2, r_A2.x 6, v_A2.y -10",
+        ),
+        (BOTH, r#"{"flight":{"body":"A","until":"top"}}"#, "v_A1.x 3, v_A1.y 10", "dt 1, v_A2.y 0"),
+        (
+            RIGHT,
+            r#"{"impact":{"between":["A","B"],"loss":"6 J"}}"#,
+            "m_A 2, m_B 2, v_A1 4, v_B1 0",
+            "v_common 2, J_B 6, T_lost 6",
+        ),
+    ];
+
+    fn scene(axes: &str, stage: &str) -> Scene {
+        let plane = if axes.contains('y') { "vertical" } else { "horizontal" };
+        let text = format!(
+            r#"{{"axes":{axes},"plane":"{plane}","points":{{"O":{{"name":"o"}}}},"bodies":{{"A":{{"name":"a"}},
+            "B":{{"name":"b"}},"G":{{"name":"g","guide":{{"along":"x"}}}}}},"stages":[{stage}]}}"#
+        );
+        serde_json::from_str(&text).unwrap()
+    }
+
+    fn numbers(text: &str) -> Vec<(&str, f64)> {
+        let rows = text.split(", ").filter_map(|row| row.rsplit_once(' '));
+        rows.map(|(name, value)| (name, value.parse().unwrap())).collect()
+    }
+
+    fn run(axes: &str, stage: &str, told: &str) -> Result<Observed, NothingToSimulate> {
+        let told = numbers(told);
+        let value = |name: &str| {
+            let own = told.iter().find(|(own, _)| *own == name).map(|(_, value)| *value);
+            own.or(if name == "g" { Some(10.0) } else { None })
+        };
+        observe(&scene(axes, stage), 0, &value, 1e-11)
+    }
+
+    #[test]
+    fn every_kind_of_stage_ends_as_it_does_by_hand() {
+        for (axes, stage, told, expected) in BY_HAND {
+            let observed = run(axes, stage, told).unwrap_or_else(|reason| panic!("{stage}: {reason:?}"));
+            for (name, expected) in numbers(expected) {
+                let mut all = observed.found.iter().chain(&observed.terms);
+                let own = all.find(|own| own.name == name).unwrap_or_else(|| panic!("{stage}: no {name}"));
+                assert!(
+                    (own.value - expected).abs() <= 1e-9 * (1.0 + expected.abs()),
+                    "{stage}: {own:?}, not {expected}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_simulated_says_why() {
+        let three = r#"{"separate":{"from":"W","into":["A","B","G"]}}"#;
+        for (stage, told, reason) in [
+            (r#"{"blow":{"body":"A","by":"the bat"}}"#, "m_A 1, v_A1 1", NothingToSimulate::ValueMissing),
+            (r#"{"impact":{"between":["A","B"]}}"#, "m_A 1, m_B 1, v_A1 1, v_B1 0", NothingToSimulate::NoRestitution),
+            (three, "m_A 1, m_B 1, m_G 1, v_W1 1", NothingToSimulate::NoMethod),
+        ] {
+            assert_eq!(run(RIGHT, stage, told).unwrap_err(), reason, "{stage}");
+        }
+    }
+}

@@ -1,0 +1,143 @@
+//! A body that throws mass away: the thrust of its droplets, and its motion while it becomes lighter.
+
+use crate::scene::Term;
+use crate::scene::stage::{BurningMass, Exhaust, Thrust};
+
+use crate::simulate::scene::bench::{Bench, Way, part};
+use crate::simulate::scene::direction::unit;
+use crate::simulate::scene::integrate::Integrator;
+use crate::simulate::scene::nothing::NothingToSimulate;
+use crate::simulate::scene::touch::{Party, dot};
+
+use super::separate::Apart;
+
+/// The share of the mass that one droplet carries away; it is halved to find what ever smaller droplets would do.
+const DROPLET: f64 = 1e-6;
+
+/// A burn as numbers.
+struct Burn {
+    force: f64,
+    flow: f64,
+    start: f64,
+    weight: f64,
+    resistance: f64,
+    along: f64,
+}
+
+impl Bench<'_> {
+    pub(super) fn thrust(&mut self, stage: &Thrust) -> Result<(), NothingToSimulate> {
+        let [axis] = self.values.axes()[..] else { return Err(NothingToSimulate::NoMethod) };
+        let body = stage.body.as_str();
+        let told = |term: Option<&Term>| term.and_then(|term| self.values.term(term).ok());
+        let (start, end) = match &stage.mass {
+            BurningMass::Both([start, end]) => (self.values.term(start)?, told(Some(end))),
+            BurningMass::Start(start) => (self.values.term(start)?, None),
+        };
+        let time = told(stage.during.as_ref()).or_else(|| self.values.duration().ok());
+        let (force, flow) = self.jets(stage, start, end, time)?;
+        let along = match &stage.direction {
+            Some(term) => part(self.values.direction(&term.0)?, axis),
+            None => 1.0,
+        };
+        let resistance = stage.resistance.as_ref().map_or(Ok(0.0), |term| self.values.term(term))?;
+        let burn = Burn { force, flow, start, weight: self.values.gravity(axis)?, resistance, along };
+        let time = match (time, end) {
+            (Some(time), _) => time,
+            (None, Some(end)) => self.burnt(&burn, end)?,
+            (None, None) => return Err(NothingToSimulate::ValueMissing),
+        };
+        self.note_here(&format!("F_{body}"), force, 0.0);
+        self.note_here(&format!("flow_{body}"), flow, 0.0);
+        self.note_term(stage.flow.as_ref(), flow, 0.0);
+        self.note_term(stage.force.as_ref(), force, 0.0);
+        self.note_burn(stage, &burn, self.values.velocity_before(body, axis)?, time)
+    }
+
+    /// The time until only so much mass is left.
+    fn burnt(&mut self, burn: &Burn, end: f64) -> Result<f64, NothingToSimulate> {
+        let integrator = self.integrator((burn.start - end) / burn.flow / 8.0);
+        Ok(integrator.event(0.0, [burn.start], &|_, _| [-burn.flow], &|_, state| state[0] - end)?.0)
+    }
+
+    /// What a body gains from droplets of a share of its mass that it throws away, as a force.
+    fn droplets(&mut self, speed: f64, flow: f64, mass: f64, share: f64) -> Result<f64, NothingToSimulate> {
+        let (droplet, left) = (share * mass, (1.0 - share) * mass);
+        let parties = [Party::free(left, [0.0; 2]), Party::free(droplet, [0.0; 2])];
+        let axis = self.values.axes().first().map_or([1.0, 0.0], |axis| unit(*axis));
+        let seen = |apart: &Apart| {
+            let [body, droplet] = apart.velocities;
+            [body[0] - droplet[0], body[1] - droplet[1]]
+        };
+        let apart = self.searched(parties, axis.map(|own| own * speed), &seen)?;
+        Ok(left * dot(apart.velocities[0], axis) / (droplet / flow))
+    }
+
+    /// The thrust of one jet.
+    fn pushed(&mut self, speed: f64, flow: f64, mass: f64) -> Result<f64, NothingToSimulate> {
+        self.by(Way::Droplets);
+        let whole = self.droplets(speed, flow, mass, DROPLET)?;
+        Ok(2.0 * self.droplets(speed, flow, mass, DROPLET / 2.0)? - whole)
+    }
+
+    /// Thrust and flow of all jets together.
+    fn jets(
+        &mut self,
+        stage: &Thrust,
+        start: f64,
+        end: Option<f64>,
+        time: Option<f64>,
+    ) -> Result<(f64, f64), NothingToSimulate> {
+        match &stage.exhaust {
+            Exhaust::Speed(term) => {
+                let speed = self.values.term(term)?;
+                let flow = match (&stage.flow, end, time) {
+                    (Some(term), ..) => self.values.term(term)?,
+                    (None, Some(end), Some(time)) => (start - end) / time,
+                    // Without weight it does not matter how quickly it burns.
+                    (None, Some(end), None) => start - end,
+                    _ => return Err(NothingToSimulate::ValueMissing),
+                };
+                Ok((self.pushed(speed, flow, start)?, flow))
+            }
+            Exhaust::Jets(jets) => {
+                let mut all = (0.0, 0.0);
+                for jet in jets {
+                    let (speed, flow) = (self.values.term(&jet.speed)?, self.values.term(&jet.flow)?);
+                    all = (all.0 + self.pushed(speed, flow, start)?, all.1 + flow);
+                }
+                Ok(all)
+            }
+        }
+    }
+
+    fn note_burn(&mut self, stage: &Thrust, burn: &Burn, before: f64, time: f64) -> Result<(), NothingToSimulate> {
+        let body = stage.body.as_str();
+        let axis = self.values.axes()[0];
+        let driven = |mass: f64| burn.along * burn.force / mass + burn.weight;
+        let integrator = self.integrator(time / 64.0);
+        let mut state = [burn.start, before, 0.0];
+        let mut begun = 0.0;
+        if stage.on_ground && driven(burn.start) <= 0.0 {
+            let burning = |_: f64, _: &[f64; 1]| [-burn.flow];
+            let held = integrator.run(0.0, [burn.start], time, &burning, &|_, mass| -driven(mass[0]))?;
+            (begun, state[0]) = (held.time, held.state[0]);
+        }
+        if stage.on_ground {
+            self.note_here("t_start", begun, 0.0);
+        }
+        let slope = |_: f64, &[mass, speed, _]: &[f64; 3]| {
+            let drag = burn.resistance * speed * speed.abs() / mass;
+            [-burn.flow, driven(mass) - drag, speed]
+        };
+        let integrator = Integrator { longest: (time - begun).max(f64::MIN_POSITIVE) / 64.0, ..integrator };
+        let [mass, speed, way] = integrator.until(begun, state, time, &slope)?;
+        self.note_velocity(body, unit(axis).map(|own| own * speed), before);
+        self.note_here(&format!("s_{body}"), way, 0.0);
+        match &stage.mass {
+            BurningMass::Both([_, end]) => self.note_term(Some(end), mass, burn.start),
+            BurningMass::Start(_) => self.note(&format!("m_{body}{}", self.values.index + 2), mass, burn.start),
+        }
+        self.note_duration(stage.during.as_ref(), time);
+        Ok(())
+    }
+}

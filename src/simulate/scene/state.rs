@@ -1,0 +1,106 @@
+//! Where bodies are and how they move when a stage starts.
+
+use crate::scene::{Axis, Stage};
+
+use super::bench::part;
+use super::direction::unit;
+use super::nothing::NothingToSimulate;
+use super::values::Values;
+
+impl Values<'_> {
+    /// The velocity of a body before the stage, in x and y.
+    pub(super) fn moving(&self, body: &str) -> Result<[f64; 2], NothingToSimulate> {
+        let mut velocity = [0.0; 2];
+        for axis in self.axes() {
+            let own = match self.velocity_before(body, axis) {
+                Ok(own) => own,
+                Err(missing) => self.held(body, axis).ok_or(missing)?,
+            };
+            velocity = add(velocity, unit(axis).map(|part| part * own));
+        }
+        Ok(velocity)
+    }
+
+    /// A guided body does not move at right angles to its guide, whether somebody says so or not.
+    fn held(&self, body: &str, axis: Axis) -> Option<f64> {
+        let along = self.guide(body)?.ok()?;
+        (part(along, axis).abs() < f64::EPSILON).then_some(0.0)
+    }
+
+    /// The direction in which a guide lets a body move, or something that it consists of.
+    pub(super) fn guide(&self, body: &str) -> Option<Result<[f64; 2], NothingToSimulate>> {
+        let guided = |own: &&str| self.scene.bodies.get(*own)?.guide.as_ref();
+        let guide = self.scene.members(body).iter().find_map(guided)?;
+        Some(self.direction(&guide.along.0))
+    }
+
+    /// The acceleration of free fall in x and y.
+    pub(super) fn falling(&self) -> Result<[f64; 2], NothingToSimulate> {
+        let mut all = [0.0; 2];
+        for axis in self.axes() {
+            let own = self.gravity(axis)?;
+            all = add(all, unit(axis).map(|part| part * own));
+        }
+        Ok(all)
+    }
+
+    /// The place of a body along an axis before the stage.
+    pub(super) fn place_before(&self, body: &str, axis: Axis) -> Result<f64, NothingToSimulate> {
+        let mut body = body;
+        for instant in (1..=self.index + 1).rev() {
+            if let Ok(place) = self.named(&self.place_name(body, instant, axis)) {
+                return Ok(place);
+            }
+            // What came between left it where it was.
+            match instant.checked_sub(2).and_then(|stage| self.scene.stages.get(stage)) {
+                Some(Stage::Impact(impact)) => {
+                    if let (Some(union), Some([first, _])) = (&impact.becomes, &impact.between)
+                        && union == body
+                    {
+                        body = first;
+                    }
+                }
+                Some(Stage::Separate(separate)) => {
+                    if let Some(whole) =
+                        separate.from.as_deref().filter(|_| separate.into.iter().any(|own| own == body))
+                    {
+                        body = whole;
+                    }
+                }
+                Some(Stage::Blow(_) | Stage::Stream(_) | Stage::Strike(_)) => {}
+                Some(Stage::Flight(flight)) if flight.flying().all(|own| own != body) => {}
+                Some(Stage::Fall(fall)) if fall.body != body => {}
+                _ => break,
+            }
+        }
+        Err(NothingToSimulate::ValueMissing)
+    }
+
+    /// The name of the place of a body.
+    pub(super) fn place_name(&self, body: &str, instant: usize, axis: Axis) -> String {
+        let letter = if self.axes().len() > 1 { format!(".{}", axis.letter()) } else { String::new() };
+        format!("r_{body}{instant}{letter}")
+    }
+
+    /// The time at which the stage starts, where all that came before is known to have lasted so long.
+    pub(super) fn clock_before(&self) -> Option<f64> {
+        for instant in (1..=self.index + 1).rev() {
+            let name = format!("t_{instant}");
+            if instant == 1 {
+                return Some((self.value)(&name).unwrap_or(0.0));
+            }
+            if let Some(time) = (self.value)(&name) {
+                return Some(time);
+            }
+            let before = self.scene.stages.get(instant - 2);
+            if !matches!(before, Some(Stage::Impact(_) | Stage::Blow(_) | Stage::Separate(_) | Stage::Strike(_))) {
+                return None;
+            }
+        }
+        None
+    }
+}
+
+pub(super) fn add(one: [f64; 2], other: [f64; 2]) -> [f64; 2] {
+    [one[0] + other[0], one[1] + other[1]]
+}

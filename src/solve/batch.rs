@@ -1,0 +1,111 @@
+//! Many straight plans side by side on one tape: what they share is computed once, and nothing is judged on the way.
+
+use std::collections::BTreeMap;
+
+use crate::expr::Symbol;
+
+use super::real::{Real, Sign};
+use super::tape::{Instruction, Register, run};
+use super::workspace::{Constants, Workspace};
+use super::writer::Writer;
+use super::{Bounded, Closed, Plan, System};
+
+/// Plans without any choice, on one tape.
+#[derive(Clone, Debug)]
+pub struct Batch {
+    tape: Vec<Instruction>,
+    inputs: Vec<Register>,
+    constants: Constants<Bounded>,
+    members: Vec<Member>,
+}
+
+/// One plan: its unknowns, and whether each is positive; and where to find what is wanted.
+#[derive(Clone, Debug)]
+struct Member {
+    unknowns: Vec<(Register, bool)>,
+    wanted: BTreeMap<Symbol, Register>,
+}
+
+/// Writes a batch.
+#[derive(Debug)]
+pub struct BatchWriter {
+    writer: Writer,
+    given: BTreeMap<Symbol, Register>,
+    inputs: Vec<Register>,
+    members: Vec<Member>,
+}
+
+/// What came of every plan of a batch, for one set of inputs.
+#[derive(Debug)]
+pub struct BatchValues<'a> {
+    batch: &'a Batch,
+    workspace: Workspace<Bounded>,
+}
+
+impl BatchWriter {
+    /// A batch over these inputs, in their order.
+    #[must_use]
+    pub fn new(inputs: &[Symbol]) -> Self {
+        let mut writer = Writer::default();
+        let inputs: Vec<(Symbol, Register)> = inputs.iter().map(|symbol| (*symbol, writer.register())).collect();
+        let given: BTreeMap<Symbol, Register> = inputs.iter().copied().collect();
+        Self { writer, given, inputs: inputs.into_iter().map(|(_, own)| own).collect(), members: Vec::new() }
+    }
+
+    /// Adds a plan and gives its place. `None` where it has a choice of roots, or a search, or uses what is not given.
+    pub fn add(&mut self, system: &System, plan: &Plan, wanted: &[Symbol]) -> Option<usize> {
+        self.writer.symbols.clone_from(&self.given);
+        let mut unknowns = Vec::new();
+        for step in &plan.steps {
+            let [root] = step.roots.as_slice() else { return None };
+            for (symbol, value) in &root.values {
+                let Closed::Formula(formula) = value else { return None };
+                let register = self.writer.expr(formula)?;
+                self.writer.symbols.insert(*symbol, register);
+            }
+            for symbol in &step.unknowns {
+                unknowns.push((*self.writer.symbols.get(symbol)?, system.positive.contains(symbol)));
+            }
+        }
+        let wanted = wanted.iter().filter_map(|symbol| Some((*symbol, *self.writer.symbols.get(symbol)?)));
+        self.members.push(Member { unknowns, wanted: wanted.collect() });
+        Some(self.members.len() - 1)
+    }
+
+    /// The batch of all that was added.
+    #[must_use]
+    pub fn finish(self) -> Batch {
+        Batch {
+            constants: Constants::new(&self.writer),
+            tape: self.writer.tape,
+            inputs: self.inputs,
+            members: self.members,
+        }
+    }
+}
+
+impl Batch {
+    /// Runs every plan from these inputs.
+    #[must_use]
+    pub fn run(&self, inputs: &[Bounded]) -> BatchValues<'_> {
+        let mut workspace = Workspace::default();
+        workspace.prepare(&self.constants, &self.inputs, inputs.iter());
+        run(&self.tape, &(0..self.tape.len()), &mut workspace.registers);
+        BatchValues { batch: self, workspace }
+    }
+}
+
+impl BatchValues<'_> {
+    /// A quantity in the solution of the plan at that place; `None` where it is not wanted there, and where some unknown is not
+    /// real, or is negative though it never can be.
+    #[must_use]
+    pub fn value(&self, place: usize, symbol: Symbol) -> Option<f64> {
+        let member = self.batch.members.get(place)?;
+        let at = |register: Register| self.workspace.registers.get(register as usize);
+        let can_be = |(register, positive): &(Register, bool)| {
+            at(*register).is_some_and(|own| own.is_real() && !(*positive && own.sign() == Sign::Negative))
+        };
+        let value = at(*member.wanted.get(&symbol)?)?.value;
+        (member.unknowns.iter().all(can_be) && value.is_finite()).then_some(value)
+    }
+}

@@ -1,0 +1,40 @@
+//! Every form of the bank has an independent simulation that would find out a wrong answer, but for a small share of them.
+
+#![allow(clippy::unwrap_used)] // a test that cannot go on should stop
+
+use std::path::Path;
+
+use momentous::bank::Audit;
+use momentous::bank::Bank;
+use momentous::bank::FormAudit;
+use momentous::bank::Outcome;
+use momentous::bank::Promise;
+use momentous::bank::audit;
+
+/// The most forms, in percent, that may have an answer which no simulation witnesses.
+const MOST_UNSEEN: usize = 15;
+
+/// Seeds for each form; the first says whether wrong answers are found out, the others that right ones are not.
+const SEEDS: u64 = 2;
+
+fn audits() -> Vec<Audit> {
+    let bank = Bank::in_folder(Path::new("problem_bank")).unwrap();
+    bank.select(&[]).unwrap().iter().map(|source| audit(source, SEEDS)).collect()
+}
+
+#[test]
+fn nearly_every_answer_of_the_bank_is_witnessed_and_a_wrong_one_found_out() {
+    let audits = audits();
+    let forms: Vec<(&Audit, &FormAudit)> =
+        audits.iter().flat_map(|audit| audit.forms.iter().map(move |form| (audit, form))).collect();
+    let named =
+        |(audit, form): &(&Audit, &FormAudit)| format!("{:?} {:?}: {:?}", audit.problem, form.form, form.simulation);
+    let broken = forms.iter().filter(|(_, form)| matches!(form.outcome(Promise::Simulation), Some(Outcome::Broken(_))));
+    assert_eq!(broken.map(named).collect::<Vec<_>>(), Vec::<String>::new());
+    // `unseen` are answers that were put wrong by 0.1 % without the simulation finding it out.
+    let unseen: Vec<String> = forms.iter().filter(|(_, form)| !form.simulation.is_whole()).map(named).collect();
+    assert!(forms.len() > 100 && 100 * unseen.len() <= MOST_UNSEEN * forms.len(), "{unseen:#?}");
+    // Bounds are small beside what they bound, or agreement would mean nothing.
+    let loose: Vec<String> = forms.iter().filter(|(_, form)| form.simulation.bound > 1e-4).map(named).collect();
+    assert_eq!(loose, Vec::<String>::new());
+}
