@@ -142,7 +142,9 @@ fn every_stage_has_its_diagram() {
             | Stage::SlideOff(_)
             | Stage::Spring(_)
             | Stage::Taut(_)
-            | Stage::Connected(_) => true,
+            | Stage::Connected(_)
+            | Stage::Stream(_)
+            | Stage::Thrust(_) => true,
             _ => false,
         };
         let swing = |stage: &&Stage| matches!(stage, Stage::Swing(_));

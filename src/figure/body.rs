@@ -17,6 +17,8 @@ const PADDING: f64 = 4.0;
 /// Arrows closer in direction than this (cosine) get lanes beside each other.
 const SAME_DIRECTION: f64 = 0.93;
 const LANE: f64 = 7.0;
+/// Below this sine of the angle between them arrows are parallel.
+const PARALLEL: f64 = 1e-3;
 
 /// The outline of a body, sized to hold its name.
 #[derive(Clone, Debug)]
@@ -129,9 +131,19 @@ impl Body {
     pub(super) fn attach(&mut self, arrow: Point, attach: Attach) -> (Point, Point) {
         let unit = arrow * (1.0 / arrow.length().max(1e-9));
         let outward = if attach == Attach::Leaving { unit } else { -unit };
-        let before = self.taken.iter().filter(|other| other.dot(outward) > SAME_DIRECTION).count();
+        let close: Vec<f64> = self
+            .taken
+            .iter()
+            .filter(|other| other.dot(outward) > SAME_DIRECTION)
+            .map(|other| other.turned().dot(outward))
+            .collect();
         self.taken.push(outward);
-        let shift = outward.turned() * lane(before);
+        // A second arrow lies on the side to which it points, so that the two do not cross.
+        let shift = match close[..] {
+            [turn] if turn.abs() > PARALLEL => LANE.copysign(turn),
+            _ => lane(close.len()),
+        };
+        let shift = outward.turned() * shift;
         let start = self.centre + shift + outward * self.reach_beside(outward, shift.length());
         let end = start + outward * arrow.length();
         if attach == Attach::Leaving { (start, end) } else { (end, start) }
@@ -196,6 +208,16 @@ mod tests {
     fn a_long_name_makes_a_block() {
         assert!(matches!(body("A").outline, Outline::Disc(_)));
         assert!(matches!(body("ball and stick").outline, Outline::Block(_)));
+    }
+
+    #[test]
+    fn arrows_in_nearly_the_same_direction_do_not_cross() {
+        for turn in [0.1, -0.1] {
+            let mut body = body("A");
+            body.attach(Point::new(30.0, 0.0), Attach::Leaving);
+            let (from, to) = body.attach(Point::polar(50.0, turn), Attach::Leaving);
+            assert!(from.y * turn > 0.0 && to.y * turn > 0.0);
+        }
     }
 
     #[test]

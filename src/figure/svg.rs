@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use crate::expr::Math;
 
-use super::extent::Measure;
+use super::extent::{Extent, Measure};
 use super::geometry::{arc_points, arrow_head, coordinate, corners};
 use super::style::{ROLES, Style, TYPE_SIZE, style};
 use super::typeset::{Face, runs};
@@ -13,6 +13,8 @@ use super::{Drawing, Point, Role, Shape};
 /// Serif faces that readers' machines have; no font is loaded.
 const FONTS: &str = "'STIX Two Text','Times New Roman',Times,'Liberation Serif',serif";
 const DASHES: &str = "5 3";
+/// How much further a card reaches than its drawing.
+const CARD_MARGIN: f64 = 8.0;
 /// Paper and ink of a file, in light and in dark.
 const CARD_STYLE: &str = "\
 .momentous-figure{color:#1f2328;color-scheme:light dark}
@@ -49,7 +51,9 @@ pub fn svg(drawing: &Drawing) -> String {
 /// ```
 #[must_use]
 pub fn svg_file(drawing: &Drawing) -> String {
-    element(drawing, CARD_STYLE, "<rect class=\"card\" width=\"100%\" height=\"100%\" rx=\"6\"/>\n")
+    let frame = Extent { low: drawing.low, high: drawing.high }.grown(CARD_MARGIN);
+    let drawing = Drawing { low: frame.low, high: frame.high, ..drawing.clone() };
+    element(&drawing, CARD_STYLE, "<rect class=\"card\" width=\"100%\" height=\"100%\" rx=\"6\"/>\n")
 }
 
 fn element(drawing: &Drawing, style: &str, ground: &str) -> String {

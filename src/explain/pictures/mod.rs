@@ -2,6 +2,7 @@
 
 mod angular;
 mod compass;
+mod flow;
 mod momentum;
 mod plot;
 mod quantities;
@@ -47,8 +48,14 @@ pub(super) fn solution(worked: Worked<'_>) -> Vec<Drawing> {
         Stage::Slide(slide) if slide.is_ramp() => vec![Some(sheet::ramp::drawing(&quantities, &compass, index, slide))],
         Stage::Swing(swing) => vec![Some(sheet::swing::drawing(&quantities, &compass, index, swing))],
         Stage::Connected(connected) => vec![string::diagram(&quantities, index, connected)],
-        Stage::Stream(stream) => vec![sheet::stream::drawing(&quantities, &compass, index, stream)],
-        Stage::Thrust(thrust) => vec![sheet::stream::rocket(&quantities, &compass, index, thrust)],
+        Stage::Stream(stream) => vec![
+            sheet::stream::drawing(&quantities, &compass, index, stream),
+            flow::arriving(&quantities, &compass, index, stream),
+        ],
+        Stage::Thrust(thrust) => {
+            [sheet::stream::rocket(&quantities, &compass, index, thrust), flow::leaving(&quantities, &compass, thrust)]
+                .to_vec()
+        }
         // What a ball gains before it bounces on is not asked for; the figure of the bounces shows its fall.
         Stage::Fall(_) if matches!(stages.get(index + 1), Some(Stage::Bounces(_))) => Vec::new(),
         Stage::Walk(walk) => vec![sheet::ride::walk(&quantities, &compass, index, walk)],

@@ -174,6 +174,6 @@ impl Quantities<'_> {
 }
 
 /// In brackets where it is a sum.
-fn factor(expr: &Expr, math: Math) -> Math {
+pub(super) fn factor(expr: &Expr, math: Math) -> Math {
     if matches!(expr, Expr::Sum(_)) { Math::Bracketed(Box::new(math)) } else { math }
 }

@@ -36,6 +36,9 @@ pub(in super::super) fn drawing(
     if let Some(leaving) = &flowing.leaving {
         vectors.extend(arrow(quantities, compass, &flowing.relative, leaving));
     }
+    // The body moves along the stream.
+    let moves = stage.moves.as_ref().and_then(|moves| quantities.term(moves)).filter(|moves| !moves.is_zero());
+    vectors.extend(moves.and_then(|moves| arrow(quantities, compass, &moves, &flowing.direction)));
     vectors.extend(force(quantities, compass, &stage.body).map(Moving::force));
     if vectors.is_empty() && quantities.scope() == Scope::Solved {
         return None;

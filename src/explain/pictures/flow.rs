@@ -1,0 +1,135 @@
+//! The mass that a stream brings to a body, or that a body throws away, in a short time: its momentum before + impulse =
+//! momentum after, as seen from the body.
+
+use crate::expr::Expr;
+use crate::expr::Math;
+use crate::expr::Operator;
+use crate::expr::name_math;
+use crate::figure::BodyMomentum;
+use crate::figure::Drawing;
+use crate::figure::Form;
+use crate::figure::MomentumDiagram;
+use crate::figure::Wording;
+use crate::scene::stage::Exhaust;
+use crate::scene::stage::Stream;
+use crate::scene::stage::Thrust;
+
+use super::compass::Compass;
+use super::quantities::Quantities;
+use super::vectors::Labelled;
+use super::vectors::factor;
+use super::vectors::product;
+use super::words::sentences;
+
+/// What flows, and what happens to it.
+struct Flow<'a> {
+    /// What it is called.
+    what: &'a str,
+    /// The body from which it is seen.
+    body: &'a str,
+    /// What it does in the time of the diagram, as a clause.
+    does: &'a str,
+    /// What is written at its speeds before and after, and these as vectors along x and y.
+    before: (Math, [f64; 2]),
+    after: (Math, [f64; 2]),
+    /// What is written at the force on the body.
+    force: Math,
+}
+
+/// The mass of a stream that arrives.
+pub(super) fn arriving(
+    quantities: &Quantities<'_>,
+    compass: &Compass,
+    index: usize,
+    stage: &Stream,
+) -> Option<Drawing> {
+    let flowing = quantities.model().flowing.iter().find(|own| own.stage == index)?;
+    let speed = quantities.evaluate(&flowing.relative)?;
+    let label = || factor(&flowing.relative, quantities.unsigned(&flowing.relative));
+    let along = quantities.direction(&flowing.direction)?;
+    let after = match (&flowing.leaving, &stage.restitution) {
+        (Some(leaving), _) => (label(), times(quantities.direction(leaving)?, speed)),
+        (None, Some(term)) => {
+            let e = quantities.term(term)?;
+            let size = quantities.evaluate(&e)? * speed;
+            (product([factor(&e, quantities.symbolic(&e)), label()]), times(along, -size))
+        }
+        // It stays, or it spreads evenly to all sides.
+        (None, None) => (Math::subscripted("v", "after"), [0.0, 0.0]),
+    };
+    let flow = Flow {
+        what: &stage.by,
+        body: &stage.body,
+        does: "arrives",
+        before: (label(), times(along, speed)),
+        after,
+        force: name_math(&format!("F_{}", stage.body)),
+    };
+    Some(flow.diagram(quantities, compass))
+}
+
+/// The mass that a body throws away.
+pub(super) fn leaving(quantities: &Quantities<'_>, compass: &Compass, stage: &Thrust) -> Option<Drawing> {
+    let Exhaust::Speed(term) = &stage.exhaust else { return None };
+    let exhaust = quantities.term(term)?;
+    let forwards = if quantities.is_backwards(stage.direction.as_ref()) { -1.0 } else { 1.0 };
+    let along = quantities.along_axes(&[-forwards])?;
+    let force = stage.force.as_ref().and_then(|force| quantities.term(force));
+    let flow = Flow {
+        what: "the exhaust",
+        body: &stage.body,
+        does: "is thrown away",
+        before: (Math::subscripted("v", "before"), [0.0, 0.0]),
+        after: (factor(&exhaust, quantities.symbolic(&exhaust)), times(along, quantities.evaluate(&exhaust)?)),
+        force: force.map_or_else(
+            || name_math(&format!("F_{}", stage.body)),
+            |force: Expr| factor(&force, quantities.symbolic(&force)),
+        ),
+    };
+    Some(flow.diagram(quantities, compass))
+}
+
+impl Flow<'_> {
+    fn diagram(&self, quantities: &Quantities<'_>, compass: &Compass) -> Drawing {
+        let delta =
+            |letter: &str| Math::Row(["\u{394}", letter].map(|letter| Math::Identifier(letter.to_owned())).to_vec());
+        let momentum = |(speed, value): &(Math, [f64; 2])| Labelled {
+            label: product([delta("m"), speed.clone()]),
+            value: Some(*value),
+        };
+        let (before, after) = (momentum(&self.before), momentum(&self.after));
+        // The body's force on it is the reaction of its own on the body.
+        let reaction = Math::Row(vec![Math::Operator(Operator::Minus), product([self.force.clone(), delta("t")])]);
+        let gain = [0, 1].map(|axis| self.after.1[axis] - self.before.1[axis]);
+        let impulse = Labelled { label: reaction, value: Some(gain) };
+        let (what, body) = (self.what, quantities.called(self.body));
+        let said =
+            [("momentum before", &before), ("impulse", &impulse), ("momentum after", &after)].map(|(name, vector)| {
+                let value = vector.value.filter(|value| *value != [0.0, 0.0]);
+                let way = value.map_or_else(|| ", zero".to_owned(), |value| format!(", {}", compass.words(value)));
+                format!("{name}: {}{way}", vector.label.plain())
+            });
+        let wording = Wording {
+            title: format!("Impulse-momentum diagram of {what}"),
+            description: sentences([format!("for {what}, seen from {body}, {}", said.join("; "))]),
+            caption: sentences([format!(
+                "{what}, seen from {body}: momentum before + impulse = momentum after, for the mass \u{394}m that {} in the time \u{394}t",
+                self.does
+            )]),
+        };
+        let row = BodyMomentum {
+            name: delta("m"),
+            form: Form::Disc,
+            surface: None,
+            line_of_impact: None,
+            before: before.placed(compass),
+            impulses: vec![impulse.placed(compass)],
+            after: after.placed(compass),
+        };
+        MomentumDiagram { wording, bodies: vec![row], axes: compass.marks() }.drawing()
+    }
+}
+
+fn times([x, y]: [f64; 2], factor: f64) -> [f64; 2] {
+    [x * factor, y * factor]
+}
