@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test says bluntly what it expects")]
 
+#[path = "physics/angular.rs"]
+mod angular;
 #[path = "physics/bank.rs"]
 mod bank;
 #[path = "physics/scenes.rs"]

@@ -76,7 +76,9 @@ fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) -> Option<S
             let (are, their) = if bodies.len() > 1 { ("are", "their") } else { ("is", "its") };
             during(format!("{} {are} acted on by {their} weight alone", list(&bodies)))
         }
-        (Stage::Separate(_) | Stage::Walk(_) | Stage::Drift(_), _) => return None,
+        (Stage::Separate(_) | Stage::Walk(_) | Stage::Drift(_) | Stage::Moment(_) | Stage::Interact(_), _) => {
+            return None;
+        }
         (Stage::Impact(_) | Stage::Blow(_), _) => {
             format!("During {phrase} the only impulsive force on {body} is that of {}.", first.called)
         }
@@ -114,7 +116,14 @@ fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) -> Option<S
             let acting: Vec<String> = impulses.iter().map(|impulse| impulse.called.clone()).collect();
             during(format!("{body} {is} acted on by {}", list(&acting)))
         }
-        (Stage::Rotate(_) | Stage::Central(_) | Stage::Stream(_), _) => {
+        (Stage::Strike(_), _) => format!(
+            "During {phrase} the only impulsive forces are that between {body} and the arm and that of the support."
+        ),
+        (Stage::Rotate(rotate), [_, _, ..]) => {
+            let held: Vec<String> = rotate.held().into_iter().map(|(body, _)| name(body)).collect();
+            during(format!("{} are acted on by {}", list(&held), first.called))
+        }
+        (Stage::Rotate(_) | Stage::Central(_) | Stage::Conical(_) | Stage::Bowl(_) | Stage::Stream(_), _) => {
             during(format!("{body} {is} acted on by {}", first.called))
         }
     })

@@ -23,7 +23,6 @@ use super::instructor;
 use super::steps::Figures;
 use super::steps::Steps;
 use super::steps::text;
-use super::wording::agree;
 use super::wording::capitalised;
 use super::wording::list;
 
@@ -96,7 +95,7 @@ fn system(worked: Worked<'_>) -> Vec<Block> {
 /// What happens in a stage, as a noun phrase.
 fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
     let name = |body: &str| scene.called(body);
-    let does = |body: &str, forms: [&str; 2]| format!("{} {}", name(body), agree(&name(body), forms));
+    let does = |body: &str, forms: [&str; 2]| scene.does(body, forms);
     match stage {
         Stage::Impact(impact) => match (&impact.between, &impact.body, &impact.against) {
             (Some([a, b]), ..) => format!("{phrase} of {} and {}", name(a), name(b)),
@@ -119,7 +118,19 @@ fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
             format!("{leading} draws {trailing} along by the string")
         }
         Stage::Blow(blow) => format!("{} acts on {}", blow.by, name(&blow.body)),
-        Stage::Rotate(rotate) => format!("{} moves round on its arm", name(&rotate.body)),
+        Stage::Rotate(rotate) => {
+            let held: Vec<String> = rotate.held().into_iter().map(|(body, _)| name(body)).collect();
+            let [turns, its] = if held.len() > 1 { ["move", "the"] } else { ["moves", "its"] };
+            format!("{} {turns} round on {its} arm", list(&held))
+        }
+        Stage::Moment(_) => "a moment acts on them".to_owned(),
+        Stage::Strike(strike) => format!("{} strikes the arm", name(&strike.body)),
+        Stage::Conical(conical) => format!("the cord of {} changes its length", name(&conical.body)),
+        Stage::Bowl(bowl) => format!("{} slides round inside the wall", name(&bowl.body)),
+        Stage::Interact(interact) => {
+            let bodies: Vec<String> = interact.between.iter().map(|body| name(body)).collect();
+            format!("{} act on each other", list(&bodies))
+        }
         Stage::Central(central) => format!("{} moves under the central force", name(&central.body)),
         Stage::Fall(fall) => format!("{} falls", name(&fall.body)),
         Stage::Bounces(bounces) => format!("{} bounces", name(&bounces.body)),

@@ -122,6 +122,11 @@ impl Math {
         }
     }
 
+    /// The same for parts side by side.
+    pub(crate) fn row_latex(parts: &[Self]) -> String {
+        row(parts)
+    }
+
     /// Letters of a subscript in italics when single, upright when they form a word: `A1`, `avg,A`.
     fn latex_subscript(&self) -> String {
         let Self::Text(text) = self else { return self.latex() };

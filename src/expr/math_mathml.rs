@@ -40,6 +40,11 @@ impl Math {
         format!(r#"<math xmlns="http://www.w3.org/1998/Math/MathML"{display}>{}</math>"#, self.element())
     }
 
+    /// Parts side by side, as one element without the `math` around it.
+    pub(crate) fn row_element(parts: &[Self]) -> String {
+        row(parts)
+    }
+
     /// As one element without the `math` around it, for what arranges several of them.
     #[must_use]
     pub fn element(&self) -> String {

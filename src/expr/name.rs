@@ -3,7 +3,7 @@
 use super::{Math, Operator};
 
 /// Names that are typeset as letters of the Greek alphabet, or that the subject abbreviates.
-const LETTERS: [(&str, &str); 25] = [
+const LETTERS: [(&str, &str); 26] = [
     ("alpha", "\u{3b1}"),
     ("beta", "\u{3b2}"),
     ("gamma", "\u{3b3}"),
@@ -29,6 +29,7 @@ const LETTERS: [(&str, &str); 25] = [
     ("flow", "q"),
     ("ecc", "\u{3b5}"),
     ("period", "T"),
+    ("work", "U"),
 ];
 
 /// The typeset form of a quantity's name. A stage in square brackets is shown for durations only.
@@ -41,10 +42,19 @@ const LETTERS: [(&str, &str); 25] = [
 /// ```
 #[must_use]
 pub fn name_math(name: &str) -> Math {
+    if let Some(inside) = name.strip_prefix("magnitude(").and_then(|name| name.strip_suffix(')')) {
+        return Math::Bars(Box::new(name_math(inside)));
+    }
     if let Some((function, inside)) = name.strip_suffix(')').and_then(|name| name.split_once('(')) {
         let parts = inside.split(',').flat_map(|part| [Math::Operator(Operator::Comma), name_math(part.trim())]);
         let inside = Math::Row(parts.skip(1).collect());
         return Math::Row(vec![Math::Function(function.to_owned()), Math::Bracketed(Box::new(inside))]);
+    }
+    // A direction along an axis.
+    for (mark, operator) in [('+', Operator::Plus), ('-', Operator::Minus)] {
+        if let Some(axis) = name.strip_prefix(mark) {
+            return Math::Row(vec![Math::Operator(operator), base_math(axis)]);
+        }
     }
     // Several durations in one solution are told apart by their stages.
     if let Some(stage) = name.strip_prefix("dt[").and_then(|rest| rest.strip_suffix(']')) {
@@ -53,10 +63,21 @@ pub fn name_math(name: &str) -> Math {
     let name = without_stage(name);
     let (name, instant) = split_mark(&name, '@');
     let (name, component) = split_mark(&name, '.');
+    let rate = |of: Math| {
+        let differential = |of: Math| Box::new(Math::Row(vec![Math::Identifier("d".into()), of]));
+        Math::Fraction(differential(of), differential(Math::Identifier("t".into())))
+    };
     if name == "areal_rate" {
-        let differential =
-            |letter: &str| Math::Row(vec![Math::Identifier("d".into()), Math::Identifier(letter.into())]);
-        return Math::Fraction(Box::new(differential("A")), Box::new(differential("t")));
+        return rate(Math::Identifier("A".into()));
+    }
+    if let Some(about) = name.strip_prefix("H_rate_") {
+        let momentum = name_math(&format!("H_{about}"));
+        let rate = rate(momentum);
+        return if component.is_empty() {
+            rate
+        } else {
+            Math::Sub(Box::new(Math::Bracketed(Box::new(rate))), Box::new(base_math(&component)))
+        };
     }
     let (base, subscript) = name.split_once('_').unwrap_or((&name, ""));
     let parts: Vec<&str> = subscript.split('_').chain([instant.as_str()]).filter(|part| !part.is_empty()).collect();
@@ -135,6 +156,8 @@ mod tests {
             ("v_bullet1", "v_bullet1", r"v_{\text{bullet}1}"),
             ("e", "e", "e"),
             ("areal_rate", "dA/(dt)", r"\frac{dA}{dt}"),
+            ("magnitude(H_O1)", "|H_O1|", r"\lvert H_{O1}\rvert"),
+            ("H_rate_O1", "dH_O1/(dt)", r"\frac{dH_{O1}}{dt}"),
             ("angle(v_A2, v_B2)", "angle(v_A2, v_B2)", r"\operatorname{angle}(v_{A2},\; v_{B2})"),
         ] {
             let math = name_math(name);

@@ -9,8 +9,8 @@ use super::wrong;
 pub const ANGULAR_MOMENTUM: Law = Law {
     id: "angular-momentum",
     name: "the definition of angular momentum",
-    statement: "The angular momentum of a particle about a fixed point is the moment of its momentum: perpendicular distance times momentum.",
-    signs: "Counter-clockwise is positive.",
+    statement: "The angular momentum of a particle about a fixed point is the moment of its momentum: perpendicular distance times momentum. That of a system is the sum over its particles.",
+    signs: "In a plane, from x towards y is positive; in space along each axis, by the right-hand rule.",
     when: "About a fixed point, or about the mass centre.",
     source: "Definition, H = r x m v.",
     wrong: wrong::angular::ANGULAR_MOMENTUM,
@@ -25,6 +25,39 @@ pub const ANGULAR_IMPULSE: Law = Law {
     when: "About a fixed point, or about the mass centre.",
     source: "Newton's second law, its moment integrated over time.",
     wrong: wrong::angular::ANGULAR_IMPULSE,
+};
+
+/// The moment of a force.
+pub const MOMENT: Law = Law {
+    id: "moment-of-a-force",
+    name: "the definition of the moment of a force",
+    statement: "The moment of a force about a point is its perpendicular distance times the force; that of several forces is their sum.",
+    signs: "In a plane, from x towards y is positive; in space along each axis, by the right-hand rule.",
+    when: "Always.",
+    source: "Definition, M = r x F.",
+    wrong: wrong::angular::MOMENT,
+};
+
+/// The rate of change of angular momentum.
+pub const RATE: Law = Law {
+    id: "rate-of-angular-momentum",
+    name: "the moment equation",
+    statement: "The rate of change of the angular momentum about a fixed point is the sum of the moments of the forces about that point.",
+    signs: "As the moments.",
+    when: "About a fixed point, or about the mass centre.",
+    source: "Newton's second law, its moment taken.",
+    wrong: &[],
+};
+
+/// Conservation of angular momentum.
+pub const CONSERVATION: Law = Law {
+    id: "conservation-of-angular-momentum",
+    name: "conservation of angular momentum",
+    statement: "Where no moment acts on a system from outside about a fixed point, its angular momentum about that point stays the same.",
+    signs: "In a plane, from x towards y is positive; in space along each axis, by the right-hand rule.",
+    when: "No force from outside has a moment about the point; forces within the system cancel in pairs.",
+    source: "The principle of angular impulse and momentum, without an angular impulse.",
+    wrong: wrong::angular::CONSERVATION,
 };
 
 /// The integral of a moment.
@@ -61,11 +94,33 @@ pub const AREAL: Law = Law {
 };
 
 /// The laws of this chapter.
-pub const LAWS: &[&Law] = &[&ANGULAR_MOMENTUM, &MOMENT_IMPULSE, &ANGULAR_IMPULSE, &CENTRAL, &AREAL];
+pub const LAWS: &[&Law] =
+    &[&ANGULAR_MOMENTUM, &MOMENT, &RATE, &MOMENT_IMPULSE, &ANGULAR_IMPULSE, &CONSERVATION, &CENTRAL, &AREAL];
 
-/// `m (x v_y - y v_x)`: the moment of momentum about the origin of the position.
+/// The moments of a vector at a place: one in a plane, one for each axis in space, and none along a line.
 #[must_use]
-pub fn moment_of_momentum(mass: &Expr, position: [&Expr; 2], velocity: [&Expr; 2]) -> Expr {
-    let moment = position[0].clone() * velocity[1].clone() - position[1].clone() * velocity[0].clone();
-    mass.clone() * moment
+pub fn moments(place: &[Expr], vector: &[Expr]) -> Vec<Expr> {
+    let about = |one: usize, other: usize| {
+        place[one].clone() * vector[other].clone() - place[other].clone() * vector[one].clone()
+    };
+    match (place, vector) {
+        ([_, _], [_, _]) => vec![about(0, 1)],
+        ([_, _, _], [_, _, _]) => vec![about(1, 2), about(2, 0), about(0, 1)],
+        _ => Vec::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn moments_turn_from_each_axis_to_the_next() {
+        let of = |values: &[i64]| values.iter().map(|value| Expr::integer(*value)).collect::<Vec<_>>();
+        // i x j = k, and so round; (1, 2, 3) x (4, 5, 6) = (12 - 15, 12 - 6, 5 - 8).
+        assert_eq!(moments(&of(&[1, 0, 0]), &of(&[0, 1, 0])), of(&[0, 0, 1]));
+        assert_eq!(moments(&of(&[1, 2, 3]), &of(&[4, 5, 6])), of(&[-3, 6, -3]));
+        assert_eq!(moments(&of(&[3, 1]), &of(&[2, 5])), of(&[13]));
+        assert!(moments(&of(&[3]), &of(&[2])).is_empty());
+    }
 }

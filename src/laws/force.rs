@@ -105,9 +105,20 @@ pub const CORD: Law = Law {
     wrong: &[],
 };
 
+/// A conical pendulum.
+pub const CONICAL: Law = Law {
+    id: "conical-pendulum",
+    name: "Newton's second law for a conical pendulum",
+    statement: "Upwards the cord carries the weight, and inwards it gives the acceleration of the circle: speed squared over the circle's radius is g times the tangent of the cord's angle with the vertical.",
+    signs: "All are positive; the angle lies between the cord and the vertical.",
+    when: "The body moves steadily round a horizontal circle.",
+    source: "Newton's second law, along the vertical and towards the centre.",
+    wrong: wrong::force::CONICAL,
+};
+
 /// The laws of this chapter.
 pub const LAWS: &[&Law] =
-    &[&IMPULSE, &MEAN_FORCE, &WEIGHT, &BALANCE, &NORMAL_FORCE, &FRICTION, &THRESHOLD, &HOOKE, &CORD];
+    &[&IMPULSE, &MEAN_FORCE, &WEIGHT, &BALANCE, &NORMAL_FORCE, &FRICTION, &THRESHOLD, &HOOKE, &CORD, &CONICAL];
 
 /// `S - m g cos(angle) = m v^2 / L`, with the square of the speed as a sum of squared components.
 #[must_use]

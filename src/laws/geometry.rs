@@ -105,6 +105,17 @@ pub const HEIGHT_OF_SLOPE: Law = Law {
     wrong: &[],
 };
 
+/// Height inside a cone or a bowl.
+pub const HEIGHT_IN_BOWL: Law = Law {
+    id: "height-in-a-bowl",
+    name: "trigonometry",
+    statement: "In a cone the height is the distance from the axis over the tangent of the angle between axis and wall; in a sphere the squares of the distance from the axis and of the depth below the centre add up to the square of the radius.",
+    signs: "Heights and lengths are positive.",
+    when: "The axis is vertical, and the place lies below the centre of the sphere.",
+    source: "Trigonometry, and Pythagoras' theorem.",
+    wrong: wrong::geometry::HEIGHT_IN_BOWL,
+};
+
 /// Given by the author.
 pub const RELATION: Law = Law {
     id: "stated-relation",
@@ -127,6 +138,7 @@ pub const LAWS: &[&Law] = &[
     &TURNING,
     &HEIGHT_ON_CIRCLE,
     &HEIGHT_OF_SLOPE,
+    &HEIGHT_IN_BOWL,
     &RELATION,
 ];
 

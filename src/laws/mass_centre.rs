@@ -50,8 +50,52 @@ pub const REST: Law = Law {
     wrong: &[],
 };
 
+/// Velocities seen from the mass centre.
+pub const RELATIVE: Law = Law {
+    id: "velocity-relative-to-the-mass-centre",
+    name: "the velocity relative to the mass centre",
+    statement: "The velocity of a body relative to the mass centre is its velocity less that of the mass centre.",
+    signs: "As the velocities.",
+    when: "Always.",
+    source: "Relative motion.",
+    wrong: wrong::mass_centre::RELATIVE,
+};
+
+/// Momentum relative to the mass centre.
+pub const NO_MOMENTUM: Law = Law {
+    id: "no-momentum-relative-to-the-mass-centre",
+    name: "the definition of the mass centre",
+    statement: "The momenta of a system relative to its mass centre add up to zero.",
+    signs: "As the velocities.",
+    when: "Always.",
+    source: "The definition of the mass centre, seen from it.",
+    wrong: &[],
+};
+
+/// Koenig's theorem for the kinetic energy.
+pub const ENERGY: Law = Law {
+    id: "kinetic-energy-of-a-system",
+    name: "Koenig's theorem",
+    statement: "The kinetic energy of a system is that of its whole mass moving with the mass centre, plus that of the motion relative to the mass centre.",
+    signs: "Never negative.",
+    when: "Always.",
+    source: "The definition of kinetic energy; the mixed terms vanish because the momenta relative to the mass centre add up to zero.",
+    wrong: wrong::mass_centre::ENERGY,
+};
+
+/// Koenig's theorem for the angular momentum.
+pub const ANGULAR: Law = Law {
+    id: "angular-momentum-of-a-system",
+    name: "Koenig's theorem",
+    statement: "The angular momentum of a system about a fixed point is the moment of its whole momentum placed at the mass centre, plus its angular momentum about the mass centre.",
+    signs: "In a plane, from x towards y is positive; in space along each axis, by the right-hand rule.",
+    when: "Always.",
+    source: "The definition of angular momentum, with each place counted from the mass centre.",
+    wrong: wrong::mass_centre::ANGULAR,
+};
+
 /// The laws of this chapter.
-pub const LAWS: &[&Law] = &[&MASS_CENTRE, &MOTION, &PATH, &REST];
+pub const LAWS: &[&Law] = &[&MASS_CENTRE, &MOTION, &PATH, &REST, &RELATIVE, &NO_MOMENTUM, &ENERGY, &ANGULAR];
 
 /// `(sum of m) q_G = sum of m q` over (mass, q), q being a position or a velocity component.
 #[must_use]

@@ -92,8 +92,8 @@ impl Builder<'_> {
             return;
         };
         let strength = self.mass(acts.on) * self.gravity();
-        let vertical = if self.axes.len() == 1 { self.upright() } else { position };
-        self.forces.push(acts.force(ForceKind::Weight, "weight", strength, Direction::axis(vertical, down < 0)));
+        let direction = Direction::axis(self.axis_place(position), down < 0);
+        self.forces.push(acts.force(ForceKind::Weight, "weight", strength, direction));
     }
 
     /// Notes what a floor has to do with a body that slides on it along the axis, or `backwards`.
@@ -113,10 +113,5 @@ impl Builder<'_> {
             let against = Direction::axis(0, !backwards);
             self.forces.push(acts.force(ForceKind::Friction, "friction", friction, against));
         }
-    }
-
-    /// Where the only axis of a scene stands among x and y.
-    fn upright(&self) -> usize {
-        usize::from(self.axes.first().is_some_and(|(axis, _)| *axis == crate::scene::Axis::Y))
     }
 }

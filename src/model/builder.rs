@@ -231,6 +231,11 @@ impl<'s> Builder<'s> {
         self.scene.called(body)
     }
 
+    /// A body as it does something, the verb for one body and for several: `the boat moves`.
+    pub(super) fn does(&self, body: &str, verb: [&str; 2]) -> String {
+        self.scene.does(body, verb)
+    }
+
     /// The bodies of which a body consists that a stage makes or divides.
     pub(super) fn parts_of(&self, union: &str) -> Vec<String> {
         self.scene.parts_of(union).into_iter().map(str::to_owned).collect()

@@ -20,14 +20,18 @@ use super::Name;
 use super::timeline::Timeline;
 
 /// Kinds of quantity that only a scene makes.
-const STRUCTURAL: &[&str] =
-    &["v", "speed", "angle", "p", "J", "F_avg", "T", "T_lost", "T_gained", "J_def", "J_rest", "v_common", "H", "W"];
+const STRUCTURAL: &[&str] = &[
+    "v", "speed", "angle", "p", "J", "F_avg", "T", "T_lost", "T_gained", "J_def", "J_rest", "v_common", "T_rel",
+    "v_rel", "H", "W",
+];
+/// Kinds of quantity about a fixed point or the mass centre, at an instant.
+const ABOUT: &[&str] = &["M", "H_rate"];
 /// Kinds of place, of a body at an instant.
 const PLACES: &[&str] = &["r", "x", "y", "z"];
 
 /// Whether a name is one that the scene makes by itself, rather than one that the author chose.
 pub(super) fn is_structural(scene: &Scene, name: &str) -> bool {
-    if name.starts_with("angle(") {
+    if name.starts_with("angle(") || name.starts_with("magnitude(") {
         return true;
     }
     let Some(name) = Name::parse(name) else { return false };
@@ -37,7 +41,9 @@ pub(super) fn is_structural(scene: &Scene, name: &str) -> bool {
         || scene.points.contains_key(&name.subject)
         || timeline.bodies().any(|body| body == name.subject);
     let is_place = PLACES.contains(&name.base.as_str()) && !name.subject.is_empty() && name.instant.is_some();
-    known_subject && (STRUCTURAL.contains(&name.base.as_str()) || is_place)
+    let is_about = ABOUT.contains(&name.base.as_str()) && name.instant.is_some();
+    let is_about = is_about && (name.subject == "G" || scene.points.contains_key(&name.subject));
+    known_subject && (STRUCTURAL.contains(&name.base.as_str()) || is_place || is_about)
 }
 
 /// Every way in which the parts of a scene contradict each other.
@@ -50,13 +56,13 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
         }
     }
     if let Axes::Rectangular(axes) = &scene.axes
-        && (axes.is_empty() || axes.len() > 2)
+        && axes.is_empty()
     {
-        let fault = Fault::new(Code::Value, format!("a scene has one or two axes, not {}", axes.len()));
-        faults.push(
-            fault.help("write `axes: { x: to the right }` or `axes: { x: east, y: north }`").at_path(at.key("axes")),
-        );
+        let fault = Fault::new(Code::Value, "a scene needs an axis");
+        let help = "write `axes: { x: to the right }`, or two or three: `axes: { x: east, y: north, z: upwards }`";
+        faults.push(fault.help(help).at_path(at.key("axes")));
     }
+    faults.extend(super::space::faults(scene));
     faults.extend(names_of_instants(scene));
     faults.extend(unions_without_a_name_of_their_own(scene));
     faults.extend(stages_of_one_name(scene));
@@ -98,18 +104,13 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
                 faults.extend(held(scene, stage).map(|fault| fault.at_path(at)));
             }
             Stage::Blow(stage) => body(&stage.body, "body"),
-            Stage::Rotate(stage) => {
-                body(&stage.body, "body");
-                faults.extend(unknown_point(scene, &stage.about).map(|fault| fault.at_path(at.key("about"))));
-            }
-            Stage::Central(stage) => {
-                body(&stage.body, "body");
-                faults.extend(unknown_point(scene, &stage.about).map(|fault| fault.at_path(at.key("about"))));
-                if matches!(scene.axes, Axes::Rectangular(_)) {
-                    let fault = Fault::new(Code::Value, "a central force needs polar axes");
-                    faults.push(fault.help("write `axes: polar`").at_path(at.clone()));
-                }
-            }
+            Stage::Rotate(_)
+            | Stage::Central(_)
+            | Stage::Moment(_)
+            | Stage::Strike(_)
+            | Stage::Conical(_)
+            | Stage::Bowl(_)
+            | Stage::Interact(_) => faults.extend(super::space::turning(scene, &timeline, index, stage)),
             Stage::Bounces(stage) => body(&stage.body, "body"),
             Stage::SlideOff(SlideOff { body: own, on, .. }) | Stage::Walk(Walk { body: own, on, .. }) => {
                 body(own, "body");
@@ -320,16 +321,11 @@ fn bad_body_name(name: &str) -> Fault {
         .help("end its short name in a letter (digits number the instants; `G` is the mass centre)")
 }
 
-fn unknown(kind: &str, name: &str, known: &[&str]) -> Fault {
+pub(super) fn unknown(kind: &str, name: &str, known: &[&str]) -> Fault {
     let fault = Fault::new(Code::UnknownName, format!("there is no {kind} `{name}` at this point of the scene"));
     match did_you_mean(name, known.iter().copied()) {
         Some(near) => fault.help(format!("did you mean `{near}`?")),
         None if known.is_empty() => fault.help(format!("declare it under the scene's {kind}s")),
         None => fault.help(format!("the scene has: {}", known.join(", "))),
     }
-}
-
-fn unknown_point(scene: &Scene, name: &str) -> Option<Fault> {
-    let known: Vec<&str> = scene.points.keys().map(String::as_str).collect();
-    (!scene.points.contains_key(name)).then(|| unknown("point", name, &known))
 }

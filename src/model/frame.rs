@@ -11,25 +11,35 @@ use crate::scene::Term;
 
 use super::Builder;
 
-/// A direction in the plane of the scene.
+/// A direction in the plane of the first two axes, or along the third.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Direction {
-    /// Quarter turns from the first axis to the axis that the words start from.
+    /// Quarter turns from the first axis to the axis that the words start from; none or two where it lies along the third.
     pub quarters: u8,
     /// The angle from there, counter-clockwise; zero along an axis.
     pub turn: Expr,
+    /// Whether it lies along the third axis of a scene, or against it.
+    pub across: bool,
 }
 
 impl Direction {
     /// The direction along (or, with `reversed`, against) the axis of that position.
     pub(super) fn axis(position: usize, reversed: bool) -> Self {
         let quarters = u8::from(position == 1) + if reversed { 2 } else { 0 };
-        Self { quarters, turn: Expr::zero() }
+        Self { quarters, turn: Expr::zero(), across: position == 2 }
+    }
+
+    /// The direction at that angle from an axis, in the plane of the first two.
+    pub(super) fn turned(quarters: u8, turn: Expr) -> Self {
+        Self { quarters, turn, across: false }
     }
 
     /// Cosine and sine of the whole angle, written with the angle that the author named.
     #[must_use]
     pub fn cosine_and_sine(&self) -> [Expr; 2] {
+        if self.across {
+            return [Expr::zero(), Expr::zero()];
+        }
         let (cos, sin) = (self.turn.clone().cos().simplify(), self.turn.clone().sin().simplify());
         match self.quarters % 4 {
             0 => [cos, sin],
@@ -76,12 +86,16 @@ impl Builder<'_> {
         }
         for (joint, sign_of_y) in [(" above ", 1), (" below ", -1)] {
             if let Some((turn, base)) = text.split_once(joint) {
+                if self.axes.len() > 2 {
+                    self.not_in_space(text, path);
+                    return self.first_axis();
+                }
                 return self.turned(turn, base, sign_of_y, path);
             }
         }
         if let Some((turn, base)) = text.split_once(" from ") {
             let base = self.base_direction(base, path);
-            return Direction { quarters: base.quarters, turn: self.read_angle(turn, path) };
+            return Direction::turned(base.quarters, self.read_angle(turn, path));
         }
         if let Some((before, base)) = text.split_once(" of ")
             && let Some((turn, towards)) = before.rsplit_once(' ')
@@ -89,11 +103,18 @@ impl Builder<'_> {
         {
             let sign = if (base.quarters + 1) % 4 == towards.quarters { 1 } else { -1 };
             let turn = Expr::integer(sign) * self.read_angle(turn, path);
-            return Direction { quarters: base.quarters, turn };
+            return Direction::turned(base.quarters, turn);
         }
         let turn = self.read_angle(text, path);
         // An angle of exactly zero is an axis, along which no components n and t need be made.
-        Direction { quarters: 0, turn: self.zero_if_so_written(turn) }
+        Direction::turned(0, self.zero_if_so_written(turn))
+    }
+
+    /// In three dimensions one angle does not tell a direction.
+    fn not_in_space(&mut self, text: &str, path: &Path) {
+        let fault = Fault::new(Code::Value, format!("`{text}` does not tell a direction in three dimensions"));
+        let help = "write an axis with its sign, such as `+z`, or give the components: `value: { x: 3 N, z: 4 N }`";
+        self.faults.push(fault.help(help).at_path(path.clone()));
     }
 
     /// The axis from which an angle is counted.
@@ -116,7 +137,7 @@ impl Builder<'_> {
         // Above is towards +y: counter-clockwise from +x, clockwise from -x.
         let sign = if base.quarters == 2 { -sign_of_y } else { sign_of_y };
         let turn = Expr::integer(sign) * self.read_angle(turn, path);
-        Direction { quarters: base.quarters, turn }
+        Direction::turned(base.quarters, turn)
     }
 
     /// The whole angle of a direction, counter-clockwise from the first axis; quarter turns as values in degrees.
@@ -139,12 +160,11 @@ impl Builder<'_> {
                     || phrase.strip_suffix("wards") == Some(text)
             };
             let letter = axis.letter();
-            let vertical = usize::from(*axis == Axis::Y).max(position);
+            let place = self.axis_place(position);
             if text == letter || text.strip_prefix('+') == Some(letter) || word(&senses.positive) {
-                Some(Direction::axis(vertical, false))
+                Some(Direction::axis(place, false))
             } else {
-                (text.strip_prefix('-') == Some(letter) || word(&senses.negative))
-                    .then(|| Direction::axis(vertical, true))
+                (text.strip_prefix('-') == Some(letter) || word(&senses.negative)).then(|| Direction::axis(place, true))
             }
         })
     }
@@ -156,7 +176,26 @@ impl Builder<'_> {
     /// The components of a direction along the scene's axes, in their order.
     pub(super) fn components(&self, direction: &Direction) -> Vec<Expr> {
         let [cos, sin] = direction.cosine_and_sine();
-        self.axes.iter().map(|(axis, _)| if *axis == Axis::Y { sin.clone() } else { cos.clone() }).collect()
+        let third = match (direction.across, direction.quarters) {
+            (true, 0) => Expr::one(),
+            (true, _) => -Expr::one(),
+            (false, _) => Expr::zero(),
+        };
+        let along = [cos, sin, third];
+        (0..self.axes.len()).filter_map(|position| along.get(self.axis_place(position)).cloned()).collect()
+    }
+
+    /// Where the axis of that position stands among the axes of directions: a single axis y stands second.
+    pub(super) fn axis_place(&self, position: usize) -> usize {
+        match self.axes[..] {
+            [(Axis::Y, _)] => 1,
+            _ => position,
+        }
+    }
+
+    /// The direction along the first axis.
+    pub(super) fn first_axis(&self) -> Direction {
+        Direction::axis(self.axis_place(0), false)
     }
 
     /// The velocity of a body at an instant, along and across a contact's normal.

@@ -121,7 +121,10 @@ impl Builder<'_> {
     fn sliding(&mut self, pushed: &Pushed<'_>, contact: &Contact) {
         let name = self.called(pushed.body);
         let mass = self.mass(pushed.body);
-        let because = format!("{name} slides all the time, and friction acts against its motion");
+        let because = format!(
+            "{} all the time, and friction acts against the motion",
+            self.does(pushed.body, ["slides", "slide"])
+        );
         let Some(impulse) = self.net_impulse(&contact.net(), pushed.clock, &pushed.start, &pushed.end) else { return };
         let sides = momentum::impulse_momentum(&mass, &contact.before, &[impulse], &contact.after);
         self.law(&momentum::IMPULSE_MOMENTUM, Some(pushed.index), because, sides);

@@ -26,7 +26,7 @@ pub(super) struct Guided {
 impl Guided {
     /// The direction at right angles to the guide, counter-clockwise.
     fn across(&self) -> Direction {
-        Direction { quarters: self.along.quarters + 1, turn: self.along.turn.clone() }
+        Direction::turned(self.along.quarters + 1, self.along.turn.clone())
     }
 }
 

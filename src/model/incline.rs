@@ -41,7 +41,7 @@ impl Incline {
 
     /// Where weight points as seen along the axis, for a body on a floor.
     pub(super) fn downwards(&self) -> Direction {
-        Direction { quarters: 3, turn: (Expr::integer(-self.sign) * self.angle.clone()).simplify() }
+        Direction::turned(3, (Expr::integer(-self.sign) * self.angle.clone()).simplify())
     }
 }
 

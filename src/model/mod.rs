@@ -14,7 +14,9 @@ mod name;
 mod pair;
 mod place;
 mod read;
+mod space;
 mod stage;
+mod strength;
 mod timeline;
 mod way;
 mod wording;
@@ -24,7 +26,7 @@ pub use builder::{Alternative, Builder};
 pub use frame::{Direction, Frame};
 pub use instance::{Agent, Impulse, Instance, Integral, Omission, Reason, Warning};
 pub use mistaken::Mistaken;
-pub use name::{Instant, Name};
+pub use name::{Instant, Name, component_name};
 pub use timeline::Timeline;
 
 use std::collections::BTreeMap;

@@ -25,7 +25,8 @@ pub enum Instant {
 }
 
 /// Bases that contain an underscore themselves, longest first.
-const JOINED: &[&str] = &["areal_rate", "T_lost", "T_gained", "J_def", "J_rest", "v_common", "F_avg"];
+const JOINED: &[&str] =
+    &["areal_rate", "H_rate", "T_rel", "v_rel", "T_lost", "T_gained", "J_def", "J_rest", "v_common", "F_avg"];
 
 impl Name {
     /// Takes a name apart; `None` where it does not follow the grammar.
@@ -74,5 +75,20 @@ impl Name {
             component,
             stage,
         })
+    }
+}
+
+/// The name of a component of a vector, which stands before the stage.
+///
+/// ```
+/// use momentous::model::component_name;
+/// assert_eq!(component_name("v_A2", "x"), "v_A2.x");
+/// assert_eq!(component_name("J_A[hit]", "x"), "J_A.x[hit]");
+/// ```
+#[must_use]
+pub fn component_name(vector: &str, axis: &str) -> String {
+    match vector.split_once('[') {
+        Some((before, stage)) => format!("{before}.{axis}[{stage}"),
+        None => format!("{vector}.{axis}"),
     }
 }

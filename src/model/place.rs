@@ -43,7 +43,7 @@ impl Builder<'_> {
                 }
                 true
             }
-            Some(Stage::Blow(_) | Stage::Stream(_)) => true,
+            Some(Stage::Blow(_) | Stage::Stream(_) | Stage::Strike(_)) => true,
             Some(Stage::Flight(flight)) => !flight.flying().any(|own| own == body),
             Some(Stage::Fall(fall)) => fall.body != body,
             _ => false,

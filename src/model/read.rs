@@ -18,6 +18,7 @@ use crate::quantity::dimension_name;
 use crate::scene::Term;
 
 use super::Builder;
+use super::Name;
 
 /// Resolves the names of one term; names that the scene does not make are noted.
 struct Resolver<'b, 's> {
@@ -126,6 +127,9 @@ impl Builder<'_> {
 
     /// The fault of a name that the scene does not make.
     pub(super) fn unknown_name(&self, name: &str) -> Fault {
+        if let Some(fault) = self.about_a_moving_point(name) {
+            return fault;
+        }
         let fault = Fault::new(Code::UnknownName, format!("the name `{name}` is not known in this scene"));
         let known: Vec<&str> = self.symbols.iter().map(|(_, entry)| entry.name.as_str()).collect();
         match did_you_mean(name, known.iter().copied()) {
@@ -133,6 +137,23 @@ impl Builder<'_> {
             None => fault.help("give it under `given`, or use a name that the scene makes, such as `v_A1`"),
         }
     }
+}
+
+impl Builder<'_> {
+    /// The fault of a moment about a body, which moves.
+    fn about_a_moving_point(&self, name: &str) -> Option<Fault> {
+        let own = Name::parse(name).filter(|own| ["H", "M", "H_rate"].contains(&own.base.as_str()))?;
+        let instant = own.instant.is_some() && self.timeline.bodies().any(|body| body == own.subject);
+        instant.then(|| moving_point(&self.called(&own.subject)))
+    }
+}
+
+/// The fault of moments taken about what moves.
+pub(super) fn moving_point(what: &str) -> Fault {
+    let message = format!("{what} moves: angular momentum is taken about a fixed point or the mass centre");
+    let help =
+        "declare a fixed point, `points: { O: { name: the post, at: { x: 1 m } } }`, or take the mass centre `G`";
+    Fault::new(Code::Value, message).help(help)
 }
 
 /// Whether a part of a term that is made of numbers alone is too large for any use, or has no value.

@@ -24,7 +24,7 @@ impl Timeline {
     pub fn new(scene: &Scene) -> Self {
         let lives = lives(scene);
         Self {
-            changed: scene.stages.iter().map(changed_bodies).collect(),
+            changed: scene.stages.iter().map(|stage| changed_bodies(scene, stage)).collect(),
             lives,
             names: scene.instants.clone(),
             stage_names: scene.stages.iter().map(|stage| stage.name().map(str::to_owned)).collect(),
@@ -113,7 +113,7 @@ fn lives(scene: &Scene) -> BTreeMap<String, Vec<(usize, usize)>> {
     lives
 }
 
-fn changed_bodies(stage: &Stage) -> Vec<String> {
+fn changed_bodies(scene: &Scene, stage: &Stage) -> Vec<String> {
     match stage {
         Stage::Impact(impact) => match impact.partners() {
             Some(Partners::Bodies(first, second)) => vec![first.to_owned(), second.to_owned()],
@@ -131,7 +131,12 @@ fn changed_bodies(stage: &Stage) -> Vec<String> {
         Stage::Taut(stage) => stage.between.to_vec(),
         Stage::Connected(stage) => vec![stage.trailing.body.clone(), stage.leading.body.clone()],
         Stage::Blow(stage) => vec![stage.body.clone()],
-        Stage::Rotate(stage) => vec![stage.body.clone()],
+        Stage::Rotate(stage) => stage.held().into_iter().map(|(body, _)| body.to_owned()).collect(),
+        Stage::Moment(_) => scene.bodies.keys().cloned().collect(),
+        Stage::Strike(stage) => stage.carries.keys().chain([&stage.body]).cloned().collect(),
+        Stage::Conical(stage) => vec![stage.body.clone()],
+        Stage::Bowl(stage) => vec![stage.body.clone()],
+        Stage::Interact(stage) => stage.between.clone(),
         Stage::Central(stage) => vec![stage.body.clone()],
         Stage::Fall(stage) => vec![stage.body.clone()],
         Stage::Bounces(stage) => vec![stage.body.clone()],

@@ -198,7 +198,8 @@ impl<'s> Checker<'s> {
             (required(form).filter(|name| has(name)).count(), known_keys(form).filter(|name| has(name)).count())
         };
         let best = objects.iter().rev().max_by_key(|form| score(form)).copied()?;
-        if objects.len() == 1 || score(&best).0 > 0 {
+        let needs_none = required(best).next().is_none();
+        if objects.len() == 1 || score(&best).0 > 0 || needs_none && score(&best).1 > 0 {
             return Some(best);
         }
         let heads: Vec<&str> = objects.iter().filter_map(|form| first_required(form)).collect();

@@ -37,7 +37,7 @@ pub(super) fn conserved(loaded: &Loaded, ask: &Conserved, builder: &mut Builder<
     let kind = match ask.conserved {
         Conservable::Momentum => yes_or_no(momentum(ask, builder, stage, path)?),
         Conservable::Energy => energy(loaded, ask, builder, stage, path),
-        Conservable::AngularMomentum => yes_or_no(angular(builder, stage)),
+        Conservable::AngularMomentum => yes_or_no(angular(ask, builder, stage)),
     };
     let what = match (ask.conserved, ask.along) {
         (Conservable::Momentum, Some(axis)) => format!("the momentum of {whose} along {}", axis.letter()),
@@ -126,7 +126,9 @@ fn energy(loaded: &Loaded, ask: &Conserved, builder: &mut Builder<'_>, stage: us
             }
             (_, kind) => return PartKind::Choice(ChoicePart::OfImpact(Box::new(kind.keeps_energy()))),
         },
-        Some(Stage::Rotate(stage)) if stage.moment.is_none() && matches!(stage.arm, Arm::Constant(_)) => {
+        Some(Stage::Rotate(stage))
+            if stage.moment.is_none() && stage.held().iter().all(|(_, arm)| matches!(arm, Arm::Constant(_))) =>
+        {
             (true, "the only force in the plane is at right angles to the motion and does no work".into())
         }
         Some(Stage::Swing(_)) => (
@@ -147,7 +149,16 @@ fn energy(loaded: &Loaded, ask: &Conserved, builder: &mut Builder<'_>, stage: us
         Some(Stage::Separate(_)) => {
             (false, "the parts are pushed away from each other, and the forces that do so do work on them".into())
         }
-        Some(Stage::Fall(_) | Stage::SlideOff(_)) => (false, "weight does work as the height changes".into()),
+        Some(Stage::Moment(_)) => (false, "the moment does work as the system turns".into()),
+        Some(Stage::Interact(own)) if own.elastic && own.between.iter().all(|body| all(&[body])) => {
+            (true, "the bodies lose no kinetic energy".into())
+        }
+        Some(Stage::Interact(_)) => (false, "the bodies do work on each other".into()),
+        Some(Stage::Strike(_)) => (false, "in the impact kinetic energy is passed on, and part of it is lost".into()),
+        Some(Stage::Conical(_)) => (false, "the cord does work as it is drawn in or let out".into()),
+        Some(Stage::Fall(_) | Stage::SlideOff(_) | Stage::Bowl(_)) => {
+            (false, "weight does work as the height changes".into())
+        }
         Some(Stage::Flight(_)) if scene.plane == Plane::Vertical => {
             (false, "weight does work as the height changes".into())
         }
@@ -190,7 +201,8 @@ fn on_a_string(connected: &Connected, builder: &Builder<'_>) -> Verdict {
     }
 }
 
-fn angular(builder: &Builder<'_>, stage: usize) -> Verdict {
+fn angular(ask: &Conserved, builder: &Builder<'_>, stage: usize) -> Verdict {
+    let all = |bodies: &[&String]| bodies.iter().all(|body| ask.of.contains(body));
     match builder.scene().stages.get(stage) {
         Some(Stage::Central(_)) => {
             (true, "the force always passes through the point and has no moment about it".into())
@@ -198,6 +210,16 @@ fn angular(builder: &Builder<'_>, stage: usize) -> Verdict {
         Some(Stage::Rotate(stage)) if stage.moment.is_none() => {
             (true, "the only force in the plane passes through the point and has no moment about it".into())
         }
+        Some(Stage::Strike(own)) if all(&own.carries.keys().chain([&own.body]).collect::<Vec<_>>()) => {
+            (true, "the impulse of the support passes through the point".into())
+        }
+        Some(Stage::Interact(own)) if all(&own.between.iter().collect::<Vec<_>>()) => {
+            (true, "the forces between the bodies are equal and opposite along one line".into())
+        }
+        Some(Stage::Strike(_) | Stage::Interact(_)) => {
+            (false, "the other bodies act on it, and their forces have a moment about the point".into())
+        }
+        Some(Stage::Conical(_) | Stage::Bowl(_)) => (true, "no force has a moment about the vertical axis".into()),
         _ => (false, "a force has a moment about the point".into()),
     }
 }

@@ -1,6 +1,7 @@
 //! One part of a question, compiled: what is asked, how it is answered and judged.
 
 use crate::expr::Symbol;
+use crate::model::component_name;
 use crate::quantity::Decimal;
 use crate::quantity::Unit;
 
@@ -8,7 +9,6 @@ use super::decision::ChoicePart;
 use super::formula::FormulaPart;
 use super::range::RangePart;
 use super::vector::VectorPart;
-use super::vector::component_name;
 
 /// One part of a question.
 #[derive(Clone, Debug)]

@@ -3,6 +3,7 @@
 use crate::expr::Symbol;
 use crate::fault::Path;
 use crate::model::Builder;
+use crate::model::component_name;
 
 use super::ask::Find;
 use super::load::Loaded;
@@ -30,14 +31,6 @@ impl VectorPart {
     }
 }
 
-/// The name of a component: `v_A2.x` of `v_A2`, `J_A.x[hit]` of `J_A[hit]`.
-pub(super) fn component_name(vector: &str, axis: &str) -> String {
-    match vector.split_once('[') {
-        Some((before, stage)) => format!("{before}.{axis}[{stage}"),
-        None => format!("{vector}.{axis}"),
-    }
-}
-
 /// The components of a name that is no quantity itself.
 pub(super) fn components(vector: &str, builder: &mut Builder<'_>) -> Option<Vec<Symbol>> {
     let axes = builder.axis_letters();
@@ -60,17 +53,4 @@ pub(super) fn read(
     let of_component = axes.first().map(|axis| format!("the {axis}-component of ")).unwrap_or_default();
     let meaning = first.strip_prefix(&of_component).map_or_else(|| format!("the vector {}", find.find), str::to_owned);
     Some((find.find.clone(), meaning, PartKind::Vector(VectorPart { components, axes })))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_component_is_named_before_the_stage() {
-        let named = [("v_A2", "v_A2.x"), ("J_A[hit]", "J_A.x[hit]"), ("v_A@top", "v_A@top.x")];
-        for (vector, component) in named {
-            assert_eq!(component_name(vector, "x"), component);
-        }
-    }
 }

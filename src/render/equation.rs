@@ -6,31 +6,32 @@ use crate::expr::Operator;
 /// One row of a displayed equation; rows are aligned where the right side begins.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Row {
-    left: Vec<Math>,
-    right: Vec<Math>,
+    items: Vec<Math>,
+    /// How many of the items stand before the alignment.
+    aligned: usize,
 }
 
 impl Row {
     /// What stands before the alignment; empty where the row continues the one above.
-    pub fn left(&self) -> Math {
-        Math::Row(self.left.clone())
+    pub fn left(&self) -> &[Math] {
+        &self.items[..self.aligned]
     }
 
     /// A relation and what follows it, or a continuation.
-    pub fn right(&self) -> Math {
-        Math::Row(self.right.clone())
+    pub fn right(&self) -> &[Math] {
+        &self.items[self.aligned..]
     }
 
     /// The whole row, where there is nothing to align it with.
-    pub fn whole(&self) -> Math {
-        Math::Row([self.left.as_slice(), self.right.as_slice()].concat())
+    pub fn whole(&self) -> &[Math] {
+        &self.items
     }
 }
 
 /// How much too wide the rows are where they could not be broken: 1 for those that fit.
 pub(super) fn excess(rows: &[Row]) -> f64 {
-    let widest = |side: fn(&Row) -> &Vec<Math>| rows.iter().map(|row| width(side(row))).fold(0.0, f64::max);
-    ((widest(|row| &row.left) + widest(|row| &row.right)) / WIDEST).max(1.0)
+    let widest = |side: fn(&Row) -> &[Math]| rows.iter().map(|row| width(side(row))).fold(0.0, f64::max);
+    ((widest(Row::left) + widest(Row::right)) / WIDEST).max(1.0)
 }
 
 /// The widest row, in widths of a digit: what fits the text of a page at 11 pt and of a screen column.
@@ -41,19 +42,20 @@ pub(super) fn rows(lines: &[Math]) -> Vec<Row> {
     lines.iter().flat_map(|line| line_rows(flatten(line))).collect()
 }
 
-fn line_rows(items: Vec<Math>) -> Vec<Row> {
+fn line_rows(mut items: Vec<Math>) -> Vec<Row> {
     let relation = items.iter().position(is_relation);
-    let (left, rest) = match relation {
-        Some(at) if width(&items[..at]) <= WIDEST / 2.0 => (items[..at].to_vec(), items[at..].to_vec()),
-        _ => (Vec::new(), items),
-    };
-    let room = WIDEST - width(&left);
+    let aligned = relation.filter(|at| width(&items[..*at]) <= WIDEST / 2.0).unwrap_or(0);
+    let rest = items.split_off(aligned);
+    let room = WIDEST - width(&items);
     let rest = rest.into_iter().flat_map(|item| unfolded(item, room)).collect();
-    let mut left = Some(left);
-    let row = |right: Vec<Math>| match left.take() {
-        Some(left) => Row { left, right },
-        None if right.first().is_some_and(is_sum) => Row { left: Vec::new(), right: [indent(), right].concat() },
-        None => Row { left: Vec::new(), right },
+    let mut left = Some(items);
+    let row = |mut right: Vec<Math>| match left.take() {
+        Some(mut items) => {
+            items.append(&mut right);
+            Row { items, aligned }
+        }
+        None if right.first().is_some_and(is_sum) => Row { items: [indent(), right].concat(), aligned: 0 },
+        None => Row { items: right, aligned: 0 },
     };
     fill(rest, room).into_iter().map(row).collect()
 }
@@ -175,7 +177,7 @@ mod tests {
         let line = Math::relation(identifier("p"), Operator::Equals, identifier("q"));
         let rows = rows(&[line]);
         assert_eq!(rows.len(), 1);
-        assert_eq!(rows[0].left, [identifier("p")]);
+        assert_eq!(rows[0].left(), [identifier("p")]);
     }
 
     #[test]
@@ -190,9 +192,9 @@ mod tests {
         ]);
         let rows = rows(std::slice::from_ref(&line));
         assert_eq!(rows.len(), 2);
-        assert_eq!(rows[1].left, []);
-        assert_eq!(rows[1].right, [Math::Operator(Operator::Equals), long]);
-        let again: Vec<Math> = rows.into_iter().flat_map(|row| [row.left, row.right].concat()).collect();
+        assert_eq!(rows[1].left(), []);
+        assert_eq!(rows[1].right(), [Math::Operator(Operator::Equals), long]);
+        let again: Vec<Math> = rows.into_iter().flat_map(|row| row.items).collect();
         assert_eq!(again, flatten(&line));
     }
 
@@ -204,8 +206,8 @@ mod tests {
         let line = Math::relation(identifier("v"), Operator::Equals, fraction);
         let rows = rows(&[line]);
         assert_eq!(rows.len(), 2);
-        assert_eq!(rows[0].right.last(), Some(&term));
-        assert_eq!(rows[1].right.last(), Some(&Math::Text("]".into())));
+        assert_eq!(rows[0].right().last(), Some(&term));
+        assert_eq!(rows[1].right().last(), Some(&Math::Text("]".into())));
         assert!(excess(&rows) <= 1.0);
     }
 
@@ -225,6 +227,6 @@ mod tests {
         ]);
         let rows = rows(&[line]);
         assert_eq!(rows.len(), 3);
-        assert_eq!(rows[0].right, [Math::Operator(Operator::Equals), minus, term]);
+        assert_eq!(rows[0].right(), [Math::Operator(Operator::Equals), minus, term]);
     }
 }

@@ -36,11 +36,11 @@ impl Writer for Html {
     fn equation(&self, rows: &[Row], number: Option<u32>) -> String {
         let mut out = String::from("<div class=\"equation\"><math display=\"block\">");
         if let [row] = rows {
-            out.push_str(&row.whole().element());
+            out.push_str(&Math::row_element(row.whole()));
         } else {
             out.push_str("<mtable displaystyle=\"true\" class=\"aligned\">");
             for row in rows {
-                let (left, right) = (row.left().element(), row.right().element());
+                let (left, right) = (Math::row_element(row.left()), Math::row_element(row.right()));
                 let _ = write!(out, "<mtr><mtd>{left}</mtd><mtd>{right}</mtd></mtr>");
             }
             out.push_str("</mtable>");

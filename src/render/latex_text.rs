@@ -3,6 +3,8 @@
 use std::borrow::Cow;
 use std::fmt::Write;
 
+use crate::expr::Math;
+
 use super::equation::Row;
 
 /// Signs that LaTeX reads as commands, or that its fonts or ligatures would change.
@@ -211,10 +213,10 @@ fn has_glyph(character: char) -> bool {
 pub(super) fn equation(rows: &[Row], number: Option<u32>) -> String {
     let tag = number.map_or_else(String::new, |number| format!(" \\tag{{{number}}}"));
     if let [row] = rows {
-        return row.whole().latex() + &tag;
+        return Math::row_latex(row.whole()) + &tag;
     }
     let lines: Vec<String> =
-        rows.iter().map(|row| format!("{} & {}", row.left().latex(), row.right().latex())).collect();
+        rows.iter().map(|row| format!("{} & {}", Math::row_latex(row.left()), Math::row_latex(row.right()))).collect();
     format!("\\begin{{aligned}}\n{}\n\\end{{aligned}}{tag}", lines.join(" \\\\\n"))
 }
 

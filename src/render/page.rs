@@ -17,6 +17,24 @@ pub enum Page {
     Key(Key),
 }
 
+/// A page that is looked at.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum PageView<'a> {
+    Sheet(&'a Sheet),
+    Solution(&'a Solution),
+    Key(&'a Key),
+}
+
+impl<'a> From<&'a Page> for PageView<'a> {
+    fn from(page: &'a Page) -> Self {
+        match page {
+            Page::Sheet(sheet) => Self::Sheet(sheet),
+            Page::Solution(solution) => Self::Solution(solution),
+            Page::Key(key) => Self::Key(key),
+        }
+    }
+}
+
 /// What a variant is made from; printed small, so that the same numbers can be made again.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Identity {

@@ -6,7 +6,7 @@ use crate::fault::Faults;
 use crate::grade::Statistics;
 
 use super::document::{Document, Figures, Format};
-use super::page::{Key, Page, Sheet, Solution};
+use super::page::{Key, Page, PageView, Sheet, Solution};
 use super::templates::Templates;
 use super::view::View;
 
@@ -66,8 +66,8 @@ impl Renderer {
     /// # Errors
     /// Where a statement is not fit to print, or a template fails.
     pub fn render_sheets(&self, sheets: &[Sheet], format: Format) -> Result<Document, Faults> {
-        let pages: Vec<Page> = sheets.iter().cloned().map(Page::Sheet).collect();
-        self.render(&pages, format)
+        let pages: Vec<PageView> = sheets.iter().map(PageView::Sheet).collect();
+        self.document(&pages, format)
     }
 
     /// A document of one worked solution, faded where it says so.
@@ -75,7 +75,7 @@ impl Renderer {
     /// # Errors
     /// Where the author's text in it is not fit to print, or a template fails.
     pub fn render_solution(&self, solution: &Solution, format: Format) -> Result<Document, Faults> {
-        self.render(&[Page::Solution(solution.clone())], format)
+        self.document(&[PageView::Solution(solution)], format)
     }
 
     /// A document of one answer key.
@@ -83,7 +83,7 @@ impl Renderer {
     /// # Errors
     /// Where a template fails.
     pub fn render_key(&self, key: &Key, format: Format) -> Result<Document, Faults> {
-        self.render(&[Page::Key(key.clone())], format)
+        self.document(&[PageView::Key(key)], format)
     }
 
     /// A page with the statistics of a class's answers, as HTML.
@@ -105,6 +105,11 @@ impl Renderer {
     /// # Errors
     /// Where an author's text is not fit to print, or a template fails.
     pub fn render(&self, pages: &[Page], format: Format) -> Result<Document, Faults> {
+        let pages: Vec<PageView> = pages.iter().map(PageView::from).collect();
+        self.document(&pages, format)
+    }
+
+    fn document(&self, pages: &[PageView], format: Format) -> Result<Document, Faults> {
         let templates = match format {
             Format::Markdown => &self.templates[0],
             Format::Latex => &self.templates[1],

@@ -1,5 +1,6 @@
 //! What a template sees: plain values, whose marked-safe strings are already in the tongue of the format.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use tera::{Context, Value};
@@ -16,7 +17,7 @@ use super::authored::Authored;
 use super::document::{BesideFile, Figures, Format};
 use super::equation;
 use super::fade::fade;
-use super::page::{Identity, Key, KeyRow, Page, Sheet, SheetPart, Solution};
+use super::page::{Identity, Key, KeyRow, PageView, Sheet, SheetPart, Solution};
 use super::writer::{Writer, writer};
 
 /// Makes the values of one document, and collects the files that go beside it.
@@ -55,21 +56,21 @@ impl<'a> View<'a> {
     }
 
     /// The values of the whole document: `title`, `level` and `pages`.
-    pub fn document(&mut self, pages: &[Page]) -> Result<Context, Faults> {
+    pub fn document(&mut self, pages: &[PageView]) -> Result<Context, Faults> {
         self.level = if pages.len() > 1 { 2 } else { 1 };
-        let values = pages.iter().map(|page| self.page(page)).collect::<Result<Vec<Value>, Faults>>()?;
+        let values = pages.iter().map(|page| self.page(*page)).collect::<Result<Vec<Value>, Faults>>()?;
         let mut context = Context::new();
-        context.insert("title", &document_title(pages));
+        context.insert("title", document_title(pages));
         context.insert("level", &self.level);
         context.insert_value("pages", Value::from(values));
         Ok(context)
     }
 
-    fn page(&mut self, page: &Page) -> Result<Value, Faults> {
+    fn page(&mut self, page: PageView) -> Result<Value, Faults> {
         match page {
-            Page::Sheet(sheet) => self.sheet(sheet),
-            Page::Solution(solution) => self.solution(solution),
-            Page::Key(key) => Ok(self.key(key)),
+            PageView::Sheet(sheet) => self.sheet(sheet),
+            PageView::Solution(solution) => self.solution(solution),
+            PageView::Key(key) => Ok(self.key(key)),
         }
     }
 
@@ -106,8 +107,8 @@ impl<'a> View<'a> {
 
     fn solution(&mut self, solution: &Solution) -> Result<Value, Faults> {
         let shown = match solution.faded {
-            Some(steps) => fade(&solution.outline, steps),
-            None => solution.outline.clone(),
+            Some(steps) => Cow::Owned(fade(&solution.outline, steps)),
+            None => Cow::Borrowed(&solution.outline),
         };
         let id = &solution.identity.problem;
         let reads =
@@ -211,16 +212,18 @@ fn points(points: Option<f64>) -> Value {
     points.map(|points| points.to_string()).into()
 }
 
-fn document_title(pages: &[Page]) -> String {
-    let title = |page: &Page| match page {
-        Page::Sheet(sheet) => sheet.title.clone(),
-        Page::Solution(solution) => solution.outline.title.clone(),
-        Page::Key(key) => key.title.clone(),
-    };
-    let mut titles: Vec<String> = pages.iter().map(title).collect();
+fn document_title<'a>(pages: &[PageView<'a>]) -> &'a str {
+    let mut titles: Vec<&str> = pages
+        .iter()
+        .map(|page| match page {
+            PageView::Sheet(sheet) => sheet.title.as_str(),
+            PageView::Solution(solution) => &solution.outline.title,
+            PageView::Key(key) => &key.title,
+        })
+        .collect();
     titles.dedup();
-    match <[String; 1]>::try_from(titles) {
-        Ok([only]) => only,
-        Err(_) => "Problems".to_owned(),
+    match titles[..] {
+        [only] => only,
+        _ => "Problems",
     }
 }

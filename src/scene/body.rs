@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::Term;
+use super::{Components, Term};
 
 /// Whether weight acts in the plane of the drawing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
@@ -61,4 +61,7 @@ pub struct Surface {
 pub struct Point {
     /// How the point is called in a sentence: `the pivot`.
     pub name: String,
+    /// Where it is, by its coordinates along the axes: `{ x: 2 m, y: b }`; those left out are zero. Default: the origin.
+    #[serde(default)]
+    pub at: Components,
 }

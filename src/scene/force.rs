@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::Term;
+use super::{Components, Term};
 
 /// A force on a body during a stage.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -41,7 +41,8 @@ pub struct Pull {
     /// How the force is called in a sentence: `the thrust`. Default: "the force".
     #[serde(default)]
     pub name: Option<String>,
-    /// Its strength: a term (which may contain the time `t`, from the start of the stage), pieces, or points of a graph.
+    /// Its strength: a term (which may contain the time `t`, from the start of the stage), pieces, points of a graph, or its
+    /// components along the axes, which say where it points.
     pub value: Strength,
     /// Where it points: `to the left`, `30 deg above +x`. Default: along the first axis.
     #[serde(default)]
@@ -58,6 +59,8 @@ pub enum Strength {
     Pieces(Vec<Piece>),
     /// Straight lines between the points of a graph.
     Graph(Graph),
+    /// Components along the axes, each a term in the time `t`: `{ x: 3 N, y: k*t }`. Those left out are zero.
+    Components(Components),
 }
 
 /// Points of a force-time graph.

@@ -2,12 +2,14 @@
 
 mod axes;
 mod body;
+mod components;
 mod force;
 pub mod stage;
 mod term;
 
 pub use axes::{Axes, Axis, Sense, Senses};
 pub use body::{Body, Guide, Plane, Point, Surface};
+pub use components::Components;
 pub use force::{Force, Friction, Piece, Pull, Strength};
 pub use stage::Stage;
 pub use term::Term;
@@ -87,5 +89,13 @@ impl Scene {
             [rest @ .., last] if !rest.is_empty() => format!("{} and {last} together", rest.join(", ")),
             _ => names.concat(),
         }
+    }
+
+    /// A body as it does something, the verb for one body and for several: `the boat moves`, `the arrow and the target
+    /// together move`.
+    #[must_use]
+    pub fn does(&self, body: &str, verb: [&str; 2]) -> String {
+        let several = self.members(body).len() > 1;
+        format!("{} {}", self.called(body), verb[usize::from(several)])
     }
 }

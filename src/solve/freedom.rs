@@ -1,11 +1,9 @@
 //! What the equations leave free, judged by their derivatives at sampled values: equations that say the same twice
 //! do not determine twice as much, whatever counting says.
 
-use crate::expr::Expr;
-
-use super::rank::{sample, slope};
+use super::System;
+use super::sample::{Sample, generic, residual};
 use super::structure::{Row, Structure};
-use super::{Statement, System};
 
 /// Entries below this count as zero; the entries of a sampled Jacobian are near one.
 const NEGLIGIBLE: f64 = 1e-7;
@@ -71,23 +69,23 @@ fn reduced(mut vector: Vec<f64>, basis: &[Vec<f64>]) -> Vec<f64> {
     vector
 }
 
-/// The derivatives of every equation.
+/// The derivatives of every equation, each in every unknown, where all of them hold.
 pub(super) fn gradients(system: &System, structure: &Structure) -> Vec<Vec<f64>> {
-    structure.rows.iter().map(|row| gradient(system, structure, row)).collect()
+    let sample = &Sample::of(system, structure);
+    structure.rows.iter().map(|row| gradient(system, structure, row, sample)).collect()
 }
 
 /// The derivatives of one equation. A count, and an equation without a value there, are taken to depend on all that they contain.
-fn gradient(system: &System, structure: &Structure, row: &Row) -> Vec<f64> {
-    let generic =
-        |column: usize| if row.unknowns.contains(column) { sample(structure.unknowns[column], 7) } else { 0.0 };
-    let residual: Option<Expr> = match system.equations.get(row.equation).map(|equation| &equation.statement) {
-        Some(Statement::Equal { left, right }) => Some(left.clone() - right.clone()),
-        _ => None,
-    };
-    let derivative = |column: usize| match &residual {
-        Some(residual) if row.unknowns.contains(column) => slope(residual, structure.unknowns[column]),
-        _ => generic(column),
-    };
-    let found: Vec<f64> = (0..structure.unknowns.len()).map(derivative).collect();
-    if found.iter().all(|entry| entry.is_finite()) { found } else { (0..found.len()).map(generic).collect() }
+fn gradient(system: &System, structure: &Structure, row: &Row, sample: &Sample) -> Vec<f64> {
+    let mut found = vec![0.0; structure.unknowns.len()];
+    let stated = system.equations.get(row.equation).and_then(|equation| residual(&equation.statement));
+    for (symbol, slope) in stated.iter().flat_map(|term| sample.slopes(term)) {
+        if let Some(column) = structure.column(symbol) {
+            found[column] += slope;
+        }
+    }
+    if stated.is_none() || !found.iter().all(|entry| entry.is_finite()) {
+        row.unknowns.iter().for_each(|column| found[column] = generic(structure.unknowns[column].index(), 7));
+    }
+    found
 }

@@ -78,7 +78,7 @@ pub fn plan(system: &System, known: &BTreeSet<Symbol>, wanted: &[Symbol]) -> Res
                     return Err(stuck(Reason::Contradiction { equations: closer.equations(&block) }));
                 }
                 Err((block, refusal)) => {
-                    if let Some(rows) = dependent(system, &structure, &block) {
+                    if let Some(rows) = dependent(&structure, &gradients, &block) {
                         // Of equations that say the same twice, the dearest is the one to do without.
                         if let Some(row) = rows.iter().max_by_key(|row| structure.rows[*row].cost) {
                             avoided.insert(row);

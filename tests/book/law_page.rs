@@ -21,6 +21,12 @@ pub fn page(chapter: &str, law: &Law, bank: &Survey) -> String {
     for (head, text) in [("Signs", law.signs), ("When it applies", law.when), ("Source", law.source)] {
         write!(page, "\n## {head}\n\n{text}\n").unwrap();
     }
+    if !law.wrong.is_empty() {
+        page.push_str("\n## Usual mistakes\n\nA student is asked about these when an answer shows one; the [chapter on marking](../marking.md) says how.\n\n");
+    }
+    for mistake in law.wrong.iter().map(|form| form.of) {
+        writeln!(page, "- `{}`: the student {}. *{}*", mistake.id, mistake.does, mistake.ask).unwrap();
+    }
     let users = bank.using(law);
     page.push_str("\n## In the bank\n\n");
     if users.is_empty() {

@@ -11,8 +11,6 @@ use crate::figure::Drawing;
 use crate::figure::LabelledVector;
 use crate::figure::Wording;
 use crate::scene::Strength;
-use crate::scene::Term;
-use crate::scene::stage::Arm;
 use crate::scene::stage::Central;
 use crate::scene::stage::During;
 use crate::scene::stage::Rotate;
@@ -36,13 +34,12 @@ struct Place {
 
 /// The diagram of a particle on an arm.
 pub(super) fn rotation(quantities: &Quantities<'_>, stage: usize, rotate: &Rotate) -> Option<Drawing> {
-    let arms: [&Term; 2] = match &rotate.arm {
-        Arm::Constant(term) => [term, term],
-        Arm::Changing([before, after]) => [before, after],
-    };
+    let held = rotate.held();
+    let [(body, arm)] = held[..] else { return None };
+    let arms = arm.ends();
     let place = |side: usize| {
         let arm = quantities.term(arms[side])?;
-        let name = quantities.velocity_name(&rotate.body, stage + 1 + side);
+        let name = quantities.velocity_name(body, stage + 1 + side);
         let velocity = quantities.named(&name).map(|velocity| [0.0, velocity]);
         let radius = (quantities.symbolic(&arm), quantities.evaluate(&arm));
         Some(Place { radius, velocity: vec![(name_math(&name), velocity)], angle: 0.0 })
@@ -55,7 +52,7 @@ pub(super) fn rotation(quantities: &Quantities<'_>, stage: usize, rotate: &Rotat
         _ => None,
     };
     let impulse = AngularImpulse { label, value: gained };
-    Some(drawing(quantities, [&rotate.body, &rotate.about], stage, places, impulse))
+    Some(drawing(quantities, [body, &rotate.about], stage, places, impulse))
 }
 
 /// The diagram of a particle under a central force.
@@ -128,7 +125,7 @@ impl Place {
 /// The mass is the same before and after, so momenta are drawn to the scale of the velocities.
 fn drawing(
     quantities: &Quantities<'_>,
-    [body, about]: [&String; 2],
+    [body, about]: [&str; 2],
     stage: usize,
     [before, after]: [Place; 2],
     impulse: AngularImpulse,

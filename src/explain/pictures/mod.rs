@@ -28,6 +28,9 @@ pub(super) fn solution(worked: Worked<'_>) -> Vec<Drawing> {
     let sibling = solved_sibling(worked);
     let worked = sibling.as_ref().and_then(|variant| Worked::new(worked.problem, variant)).unwrap_or(worked);
     let quantities = Quantities::new(worked, Scope::Solved);
+    if is_in_space(&quantities) {
+        return Vec::new();
+    }
     let compass = Compass::of(quantities.scene());
     let stages = &quantities.scene().stages;
     if stages.is_empty() {
@@ -49,7 +52,12 @@ pub(super) fn solution(worked: Worked<'_>) -> Vec<Drawing> {
         // What a ball gains before it bounces on is not asked for; the figure of the bounces shows its fall.
         Stage::Fall(_) if matches!(stages.get(index + 1), Some(Stage::Bounces(_))) => Vec::new(),
         Stage::Walk(walk) => vec![sheet::ride::walk(&quantities, &compass, index, walk)],
-        Stage::Drift(_) => Vec::new(),
+        Stage::Drift(_)
+        | Stage::Moment(_)
+        | Stage::Strike(_)
+        | Stage::Conical(_)
+        | Stage::Bowl(_)
+        | Stage::Interact(_) => Vec::new(),
         Stage::Flight(_) if quantities.scene().plane == Plane::Horizontal => Vec::new(),
         Stage::Impact(_)
         | Stage::Spring(_)
@@ -88,5 +96,10 @@ fn solved_sibling(worked: Worked<'_>) -> Option<Variant> {
 pub fn situation(worked: Worked<'_>) -> Option<Drawing> {
     let quantities = Quantities::new(worked, Scope::Given);
     let compass = Compass::of(quantities.scene());
-    sheet::drawing(&quantities, &compass)
+    sheet::drawing(&quantities, &compass).filter(|_| !is_in_space(&quantities))
+}
+
+/// Whether a scene has three dimensions, of which a drawing shows two.
+fn is_in_space(quantities: &Quantities<'_>) -> bool {
+    quantities.axes.len() > 2
 }

@@ -82,17 +82,36 @@ pub const RADIUS_SQUARED: Misconception = Misconception {
     hint: "Radius times transverse velocity is what stays the same.",
 };
 
+/// The factors of the vector product in the wrong order.
+pub const FACTORS_EXCHANGED: Misconception = Misconception {
+    id: "vector-product-reversed",
+    does: "takes the factors of the vector product in the wrong order",
+    ask: "Which factor comes first in the moment: the place, or what acts there?",
+    hint: "The order decides the sign: the place vector comes first. Check it with the right-hand rule.",
+};
+
 /// Wrong forms of angular momentum.
 pub const ANGULAR_MOMENTUM: &[WrongForm] = &[
     WrongForm { of: &RADIUS_FORGOTTEN, write: radius_forgotten },
     WrongForm { of: &DISTANCE, write: |law| moment(law, distance) },
     WrongForm { of: &MOMENTS_ADDED, write: |law| moment(law, |[x, y], [u, v]| x * v + y * u) },
     WrongForm { of: &ARMS_EXCHANGED, write: |law| moment(law, |[x, y], [u, v]| x * u - y * v) },
+    WrongForm { of: &FACTORS_EXCHANGED, write: reversed },
+];
+/// Wrong forms of the moment of a force.
+pub const MOMENT: &[WrongForm] = &[
+    WrongForm { of: &MOMENTS_ADDED, write: signs_lost },
+    WrongForm { of: &FACTORS_EXCHANGED, write: |law| one((law.left(), -law.right())) },
 ];
 /// Wrong forms of angular impulse and momentum.
 pub const ANGULAR_IMPULSE: &[WrongForm] = &[
     WrongForm { of: &START_FORGOTTEN, write: start_forgotten },
     WrongForm { of: &REVERSED, write: gain_reversed },
+    WrongForm { of: &VELOCITY_KEPT, write: |law| arms(law, 1) },
+    WrongForm { of: &RATE_KEPT, write: |law| arms(law, 2) },
+];
+/// Wrong forms of conservation.
+pub const CONSERVATION: &[WrongForm] = &[
     WrongForm { of: &VELOCITY_KEPT, write: |law| arms(law, 1) },
     WrongForm { of: &RATE_KEPT, write: |law| arms(law, 2) },
 ];
@@ -128,6 +147,21 @@ fn moment(law: &Taught<'_>, change: impl Fn([Expr; 2], [Expr; 2]) -> Expr) -> Ve
     let [first, second] = &moments[..] else { return Vec::new() };
     let (Some([x, v]), Some([y, u])) = (of(first), of(second)) else { return Vec::new() };
     one((law.left(), mass.clone() * change([x, y], [u, v])))
+}
+
+/// Every term that enters a moment with a minus sign, with a plus.
+fn signs_lost(law: &Taught<'_>) -> Vec<Wrong> {
+    let lost = |part: &Expr| {
+        if factors(part).first() == Some(&Expr::integer(-1)) { -part.clone() } else { part.clone() }
+    };
+    let sides = (law.left(), Expr::sum(terms(&law.sides.1).iter().map(lost)));
+    if sides == *law.sides { Vec::new() } else { one(sides) }
+}
+
+/// The moment with the other sign, where it is a difference.
+fn reversed(law: &Taught<'_>) -> Vec<Wrong> {
+    let is_difference = factors(&law.sides.1).iter().any(|part| matches!(part, Expr::Sum(_)));
+    if is_difference { one((law.left(), -law.right())) } else { Vec::new() }
 }
 
 fn distance([x, y]: [Expr; 2], [u, v]: [Expr; 2]) -> Expr {

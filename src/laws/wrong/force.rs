@@ -6,6 +6,8 @@ use super::Misconception;
 use super::Taught;
 use super::Wrong;
 use super::WrongForm;
+use super::geometry::TANGENT_INVERTED;
+use super::geometry::tangent_inverted;
 use super::rewrite::ends_averaged;
 use super::rewrite::factors;
 use super::rewrite::one;
@@ -70,6 +72,8 @@ pub const STATIC_KINETIC: Misconception = Misconception {
     hint: "Static friction decides when the body starts, kinetic friction acts afterwards.",
 };
 
+/// Wrong forms of a conical pendulum.
+pub const CONICAL: &[WrongForm] = &[WrongForm { of: &TANGENT_INVERTED, write: tangent_inverted }];
 /// Wrong forms of an impulse as an integral.
 pub const IMPULSE: &[WrongForm] = &[
     WrongForm { of: &VALUE_TIMES_TIME, write: value_times_time },

@@ -58,6 +58,16 @@ pub const RADIUS: Misconception = Misconception {
     hint: "Check the units: an angular velocity has no length in it.",
 };
 
+/// The tangent turned over.
+pub const TANGENT_INVERTED: Misconception = Misconception {
+    id: "tangent-inverted",
+    does: "divides by a tangent where it multiplies, or the reverse",
+    ask: "From which line is the angle counted, and which side lies opposite to it?",
+    hint: "Try a small angle: which of the two lengths is then much the smaller one?",
+};
+
+/// Wrong forms of a height in a bowl.
+pub const HEIGHT_IN_BOWL: &[WrongForm] = &[WrongForm { of: &TANGENT_INVERTED, write: tangent_inverted }];
 /// Wrong forms of components.
 pub const COMPONENTS: &[WrongForm] = &[WrongForm { of: &SINE_COSINE, write: sine_and_cosine }];
 /// Wrong forms of a magnitude.
@@ -93,6 +103,17 @@ fn pointed(law: &Taught<'_>, change: &dyn Fn(&Expr, &Expr) -> [Expr; 2]) -> Vec<
         }
     }
     law.both(|side| within(side, change))
+}
+
+/// Every tangent turned over.
+pub(super) fn tangent_inverted(law: &Taught<'_>) -> Vec<Wrong> {
+    fn inverted(term: &Expr) -> Expr {
+        match term {
+            Expr::Apply(Function::Tan, _) => term.clone().powi(-1),
+            other => other.map_children(inverted),
+        }
+    }
+    law.both(inverted)
 }
 
 fn other_axis(law: &Taught<'_>) -> Vec<Wrong> {

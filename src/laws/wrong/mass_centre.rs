@@ -12,8 +12,11 @@ use super::momentum::SIGN_LOST;
 use super::momentum::START_FORGOTTEN;
 use super::rewrite::factors;
 use super::rewrite::gain_reversed;
+use super::rewrite::one;
 use super::rewrite::sign_lost;
 use super::rewrite::start_forgotten;
+use super::rewrite::terms;
+use super::separation::REVERSED;
 
 /// The mass centre as the middle.
 pub const PLAIN_AVERAGE: Misconception = Misconception {
@@ -30,6 +33,31 @@ pub const ONE_MASS: Misconception = Misconception {
     hint: "An impulse from outside changes the momentum of the whole system.",
 };
 
+/// Absolute velocities in the energy of relative motion.
+pub const NOT_RELATIVE: Misconception = Misconception {
+    id: "velocity-not-relative",
+    does: "leaves the velocity of the mass centre out of a relative velocity",
+    ask: "Relative to what is the velocity taken?",
+    hint: "Seen from the mass centre, a body moves with the difference of the two velocities.",
+};
+/// One of the two parts of Koenig's theorem left out.
+pub const PART_FORGOTTEN: Misconception = Misconception {
+    id: "part-of-koenig-forgotten",
+    does: "leaves out the part of the mass centre, or the part relative to it",
+    ask: "Of which two parts is the motion of a system made up?",
+    hint: "There is a part of the whole mass at the mass centre, and a part of the motion about it.",
+};
+
+/// Wrong forms of a relative velocity.
+pub const RELATIVE: &[WrongForm] = &[
+    WrongForm { of: &NOT_RELATIVE, write: |law| first_term(law) },
+    WrongForm { of: &REVERSED, write: |law| one((law.left(), -law.right())) },
+];
+/// Wrong forms of the energy of a system.
+pub const ENERGY: &[WrongForm] = &[WrongForm { of: &PART_FORGOTTEN, write: each_term }];
+/// Wrong forms of the angular momentum of a system.
+pub const ANGULAR: &[WrongForm] = &[WrongForm { of: &PART_FORGOTTEN, write: each_term }];
+
 /// Wrong forms of the definition.
 pub const MASS_CENTRE: &[WrongForm] =
     &[WrongForm { of: &PLAIN_AVERAGE, write: plain_average }, WrongForm { of: &SIGN_LOST, write: sign_lost }];
@@ -39,6 +67,21 @@ pub const MOTION: &[WrongForm] = &[
     WrongForm { of: &IMPULSE_REVERSED, write: gain_reversed },
     WrongForm { of: &ONE_MASS, write: one_mass },
 ];
+
+/// The first term of the right side alone.
+fn first_term(law: &Taught<'_>) -> Vec<Wrong> {
+    match &terms(&law.sides.1)[..] {
+        [first, _, ..] => one((law.left(), first.clone())),
+        _ => Vec::new(),
+    }
+}
+
+/// Each of several terms of the right side alone.
+fn each_term(law: &Taught<'_>) -> Vec<Wrong> {
+    let parts = terms(&law.sides.1);
+    let alone = parts.iter().map(|part| Wrong::from((law.left(), part.clone())));
+    if parts.len() > 1 { alone.collect() } else { Vec::new() }
+}
 
 /// Every mass is one.
 fn plain_average(law: &Taught<'_>) -> Vec<Wrong> {

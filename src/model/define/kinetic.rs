@@ -9,9 +9,13 @@ use crate::scene::Stage;
 
 use super::super::Builder;
 use super::super::Name;
+use super::relative::energy_of_the_centre;
 
 pub(super) fn kinetic_energy(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let instant = builder.number(name)?;
+    if name.subject == "G" {
+        return energy_of_the_centre(builder, instant);
+    }
     let when = builder.when(instant);
     let (whose, bodies) = if name.subject.is_empty() {
         ("the system".to_owned(), builder.timeline.alive(instant).into_iter().map(str::to_owned).collect())
@@ -41,6 +45,19 @@ pub(super) fn energy_gained(builder: &mut Builder<'_>, name: &Name) -> Option<Sy
     let stage = balanced_stage(builder, name, &(0..builder.scene.stages.len()).collect::<Vec<_>>())?;
     let meaning = format!("the kinetic energy gained in {}", builder.stage_phrase(stage));
     balance_of_energy(builder, &energy::GAIN, stage, "T_gained", meaning)
+}
+
+/// The work of all forces in a stage, by what it makes of the kinetic energy.
+pub(super) fn work(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
+    let stage = balanced_stage(builder, name, &(0..builder.scene.stages.len()).collect::<Vec<_>>())?;
+    let (suffix, phrase) = (builder.stage_suffix(stage), builder.stage_phrase(stage));
+    let meaning = format!("the work done during {phrase}");
+    let symbol = builder.symbol(format!("work{suffix}"), Dimension::ENERGY, meaning);
+    let [before, after] = [stage + 1, stage + 2].map(|instant| builder.resolve(&format!("T_{instant}")));
+    let sides = energy::work_energy(before?.into(), [symbol.into()], after?.into());
+    let because = "the work of all forces is what makes the kinetic energy change";
+    builder.law(&energy::WORK_ENERGY, Some(stage), because, sides);
+    Some(symbol)
 }
 
 /// The stage that a name says, or the only one that could be meant.

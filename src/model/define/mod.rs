@@ -1,15 +1,16 @@
 //! Quantities that exist because somebody mentions them: speeds, momenta, energies, the mass centre. A table by the
 //! beginning of the name; each row makes the symbol and the equation that defines it.
 
-mod between;
+mod angular;
 mod kinetic;
 mod mass_centre;
 mod phases;
+mod relative;
 mod speed;
+mod vector;
 
 use crate::expr::Expr;
 use crate::expr::Symbol;
-use crate::laws::angular;
 use crate::laws::force;
 use crate::laws::geometry;
 use crate::laws::kinematics;
@@ -19,17 +20,24 @@ use crate::scene::Axis;
 use crate::scene::Stage;
 
 use super::Builder;
+use super::ForceKind;
 use super::Instant;
 use super::Name;
 use super::builder::SECOND_COST;
+use angular::angular_momentum;
+use angular::moment_of_forces;
+use angular::rate_of_angular_momentum;
 use kinetic::energy_gained;
 use kinetic::energy_lost;
 use kinetic::kinetic_energy;
+use kinetic::work;
 use mass_centre::mass_centre_position;
 use mass_centre::mass_centre_velocity;
 use phases::common_velocity;
 use phases::deformation;
 use phases::restoring;
+use relative::relative_energy;
+use relative::relative_velocity;
 use speed::angle;
 use speed::speed;
 
@@ -50,10 +58,15 @@ const DEFINITIONS: &[(&str, Define)] = &[
     ("T", kinetic_energy),
     ("T_lost", energy_lost),
     ("T_gained", energy_gained),
+    ("work", work),
     ("J_def", deformation),
     ("J_rest", restoring),
     ("v_common", common_velocity),
+    ("T_rel", relative_energy),
+    ("v_rel", relative_velocity),
     ("H", angular_momentum),
+    ("M", moment_of_forces),
+    ("H_rate", rate_of_angular_momentum),
     ("W", weight),
 ];
 
@@ -65,6 +78,9 @@ impl Builder<'_> {
         }
         if name.starts_with("angle(") {
             return self.angle_between(name);
+        }
+        if name.starts_with("magnitude(") {
+            return self.magnitude_of(name);
         }
         let mut name = Name::parse(name)?;
         if let Some(Instant::Named(instant)) = &name.instant {
@@ -158,6 +174,19 @@ impl Builder<'_> {
         }
     }
 
+    /// The impulse of the weight of a body that no floor carries during a push, along the axis of that position.
+    fn impulse_of_weight(&self, body: &str, stage: usize, position: usize) -> Option<Expr> {
+        let own =
+            |kind| self.forces.iter().find(|force| force.stage == stage && force.on == body && force.kind == kind);
+        if own(ForceKind::Normal).is_some() {
+            return None;
+        }
+        let weight = own(ForceKind::Weight)?;
+        let part = self.components(&weight.direction).into_iter().nth(position).filter(|part| !part.is_zero())?;
+        let [start, end] = &weight.during;
+        Some(part * weight.strength.clone() * (end.clone() - start.clone()))
+    }
+
     fn component_phrase(name: &Name) -> String {
         name.component.as_ref().map_or_else(String::new, |letter| format!("the {letter}-component of "))
     }
@@ -173,18 +202,19 @@ impl Builder<'_> {
         let suffix = self.stage_suffix(stage);
         let magnitude =
             self.positive(format!("J_{body}{suffix}"), Dimension::MOMENTUM, format!("the magnitude of {meaning}"));
-        let direction =
-            self.symbol(format!("angle_J_{body}{suffix}"), Dimension::NONE, format!("the direction of {meaning}"));
-        let [x, y] = components else { return };
-        self.directions.insert(direction, [x.clone(), y.clone()]);
-        let because = "the impulse is resolved along the axes";
-        for sides in geometry::components(&magnitude.into(), &direction.into(), x, y) {
-            self.law_at(SECOND_COST, &geometry::COMPONENTS, Some(stage), because, sides);
+        if let [x, y] = components {
+            let direction =
+                self.symbol(format!("angle_J_{body}{suffix}"), Dimension::NONE, format!("the direction of {meaning}"));
+            self.directions.insert(direction, [x.clone(), y.clone()]);
+            let because = "the impulse is resolved along the axes";
+            for sides in geometry::components(&magnitude.into(), &direction.into(), x, y) {
+                self.law_at(SECOND_COST, &geometry::COMPONENTS, Some(stage), because, sides);
+            }
+            let angle = y.clone().atan2(x.clone());
+            self.law(&geometry::DIRECTION, Some(stage), "the components give the direction", (direction.into(), angle));
         }
-        let angle = y.clone().atan2(x.clone());
-        self.law(&geometry::DIRECTION, Some(stage), "the components give the direction", (direction.into(), angle));
         let because = "the components of the impulse are perpendicular";
-        let squares = Expr::sum([x.clone().powi(2), y.clone().powi(2)]);
+        let squares = Expr::sum(components.iter().map(|component| component.clone().powi(2)));
         self.law(&geometry::MAGNITUDE, Some(stage), because, (Expr::from(magnitude), squares.sqrt()));
     }
 }
@@ -252,7 +282,9 @@ fn clock(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let instant = builder.number(name).filter(|_| name.subject.is_empty())?;
     let lasting = builder.lasting.iter().zip(&builder.scene.stages).take(instant - 1);
     let durations: Vec<Expr> = lasting
-        .filter(|(_, stage)| !matches!(stage, Stage::Impact(_) | Stage::Blow(_) | Stage::Separate(_)))
+        .filter(|(_, stage)| {
+            !matches!(stage, Stage::Impact(_) | Stage::Blow(_) | Stage::Separate(_) | Stage::Strike(_))
+        })
         .map(|(duration, _)| duration.clone())
         .collect::<Option<_>>()?;
     let meaning = format!("the time {}, counted from the start", builder.when(instant));
@@ -305,41 +337,9 @@ fn impulse(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     );
     let spelling = builder.spelling(name);
     let symbol = builder.symbol(spelling, Dimension::MOMENTUM, meaning);
-    let total = Expr::sum(acting.into_iter().map(|(_, impulse)| impulse));
+    let weight = builder.impulse_of_weight(&name.subject, stage, position);
+    let total = Expr::sum(acting.into_iter().map(|(_, impulse)| impulse).chain(weight));
     builder.law(&force::IMPULSE, Some(stage), "by definition", (symbol.into(), total));
-    Some(symbol)
-}
-
-fn angular_momentum(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
-    let instant = builder.number(name)?;
-    if !builder.scene.points.contains_key(&name.subject) {
-        return None;
-    }
-    let (centre, when) = (builder.point(&name.subject), builder.when(instant));
-    let spelling = builder.spelling(name);
-    let symbol =
-        builder.symbol(spelling, Dimension::ANGULAR_MOMENTUM, format!("the angular momentum about {centre} {when}"));
-    let bodies: Vec<String> = builder.timeline.alive(instant).into_iter().map(str::to_owned).collect();
-    let mut terms = Vec::new();
-    for body in bodies {
-        let mass = builder.mass(&body);
-        if builder.axes.is_empty() {
-            let (radius, velocity) = builder.polar_state(&body, &name.subject, instant);
-            terms.push(Expr::product([mass, radius, velocity]));
-            continue;
-        }
-        let place = ["x", "y"].map(|letter| builder.resolve(&format!("r_{body}{instant}.{letter}")).map(Expr::from));
-        let [Some(x), Some(y)] = place else { return None };
-        let velocities = builder.velocities(&body, instant);
-        let [vx, vy] = &velocities[..] else { return None };
-        terms.push(angular::moment_of_momentum(&mass, [&x, &y], [vx, vy]));
-    }
-    builder.law(
-        &angular::ANGULAR_MOMENTUM,
-        None,
-        "angular momentum is the moment of the momentum",
-        (symbol.into(), Expr::sum(terms)),
-    );
     Some(symbol)
 }
 

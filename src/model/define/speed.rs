@@ -51,8 +51,9 @@ impl Builder<'_> {
                 let value = Expr::apply(Function::Abs, only.clone());
                 self.law(&geometry::MAGNITUDE, None, "a speed is the size of a velocity", (speed_expr, value));
             }
-            [x, y] => {
-                if self.axes.len() == 2 {
+            [] => {}
+            several => {
+                if let ([x, y], 2) = (several, self.axes.len()) {
                     for sides in geometry::components(&speed_expr, &angle_expr, x, y) {
                         self.law(&geometry::COMPONENTS, None, "the velocity is resolved along the axes", sides);
                     }
@@ -64,11 +65,12 @@ impl Builder<'_> {
                     "the components of the velocity are perpendicular",
                     (speed_expr.clone(), squares.sqrt()),
                 );
-                if !self.turned_speed(body, instant, &speed_expr, &angle_expr) && self.axes.len() == 2 {
+                if let ([x, y], 2) = (several, self.axes.len())
+                    && !self.turned_speed(body, instant, &speed_expr, &angle_expr)
+                {
                     self.directions.insert(angle, [x.clone(), y.clone()]);
                 }
             }
-            _ => {}
         }
         (speed, angle)
     }

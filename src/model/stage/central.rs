@@ -3,11 +3,13 @@
 use crate::expr::Expr;
 use crate::fault::Path;
 use crate::laws::angular;
+use crate::laws::energy;
 use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Impulse;
 use crate::quantity::Dimension;
 use crate::scene::stage::Central;
+use crate::scene::stage::CentralSpring;
 
 impl Builder<'_> {
     pub(in crate::model) fn central(&mut self, index: usize, stage: &Central, path: &Path) {
@@ -34,11 +36,42 @@ impl Builder<'_> {
             components: Vec::new(),
             impulsive: false,
         });
-        if stage.gravity.is_none() {
+        if let Some(spring) = &stage.spring {
+            self.central_spring(index, stage, spring, path);
+        } else if stage.gravity.is_none() {
             let why = "the force's moment about the centre is zero, whatever its strength";
             self.omit("the radial motion in between", why);
         }
         self.orbit(index, stage, path);
+    }
+
+    /// Kinetic energy and that of the spring stay the same together.
+    fn central_spring(&mut self, index: usize, stage: &Central, spring: &CentralSpring, path: &Path) {
+        let (body, name) = (stage.body.as_str(), self.called(&stage.body));
+        let path = path.key("spring");
+        let stiffness = self.read_positive(
+            &spring.stiffness,
+            Dimension::new(1, 0, -2),
+            "the stiffness of the spring",
+            &path.key("stiffness"),
+        );
+        let natural = spring.unstretched.as_ref().map_or_else(Expr::zero, |term| {
+            self.read_positive(
+                term,
+                Dimension::LENGTH,
+                "the unstretched length of the spring",
+                &path.key("unstretched"),
+            )
+        });
+        let energies = [index + 1, index + 2].map(|instant| {
+            let (radius, _) = self.polar_state(body, &stage.about, instant);
+            let moving = self.kinetic_term(body, instant);
+            moving + energy::of_spring(&stiffness, &(radius - natural.clone()))
+        });
+        let [start, end] = energies;
+        let because = format!("only the spring does work on {name}");
+        self.law(&energy::CONSERVATION, Some(index), because, (start, end));
+        self.omit("the mass of the spring", "it is light");
     }
 
     /// How a point is called in a sentence.

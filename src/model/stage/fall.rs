@@ -37,7 +37,7 @@ impl Builder<'_> {
                 downward,
                 Relation::AtLeast,
                 Expr::zero(),
-                format!("{name} moves downwards at the end of {phrase}"),
+                format!("{} downwards at the end of {phrase}", self.does(&stage.body, ["moves", "move"])),
             );
             let suffix = self.stage_suffix(index);
             let time = self.positive(format!("dt{suffix}"), Dimension::TIME, format!("the duration of {phrase}"));

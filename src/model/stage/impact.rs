@@ -10,7 +10,6 @@ use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Impulse;
 use crate::model::Warning;
-use crate::model::frame::Direction;
 use crate::model::frame::Frame;
 use crate::model::frame::Split;
 use crate::quantity::Dimension;
@@ -323,8 +322,7 @@ impl Builder<'_> {
     pub(super) fn line_of_impact(&mut self, contact: &Contact<'_>) -> Option<Frame> {
         match &contact.stage.line_of_impact {
             Some(term) => Some(Frame { normal: self.direction(term, &contact.path.key("line_of_impact")) }),
-            None => (self.axes.len() == 1)
-                .then(|| Frame { normal: Direction::axis(usize::from(self.axes[0].0 == Axis::Y), false) }),
+            None => (self.axes.len() == 1).then(|| Frame { normal: self.first_axis() }),
         }
     }
 

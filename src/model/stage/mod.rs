@@ -3,13 +3,17 @@
 mod blow;
 mod bounces;
 mod bounces_on;
+mod bowl;
 mod central;
+mod conical;
 mod connected;
 mod drift;
 mod fall;
 mod flight;
 mod guided;
 mod impact;
+mod interact;
+mod moment;
 mod orbit;
 mod push;
 mod rotate;
@@ -18,6 +22,7 @@ mod slide;
 mod slide_off;
 mod spring;
 mod stream;
+mod strike;
 mod surface;
 mod swing;
 mod taut;
@@ -47,6 +52,11 @@ impl Builder<'_> {
                 Stage::Connected(stage) => self.connected(index, stage, &path),
                 Stage::Blow(stage) => self.blow(index, stage, &path),
                 Stage::Rotate(stage) => self.rotate(index, stage, &path),
+                Stage::Moment(stage) => self.moment(index, stage, &path),
+                Stage::Strike(stage) => self.strike(index, stage, &path),
+                Stage::Conical(stage) => self.conical(index, stage, &path),
+                Stage::Bowl(stage) => self.bowl(index, stage, &path),
+                Stage::Interact(stage) => self.interact(index, stage, &path),
                 Stage::Central(stage) => self.central(index, stage, &path),
                 Stage::Fall(stage) => self.fall(index, stage, &path),
                 Stage::Bounces(stage) => self.bounces(index, stage, &path),

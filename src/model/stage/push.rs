@@ -1,9 +1,6 @@
 //! Forces of known law over a time: their impulses, weight, and friction with its normal force.
 
-use std::sync::Arc;
-
 use crate::expr::Expr;
-use crate::expr::Piecewise;
 use crate::expr::Symbol;
 use crate::fault::Code;
 use crate::fault::Fault;
@@ -24,7 +21,6 @@ use crate::scene::Force;
 use crate::scene::Plane;
 use crate::scene::Pull;
 use crate::scene::Strength;
-use crate::scene::Term;
 use crate::scene::stage::During;
 use crate::scene::stage::Push;
 use crate::scene::stage::Until;
@@ -64,7 +60,7 @@ impl Builder<'_> {
         for (position, entry) in stage.forces.iter().enumerate() {
             let at = path.key("forces").index(position);
             match entry {
-                Force::Pull(pull) => acting.push(self.pull(pull, &at)),
+                Force::Pull(pull) => acting.extend(self.pull(pull, &at)),
                 Force::Friction(entry) => friction = Some((&entry.friction, at.key("friction"))),
             }
         }
@@ -236,7 +232,7 @@ impl Builder<'_> {
     }
 
     /// Two times of which the second must not lie before the first.
-    fn in_order(&mut self, earlier: &Expr, later: &Expr, reason: &str) {
+    pub(in crate::model) fn in_order(&mut self, earlier: &Expr, later: &Expr, reason: &str) {
         if earlier.is_zero() {
             return;
         }
@@ -258,84 +254,29 @@ impl Builder<'_> {
         if zero { Expr::zero() } else { value }
     }
 
-    fn pull(&mut self, pull: &Pull, path: &Path) -> Acting {
+    /// A force, or as many as it has components.
+    fn pull(&mut self, pull: &Pull, path: &Path) -> Vec<Acting> {
         let name = pull.name.clone().unwrap_or_else(|| "the force".into());
-        let strength = self.strength(&pull.value, Dimension::FORCE, &name, &path.key("value"));
+        let at = path.key("value");
+        if let Strength::Components(components) = &pull.value {
+            if pull.direction.is_some() {
+                let fault = Fault::new(Code::Value, format!("{name} has components, which say where it points"));
+                self.faults.push(fault.help("remove `direction`").at_path(path.key("direction")));
+            }
+            let parts = self.strengths(components, Dimension::FORCE, &name, &at).into_iter().enumerate();
+            let parts = parts.filter(|(_, strength)| !strength.is_zero()).map(|(position, strength)| {
+                let letter = self.axes.get(position).map_or("", |(axis, _)| axis.letter());
+                let direction = Direction::axis(self.axis_place(position), false);
+                Acting { name: format!("{name} along {letter}"), strength, direction }
+            });
+            return parts.collect();
+        }
+        let strength = self.strength(&pull.value, Dimension::FORCE, &name, &at);
         let direction = match &pull.direction {
             Some(term) => self.direction(term, &path.key("direction")),
-            None => Direction::axis(usize::from(self.axes.first().is_some_and(|(axis, _)| *axis == Axis::Y)), false),
+            None => self.first_axis(),
         };
-        Acting { name, strength, direction }
-    }
-
-    /// A strength as a function of the time `t`.
-    pub(in crate::model) fn strength(
-        &mut self,
-        strength: &Strength,
-        dimension: Dimension,
-        meaning: &str,
-        path: &Path,
-    ) -> Expr {
-        let clock = Expr::from(self.symbol("t", Dimension::TIME, "the time"));
-        match strength {
-            Strength::Term(term) => self.read(term, dimension, meaning, path),
-            Strength::Pieces(pieces) => {
-                if pieces.is_empty() {
-                    let fault = Fault::new(Code::MissingKey, format!("{meaning} has no pieces"));
-                    self.faults.push(fault.help("write one, such as `{ is: 3 N }`").at_path(path.clone()));
-                }
-                let pieces: Vec<(Option<Expr>, Expr)> = pieces
-                    .iter()
-                    .enumerate()
-                    .map(|(position, piece)| {
-                        let at = path.index(position);
-                        let until = piece.until.as_ref().map(|term| {
-                            self.read_positive(
-                                term,
-                                Dimension::TIME,
-                                "the time at which the force changes its law",
-                                &at.key("until"),
-                            )
-                        });
-                        (until, self.read(&piece.is, dimension, meaning, &at.key("is")))
-                    })
-                    .collect();
-                let ends: Vec<Expr> = pieces.iter().filter_map(|(until, _)| until.clone()).collect();
-                for pair in ends.windows(2) {
-                    self.in_order(&pair[0], &pair[1], "the pieces of a force must follow each other in time");
-                }
-                Expr::Piecewise(Arc::new(Piecewise { variable: clock, pieces }))
-            }
-            Strength::Graph(graph) => {
-                let read = |builder: &mut Self, term: &Term, dimension, position: usize, side: usize| {
-                    let value = builder.read(term, dimension, meaning, &path.key("points").index(position).index(side));
-                    builder.zero_if_so_written(value)
-                };
-                let points: Vec<[Expr; 2]> = graph
-                    .points
-                    .iter()
-                    .enumerate()
-                    .map(|(position, [time, force])| {
-                        [read(self, time, Dimension::TIME, position, 0), read(self, force, dimension, position, 1)]
-                    })
-                    .collect();
-                if points.len() < 2 {
-                    let fault = Fault::new(Code::MissingKey, "a graph needs at least two points");
-                    let help = "write pairs of time and force: `[[0 s, 0 N], [2 s, 6 N]]`";
-                    self.faults.push(fault.help(help).at_path(path.key("points")));
-                }
-                for pair in points.windows(2) {
-                    self.in_order(&pair[0][0], &pair[1][0], "the points of a graph must follow each other in time");
-                }
-                // Two points at one time are a step, over which no time passes.
-                let pieces = points.windows(2).filter(|pair| pair[0][0] != pair[1][0]).map(|pair| {
-                    let [[t0, f0], [t1, f1]] = [pair[0].clone(), pair[1].clone()];
-                    let slope = (f1 - f0.clone()) / (t1.clone() - t0.clone());
-                    (Some(t1), (f0 + slope * (clock.clone() - t0)).simplify())
-                });
-                Expr::Piecewise(Arc::new(Piecewise { variable: clock.clone(), pieces: pieces.collect() }))
-            }
-        }
+        vec![Acting { name, strength, direction }]
     }
 
     /// The impulse of a force over the stage: force times time, or a symbol with its integral.

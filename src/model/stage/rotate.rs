@@ -1,42 +1,26 @@
-//! A particle on an arm: angular impulse and momentum about a fixed point.
+//! Particles on an arm: angular impulse and momentum about a fixed point.
 
 use crate::expr::Expr;
 use crate::fault::Path;
 use crate::laws::angular;
+use crate::laws::geometry;
 use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Impulse;
 use crate::model::Integral;
 use crate::quantity::Dimension;
-use crate::scene::Term;
 use crate::scene::stage::Arm;
 use crate::scene::stage::Rotate;
 
+/// The dimension of an angular velocity.
+const TURN: Dimension = Dimension::new(0, 0, -1);
+
 impl Builder<'_> {
     pub(in crate::model) fn rotate(&mut self, index: usize, stage: &Rotate, path: &Path) {
-        let (body, point) = (stage.body.as_str(), stage.about.as_str());
-        let (name, centre) = (self.called(body), self.point(point));
-        let mass = self.mass(body);
-        let arms: [&Term; 2] = match &stage.arm {
-            Arm::Constant(term) => [term, term],
-            Arm::Changing([before, after]) => [before, after],
-        };
-        let mut momenta = Vec::new();
-        for (side, term) in arms.into_iter().enumerate() {
-            let instant = index + 1 + side;
-            let meaning = format!("the distance of {name} from {centre} {}", self.when(instant));
-            let arm = self.read_positive(term, Dimension::LENGTH, &meaning, &path.key("arm"));
-            let meaning = format!("the transverse velocity of {name} {}", self.when(instant));
-            let velocity = Expr::from(self.symbol(format!("v_{body}{instant}"), Dimension::VELOCITY, meaning));
-            let meaning = format!("the angular momentum about {centre} {}", self.when(instant));
-            let momentum = Expr::from(self.symbol(format!("H_{point}{instant}"), Dimension::ANGULAR_MOMENTUM, meaning));
-            let because = format!("{name} moves at right angles to the radius");
-            let moment = Expr::product([mass.clone(), arm.clone(), velocity.clone()]);
-            self.law(&angular::ANGULAR_MOMENTUM, Some(index), because, (momentum.clone(), moment));
-            self.angular_velocity(index, [body, &centre], instant, &arm, &velocity);
-            self.towards_the_centre(index, [body, &centre], instant, &arm, &velocity);
-            momenta.push(momentum);
-        }
+        let point = stage.about.as_str();
+        let centre = self.point(point);
+        let held = stage.held();
+        let momenta = [0, 1].map(|side| self.momentum_on_arm(index, side, stage, &held, path));
         let moment = stage.moment.as_ref().map(|strength| {
             let meaning = format!("the moment about {centre}");
             self.strength(strength, Dimension::ENERGY, &meaning, &path.key("moment"))
@@ -44,77 +28,147 @@ impl Builder<'_> {
         let mut gained = None;
         if let (Some(moment), Some(during)) = (&moment, &stage.during) {
             let (start, end) = self.duration(index, during, &path.key("during"));
-            gained = Some(self.angular_impulse(index, &centre, moment, &start, &end));
+            self.lasting[index] = Some(end.clone() - start.clone());
+            self.told_throughout("the moment", moment, &end);
+            gained = Some(self.angular_impulse(index, (&centre, ""), moment, &start, &end));
         }
-        let because = match gained {
-            Some(_) => {
+        let because = match (&gained, &held[..]) {
+            (Some(_), [_]) => {
                 format!(
                     "the force of the arm passes through {centre}, and only the moment changes the angular momentum"
                 )
             }
-            None => format!("the only force on {name} in the plane passes through {centre} and has no moment about it"),
+            (Some(_), _) => {
+                format!(
+                    "the force at {centre} has no moment about it, and only the moment changes the angular momentum"
+                )
+            }
+            (None, [(body, _)]) => {
+                let name = self.called(body);
+                format!("the only force on {name} in the plane passes through {centre} and has no moment about it")
+            }
+            (None, _) => {
+                format!("the force at {centre} has no moment about it, and the forces along the arm have none")
+            }
         };
-        if let [before, after] = &momenta[..] {
-            let start = Expr::sum([before.clone()].into_iter().chain(gained));
-            self.law(&angular::ANGULAR_IMPULSE, Some(index), because, (start, after.clone()));
+        let [before, after] = momenta;
+        let start = Expr::sum([before].into_iter().chain(gained));
+        self.law(&angular::ANGULAR_IMPULSE, Some(index), because, (start, after));
+        let changing = held.iter().any(|(_, arm)| matches!(arm, Arm::Changing(_)));
+        for (body, _) in &held {
+            self.impulses.push(Impulse {
+                stage: index,
+                on: (*body).to_owned(),
+                by: Agent::Outside,
+                called: match (&moment, changing) {
+                    (Some(_), _) => format!("the force of the arm and the moment about {centre}"),
+                    (None, false) => "the force of the arm".into(),
+                    (None, true) => format!("the force towards {centre}"),
+                },
+                components: Vec::new(),
+                impulsive: false,
+            });
+            let name = self.called(body);
+            self.omit(format!("the mass of what holds {name}"), "it is light");
         }
-        self.impulses.push(Impulse {
-            stage: index,
-            on: body.to_owned(),
-            by: Agent::Outside,
-            called: match (&moment, &stage.arm) {
-                (Some(_), _) => format!("the force of the arm and the moment about {centre}"),
-                (None, Arm::Constant(_)) => "the force of the arm".into(),
-                (None, Arm::Changing(_)) => format!("the force towards {centre}"),
-            },
-            components: Vec::new(),
-            impulsive: false,
-        });
-        self.omit(format!("the mass of what holds {name}"), "it is light");
     }
 
-    fn angular_velocity(
+    /// The angular momentum of all that is held, at the start (0) or at the end (1).
+    fn momentum_on_arm(
         &mut self,
         index: usize,
-        [body, centre]: [&str; 2],
+        side: usize,
+        stage: &Rotate,
+        held: &[(&str, &Arm)],
+        path: &Path,
+    ) -> Expr {
+        let (centre, instant) = (self.point(&stage.about), index + 1 + side);
+        let mut terms = Vec::new();
+        for (body, arm) in held {
+            let path = if held.len() == 1 { path.key("arm") } else { path.key("bodies").key(*body) };
+            let name = self.called(body);
+            let meaning = format!("the distance of {name} from {centre} {}", self.when(instant));
+            let arm = self.read_positive(arm.ends()[side], Dimension::LENGTH, &meaning, &path);
+            let turn = match held {
+                [_] => {
+                    let meaning = format!("the angular velocity of {name} about {centre} {}", self.when(instant));
+                    self.symbol(format!("omega_{body}{instant}"), TURN, meaning).into()
+                }
+                _ => self.turn_of_arm(&centre, instant),
+            };
+            terms.push(self.on_arm(index, body, instant, &arm, &turn));
+            self.towards_the_centre(index, [body, &centre], instant, &arm);
+        }
+        let meaning = format!("the angular momentum about {centre} {}", self.when(instant));
+        let momentum = format!("H_{}{instant}", stage.about);
+        let momentum = Expr::from(self.symbol(momentum, Dimension::ANGULAR_MOMENTUM, meaning));
+        let because = match held {
+            [(body, _)] => format!("{} moves at right angles to the radius", self.called(body)),
+            _ => "all move at right angles to the arm".to_owned(),
+        };
+        self.law(&angular::ANGULAR_MOMENTUM, Some(index), because, (momentum.clone(), Expr::sum(terms)));
+        momentum
+    }
+
+    /// The angular velocity of an arm that carries several bodies.
+    pub(in crate::model) fn turn_of_arm(&mut self, centre: &str, instant: usize) -> Expr {
+        let meaning = format!("the angular velocity about {centre} {}", self.when(instant));
+        self.symbol(format!("omega_{instant}"), TURN, meaning).into()
+    }
+
+    /// The velocity of a body at right angles to its radius.
+    pub(in crate::model) fn transverse(&mut self, body: &str, instant: usize) -> Expr {
+        let since = self.timeline.since(body, instant).unwrap_or(instant);
+        let meaning = format!("the transverse velocity of {} {}", self.called(body), self.when(since));
+        self.symbol(format!("v_{body}{since}"), Dimension::VELOCITY, meaning).into()
+    }
+
+    /// The angular momentum of a body on an arm, whose velocity follows from the turning.
+    pub(in crate::model) fn on_arm(
+        &mut self,
+        index: usize,
+        body: &str,
         instant: usize,
         arm: &Expr,
-        velocity: &Expr,
-    ) {
-        let meaning = format!("the angular velocity of {} about {centre} {}", self.called(body), self.when(instant));
-        let angular = self.symbol(format!("omega_{body}{instant}"), Dimension::new(0, 0, -1), meaning);
-        let sides = (velocity.clone(), arm.clone() * Expr::from(angular));
+        turn: &Expr,
+    ) -> Expr {
+        let velocity = self.transverse(body, instant);
+        let sides = (velocity.clone(), arm.clone() * turn.clone());
         let because = format!("{} moves at right angles to the radius", self.called(body));
-        self.law(&crate::laws::geometry::ARC, Some(index), because, sides);
+        self.law(&geometry::ARC, Some(index), because, sides);
+        Expr::product([self.mass(body), arm.clone(), velocity])
     }
 
     /// The acceleration towards the centre.
-    fn towards_the_centre(
-        &mut self,
-        index: usize,
-        [body, centre]: [&str; 2],
-        instant: usize,
-        arm: &Expr,
-        velocity: &Expr,
-    ) {
+    fn towards_the_centre(&mut self, index: usize, [body, centre]: [&str; 2], instant: usize, arm: &Expr) {
         let name = self.called(body);
+        let velocity = self.transverse(body, instant);
         let meaning = format!("the acceleration of {name} towards {centre} {}", self.when(instant));
         let turning = self.symbol(format!("a_{body}{instant}.n"), Dimension::ACCELERATION, meaning);
         let because = format!("{name} moves on a circle at that instant");
-        let sides = (turning.into(), velocity.clone().powi(2) / arm.clone());
-        self.law(&crate::laws::geometry::TURNING, Some(index), because, sides);
+        let sides = (turning.into(), velocity.powi(2) / arm.clone());
+        self.law(&geometry::TURNING, Some(index), because, sides);
     }
 
-    fn angular_impulse(&mut self, index: usize, centre: &str, moment: &Expr, start: &Expr, end: &Expr) -> Expr {
+    /// The angular impulse of a moment about a point, along the axis of that letter where there are several.
+    pub(in crate::model) fn angular_impulse(
+        &mut self,
+        index: usize,
+        (centre, letter): (&str, &str),
+        moment: &Expr,
+        start: &Expr,
+        end: &Expr,
+    ) -> Expr {
         let clock = self.symbol("t", Dimension::TIME, "the time");
         if !moment.contains(clock) {
             return moment.clone() * (end.clone() - start.clone());
         }
         let suffix = self.stage_suffix(index);
+        let along = letter.strip_prefix('.').map_or_else(String::new, |letter| format!("the {letter}-component of "));
         let symbol = self.symbol(
-            format!("I_M{suffix}"),
+            format!("I_M{letter}{suffix}"),
             Dimension::ANGULAR_MOMENTUM,
-            format!("the angular impulse about {centre}"),
+            format!("{along}the angular impulse about {centre}"),
         );
         match moment.definite(clock, start, end) {
             Some(value) => {

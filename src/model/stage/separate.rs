@@ -8,7 +8,6 @@ use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Impulse;
 use crate::model::Warning;
-use crate::model::frame::Direction;
 use crate::quantity::Dimension;
 use crate::scene::Axis;
 use crate::scene::Plane;
@@ -98,7 +97,7 @@ impl Builder<'_> {
         let size = self.read(&relative.velocity, Dimension::VELOCITY, &meaning, &path.key("velocity"));
         let direction = match &relative.direction {
             Some(term) => self.direction(term, &path.key("direction")),
-            None => Direction::axis(usize::from(self.axes.first().is_some_and(|(axis, _)| *axis == Axis::Y)), false),
+            None => self.first_axis(),
         };
         // Before, the other part moves with the whole.
         let (seen_from, instant, when) = match relative.when {

@@ -35,7 +35,7 @@ impl Builder<'_> {
             self.read_positive(term, Dimension::NONE, "the coefficient of kinetic friction", &path.key("friction"))
         });
         let distance = stage.distance.as_ref().map(|term| {
-            let meaning = format!("how far {name} slides");
+            let meaning = format!("how far {}", self.does(body, ["slides", "slide"]));
             self.read_positive(term, Dimension::LENGTH, &meaning, &path.key("distance"))
         });
         let duration = self.stage_duration(index, stage.duration.as_ref(), path);

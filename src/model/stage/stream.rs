@@ -26,7 +26,7 @@ impl Builder<'_> {
         let name = self.called(body);
         let direction = match &stage.direction {
             Some(term) => self.direction(term, &path.key("direction")),
-            None => Direction::axis(usize::from(self.axes.first().is_some_and(|(axis, _)| *axis == Axis::Y)), false),
+            None => self.first_axis(),
         };
         let Some(speed) = self.stream_speed(index, stage, path) else { return };
         let moves = stage.moves.as_ref().map(|term| {
@@ -142,7 +142,7 @@ impl Builder<'_> {
             (Some(term), None, false) => {
                 let meaning = format!("the angle through which {} is turned", stage.by);
                 let turn = self.read(term, Dimension::NONE, &meaning, &path.key("turned"));
-                let leaving = Direction { quarters: direction.quarters, turn: direction.turn.clone() + turn };
+                let leaving = Direction::turned(direction.quarters, direction.turn.clone() + turn);
                 (Some(leaving), Expr::zero())
             }
             (None, Some(term), false) => (None, self.restitution_coefficient(term, &path.key("restitution"))),

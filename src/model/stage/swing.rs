@@ -39,7 +39,7 @@ impl Builder<'_> {
             self.comes_to_rest(index, body);
         }
         let ends = [0, 1].map(|side| self.swing_end(index, side, stage, path));
-        let height = self.swing_height(index, stage, &name, length.as_ref(), &ends, path);
+        let height = self.swing_height(index, stage, length.as_ref(), &ends, path);
         let raised = self.gravity() * height.clone();
         let [start, end] = ends.each_ref().map(|end| energy::specific_kinetic(&end.velocity));
         // From one angle to another the height counts downwards.
@@ -47,7 +47,7 @@ impl Builder<'_> {
         let because = format!("the cord pulls {name} at right angles to its motion and does no work; the mass cancels");
         self.law(&energy::CONSERVATION, Some(index), because, sides);
         if let Some(length) = &length {
-            self.stays_taut(index, stage, &name, length, &height, &ends[1]);
+            self.stays_taut(index, stage, length, &height, &ends[1]);
             for (side, end) in ends.iter().enumerate() {
                 self.tension(index + 1 + side, body, length, end);
             }
@@ -97,7 +97,10 @@ impl Builder<'_> {
         let sign = self.sense(stage.direction.as_ref(), path);
         for (position, component) in velocity.iter().enumerate() {
             if self.downwards(position).is_some() {
-                let because = format!("at its lowest place {name} moves horizontally");
+                let because = format!(
+                    "at the lowest place {}",
+                    self.does(&stage.body, ["moves horizontally", "move horizontally"])
+                );
                 self.law(&geometry::COMPONENTS, Some(index), because, (component.clone(), Expr::zero()));
             } else {
                 let along = Expr::integer(sign) * component.clone();
@@ -112,16 +115,17 @@ impl Builder<'_> {
         &mut self,
         index: usize,
         stage: &Swing,
-        name: &str,
         length: Option<&Expr>,
         ends: &[End; 2],
         path: &Path,
     ) -> Expr {
         let between = ends.iter().all(|end| !end.is_lowest);
         let meaning = match (between, ends[0].is_lowest) {
-            (true, _) => format!("the height by which {name} comes down"),
-            (false, true) => format!("the height to which {name} swings up"),
-            (false, false) => format!("the height from which {name} swings down"),
+            (true, _) => format!("the height by which {}", self.does(&stage.body, ["comes down", "come down"])),
+            (false, true) => format!("the height to which {}", self.does(&stage.body, ["swings up", "swing up"])),
+            (false, false) => {
+                format!("the height from which {}", self.does(&stage.body, ["swings down", "swing down"]))
+            }
         };
         let own = format!("h_{}{}", stage.body, self.stage_suffix(index));
         let height = match &stage.height {
@@ -142,11 +146,15 @@ impl Builder<'_> {
     }
 
     /// The cord must pull to the end of the swing.
-    fn stays_taut(&mut self, index: usize, stage: &Swing, name: &str, length: &Expr, height: &Expr, end: &End) {
+    fn stays_taut(&mut self, index: usize, stage: &Swing, length: &Expr, height: &Expr, end: &End) {
         if end.is_lowest {
             return;
         }
-        let reason = format!("the cord would go slack before {name} comes to the end of {}", self.stage_phrase(index));
+        let reason = format!(
+            "the cord would go slack before {} to the end of {}",
+            self.does(&stage.body, ["comes", "come"]),
+            self.stage_phrase(index)
+        );
         if stage.stops() && stage.from.is_none() {
             self.require(Warning::GoesSlack, height.clone(), Relation::AtMost, length.clone(), reason);
             return;
@@ -165,7 +173,7 @@ impl Builder<'_> {
         let (mass, gravity) = (self.mass(body), self.gravity());
         let cosine = end.angle.clone().cos().simplify();
         let sides = force::tension(&tension, [&mass, &gravity], &cosine, &end.velocity, length);
-        let because = format!("{name} moves on a circle about the fixed end of the cord");
+        let because = format!("{} on a circle about the fixed end of the cord", self.does(body, ["moves", "move"]));
         self.law(&force::CORD, None, because, sides);
     }
 }

@@ -6,10 +6,8 @@ use crate::laws::kinematics;
 use crate::laws::momentum;
 use crate::model::Builder;
 use crate::model::Warning;
-use crate::model::frame::Direction;
 use crate::model::frame::Frame;
 use crate::model::pair::Pair;
-use crate::scene::Axis;
 use crate::scene::Plane;
 use crate::scene::stage::Taut;
 use crate::solve::Relation;
@@ -18,7 +16,7 @@ impl Builder<'_> {
     pub(in crate::model) fn taut(&mut self, index: usize, stage: &Taut, path: &Path) {
         let normal = match &stage.along {
             Some(term) => self.direction(term, &path.key("along")),
-            None => Direction::axis(usize::from(self.axes.first().is_some_and(|(axis, _)| *axis == Axis::Y)), false),
+            None => self.first_axis(),
         };
         let frame = Frame { normal };
         self.frames[index] = Some(frame.clone());

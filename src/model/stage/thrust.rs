@@ -97,7 +97,7 @@ impl Builder<'_> {
         let (exhaust, flow) = self.read_exhaust(index, stage, &thrust, path);
         let direction = match &stage.direction {
             Some(term) => self.direction(term, &path.key("direction")),
-            None => Direction::axis(usize::from(self.axes.first().is_some_and(|(axis, _)| *axis == Axis::Y)), false),
+            None => self.first_axis(),
         };
         Burn { index, body, masses, exhaust, flow, thrust, time, direction }
     }

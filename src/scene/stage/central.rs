@@ -19,9 +19,23 @@ pub struct Central {
     /// Gravity's parameter GM of what is at the point, where its gravity is the force.
     #[serde(default)]
     pub gravity: Option<Term>,
+    /// The spring, or the elastic cord, that holds the particle to the point, where its force is the one that acts.
+    #[serde(default)]
+    pub spring: Option<CentralSpring>,
     /// What the orbit is, where its shape, its period or times are spoken of.
     #[serde(default)]
     pub orbit: Option<Orbit>,
+}
+
+/// A light spring from a fixed point to a particle.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CentralSpring {
+    /// Its stiffness.
+    pub stiffness: Term,
+    /// Its length where it is not stretched. Default: zero.
+    #[serde(default)]
+    pub unstretched: Option<Term>,
 }
 
 /// The shape of an orbit.

@@ -2,12 +2,16 @@
 
 mod blow;
 mod bounces;
+mod bowl;
 mod central;
+mod conical;
 mod connected;
 mod drift;
 mod fall;
 mod flight;
 mod impact;
+mod interact;
+mod moment;
 mod push;
 mod rotate;
 mod separate;
@@ -15,6 +19,7 @@ mod slide;
 mod slide_off;
 mod spring;
 mod stream;
+mod strike;
 mod swing;
 mod taut;
 mod thrust;
@@ -23,12 +28,16 @@ mod walk;
 
 pub use blow::Blow;
 pub use bounces::Bounces;
-pub use central::{Central, Orbit};
+pub use bowl::{Bowl, Horizontal};
+pub use central::{Central, CentralSpring, Orbit};
+pub use conical::Conical;
 pub use connected::{Connected, Strand};
 pub use drift::Drift;
 pub use fall::Fall;
 pub use flight::Flight;
 pub use impact::{Impact, Partners};
+pub use interact::Interact;
+pub use moment::Moment;
 pub use push::{During, Push};
 pub use rotate::{Arm, Rotate};
 pub use separate::{Relative, Separate, When};
@@ -36,6 +45,7 @@ pub use slide::Slide;
 pub use slide_off::SlideOff;
 pub use spring::{Ends, Spring};
 pub use stream::Stream;
+pub use strike::Strike;
 pub use swing::{Place, Swing, Way};
 pub use taut::Taut;
 pub use thrust::{BurningMass, Exhaust, Jet, Thrust};
@@ -65,8 +75,18 @@ pub enum Stage {
     Connected(Connected),
     /// A blow of unknown history: only its impulse, or its mean force and duration, is spoken of.
     Blow(Blow),
-    /// A particle is held on an arm about a fixed point, and a moment acts.
+    /// Particles are held on an arm about a fixed point, and a moment acts.
     Rotate(Rotate),
+    /// A moment acts on all bodies, about a fixed point or the mass centre.
+    Moment(Moment),
+    /// A body strikes an arm that carries particles.
+    Strike(Strike),
+    /// A body on a cord moves round a horizontal circle while the cord is drawn in.
+    Conical(Conical),
+    /// A body slides inside a smooth cone or bowl.
+    Bowl(Bowl),
+    /// Bodies act on each other only.
+    Interact(Interact),
     /// A particle moves under a force that always points to a fixed point.
     Central(Central),
     /// A body falls freely through a height.
@@ -104,6 +124,11 @@ impl Stage {
             Self::Connected(_) => "connected",
             Self::Blow(_) => "blow",
             Self::Rotate(_) => "rotate",
+            Self::Moment(_) => "moment",
+            Self::Strike(_) => "strike",
+            Self::Conical(_) => "conical",
+            Self::Bowl(_) => "bowl",
+            Self::Interact(_) => "interact",
             Self::Central(_) => "central",
             Self::Fall(_) => "fall",
             Self::Bounces(_) => "bounces",
@@ -130,6 +155,11 @@ impl Stage {
             Self::Connected(stage) => &stage.name,
             Self::Blow(stage) => &stage.name,
             Self::Rotate(stage) => &stage.name,
+            Self::Moment(stage) => &stage.name,
+            Self::Strike(stage) => &stage.name,
+            Self::Conical(stage) => &stage.name,
+            Self::Bowl(stage) => &stage.name,
+            Self::Interact(stage) => &stage.name,
             Self::Central(stage) => &stage.name,
             Self::Fall(stage) => &stage.name,
             Self::Bounces(stage) => &stage.name,

@@ -1,4 +1,6 @@
-//! A particle on an arm about a fixed point.
+//! Particles on an arm about a fixed point.
+
+use std::collections::BTreeMap;
 
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -7,19 +9,24 @@ use crate::scene::{Strength, Term};
 
 use super::During;
 
-/// A particle is held on a light arm or a string about a fixed point.
+/// A particle is held on a light arm or a string about a fixed point, or several are on one arm.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Rotate {
     /// A name for the stage, used in brackets: `dt[spin]`.
     #[serde(default)]
     pub name: Option<String>,
-    /// The particle.
-    pub body: String,
+    /// The particle, where there is one.
+    #[serde(default)]
+    pub body: Option<String>,
+    /// Several particles on one arm that turns as a whole, each with its distance from the point: `{ A: L, B: [r_1, r_2] }`.
+    #[serde(default)]
+    pub bodies: BTreeMap<String, Arm>,
     /// The fixed point.
     pub about: String,
-    /// Its distance from the point: one term, or the distances before and after: `[r_1, r_2]`.
-    pub arm: Arm,
+    /// The distance of the one particle from the point: one term, or the distances before and after: `[r_1, r_2]`.
+    #[serde(default)]
+    pub arm: Option<Arm>,
     /// The moment about the point: a term that may contain the time `t`, pieces or a graph. Default: none.
     #[serde(default)]
     pub moment: Option<Strength>,
@@ -36,4 +43,24 @@ pub enum Arm {
     Changing([Term; 2]),
     /// The same throughout.
     Constant(Term),
+}
+
+impl Rotate {
+    /// What is held, each body with its distance from the point.
+    #[must_use]
+    pub fn held(&self) -> Vec<(&str, &Arm)> {
+        let one = self.body.as_deref().zip(self.arm.as_ref());
+        one.into_iter().chain(self.bodies.iter().map(|(body, arm)| (body.as_str(), arm))).collect()
+    }
+}
+
+impl Arm {
+    /// The lengths before and after.
+    #[must_use]
+    pub fn ends(&self) -> [&Term; 2] {
+        match self {
+            Self::Constant(term) => [term, term],
+            Self::Changing([before, after]) => [before, after],
+        }
+    }
 }

@@ -56,6 +56,8 @@ impl Values<'_> {
     /// A strength in the time, and when it changes its law.
     pub(super) fn strength(&self, told: &Told) -> Result<(OfTime, Vec<f64>), NothingToSimulate> {
         match told {
+            // A vector has no one strength.
+            Told::Components(_) => Err(NothingToSimulate::Unread),
             Told::Term(term) => Ok((self.of_time(term)?, Vec::new())),
             Told::Pieces(pieces) => {
                 let mut laws = Vec::new();

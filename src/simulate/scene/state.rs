@@ -67,7 +67,7 @@ impl Values<'_> {
                         body = whole;
                     }
                 }
-                Some(Stage::Blow(_) | Stage::Stream(_)) => {}
+                Some(Stage::Blow(_) | Stage::Stream(_) | Stage::Strike(_)) => {}
                 Some(Stage::Flight(flight)) if flight.flying().all(|own| own != body) => {}
                 Some(Stage::Fall(fall)) if fall.body != body => {}
                 _ => break,
@@ -93,7 +93,7 @@ impl Values<'_> {
                 return Some(time);
             }
             let before = self.scene.stages.get(instant - 2);
-            if !matches!(before, Some(Stage::Impact(_) | Stage::Blow(_) | Stage::Separate(_))) {
+            if !matches!(before, Some(Stage::Impact(_) | Stage::Blow(_) | Stage::Separate(_) | Stage::Strike(_))) {
                 return None;
             }
         }

@@ -25,12 +25,14 @@ const PLACE: f64 = 0.5;
 
 /// A body on its arm at the start.
 pub(in super::super) fn on_arm(quantities: &Quantities<'_>, rotate: &Rotate) -> Option<Drawing> {
-    let (Arm::Constant(arm) | Arm::Changing([arm, _])) = &rotate.arm;
+    let held = rotate.held();
+    let [(body, arm)] = held[..] else { return None };
+    let (Arm::Constant(arm) | Arm::Changing([arm, _])) = arm;
     let arm = quantities.term(arm).filter(|arm| quantities.evaluate(arm).is_some());
     let radius = arm.map(|arm| quantities.symbolic(&arm));
-    let name = quantities.velocity_name(&rotate.body, 1);
+    let name = quantities.velocity_name(body, 1);
     let moment = rotate.moment.as_ref().and_then(|strength| moment(quantities, strength));
-    draw(quantities, [&rotate.body, &rotate.about], radius, &name, true, moment)
+    draw(quantities, [body, &rotate.about], radius, &name, true, moment)
 }
 
 /// A body under a central force at the first place.
@@ -56,7 +58,7 @@ fn moment(quantities: &Quantities<'_>, strength: &Strength) -> Option<Moment> {
 
 fn draw(
     quantities: &Quantities<'_>,
-    [body, about]: [&String; 2],
+    [body, about]: [&str; 2],
     radius: Option<Math>,
     velocity: &str,
     circle: bool,

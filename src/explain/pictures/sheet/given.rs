@@ -87,7 +87,7 @@ impl Quantities<'_> {
 
     /// The angle that gives a direction, counted from an axis.
     pub(in super::super) fn angle_mark(&self, compass: &Compass, direction: &Direction) -> Option<AngleMark> {
-        let base = Direction { quarters: direction.quarters, turn: Expr::zero() };
+        let base = Direction { turn: Expr::zero(), ..direction.clone() };
         if direction.turn.is_zero() {
             return None;
         }

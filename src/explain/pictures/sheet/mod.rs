@@ -48,6 +48,7 @@ pub(super) fn drawing(quantities: &Quantities<'_>, compass: &Compass) -> Option<
         Some(Stage::Connected(connected)) => Some(pulley::connected(quantities, 0, connected)),
         Some(Stage::SlideOff(slide)) => Some(ride::slide(quantities, compass, slide)),
         Some(Stage::Walk(walk)) => ride::walk(quantities, compass, 0, walk),
+        Some(Stage::Moment(_) | Stage::Strike(_) | Stage::Conical(_) | Stage::Bowl(_) | Stage::Interact(_)) => None,
         Some(Stage::Fall(fall)) => fall::drawing(quantities, compass, fall),
         Some(Stage::Stream(stream)) => stream::drawing(quantities, compass, 0, stream),
         Some(Stage::Thrust(thrust)) => stream::rocket(quantities, compass, 0, thrust),

@@ -42,6 +42,9 @@ impl Pull {
 
 impl Bench<'_> {
     pub(super) fn central(&mut self, stage: &Central) -> Result<(), NothingToSimulate> {
+        if stage.spring.is_some() {
+            return Err(NothingToSimulate::NoMethod);
+        }
         let (body, first) = (stage.body.as_str(), self.values.index + 1);
         let named =
             |base: &str, instant: usize, part: &str| self.values.named(&format!("{base}_{body}{instant}{part}"));

@@ -26,7 +26,13 @@ use super::nothing::NothingToSimulate;
 impl Bench<'_> {
     /// Simulates a stage, whatever its kind.
     pub(super) fn stage(&mut self, stage: &Stage) -> Result<(), NothingToSimulate> {
+        if self.values.axes().len() > 2 {
+            return Err(NothingToSimulate::NoMethod);
+        }
         match stage {
+            Stage::Moment(_) | Stage::Strike(_) | Stage::Conical(_) | Stage::Bowl(_) | Stage::Interact(_) => {
+                Err(NothingToSimulate::NoMethod)
+            }
             Stage::Impact(stage) => self.impact(stage),
             Stage::Push(stage) => self.push(stage),
             Stage::Slide(stage) => self.slide(stage),

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::scene::stage::{During, Push};
-use crate::scene::{Axis, Force, Friction, Pull};
+use crate::scene::{Axis, Force, Friction, Pull, Strength};
 
 use crate::simulate::scene::bench::{Bench, part};
 use crate::simulate::scene::direction::{turned, unit};
@@ -72,6 +72,12 @@ impl Bench<'_> {
         let mut changes: Vec<f64> = Vec::new();
         for force in &stage.forces {
             let Force::Pull(Pull { value, direction, .. }) = force else { continue };
+            if let Strength::Components(components) = value {
+                for (axis, term) in components.axes().filter_map(|axis| Some((axis, components.get(axis)?))) {
+                    all.push((unit(axis), self.values.of_time(term)?));
+                }
+                continue;
+            }
             let towards = match direction {
                 Some(term) => self.values.direction(&term.0)?,
                 None => self.values.axes().first().map_or([1.0, 0.0], |axis| unit(*axis)),

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use core::f64::consts::PI;
 
-use crate::scene::stage::{Arm, Rotate};
+use crate::scene::stage::Rotate;
 
 use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::direction::unit;
@@ -14,11 +14,10 @@ use crate::simulate::scene::values::OfTime;
 impl Bench<'_> {
     pub(super) fn rotate(&mut self, stage: &Rotate) -> Result<(), NothingToSimulate> {
         let axis = self.values.axes().first().copied().ok_or(NothingToSimulate::Unread)?;
-        let body = stage.body.as_str();
-        let [short, long] = match &stage.arm {
-            Arm::Constant(term) => [self.values.term(term)?; 2],
-            Arm::Changing([from, to]) => [self.values.term(from)?, self.values.term(to)?],
-        };
+        // Several particles on one arm push each other through it.
+        let [(body, arm)] = stage.held()[..] else { return Err(NothingToSimulate::NoMethod) };
+        let [from, to] = arm.ends();
+        let [short, long] = [self.values.term(from)?, self.values.term(to)?];
         let before = self.values.velocity_before(body, axis)?;
         let (moment, changes): (OfTime, Vec<f64>) = match &stage.moment {
             Some(moment) => self.values.strength(moment)?,

@@ -1,0 +1,177 @@
+//! Angular momentum about a fixed point or the mass centre, and the moments of the forces of a push.
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+use crate::fault::Path;
+use crate::laws::angular;
+use crate::laws::mass_centre;
+use crate::quantity::Dimension;
+use crate::scene::Axis;
+use crate::scene::Plane;
+
+use super::super::ActingForce;
+use super::super::Builder;
+use super::super::Name;
+use super::super::builder::SECOND_COST;
+
+pub(super) fn angular_momentum(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
+    let instant = builder.number(name)?;
+    let (about, centre, when) = (name.subject.as_str(), builder.centre(&name.subject)?, builder.when(instant));
+    let spelling = builder.spelling(name);
+    let component = Builder::component_phrase(name);
+    let meaning = format!("{component}the angular momentum about {centre} {when}");
+    let bodies: Vec<String> = builder.timeline.alive(instant).into_iter().map(str::to_owned).collect();
+    let mut terms = Vec::new();
+    if builder.axes.is_empty() {
+        if about == "G" || name.component.is_some() {
+            return None;
+        }
+        for body in &bodies {
+            let mass = builder.mass(body);
+            let (radius, velocity) = builder.polar_state(body, about, instant);
+            terms.push(Expr::product([mass, radius, velocity]));
+        }
+    } else {
+        let turning = builder.turning(name)?;
+        for body in &bodies {
+            let mass = builder.mass(body);
+            let (arm, velocity) = (builder.arm(body, instant, about)?, builder.velocities(body, instant));
+            terms.push(mass * angular::moments(&arm, &velocity).into_iter().nth(turning)?);
+        }
+    }
+    let symbol = builder.symbol(spelling, Dimension::ANGULAR_MOMENTUM, meaning);
+    let because = match bodies.len() {
+        1 => "angular momentum is the moment of the momentum",
+        _ => "the angular momentum of the system is the sum of the moments of the momenta",
+    };
+    builder.law(&angular::ANGULAR_MOMENTUM, None, because, (symbol.into(), Expr::sum(terms)));
+    if about == "G" {
+        builder.moment_of_the_whole(name, instant, symbol);
+    }
+    Some(symbol)
+}
+
+pub(super) fn moment_of_forces(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
+    let instant = builder.number(name)?;
+    let centre = builder.centre(&name.subject)?;
+    let turning = builder.turning(name)?;
+    let acting = builder.acting_at(instant)?;
+    let mut terms = Vec::new();
+    for (force, at_end) in acting {
+        let clock = builder.symbols.find("t");
+        let time = &force.during[usize::from(at_end)];
+        let strength = force.strength.substitute(&|symbol| (Some(symbol) == clock).then(|| time.clone()));
+        let parts = builder.components(&force.direction).into_iter();
+        let parts: Vec<Expr> =
+            parts.map(|part| if part.is_zero() { part } else { strength.clone() * part }.simplify()).collect();
+        let arm = builder.arm(&force.on, instant, &name.subject)?;
+        terms.push(angular::moments(&arm, &parts).into_iter().nth(turning)?.simplify());
+    }
+    let component = Builder::component_phrase(name);
+    let meaning = format!("{component}the moment of the forces about {centre} {}", builder.when(instant));
+    let spelling = builder.spelling(name);
+    let symbol = builder.symbol(spelling, Dimension::ENERGY, meaning);
+    let because = "each force is counted with its arm";
+    builder.law(&angular::MOMENT, None, because, (symbol.into(), Expr::sum(terms)));
+    Some(symbol)
+}
+
+pub(super) fn rate_of_angular_momentum(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
+    let instant = builder.number(name)?;
+    let centre = builder.centre(&name.subject)?;
+    let moment = moment_of_forces(builder, &Name { base: "M".into(), ..name.clone() })?;
+    let component = Builder::component_phrase(name);
+    let meaning =
+        format!("{component}the rate of change of the angular momentum about {centre} {}", builder.when(instant));
+    let spelling = builder.spelling(name);
+    let symbol = builder.symbol(spelling, Dimension::ENERGY, meaning);
+    let because = format!("{centre} {}", if name.subject == "G" { "is the mass centre" } else { "is fixed" });
+    builder.law(&angular::RATE, None, because, (symbol.into(), moment.into()));
+    Some(symbol)
+}
+
+impl Builder<'_> {
+    /// How a fixed point, or the mass centre, is called in a sentence.
+    pub(in crate::model) fn centre(&self, about: &str) -> Option<String> {
+        match about {
+            "G" => Some("the mass centre".to_owned()),
+            point => self.scene.points.get(point).map(|entry| entry.name.clone()),
+        }
+    }
+
+    /// Which moment a name speaks of: the only one of a plane, or that of its component.
+    fn turning(&self, name: &Name) -> Option<usize> {
+        match (self.axes.len(), &name.component) {
+            (2, None) => Some(0),
+            (3, Some(letter)) => self.axes.iter().position(|(axis, _)| axis.letter() == letter),
+            _ => None,
+        }
+    }
+
+    /// Where a body is, seen from a fixed point or the mass centre.
+    fn arm(&mut self, body: &str, instant: usize, about: &str) -> Option<Vec<Expr>> {
+        let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
+        let from = |builder: &mut Self, axis: &Axis| match about {
+            "G" => builder.resolve(&format!("r_G{instant}.{}", axis.letter())).map(Expr::from),
+            point => Some(builder.coordinate_of(point, *axis)),
+        };
+        axes.iter().map(|axis| Some(self.place(body, instant, *axis) - from(self, axis)?)).collect()
+    }
+
+    /// A coordinate of a fixed point.
+    fn coordinate_of(&mut self, point: &str, axis: Axis) -> Expr {
+        let scene = self.scene;
+        let Some(term) = scene.points.get(point).and_then(|entry| entry.at.get(axis)) else { return Expr::zero() };
+        let letter = axis.letter();
+        let meaning = format!("the {letter}-coordinate of {}", self.point(point));
+        let path = Path::root().key("scene").key("points").key(point).key("at").key(letter);
+        let value = self.read(term, Dimension::LENGTH, &meaning, &path);
+        self.zero_if_so_written(value)
+    }
+
+    /// Koenig's theorem: the angular momentum about each fixed point by that about the mass centre.
+    fn moment_of_the_whole(&mut self, name: &Name, instant: usize, about_centre: Symbol) {
+        let bodies: Vec<String> = self.timeline.alive(instant).into_iter().map(str::to_owned).collect();
+        let scene = self.scene;
+        let Some(turning) = self.turning(name).filter(|_| bodies.len() > 1) else { return };
+        let mass = Expr::sum(bodies.iter().map(|body| self.mass(body)).collect::<Vec<_>>());
+        let letters = self.axis_letters();
+        let velocity: Option<Vec<Expr>> =
+            letters.iter().map(|letter| self.resolve(&format!("v_G{instant}.{letter}")).map(Expr::from)).collect();
+        let component = name.component.as_ref().map_or_else(String::new, |letter| format!(".{letter}"));
+        for point in scene.points.keys() {
+            let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
+            let arm: Option<Vec<Expr>> = axes
+                .iter()
+                .map(|axis| {
+                    let centre = self.resolve(&format!("r_G{instant}.{}", axis.letter()))?;
+                    Some(Expr::from(centre) - self.coordinate_of(point, *axis))
+                })
+                .collect();
+            let (Some(arm), Some(velocity), Some(whole)) =
+                (arm, &velocity, self.resolve(&format!("H_{point}{instant}{component}")))
+            else {
+                return;
+            };
+            let Some(moment) = angular::moments(&arm, velocity).into_iter().nth(turning) else { return };
+            let because = "the motion is that of the mass centre and that about it";
+            let sides = (whole.into(), mass.clone() * moment + Expr::from(about_centre));
+            self.law_at(SECOND_COST, &mass_centre::ANGULAR, None, because, sides);
+        }
+    }
+
+    /// The forces of the push that begins at an instant, or of the one that ends there; `None` where not all are known.
+    fn acting_at(&self, instant: usize) -> Option<Vec<(ActingForce, bool)>> {
+        let of_stage = |stage: usize| self.forces.iter().filter(move |force| force.stage == stage);
+        let stages = [(instant.checked_sub(1), false), (instant.checked_sub(2), true)];
+        let (stage, at_end) = stages
+            .into_iter()
+            .filter_map(|(stage, at_end)| Some((stage?, at_end)))
+            .find(|(stage, _)| of_stage(*stage).next().is_some())?;
+        let forces: Vec<(ActingForce, bool)> = of_stage(stage).map(|force| (force.clone(), at_end)).collect();
+        let heavy = self.scene.plane == Plane::Vertical;
+        let is_pushed = |body: &&str| forces.iter().any(|(force, _)| force.on == *body);
+        let told = !heavy || self.timeline.alive(instant).iter().all(is_pushed);
+        told.then_some(forces)
+    }
+}

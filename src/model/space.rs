@@ -1,0 +1,124 @@
+//! What a scene in three dimensions can hold, and where its points are.
+
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::scene::Axes;
+use crate::scene::Scene;
+use crate::scene::Stage;
+use crate::scene::stage::Impact;
+
+use super::check::unknown;
+use super::read::moving_point;
+use super::timeline::Timeline;
+
+/// What a scene says of places and directions that its axes do not allow.
+pub(super) fn faults(scene: &Scene) -> Vec<Fault> {
+    let Axes::Rectangular(axes) = &scene.axes else { return points(scene, &|_| false).collect() };
+    let mut faults: Vec<Fault> = points(scene, &|letter| axes.keys().any(|axis| axis.letter() == letter)).collect();
+    if axes.len() < 3 {
+        return faults;
+    }
+    let at = Path::root().key("scene");
+    for (index, stage) in scene.stages.iter().enumerate() {
+        if !fills_space(stage) {
+            let message = format!("`{}` happens along a line or in a plane, but the scene has three axes", stage.key());
+            let fault = Fault::new(Code::Value, message).help("keep the axes of that line or plane");
+            faults.push(fault.at_path(at.key("stages").index(index).key(stage.key())));
+        }
+    }
+    for (name, _) in scene.bodies.iter().filter(|(_, body)| body.guide.is_some()) {
+        let fault = Fault::new(Code::Value, "a guide lies in a plane, but the scene has three axes");
+        let path = at.key("bodies").key(name.as_str()).key("guide");
+        faults.push(fault.help("keep the axes of that plane").at_path(path));
+    }
+    faults
+}
+
+/// Whether the equations of a stage hold in three dimensions.
+fn fills_space(stage: &Stage) -> bool {
+    match stage {
+        Stage::Push(push) => push.over.is_none() && push.incline.is_none(),
+        Stage::Impact(Impact { between, line_of_impact, .. }) => between.is_some() && line_of_impact.is_none(),
+        Stage::Blow(_)
+        | Stage::Separate(_)
+        | Stage::Flight(_)
+        | Stage::Drift(_)
+        | Stage::Moment(_)
+        | Stage::Interact(_) => true,
+        _ => false,
+    }
+}
+
+/// Coordinates of points along axes that the scene has not.
+fn points<'a>(scene: &'a Scene, has: &'a dyn Fn(&str) -> bool) -> impl Iterator<Item = Fault> + 'a {
+    let at = Path::root().key("scene").key("points");
+    let coordinates =
+        scene.points.iter().flat_map(|(name, point)| point.at.axes().map(move |axis| (name, axis.letter())));
+    coordinates.filter(|(_, letter)| !has(letter)).map(move |(name, letter)| {
+        let fault = Fault::new(Code::Value, format!("the scene has no axis {letter}"));
+        fault.help("count places along the axes of the scene").at_path(at.key(name.as_str()).key("at").key(letter))
+    })
+}
+
+/// What does not fit a stage in which bodies turn about a point, or act on each other in a plane or in space.
+pub(super) fn turning(scene: &Scene, timeline: &Timeline, index: usize, stage: &Stage) -> Vec<Fault> {
+    let at = Path::root().key("scene").key("stages").index(index).key(stage.key());
+    let axes = match &scene.axes {
+        Axes::Polar(_) => 0,
+        Axes::Rectangular(axes) => axes.len(),
+    };
+    let (bodies, about, wanted) = match stage {
+        Stage::Rotate(own) => (own.held().into_iter().map(|(body, _)| body).collect(), Some(&own.about), &[1][..]),
+        Stage::Central(own) => (vec![own.body.as_str()], Some(&own.about), &[0][..]),
+        Stage::Moment(own) => (Vec::new(), Some(&own.about), &[2, 3][..]),
+        Stage::Strike(own) => {
+            (own.carries.keys().chain([&own.body]).map(String::as_str).collect(), Some(&own.about), &[1][..])
+        }
+        Stage::Conical(own) => (vec![own.body.as_str()], Some(&own.about), &[1][..]),
+        Stage::Bowl(own) => (vec![own.body.as_str()], Some(&own.about), &[0][..]),
+        Stage::Interact(own) => (own.between.iter().map(String::as_str).collect(), None, &[1, 2, 3][..]),
+        _ => return Vec::new(),
+    };
+    let mut faults: Vec<Fault> = Vec::new();
+    for body in &bodies {
+        if timeline.since(body, index + 1).is_none() {
+            faults.push(unknown("body", body, &timeline.alive(index + 1)).at_path(at.clone()));
+        }
+    }
+    if let Some(point) = about {
+        faults.extend(not_fixed(scene, timeline, stage, point).map(|fault| fault.at_path(at.key("about"))));
+    }
+    if !wanted.contains(&axes) {
+        faults.push(other_axes(stage, wanted).at_path(at.clone()));
+    }
+    let held = !bodies.is_empty() || matches!(stage, Stage::Moment(_));
+    if !held {
+        let fault = Fault::new(Code::MissingKey, "no body takes part in this stage");
+        faults.push(fault.help("write `body: A` with `arm: L`, or `bodies: { A: L, B: L/2 }`").at_path(at));
+    }
+    faults
+}
+
+/// A point that is not declared, or that moves.
+fn not_fixed(scene: &Scene, timeline: &Timeline, stage: &Stage, point: &str) -> Option<Fault> {
+    let centre = point == "G" && matches!(stage, Stage::Moment(_));
+    if centre || scene.points.contains_key(point) {
+        return None;
+    }
+    if timeline.bodies().any(|body| body == point) {
+        return Some(moving_point(&scene.called(point)));
+    }
+    let known: Vec<&str> = scene.points.keys().map(String::as_str).collect();
+    Some(unknown("point", point, &known))
+}
+
+/// A stage with other axes than its equations have.
+fn other_axes(stage: &Stage, wanted: &[usize]) -> Fault {
+    let (needs, help) = match wanted {
+        [0] => ("polar axes", "write `axes: polar`"),
+        [1] => ("one axis, along the circle", "write `axes: { x: [counter-clockwise, clockwise] }`"),
+        _ => ("two or three axes", "write `axes: { x: to the right, y: upwards }`"),
+    };
+    Fault::new(Code::Value, format!("`{}` needs {needs}", stage.key())).help(help)
+}

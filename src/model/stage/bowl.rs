@@ -1,0 +1,146 @@
+//! A body inside a smooth cone or bowl: angular momentum about the axis, and energy.
+
+use crate::expr::Expr;
+use crate::expr::Function;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::laws::angular;
+use crate::laws::energy;
+use crate::laws::geometry;
+use crate::model::Agent;
+use crate::model::Builder;
+use crate::model::Impulse;
+use crate::model::builder::SECOND_COST;
+use crate::quantity::Dimension;
+use crate::scene::stage::Bowl;
+use crate::scene::stage::Way;
+use crate::solve::Relation;
+
+impl Builder<'_> {
+    pub(in crate::model) fn bowl(&mut self, index: usize, stage: &Bowl, path: &Path) {
+        let body = stage.body.as_str();
+        let (name, centre) = (self.called(body), self.point(&stage.about));
+        let states = [index + 1, index + 2].map(|instant| self.polar_state(body, &stage.about, instant));
+        let [(r1, v1), (r2, v2)] = states.clone();
+        let because = format!(
+            "the wall's push and the weight have no moment about the vertical axis through {centre}; the mass cancels"
+        );
+        self.law(&angular::CENTRAL, Some(index), because, (r1.clone() * v1, r2.clone() * v2));
+        let speeds = [0, 1].map(|side| self.speed_on_wall(index, side, stage, &states[side].1));
+        let [start, end] = speeds.each_ref().map(|speed| energy::specific_kinetic(std::slice::from_ref(speed)));
+        let height = self.height_on_wall(index, stage, path);
+        let raised = self.gravity() * height.clone();
+        let sides = if stage.way == Way::Up { (start, end + raised) } else { (start + raised, end) };
+        let because =
+            format!("the smooth wall pushes {name} at right angles to its motion and does no work; the mass cancels");
+        self.law(&energy::CONSERVATION, Some(index), because, sides);
+        self.wall(index, stage, &states, height, path);
+        self.impulses.push(Impulse {
+            stage: index,
+            on: body.to_owned(),
+            by: Agent::Outside,
+            called: "its weight and the push of the wall".into(),
+            components: Vec::new(),
+            impulsive: false,
+        });
+        self.omit("friction", "the wall is smooth");
+    }
+
+    /// The speed at one end, by its horizontal part and that along the wall.
+    fn speed_on_wall(&mut self, index: usize, side: usize, stage: &Bowl, across: &Expr) -> Expr {
+        let (body, instant) = (stage.body.as_str(), index + 1 + side);
+        let since = self.timeline.since(body, instant).unwrap_or(instant);
+        let (name, when) = (self.called(body), self.when(since));
+        let speed = format!("speed_{body}{since}");
+        let speed = Expr::from(self.positive(speed, Dimension::VELOCITY, format!("the speed of {name} {when}")));
+        if stage.is_horizontal(side) {
+            let because = format!("{name} moves horizontally {when}");
+            let size = Expr::apply(Function::Abs, across.clone());
+            self.law(&geometry::MAGNITUDE, Some(index), because, (speed.clone(), size));
+            return speed;
+        }
+        let meaning = format!("the velocity of {name} along the slope of the wall {when}");
+        let along = Expr::from(self.symbol(format!("v_{body}{since}.s"), Dimension::VELOCITY, meaning));
+        let squares = across.clone().powi(2) + along.powi(2);
+        let because = "the horizontal part of the velocity and that along the slope are perpendicular";
+        self.law(&geometry::MAGNITUDE, Some(index), because, (speed.clone(), squares.sqrt()));
+        let meaning = format!("the angle between the velocity of {name} and the horizontal {when}");
+        let angle = Expr::from(self.positive(format!("angle_{body}{since}"), Dimension::NONE, meaning));
+        let ratio = Expr::apply(Function::Abs, across.clone()) / speed.clone();
+        let because = "the horizontal part of the velocity is its component along the circle";
+        self.law(&geometry::COMPONENTS, Some(index), because, (angle, Expr::apply(Function::Acos, ratio)));
+        speed
+    }
+
+    fn height_on_wall(&mut self, index: usize, stage: &Bowl, path: &Path) -> Expr {
+        let meaning = "the height between the two levels";
+        match &stage.height {
+            Some(term) => self.read_positive(term, Dimension::LENGTH, meaning, &path.key("height")),
+            None => {
+                let own = format!("h_{}{}", stage.body, self.stage_suffix(index));
+                self.positive(own, Dimension::LENGTH, meaning).into()
+            }
+        }
+    }
+
+    /// How the height follows from the distances from the axis.
+    fn wall(&mut self, index: usize, stage: &Bowl, ends: &[(Expr, Expr); 2], height: Expr, path: &Path) {
+        // From the lower distance to the upper one.
+        let [first, second] = ends.each_ref().map(|(distance, _)| distance.clone());
+        let radii = if stage.way == Way::Up { [first, second] } else { [second, first] };
+        if stage.cone.is_some() && stage.sphere.is_some() {
+            let fault = Fault::new(Code::OverDetermined, "a wall is a cone or a sphere, not both");
+            self.faults.push(fault.help("remove `cone` or `sphere`").at_path(path.key("sphere")));
+        }
+        let level = stage.is_horizontal(0) && stage.is_horizontal(1);
+        if let Some(term) = &stage.cone {
+            let meaning = "the angle between the axis and the wall of the cone";
+            let angle = self.read_positive(term, Dimension::NONE, meaning, &path.key("cone"));
+            let tangent = Expr::apply(Function::Tan, angle);
+            let because = "the wall of the cone is straight";
+            let sides = (height * tangent.clone(), radii[1].clone() - radii[0].clone());
+            self.law(&geometry::HEIGHT_IN_BOWL, Some(index), because, sides);
+            if level {
+                let sum = radii[0].clone() + radii[1].clone();
+                self.other_level(index, stage, sum * tangent, ends[1].0.clone().powi(2));
+            }
+        } else if let Some(term) = &stage.sphere {
+            let radius = self.read_positive(term, Dimension::LENGTH, "the radius of the bowl", &path.key("sphere"));
+            let [first, second] = [0, 1].map(|side| self.depth(index, side, stage, &radius, &ends[side].0));
+            let (because, sides) = match stage.way {
+                Way::Up => ("the depths differ by the height", (height, first.clone() - second.clone())),
+                Way::Down => ("the depths differ by the height", (height, second.clone() - first.clone())),
+            };
+            self.law(&geometry::HEIGHT_IN_BOWL, Some(index), because, sides);
+            if level {
+                let square = radius.powi(2) - second.clone().powi(2);
+                self.other_level(index, stage, first + second, square);
+            }
+        }
+    }
+
+    /// How deep below the centre of a sphere the body is at one end.
+    fn depth(&mut self, index: usize, side: usize, stage: &Bowl, radius: &Expr, distance: &Expr) -> Expr {
+        let (body, instant) = (stage.body.as_str(), index + 1 + side);
+        let since = self.timeline.since(body, instant).unwrap_or(instant);
+        let meaning = format!("the depth of {} below the centre of the bowl {}", self.called(body), self.when(since));
+        let depth = Expr::from(self.symbol(format!("depth_{body}{since}"), Dimension::LENGTH, meaning));
+        let because = "the place lies on the sphere, below its centre";
+        let sides = (distance.clone().powi(2) + depth.clone().powi(2), radius.clone().powi(2));
+        self.law(&geometry::HEIGHT_IN_BOWL, Some(index), because, sides);
+        let reason = "it would lie above the centre of the bowl";
+        let below = self.condition(depth.clone(), Relation::AtLeast, Expr::zero(), reason);
+        self.system.conditions.push(below);
+        depth
+    }
+
+    /// The other of the two levels at which the body moves horizontally: angular momentum put into the energy, and the
+    /// factor that is zero at the first level divided out, which leaves `v^2 a = 2 g b`.
+    fn other_level(&mut self, index: usize, stage: &Bowl, a: Expr, b: Expr) {
+        let (_, across) = self.polar_state(&stage.body, &stage.about, index + 1);
+        let because = "angular momentum is put into the balance of energy; the solution that is the first level itself is divided out";
+        let sides = (across.powi(2) * a, Expr::product([Expr::integer(2), self.gravity(), b]));
+        self.law_at(SECOND_COST, &energy::CONSERVATION, Some(index), because, sides);
+    }
+}

@@ -1,0 +1,84 @@
+//! A conical pendulum whose cord is drawn in: steady circles before and after, and angular momentum about the vertical.
+
+use crate::expr::Expr;
+use crate::expr::Function;
+use crate::fault::Path;
+use crate::laws::angular;
+use crate::laws::force;
+use crate::laws::geometry;
+use crate::model::Agent;
+use crate::model::Builder;
+use crate::model::Impulse;
+use crate::model::builder::SECOND_COST;
+use crate::quantity::Dimension;
+use crate::scene::Term;
+use crate::scene::stage::Conical;
+use crate::solve::Relation;
+
+impl Builder<'_> {
+    pub(in crate::model) fn conical(&mut self, index: usize, stage: &Conical, path: &Path) {
+        let (name, centre) = (self.called(&stage.body), self.point(&stage.about));
+        let ends = stage.length.ends();
+        let momenta = [0, 1].map(|side| self.steady_circle(index, side, stage, ends[side], path));
+        let because = format!("the cord's pull and the weight have no moment about the vertical through {centre}");
+        let [before, after] = momenta;
+        self.law(&angular::CONSERVATION, Some(index), because, (before, after));
+        self.impulses.push(Impulse {
+            stage: index,
+            on: stage.body.clone(),
+            by: Agent::Outside,
+            called: "its weight and the cord".into(),
+            components: Vec::new(),
+            impulsive: false,
+        });
+        self.omit("the mass of the cord", "it is light");
+        self.omit(
+            format!("the motion of {name} while the cord is drawn in"),
+            "only the steady circles are asked about",
+        );
+    }
+
+    /// One of the two circles; the angular momentum on it.
+    fn steady_circle(&mut self, index: usize, side: usize, stage: &Conical, length: &Term, path: &Path) -> Expr {
+        let (body, instant) = (stage.body.as_str(), index + 1 + side);
+        let since = self.timeline.since(body, instant).unwrap_or(instant);
+        let (name, centre, when) = (self.called(body), self.point(&stage.about), self.when(since));
+        let meaning = format!("the length of the cord {when}");
+        let length = self.read_positive(length, Dimension::LENGTH, &meaning, &path.key("length"));
+        let meaning = format!("the angle between the cord and the vertical {when}");
+        let angle = Expr::from(self.positive(format!("angle_{body}{since}"), Dimension::NONE, meaning));
+        let meaning = format!("the velocity of {name} {when}");
+        let velocity = Expr::from(self.symbol(format!("v_{body}{since}"), Dimension::VELOCITY, meaning));
+        let meaning = format!("the radius of the circle of {name} {when}");
+        let radius = Expr::from(self.positive(format!("r_{body}{since}"), Dimension::LENGTH, meaning));
+        let because = "the cord is straight";
+        let sides = (radius.clone(), length.clone() * angle.clone().sin());
+        self.law(&geometry::COMPONENTS, Some(index), because, sides);
+        let because = format!("{name} moves steadily round a horizontal circle");
+        let sides =
+            (velocity.clone().powi(2) / radius.clone(), self.gravity() * Expr::apply(Function::Tan, angle.clone()));
+        self.law(&force::CONICAL, Some(index), because.clone(), sides);
+        let meaning = format!("the tension of the cord {when}");
+        let tension = Expr::from(self.positive(format!("tension_{body}{since}"), Dimension::FORCE, meaning));
+        let weight = self.mass(body) * self.gravity();
+        let because = format!("{name} moves neither up nor down");
+        self.law(&force::BALANCE, Some(index), because, (tension * angle.clone().cos(), weight));
+        let reason = "the cord would have to point upwards";
+        let below = self.condition(angle.clone().cos(), Relation::Greater, Expr::zero(), reason);
+        self.system.conditions.push(below);
+        let meaning = format!("the angular momentum about the vertical through {centre} {when}");
+        let name = format!("H_{}{instant}", stage.about);
+        let momentum = Expr::from(self.symbol(name, Dimension::ANGULAR_MOMENTUM, meaning));
+        let mass = self.mass(body);
+        let moment = Expr::product([mass.clone(), radius, velocity]);
+        let because = "the velocity is at right angles to the radius";
+        self.law(&angular::ANGULAR_MOMENTUM, Some(index), because, (momentum.clone(), moment));
+        // With the speed put in, the angle alone is left: v^2 = g L sin tan.
+        let tangent = Expr::apply(Function::Tan, angle.clone());
+        let squares = [mass.powi(2), self.gravity(), length.powi(3), angle.sin().powi(3), tangent];
+        let because = "the speed of the steady circle is put into the square of the angular momentum";
+        let sides = (momentum.clone().powi(2), Expr::product(squares));
+        self.law_at(SECOND_COST, &force::CONICAL, Some(index), because, sides);
+        momentum
+    }
+}

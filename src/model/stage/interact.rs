@@ -1,0 +1,54 @@
+//! Bodies that act on each other only: momentum and angular momentum of all of them.
+
+use crate::expr::Expr;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::laws::angular;
+use crate::laws::energy;
+use crate::model::Builder;
+use crate::quantity::Dimension;
+use crate::scene::Plane;
+use crate::scene::stage::Interact;
+
+impl Builder<'_> {
+    pub(in crate::model) fn interact(&mut self, index: usize, stage: &Interact, path: &Path) {
+        if self.scene.plane == Plane::Vertical {
+            let fault = Fault::new(Code::Value, "in a vertical plane weight acts on bodies from outside");
+            self.faults.push(fault.help("keep `plane: horizontal`").at_path(path.clone()));
+        }
+        let bodies: Vec<&str> = stage.between.iter().map(String::as_str).collect();
+        let because = "the forces between the bodies cancel in pairs";
+        self.momentum_of_all(index, because, [&bodies, &bodies]);
+        let scene = self.scene;
+        let letters = self.axis_letters();
+        let turnings: Vec<String> = match &letters[..] {
+            [_, _] => vec![String::new()],
+            [_, _, _] => letters.iter().map(|letter| format!(".{letter}")).collect(),
+            _ => Vec::new(),
+        };
+        for point in scene.points.keys() {
+            for letter in &turnings {
+                let [before, after] = [index + 1, index + 2]
+                    .map(|instant| self.resolve(&format!("H_{point}{instant}{letter}")).map(Expr::from));
+                let (Some(before), Some(after)) = (before, after) else { continue };
+                let because =
+                    "the forces between the bodies are equal and opposite along one line, and their moments cancel";
+                self.law(&angular::CONSERVATION, Some(index), because, (before, after));
+            }
+        }
+        let loss = match &stage.loss {
+            Some(term) => Some(self.read(term, Dimension::ENERGY, "the kinetic energy lost", &path.key("loss"))),
+            None => stage.elastic.then(Expr::zero),
+        };
+        if let Some(loss) = loss {
+            let because =
+                if stage.elastic { "no kinetic energy is lost" } else { "the loss of kinetic energy is told" };
+            let [start, end] = [index + 1, index + 2].map(|instant| {
+                Expr::sum(bodies.iter().map(|body| self.kinetic_term(body, instant)).collect::<Vec<_>>())
+            });
+            self.law(&energy::LOSS, Some(index), because, (start - loss, end));
+        }
+        self.omit("the forces between the bodies", "within the system they cancel in pairs");
+    }
+}

@@ -1,0 +1,88 @@
+//! A body that strikes an arm: angular momentum about the point that holds the arm, and restitution where it is struck.
+
+use crate::expr::Expr;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::laws::angular;
+use crate::laws::restitution;
+use crate::model::Agent;
+use crate::model::Builder;
+use crate::model::Impulse;
+use crate::model::Warning;
+use crate::quantity::Dimension;
+use crate::scene::stage::Strike;
+use crate::solve::Relation;
+
+impl Builder<'_> {
+    pub(in crate::model) fn strike(&mut self, index: usize, stage: &Strike, path: &Path) {
+        let body = stage.body.as_str();
+        let (name, centre) = (self.called(body), self.point(&stage.about));
+        let meaning = format!("the distance from {centre} at which {name} strikes");
+        let distance = self.read_positive(&stage.at, Dimension::LENGTH, &meaning, &path.key("at"));
+        let mut momenta = Vec::new();
+        let mut contact = Vec::new();
+        for side in [0, 1] {
+            let instant = index + 1 + side;
+            let turn = self.turn_of_arm(&centre, instant);
+            let velocity = self.transverse(body, instant);
+            let mut terms = vec![Expr::product([self.mass(body), distance.clone(), velocity.clone()])];
+            for (carried, term) in &stage.carries {
+                let meaning = format!("the distance of {} from {centre}", self.called(carried));
+                let arm =
+                    self.read_positive(term, Dimension::LENGTH, &meaning, &path.key("carries").key(carried.as_str()));
+                terms.push(self.on_arm(index, carried, instant, &arm, &turn));
+            }
+            let meaning = format!("the angular momentum about {centre} {}", self.when(instant));
+            let own = format!("H_{}{instant}", stage.about);
+            let momentum = Expr::from(self.symbol(own, Dimension::ANGULAR_MOMENTUM, meaning));
+            let because = "all move at right angles to the arm";
+            self.law(&angular::ANGULAR_MOMENTUM, Some(index), because, (momentum.clone(), Expr::sum(terms)));
+            momenta.push(momentum);
+            contact.push([velocity, distance.clone() * turn]);
+        }
+        let because = format!(
+            "the impulse at {centre} has no moment about it, and that between {name} and the arm acts within the system"
+        );
+        if let [before, after] = &momenta[..] {
+            self.law(&angular::CONSERVATION, Some(index), because, (before.clone(), after.clone()));
+        }
+        if let [[v1, w1], [v2, w2]] = &contact[..] {
+            self.parting(index, stage, [[v1, w1], [v2, w2]], path);
+        }
+        self.impulses.push(Impulse {
+            stage: index,
+            on: body.to_owned(),
+            by: Agent::Outside,
+            called: "the arm".into(),
+            components: Vec::new(),
+            impulsive: true,
+        });
+        self.omit("the mass of the arm", "it is light");
+        self.omit(format!("the impulse at {centre}"), "it has no moment about that point");
+    }
+
+    /// How the body and the place that it strikes part: `v` of the body, `w` of the place, before and after.
+    fn parting(&mut self, index: usize, stage: &Strike, [[v1, w1], [v2, w2]]: [[&Expr; 2]; 2], path: &Path) {
+        let name = self.called(&stage.body);
+        let reason = format!("{name} would not meet the arm");
+        self.require(Warning::NoImpact, v1.clone(), Relation::Differs, w1.clone(), reason);
+        match (&stage.restitution, stage.plastic) {
+            (Some(_), true) => {
+                let fault = Fault::new(Code::OverDetermined, "`plastic` cannot stand beside `restitution`");
+                self.faults.push(fault.help("remove one of them").at_path(path.key("plastic")));
+            }
+            (Some(term), false) => {
+                let e = self.restitution_coefficient(term, &path.key("restitution"));
+                let sides = restitution::restitution(&e, [v1, w1], [v2, w2]);
+                let because = format!("{name} and the place that it strikes separate again");
+                self.law(&restitution::RESTITUTION, Some(index), because, sides);
+            }
+            (None, true) => {
+                let because = format!("{name} stays on the arm");
+                self.law(&restitution::PLASTIC, Some(index), because, (v2.clone(), w2.clone()));
+            }
+            (None, false) => {}
+        }
+    }
+}

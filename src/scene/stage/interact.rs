@@ -1,0 +1,23 @@
+//! Bodies that act on each other only.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::scene::Term;
+
+/// Bodies act on each other, whatever the forces, for a while, and nothing acts on them from outside along the axes.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Interact {
+    /// A name for the stage, used in brackets: `T_lost[tangle]`.
+    #[serde(default)]
+    pub name: Option<String>,
+    /// The bodies.
+    pub between: Vec<String>,
+    /// Whether no kinetic energy is lost.
+    #[serde(default)]
+    pub elastic: bool,
+    /// How much kinetic energy is lost, where that is told.
+    #[serde(default)]
+    pub loss: Option<Term>,
+}
