@@ -3,8 +3,7 @@
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
-use momentous::simulate::stability::every_method;
-use momentous::simulate::{Body, Budget, EventDriven, Keep, Method, Vector, Wall, World};
+use momentous::simulate::{Body, Budget, EventDriven, Keep, Method, MethodKind, Setting, Vector, Wall, World};
 
 /// A ball dropped from 4 m.
 fn dropped(restitution: f64) -> World<1> {
@@ -47,7 +46,8 @@ fn methods(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("five bounces");
     let world = dropped(0.75);
     let budget = Budget::until(10.0).at_most(5);
-    for method in every_method::<1>(1e-3, 1e-9) {
+    for kind in MethodKind::ALL {
+        let method = kind.with::<1>(if kind.setting() == Setting::Tolerance { 1e-9 } else { 1e-3 });
         if method.run(&world, &budget).is_ok() {
             group.bench_function(method.name(), |bencher| bencher.iter(|| method.run(black_box(&world), &budget)));
         }
@@ -64,12 +64,16 @@ fn growth(criterion: &mut Criterion) {
             bencher.iter(|| EventDriven.run(black_box(&world), &budget));
         });
     }
-    for balls in [2, 20, 200] {
-        let (world, budget) = (chain(balls), Budget::impacts(100_000));
+    for balls in [2, 5, 10, 20, 50, 100, 200] {
+        let (world, budget) = (chain(balls), Budget::impacts(100_000).keep(Keep::Count));
         group.bench_function(BenchmarkId::new("100000 impacts in a chain", balls), |bencher| {
             bencher.iter(|| EventDriven.run(black_box(&world), &budget));
         });
     }
+    let (world, budget) = (chain(200), Budget::impacts(100_000));
+    group.bench_function("100000 impacts in a chain, all of it kept", |bencher| {
+        bencher.iter(|| EventDriven.run(black_box(&world), &budget));
+    });
     for power in 1..=5 {
         let (world, budget) = (
             blocks(100.0_f64.powi(power)),

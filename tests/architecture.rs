@@ -40,6 +40,8 @@ const PACKAGES: &[(&str, &str)] = &[
     ("math_core", "render"),
     ("clap", "cli"),
     ("clap_complete", "cli"),
+    ("resvg", "cli"),
+    ("rapier2d_f64", "simulate"),
 ];
 
 /// The lines that a file may have.

@@ -3,6 +3,8 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test says bluntly what it expects")]
 
+#[path = "certificates/nearness.rs"]
+mod nearness;
 #[path = "support/variants.rs"]
 mod variants;
 

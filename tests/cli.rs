@@ -15,6 +15,8 @@ use room::lines;
 mod chart;
 #[path = "cli/room.rs"]
 mod room;
+#[path = "cli/simulate.rs"]
+mod simulate;
 #[path = "cli/unusable.rs"]
 mod unusable;
 

@@ -17,6 +17,5 @@ pub use collection::{Bank, FOLDER, files_under};
 pub use diagnosis::{Diagnosed, Tally, diagnosed};
 pub use entry::Card;
 pub use promise::{Finding, Outcome, Promise};
-
 pub use report::{AnswerSpread, Audit, FormAudit};
-pub use simulation::{SIMULATED, Simulated};
+pub use simulation::{SIMULATED, Simulated, staged};

@@ -14,8 +14,10 @@ mod new;
 mod open;
 mod output;
 mod pages;
+mod plot;
 mod progress;
 mod schema;
+mod simulate;
 mod snapshot;
 mod solve;
 mod style;
@@ -63,6 +65,7 @@ enum Command {
     Check(check::Check),
     Diagnose(diagnose::Diagnose),
     Generate(generate::Generate),
+    Simulate(simulate::Simulate),
     Solve(solve::Solve),
     Grade(grade::Grade),
     New(new::New),
@@ -102,6 +105,7 @@ impl Command {
             Self::Check(check) => check.run(),
             Self::Diagnose(diagnose) => diagnose.run(),
             Self::Generate(generate) => generate.run(),
+            Self::Simulate(simulate) => simulate.run(),
             Self::Solve(solve) => solve.run(),
             Self::Grade(grade) => grade.run(),
             Self::New(new) => new.run(),

@@ -35,4 +35,5 @@ pub use situation::{
     Partner, Pulley, PulleySide, Ramp, Rest, Ride, Situation, Swing, SwingEnd,
 };
 pub use svg::{svg, svg_file};
+pub use ticks::Ticks;
 pub use tikz::tikz;

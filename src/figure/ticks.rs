@@ -5,15 +5,19 @@ const STEPS: f64 = 4.5;
 
 /// Tick values from `low` to `high`, and how they are written: `digits` decimals after division by ten to the `power`.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Ticks {
+pub struct Ticks {
+    /// The values, in rising order.
     pub values: Vec<f64>,
+    /// The decimals of what is written.
     pub digits: usize,
+    /// The power of ten that is taken out.
     pub power: i32,
 }
 
 impl Ticks {
     /// Steps of 1, 2 or 5 times a power of ten; powers of a thousand are taken out of very large and very small numbers.
-    pub(super) fn between(low: f64, high: f64) -> Self {
+    #[must_use]
+    pub fn between(low: f64, high: f64) -> Self {
         let (low, high) = if low.is_finite() && high.is_finite() && low < high { (low, high) } else { (0.0, 1.0) };
         let rough = (high - low) / STEPS;
         let decade = libm::pow(10.0, libm::floor(libm::log10(rough)));
@@ -34,7 +38,8 @@ impl Ticks {
     }
 
     /// A tick's value as written.
-    pub(super) fn text(&self, value: f64) -> String {
+    #[must_use]
+    pub fn text(&self, value: f64) -> String {
         let scaled = value / libm::pow(10.0, f64::from(self.power));
         let text = format!("{scaled:.*}", self.digits);
         let is_zero = text.chars().all(|character| matches!(character, '-' | '0' | '.'));

@@ -8,12 +8,15 @@ mod contact;
 mod exact;
 mod force;
 mod gap;
+pub mod least;
 mod method;
 mod methods;
 mod newton;
 mod point_impact;
+mod record;
 mod refusal;
 pub mod scene;
+mod shown;
 mod simultaneous;
 pub mod stability;
 mod sweep;
@@ -26,13 +29,17 @@ pub use contact::{Contact, Geometry};
 pub use exact::{BounceTrain, Clock, Meeting, Orbit, first_contact, first_fall, grazing_cosine};
 pub use force::{Force, Piece, Strength};
 pub use method::Method;
+#[cfg(feature = "peer")]
+pub use methods::Rapier;
 pub use methods::{
-    EventDriven, ExplicitEuler, LinearSolve, MoreauJean, Penalty, RungeKutta, STEPS_PER_CONTACT, SequentialImpulses,
-    SymplecticEuler, damping_ratio,
+    ClosedForm, EventDriven, ExplicitEuler, LinearSolve, MethodKind, MoreauJean, Penalty, RungeKutta,
+    STEPS_PER_CONTACT, SequentialImpulses, Setting, SymplecticEuler, damping_ratio,
 };
 pub use newton::direct_impact;
 pub use point_impact::{PointImpact, PointOutcome, RestitutionLaw};
+pub use record::{Moment, Record, Recorded, RecordedImpact};
 pub use refusal::Refusal;
+pub use shown::Shown;
 pub use sweep::{JITTERED_SCENES, Point, sweep};
 pub use task::{Case, IN_THE_PLANE, ON_A_LINE, Task};
 pub use trajectory::{Ending, Impact, Motion, Segment, Trajectory};

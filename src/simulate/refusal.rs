@@ -33,6 +33,9 @@ pub enum Refusal {
         /// The force.
         force: String,
     },
+    /// What meets whom is not known before the run.
+    #[error("no formula for the whole run: bodies may meet")]
+    NoFormula,
     /// The method solves the impact of bodies that touch, and none do.
     #[error("nothing touches: this method solves the impact itself, not the way to it")]
     NothingTouches,
@@ -90,6 +93,7 @@ impl Refusal {
             Self::Collapse { .. } => "inelastic collapse",
             Self::LastingContact { .. } => "lasting contact",
             Self::NoExactMotion { .. } => "no exact motion",
+            Self::NoFormula => "no formula",
             Self::NothingTouches => "nothing touches",
             Self::Overlap { .. } => "overlap",
             Self::Unstable { .. } => "unstable",

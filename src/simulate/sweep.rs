@@ -5,9 +5,7 @@ use std::time::Instant;
 
 use super::budget::Keep;
 use super::method::Method;
-use super::methods::{
-    EventDriven, ExplicitEuler, LinearSolve, MoreauJean, Penalty, RungeKutta, SequentialImpulses, SymplecticEuler,
-};
+use super::methods::{MethodKind, Setting};
 use super::task::{Case, Task};
 
 /// The jittered scenes behind each point.
@@ -37,24 +35,18 @@ pub struct Point {
     pub refusal: Option<String>,
 }
 
-/// A method with a setting.
-type Setting<const D: usize> = (Option<f64>, Box<dyn Method<D>>);
-
 /// Every method at every setting of its sweep: steps from 1/30 s down by halves of a decade, tolerances from 1e-3 by decades.
-fn settings<const D: usize>(finest_step: f64) -> Vec<Setting<D>> {
-    let mut all: Vec<Setting<D>> = vec![(None, Box::new(LinearSolve)), (None, Box::new(EventDriven))];
-    for power in 3..=13 {
-        let tolerance = libm::pow(10.0, -f64::from(power));
-        all.push((Some(tolerance), Box::new(RungeKutta { tolerance })));
-    }
-    let mut step = 1.0 / 30.0;
-    while step >= finest_step {
-        all.push((Some(step), Box::new(ExplicitEuler { step })));
-        all.push((Some(step), Box::new(SymplecticEuler { step })));
-        all.push((Some(step), Box::new(MoreauJean { step })));
-        all.push((Some(step), Box::new(Penalty { step, stiffness: None })));
-        all.push((Some(step), Box::new(SequentialImpulses { step })));
-        step /= 10.0_f64.sqrt();
+fn settings(finest_step: f64) -> Vec<(MethodKind, Option<f64>)> {
+    let mut all = Vec::new();
+    for &method in MethodKind::ALL {
+        match method.setting() {
+            Setting::None => all.push((method, None)),
+            Setting::Tolerance => all.extend((3..=13).map(|power| (method, Some(libm::pow(10.0, -f64::from(power)))))),
+            Setting::Step => {
+                let steps = std::iter::successors(Some(1.0 / 30.0), |step| Some(step / 10.0_f64.sqrt()));
+                all.extend(steps.take_while(|step| *step >= finest_step).map(|step| (method, Some(step))));
+            }
+        }
     }
     all
 }
@@ -70,10 +62,18 @@ fn settings<const D: usize>(finest_step: f64) -> Vec<Setting<D>> {
 /// ```
 #[must_use]
 pub fn sweep<const D: usize>(task: &Task<D>, repetitions: usize, finest_step: f64) -> Vec<Point> {
-    let cases: Vec<Case<D>> = (0..JITTERED_SCENES).map(|scene| (task.jittered)(jitter(scene))).collect();
-    let methods = settings(finest_step).into_iter();
-    let points = methods.map(|(setting, method)| point(task.name, setting, method.as_ref(), &cases, repetitions));
+    let cases = jittered_cases(task);
+    let own = settings(finest_step).into_iter().filter(|(method, _)| *method != MethodKind::ClosedForm);
+    let points = own.map(|(method, setting)| {
+        let method = method.with::<D>(setting.unwrap_or(0.0));
+        measured(task.name, setting, method.as_ref(), &cases, repetitions)
+    });
     std::iter::once(closed_form(task, repetitions)).chain(points).collect()
+}
+
+/// The scenes behind each point.
+pub(super) fn jittered_cases<const D: usize>(task: &Task<D>) -> Vec<Case<D>> {
+    (0..JITTERED_SCENES).map(|scene| (task.jittered)(jitter(scene))).collect()
 }
 
 /// Calls of a closed form in one measurement, since a single one is shorter than the clock can tell.
@@ -106,7 +106,8 @@ fn jitter(scene: u32) -> f64 {
     if scene == 0 { 0.0 } else { JITTER * (2.0 * (f64::from(scene) * 0.618_033_988_749_894_9).fract() - 1.0) }
 }
 
-fn point<const D: usize>(
+/// A method at a setting on the scenes of a task.
+pub(super) fn measured<const D: usize>(
     task: &'static str,
     setting: Option<f64>,
     method: &dyn Method<D>,

@@ -44,9 +44,21 @@ pub const ON_A_LINE: &[Task<1>] = &[
         closed_form: bounce_with_drag_exactly,
     },
     Task {
+        name: "half-sine force",
+        asks: "velocity after 2 s, m/s",
+        jittered: half_sine,
+        closed_form: half_sine_exactly,
+    },
+    Task {
         name: "head-on",
         asks: "velocity of A after the impact, m/s",
         jittered: head_on,
+        closed_form: head_on_exactly,
+    },
+    Task {
+        name: "contact",
+        asks: "velocity of A after the impact, m/s",
+        jittered: contact,
         closed_form: head_on_exactly,
     },
     Task { name: "chain", asks: "velocity of the last of ten balls, m/s", jittered: chain, closed_form: chain_exactly },
@@ -133,6 +145,20 @@ fn head_on_exactly(jitter: f64) -> f64 {
     (3.0 * speed - 4.0 - 2.0 * 0.7 * (speed + 2.0)) / 5.0
 }
 
+/// The same bodies, as large as billiard balls, which touch from the start: only the impact is left.
+fn contact(jitter: f64) -> Case<1> {
+    let speed = 3.0 * (1.0 + jitter);
+    let mut world = World::new(0.7);
+    world.bodies.push(Body::sphere("A", 3.0, 0.03, [0.0], [speed]));
+    world.bodies.push(Body::sphere("B", 2.0, 0.03, [0.06], [-2.0]));
+    Case {
+        world,
+        budget: Budget::until(1.0).at_most(1),
+        measure: |run| (run.impact_count == 1).then(|| run.last.velocities[0].x),
+        expected: head_on_exactly(jitter),
+    }
+}
+
 /// Ten equal balls at e = 0.9: each gives its neighbour (1 + e)/2 of its velocity.
 fn chain(jitter: f64) -> Case<1> {
     let speed = 1.0 + jitter;
@@ -170,6 +196,27 @@ fn ramp(jitter: f64) -> Case<1> {
 
 fn ramp_exactly(jitter: f64) -> f64 {
     6.0 * (1.0 + jitter) * 8.0 / 12.0
+}
+
+/// A force that rises to 10 N and goes back within 2 s as half a sine, on 4 kg at rest: no polynomial in the time.
+fn half_sine(jitter: f64) -> Case<1> {
+    let greatest = 10.0 * (1.0 + jitter);
+    let mut world = World::new(1.0);
+    world.bodies.push(Body::particle("A", 4.0, [0.0], [0.0]));
+    let law = move |time: f64| greatest * libm::sin(std::f64::consts::FRAC_PI_2 * time);
+    let (direction, strength) = (Vector::from([1.0]), Strength::Function(std::sync::Arc::new(law)));
+    world.forces.push(Force::Varying { body: 0, direction, strength });
+    Case {
+        world,
+        budget: Budget::until(2.0),
+        measure: |run| Some(run.last.velocities[0].x),
+        expected: half_sine_exactly(jitter),
+    }
+}
+
+/// The impulse of half a sine is 2/pi of its height times its length.
+fn half_sine_exactly(jitter: f64) -> f64 {
+    10.0 * (1.0 + jitter) / std::f64::consts::PI
 }
 
 /// Equal smooth discs whose lines of motion are 0.6 of a diameter apart, e = 0.8: the struck one has (1 + e)/2 cos of the speed.
@@ -221,8 +268,10 @@ mod tests {
         for (task, expected) in [
             (ON_A_LINE[0], 4.606_952_149_432_536),
             (ON_A_LINE[1], 4.257_661_947_038_265),
-            (ON_A_LINE[2], -0.4),
-            (ON_A_LINE[4], 4.0),
+            (ON_A_LINE[2], 3.183_098_861_837_906_7),
+            (ON_A_LINE[3], -0.4),
+            (ON_A_LINE[4], -0.4),
+            (ON_A_LINE[6], 4.0),
         ] {
             let value = (task.jittered)(0.0).expected;
             assert!((value - expected).abs() < 3e-15, "{}: {value}", task.name);

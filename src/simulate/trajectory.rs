@@ -152,4 +152,12 @@ impl<const D: usize> Trajectory<D> {
         let segment = path.get(index).filter(|segment| segment.start <= time)?;
         Some(segment.motion.at(time - segment.start))
     }
+    /// Position and velocity of a body just after what happens at a time; `None` outside the run, or where no path was kept.
+    #[must_use]
+    pub fn just_after(&self, body: usize, time: f64) -> Option<(Vector<D>, Vector<D>)> {
+        let path = self.paths.get(body)?;
+        let index = path.partition_point(|segment| segment.start <= time).checked_sub(1)?;
+        let segment = path.get(index).filter(|segment| time <= segment.end)?;
+        Some(segment.motion.at(time - segment.start))
+    }
 }

@@ -5,6 +5,7 @@
 
 mod choices;
 mod parts;
+mod staging;
 mod witness;
 
 use std::collections::BTreeMap;
@@ -19,6 +20,8 @@ use crate::simulate::scene::NothingToSimulate;
 use crate::simulate::scene::Way;
 
 use super::promise::Outcome;
+
+pub use staging::staged;
 
 use parts::Answer;
 use witness::Case;

@@ -1,5 +1,7 @@
 //! `momentous chart`
 
+mod certificates;
+mod costs;
 mod diagram;
 mod points;
 mod tasks;
@@ -10,11 +12,15 @@ use std::path::PathBuf;
 use clap::Args;
 use clap::ValueEnum;
 
+use crate::simulate::least::measure_costs;
 use crate::simulate::stability::run_all;
 
 use super::exit::Exit;
 use super::failure::Failure;
 use super::output::Output;
+use super::plot::Page;
+use super::plot::Theme;
+use super::plot::png;
 
 use points::Row;
 
@@ -28,7 +34,8 @@ Examples:
   momentous chart bounce -o bounce.svg                      measure and draw
   momentous chart bounce --format csv -o bounce.csv         measure only
   momentous chart --from bounce.csv -o bounce.svg           draw what was measured
-  momentous chart --stability                               where each method is right, refuses or fails";
+  momentous chart --stability                               where each method is right, refuses or fails
+  momentous chart --costs -o src/simulate/least/costs.csv   the table of costs, from which `momentous simulate` chooses";
 
 /// Chart the numerical methods: error against time, and where each is stable
 #[derive(Args, Debug)]
@@ -43,6 +50,12 @@ pub(super) struct Chart {
     /// The table of the stability suite instead
     #[arg(long, conflicts_with_all = ["tasks", "from"])]
     stability: bool,
+    /// Measure the table of costs anew, from which `momentous simulate` chooses
+    #[arg(long, conflicts_with_all = ["tasks", "from", "stability", "format"])]
+    costs: bool,
+    /// Draw the table of certificates and errors that `cargo test --test certificates` writes
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["tasks", "from", "stability", "costs"])]
+    certificates: Option<PathBuf>,
     /// Draw the points of a table that was measured before
     #[arg(long, value_name = "FILE")]
     from: Option<PathBuf>,
@@ -52,6 +65,9 @@ pub(super) struct Chart {
     /// Solves of each scene, of which the fastest counts
     #[arg(long, value_name = "COUNT", default_value = "5", value_parser = clap::value_parser!(u16).range(1..))]
     repetitions: u16,
+    /// Colours for a dark page: for PNG; SVG has both
+    #[arg(long)]
+    dark: bool,
     /// Write to this file instead of the terminal
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -62,6 +78,8 @@ pub(super) struct Chart {
 enum Look {
     /// A drawing, readable on light and on dark pages.
     Svg,
+    /// The same drawing as pixels.
+    Png,
     /// Comma-separated values.
     Csv,
     /// For people: the stability table.
@@ -80,18 +98,41 @@ impl Chart {
     pub(super) fn run(&self) -> Result<Exit, Failure> {
         let look = self.format.unwrap_or(if self.stability { Look::Text } else { Look::Svg });
         let mut text = Vec::new();
+        if self.costs {
+            costs::write(&measure_costs(usize::from(self.repetitions)), &mut text)?;
+            return self.put(&text);
+        }
         match (self.stability, look) {
             (true, Look::Text) => stability_text(&mut text)?,
             (true, Look::Csv) => stability_csv(&mut text)?,
-            (true, Look::Svg) => return Err(Failure::unusable("the stability table is text or csv, not a drawing")),
-            (false, Look::Text) => return Err(Failure::unusable("text is for --stability; a chart is svg or csv")),
+            (true, Look::Svg | Look::Png) => {
+                return Err(Failure::unusable("the stability table is text or csv, not a drawing"));
+            }
+            (false, Look::Text) => {
+                return Err(Failure::unusable("text is for --stability; a chart is svg, png or csv"));
+            }
+            (false, Look::Csv) if self.certificates.is_some() => {
+                return Err(Failure::unusable("the certificates are a table already; a chart is svg or png"));
+            }
             (false, Look::Csv) => points::write(&self.rows()?, &mut text)?,
-            (false, Look::Svg) => text.extend(diagram::svg(&self.rows()?).into_bytes()),
+            (false, Look::Svg) => text.extend(self.page()?.svg(Theme::Either).into_bytes()),
+            (false, Look::Png) => text.extend(png(&self.page()?, theme(self.dark))?),
         }
+        self.put(&text)
+    }
+
+    fn put(&self, bytes: &[u8]) -> Result<Exit, Failure> {
         let mut output = Output::to(self.output.as_deref())?;
-        output.write_all(&text)?;
+        output.write_all(bytes)?;
         output.finish()?;
         Ok(Exit::Fine)
+    }
+
+    fn page(&self) -> Result<Page, Failure> {
+        match &self.certificates {
+            Some(path) => Ok(certificates::page(&certificates::read(path)?)),
+            None => Ok(diagram::page(&self.rows()?)),
+        }
     }
 
     /// The points that were measured before, or are measured now.
@@ -106,6 +147,10 @@ impl Chart {
         let chosen = tasks::chosen(&self.tasks)?;
         Ok(rows.into_iter().filter(|row| chosen.contains(&row.task.as_str())).collect())
     }
+}
+
+fn theme(dark: bool) -> Theme {
+    if dark { Theme::Dark } else { Theme::Light }
 }
 
 /// The table as `tests/stability/table.txt` holds it.

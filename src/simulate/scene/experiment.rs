@@ -4,6 +4,7 @@ use crate::simulate::budget::Budget;
 use crate::simulate::method::Method;
 use crate::simulate::methods::{EventDriven, RungeKutta};
 use crate::simulate::refusal::Refusal;
+use crate::simulate::shown::Shown;
 use crate::simulate::trajectory::{Ending, Trajectory};
 use crate::simulate::world::World;
 
@@ -26,7 +27,7 @@ pub struct Reached {
 
 /// What is read off the end of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Reading {
+pub enum Reading {
     /// A component of the velocity of a body.
     Velocity {
         /// The body's place in the list.
@@ -41,18 +42,23 @@ pub(super) enum Reading {
 }
 
 /// A world to run, and the names of what is read off it.
-#[derive(Debug)]
-pub(super) struct Experiment<const D: usize> {
+#[derive(Clone, Debug)]
+pub struct Experiment<const D: usize> {
+    /// The scene as numbers.
     pub world: World<D>,
+    /// How long it runs.
     pub budget: Budget,
+    /// The quantities that are read off the end, by their names in the problem.
     pub readings: Vec<(String, Reading)>,
 }
 
 /// The simulation of one stage.
 #[derive(Debug, Default)]
 pub struct Staged {
-    pub(super) on_lines: Vec<Experiment<1>>,
-    pub(super) in_planes: Vec<Experiment<2>>,
+    /// Its parts that move on a line, each along one axis.
+    pub on_lines: Vec<Experiment<1>>,
+    /// Its parts that move in the plane.
+    pub in_planes: Vec<Experiment<2>>,
 }
 
 impl Staged {
@@ -82,6 +88,16 @@ impl Staged {
 }
 
 impl<const D: usize> Experiment<D> {
+    /// What is watched of it, from before an impact to after it.
+    ///
+    /// # Errors
+    /// It has no end that could be found.
+    pub fn shown(&self) -> Result<Shown<D>, Refusal> {
+        let until_impact =
+            self.readings.iter().any(|(_, reading)| matches!(reading, Reading::Velocity { sign, .. } if *sign < 0.0));
+        Shown::of(&self.world, &self.budget, until_impact)
+    }
+
     fn run(&self) -> Result<Vec<Reached>, Refusal> {
         match EventDriven.run(&self.world, &self.budget) {
             Ok(run) => {
@@ -107,7 +123,7 @@ impl<const D: usize> Experiment<D> {
     }
 
     /// Names, values, and the sizes with which rounding errors go.
-    fn read<'a>(&'a self, run: &'a Trajectory<D>) -> impl Iterator<Item = (String, f64, f64)> + 'a {
+    pub fn read<'a>(&'a self, run: &'a Trajectory<D>) -> impl Iterator<Item = (String, f64, f64)> + 'a {
         let before = self.world.bodies.iter().map(|body| body.velocity.norm());
         let after = run.last.velocities.iter().map(nalgebra::Matrix::norm);
         let walls = self.world.walls.iter().map(|wall| wall.velocity.abs());

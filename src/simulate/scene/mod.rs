@@ -18,7 +18,7 @@ mod touch;
 mod values;
 
 pub use bench::{Observed, Way};
-pub use experiment::{Reached, Staged};
+pub use experiment::{Experiment, Reached, Reading, Staged};
 pub use impulsive::is_impulsive;
 pub use measure::{Asked, measure, watch};
 pub use nothing::NothingToSimulate;

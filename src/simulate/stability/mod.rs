@@ -4,9 +4,7 @@ mod scenes;
 
 use super::budget::Budget;
 use super::method::Method;
-use super::methods::{
-    EventDriven, ExplicitEuler, LinearSolve, MoreauJean, Penalty, RungeKutta, SequentialImpulses, SymplecticEuler,
-};
+use super::methods::{MethodKind, Setting};
 use super::trajectory::Trajectory;
 use super::world::World;
 
@@ -69,16 +67,9 @@ impl std::fmt::Display for Verdict {
 /// Every method, with a fixed step for those that have one.
 #[must_use]
 pub fn every_method<const D: usize>(step: f64, tolerance: f64) -> Vec<Box<dyn Method<D>>> {
-    vec![
-        Box::new(LinearSolve),
-        Box::new(EventDriven),
-        Box::new(RungeKutta { tolerance }),
-        Box::new(ExplicitEuler { step }),
-        Box::new(SymplecticEuler { step }),
-        Box::new(MoreauJean { step }),
-        Box::new(Penalty { step, stiffness: None }),
-        Box::new(SequentialImpulses { step }),
-    ]
+    // The closed form is where the scenes' values come from.
+    let tried = MethodKind::ALL.iter().filter(|method| method.is_ours() && **method != MethodKind::ClosedForm);
+    tried.map(|method| method.with(if method.setting() == Setting::Tolerance { tolerance } else { step })).collect()
 }
 
 /// Runs one scene through every method.

@@ -1,0 +1,20 @@
+//! The stages of a variant as worlds, for whoever wants to watch them.
+
+use crate::problem::Problem;
+use crate::problem::Variant;
+use crate::simulate::scene::NothingToSimulate;
+use crate::simulate::scene::Staged;
+use crate::simulate::scene::translate;
+
+use super::TOLERANCES;
+use super::witness::Case;
+use super::witness::Witness;
+
+/// What simulates each stage, from what is said of its start, or else from where the stage before ended; or why nothing does.
+#[must_use]
+pub fn staged(problem: &Problem, variant: &Variant) -> Vec<Result<Staged, NothingToSimulate>> {
+    let scene = &problem.loaded().draft.scene;
+    let case = Case { problem, scene, variant, said: Vec::new() };
+    let witness = Witness::new(&case, TOLERANCES[0]);
+    (0..scene.stages.len()).map(|stage| translate(scene, stage, &|name| witness.value(name))).collect()
+}

@@ -1,0 +1,172 @@
+//! The table of impacts as text and as comma-separated values, and everything as JSON.
+
+use std::fmt::Write;
+
+use serde_json::Value;
+use serde_json::json;
+
+use crate::problem::Problem;
+use crate::problem::Variant;
+use crate::simulate::Moment;
+use crate::simulate::RecordedImpact;
+
+use super::super::failure::Failure;
+use super::film::{Film, Shot};
+
+/// The headings of the table of impacts.
+pub(super) const HEADINGS: [&str; 5] =
+    ["time in s", "between", "impulse in N s", "energy before in J", "energy after in J"];
+
+/// Figures in tables for people.
+const FIGURES: usize = 6;
+
+/// The rows of the table of impacts.
+pub(super) fn rows(film: &Film) -> Vec<Vec<String>> {
+    film.record.impacts.iter().map(row).collect()
+}
+
+fn row(impact: &RecordedImpact) -> Vec<String> {
+    let impulse = match impact.impulse.as_slice() {
+        [only] => figures(*only),
+        more => format!("({})", more.iter().map(|part| figures(*part)).collect::<Vec<_>>().join(", ")),
+    };
+    let [before, after] = [impact.energy_before, impact.energy_after].map(figures);
+    vec![figures(impact.time), impact.contact.clone(), impulse, before, after]
+}
+
+/// A number with six figures, as short as it can be written.
+fn figures(value: f64) -> String {
+    let rounded: f64 = format!("{value:.*e}", FIGURES - 1).parse().unwrap_or(value);
+    let size = rounded.abs();
+    let text = if size == 0.0 {
+        "0".to_owned()
+    } else if (1e-4..1e7).contains(&size) {
+        rounded.to_string()
+    } else {
+        format!("{rounded:e}")
+    };
+    text.replace('-', "\u{2212}")
+}
+
+/// For people.
+pub(super) fn text(title: &str, shot: &Shot) -> String {
+    let mut out = format!("{title}\n");
+    for film in &shot.films {
+        let axes: Vec<&str> = film.axes.iter().map(|axis| axis.letter).collect();
+        let bodies: Vec<&str> = film.record.bodies.iter().map(|body| body.name.as_str()).collect();
+        let _ = writeln!(out, "\nstage {}: {} along {}", film.stage, bodies.join(", "), axes.join(", "));
+        let _ = writeln!(out, "  {}", film.choice);
+        if let Some(caution) = film.caution() {
+            let _ = writeln!(out, "  {caution}");
+        }
+        if film.ending != "at its time" {
+            let _ = writeln!(out, "  it ends {}", film.ending);
+        }
+        let rows = rows(film);
+        if rows.is_empty() {
+            let _ = writeln!(out, "  no impact");
+            continue;
+        }
+        let all: Vec<Vec<String>> = std::iter::once(HEADINGS.map(str::to_owned).to_vec()).chain(rows).collect();
+        let width = |column: usize| all.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
+        let widths: Vec<usize> = (0..HEADINGS.len()).map(width).collect();
+        for row in &all {
+            let cells: Vec<String> = row.iter().zip(&widths).map(|(cell, width)| format!("{cell:width$}")).collect();
+            let _ = writeln!(out, "  {}", cells.join("  ").trim_end());
+        }
+    }
+    for (stage, reason) in &shot.nothing {
+        let _ = writeln!(out, "\nstage {stage}: {reason}");
+    }
+    out
+}
+
+/// The impacts of all stages, one a row, with all figures.
+pub(super) fn csv(shot: &Shot) -> Result<Vec<u8>, Failure> {
+    let mut bytes = Vec::new();
+    let unwritten = |error: csv::Error| Failure::unusable(format!("the table cannot be written: {error}"));
+    let mut table = csv::Writer::from_writer(&mut bytes);
+    let headings = ["stage", "time", "between", "impulse_1", "impulse_2", "energy_before", "energy_after"];
+    table.write_record(headings).map_err(unwritten)?;
+    for film in &shot.films {
+        for impact in &film.record.impacts {
+            let part = |place: usize| impact.impulse.get(place).map(f64::to_string).unwrap_or_default();
+            let [time, before, after] =
+                [impact.time, impact.energy_before, impact.energy_after].map(|own| own.to_string());
+            let row = [film.stage.to_string(), time, impact.contact.clone(), part(0), part(1), before, after];
+            table.write_record(row).map_err(unwritten)?;
+        }
+    }
+    table.flush()?;
+    drop(table);
+    Ok(bytes)
+}
+
+/// Everything, in SI units.
+pub(super) fn json(problem: &Problem, variant: &Variant, shot: &Shot) -> Result<String, Failure> {
+    let nothing: Vec<Value> =
+        shot.nothing.iter().map(|(stage, reason)| json!({ "stage": stage, "reason": reason })).collect();
+    Ok(serde_json::to_string(&json!({
+        "problem": problem.id(),
+        "seed": variant.seed(),
+        "form": problem.forms()[variant.form()].question.name,
+        "stages": shot.films.iter().map(film).collect::<Vec<_>>(),
+        "not_simulated": nothing,
+    }))?)
+}
+
+fn film(film: &Film) -> Value {
+    let bodies: Vec<Value> =
+        film.record.bodies.iter().map(|body| json!({ "name": body.name, "mass": body.mass })).collect();
+    json!({
+        "stage": film.stage,
+        "axes": film.axes.iter().map(|axis| axis.letter).collect::<Vec<_>>(),
+        "class": film.choice.class.name(),
+        "method": film.choice.method.name(),
+        "setting": film.choice.setting,
+        "why": film.choice.to_string(),
+        "ends": film.ending,
+        "bodies": bodies,
+        "mass_not_told": film.unweighed,
+        "impacts": film.record.impacts.iter().map(impact).collect::<Vec<_>>(),
+        "moments": film.record.moments.iter().map(moment).collect::<Vec<_>>(),
+    })
+}
+
+fn impact(impact: &RecordedImpact) -> Value {
+    json!({
+        "time": impact.time,
+        "between": impact.contact,
+        "impulse": impact.impulse,
+        "energy_before": impact.energy_before,
+        "energy_after": impact.energy_after,
+    })
+}
+
+fn moment(moment: &Moment) -> Value {
+    json!({
+        "time": moment.time,
+        "positions": moment.positions,
+        "velocities": moment.velocities,
+        "mass_centre": moment.centre,
+        "momentum": moment.momentum,
+        "impulse_from_outside": moment.outside,
+        "kinetic_energy": moment.kinetic,
+        "potential_energy": moment.potential,
+        "energy_lost": moment.lost,
+        "work": moment.work,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn figures_are_short() {
+        let cases = [(0.0, "0"), (-2.5, "\u{2212}2.5"), (1.0 / 3.0, "0.333333"), (6e24, "6e24"), (1e-5, "1e\u{2212}5")];
+        for (value, text) in cases {
+            assert_eq!(figures(value), text);
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! `momentous simulate`
+
+mod film;
+mod listing;
+mod plots;
+mod request;
+
+use std::io::Write;
+use std::path::PathBuf;
+
+use clap::Args;
+use clap::ValueEnum;
+
+use crate::exercise::Exercise;
+use crate::simulate::least::Request;
+
+use super::exit::Exit;
+use super::failure::Failure;
+use super::open;
+use super::open::Secret;
+use super::output::Output;
+use super::plot::Theme;
+use super::plot::png;
+
+const HELP: &str = "\
+Examples:
+  momentous simulate impact/two-carts --seed 7                   the impacts as a table, and which method found them
+  momentous simulate impact/dropped-ball --format svg -o ball.svg
+  momentous simulate impact/two-carts --method penalty --accuracy 1e-3
+  momentous simulate my-problem.yaml --format json | jq '.stages[0].impacts'
+
+Each stage is run by the least model that serves: a formula, else formulas between impacts, else steps. --accuracy and --budget
+choose from a table of costs (docs/methods.md). Times count from the start of the stage, at an impact from the impact.";
+
+/// Simulate a problem's scene by a numerical method, which knows nothing of the laws, and plot it
+#[derive(Args, Debug)]
+#[command(after_help = HELP)]
+pub(super) struct Simulate {
+    /// The problem's identity, or the path of its file
+    problem: String,
+    /// The seed that draws the numbers
+    #[arg(long, value_name = "S", default_value_t = 1, value_parser = open::seed, allow_negative_numbers = true)]
+    seed: u64,
+    /// The form in which the problem is asked; the first where none is named
+    #[arg(long, value_name = "FORM")]
+    form: Option<String>,
+    /// This method instead of the cheapest: event-driven, runge-kutta, penalty, ...
+    #[arg(long, value_name = "M", value_parser = request::method)]
+    method: Option<request::Named>,
+    /// The greatest relative error, 1e-9 where nothing is said
+    #[arg(long, value_name = "A", value_parser = request::accuracy)]
+    accuracy: Option<f64>,
+    /// The longest time of a solve, by the table of costs: 10us, 2ms
+    #[arg(long, value_name = "TIME", value_parser = request::budget)]
+    budget: Option<f64>,
+    /// The table of impacts for people or as csv, plots as svg or png, everything as json
+    #[arg(long, value_name = "FORMAT", default_value = "text")]
+    format: Look,
+    /// Colours for a dark page: for PNG; SVG has both
+    #[arg(long)]
+    dark: bool,
+    /// Write to this file instead of the terminal
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    #[command(flatten)]
+    secret: Secret,
+}
+
+/// The format of a simulation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Look {
+    /// The table of impacts, for people.
+    Text,
+    /// One JSON object with everything.
+    Json,
+    /// The table of impacts as comma-separated values.
+    Csv,
+    /// Plots, readable on light and on dark pages.
+    Svg,
+    /// The same plots as pixels.
+    Png,
+}
+
+impl Simulate {
+    pub(super) fn run(&self) -> Result<Exit, Failure> {
+        let secret = self.secret.read()?;
+        let problem = open::problem(&self.problem, secret.as_deref())?;
+        let form = open::form(&problem, self.form.as_deref())?;
+        let drawn = Exercise::draw(&problem, form, self.seed);
+        let exercise = drawn.map_err(|reason| Failure::no_variant(problem.id(), self.seed, &reason))?;
+        let request =
+            Request { accuracy: self.accuracy, budget: self.budget, method: self.method.map(request::Named::kind) };
+        let shot = film::shoot(&problem, exercise.variant(), &request)?;
+        let title = format!("{}, seed {}", problem.id(), self.seed);
+        let bytes = match self.format {
+            Look::Text => listing::text(&title, &shot).into_bytes(),
+            Look::Csv => listing::csv(&shot)?,
+            Look::Json => format!("{}\n", listing::json(&problem, exercise.variant(), &shot)?).into_bytes(),
+            Look::Svg => plots::page(&title, &shot.films).svg(Theme::Either).into_bytes(),
+            Look::Png => png(&plots::page(&title, &shot.films), if self.dark { Theme::Dark } else { Theme::Light })?,
+        };
+        let mut output = Output::to(self.output.as_deref())?;
+        output.write_all(&bytes)?;
+        output.finish()?;
+        Ok(Exit::Fine)
+    }
+}

@@ -1,0 +1,68 @@
+//! What is asked of the method, as it is typed.
+
+use crate::fault::did_you_mean;
+use crate::quantity::Dimension;
+use crate::quantity::Quantity;
+use crate::simulate::MethodKind;
+
+/// A method by the name that was typed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Named(MethodKind);
+
+impl Named {
+    pub(super) fn kind(self) -> MethodKind {
+        self.0
+    }
+}
+
+/// The name of a method as it is typed: small letters, hyphens for spaces, no order in brackets or at the end.
+fn typed(method: MethodKind) -> String {
+    method.name().trim_end_matches(" 5(4)").to_lowercase().replace(' ', "-")
+}
+
+/// Reads the name of a method.
+pub(super) fn method(text: &str) -> Result<Named, String> {
+    let wanted = text.trim().to_lowercase().replace([' ', '_'], "-");
+    if let Some(found) = MethodKind::ALL.iter().find(|method| typed(**method) == wanted) {
+        return Ok(Named(*found));
+    }
+    let names: Vec<String> = MethodKind::ALL.iter().map(|method| typed(*method)).collect();
+    match did_you_mean(&wanted, names.iter().map(String::as_str)) {
+        Some(near) => Err(format!("there is no such method; did you mean `{near}`?")),
+        None => Err(format!("the methods are {}", names.join(", "))),
+    }
+}
+
+/// Reads a relative error.
+pub(super) fn accuracy(text: &str) -> Result<f64, String> {
+    match text.trim().parse::<f64>() {
+        Ok(value) if value > 0.0 && value < 1.0 => Ok(value),
+        _ => Err("an accuracy is a number between 0 and 1, such as 1e-6".to_owned()),
+    }
+}
+
+/// Reads a time; a plain number is in seconds.
+pub(super) fn budget(text: &str) -> Result<f64, String> {
+    let told = || "a budget is a time, such as 10us or 2 ms".to_owned();
+    let quantity = Quantity::parse(text.trim()).map_err(|_| told())?;
+    let seconds = quantity.value.to_f64() * quantity.unit.factor().to_f64();
+    let is_time = [Dimension::TIME, Dimension::NONE].contains(&quantity.unit.dimension());
+    if is_time && seconds > 0.0 && seconds.is_finite() { Ok(seconds) } else { Err(told()) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_typed_is_read_or_told() {
+        assert_eq!(method("Runge_Kutta").map(Named::kind), Ok(MethodKind::RungeKutta));
+        assert_eq!(method("event driven").map(Named::kind), Ok(MethodKind::EventDriven));
+        assert!(method("penalti").is_err_and(|said| said.contains("`penalty`")));
+        assert_eq!([accuracy("1e-6"), accuracy("0"), accuracy("x")].map(Result::ok), [Some(1e-6), None, None]);
+        for text in ["10us", "10 µs", "0.00001", "1e-5 s"] {
+            assert!(budget(text).is_ok_and(|seconds| (seconds - 1e-5).abs() < 1e-18), "{text}: {:?}", budget(text));
+        }
+        assert!(["10 kg", "-1 s", "soon"].iter().all(|text| budget(text).is_err()));
+    }
+}

@@ -1,0 +1,280 @@
+//! A run as plain numbers at common instants, whatever its dimension: what plots and tables are made of.
+
+use super::contact::Contact;
+use super::force::Force;
+use super::trajectory::Trajectory;
+use super::world::{State, Vector, World};
+
+/// The evenly spaced instants of a record.
+const EVENLY: u32 = 240;
+
+/// The impacts whose instants a record has; the table of impacts has all.
+const INSTANTS: usize = 300;
+
+/// A run as plain numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Record {
+    /// The bodies.
+    pub bodies: Vec<Recorded>,
+    /// The common instants in order; that of an impact stands twice, just before and just after.
+    pub moments: Vec<Moment>,
+    /// The impacts in order.
+    pub impacts: Vec<RecordedImpact>,
+}
+
+/// A body of a record.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Recorded {
+    /// Its name.
+    pub name: String,
+    /// Its mass in kg.
+    pub mass: f64,
+}
+
+/// Where everything is at an instant, and the two balances.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Moment {
+    /// The time in s.
+    pub time: f64,
+    /// The position of each body, in m.
+    pub positions: Vec<Vec<f64>>,
+    /// The velocity of each body, in m/s.
+    pub velocities: Vec<Vec<f64>>,
+    /// The mass centre, in m.
+    pub centre: Vec<f64>,
+    /// The momentum of all, in N s.
+    pub momentum: Vec<f64>,
+    /// The impulse so far of what acts from outside: walls, weight, forces; in N s.
+    pub outside: Vec<f64>,
+    /// The kinetic energy of all, in J.
+    pub kinetic: f64,
+    /// The potential energy of all under gravity, in J.
+    pub potential: f64,
+    /// The energy lost in impacts so far, in J.
+    pub lost: f64,
+    /// The work so far of forces that have no potential here, in J.
+    pub work: f64,
+}
+
+impl Moment {
+    /// What the energy balance keeps constant, in J: kinetic and potential energy and what impacts took, less the work of forces.
+    #[must_use]
+    pub fn balance(&self) -> f64 {
+        self.kinetic + self.potential + self.lost - self.work
+    }
+}
+
+/// A row of the table of impacts.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RecordedImpact {
+    /// When, in s.
+    pub time: f64,
+    /// Which bodies or surfaces meet: `A-B`, `ball-floor`.
+    pub contact: String,
+    /// The impulse on the second of them, in N s.
+    pub impulse: Vec<f64>,
+    /// The kinetic energy of the bodies there just before, in J.
+    pub energy_before: f64,
+    /// The same just after, in J.
+    pub energy_after: f64,
+}
+
+impl Record {
+    /// The record of a run that kept everything; times count from `origin` (s).
+    ///
+    /// ```
+    /// use momentous::simulate::{Body, Budget, EventDriven, Method, Record, World};
+    ///
+    /// let mut world = World::<1>::new(0.7);
+    /// world.bodies.push(Body::particle("A", 3.0, [0.0], [3.0]));
+    /// world.bodies.push(Body::particle("B", 2.0, [1.0], [-2.0]));
+    /// let record = Record::of(&world, &EventDriven.run(&world, &Budget::until(1.0)).unwrap(), 0.0);
+    /// assert_eq!(record.impacts[0].contact, "A-B");
+    /// assert!(record.moments.iter().all(|moment| (moment.momentum[0] - 5.0).abs() < 1e-12));
+    /// assert!(record.moments.iter().all(|moment| (moment.balance() - 17.5).abs() < 1e-12));
+    /// ```
+    #[must_use]
+    pub fn of<const D: usize>(world: &World<D>, run: &Trajectory<D>, origin: f64) -> Self {
+        let bodies = world.bodies.iter().map(|body| Recorded { name: body.name.clone(), mass: body.mass }).collect();
+        let impacts = run.impacts.iter().map(|impact| RecordedImpact {
+            time: impact.time - origin,
+            contact: world.name_of(impact.contact),
+            impulse: impact.impulse.iter().copied().collect(),
+            energy_before: impact.energy_before,
+            energy_after: impact.energy_after(),
+        });
+        Self { bodies, moments: moments(world, run, origin), impacts: impacts.collect() }
+    }
+}
+
+/// An instant, and whether it is looked at just after what happens then.
+type Instant = (f64, bool);
+
+fn instants<const D: usize>(world: &World<D>, run: &Trajectory<D>) -> Vec<Instant> {
+    let end = run.last.time;
+    let mut all: Vec<Instant> =
+        (0..=EVENLY).map(|step| (end * f64::from(step) / f64::from(EVENLY), step == EVENLY)).collect();
+    for impact in run.impacts.iter().take(INSTANTS) {
+        all.extend([(impact.time, false), (impact.time, true)]);
+    }
+    all.extend(world.breakpoints().into_iter().filter(|time| *time < end).map(|time| (time, false)));
+    all.sort_by(|one, other| one.0.total_cmp(&other.0).then(one.1.cmp(&other.1)));
+    all.dedup();
+    all
+}
+
+fn state_at<const D: usize>(world: &World<D>, run: &Trajectory<D>, (time, after): Instant) -> State<D> {
+    let mut state = if time > 0.0 { run.last.clone() } else { world.start() };
+    state.time = time;
+    if after && time >= run.last.time {
+        return run.last.clone();
+    }
+    for body in 0..world.bodies.len() {
+        let found = if after { run.just_after(body, time) } else { run.at(body, time) };
+        if let Some((position, velocity)) = found {
+            (state.positions[body], state.velocities[body]) = (position, velocity);
+        }
+    }
+    state
+}
+
+fn moments<const D: usize>(world: &World<D>, run: &Trajectory<D>, origin: f64) -> Vec<Moment> {
+    let total: f64 = world.bodies.iter().map(|body| body.mass).sum();
+    let at_start = potential(world, &world.start());
+    let (mut impulse, mut work, mut lost): (Vector<D>, f64, f64) = (Vector::zeros(), 0.0, 0.0);
+    let (mut done, mut last) = (0, 0.0);
+    let mut all = Vec::new();
+    for instant in instants(world, run) {
+        let (time, after) = instant;
+        let (pushed, worked) = pushed(world, run, last, time);
+        impulse += pushed;
+        work += worked;
+        last = time;
+        while let Some(impact) =
+            run.impacts.get(done).filter(|impact| impact.time < time || after && impact.time <= time)
+        {
+            lost += impact.energy_lost;
+            if is_outside(world, impact.contact) {
+                impulse += impact.impulse;
+            }
+            done += 1;
+        }
+        let state = state_at(world, run, instant);
+        let stored = potential(world, &state);
+        let weighed = world.bodies.iter().zip(&state.positions).map(|(body, position)| position * (body.mass / total));
+        let list = |vector: Vector<D>| vector.iter().copied().collect::<Vec<f64>>();
+        all.push(Moment {
+            time: time - origin,
+            centre: list(weighed.sum()),
+            momentum: list(world.momentum(&state.velocities)),
+            outside: list(impulse),
+            kinetic: world.kinetic_energy(&state.velocities),
+            potential: stored,
+            lost,
+            work: work + stored - at_start,
+            positions: state.positions.into_iter().map(list).collect(),
+            velocities: state.velocities.into_iter().map(list).collect(),
+        });
+    }
+    all
+}
+
+/// The impulse and the work of all forces between two instants, by Gauss' rule with three points.
+fn pushed<const D: usize>(world: &World<D>, run: &Trajectory<D>, from: f64, to: f64) -> (Vector<D>, f64) {
+    let (mut impulse, mut work) = (Vector::zeros(), 0.0);
+    let (middle, half) = (f64::midpoint(from, to), (to - from) / 2.0);
+    if half <= 0.0 {
+        return (impulse, work);
+    }
+    for (place, weight) in [(-(0.6_f64.sqrt()), 5.0 / 9.0), (0.0, 8.0 / 9.0), (0.6_f64.sqrt(), 5.0 / 9.0)] {
+        let state = state_at(world, run, (middle + place * half, false));
+        for ((body, velocity), acceleration) in
+            world.bodies.iter().zip(&state.velocities).zip(world.accelerations(&state))
+        {
+            let force: Vector<D> = acceleration * body.mass;
+            impulse += force * (weight * half);
+            work += force.dot(velocity) * weight * half;
+        }
+    }
+    (impulse, work)
+}
+
+/// Whether an impact's impulse comes from something that is no body of the scene.
+fn is_outside<const D: usize>(world: &World<D>, contact: Contact) -> bool {
+    world.parties(contact).0.is_none()
+}
+
+/// The potential energy under gravity, of the place and of centres.
+fn potential<const D: usize>(world: &World<D>, state: &State<D>) -> f64 {
+    let weights: f64 =
+        world.bodies.iter().zip(&state.positions).map(|(body, place)| -body.mass * world.gravity.dot(place)).sum();
+    let pulls = world.forces.iter().map(|force| match force {
+        Force::Central { body, centre, parameter } => {
+            -parameter * world.bodies[*body].mass / (state.positions[*body] - centre).norm()
+        }
+        _ => 0.0,
+    });
+    weights + pulls.sum::<f64>()
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test says bluntly what it expects")]
+mod tests {
+    use super::*;
+    use crate::simulate::budget::Budget;
+    use crate::simulate::force::Strength;
+    use crate::simulate::method::Method;
+    use crate::simulate::methods::{EventDriven, ExplicitEuler, RungeKutta};
+    use crate::simulate::world::{Body, Wall};
+
+    fn dropped() -> World<1> {
+        let mut world = World::new(0.5);
+        world.gravity = Vector::from([-10.0]);
+        world.bodies.push(Body::particle("ball", 2.0, [5.0], [0.0]));
+        world.walls.push(Wall::new("floor", [1.0], 0.0));
+        world
+    }
+
+    /// From 5 m at g = 10 m/s²: the floor after 1 s at 10 m/s, back at 5 m/s, and on the floor again 1 s later.
+    #[test]
+    fn a_bounce_keeps_both_balances() {
+        let world = dropped();
+        let record = Record::of(&world, &EventDriven.run(&world, &Budget::until(1.5)).unwrap(), 1.0);
+        let impact = &record.impacts[0];
+        assert_eq!((impact.time, impact.contact.as_str(), impact.impulse[0]), (0.0, "ball-floor", 30.0));
+        assert_eq!((impact.energy_before, impact.energy_after), (100.0, 25.0));
+        let at_impact: Vec<&Moment> = record.moments.iter().filter(|moment| moment.time == 0.0).collect();
+        assert_eq!(at_impact.iter().map(|moment| moment.velocities[0][0]).collect::<Vec<_>>(), [-10.0, 5.0]);
+        for moment in &record.moments {
+            assert!((moment.balance() - 100.0).abs() < 1e-9, "{moment:?}");
+            assert!((moment.momentum[0] - moment.outside[0]).abs() < 1e-9, "{moment:?}");
+        }
+    }
+
+    #[test]
+    fn forces_without_a_potential_are_counted_as_work() {
+        let mut world = dropped();
+        world.walls.clear();
+        world.forces.push(Force::Drag { body: 0, coefficient: 0.1 });
+        let strength = Strength::polynomial(&[0.0, 3.0]);
+        world.forces.push(Force::Varying { body: 0, direction: Vector::from([1.0]), strength });
+        let run = RungeKutta { tolerance: 1e-11 }.run(&world, &Budget::until(2.0)).unwrap();
+        let moments = Record::of(&world, &run, 0.0).moments;
+        assert!(moments.last().is_some_and(|moment| moment.work < -10.0), "drag takes energy");
+        for moment in moments {
+            assert!((moment.balance() - 100.0).abs() < 1e-7, "{moment:?}");
+            assert!((moment.momentum[0] - moment.outside[0]).abs() < 1e-7, "{moment:?}");
+        }
+    }
+
+    #[test]
+    fn a_method_that_makes_energy_is_seen_to_do_so() {
+        let mut world = World::<2>::new(1.0);
+        world.bodies.push(Body::particle("satellite", 1.0, [1.0, 0.0], [0.0, 1.0]));
+        world.forces.push(Force::Central { body: 0, centre: Vector::zeros(), parameter: 1.0 });
+        let run = ExplicitEuler { step: 0.06 }.run(&world, &Budget::until(6.0)).unwrap();
+        let record = Record::of(&world, &run, 0.0);
+        let (first, last) = (record.moments.first().unwrap(), record.moments.last().unwrap());
+        assert!(last.kinetic + last.potential > first.kinetic + first.potential + 0.05);
+    }
+}
