@@ -207,7 +207,7 @@ fn formulas_are_equal_as_functions() {
         ("-(1+e) m_A v_A1/(m_A+m_B)", Verdict::SenseReversed),
         ("2*(1+e) m_A v_A1/(m_A+m_B)", Verdict::FormulaFactor),
         ("(1-e) m_A v_A1/(m_A+m_B)", Verdict::Wrong),
-        ("m_A v_A1", Verdict::UnitWrongDimension),
+        ("m_A v_A1", Verdict::FormulaDimension),
         ("(1+e) v_A1 + m_A", Verdict::FormulaDimension),
         ("0", Verdict::Wrong),
     ] {

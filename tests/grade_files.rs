@@ -142,7 +142,7 @@ fn the_summary_counts_what_was_found() {
     assert!(page.contains("<code>T_lost</code>") && !page.contains("<script"));
 }
 
-/// Three attempts count, each before costs a quarter and each hint a tenth: of v_A2 = -0.4 m/s by hand, worth two points.
+/// Three attempts count, each before costs a quarter and each hint a tenth: of `v_A2` by hand, worth two points.
 const ATTEMPTS: &str = "\
 student,problem,seed,attempt,hints,v_A2,v_B2
 s1,carts.yaml,1,1,,9 m/s,8 m/s
@@ -177,7 +177,7 @@ fn rows_that_stand_together_are_attempts() {
     assert_eq!(attempts("last")[..4], ["0 wrong no", "1.3 right no", "0 wrong yes", "0 right no"]);
 }
 
-/// By hand: with v_A2 = +0.5 m/s momentum leaves (13.75 - 7 - 1.25)/2 = 2.75 m/s for B; 67.5 J is twice the loss of 33.75 J.
+/// By hand: with `v_A2` = +0.5 m/s momentum leaves (13.75 - 7 - 1.25)/2 = 2.75 m/s for B; 67.5 J is twice the loss of 33.75 J.
 #[test]
 fn the_marks_and_the_summary_name_the_mistake_and_what_follows() {
     let folder = tempdir().unwrap();

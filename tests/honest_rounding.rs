@@ -41,10 +41,10 @@ fn honest_rounding_never_costs_a_mark() {
     assert!(found.is_empty(), "{} are wronged:\n{}", found.len(), found.join("\n"));
 }
 
-/// The allowance fell short here: these problems have the longest chains of small differences.
+/// The allowance fell short here: an angle rounded once more in degrees, a value beside a power of ten, a slope that changes.
 #[test]
 fn honest_rounding_costs_no_mark_where_small_differences_remain() {
-    for id in ["impact/hockey-pucks", "impulse/lift-cable", "impulse/softball-hit"] {
+    for id in ["impact/hockey-pucks", "impulse/lift-cable", "impulse/softball-hit", "streams/moon-lander"] {
         let source = Bank::built_in().find(id).expect("it is in the bank").clone();
         let problem = Arc::new(compile(load(source).expect("it loads"), None).expect("it compiles"));
         let found = all_wronged(&problem, 1000);

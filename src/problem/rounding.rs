@@ -14,6 +14,9 @@ use super::variant::Worked;
 /// A value just below a power of ten may be computed just above it, where its last figure counts ten times as much.
 const NEXT_DECADE: f64 = 1.02;
 
+/// At most by this share slopes are taken to change.
+const MOST_BEND: f64 = 0.05;
+
 /// What marking needs besides the answer itself, in the unit of the question.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Judged {
@@ -65,7 +68,9 @@ impl Worked<'_> {
                 }
             }
         }
-        total
+        // Slopes change on the way, by about the share of the value that the rounding has.
+        let share = (total / self.value(asked).abs()).min(MOST_BEND);
+        total * (1.0 + share)
     }
 
     /// The largest given or solved quantity of the same dimension; of a momentum or an energy also what the speeds and

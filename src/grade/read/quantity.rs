@@ -199,7 +199,8 @@ pub(super) fn unit(text: &str, from: usize, to: usize) -> Result<Option<Unit>, (
         (at, UnreadableKind::Unit(fault))
     };
     let bare = written.trim_start();
-    match bare.strip_prefix('/').or_else(|| bare.strip_prefix("per ")) {
+    let per = bare.strip_prefix("per ").filter(|below| below.split(' ').next() != Some("cent"));
+    match bare.strip_prefix('/').or(per) {
         // `5 /s`: five per second.
         Some(below) => known_units::parse(&format!("1/{below}")).map_err(|found| fault(found, 1)),
         None => known_units::parse(written).map_err(|found| fault(found, 0)),
