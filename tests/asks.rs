@@ -113,3 +113,53 @@ fn a_range_without_a_boundary_is_refused() {
     let faults = compile(load(Source::new("asks.yaml", &text)).unwrap(), None).unwrap_err().to_string();
     assert!(faults.contains("the values have no admissible solution"), "{faults}");
 }
+
+/// `v_A2 + v_B2 = 2 m/s` and `v_A2^2 + v_B2^2 = 2 + 2 E = 20 (m/s)^2`, so that one is 4 m/s and the other -2 m/s. B is in front.
+const RELEASE: &str = "
+id: test/release
+title: Release
+level: intro
+scene:
+  axes: { x: to the right }
+  bodies: { A: { name: trolley A }, B: { name: trolley B } }
+  stages: [ { separate: { called: release, from: W, into: [A, B], energy: E } } ]
+given: { m_A: 1 kg, m_B: 1 kg, v_W1: 1 m/s, E: 9 J }
+text: Two trolleys are pushed apart.
+ask: [ { find: NAME, unit: m/s, roots: every, points: 2 }, { physical: NAME } ]
+";
+
+#[test]
+fn both_roots_are_asked_and_which_of_them_is_possible() {
+    let through = "is impossible, because trolley A would pass through trolley B";
+    for (name, roots, right, wrong) in
+        [("v_B2", "4.00 m/s or -2.00 m/s", "1", "2"), ("v_A2", "-2.00 m/s or 4.00 m/s", "2", "1")]
+    {
+        let release = exercise(&RELEASE.replace("NAME", name));
+        let reason = if right == "1" { "the greater; the lesser" } else { "the lesser; the greater" };
+        assert_eq!(printed(&release), [roots.to_owned(), format!("{reason} {through}")]);
+        assert_eq!(verdict(&release, "b", right), "right");
+        for other in [wrong, "3", "4", "5"] {
+            assert_eq!(verdict(&release, "b", other), "choice_wrong", "{name} {other}");
+        }
+        let answers = BTreeMap::from([(name.to_owned(), "-2 m/s or 4 m/s".to_owned())]);
+        let report = release.grade(&answers, DecimalMark::Point);
+        let reached: Vec<String> = report.parts.iter().map(|part| part.verdict.to_string()).collect();
+        assert_eq!(reached, ["right", "right", "unanswered"]);
+        assert_eq!(
+            release
+                .grade(&BTreeMap::from([(name.to_owned(), "4 m/s".to_owned())]), DecimalMark::Point)
+                .total
+                .to_string(),
+            "1"
+        );
+    }
+}
+
+#[test]
+fn an_equation_with_one_root_leaves_nothing_to_choose() {
+    let text = BUMPERS
+        .replace("ask: [ { range: e, where: CLAIM } ]", "ask: [ { physical: v_A2 } ]")
+        .replace("given: {", "given: { e: 0.5,");
+    let faults = compile(load(Source::new("asks.yaml", &text)).unwrap(), None).unwrap_err().to_string();
+    assert!(faults.contains("one value only"), "{faults}");
+}

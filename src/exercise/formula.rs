@@ -9,7 +9,6 @@ use crate::explain;
 use crate::explain::Inline;
 use crate::expr::Expr;
 use crate::expr::Symbol;
-use crate::expr::name_math;
 use crate::grade;
 use crate::problem::FormulaPart;
 use crate::problem::Part;
@@ -21,8 +20,7 @@ use super::Exercise;
 impl Exercise {
     /// The question, with the symbols in which it is answered.
     pub(super) fn formula_on_sheet(&self, part: &Part, formula: &FormulaPart) -> Vec<Inline> {
-        let symbols = &self.problem.model().symbols;
-        let name = |symbol: Symbol| Inline::Math(name_math(&symbols.entry(symbol).name));
+        let name = |symbol: Symbol| Inline::Math(self.problem.math_of(symbol));
         let mut text = vec![Inline::Text(format!("Find {}, ", part.label)), name(formula.symbol)];
         let letters = self.letters(formula);
         for (index, letter) in letters.iter().enumerate() {
@@ -46,12 +44,14 @@ impl Exercise {
     /// A formula as a student may type it.
     pub(super) fn printed_formula(&self, part: &FormulaPart) -> String {
         let formula = self.worked().formula(part);
-        formula.map_or_else(|| "not defined".into(), |formula| formula.text(&self.problem.model().symbols))
+        let symbols = || self.problem.notation().table(&self.problem.model().symbols);
+        formula.map_or_else(|| "not defined".into(), |formula| formula.text(&symbols()))
     }
 
     pub(super) fn formula_record(&self, part: &Part, formula: &FormulaPart) -> Value {
         let name = |symbol: Symbol| self.problem.model().symbols.entry(symbol).name.clone();
-        let letters: Vec<String> = self.letters(formula).into_iter().map(name).collect();
+        let letters: Vec<String> =
+            self.letters(formula).into_iter().map(|symbol| self.problem.name_of(symbol)).collect();
         let math = explain::printed_formula(self.worked(), formula);
         json!({
             "id": part.id,
@@ -79,7 +79,7 @@ pub(super) fn expected_formula(worked: Worked<'_>, part: &FormulaPart) -> grade:
     let symbols = &worked.problem.model().symbols;
     grade::ExpectedKind::Formula(grade::ExpectedFormula {
         formula: formula.unwrap_or_else(|| Expr::from(part.symbol)),
-        symbols: Arc::new(symbols.clone()),
+        symbols: Arc::new(worked.problem.notation().table(symbols)),
         asked: part.symbol,
         domain: alphabet.letters,
         values: alphabet.values.into_iter().collect(),

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::expr::Notation;
 use crate::grade;
 use crate::grade::Readings;
 use crate::grade::Rubric;
@@ -48,6 +49,8 @@ pub struct Marker {
     pub(super) blanks: Vec<Blank>,
     pub(super) rubric: Rubric,
     pub(super) mark: grade::DecimalMark,
+    /// The letters in which answers may be typed.
+    pub(super) notation: Notation,
 }
 
 /// One part, with everything but the right answer.
@@ -72,13 +75,24 @@ impl Marker {
 
     pub(super) fn of(problem: &Problem, form: &PlannedForm, mark: grade::DecimalMark) -> Self {
         let rules = Rules { problem, form };
-        Self { blanks: form.parts.iter().map(|part| Blank::new(rules, part)).collect(), rubric: rules.rubric(), mark }
+        Self {
+            blanks: form.parts.iter().map(|part| Blank::new(rules, part)).collect(),
+            rubric: rules.rubric(),
+            mark,
+            notation: problem.notation().clone(),
+        }
     }
 
     /// Whether the form has a part of that name.
     #[must_use]
     pub fn asks(&self, id: &str) -> bool {
+        let id = self.usual_name(id);
         self.blanks.iter().any(|blank| blank.asked.id == id)
+    }
+
+    /// The name of the part that is meant, where the letters of the course are typed.
+    pub(super) fn usual_name<'a>(&'a self, typed: &'a str) -> &'a str {
+        self.notation.usual(self.blanks.iter().map(|blank| blank.asked.id.as_str()), typed)
     }
 
     /// What partly right answers are worth, and what attempts and hints cost.
@@ -197,7 +211,7 @@ fn fill(blank: &mut grade::ExpectedNumber, worked: Worked<'_>, number: &NumberPa
 /// An answer in terms of a quantity is read as the number before it: `0.75 v_A1` as 0.75.
 pub(super) fn without_unit_quantity<'t>(worked: Worked<'_>, part: &Part, text: &'t str) -> &'t str {
     let PartKind::Number(NumberPart { unit: AskedUnit::InTermsOf(symbol), .. }) = &part.kind else { return text };
-    let name = &worked.problem.model().symbols.entry(*symbol).name;
+    let name = &worked.problem.name_of(*symbol);
     let typed = text.trim_end();
     let number = typed.strip_suffix(name.as_str()).or_else(|| typed.strip_suffix(&name.replace('_', "")));
     number.map_or(text, |number| number.trim_end().trim_end_matches(['*', '·', '×']).trim_end())

@@ -49,6 +49,12 @@ impl Marker {
     #[must_use]
     pub fn mark(&self, worked: Worked<'_>, answers: &[(&str, &str)], sitting: Sitting) -> grade::Report {
         let count = self.blanks.len();
+        let renamed: Vec<(&str, &str)>;
+        let mut answers = answers;
+        if !self.notation.is_usual() {
+            renamed = answers.iter().map(|(typed, text)| (self.usual_name(typed), *text)).collect();
+            answers = &renamed;
+        }
         let mut marking = Marking {
             worked,
             rubric: &self.rubric,
@@ -91,6 +97,12 @@ impl Marker {
 }
 
 impl Exercise {
+    /// The name in the file of what an answer is for, where the student wrote the course's: `J_A` for `I_A`.
+    #[must_use]
+    pub fn usual_name<'a>(&'a self, typed: &'a str) -> &'a str {
+        self.problem.notation().usual(self.worked().form.parts.iter().map(|part| part.id.as_str()), typed)
+    }
+
     /// What a right answer to a part is.
     #[must_use]
     pub fn expected(&self, part: &Part) -> Expected {

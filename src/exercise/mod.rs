@@ -52,6 +52,9 @@ pub use attempts::Try;
 pub use marker::Marker;
 pub use marking::Sitting;
 
+/// Options with more bytes than this are numbered on a sheet.
+const LONG_OPTION: usize = 30;
+
 /// What stands between several roots of one part, printed or typed.
 const ROOTS_JOINED: &str = " or ";
 
@@ -152,8 +155,10 @@ impl Exercise {
         let (text, unit) = match &part.kind {
             PartKind::Number(number) => {
                 let unit = self.unit_on_sheet(number);
-                let name = crate::expr::name_math(&self.problem.model().symbols.entry(number.symbol).name);
-                let mut text = vec![Inline::Text(format!("Find {}, ", part.label)), Inline::Math(name)];
+                let name = self.problem.math_of(number.symbol);
+                let every =
+                    if number.every_root { "every value, possible or not, that the equations give for " } else { "" };
+                let mut text = vec![Inline::Text(format!("Find {every}{}, ", part.label)), Inline::Math(name)];
                 if unit.is_none() {
                     text.push(Inline::Text(".".into()));
                 }
@@ -166,13 +171,13 @@ impl Exercise {
                     vector.axes_in_words(),
                     if unit.is_none() { "." } else { "" }
                 );
-                let name = crate::expr::name_math(&part.id);
+                let name = self.problem.notation().math(&part.id);
                 (vec![Inline::Text(format!("Find {}, ", part.label)), Inline::Math(name), Inline::Text(along)], unit)
             }
             PartKind::Formula(formula) => (self.formula_on_sheet(part, formula), None),
             PartKind::Range(_) => (vec![Inline::Text(part.label.clone())], None),
             PartKind::Choice(ChoicePart::Order(symbols)) => {
-                let name = |symbol: Symbol| crate::expr::name_math(&self.problem.model().symbols.entry(symbol).name);
+                let name = |symbol: Symbol| self.problem.math_of(symbol);
                 let mut text = vec![Inline::Text(format!("{} (", part.label))];
                 for (index, order) in problem::orders(symbols).into_iter().enumerate() {
                     text.extend((index > 0).then(|| Inline::Text(" / ".into())));
@@ -182,7 +187,11 @@ impl Exercise {
                 (text, None)
             }
             PartKind::Choice(choice) => {
-                let options = choice.decided(&self.worked()).options;
+                let mut options = choice.decided(&self.worked()).options;
+                // Long phrases are answered by their numbers.
+                if options.iter().any(|option| option.len() > LONG_OPTION) {
+                    options = options.iter().zip(1..).map(|(option, number)| format!("{number}. {option}")).collect();
+                }
                 (vec![Inline::Text(format!("{} ({})", part.label, options.join(" / ")))], None)
             }
         };
@@ -195,9 +204,7 @@ impl Exercise {
             AskedUnit::Unit(unit) if unit.is_none() => None,
             AskedUnit::Unit(unit) if unit.is_attached() => Some(Math::Text(unit.spoken(true))),
             AskedUnit::Unit(unit) => Some(Math::Text(unit.unicode())),
-            AskedUnit::InTermsOf(symbol) => {
-                Some(crate::expr::name_math(&self.problem.model().symbols.entry(*symbol).name))
-            }
+            AskedUnit::InTermsOf(symbol) => Some(self.problem.math_of(*symbol)),
         }
     }
 
@@ -247,7 +254,7 @@ impl Exercise {
 
     /// A range as it is printed: `0.25 < e <= 1`.
     fn printed_range(&self, range: &RangePart) -> String {
-        let name = &self.problem.model().symbols.entry(range.number.symbol).name;
+        let name = &self.problem.name_of(range.number.symbol);
         let Some(interval) = self.worked().interval(range) else { return String::new() };
         let unit = self.unit_name(&range.number);
         let shown = |end: &End| {
@@ -290,7 +297,7 @@ impl Exercise {
                 let unit = match &number.unit {
                     AskedUnit::Unit(unit) if unit.is_attached() => unit.to_string(),
                     AskedUnit::Unit(unit) => format!(" {unit}"),
-                    AskedUnit::InTermsOf(symbol) => format!(" {}", self.problem.model().symbols.entry(*symbol).name),
+                    AskedUnit::InTermsOf(symbol) => format!(" {}", self.problem.name_of(*symbol)),
                 };
                 let shown = |answer: Bounded| {
                     let value = answer.for_print();

@@ -70,7 +70,7 @@ impl Exercise {
                 }
                 PartKind::Formula(part) => {
                     let formulas = worked.mistaken_formulas(mistake, part.symbol);
-                    let symbols = &self.problem.model().symbols;
+                    let symbols = &self.problem.notation().table(&self.problem.model().symbols);
                     answers.extend(formulas.iter().map(|formula| (mistake.of.id, formula.text(symbols))));
                 }
                 PartKind::Range(_) | PartKind::Choice(_) => {}
@@ -107,7 +107,7 @@ impl Exercise {
     pub(super) fn unit_name(&self, number: &NumberPart) -> String {
         match &number.unit {
             AskedUnit::Unit(unit) => unit.to_string(),
-            AskedUnit::InTermsOf(symbol) => self.problem.model().symbols.entry(*symbol).name.clone(),
+            AskedUnit::InTermsOf(symbol) => self.problem.name_of(*symbol),
         }
     }
 }

@@ -2,7 +2,6 @@
 
 use crate::expr::Math;
 use crate::expr::Operator;
-use crate::expr::name_math;
 use crate::problem::AskedUnit;
 use crate::problem::ChoicePart;
 use crate::problem::Decision;
@@ -56,8 +55,11 @@ fn sentence(display: Display<'_>, part: &Part) -> Vec<Inline> {
         PartKind::Formula(formula) => formula_sentence(display, part, formula),
         PartKind::Range(range) => interval::sentence(display, part, range),
         PartKind::Vector(vector) => {
-            let is =
-                vec![name_math(&part.id), Math::Operator(Operator::Equals), printed_vector(display.worked, vector)];
+            let is = vec![
+                display.worked.problem.notation().math(&part.id),
+                Math::Operator(Operator::Equals),
+                printed_vector(display.worked, vector),
+            ];
             vec![
                 Inline::Text(format!("{}: ", capitalised(&part.label))),
                 Inline::Math(Math::Row(is)),
@@ -131,7 +133,7 @@ pub fn printed_vector(worked: Worked<'_>, vector: &VectorPart) -> Math {
     match vector.components.first().map(|first| &first.unit) {
         Some(AskedUnit::Unit(unit)) => with_unit(bracketed, unit),
         Some(AskedUnit::InTermsOf(symbol)) => {
-            let name = name_math(&worked.problem.model().symbols.entry(*symbol).name);
+            let name = worked.problem.math_of(*symbol);
             Math::Row(vec![bracketed, Math::Operator(Operator::Juxtapose), name])
         }
         None => bracketed,

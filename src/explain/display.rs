@@ -10,7 +10,6 @@ use crate::expr::LeafKind;
 use crate::expr::Math;
 use crate::expr::Operator;
 use crate::expr::Symbol;
-use crate::expr::name_math;
 use crate::problem::AskedUnit;
 use crate::problem::NumberPart;
 use crate::problem::Worked;
@@ -149,8 +148,7 @@ impl Display<'_> {
 
     /// The symbol itself; a value that the author wrote into a term is shown as that value.
     pub(super) fn name(self, symbol: Symbol) -> Math {
-        let name = &self.worked.problem.model().symbols.entry(symbol).name;
-        if self.is_literal(symbol) { self.quantity(symbol) } else { name_math(name) }
+        if self.is_literal(symbol) { self.quantity(symbol) } else { self.worked.problem.math_of(symbol) }
     }
 
     /// Whether the quantity is a whole number, found by counting.

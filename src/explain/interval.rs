@@ -20,7 +20,7 @@ use super::display::with_unit;
 /// An interval as it is printed: `0.25 < e <= 1`; nothing where a variant has none.
 #[must_use]
 pub fn printed_range(worked: Worked<'_>, range: &RangePart) -> Option<Math> {
-    let name = crate::expr::name_math(&worked.problem.model().symbols.entry(range.number.symbol).name);
+    let name = worked.problem.math_of(range.number.symbol);
     Some(chain(range, name, &worked.interval(range)?))
 }
 

@@ -8,7 +8,6 @@ use crate::expr::Operator;
 use crate::expr::Symbol;
 use crate::model::Instance;
 use crate::problem::PartKind;
-use crate::solve::Cause;
 use crate::solve::Closed;
 use crate::solve::Move;
 use crate::solve::Relation;
@@ -222,22 +221,7 @@ impl Steps<'_> {
         let worked = self.display.worked;
         let mut blocks = Vec::new();
         for dead in worked.variant.dead().iter().filter(|dead| dead.step == Some(position)) {
-            let reason = match dead.cause {
-                Cause::Condition(condition) => {
-                    let tag = worked.leaf().system.conditions.get(condition).map(|condition| condition.tag);
-                    tag.and_then(|tag| worked.problem.model().reasons.get(tag))
-                        .map_or_else(String::new, |reason| reason.text.clone())
-                }
-                Cause::Equation(equation) => {
-                    let tag = worked.leaf().system.equations.get(equation).map(|equation| equation.tag);
-                    tag.and_then(|tag| worked.problem.model().instances.get(tag)).map_or_else(
-                        || "it does not satisfy every equation".to_owned(),
-                        |instance| format!("it does not satisfy {}", instance.law.name),
-                    )
-                }
-                Cause::NotPositive => "it must be positive".to_owned(),
-                Cause::NotReal => "it is not a real number".to_owned(),
-            };
+            let reason = worked.why_dead(dead);
             let values: Vec<Vec<Inline>> = step
                 .unknowns
                 .iter()

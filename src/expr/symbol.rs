@@ -68,6 +68,13 @@ impl SymbolTable {
         &self.entries[symbol.index()]
     }
 
+    /// The same symbols under other names.
+    #[must_use]
+    pub fn renamed(&self, name: &dyn Fn(&str) -> String) -> Self {
+        let entry = |entry: &SymbolEntry| SymbolEntry { name: name(&entry.name), ..entry.clone() };
+        Self { entries: self.entries.iter().map(entry).collect() }
+    }
+
     /// All symbols with their entries, in order.
     pub fn iter(&self) -> impl Iterator<Item = (Symbol, &SymbolEntry)> {
         (0..).map(Symbol).zip(&self.entries)

@@ -74,6 +74,7 @@ fn asked(parts: &[Ask], name: &str) -> Ask {
         Ask::Find(Find {
             find: name.to_owned(),
             answered: Answered::Number,
+            roots: None,
             unit: None,
             points: None,
             tolerance: None,

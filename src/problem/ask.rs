@@ -25,6 +25,8 @@ pub enum Ask {
     Order(Order),
     /// For which values of a quantity something holds.
     Range(Range),
+    /// Which root of an equation is possible.
+    Physical(WhichRoot),
 }
 
 /// The value of a quantity is asked.
@@ -50,6 +52,9 @@ pub struct Find {
     #[serde(default)]
     #[schemars(range(min = 1, max = 12))]
     pub figures: Option<u8>,
+    /// `every` where all values are asked that the equations give for it, possible or not.
+    #[serde(default)]
+    pub roots: Option<AskedRoots>,
     /// Of an angle: the direction from which it is measured: `+x`.
     #[serde(default)]
     pub from: Option<String>,
@@ -209,6 +214,30 @@ pub struct Range {
     /// The question as the sheet puts it: `For which e does A bounce back?`.
     #[serde(default)]
     pub label: Option<String>,
+}
+
+/// Which of the two values that the equations give for a quantity is possible, and why; the answer is read from the conditions
+/// of the scene.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct WhichRoot {
+    /// The quantity, whose equation has two roots: `v_B2`.
+    pub physical: String,
+    /// How many points the part is worth: `2`.
+    #[serde(default)]
+    #[schemars(range(min = 0, max = 1000))]
+    pub points: Option<u32>,
+    /// The question as the sheet puts it.
+    #[serde(default)]
+    pub label: Option<String>,
+}
+
+/// Which values of a quantity are asked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum AskedRoots {
+    /// Every value that the equations give, possible or not.
+    Every,
 }
 
 /// A sense of rotation.

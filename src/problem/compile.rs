@@ -1,6 +1,7 @@
 //! From a loaded file to a problem that can be drawn and solved: names become symbols, what is asked becomes plans.
 
 use crate::expr::Expr;
+use crate::expr::Notation;
 use crate::expr::Symbol;
 use crate::fault::Code;
 use crate::fault::Fault;
@@ -31,6 +32,7 @@ use super::load::Loaded;
 use super::mentions::mention_in_texts;
 use super::planned::Form;
 use super::planned::Problem;
+use super::roots;
 use super::sampler::Rejection;
 use super::sampler::Sampler;
 use super::stream::Scheme;
@@ -101,10 +103,12 @@ pub(super) struct Built {
     pub forms: Vec<Form>,
     pub streams: Streams,
     pub units: UnitSystem,
+    pub notation: Notation,
 }
 
 fn build(loaded: &Loaded, secret: Option<&[u8]>) -> Result<Built, Vec<Fault>> {
     let draft = &loaded.draft;
+    let notation = draft.symbols.notation()?;
     let mut builder = Builder::of(&draft.scene, &declared(loaded))?;
     let mut known = givens(loaded, &mut builder);
     for (index, relation) in draft.relations.iter().enumerate() {
@@ -141,13 +145,14 @@ fn build(loaded: &Loaded, secret: Option<&[u8]>) -> Result<Built, Vec<Fault>> {
     }
     faults.extend(forms.iter().flat_map(|form| any::check(&known, form)));
     faults.extend(forms.iter().flat_map(|form| formula::check(&known, &model.literals, form)));
+    faults.extend(forms.iter().flat_map(roots::check));
     if !faults.is_empty() {
         return Err(faults);
     }
     let drawn: Vec<&str> =
         known.iter().filter(|known| known.origin.is_drawn()).map(|known| known.name.as_str()).collect();
     let streams = Streams::new(Scheme::CURRENT, &draft.id, secret, drawn);
-    Ok(Built { model, known, forms, streams, units })
+    Ok(Built { model, known, forms, streams, units, notation })
 }
 
 /// A given that no equation, condition or text speaks of is a slip of the pen.

@@ -21,6 +21,8 @@ pub enum ChoicePart {
     Holds(Claim),
     /// In which order some quantities are, the least first.
     Order(Vec<Symbol>),
+    /// Which of the roots for a quantity is possible.
+    Physical(Symbol),
 }
 
 /// The phrases of a choice, and the right one.
@@ -72,6 +74,7 @@ impl ChoicePart {
             Self::OfImpact(choice) => choice.symbols(),
             Self::Holds(claim) => claim.left.symbols().union(&claim.right.symbols()).copied().collect(),
             Self::Order(symbols) => symbols.iter().copied().collect(),
+            Self::Physical(symbol) => BTreeSet::from([*symbol]),
         }
     }
 
@@ -83,6 +86,7 @@ impl ChoicePart {
             Self::OfImpact(choice) => choice.quantities().to_vec(),
             Self::Holds(claim) => claim.quantities.clone(),
             Self::Order(symbols) => symbols.clone(),
+            Self::Physical(symbol) => vec![*symbol],
         }
     }
 
@@ -94,6 +98,7 @@ impl ChoicePart {
             Self::OfImpact(choice) => choice.decided(worked),
             Self::Holds(claim) => claim.decided(worked),
             Self::Order(symbols) => ordered(symbols, worked),
+            Self::Physical(symbol) => worked.possible_root(*symbol),
         }
     }
 }
@@ -141,7 +146,7 @@ pub fn orders(symbols: &[Symbol]) -> Vec<Vec<Symbol>> {
 }
 
 fn ordered(symbols: &[Symbol], worked: &Worked<'_>) -> Decision {
-    let name = |symbol: &Symbol| worked.problem.model().symbols.entry(*symbol).name.clone();
+    let name = |symbol: &Symbol| worked.problem.name_of(*symbol);
     let written = |symbols: &[Symbol]| symbols.iter().map(name).collect::<Vec<_>>().join(" < ");
     let options = orders(symbols);
     let mut sorted = symbols.to_vec();

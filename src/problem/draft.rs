@@ -6,6 +6,7 @@ use serde::Deserialize;
 use crate::scene::{Scene, Term};
 
 use super::ask::Ask;
+use super::course::CourseSymbols;
 use super::entries::Entries;
 use super::given::GivenEntry;
 use super::rubric::Rubric;
@@ -30,6 +31,9 @@ pub struct Draft {
     /// The unit system of defaults, as that of gravity. Default: `SI`.
     #[serde(default)]
     pub units: Units,
+    /// The letters that the course writes for some quantities: `{ momentum: L, impulse: I }`. Names in the file keep the usual ones.
+    #[serde(default)]
+    pub symbols: CourseSymbols,
     /// What is there and what happens: axes, bodies and stages.
     pub scene: Scene,
     /// What is known: each name of the scene with a range, a choice, a value, an expression of other givens, or `any`.

@@ -9,6 +9,7 @@ mod comparison;
 mod compile;
 mod concept;
 mod conserved;
+mod course;
 mod decision;
 mod declared;
 mod document;
@@ -35,6 +36,7 @@ mod position;
 mod range;
 mod regimes;
 mod restricted;
+mod roots;
 mod rounding;
 mod rubric;
 mod sampler;
@@ -50,11 +52,13 @@ mod vector;
 
 pub use ad_hoc::ad_hoc;
 pub use ask::{
-    Answered, Ask, Classifiable, Classify, Conservable, Conserved, Count, Find, Holds, Impulsive, Order, Range, Turn,
+    Answered, Ask, AskedRoots, Classifiable, Classify, Conservable, Conserved, Count, Find, Holds, Impulsive, Order,
+    Range, Turn, WhichRoot,
 };
 pub use check::check;
 pub use comparison::split_relation;
 pub use compile::{compile, compile_ad_hoc};
+pub use course::CourseSymbols;
 pub use decision::{ChoicePart, Claim, Decision, orders};
 pub use document::{Document, Entry, Kind, Node, Scalar, Style};
 pub use domain::{Domain, Grid};

@@ -53,6 +53,8 @@ pub struct NumberPart {
     pub tolerance: Tolerance,
     /// Whether the answer is a whole number, found by counting.
     pub whole: bool,
+    /// Whether every value is asked that the equations give, possible or not.
+    pub every_root: bool,
 }
 
 /// The unit of an answer.

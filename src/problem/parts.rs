@@ -36,6 +36,7 @@ use super::part::Part;
 use super::part::PartKind;
 use super::part::Tolerance;
 use super::range;
+use super::roots;
 use super::rubric::fraction;
 use super::vector;
 
@@ -71,6 +72,7 @@ pub(super) fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'
                 read.counts.push(boundary);
                 (ask.range.clone(), label, kind)
             }),
+            Ask::Physical(ask) => roots::physical(ask, builder, &path).map(|kind| (letter, kind.0, kind.1)),
             Ask::Order(ask) => comparing::order(ask, builder, &path).map(|kind| (letter, kind.0, kind.1)),
         };
         let Some((id, label, kind)) = part else { continue };
@@ -117,6 +119,7 @@ fn points_and_label(ask: &Ask) -> (Option<u32>, Option<String>) {
         Ask::Holds(ask) => (ask.points, ask.label.clone()),
         Ask::Order(ask) => (ask.points, ask.label.clone()),
         Ask::Range(ask) => (ask.points, ask.label.clone()),
+        Ask::Physical(ask) => (ask.points, ask.label.clone()),
     }
 }
 
@@ -210,7 +213,8 @@ pub(super) fn number_part(
         }
     };
     let figures = usize::from(find.figures.or(loaded.draft.figures).unwrap_or(3));
-    Some(NumberPart { symbol, size: unit.size(), unit, figures, tolerance, whole: false })
+    let every_root = find.roots.is_some();
+    Some(NumberPart { symbol, size: unit.size(), unit, figures, tolerance, whole: false, every_root })
 }
 
 /// A direction is asked from a stated axis and in a stated sense; the symbol that is counted so, and the words for it.
@@ -349,6 +353,7 @@ fn counted(count: &Count, builder: &mut Builder<'_>, path: &Path, counts: &mut V
         figures: 12,
         tolerance: Tolerance::Absolute(Decimal::from_scaled(0, 0)),
         whole: true,
+        every_root: false,
     };
     Some((name.to_owned(), label, PartKind::Number(kind)))
 }

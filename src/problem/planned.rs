@@ -2,6 +2,8 @@
 
 use std::collections::BTreeSet;
 
+use crate::expr::Math;
+use crate::expr::Notation;
 use crate::expr::Symbol;
 use crate::laws::Law;
 use crate::model::Model;
@@ -30,6 +32,7 @@ pub struct Problem {
     forms: Vec<Form>,
     streams: Streams,
     units: UnitSystem,
+    notation: Notation,
 }
 
 /// One way in which a problem is asked, planned.
@@ -123,8 +126,8 @@ impl Problem {
     }
 
     pub(super) fn new(loaded: Loaded, built: Built) -> Self {
-        let Built { model, known, forms, streams, units } = built;
-        Self { loaded, model, known, forms, streams, units }
+        let Built { model, known, forms, streams, units, notation } = built;
+        Self { loaded, model, known, forms, streams, units, notation }
     }
 
     /// The file as it was loaded.
@@ -149,6 +152,24 @@ impl Problem {
     #[must_use]
     pub fn model(&self) -> &Model {
         &self.model
+    }
+
+    /// The letters that the course writes.
+    #[must_use]
+    pub fn notation(&self) -> &Notation {
+        &self.notation
+    }
+
+    /// The name of a quantity as the course writes it.
+    #[must_use]
+    pub fn name_of(&self, symbol: Symbol) -> String {
+        self.notation.name(&self.model.symbols.entry(symbol).name)
+    }
+
+    /// The same, typeset.
+    #[must_use]
+    pub fn math_of(&self, symbol: Symbol) -> Math {
+        self.notation.math(&self.model.symbols.entry(symbol).name)
     }
 
     /// What is known, in the order of the file.

@@ -91,6 +91,7 @@ pub(super) fn read(
     let find = Find {
         find: ask.range.clone(),
         answered: Answered::Number,
+        roots: None,
         unit: ask.unit.clone(),
         tolerance: ask.tolerance.clone(),
         figures: ask.figures,

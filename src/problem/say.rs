@@ -1,7 +1,6 @@
 //! Filling an author's text: how a quantity is said in a sentence.
 
 use crate::expr::Symbol;
-use crate::expr::name_math;
 use crate::quantity::Decimal;
 use crate::quantity::Printed;
 use crate::quantity::Unit;
@@ -94,7 +93,7 @@ impl Speaker<'_> {
     }
 
     fn in_symbols(&self) -> String {
-        format!("${}$", name_math(&self.problem.model().symbols.entry(self.symbol).name).latex())
+        format!("${}$", self.problem.math_of(self.symbol).latex())
     }
 
     fn is_rounded(&self) -> bool {

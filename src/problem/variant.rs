@@ -183,6 +183,10 @@ impl<'a> Worked<'a> {
     /// Every answer to a part: the first, and those of further solutions where all roots are asked for.
     #[must_use]
     pub fn answers(&self, number: &NumberPart) -> Vec<Bounded> {
+        if number.every_root {
+            let roots = self.every_root(number.symbol).into_iter();
+            return roots.map(|value| self.in_unit(value, number)).collect();
+        }
         let first = self.answer(number);
         let others = self.variant.others.iter().filter(|(own, _)| *own == number.symbol).flat_map(|(_, values)| values);
         std::iter::once(first).chain(others.map(|value| self.in_unit(*value, number))).collect()

@@ -5,7 +5,7 @@ use crate::expr::Function;
 use crate::expr::Symbol;
 
 use super::exact::Exact;
-use super::real::Real;
+use super::real::{Real, Sign};
 
 /// The value of a term, with `value` giving that of each symbol in base units.
 ///
@@ -30,7 +30,15 @@ pub fn evaluate<R: Real>(term: &Expr, value: &dyn Fn(Symbol) -> R) -> R {
             (_, [argument]) => evaluate(argument, value).apply(*function),
             _ => R::not_real(),
         },
-        Expr::Piecewise(_) => R::not_real(),
+        Expr::Piecewise(piecewise) => {
+            let at = evaluate(&piecewise.variable, value);
+            let reaches = |until: &Option<Expr>| {
+                let rest = |until: &Expr| at.sub(&evaluate(until, value)).sign();
+                until.as_ref().is_none_or(|until| matches!(rest(until), Sign::Negative | Sign::Zero))
+            };
+            let piece = piecewise.pieces.iter().find(|(until, _)| reaches(until));
+            piece.map_or_else(R::not_real, |(_, piece)| evaluate(piece, value))
+        }
     }
 }
 

@@ -44,9 +44,10 @@ impl Grade {
         let mut answers = BTreeMap::new();
         let mut failures = Vec::new();
         for (name, text) in &self.answer {
-            if !parts.contains(&name.as_str()) {
+            let own = exercise.usual_name(name);
+            if !parts.contains(&own) {
                 failures.push(open::unknown(name, "part of what is asked", &parts));
-            } else if answers.insert(name.clone(), text.clone()).is_some() {
+            } else if answers.insert(own.to_owned(), text.clone()).is_some() {
                 failures.push(Failure::unusable(format!("`{name}` is answered twice")));
             }
         }

@@ -108,7 +108,8 @@ impl Quantities<'_> {
         let components: Option<Vec<f64>> = impulse.components.iter().map(|part| self.evaluate(part)).collect();
         let value = components.and_then(|components| self.along_axes(&components));
         let letter = if impulse.by == Agent::Guide { "R" } else { "J" };
-        Labelled { label: name_math(&format!("{letter}_{}", impulse.on)), value }
+        let notation = self.worked.problem.notation();
+        Labelled { label: notation.math(&format!("{letter}_{}", impulse.on)), value }
     }
 
     /// The impulse of a force over the time for which it acts.

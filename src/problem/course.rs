@@ -1,0 +1,71 @@
+//! The symbols that a course prefers: `symbols: { momentum: L, impulse: I }`.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::expr::Notation;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+
+use super::text::is_name;
+
+/// The letters that a course writes. Names in the file keep the usual ones.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CourseSymbols {
+    /// For momentum. Default: `p`.
+    #[serde(default)]
+    pub momentum: Option<String>,
+    /// For an impulse. Default: `J`.
+    #[serde(default)]
+    pub impulse: Option<String>,
+    /// For angular momentum. Default: `H`.
+    #[serde(default)]
+    pub angular_momentum: Option<String>,
+    /// For kinetic energy. Default: `T`.
+    #[serde(default)]
+    pub kinetic_energy: Option<String>,
+}
+
+/// Letters that stand for other quantities.
+const TAKEN: [&str; 10] = ["v", "m", "r", "F", "N", "W", "R", "a", "t", "speed"];
+
+impl CourseSymbols {
+    /// The key of each quantity, its usual letter, and the one that the course writes.
+    fn rows(&self) -> [(&'static str, &'static str, Option<&str>); 4] {
+        [
+            ("momentum", "p", self.momentum.as_deref()),
+            ("impulse", "J", self.impulse.as_deref()),
+            ("angular_momentum", "H", self.angular_momentum.as_deref()),
+            ("kinetic_energy", "T", self.kinetic_energy.as_deref()),
+        ]
+    }
+
+    /// The notation.
+    ///
+    /// # Errors
+    /// A letter that is none, or that stands for something else.
+    pub(super) fn notation(&self) -> Result<Notation, Vec<Fault>> {
+        let mut faults = Vec::new();
+        for (key, usual, own) in self.rows() {
+            let Some(own) = own else { continue };
+            let other =
+                |(name, letter, chosen): &(&str, &str, Option<&str>)| *name != key && chosen.unwrap_or(letter) == own;
+            let fault = if !is_name(own) || own.contains(['_', '.', '@', '[', '(']) {
+                Fault::new(Code::Value, format!("`{own}` is not a letter"))
+                    .help(format!("write one, as `{key}: {usual}`"))
+            } else if TAKEN.contains(&own) || self.rows().iter().any(other) {
+                Fault::new(Code::Duplicate, format!("`{own}` stands for another quantity"))
+                    .help("choose another letter")
+            } else {
+                continue;
+            };
+            faults.push(fault.at_path(Path::root().key("symbols").key(key)));
+        }
+        let letters = self.rows();
+        let letters =
+            letters.iter().filter_map(|(_, usual, own)| own.filter(|own| own != usual).map(|own| (*usual, own)));
+        if faults.is_empty() { Ok(Notation::new(letters)) } else { Err(faults) }
+    }
+}
