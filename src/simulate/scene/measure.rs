@@ -37,6 +37,9 @@ pub fn measure(
     value: &dyn Fn(&str) -> Option<f64>,
 ) -> Option<(f64, f64)> {
     let values = Values { scene, value, index: asked.instant.checked_sub(1)? };
+    if values.axes().len() > 2 {
+        return None; // it looks at a plane
+    }
     let axis = along(&values, asked);
     match (asked.base, asked.subject) {
         ("speed", body) => velocity(&values, body).ok().map(|own| (libm::hypot(own[0], own[1]), 0.0)),
@@ -55,7 +58,7 @@ pub fn measure(
         }
         ("v", body) => Some((part(velocity(&values, body).ok()?, axis?), 0.0)),
         ("r", "G") => mean_place(&values, alive, axis?, 0.0),
-        ("H", point) if scene.points.contains_key(point) => moment(&values, alive),
+        ("H", point) if is_origin(&values, point) => moment(&values, alive),
         _ => None,
     }
 }
@@ -69,6 +72,9 @@ pub fn watch(
     value: &dyn Fn(&str) -> Option<f64>,
 ) -> Option<(f64, f64)> {
     let values = Values { scene, value, index: asked.instant.checked_sub(1)? };
+    if values.axes().len() > 2 {
+        return None; // it looks at a plane
+    }
     let axis = along(&values, asked);
     match (asked.base, asked.subject) {
         ("r", "G") => mean_place(&values, alive, axis?, 0.0),
@@ -78,7 +84,7 @@ pub fn watch(
             Some(((after - before) / WATCHED, (one + other) / WATCHED))
         }
         // Twice the mass for each area that the radius sweeps in a unit of time.
-        ("H", point) if scene.points.contains_key(point) => {
+        ("H", point) if is_origin(&values, point) => {
             let mut all = (0.0, 0.0);
             for body in alive {
                 let rate = 2.0 * values.mass(body).ok()? * swept(&values, body).ok()? / WATCHED;
@@ -88,6 +94,12 @@ pub fn watch(
         }
         _ => None,
     }
+}
+
+/// Whether a point is the origin of places in a plane, about which moments are taken here.
+fn is_origin(values: &Values<'_>, point: &str) -> bool {
+    let placed = |own: &crate::scene::Point| own.at.axes().next().is_some();
+    values.axes().len() != 1 && values.scene.points.get(point).is_some_and(|own| !placed(own))
 }
 
 /// The axis of a component, or the only one.
