@@ -6,10 +6,14 @@
 mod angular;
 #[path = "physics/bank.rs"]
 mod bank;
+#[path = "physics/motions.rs"]
+mod motions;
 #[path = "physics/scenes.rs"]
 mod scenes;
 #[path = "physics/stages.rs"]
 mod stages;
+#[path = "physics/streams.rs"]
+mod streams;
 #[path = "support/variants.rs"]
 mod variants;
 

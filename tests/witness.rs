@@ -10,6 +10,7 @@ use momentous::bank::FormAudit;
 use momentous::bank::Outcome;
 use momentous::bank::Promise;
 use momentous::bank::audit;
+use momentous::bank::files_under;
 
 /// The most forms, in percent, that may have an answer which no simulation witnesses.
 const MOST_UNSEEN: usize = 15;
@@ -20,6 +21,25 @@ const SEEDS: u64 = 2;
 fn audits() -> Vec<Audit> {
     let bank = Bank::in_folder(Path::new("problem_bank")).unwrap();
     bank.select(&[]).unwrap().iter().map(|source| audit(source, SEEDS)).collect()
+}
+
+/// Published problems, which were collected for their answers and not for what can be simulated.
+#[test]
+fn what_books_ask_is_not_contradicted() {
+    let bank = Bank::in_folder(Path::new("problem_bank")).unwrap();
+    let (mut contradicted, mut witnessed, mut forms) = (Vec::new(), 0, 0);
+    for path in files_under(Path::new("tests/reference")).unwrap() {
+        let Ok(source) = bank.open(&path.to_string_lossy()) else { continue };
+        for form in audit(&source, 1).forms {
+            forms += 1;
+            witnessed += usize::from(form.simulation.is_whole());
+            if matches!(form.outcome(Promise::Simulation), Some(Outcome::Broken(_))) {
+                contradicted.push(format!("{}: {:?}", path.display(), form.outcome(Promise::Simulation)));
+            }
+        }
+    }
+    assert_eq!(contradicted, Vec::<String>::new());
+    assert!(4 * witnessed >= 3 * forms && forms > 100, "{witnessed} of {forms}");
 }
 
 #[test]

@@ -76,7 +76,15 @@ fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) -> Option<S
             let (are, their) = if bodies.len() > 1 { ("are", "their") } else { ("is", "its") };
             during(format!("{} {are} acted on by {their} weight alone", list(&bodies)))
         }
-        (Stage::Separate(_) | Stage::Walk(_) | Stage::Drift(_) | Stage::Moment(_) | Stage::Interact(_), _) => {
+        (
+            Stage::Separate(_)
+            | Stage::Walk(_)
+            | Stage::Drift(_)
+            | Stage::Motion(_)
+            | Stage::Moment(_)
+            | Stage::Interact(_),
+            _,
+        ) => {
             return None;
         }
         (Stage::Impact(_) | Stage::Blow(_), _) => {

@@ -133,6 +133,7 @@ fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
         }
         Stage::Central(central) => format!("{} moves under the central force", name(&central.body)),
         Stage::Fall(fall) => format!("{} falls", name(&fall.body)),
+        Stage::Motion(motion) => format!("{} moves as told", name(&motion.body)),
         Stage::Bounces(bounces) => format!("{} bounces", name(&bounces.body)),
         Stage::SlideOff(slide) => format!("{} slides down {}", name(&slide.body), name(&slide.on)),
         Stage::Walk(walk) => format!("{} walks along {}", name(&walk.body), name(&walk.on)),

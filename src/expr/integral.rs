@@ -39,9 +39,24 @@ pub(super) fn integrate(term: &Expr, symbol: Symbol, steps: &mut usize) -> Optio
         Expr::Product(factors) => factors.to_vec(),
         single => vec![single.clone()],
     };
-    let (varying, fixed): (Vec<_>, Vec<_>) = all.into_iter().partition(|factor| factor.contains(symbol));
+    let all = all.into_iter().map(exponential_power);
+    let (varying, fixed): (Vec<_>, Vec<_>) = all.partition(|factor| factor.contains(symbol));
     let found = integrate_factors(&varying, symbol, steps)?;
     Some(scaled(&found, &Expr::product(fixed)))
+}
+
+/// `exp(n u)` for `exp(u)^n`, whose antiderivative is known.
+fn exponential_power(factor: Expr) -> Expr {
+    match &factor {
+        Expr::Power(pair) => match &pair.0 {
+            Expr::Apply(Function::Exp, inner) => inner.first().map_or_else(
+                || factor.clone(),
+                |inner| Expr::apply(Function::Exp, (inner.clone() * pair.1.clone()).simplify()),
+            ),
+            _ => factor,
+        },
+        _ => factor,
+    }
 }
 
 /// A factor in front of every term of a sum.

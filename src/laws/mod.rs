@@ -9,6 +9,7 @@ pub mod geometry;
 pub mod kinematics;
 pub mod mass_centre;
 pub mod momentum;
+pub mod motion;
 pub mod orbit;
 pub mod restitution;
 pub mod separation;
@@ -53,6 +54,7 @@ pub const CHAPTERS: &[(&str, &[&Law])] = &[
     ("Energy", energy::LAWS),
     ("Angular impulse and momentum", angular::LAWS),
     ("Central force of gravity", orbit::LAWS),
+    ("Motions given as functions", motion::LAWS),
     ("Motion between impacts", kinematics::LAWS),
     ("Bouncing", bouncing::LAWS),
     ("Streams and variable mass", variable_mass::LAWS),

@@ -263,6 +263,18 @@ impl<'s> Builder<'s> {
         }
     }
 
+    /// Makes the masses that are names of their own, where another mass is told in terms of them: `m` before `2*m`.
+    pub(super) fn masses_by_name(&mut self) {
+        let scene = self.scene;
+        let is_name = |term: &crate::scene::Term| super::read::is_bare_name(term.0.trim());
+        let masses = || scene.bodies.iter().filter_map(|(body, entry)| Some((body, entry.mass.as_ref()?)));
+        if masses().any(|(_, term)| !is_name(term)) {
+            for (body, _) in masses().filter(|(_, term)| is_name(term)) {
+                self.mass(body);
+            }
+        }
+    }
+
     /// A velocity component at an instant; under the instant since which the body has it.
     pub(super) fn velocity(&mut self, body: &str, instant: usize, axis: Axis) -> Expr {
         let since = self.timeline.since(body, instant).unwrap_or(instant);

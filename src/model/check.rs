@@ -35,6 +35,9 @@ pub(super) fn is_structural(scene: &Scene, name: &str) -> bool {
         return true;
     }
     let Some(name) = Name::parse(name) else { return false };
+    if name.is_plain() {
+        return false;
+    }
     let timeline = Timeline::new(scene);
     let known_subject = name.subject.is_empty()
         || name.subject == "G"
@@ -104,6 +107,7 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
                 faults.extend(held(scene, stage).map(|fault| fault.at_path(at)));
             }
             Stage::Blow(stage) => body(&stage.body, "body"),
+            Stage::Motion(stage) => body(&stage.body, "body"),
             Stage::Rotate(_)
             | Stage::Central(_)
             | Stage::Moment(_)

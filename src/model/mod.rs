@@ -208,8 +208,7 @@ impl<'s> Builder<'s> {
     /// The equation of the boundary between where a comparison holds and where it does not; it is not added to the system.
     pub fn boundary(&mut self, left: Expr, right: Expr) -> Equation {
         let tag = self.instances.len();
-        let because = "the boundary lies where both sides of the condition are equal";
-        let because = because.to_owned();
+        let because = "the boundary lies where both sides of the condition are equal".to_owned();
         self.instances.push(Instance { law: &geometry::RELATION, because, stage: None, integral: None });
         Equation { statement: Statement::Equal { left, right }, tag, cost: builder::LAW_COST }
     }

@@ -165,7 +165,7 @@ fn is_beyond_numbers(expr: &Expr) -> bool {
     expr.children().into_iter().any(is_beyond_numbers)
 }
 
-fn is_bare_name(text: &str) -> bool {
+pub(super) fn is_bare_name(text: &str) -> bool {
     text.starts_with(|first: char| first.is_alphabetic())
         && text.chars().all(|letter| letter.is_alphanumeric() || letter == '_')
         && text != "pi"

@@ -131,6 +131,7 @@ fn changed_bodies(scene: &Scene, stage: &Stage) -> Vec<String> {
         Stage::Taut(stage) => stage.between.to_vec(),
         Stage::Connected(stage) => vec![stage.trailing.body.clone(), stage.leading.body.clone()],
         Stage::Blow(stage) => vec![stage.body.clone()],
+        Stage::Motion(stage) => vec![stage.body.clone()],
         Stage::Rotate(stage) => stage.held().into_iter().map(|(body, _)| body.to_owned()).collect(),
         Stage::Moment(_) => scene.bodies.keys().cloned().collect(),
         Stage::Strike(stage) => stage.carries.keys().chain([&stage.body]).cloned().collect(),

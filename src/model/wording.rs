@@ -23,6 +23,7 @@ const KINDS: &[(&str, &str, &str, &str)] = &[
     ("central", "flight", "at the first place", "at the second place"),
     ("fall", "fall", "at the start of {}", "at the end of {}"),
     ("slide_off", "slide", "at the start of {}", "at the end of {}"),
+    ("motion", "motion", "at the start of {}", "at the end of {}"),
     ("walk", "walk", "before {}", "after {}"),
     ("stream", "stream", "while {} flows", "while {} flows"),
     ("thrust", "burn", "at the start of {}", "at the end of {}"),

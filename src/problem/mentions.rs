@@ -22,7 +22,14 @@ pub(super) fn mention_in_texts(loaded: &Loaded, builder: &mut Builder<'_>) {
     for (path, text) in std::iter::once((root.key("text"), &loaded.text)).chain(forms) {
         for placeholder in text.placeholders() {
             if builder.mention(&placeholder.name).is_none() {
-                let fault = builder.unknown(&placeholder.name).at_path(path.clone()).within(placeholder.span);
+                let mut fault = builder.unknown(&placeholder.name);
+                let parts = ["x", "y"].map(|letter| format!("{}.{letter}", placeholder.name));
+                if let [Some(_), Some(_)] = parts.each_ref().map(|part| builder.mention(part)) {
+                    let [x, y] = parts;
+                    fault = fault
+                        .help(format!("a text tells a vector by its components: `{{{{ {x} }}}}` and `{{{{ {y} }}}}`"));
+                }
+                let fault = fault.at_path(path.clone()).within(placeholder.span);
                 builder.fault(fault);
             } else if let Some(fault) = without_direction(placeholder, builder) {
                 builder.fault(fault.at_path(path.clone()).within(placeholder.span));

@@ -13,7 +13,7 @@ const LINE: &str = "axes: { x: to the right }\nbodies:\n  A: { name: block A }\n
 const ALONE: &str = "axes: { x: to the right }\nbodies:\n  A: { name: block A }\nstages:\n";
 
 /// What is found of some names, in base units.
-fn find<const N: usize>(scene: &str, given: &[(&str, String)], ask: [&str; N]) -> [f64; N] {
+pub fn find<const N: usize>(scene: &str, given: &[(&str, String)], ask: [&str; N]) -> [f64; N] {
     let given: Vec<(&str, &str)> = given.iter().map(|(name, value)| (*name, value.as_str())).collect();
     let (problem, variant) = solved(&sheet(scene, &given, &ask));
     ask.map(|name| value(&problem, &variant, name).value)
@@ -36,11 +36,11 @@ fn kilometres_per_hour(tenths: i64) -> String {
 }
 
 #[allow(clippy::cast_precision_loss, reason = "it is small")]
-fn tenth(value: i64) -> f64 {
+pub fn tenth(value: i64) -> f64 {
     value as f64 / 10.0
 }
 
-fn close(one: f64, other: f64) -> Result<(), TestCaseError> {
+pub fn close(one: f64, other: f64) -> Result<(), TestCaseError> {
     prop_assert!((one - other).abs() <= 1e-9 * one.abs().max(other.abs()).max(1.0), "{one} {other}");
     Ok(())
 }

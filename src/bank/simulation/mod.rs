@@ -82,10 +82,10 @@ pub(super) fn agrees(problem: &Problem, form: usize, seeds: u64) -> (Outcome, Si
         let Ok(variant) = sampler.variant(seed) else { continue };
         let Some(worked) = Worked::new(problem, &variant) else { continue };
         let case = Case { problem, scene, variant: &variant, said: Vec::new() };
-        let trial = Trial::new(&worked, case);
+        let trial = Trial::new(&worked, &case);
         simulated.seeds += 1;
-        ways.extend(trial.ways.iter().copied());
-        reason = reason.or(trial.nothing);
+        ways.extend(trial.witness.ways.iter().copied());
+        reason = reason.or(trial.witness.nothing);
         if let Some(said) = trial.differing(&mut simulated) {
             return (Outcome::Broken(format!("with seed {seed}, {said}")), simulated);
         }
@@ -110,44 +110,47 @@ pub(super) fn agrees(problem: &Problem, form: usize, seeds: u64) -> (Outcome, Si
 /// One variant, simulated and compared, with a bound on how far each comparison may be off.
 struct Trial<'a> {
     worked: &'a Worked<'a>,
-    case: Case<'a>,
+    case: &'a Case<'a>,
+    witness: Witness<'a>,
     all: BTreeMap<String, (Comparison, f64)>,
-    ways: BTreeSet<Way>,
-    nothing: Option<NothingToSimulate>,
 }
 
 impl<'a> Trial<'a> {
-    fn new(worked: &'a Worked<'a>, case: Case<'a>) -> Self {
+    fn new(worked: &'a Worked<'a>, case: &'a Case<'a>) -> Self {
         let [fine, coarse] = TOLERANCES;
-        let witness = Witness::new(&case, fine);
+        let witness = Witness::new(case, fine);
         let own = compared(worked, &witness);
-        let rough = compared(worked, &Witness::new(&case, coarse));
-        let (ways, nothing, inputs) = (witness.ways.clone(), witness.nothing, witness.inputs());
-        drop(witness);
+        let rough = compared(worked, &Witness::new(case, coarse));
         let mut all: BTreeMap<String, (Comparison, f64)> = BTreeMap::new();
         for (name, comparison) in own {
             let run = rough.get(&name).map_or(0.0, |rough| (rough.found - comparison.found).abs());
             let bound = comparison.error + run;
             all.insert(name, (comparison, bound));
         }
-        for symbol in inputs {
+        for symbol in witness.inputs() {
             let Some(value) = worked.variant.value(symbol).filter(|value| value.error > 0.0) else { continue };
             let nudge = if value.value == 0.0 { NUDGE } else { value.value.abs() * NUDGE };
-            let other = Case { said: vec![(symbol, value.value - nudge)], ..case };
-            let changed = compared(worked, &Witness::new(&other, fine));
-            for (name, (comparison, bound)) in &mut all {
-                if let Some(changed) = changed.get(name) {
+            let other = Case { said: vec![(symbol, value.value - nudge)], ..*case };
+            // The coarser run will do for a slope, so long as it is compared with its like.
+            let changed = compared(worked, &Witness::new(&other, coarse));
+            for (name, (_, bound)) in &mut all {
+                if let (Some(changed), Some(rough)) = (changed.get(name), rough.get(name)) {
                     // Twice the slope: a chord is not the tangent.
-                    *bound += 2.0 * ((changed.apart() - comparison.apart()) / nudge).abs() * value.error;
+                    *bound += 2.0 * ((changed.apart() - rough.apart()) / nudge).abs() * value.error;
                 }
             }
         }
-        Self { worked, case, all, ways, nothing }
+        for (name, symbol, said) in parts::formulas(worked) {
+            let quantity = &worked.problem.model().symbols.entry(symbol).name;
+            if let Some((comparison, bound)) = all.get(quantity).cloned() {
+                all.insert(name, (Comparison { said, ..comparison }, bound));
+            }
+        }
+        Self { worked, case, witness, all }
     }
 
     /// The first quantity on which laws and simulation differ; what was compared is counted.
     fn differing(&self, simulated: &mut Simulated) -> Option<String> {
-        let witness = Witness::new(&self.case, TOLERANCES[0]);
         for (name, (comparison, bound)) in &self.all {
             simulated.compared += 1;
             let apart = comparison.apart().abs();
@@ -166,7 +169,7 @@ impl<'a> Trial<'a> {
             }
         }
         let wrong = |answer: &Answer<'_>| {
-            parts::agrees(self.worked, &self.case, &witness, answer, TOLERANCES[0]) == Some(false)
+            parts::agrees(self.worked, self.case, &self.witness, answer, TOLERANCES[0]) == Some(false)
         };
         let answer = Answer::all(self.worked).into_iter().find(wrong)?;
         Some(format!("the answer to {} is another one by simulation", answer.id()))
@@ -174,13 +177,12 @@ impl<'a> Trial<'a> {
 
     /// Puts every answer wrong, one after another, and sorts them by whether that is found out.
     fn put_wrong(&self, simulated: &mut Simulated) {
-        let witness = Witness::new(&self.case, TOLERANCES[0]);
         for answer in Answer::all(self.worked) {
             let found_out = match answer.wrong(self.worked) {
                 // Any other phrase would differ from the one that the simulation finds.
-                None => parts::agrees(self.worked, &self.case, &witness, &answer, TOLERANCES[0]).is_some(),
+                None => parts::agrees(self.worked, self.case, &self.witness, &answer, TOLERANCES[0]).is_some(),
                 Some(wrong) => {
-                    let case = Case { said: vec![wrong], ..self.case };
+                    let case = Case { said: vec![wrong], ..*self.case };
                     let witness = Witness::new(&case, TOLERANCES[0]);
                     let differs = |(name, other): (&String, &Comparison)| {
                         self.all.get(name).is_some_and(|(_, bound)| other.apart().abs() > *bound)
@@ -246,7 +248,7 @@ ask: [{ find: v_A2.x, unit: m/s }, { find: v_B2.y, unit: m/s }, { conserved: ene
         change(&mut scene);
         let worked = Worked::new(&problem, &variant).unwrap();
         let case = Case { problem: &problem, scene: &scene, variant: &variant, said: said(&problem) };
-        Trial::new(&worked, case).differing(&mut Simulated::default())
+        Trial::new(&worked, &case).differing(&mut Simulated::default())
     }
 
     #[test]

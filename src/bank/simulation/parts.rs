@@ -31,8 +31,12 @@ impl<'a> Answer<'a> {
     pub(super) fn all(worked: &Worked<'a>) -> Vec<Self> {
         let mut all = Vec::new();
         for (part, ask) in worked.form.parts.iter().zip(&worked.form.question.ask) {
-            if matches!(part.kind, PartKind::Choice(_)) {
-                all.push(Self::Choice { id: part.id.clone(), part, ask });
+            match &part.kind {
+                PartKind::Choice(_) => all.push(Self::Choice { id: part.id.clone(), part, ask }),
+                PartKind::Formula(formula) => {
+                    all.push(Self::Number { id: part.id.clone(), symbol: formula.symbol, whole: false, ask });
+                }
+                PartKind::Number(_) | PartKind::Vector(_) | PartKind::Range(_) => {}
             }
             for (id, number) in part.numbers() {
                 all.push(Self::Number { id, symbol: number.symbol, whole: number.whole, ask });
@@ -85,6 +89,16 @@ pub(super) fn comparisons(worked: &Worked<'_>, witness: &Witness<'_>) -> BTreeMa
         }
     }
     all
+}
+
+/// What the formulas that are asked come to with the numbers of the variant, each with the quantity that it is to be.
+pub(super) fn formulas(worked: &Worked<'_>) -> Vec<(String, Symbol, f64)> {
+    let own = |symbol| worked.variant.value(symbol).map_or(f64::NAN, |own| own.value);
+    let said = |part: &Part| {
+        let PartKind::Formula(formula) = &part.kind else { return None };
+        Some((format!("the formula of {}", part.id), formula.symbol, worked.formula(formula)?.evaluate(&own)))
+    };
+    worked.form.parts.iter().filter_map(said).collect()
 }
 
 /// Of an answer that is not compared as a number: whether the simulation finds the same; none where it finds nothing of it.

@@ -63,6 +63,7 @@ pub(super) fn solution(worked: Worked<'_>) -> Vec<Drawing> {
         | Stage::Spring(_)
         | Stage::Taut(_)
         | Stage::Blow(_)
+        | Stage::Motion(_)
         | Stage::Fall(_)
         | Stage::Separate(_)
         | Stage::Slide(_)

@@ -149,6 +149,7 @@ fn participants(stage: &Stage) -> Vec<Participant> {
         },
         Stage::Taut(stage) => stage.between.iter().map(|body| Participant::alone(body)).collect(),
         Stage::Blow(stage) => alone(&stage.body),
+        Stage::Motion(stage) => alone(&stage.body),
         Stage::Fall(stage) => alone(&stage.body),
         Stage::SlideOff(stage) => [&stage.body, &stage.on].map(|body| Participant::alone(body)).to_vec(),
         Stage::Swing(_)

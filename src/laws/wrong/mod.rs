@@ -17,6 +17,7 @@ pub mod geometry;
 pub mod kinematics;
 pub mod mass_centre;
 pub mod momentum;
+pub mod motion;
 pub mod orbit;
 pub mod reading;
 pub mod restitution;

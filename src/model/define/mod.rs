@@ -55,6 +55,7 @@ const DEFINITIONS: &[(&str, Define)] = &[
     ("t", clock),
     ("p", linear_momentum),
     ("J", impulse),
+    ("F_avg", mean_force),
     ("T", kinetic_energy),
     ("T_lost", energy_lost),
     ("T_gained", energy_gained),
@@ -340,6 +341,29 @@ fn impulse(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let weight = builder.impulse_of_weight(&name.subject, stage, position);
     let total = Expr::sum(acting.into_iter().map(|(_, impulse)| impulse).chain(weight));
     builder.law(&force::IMPULSE, Some(stage), "by definition", (symbol.into(), total));
+    Some(symbol)
+}
+
+/// The mean force over a push: that which would give the same impulse in the same time.
+fn mean_force(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
+    let in_stage = |stage: usize| match &name.stage {
+        Some(wanted) => builder.stage_suffix(stage) == format!("[{wanted}]"),
+        None => true,
+    };
+    let acts = |stage: &usize| builder.impulses.iter().any(|own| own.stage == *stage && own.on == name.subject);
+    let is_push = |stage: &usize| matches!(builder.scene.stages.get(*stage), Some(Stage::Push(_)));
+    let stages = (0..builder.scene.stages.len()).filter(|stage| is_push(stage) && acts(stage) && in_stage(*stage));
+    let [stage] = stages.collect::<Vec<_>>()[..] else { return None };
+    let lasts = builder.lasting.get(stage)?.clone()?;
+    let total = Name { base: "J".into(), ..name.clone() };
+    let total = Expr::from(builder.resolve(&builder.spelling(&total))?);
+    let (body, phrase) = (builder.called(&name.subject), builder.stage_phrase(stage));
+    let meaning = format!("{}the mean force on {body} during {phrase}", Builder::component_phrase(name));
+    let spelling = builder.spelling(name);
+    let symbol = builder.symbol(spelling, Dimension::FORCE, meaning);
+    let because = "the mean force would give the same impulse in the same time";
+    let sides = force::mean_force(&total, &symbol.into(), &lasts);
+    builder.law(&force::MEAN_FORCE, Some(stage), because, sides);
     Some(symbol)
 }
 

@@ -1,5 +1,8 @@
 //! Free motion: every place changes by velocity times time.
 
+use std::collections::BTreeMap;
+
+use crate::expr::Expr;
 use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Path;
@@ -19,6 +22,7 @@ impl Builder<'_> {
         };
         self.lasting[index] = Some(time.clone());
         let bodies: Vec<String> = self.timeline.alive(index + 1).into_iter().map(str::to_owned).collect();
+        let mut moved = BTreeMap::new();
         let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
         for body in &bodies {
             for (position, axis) in axes.iter().enumerate() {
@@ -31,12 +35,16 @@ impl Builder<'_> {
                 let velocity = self.velocity(body, index + 1, *axis);
                 let because = format!("nothing acts on {} during {phrase}", self.called(body));
                 let sides = kinematics::uniform(&before, &velocity, &time, &after);
+                if let Expr::Symbol(place) = after {
+                    moved.insert(place, sides.1.clone());
+                }
                 self.law(&kinematics::UNIFORM, Some(index), because, sides);
             }
         }
         if let Some(until) = &stage.until {
             let bodies: Vec<&str> = bodies.iter().map(String::as_str).collect();
-            self.end_of_flight(index, &bodies, until, &path.key("until"));
+            // Put in, the time follows from one equation even where a body stands still.
+            self.end_of_flight(index, &bodies, until, &|place| moved.get(&place).cloned(), &path.key("until"));
         }
         self.omit("friction and air resistance", "the problem does not mention any");
     }

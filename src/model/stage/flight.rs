@@ -1,6 +1,7 @@
 //! Free flight: velocities and places at the end from those at the start.
 
 use crate::expr::Expr;
+use crate::expr::Symbol;
 use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Path;
@@ -30,7 +31,7 @@ impl Builder<'_> {
             self.free_motion(index, body, &time, &falls);
         }
         if let Some(until) = &stage.until {
-            self.end_of_flight(index, &bodies, until, &path.key("until"));
+            self.end_of_flight(index, &bodies, until, &|_| None, &path.key("until"));
         }
         match self.scene.plane {
             Plane::Vertical => self.omit("air resistance", "the problem does not mention any"),
@@ -101,8 +102,15 @@ impl Builder<'_> {
         }
     }
 
-    /// What is so at the end: the top of the path, or a place.
-    pub(in crate::model) fn end_of_flight(&mut self, index: usize, bodies: &[&str], until: &Term, path: &Path) {
+    /// What is so at the end: the top of the path, or a place; `moved` says where a body then is, if that is to be put in.
+    pub(in crate::model) fn end_of_flight(
+        &mut self,
+        index: usize,
+        bodies: &[&str],
+        until: &Term,
+        moved: &dyn Fn(Symbol) -> Option<Expr>,
+        path: &Path,
+    ) {
         let text = until.0.trim();
         if text == "top" {
             let upright = (0..self.axes.len()).find(|position| self.downwards(*position).is_some());
@@ -125,6 +133,7 @@ impl Builder<'_> {
             (left, right)
         });
         let mut sides = (self.read_any(&end.0, path), self.read_any(&end.1, path));
+        sides = (sides.0.substitute(moved), sides.1.substitute(moved));
         let mut because = format!("{} ends there", self.stage_phrase(index));
         if self.began_there(index, bodies, until) {
             // The way from the line back to it, so that the root at which it has not left yet drops out exactly.

@@ -14,6 +14,7 @@ mod guided;
 mod impact;
 mod interact;
 mod moment;
+mod motion;
 mod orbit;
 mod push;
 mod rotate;
@@ -39,6 +40,7 @@ use super::Builder;
 impl Builder<'_> {
     /// Adds the equations of every stage, in order.
     pub(in crate::model) fn stages(&mut self) {
+        self.masses_by_name();
         let scene = self.scene;
         for (index, stage) in scene.stages.iter().enumerate() {
             let path = Path::root().key("scene").key("stages").index(index).key(stage.key());
@@ -64,6 +66,7 @@ impl Builder<'_> {
                 Stage::Thrust(stage) => self.thrust(index, stage, &path),
                 Stage::Drift(stage) => self.drift(index, stage, &path),
                 Stage::Flight(stage) => self.flight(index, stage, &path),
+                Stage::Motion(stage) => self.motion(index, stage, &path),
                 Stage::SlideOff(stage) => self.slide_off(index, stage, &path),
                 Stage::Walk(stage) => self.walk(index, stage, &path),
                 Stage::Separate(stage) => self.separate(index, stage, &path),

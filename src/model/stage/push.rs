@@ -55,6 +55,7 @@ impl Builder<'_> {
             Some(during) => self.duration(index, during, &path.key("during")),
             None => (Expr::zero(), self.stage_duration(index, None, path)),
         };
+        self.lasting[index] = Some((end.clone() - start.clone()).simplify());
         let mut acting = Vec::new();
         let mut friction = None;
         for (position, entry) in stage.forces.iter().enumerate() {

@@ -1,16 +1,22 @@
 //! Bodies that come apart: momentum, the energy released, relative velocities.
 
 use crate::expr::Expr;
+use crate::fault::Code;
+use crate::fault::Fault;
 use crate::fault::Path;
+use crate::laws::force;
 use crate::laws::momentum;
 use crate::laws::separation;
 use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Impulse;
 use crate::model::Warning;
+use crate::model::frame::Direction;
+use crate::model::stage::push::Acting;
 use crate::quantity::Dimension;
 use crate::scene::Axis;
 use crate::scene::Plane;
+use crate::scene::Strength;
 use crate::scene::stage::Relative;
 use crate::scene::stage::Separate;
 use crate::scene::stage::When;
@@ -35,6 +41,9 @@ impl Builder<'_> {
             let because = "the energy released becomes kinetic energy of the parts";
             self.law(&separation::ENERGY, Some(index), because, separation::energy(&released, &start, &end));
             self.in_order_along_the_axis(index, &parts);
+        }
+        if let Some(strength) = &stage.force {
+            self.driven_apart(index, stage, strength, path);
         }
         if let Some(relative) = &stage.relative {
             self.relative_velocity(index, relative, &before, &path.key("relative"));
@@ -76,6 +85,28 @@ impl Builder<'_> {
             let because = format!("{one} and {other} move together at first");
             self.law(&separation::TOGETHER, Some(index), because, (second, first));
         }
+    }
+
+    /// The impulse of the force between two parts along the axis.
+    fn driven_apart(&mut self, index: usize, stage: &Separate, strength: &Strength, path: &Path) {
+        let ([_, ahead], 1) = (&stage.into[..], self.axes.len()) else {
+            let fault = Fault::new(Code::Value, "a force drives two parts apart, along one axis");
+            let help = "say the energy or the relative velocity instead, or leave one axis and two parts";
+            self.faults.push(fault.help(help).at_path(path.key("force")));
+            return;
+        };
+        let name = "the force between the parts";
+        let strength = self.strength(strength, Dimension::FORCE, name, &path.key("force"));
+        let end = self.stage_duration(index, stage.duration.as_ref(), path);
+        self.told_throughout(name, &strength, &end);
+        let clock = self.symbol("t", Dimension::TIME, "the time");
+        let force = Acting { name: name.to_owned(), strength, direction: Direction::axis(0, false) };
+        let impulse = self.impulse_of(index, &force, clock, [&Expr::zero(), &end]);
+        let own = format!("J_{ahead}{}", self.stage_suffix(index));
+        let meaning = format!("the impulse on {}", self.called(ahead));
+        let own = Expr::from(self.symbol(own, Dimension::MOMENTUM, meaning));
+        let because = format!("{name} drives {} forwards all the time", self.called(ahead));
+        self.law(&force::IMPULSE, Some(index), because, (own, impulse));
     }
 
     /// Named from back to front, parts that are driven apart do not pass through each other.

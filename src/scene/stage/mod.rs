@@ -12,6 +12,7 @@ mod flight;
 mod impact;
 mod interact;
 mod moment;
+mod motion;
 mod push;
 mod rotate;
 mod separate;
@@ -38,6 +39,7 @@ pub use flight::Flight;
 pub use impact::{Impact, Partners};
 pub use interact::Interact;
 pub use moment::Moment;
+pub use motion::{Components, Course, Motion};
 pub use push::{During, Push};
 pub use rotate::{Arm, Rotate};
 pub use separate::{Relative, Separate, When};
@@ -108,6 +110,8 @@ pub enum Stage {
     Walk(Walk),
     /// Bodies move freely until something is so.
     Flight(Flight),
+    /// A body moves as a function of time or place says.
+    Motion(Motion),
 }
 
 impl Stage {
@@ -139,6 +143,7 @@ impl Stage {
             Self::SlideOff(_) => "slide_off",
             Self::Walk(_) => "walk",
             Self::Flight(_) => "flight",
+            Self::Motion(_) => "motion",
         }
     }
 
@@ -170,6 +175,7 @@ impl Stage {
             Self::SlideOff(stage) => &stage.name,
             Self::Walk(stage) => &stage.name,
             Self::Flight(stage) => &stage.name,
+            Self::Motion(stage) => &stage.name,
         };
         name.as_deref()
     }

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::scene::Term;
+use crate::scene::{Strength, Term};
 
 /// A body comes apart, or bodies that moved together part: an explosion, a recoil, a jump, a shot, a spring that is let go.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -27,7 +27,11 @@ pub struct Separate {
     /// The velocity of one part relative to another.
     #[serde(default)]
     pub relative: Option<Relative>,
-    /// How long it takes, where the mean force is spoken of.
+    /// The force with which two parts push each other apart along one axis, the second forwards: a term in the time `t`, pieces, or
+    /// points of a graph. It acts for the `duration`, which is called `dt` where nothing is said.
+    #[serde(default)]
+    pub force: Option<Strength>,
+    /// How long it takes, where a force is spoken of.
     #[serde(default)]
     pub duration: Option<Term>,
 }

@@ -38,6 +38,7 @@ pub(super) fn drawing(quantities: &Quantities<'_>, compass: &Compass) -> Option<
             | Stage::Spring(_)
             | Stage::Taut(_)
             | Stage::Blow(_)
+            | Stage::Motion(_)
             | Stage::Separate(_)
             | Stage::Flight(_)
             | Stage::Drift(_),

@@ -9,7 +9,7 @@ use crate::simulate::scene::integrate::Integrator;
 use crate::simulate::scene::nothing::NothingToSimulate;
 
 /// The share of the first height below which a bounce adds nothing.
-const NOTHING: f64 = 1e-18;
+const NOTHING: f64 = 1e-14;
 
 /// Bounces after which a path is given up.
 const MOST_BOUNCES: u32 = 2_000;

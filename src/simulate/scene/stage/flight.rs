@@ -37,6 +37,9 @@ impl Track {
 
 impl Bench<'_> {
     pub(super) fn flight(&mut self, stage: &Flight) -> Result<(), NothingToSimulate> {
+        if stage.incline.is_some() {
+            return Err(NothingToSimulate::NoMethod);
+        }
         let mut tracks = Vec::new();
         for body in stage.flying() {
             for axis in self.values.axes() {
@@ -84,7 +87,8 @@ impl Bench<'_> {
             );
             if let Some(start) = track.place {
                 let name = self.values.place_name(&track.body, self.values.index + 2, track.axis);
-                self.note(&name, track.place_at(time), start);
+                let way = (track.speed * time).abs();
+                self.note(&name, track.place_at(time), start.abs().max(way));
             }
         }
         self.note_duration(during, time);

@@ -52,6 +52,8 @@ impl Bench<'_> {
             Stage::SlideOff(stage) => self.slide_off(stage),
             Stage::Walk(stage) => self.walk(stage),
             Stage::Flight(stage) => self.flight(stage),
+            // What is told at all times leaves nothing to be found.
+            Stage::Motion(_) => Err(NothingToSimulate::NothingChanges),
         }
     }
 }

@@ -1,0 +1,82 @@
+//! Motions given as functions: velocity, acceleration and force from them.
+
+use crate::expr::Expr;
+
+use super::Law;
+use super::Sides;
+use super::wrong;
+
+/// The place at an instant.
+pub const PLACE: Law = Law {
+    id: "place-as-told",
+    name: "the place as a function of the time",
+    statement: "The place at an instant is the value of the given function at that time.",
+    signs: "Along the axis positive.",
+    when: "The problem gives the place as a function of the time.",
+    source: "The problem.",
+    wrong: &[],
+};
+
+/// The velocity at an instant.
+pub const VELOCITY: Law = Law {
+    id: "velocity-as-told",
+    name: "the velocity as a function",
+    statement: "The velocity at an instant is the value of the given function there; where the place is given, velocity is its rate of change.",
+    signs: "Along the axis positive.",
+    when: "The problem gives the velocity or the place as a function.",
+    source: "The problem; the definition of velocity.",
+    wrong: wrong::motion::VELOCITY,
+};
+
+/// The acceleration at an instant.
+pub const ACCELERATION: Law = Law {
+    id: "acceleration-as-rate",
+    name: "the definition of acceleration",
+    statement: "Acceleration is the rate of change of the velocity with the time; where the velocity is given by the place, it is the velocity times its rate of change with the place.",
+    signs: "Along the axis positive.",
+    when: "The velocity is known as a function.",
+    source: "Definition; the chain rule.",
+    wrong: wrong::motion::ACCELERATION,
+};
+
+/// The net force at an instant.
+pub const NET_FORCE: Law = Law {
+    id: "net-force",
+    name: "Newton's second law",
+    statement: "The sum of all forces on a body is its mass times its acceleration: the rate of change of its momentum.",
+    signs: "Along the axis positive.",
+    when: "The mass does not change.",
+    source: "The principle of impulse and momentum for a short time.",
+    wrong: wrong::motion::NET_FORCE,
+};
+
+/// The way in a time.
+pub const DISPLACEMENT: Law = Law {
+    id: "displacement",
+    name: "the integral of the velocity",
+    statement: "A body moves in a time by the integral of its velocity over the time: the area under the velocity-time curve.",
+    signs: "Along the axis positive.",
+    when: "The velocity is known as a function of the time.",
+    source: "The definition of velocity, integrated.",
+    wrong: wrong::motion::DISPLACEMENT,
+};
+
+/// The time that a way takes.
+pub const TIME_OF_WAY: Law = Law {
+    id: "time-of-a-way",
+    name: "the separation of variables",
+    statement: "The time that a way takes is the integral of the reciprocal of the velocity over the way.",
+    signs: "Along the axis positive.",
+    when: "The velocity is known as a function of the place, and does not become zero on the way.",
+    source: "The definition of velocity, solved for the time and integrated.",
+    wrong: wrong::motion::DISPLACEMENT,
+};
+
+/// The laws of this chapter.
+pub const LAWS: &[&Law] = &[&PLACE, &VELOCITY, &ACCELERATION, &NET_FORCE, &DISPLACEMENT, &TIME_OF_WAY];
+
+/// `F = m a`.
+#[must_use]
+pub fn net_force(mass: &Expr, acceleration: &Expr, force: &Expr) -> Sides {
+    (force.clone(), mass.clone() * acceleration.clone())
+}

@@ -1,0 +1,195 @@
+//! Motions given as functions: what the velocity is at both ends, how far the body moves, and what acts on it.
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::laws::force;
+use crate::laws::momentum;
+use crate::laws::motion;
+use crate::model::Agent;
+use crate::model::Builder;
+use crate::model::Impulse;
+use crate::model::Integral;
+use crate::quantity::Dimension;
+use crate::scene::Axis;
+use crate::scene::stage::Motion;
+
+/// One component of a motion.
+struct Course {
+    axis: Axis,
+    /// The velocity as a function of `variable`.
+    velocity: Expr,
+    /// The place as a function of the time, where that is told.
+    place: Option<Expr>,
+    variable: Symbol,
+    /// Whether the variable is the place.
+    by_place: bool,
+}
+
+impl Builder<'_> {
+    pub(in crate::model) fn motion(&mut self, index: usize, stage: &Motion, path: &Path) {
+        let clock = self.symbol("t", Dimension::TIME, "the time");
+        let times = match &stage.during {
+            Some(during) => self.duration(index, during, &path.key("during")).into(),
+            None => [Expr::zero(), self.stage_duration(index, None, path)],
+        };
+        let lasts = (times[1].clone() - times[0].clone()).simplify();
+        self.lasting[index] = Some(lasts.clone());
+        let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
+        let mut components = Vec::new();
+        for axis in axes.iter().copied() {
+            let Some(course) = self.course(stage, axis, clock, path) else { return };
+            let ends = if course.by_place {
+                [index + 1, index + 2].map(|instant| self.place(&stage.body, instant, axis))
+            } else {
+                times.clone()
+            };
+            self.velocities_told(index, stage, &course, &ends);
+            self.way_told(index, stage, &course, &ends, &lasts);
+            components.push(self.impulse_of_all(index, stage, axis, &lasts));
+        }
+        if axes.len() > 1 {
+            let meaning = format!("the impulse on {}", self.called(&stage.body));
+            self.resultant(index, &stage.body, &components, &meaning);
+        }
+        self.impulses.push(Impulse {
+            stage: index,
+            on: stage.body.clone(),
+            by: Agent::Outside,
+            called: "all forces together".into(),
+            components,
+            impulsive: false,
+        });
+    }
+
+    /// What is told along an axis.
+    fn course(&mut self, stage: &Motion, axis: Axis, clock: Symbol, path: &Path) -> Option<Course> {
+        let letter = axis.letter();
+        let along = if self.axes.len() > 1 { format!(" along {letter}") } else { String::new() };
+        let number = self.axes.len();
+        let [velocity, place] =
+            [&stage.velocity, &stage.position].map(|course| course.as_ref().and_then(|own| own.along(axis, number)));
+        match (velocity, place) {
+            (Some(term), None) => {
+                let is_place = |word: &str| number == 1 && word == letter;
+                let by_place = term.0.split(|own: char| !own.is_alphanumeric() && own != '_').any(is_place);
+                let variable = if by_place { self.symbol(letter, Dimension::LENGTH, "the place") } else { clock };
+                let meaning = format!("the velocity{along}");
+                let velocity = self.read(term, Dimension::VELOCITY, &meaning, &path.key("velocity"));
+                if by_place && velocity.contains(clock) {
+                    let fault =
+                        Fault::new(Code::Value, "a velocity cannot be a function of both the time and the place");
+                    let help = format!("write it in `t` or in `{letter}`");
+                    self.faults.push(fault.help(help).at_path(path.key("velocity")));
+                    return None;
+                }
+                Some(Course { axis, velocity, place: None, variable, by_place })
+            }
+            (None, Some(term)) => {
+                let meaning = format!("the place{along}");
+                let place = self.read(term, Dimension::LENGTH, &meaning, &path.key("position"));
+                let velocity = place.differentiate(clock).simplify();
+                Some(Course { axis, velocity, place: Some(place), variable: clock, by_place: false })
+            }
+            (told, _) => {
+                let message = match told {
+                    Some(_) => format!("the motion{along} is told twice, by its velocity and by its place"),
+                    None => format!("the motion{along} is not told"),
+                };
+                let help = match number {
+                    1 => "write `velocity` or `position`: `velocity: b*t`",
+                    _ => "write one of them with every axis: `velocity: { x: b*t, y: v_0 }`",
+                };
+                self.faults.push(Fault::new(Code::MissingKey, message).help(help).at_path(path.clone()));
+                None
+            }
+        }
+    }
+
+    /// Velocity, acceleration and net force at both ends.
+    fn velocities_told(&mut self, index: usize, stage: &Motion, course: &Course, ends: &[Expr; 2]) {
+        let (name, body) = (self.called(&stage.body), stage.body.as_str());
+        let mass = self.mass(body);
+        let (letter, along) = self.component_words(course.axis);
+        let rate = course.velocity.differentiate(course.variable);
+        let rate = if course.by_place { rate * course.velocity.clone() } else { rate }.simplify();
+        let at = |term: &Expr, end: &Expr| {
+            let value = term.substitute(&|own| (own == course.variable).then(|| end.clone()));
+            if end.is_zero() { value.simplify() } else { value }
+        };
+        for (instant, end) in [index + 1, index + 2].into_iter().zip(ends) {
+            let when = self.when(instant);
+            if let Some(place) = &course.place {
+                let own = self.place(body, instant, course.axis);
+                let because = format!("the place of {name} is told at all times");
+                self.law(&motion::PLACE, Some(index), because, (own, at(place, end)));
+            }
+            let because = match &course.place {
+                Some(_) => format!("the velocity of {name} is the rate of change of its place"),
+                None => format!("the velocity of {name} is told all the way"),
+            };
+            let velocity = self.velocity(body, instant, course.axis);
+            self.law(&motion::VELOCITY, Some(index), because, (velocity, at(&course.velocity, end)));
+            let meaning = format!("the acceleration of {name}{along} {when}");
+            let acceleration =
+                Expr::from(self.symbol(format!("a_{body}{instant}{letter}"), Dimension::ACCELERATION, meaning));
+            let with = if course.by_place { "its place" } else { "the time" };
+            let because = format!("the velocity of {name} changes with {with}");
+            self.law(&motion::ACCELERATION, Some(index), because, (acceleration.clone(), at(&rate, end)));
+            let meaning = format!("the net force on {name}{along} {when}");
+            let force = self.symbol(format!("F_{body}{instant}{letter}"), Dimension::FORCE, meaning);
+            let because = format!("all forces on {name} together accelerate it");
+            self.law(&motion::NET_FORCE, Some(index), because, motion::net_force(&mass, &acceleration, &force.into()));
+        }
+    }
+
+    /// How far the body moves, or how long its way takes, where the rules of integration find it.
+    fn way_told(&mut self, index: usize, stage: &Motion, course: &Course, [low, high]: &[Expr; 2], lasts: &Expr) {
+        let name = self.called(&stage.body);
+        if course.place.is_some() {
+            return;
+        }
+        let integrand =
+            if course.by_place { course.velocity.clone().powi(-1).simplify() } else { course.velocity.clone() };
+        let Some(value) = integrand.definite(course.variable, low, high) else { return };
+        let (low, high) = (low.clone(), high.clone());
+        let integral = Integral { integrand, variable: course.variable, low, high };
+        if course.by_place {
+            let because = format!("the velocity of {name} is told at every place");
+            self.integral(&motion::TIME_OF_WAY, index, because, (lasts.clone(), value.simplify()), integral);
+        } else {
+            let ends = [index + 1, index + 2].map(|instant| self.place(&stage.body, instant, course.axis));
+            let [from, to] = ends;
+            let because = format!("the velocity of {name} is told at all times");
+            self.integral(&motion::DISPLACEMENT, index, because, (to - from, value.simplify()), integral);
+        }
+    }
+
+    /// The impulse of all forces along an axis, and its mean.
+    fn impulse_of_all(&mut self, index: usize, stage: &Motion, axis: Axis, lasts: &Expr) -> Expr {
+        let (name, body) = (self.called(&stage.body), stage.body.as_str());
+        let (letter, along) = self.component_words(axis);
+        let (mass, suffix, phrase) = (self.mass(body), self.stage_suffix(index), self.stage_phrase(index));
+        let [before, after] = [index + 1, index + 2].map(|instant| self.velocity(body, instant, axis));
+        let meaning = format!("the impulse on {name}{along} during {phrase}");
+        let impulse = Expr::from(self.symbol(format!("J_{body}{letter}{suffix}"), Dimension::MOMENTUM, meaning));
+        let because = format!("the impulse of all forces on {name} is its change of momentum{along}");
+        let sides = momentum::impulse_momentum(&mass, &before, std::slice::from_ref(&impulse), &after);
+        self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
+        let meaning = format!("the mean net force on {name}{along} during {phrase}");
+        let mean = Expr::from(self.symbol(format!("F_avg_{body}{letter}{suffix}"), Dimension::FORCE, meaning));
+        let because = "the mean force would give the same impulse in the same time";
+        self.law(&force::MEAN_FORCE, Some(index), because, force::mean_force(&impulse, &mean, lasts));
+        impulse
+    }
+
+    /// The end of a component's name, and what is said of it.
+    fn component_words(&self, axis: Axis) -> (String, String) {
+        match self.axes.len() {
+            1 => (String::new(), String::new()),
+            _ => (format!(".{}", axis.letter()), format!(" along {}", axis.letter())),
+        }
+    }
+}
