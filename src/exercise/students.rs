@@ -41,6 +41,7 @@ impl Exercise {
             let text = match &part.kind {
                 PartKind::Choice(_) | PartKind::Formula(_) | PartKind::Range(_) => self.printed(part),
                 PartKind::Vector(vector) => self.rounded_vector(vector, &values),
+                PartKind::Number(number) if number.every_root => self.printed(part),
                 PartKind::Number(number) => match values.get(&number.symbol) {
                     Some(value) => self.written(number, value / worked.unit_of(number)),
                     None => self.printed(part),

@@ -38,7 +38,7 @@ impl Builder<'_> {
         let lasts = (times[1].clone() - times[0].clone()).simplify();
         self.lasting[index] = Some(lasts.clone());
         let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
-        let mut components = Vec::new();
+        let (mut components, mut acting) = (Vec::new(), Vec::new());
         for axis in axes.iter().copied() {
             let Some(course) = self.course(stage, axis, clock, path) else { return };
             let ends = if course.by_place {
@@ -48,7 +48,10 @@ impl Builder<'_> {
             };
             self.velocities_told(index, stage, &course, &ends);
             self.way_told(index, stage, &course, &ends, &lasts);
-            components.push(self.impulse_of_all(index, stage, axis, &lasts));
+            let impulse = self.impulse_of_all(index, stage, axis, &lasts);
+            // Along an axis along which the velocity stays the same, the forces have no impulse together.
+            acting.push(if course.velocity.contains(course.variable) { impulse.clone() } else { Expr::zero() });
+            components.push(impulse);
         }
         if axes.len() > 1 {
             let meaning = format!("the impulse on {}", self.called(&stage.body));
@@ -59,7 +62,7 @@ impl Builder<'_> {
             on: stage.body.clone(),
             by: Agent::Outside,
             called: "all forces together".into(),
-            components,
+            components: acting,
             impulsive: false,
         });
     }
