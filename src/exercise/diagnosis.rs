@@ -7,7 +7,6 @@ use crate::grade::diagnose;
 use crate::laws::wrong::Misconception;
 use crate::problem::FormulaPart;
 use crate::problem::Mistake;
-use crate::problem::NumberPart;
 use crate::problem::PartKind;
 use crate::problem::Simulated;
 
@@ -27,16 +26,8 @@ impl Marking<'_> {
         }
     }
 
-    /// A number that is asked, what is right, and what was answered; of several roots the first alone.
-    pub(super) fn wrong(&self, place: usize) -> Option<(&NumberPart, &grade::ExpectedNumber, &grade::Answer)> {
-        let (part, expected, answer) = self.answered(place)?;
-        match (part, expected) {
-            (PartKind::Number(number), grade::ExpectedKind::Number(right)) => Some((number, right, answer)),
-            _ => None,
-        }
-    }
-
-    fn answered(&self, place: usize) -> Option<(&PartKind, &grade::ExpectedKind, &grade::Answer)> {
+    /// What is asked, what is right, and what was answered; of several roots the first alone.
+    pub(super) fn answered(&self, place: usize) -> Option<(&PartKind, &grade::ExpectedKind, &grade::Answer)> {
         let expected = self.expected.get(place)?;
         let part = self.worked.form.parts.get(*self.parts.get(place)?).filter(|part| part.id == expected.id)?;
         Some((&part.kind, &expected.kind, self.readings.get(place)?.as_ref()?.answer.as_ref().ok()?))

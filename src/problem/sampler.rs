@@ -325,11 +325,14 @@ impl<'p> Sampler<'p> {
             values: symbols()
                 .map(|symbol| told(symbol).or_else(|| self.scratch.value(&self.form.solver, symbol)))
                 .collect(),
-            forward: symbols().map(|symbol| forward.and_then(|forward| self.forward.value(forward, symbol))).collect(),
+            forward: forward
+                .map(|forward| symbols().map(|symbol| self.forward.value(forward, symbol)).collect())
+                .unwrap_or_default(),
             others: self
                 .form
                 .wanted()
                 .map(|symbol| (symbol, self.scratch.other_values(&self.form.solver, symbol)))
+                .filter(|(_, values)| !values.is_empty())
                 .collect(),
             leaf: self.scratch.leaf(),
             roots: self.scratch.roots(&self.form.solver),
