@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use mimalloc::MiMalloc;
 
-/// Marking allocates little things by the million, on every core: this takes half the time that the system's memory takes.
+/// Marking takes and gives back small pieces of memory by the million, on every core.
 #[global_allocator]
 static MEMORY: MiMalloc = MiMalloc;
 
