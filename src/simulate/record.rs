@@ -11,6 +11,10 @@ const EVENLY: u32 = 240;
 /// The impacts whose instants a record has; the table of impacts has all.
 const INSTANTS: usize = 300;
 
+/// Gauss' rule with three points: where they are between -1 and 1, and their weights.
+pub(super) const GAUSS: [(f64, f64); 3] =
+    [(-0.774_596_669_241_483_4, 5.0 / 9.0), (0.0, 8.0 / 9.0), (0.774_596_669_241_483_4, 5.0 / 9.0)];
+
 /// A run as plain numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Record {
@@ -27,7 +31,7 @@ pub struct Record {
 pub struct Recorded {
     /// Its name.
     pub name: String,
-    /// Its mass in kg.
+    /// Its mass in kg, at the start.
     pub mass: f64,
 }
 
@@ -36,6 +40,8 @@ pub struct Recorded {
 pub struct Moment {
     /// The time in s.
     pub time: f64,
+    /// The mass of each body, in kg: that of a rocket changes.
+    pub masses: Vec<f64>,
     /// The position of each body, in m.
     pub positions: Vec<Vec<f64>>,
     /// The velocity of each body, in m/s.
@@ -172,6 +178,7 @@ fn moments<const D: usize>(world: &World<D>, run: &Trajectory<D>, origin: f64) -
             potential: stored,
             lost,
             work: work + stored - at_start,
+            masses: world.bodies.iter().map(|body| body.mass).collect(),
             positions: state.positions.into_iter().map(list).collect(),
             velocities: state.velocities.into_iter().map(list).collect(),
         });
@@ -186,7 +193,7 @@ fn pushed<const D: usize>(world: &World<D>, run: &Trajectory<D>, from: f64, to: 
     if half <= 0.0 {
         return (impulse, work);
     }
-    for (place, weight) in [(-(0.6_f64.sqrt()), 5.0 / 9.0), (0.0, 8.0 / 9.0), (0.6_f64.sqrt(), 5.0 / 9.0)] {
+    for (place, weight) in GAUSS {
         let state = state_at(world, run, (middle + place * half, false));
         for ((body, velocity), acceleration) in
             world.bodies.iter().zip(&state.velocities).zip(world.accelerations(&state))

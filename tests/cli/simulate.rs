@@ -131,6 +131,21 @@ fn a_method_can_be_chosen_and_then_errs_as_it_does() {
     assert!(apart > 1e-9 && apart < 0.5 * after(&exact).abs().max(1.0), "{apart}");
 }
 
+/// A stage that is no world is integrated in time; nothing else follows it.
+#[test]
+fn a_rocket_is_followed() {
+    let room = Room::empty();
+    let film = json(&room, &["streams/heavy-rocket"])["stages"][0].clone();
+    assert_eq!((&film["method"], &film["class"]), (&"Runge-Kutta 5(4)".into(), &"ODE needed".into()));
+    let moments = film["moments"].as_array().unwrap();
+    let mass = |moment: &Value| number(&moment["masses"][0]);
+    assert!(mass(moments.last().unwrap()) < 0.5 * mass(&moments[0]));
+    let drawing = room.fine(&["simulate", "streams/heavy-rocket", "--format", "svg"]);
+    assert!(drawing.contains("height y") && drawing.contains("what the exhaust takes with it"));
+    let ran = room.run(&["simulate", "streams/heavy-rocket", "--method", "penalty"]);
+    assert!(ran.code == 2 && ran.err.contains("only Runge-Kutta 5(4) follows such a motion"), "{}", ran.err);
+}
+
 #[test]
 fn what_cannot_be_simulated_says_why() {
     let room = Room::empty();

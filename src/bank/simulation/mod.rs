@@ -21,6 +21,7 @@ use crate::simulate::scene::Way;
 
 use super::promise::Outcome;
 
+pub use staging::followed;
 pub use staging::staged;
 
 use parts::Answer;

@@ -3,12 +3,30 @@
 use crate::problem::Problem;
 use crate::problem::Variant;
 use crate::simulate::scene::NothingToSimulate;
+use crate::simulate::scene::Reel;
 use crate::simulate::scene::Staged;
+use crate::simulate::scene::follow;
 use crate::simulate::scene::translate;
 
 use super::TOLERANCES;
 use super::witness::Case;
 use super::witness::Witness;
+
+/// The motions of a stage that is integrated in time as it is, counted from 0; or why there are none.
+///
+/// # Errors
+/// There is nothing to watch: why.
+pub fn followed(
+    problem: &Problem,
+    variant: &Variant,
+    stage: usize,
+    tolerance: f64,
+) -> Result<Vec<Reel>, NothingToSimulate> {
+    let scene = &problem.loaded().draft.scene;
+    let case = Case { problem, scene, variant, said: Vec::new() };
+    let witness = Witness::new(&case, TOLERANCES[0]);
+    follow(scene, stage, &|name| witness.value(name), tolerance)
+}
 
 /// What simulates each stage, from what is said of its start, or else from where the stage before ended; or why nothing does.
 #[must_use]

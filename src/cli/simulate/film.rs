@@ -1,22 +1,30 @@
 //! The stages of a variant, simulated one after another.
 
+use crate::bank::followed;
 use crate::bank::staged;
 use crate::problem::Problem;
 use crate::problem::Variant;
 use crate::scene::Axis;
-use crate::scene::Plane;
 use crate::scene::Scene;
 use crate::simulate::Ending;
 use crate::simulate::Method;
 use crate::simulate::Record;
 use crate::simulate::least::Choice;
+use crate::simulate::least::Classified;
+use crate::simulate::least::DEFAULT_ACCURACY;
+use crate::simulate::least::NoChoice;
 use crate::simulate::least::Request;
 use crate::simulate::least::choose;
 use crate::simulate::least::classify;
+use crate::simulate::scene::Component;
 use crate::simulate::scene::Experiment;
 use crate::simulate::scene::NothingToSimulate;
+use crate::simulate::scene::Reel;
 
 use super::super::failure::Failure;
+
+/// How a run that nothing cut short ends.
+pub(super) const AT_ITS_TIME: &str = "at its time";
 
 /// A part of a stage, simulated.
 pub(super) struct Film {
@@ -30,24 +38,20 @@ pub(super) struct Film {
     pub ending: &'static str,
     /// What was found.
     pub record: Record,
+    /// What a reader must know of the motion.
+    pub notes: Vec<&'static str>,
     /// The bodies whose mass is not known; it counts as 1 kg, and no velocity depends on it.
     pub unweighed: Vec<String>,
 }
 
 impl Film {
-    /// What a reader of momenta and energies must know.
-    pub(super) fn caution(&self) -> Option<String> {
+    /// What a reader must know: of the motion, and of momenta and energies.
+    pub(super) fn cautions(&self) -> Vec<String> {
         let bodies = self.unweighed.join(" and ");
-        (!bodies.is_empty()).then(|| format!("The mass of {bodies} is not told: impulses and energies are for 1 kg."))
+        let unweighed = format!("The mass of {bodies} is not told: impulses and energies are for 1 kg.");
+        let notes = self.notes.iter().map(|note| (*note).to_owned());
+        notes.chain((!bodies.is_empty()).then_some(unweighed)).collect()
     }
-}
-
-/// A component of positions and velocities.
-pub(super) struct Component {
-    /// Its letter: x.
-    pub letter: &'static str,
-    /// Whether it is the height.
-    pub vertical: bool,
 }
 
 /// All that could be simulated, and why the rest could not.
@@ -64,7 +68,10 @@ pub(super) fn shoot(problem: &Problem, variant: &Variant, request: &Request) -> 
     for (place, found) in staged(problem, variant).into_iter().enumerate() {
         let stage = place + 1;
         match found {
-            Err(reason) => shot.nothing.push((stage, said(reason))),
+            Err(_) => match integrated(problem, variant, stage, request)? {
+                Ok(films) => shot.films.extend(films),
+                Err(reason) => shot.nothing.push((stage, reason.reason())),
+            },
             Ok(staged) => {
                 for experiment in &staged.on_lines {
                     shot.films.push(filmed(experiment, scene, stage, request)?);
@@ -76,7 +83,9 @@ pub(super) fn shoot(problem: &Problem, variant: &Variant, request: &Request) -> 
         }
     }
     for film in &mut shot.films {
-        let names = film.record.bodies.iter().map(|body| body.name.clone());
+        // A stage may tell a mass of its own, as that of a rocket.
+        let counted = film.record.bodies.iter().filter(|body| (body.mass - 1.0).abs() < f64::EPSILON);
+        let names = counted.map(|body| body.name.clone());
         film.unweighed = names.filter(|body| !is_weighed(problem, variant, body)).collect();
     }
     if shot.films.is_empty() {
@@ -87,24 +96,47 @@ pub(super) fn shoot(problem: &Problem, variant: &Variant, request: &Request) -> 
     Ok(shot)
 }
 
-/// Why a stage is not shown.
-fn said(reason: NothingToSimulate) -> &'static str {
-    match reason {
-        NothingToSimulate::NoMethod => {
-            "not shown: `momentous check` simulates such a motion, but not yet as a run of bodies"
-        }
-        other => other.reason(),
-    }
+/// A stage that no world describes, integrated in time as it is.
+fn integrated(
+    problem: &Problem,
+    variant: &Variant,
+    stage: usize,
+    request: &Request,
+) -> Result<Result<Vec<Film>, NothingToSimulate>, Failure> {
+    let Some(own) = problem.loaded().draft.scene.stages.get(stage - 1) else {
+        return Ok(Err(NothingToSimulate::NoStage));
+    };
+    let choice = choose(&Classified::integrated(own.key()), request).map_err(|error| out_of_reach(stage, &error))?;
+    let tolerance = choice.setting.unwrap_or(DEFAULT_ACCURACY);
+    let reels = match followed(problem, variant, stage - 1, tolerance) {
+        Ok(reels) => reels,
+        Err(reason) => return Ok(Err(reason)),
+    };
+    let film = |Reel { components, record, notes }| {
+        let choice = choice.clone();
+        Film { stage, axes: components, choice, ending: AT_ITS_TIME, record, notes, unweighed: Vec::new() }
+    };
+    Ok(Ok(reels.into_iter().map(film).collect()))
 }
 
-/// Whether the mass of a body, or of each of its parts, is told or solved.
+/// Nothing in the table of costs serves.
+fn out_of_reach(stage: usize, error: &NoChoice) -> Failure {
+    refused(stage, &error.to_string(), "ask for less accuracy, or give more time, or leave --method out")
+}
+
+fn refused(stage: usize, what: &str, help: &str) -> Failure {
+    Failure::unusable(format!("stage {stage}: {what}\nhelp: {help}"))
+}
+
+/// Whether the mass of a body, or of each of its parts, is told or solved. A droplet is no body of the scene.
 fn is_weighed(problem: &Problem, variant: &Variant, body: &str) -> bool {
     let scene = &problem.loaded().draft.scene;
     let value = |name: &str| problem.model().symbol_of(name).and_then(|symbol| variant.value(symbol));
     let known = |name: &str| value(name).is_some_and(|mass| mass.value > 0.0);
     let own =
         |part: &&str| scene.bodies.get(*part).is_some_and(|body| body.mass.is_some()) || known(&format!("m_{part}"));
-    scene.members(body).iter().all(own)
+    let members = scene.members(body);
+    members.iter().all(own) || members.iter().all(|part| !scene.bodies.contains_key(*part))
 }
 
 fn filmed<const D: usize>(
@@ -113,23 +145,22 @@ fn filmed<const D: usize>(
     stage: usize,
     request: &Request,
 ) -> Result<Film, Failure> {
-    let refused = |what: &str, help: &str| Failure::unusable(format!("stage {stage}: {what}\nhelp: {help}"));
     let other = "leave --method out, and the cheapest one that serves is taken";
-    let found = |refusal: crate::simulate::Refusal| refused(&refusal.to_string(), other);
+    let found = |refusal: crate::simulate::Refusal| refused(stage, &refusal.to_string(), other);
     let shown = experiment.shown().map_err(found)?;
     let classified = classify(&shown.world, &shown.budget).map_err(found)?;
-    let choice = choose(&classified, request)
-        .map_err(|error| refused(&error.to_string(), "ask for less accuracy, or give more time"))?;
+    let choice = choose(&classified, request).map_err(|error| out_of_reach(stage, &error))?;
     let method: Box<dyn Method<D>> = choice.method.at(choice.setting, shown.budget.until);
     let run = method.run(&shown.world, &shown.budget);
-    let run = run.map_err(|refusal| refused(&format!("{} refuses: {refusal}", choice.method.name()), other))?;
+    let run = run.map_err(|refusal| refused(stage, &format!("{} refuses: {refusal}", choice.method.name()), other))?;
     let ending = match run.ending {
-        Ending::Time | Ending::Impacts | Ending::NoMoreImpacts => "at its time",
+        Ending::Time | Ending::Impacts | Ending::NoMoreImpacts => AT_ITS_TIME,
         Ending::Rest { .. } => "at rest",
         Ending::Exhausted => "before its time: too many steps",
     };
     let record = Record::of(&shown.world, &run, shown.origin);
-    Ok(Film { stage, axes: components(experiment, scene), choice, ending, record, unweighed: Vec::new() })
+    let axes = components(experiment, scene);
+    Ok(Film { stage, axes, choice, ending, record, notes: Vec::new(), unweighed: Vec::new() })
 }
 
 /// What the components of an experiment are called: as the quantities that are read off it, else as the axes of the scene.
@@ -140,14 +171,9 @@ fn components<const D: usize>(experiment: &Experiment<D>, scene: &Scene) -> Vec<
         Some(letter) if D == 1 => axes.iter().map(|(axis, _)| *axis).filter(|axis| axis.letter() == letter).collect(),
         _ => axes.iter().map(|(axis, _)| *axis).collect(),
     };
-    let vertical = |axis: Axis| {
-        let senses = axes.iter().find(|(other, _)| *other == axis);
-        let along = senses.is_some_and(|(_, senses)| ["upwards", "downwards"].contains(&senses.positive.as_str()));
-        along && scene.plane == Plane::Vertical
-    };
     (0..D)
         .map(|place| match own.get(place) {
-            Some(axis) => Component { letter: axis.letter(), vertical: vertical(*axis) },
+            Some(axis) => Component::along(scene, *axis),
             None => Component { letter: "x", vertical: false },
         })
         .collect()

@@ -11,7 +11,7 @@ use crate::simulate::Moment;
 use crate::simulate::RecordedImpact;
 
 use super::super::failure::Failure;
-use super::film::{Film, Shot};
+use super::film::{AT_ITS_TIME, Film, Shot};
 
 /// The headings of the table of impacts.
 pub(super) const HEADINGS: [&str; 5] =
@@ -56,10 +56,10 @@ pub(super) fn text(title: &str, shot: &Shot) -> String {
         let bodies: Vec<&str> = film.record.bodies.iter().map(|body| body.name.as_str()).collect();
         let _ = writeln!(out, "\nstage {}: {} along {}", film.stage, bodies.join(", "), axes.join(", "));
         let _ = writeln!(out, "  {}", film.choice);
-        if let Some(caution) = film.caution() {
+        for caution in film.cautions() {
             let _ = writeln!(out, "  {caution}");
         }
-        if film.ending != "at its time" {
+        if film.ending != AT_ITS_TIME {
             let _ = writeln!(out, "  it ends {}", film.ending);
         }
         let rows = rows(film);
@@ -128,6 +128,7 @@ fn film(film: &Film) -> Value {
         "ends": film.ending,
         "bodies": bodies,
         "mass_not_told": film.unweighed,
+        "notes": film.notes,
         "impacts": film.record.impacts.iter().map(impact).collect::<Vec<_>>(),
         "moments": film.record.moments.iter().map(moment).collect::<Vec<_>>(),
     })
@@ -146,6 +147,7 @@ fn impact(impact: &RecordedImpact) -> Value {
 fn moment(moment: &Moment) -> Value {
     json!({
         "time": moment.time,
+        "masses": moment.masses,
         "positions": moment.positions,
         "velocities": moment.velocities,
         "mass_centre": moment.centre,

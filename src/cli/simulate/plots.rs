@@ -2,13 +2,14 @@
 
 use crate::simulate::Moment;
 use crate::simulate::Record;
+use crate::simulate::scene::Component;
 
 use super::super::plot::Axis;
 use super::super::plot::Curve;
 use super::super::plot::Page;
 use super::super::plot::Panel;
 use super::super::plot::Table;
-use super::film::{Component, Film};
+use super::film::Film;
 use super::listing::{HEADINGS, rows};
 
 /// The height of a panel, in pixels.
@@ -73,7 +74,7 @@ fn velocities(film: &Film, component: usize, axis: &Component, named: &dyn Fn(&s
 
 fn momenta(film: &Film, component: usize, axis: &Component, named: &dyn Fn(&str) -> String) -> Panel {
     let record = &film.record;
-    let mut curves = each(record, |moment, body| record.bodies[body].mass * moment.velocities[body][component]);
+    let mut curves = each(record, |moment, body| moment.masses[body] * moment.velocities[body][component]);
     if record.bodies.len() > 1 {
         curves.push(over_time("all together", ALL, record, |moment| moment.momentum[component]));
     }
@@ -116,7 +117,7 @@ fn impacts(film: &Film, named: &dyn Fn(&str) -> String) -> Table {
     let more = rows.len().saturating_sub(MOST_ROWS);
     rows.truncate(MOST_ROWS);
     let mut notes = vec![film.choice.to_string()];
-    notes.extend(film.caution());
+    notes.extend(film.cautions());
     if rows.is_empty() {
         notes.push("There is no impact.".to_owned());
     }

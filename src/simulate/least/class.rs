@@ -5,7 +5,7 @@ use std::fmt;
 use crate::simulate::budget::{Budget, Keep};
 use crate::simulate::force::Force;
 use crate::simulate::method::Method;
-use crate::simulate::methods::{ClosedForm, EventDriven};
+use crate::simulate::methods::{ClosedForm, EventDriven, MethodKind};
 use crate::simulate::refusal::Refusal;
 use crate::simulate::world::World;
 
@@ -49,6 +49,21 @@ pub struct Classified {
     pub class: Class,
     /// Why, as a clause.
     pub reason: String,
+    /// The one method that there is for it, where there is only one.
+    pub only: Option<MethodKind>,
+}
+
+impl Classified {
+    fn new(class: Class, reason: String) -> Self {
+        Self { class, reason, only: None }
+    }
+
+    /// A stage of this kind, which no world of spheres and walls describes.
+    #[must_use]
+    pub fn integrated(stage: &str) -> Self {
+        let reason = format!("no formula here gives the motion of the stage `{stage}`");
+        Self { only: Some(MethodKind::RungeKutta), ..Self::new(Class::OdeNeeded, reason) }
+    }
 }
 
 impl fmt::Display for Classified {
@@ -66,20 +81,20 @@ impl fmt::Display for Classified {
 /// let drag = (ON_A_LINE[1].jittered)(0.0);
 /// let found = classify(&drag.world, &drag.budget).unwrap();
 /// assert_eq!(found.class, Class::OdeNeeded);
-/// assert_eq!(found.reason, "no exact motion under quadratic drag");
+/// assert_eq!(found.reason, "no formula here gives the motion under quadratic drag");
 /// ```
 ///
 /// # Errors
 /// The numbers make no scene.
 pub fn classify<const D: usize>(world: &World<D>, budget: &Budget) -> Result<Classified, Refusal> {
     let (state, contacts) = world.prepare()?;
-    let said = |class, reason: &str| Ok(Classified { class, reason: reason.to_owned() });
+    let said = |class, reason: &str| Ok(Classified::new(class, reason.to_owned()));
     let touching = world.touching(&contacts, &state);
     if touching.iter().any(|struck| struck.rate < 0.0) {
         let struck = world.collide(&touching, &mut state.velocities.clone());
         if let Err(Refusal::LawRequired { contacts }) = struck {
             let reason = format!("simultaneous impact of {}", contacts.join(" and "));
-            return Ok(Classified { class: Class::LawRequired, reason });
+            return Ok(Classified::new(Class::LawRequired, reason));
         }
         if budget.impacts <= touching.len() {
             return said(Class::LinearSolve, "bodies touch, and only their impact is asked for");
@@ -90,7 +105,8 @@ pub fn classify<const D: usize>(world: &World<D>, budget: &Budget) -> Result<Cla
     let central = world.forces.iter().any(|force| matches!(force, Force::Central { .. }));
     match EventDriven.run(world, &glance) {
         Err(Refusal::NoExactMotion { force }) => {
-            return Ok(Classified { class: Class::OdeNeeded, reason: format!("no exact motion under {force}") });
+            let reason = format!("no formula here gives the motion under {force}");
+            return Ok(Classified::new(Class::OdeNeeded, reason));
         }
         Ok(_) if central => return said(Class::ClosedForm, "an orbit about one centre is a conic"),
         _ => {}

@@ -5,6 +5,7 @@ use crate::scene::{Axis, Term};
 use super::experiment::{Reached, Staged};
 use super::integrate::Integrator;
 use super::nothing::NothingToSimulate;
+use super::reel::Reel;
 use super::values::Values;
 
 /// By which way a stage was simulated.
@@ -55,12 +56,14 @@ pub(super) struct Bench<'a> {
     /// How many times as short contacts last as they would otherwise.
     pub shorter: f64,
     pub observed: Observed,
+    /// The motions, where somebody watches.
+    pub reels: Option<Vec<Reel>>,
 }
 
 impl<'a> Bench<'a> {
     /// An empty bench.
     pub(super) fn new(values: &'a Values<'a>, tolerance: f64) -> Self {
-        Self { values, tolerance, shorter: 1.0, observed: Observed::default() }
+        Self { values, tolerance, shorter: 1.0, observed: Observed::default(), reels: None }
     }
 
     /// An integrator whose steps are at most so long.

@@ -1,7 +1,10 @@
 //! A body on a floor or a slope, along one axis: how it slides, and what ends the slide.
 
 use super::bench::Bench;
+use super::direction::unit;
+use super::integrate::Slope as Changes;
 use super::nothing::NothingToSimulate;
+use super::reel::{Look, Motion, Seen};
 use super::values::{OfTime, Values};
 use crate::scene::{Axis, Term};
 
@@ -24,6 +27,18 @@ pub(super) struct Slide {
     pub changes: Vec<f64>,
     pub start: f64,
     pub speed: f64,
+    /// What slides, where it is watched.
+    pub body: Option<Sliding>,
+}
+
+/// A body that slides, with the share of the drive that has a potential.
+#[derive(Clone)]
+pub(super) struct Sliding {
+    pub name: String,
+    pub mass: f64,
+    pub axis: Axis,
+    /// The acceleration by its weight along the axis.
+    pub weight: f64,
 }
 
 /// What ends a slide.
@@ -95,11 +110,38 @@ impl Slide {
             // Just before a change the old law holds.
             let held = |at: f64, state: &[f64; 2]| slope(if at >= next { next.next_down() } else { at }, state);
             let run = integrator.run(time, state, next, &held, &stop)?;
+            if let Some(body) = &self.body {
+                Self::film(bench, body, (time, state), run.time, &held)?;
+            }
             (time, state) = (run.time, run.state);
             if run.stopped {
                 break;
             }
         }
         Ok(Slid { time: time - self.start, way: state[0], speed: if until == Until::Rest { 0.0 } else { state[1] } })
+    }
+
+    /// A piece of the motion as it is seen.
+    fn film(
+        bench: &mut Bench<'_>,
+        body: &Sliding,
+        start: (f64, [f64; 2]),
+        end: f64,
+        slope: Changes<'_, 2>,
+    ) -> Result<(), NothingToSimulate> {
+        let (mass, values) = (body.mass, bench.values);
+        let split = |value: f64| values.split(unit(body.axis).map(|own| own * value));
+        let look = |time: f64, state: &[f64; 2]| {
+            let (force, held) = (mass * slope(time, state)[1], mass * body.weight);
+            Look {
+                bodies: vec![Seen { mass, place: split(state[0]), velocity: split(state[1]) }],
+                outside: split(force),
+                potential: -held * state[0],
+                power: (force - held) * state[1],
+                ..Look::default()
+            }
+        };
+        let (names, components) = (&[body.name.as_str()], values.components());
+        bench.film(&Motion { names, components, start, end, slope, look: &look })
     }
 }

@@ -12,8 +12,10 @@ mod integrate;
 mod measure;
 mod motion;
 mod nothing;
+mod reel;
 mod stage;
 mod state;
+mod strength;
 mod touch;
 mod values;
 
@@ -22,6 +24,7 @@ pub use experiment::{Experiment, Reached, Reading, Staged};
 pub use impulsive::is_impulsive;
 pub use measure::{Asked, measure, watch};
 pub use nothing::NothingToSimulate;
+pub use reel::{Component, Reel};
 
 use crate::scene::{Scene, Stage};
 
@@ -59,6 +62,41 @@ pub fn observe(
     let mut bench = Bench::new(&values, tolerance);
     bench.stage(own)?;
     Ok(bench.observed)
+}
+
+/// Watches the motion of a stage, counted from 0, that is integrated in time: what [`observe`] finds the end of. `value` gives the
+/// quantities of the scene as for [`translate`].
+///
+/// ```
+/// use momentous::scene::Scene;
+/// use momentous::simulate::scene::follow;
+///
+/// let scene: Scene = serde_json::from_str(r#"{
+///     "axes": { "x": "to the right" },
+///     "bodies": { "A": { "name": "the bob" } },
+///     "stages": [{ "swing": { "body": "A", "length": "2.5 m" } }]
+/// }"#).unwrap();
+/// let value = |name: &str| match name { "m_A" => Some(2.0), "v_A1" => Some(5.0), "g" => Some(10.0), _ => None };
+/// let swing = &follow(&scene, 0, &value, 1e-10).unwrap()[0];
+/// // It comes to rest 1.25 m higher, and keeps its energy of 25 J all the way.
+/// assert!((swing.record.moments.last().unwrap().positions[0][1] - 1.25).abs() < 1e-9);
+/// assert!(swing.record.moments.iter().all(|moment| (moment.balance() - 25.0).abs() < 1e-7));
+/// ```
+///
+/// # Errors
+/// There is nothing to watch: why.
+pub fn follow(
+    scene: &Scene,
+    stage: usize,
+    value: &dyn Fn(&str) -> Option<f64>,
+    tolerance: f64,
+) -> Result<Vec<Reel>, NothingToSimulate> {
+    let own = scene.stages.get(stage).ok_or(NothingToSimulate::NoStage)?;
+    let values = Values { scene, value, index: stage };
+    let mut bench = Bench { reels: Some(Vec::new()), ..Bench::new(&values, tolerance) };
+    bench.stage(own)?;
+    let reels = bench.reels.unwrap_or_default();
+    if reels.is_empty() { Err(NothingToSimulate::NothingChanges) } else { Ok(reels) }
 }
 
 /// The value of a term of a scene, where all its names have values.

@@ -6,6 +6,7 @@
 use super::bench::{Bench, Way};
 use super::integrate::Integrator;
 use super::nothing::NothingToSimulate;
+use super::reel::{Look, Motion, Seen};
 
 /// The longest step beside the time of the contact, which is of the order of a second.
 const LONGEST: f64 = 0.1;
@@ -43,6 +44,24 @@ pub(super) struct Parted {
     pub phases: [f64; 2],
 }
 
+/// The spring of a contact while it is pressed, or while it is released.
+#[derive(Clone, Copy, Debug)]
+struct Phase {
+    stiffness: f64,
+    /// The overlap at which it does not push.
+    relaxed: f64,
+    /// When it is over.
+    end: f64,
+    /// The energy that is lost before it begins.
+    lost: f64,
+}
+
+impl Phase {
+    fn force(&self, overlap: f64) -> f64 {
+        self.stiffness * (overlap - self.relaxed)
+    }
+}
+
 impl Party {
     /// A body that nothing guides.
     pub(super) fn free(mass: f64, velocity: [f64; 2]) -> Self {
@@ -68,37 +87,102 @@ pub(super) fn dot(one: [f64; 2], other: [f64; 2]) -> f64 {
 type State = [f64; 6];
 
 impl Touch {
-    /// Runs the contact to its end.
-    pub(super) fn run(&self, bench: &mut Bench<'_>) -> Result<Parted, NothingToSimulate> {
+    fn rate(&self, state: &State) -> f64 {
+        dot([state[1] - state[3], state[2] - state[4]], self.normal)
+    }
+
+    fn slope(&self, state: &State, force: f64) -> State {
+        let push = self.normal.map(|own| own * force);
+        let (one, _) = self.parties[0].yields(push.map(|own| -own));
+        let (other, _) = self.parties[1].yields(push);
+        [self.rate(state), one[0], one[1], other[0], other[1], force]
+    }
+
+    /// The pressing and, where the bodies do not stay together, the releasing; the states at the end of each.
+    fn phases(&self, bench: &mut Bench<'_>) -> Result<(Vec<Phase>, State, State), NothingToSimulate> {
         let [first, second] = self.parties;
-        let rate = |state: &State| dot([state[1] - state[3], state[2] - state[4]], self.normal);
         let start = [0.0, first.velocity[0], first.velocity[1], second.velocity[0], second.velocity[1], 0.0];
-        if rate(&start) <= 0.0 {
+        if self.rate(&start) <= 0.0 {
             return Err(NothingToSimulate::NothingChanges);
         }
         bench.by(Way::Contact);
         let lighter = self.parties.iter().filter_map(|party| party.mass).fold(f64::INFINITY, f64::min);
         let stiffness = lighter * bench.shorter * bench.shorter;
         let longest = LONGEST / bench.shorter;
-        let slope = |state: &State, force: f64| {
-            let push = self.normal.map(|own| own * force);
-            let (one, _) = first.yields(push.map(|own| -own));
-            let (other, _) = second.yields(push);
-            [rate(state), one[0], one[1], other[0], other[1], force]
-        };
-        let pressing = Integrator { tolerance: bench.tolerance, longest };
-        let (nearest, most) =
-            pressing.event(0.0, start, &|_, state| slope(state, stiffness * state[0]), &|_, state| rate(state))?;
+        let mut phase = Phase { stiffness, relaxed: 0.0, end: 0.0, lost: 0.0 };
+        let integrator = Integrator { tolerance: bench.tolerance, longest };
+        let slope = |_: f64, state: &State| self.slope(state, phase.force(state[0]));
+        let (nearest, most) = integrator.event(0.0, start, &slope, &|_, state| self.rate(state))?;
+        phase.end = nearest;
         let e = self.restitution;
-        let (_, end) = if e > 0.0 {
-            let relaxed = most[0] * (1.0 - e * e);
-            let releasing = Integrator { longest: longest * e.min(1.0), ..pressing };
-            let back = stiffness / (e * e);
-            let force = |state: &State| back * (state[0] - relaxed);
-            releasing.event(nearest, most, &|_, state| slope(state, force(state)), &|_, state| state[0] - relaxed)?
-        } else {
-            (nearest, most)
-        };
+        if e == 0.0 {
+            return Ok((vec![phase], most, most));
+        }
+        let lost = stiffness * most[0] * most[0] * (1.0 - e * e) / 2.0;
+        let mut release = Phase { stiffness: stiffness / (e * e), relaxed: most[0] * (1.0 - e * e), end: 0.0, lost };
+        let integrator = Integrator { longest: longest * e.min(1.0), ..integrator };
+        let slope = |_: f64, state: &State| self.slope(state, release.force(state[0]));
+        let (apart, end) = integrator.event(nearest, most, &slope, &|_, state| state[0] - release.relaxed)?;
+        release.end = apart;
+        Ok((vec![phase, release], most, end))
+    }
+
+    /// The same contact as it is seen, from the approach to the parting.
+    pub(super) fn film(&self, bench: &mut Bench<'_>, names: [&str; 2]) -> Result<(), NothingToSimulate> {
+        let values = bench.values;
+        let movable: Vec<usize> = (0..2).filter(|own| self.parties[*own].mass.is_some()).collect();
+        let names: Vec<&str> = movable.iter().map(|own| names[*own]).collect();
+        let mut state = [0.0; 10];
+        for (own, party) in self.parties.iter().enumerate() {
+            state[1 + 2 * own..3 + 2 * own].copy_from_slice(&party.velocity);
+        }
+        let mut begun = 0.0;
+        for phase in self.phases(bench)?.0 {
+            let slope = |_: f64, state: &[f64; 10]| {
+                let inner = self.slope(&core::array::from_fn(|place| state[place]), phase.force(state[0]));
+                let mut all = [0.0; 10];
+                all[..6].copy_from_slice(&inner);
+                all[6..].copy_from_slice(&state[1..5]);
+                all
+            };
+            let look = |_: f64, state: &[f64; 10]| {
+                let force = phase.force(state[0]);
+                let push = self.normal.map(|own| own * force);
+                let on = [push.map(|own| -own), push];
+                // A guide, or what is too heavy to be moved, acts from outside.
+                let outside = [0, 1].map(|own| match self.parties[own].mass {
+                    Some(_) => self.parties[own].yields(on[own]).1,
+                    None => on[1 - own],
+                });
+                let moving = movable.iter().map(|own| Seen {
+                    mass: self.parties[*own].mass.unwrap_or(0.0),
+                    place: values.split([state[6 + 2 * own], state[7 + 2 * own]]),
+                    velocity: values.split([state[1 + 2 * own], state[2 + 2 * own]]),
+                });
+                Look {
+                    bodies: moving.collect(),
+                    outside: values.split([outside[0][0] + outside[1][0], outside[0][1] + outside[1][1]]),
+                    potential: force * (state[0] - phase.relaxed) / 2.0,
+                    lost: phase.lost,
+                    ..Look::default()
+                }
+            };
+            let components = values.components();
+            let motion =
+                Motion { names: &names, components, start: (begun, state), end: phase.end, slope: &slope, look: &look };
+            bench.film(&motion)?;
+            let integrator = Integrator { tolerance: bench.tolerance, longest: LONGEST / bench.shorter };
+            state = integrator.until(begun, state, phase.end, &slope)?;
+            begun = phase.end;
+        }
+        bench.remark("How long the contact lasts is not told: it is drawn as seconds. Each place counts from where the bodies meet.");
+        Ok(())
+    }
+
+    /// Runs the contact to its end.
+    pub(super) fn run(&self, bench: &mut Bench<'_>) -> Result<Parted, NothingToSimulate> {
+        let [first, second] = self.parties;
+        let (_, most, end) = self.phases(bench)?;
         let on = [self.normal.map(|own| -own * end[5]), self.normal.map(|own| own * end[5])];
         Ok(Parted {
             velocities: [[end[1], end[2]], [end[3], end[4]]],

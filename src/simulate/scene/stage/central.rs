@@ -5,6 +5,7 @@ use crate::scene::stage::{Central, Orbit};
 use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::integrate::Integrator;
 use crate::simulate::scene::nothing::NothingToSimulate;
+use crate::simulate::scene::reel::{Look, Motion, Seen, plane};
 
 /// Place, velocity, and the area that the radius has swept, in units of the distance and the speed at the start.
 type State = [f64; 5];
@@ -62,10 +63,12 @@ impl Bench<'_> {
         };
         let pull = Pull { parameter, integrator: self.integrator(0.1) };
         let start = (0.0, [1.0, 0.0, radial, across.signum(), 0.0]);
+        let mut shown = 0.0;
         self.note_there(body, first, &start.1, [length, speed]);
         if let Ok(goal) = goal {
             let sense = if goal >= 1.0 { 1.0 } else { -1.0 };
             let (time, end) = pull.to(start, &|state| sense * (goal - distance(state)))?;
+            shown = time;
             self.note_there(body, first + 1, &end, [length, speed]);
             self.note(&format!("v_{body}{}.theta", first + 1), speed * around(&end), speed);
             self.note("areal_rate", end[4] / time * length * speed, 0.0);
@@ -74,9 +77,39 @@ impl Bench<'_> {
             }
         }
         if stage.orbit == Some(Orbit::Ellipse) && told.is_some() {
-            self.go_round(body, &pull, start, [length, speed])?;
+            shown = self.go_round(body, &pull, start, [length, speed])?;
         }
-        Ok(())
+        self.film_orbit(body, &pull, (start.1, shown), [length, speed])
+    }
+
+    /// The orbit in its plane, from the start on, for a time in its own unit.
+    fn film_orbit(
+        &mut self,
+        body: &str,
+        pull: &Pull,
+        (start, time): (State, f64),
+        [length, speed]: [f64; 2],
+    ) -> Result<(), NothingToSimulate> {
+        let parameter = pull.parameter * length * speed * speed;
+        let mass = self.values.any_mass(body);
+        let slope = |_: f64, &[x, y, u, v]: &[f64; 4]| {
+            let away = libm::hypot(x, y);
+            let pull = -parameter / (away * away * away);
+            [u, v, pull * x, pull * y]
+        };
+        let look = |at: f64, state: &[f64; 4]| {
+            let [x, y, u, v] = *state;
+            let [.., across, up] = slope(at, state);
+            Look {
+                bodies: vec![Seen { mass, place: vec![x, y], velocity: vec![u, v] }],
+                outside: vec![mass * across, mass * up],
+                potential: -mass * parameter / libm::hypot(x, y),
+                ..Look::default()
+            }
+        };
+        let first = [start[0] * length, start[1] * length, start[2] * speed, start[3] * speed];
+        let (names, start, end) = (&[body], (0.0, first), time * length / speed);
+        self.film(&Motion { names, components: plane(false), start, end, slope: &slope, look: &look })
     }
 
     fn note_there(&mut self, body: &str, instant: usize, state: &State, [length, speed]: [f64; 2]) {
@@ -90,14 +123,14 @@ impl Bench<'_> {
         }
     }
 
-    /// Once round: farthest, nearest, farthest again.
+    /// Once round: farthest, nearest, farthest again. How long that takes, in the unit of the motion.
     fn go_round(
         &mut self,
         body: &str,
         pull: &Pull,
         start: (f64, State),
         [length, speed]: [f64; 2],
-    ) -> Result<(), NothingToSimulate> {
+    ) -> Result<f64, NothingToSimulate> {
         let far = pull.to(start, &outwards)?;
         let near = pull.to(far, &|state| -outwards(state))?;
         let again = pull.to(near, &outwards)?;
@@ -107,6 +140,6 @@ impl Bench<'_> {
         self.note(&format!("a_{body}"), f64::midpoint(most, least), most);
         self.note(&format!("ecc_{body}"), (most - least) / (most + least), 1.0);
         self.note(&format!("period_{body}"), (again.0 - far.0) * length / speed, 0.0);
-        Ok(())
+        Ok(again.0 - far.0)
     }
 }

@@ -6,6 +6,7 @@ use crate::scene::stage::{Connected, Strand};
 use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::direction::unit;
 use crate::simulate::scene::nothing::NothingToSimulate;
+use crate::simulate::scene::reel::{Component, Look, Motion, Seen};
 
 /// One end of the string: the mass, and what drives it along the string towards the leading body.
 struct End {
@@ -50,6 +51,18 @@ impl Bench<'_> {
             }
             _ => return Err(NothingToSimulate::ValueMissing),
         };
+        let look = |_: f64, &[way, own, other]: &[f64; 3]| Look {
+            bodies: [(&trailing, own), (&leading, other)]
+                .map(|(end, speed)| Seen { mass: end.mass, place: vec![way], velocity: vec![speed] })
+                .into(),
+            outside: vec![trailing.weight - trailing.friction + leading.weight - leading.friction],
+            potential: -(trailing.weight + leading.weight) * way,
+            power: -trailing.friction * own - leading.friction * other,
+            ..Look::default()
+        };
+        let components = vec![Component { letter: "s", vertical: false }];
+        self.film(&Motion { names: &bodies, components, start: (0.0, start), end: time, slope: &slope, look: &look })?;
+        self.remark("s is counted along the string, towards the leading body, for both bodies.");
         for (body, velocity) in bodies.into_iter().zip([end[1], end[2]]) {
             self.note_velocity(body, unit(axis).map(|own| own * velocity), speed);
         }

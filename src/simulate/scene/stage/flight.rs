@@ -7,6 +7,7 @@ use crate::scene::{Axis, Term};
 
 use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::nothing::NothingToSimulate;
+use crate::simulate::scene::reel::{Look, Motion, Seen};
 use crate::simulate::scene::values::OfSeveral;
 
 /// The time after which it is looked on which side of its end a motion that starts on it has gone.
@@ -31,7 +32,11 @@ enum Ends {
 
 impl Track {
     fn place_at(&self, time: f64) -> f64 {
-        self.place.unwrap_or(f64::NAN) + time * (self.speed + time * self.falls / 2.0)
+        self.place.unwrap_or(f64::NAN) + self.way(time)
+    }
+
+    fn way(&self, time: f64) -> f64 {
+        time * (self.speed + time * self.falls / 2.0)
     }
 }
 
@@ -79,6 +84,7 @@ impl Bench<'_> {
             Some(text) => Ends::Meets(self.equation(tracks, text)?),
         };
         let time = self.ending(tracks, &ends)?;
+        self.film_tracks(tracks, time)?;
         for track in tracks {
             self.note(
                 &self.values.velocity_after(&track.body, track.axis),
@@ -93,6 +99,40 @@ impl Bench<'_> {
         }
         self.note_duration(during, time);
         Ok(())
+    }
+
+    /// All bodies on their tracks, each from where it is known to start, or else from nought.
+    fn film_tracks(&mut self, tracks: &[Track], end: f64) -> Result<(), NothingToSimulate> {
+        let components = self.values.components();
+        let each: Vec<&[Track]> = tracks.chunks(components.len().max(1)).collect();
+        let names: Vec<&str> = each.iter().map(|own| own[0].body.as_str()).collect();
+        let masses: Vec<f64> = names.iter().map(|name| self.values.any_mass(name)).collect();
+        let look = |time: f64, _: &[f64; 0]| {
+            let bodies: Vec<Seen> = each
+                .iter()
+                .zip(&masses)
+                .map(|(own, mass)| Seen {
+                    mass: *mass,
+                    place: own.iter().map(|track| track.place.unwrap_or(0.0) + track.way(time)).collect(),
+                    velocity: own.iter().map(|track| track.speed + track.falls * time).collect(),
+                })
+                .collect();
+            let pulls = each
+                .iter()
+                .zip(&masses)
+                .map(|(own, mass)| own.iter().map(|track| mass * track.falls).collect::<Vec<f64>>());
+            let sunk = pulls
+                .clone()
+                .zip(&bodies)
+                .map(|(pull, body)| pull.iter().zip(&body.place).map(|(pull, place)| -pull * place).sum::<f64>());
+            let potential = sunk.sum();
+            let outside = pulls.fold(vec![0.0; components.len()], |sum, pull| {
+                sum.iter().zip(pull).map(|(sum, own)| sum + own).collect()
+            });
+            Look { bodies, outside, potential, ..Look::default() }
+        };
+        let (start, components) = ((0.0, []), components.clone());
+        self.film(&Motion { names: &names, components, start, end, slope: &|_, _| [], look: &look })
     }
 
     /// The two sides of an equation in places as a function of the places that is zero where they are equal.

@@ -41,6 +41,7 @@ impl Bench<'_> {
         let touch = Touch { parties, normal, restitution: 0.0 };
         let touch = Touch { restitution: self.restitution(stage, &touch)?, ..touch };
         let parted = touch.run(self)?;
+        touch.film(self, bodies)?;
         if stage.loss.is_none() && parties.iter().all(|party| party.guide.is_none()) {
             self.take(&self.values.impact(stage)?)?;
         } else {

@@ -7,7 +7,7 @@ use crate::scene::{Axis, Force, Friction, Pull, Strength};
 
 use crate::simulate::scene::bench::{Bench, part};
 use crate::simulate::scene::direction::{turned, unit};
-use crate::simulate::scene::floor::{Slide, Until};
+use crate::simulate::scene::floor::{Slide, Sliding, Until};
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::values::OfTime;
 
@@ -37,7 +37,7 @@ impl Bench<'_> {
             let drive: OfTime = Arc::new(move |time| (along(time) + weight) / mass);
             let before = self.values.velocity_before(&stage.body, axis)?;
             let rest: OfTime = Arc::new(|_| 0.0);
-            let slide = Slide { drive, grip: rest, changes: felt.changes, start, speed: before };
+            let slide = Slide { drive, grip: rest, changes: felt.changes, start, speed: before, body: None };
             // What is gained from rest, in the velocity that the body has anyhow, is the impulse.
             let gained = Slide {
                 speed: 0.0,
@@ -45,6 +45,7 @@ impl Bench<'_> {
                 grip: Arc::clone(&slide.grip),
                 changes: slide.changes.clone(),
                 start,
+                body: None,
             }
             .run(self, 1.0, Until::Time(end))?;
             let slid = slide.run(self, 1.0, Until::Time(end))?;
@@ -141,7 +142,8 @@ impl Bench<'_> {
             self.note_here("t_start", start, 0.0);
         }
         let sense = if at_rest.is_some() { drive(start).signum() } else { sense };
-        let slide = Slide { drive, grip, changes, start, speed };
+        let pulled = Sliding { name: body.to_owned(), mass, axis, weight: weight / mass };
+        let slide = Slide { drive, grip, changes, start, speed, body: Some(pulled) };
         let slid = slide.run(self, sense, until)?;
         self.note(&self.values.velocity_after(body, axis), slid.speed, speed);
         self.note_term(stage.over.as_ref(), slid.way.abs(), 0.0);

@@ -9,6 +9,7 @@ use crate::scene::stage::Rotate;
 use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::direction::unit;
 use crate::simulate::scene::nothing::NothingToSimulate;
+use crate::simulate::scene::reel::{Look, Motion, Seen, plane};
 use crate::simulate::scene::values::OfTime;
 
 impl Bench<'_> {
@@ -31,18 +32,37 @@ impl Bench<'_> {
         };
         let arm = |time: f64| {
             let phase = PI * (time - start) / (end - start);
-            let half = (long - short) / 2.0;
-            [short + half * (1.0 - libm::cos(phase)), half * libm::sin(phase) * PI / (end - start)]
+            let (half, quick) = ((long - short) / 2.0, PI / (end - start));
+            let (sin, cos) = (libm::sin(phase), libm::cos(phase));
+            // Its length, and how that changes, first and second.
+            [short + half * (1.0 - cos), half * sin * quick, half * cos * quick * quick]
         };
         // The angle and its rate: across the arm a particle feels the moment, and the arm's change turns it.
         let slope = |time: f64, state: &[f64; 2]| {
-            let [radius, drawn] = arm(time);
+            let [radius, drawn, _] = arm(time);
             [state[1], (moment(time) / (mass * radius) - 2.0 * drawn * state[1]) / radius]
+        };
+        // In the plane of the circle: the arm and the moment act.
+        let look = |time: f64, state: &[f64; 2]| {
+            let [radius, drawn, jerked] = arm(time);
+            let [angle, rate] = *state;
+            let across = moment(time) / radius;
+            let along = mass * (jerked - radius * rate * rate);
+            let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+            let turned = |out: f64, round: f64| vec![out * cos - round * sin, out * sin + round * cos];
+            Look {
+                bodies: vec![Seen { mass, place: turned(radius, 0.0), velocity: turned(drawn, radius * rate) }],
+                outside: turned(along, across),
+                power: along * drawn + across * radius * rate,
+                ..Look::default()
+            }
         };
         let integrator = self.integrator((end - start) / 32.0);
         let (mut time, mut state) = (start, [0.0, before / short]);
         for next in changes.into_iter().filter(|change| *change > start && *change < end).chain([end]) {
             let held = |at: f64, state: &[f64; 2]| slope(if at >= next { next.next_down() } else { at }, state);
+            let (names, components, start) = (&[body], plane(false), (time, state));
+            self.film(&Motion { names, components, start, end: next, slope: &held, look: &look })?;
             (state, time) = (integrator.until(time, state, next, &held)?, next);
         }
         let [angle, rate] = state;

@@ -6,6 +6,7 @@ use crate::scene::stage::{Relative, Separate, When};
 use crate::simulate::scene::bench::{Bench, kinetic, part};
 use crate::simulate::scene::direction::unit;
 use crate::simulate::scene::nothing::NothingToSimulate;
+use crate::simulate::scene::reel::{Look, Motion, Seen};
 use crate::simulate::scene::state::add;
 use crate::simulate::scene::touch::{Party, dot};
 
@@ -31,7 +32,7 @@ impl Bench<'_> {
             (None, None) => self.parting(parties, names)?,
         };
         self.note_parts(stage, names, parties, &apart);
-        Ok(())
+        self.film_parts(names, parties, apart.impulse)
     }
 
     /// A spring between the parts, the first behind the second, that holds so much energy.
@@ -130,12 +131,51 @@ impl Bench<'_> {
         let [a, b] = parties.map(|party| party.velocity);
         let start = [a[0], a[1], b[0], b[1], 0.0, 0.0];
         let end = self.integrator(0.25).until(0.0, start, 1.0, &|time, _| {
-            let now = force.map(|own| own * libm::sin(core::f64::consts::PI * time));
+            let now = history(force, time);
             let (one, _) = parties[0].yields(now);
             let (other, _) = parties[1].yields(now.map(|own| -own));
             [one[0], one[1], other[0], other[1], now[0], now[1]]
         })?;
         Ok(Apart { velocities: [[end[0], end[1]], [end[2], end[3]]], impulse: [end[4], end[5]] })
+    }
+
+    /// The parts while some force with the impulse that was found drives them apart.
+    fn film_parts(
+        &mut self,
+        names: [&str; 2],
+        parties: [Party; 2],
+        impulse: [f64; 2],
+    ) -> Result<(), NothingToSimulate> {
+        let values = self.values;
+        let force = impulse.map(|own| own * core::f64::consts::FRAC_PI_2);
+        let yielding = |time: f64| {
+            let now = history(force, time);
+            (now, [parties[0].yields(now), parties[1].yields(now.map(|own| -own))])
+        };
+        let slope = |time: f64, state: &[f64; 8]| {
+            let [one, other] = yielding(time).1.map(|(gained, _)| gained);
+            [state[2], state[3], one[0], one[1], state[6], state[7], other[0], other[1]]
+        };
+        let look = |time: f64, state: &[f64; 8]| {
+            let (now, [(_, held), (_, carried)]) = yielding(time);
+            let seen = |body: usize| Seen {
+                mass: parties[body].mass.unwrap_or(0.0),
+                place: values.split([state[4 * body], state[4 * body + 1]]),
+                velocity: values.split([state[4 * body + 2], state[4 * body + 3]]),
+            };
+            Look {
+                bodies: vec![seen(0), seen(1)],
+                outside: values.split(add(held, carried)),
+                power: dot(now, [state[2] - state[6], state[3] - state[7]]),
+                ..Look::default()
+            }
+        };
+        let [a, b] = parties.map(|party| party.velocity);
+        let start = (0.0, [0.0, 0.0, a[0], a[1], 0.0, 0.0, b[0], b[1]]);
+        let components = values.components();
+        self.film(&Motion { names: &names, components, start, end: 1.0, slope: &slope, look: &look })?;
+        self.remark("How long the parts push each other is not told: it is drawn as one second.");
+        Ok(())
     }
 
     fn note_parts(&mut self, stage: &Separate, names: [&str; 2], parties: [Party; 2], apart: &Apart) {
@@ -163,4 +203,9 @@ impl Bench<'_> {
             [before, after].map(|all| all.into_iter().map(|(mass, velocity)| kinetic(mass, velocity)).sum());
         self.note_term(stage.energy.as_ref(), end - start, start + end);
     }
+}
+
+/// A force at a time of the second within which it rises and falls.
+fn history(most: [f64; 2], time: f64) -> [f64; 2] {
+    most.map(|own| own * libm::sin(core::f64::consts::PI * time))
 }

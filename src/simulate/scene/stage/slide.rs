@@ -6,7 +6,7 @@ use crate::scene::stage::{self, Way};
 
 use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::direction::unit;
-use crate::simulate::scene::floor::{Slide, Slope, Until};
+use crate::simulate::scene::floor::{Slide, Sliding, Slope, Until};
 use crate::simulate::scene::nothing::NothingToSimulate;
 
 /// The slope of a ramp of any shape: 45°.
@@ -34,6 +34,7 @@ impl Bench<'_> {
             changes: Vec::new(),
             start: 0.0,
             speed,
+            body: Some(Sliding { name: body.to_owned(), mass: self.values.any_mass(body), axis, weight: drive }),
         };
         let told = |term: &Option<crate::scene::Term>| term.as_ref().and_then(|term| self.values.term(term).ok());
         let time = told(&stage.duration).or_else(|| self.values.duration().ok());

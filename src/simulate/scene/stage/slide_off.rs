@@ -5,7 +5,9 @@ use core::f64::consts::FRAC_PI_2;
 use crate::scene::stage::SlideOff;
 
 use crate::simulate::scene::bench::Bench;
+use crate::simulate::scene::integrate::Slope;
 use crate::simulate::scene::nothing::NothingToSimulate;
+use crate::simulate::scene::reel::{Look, Motion, Seen};
 use crate::simulate::scene::touch::{Party, dot};
 
 impl Bench<'_> {
@@ -53,6 +55,7 @@ impl Bench<'_> {
             // What is left to sink; where the face ends level, what is left of the quarter of a circle.
             if bend == 0.0 { height - state[2] } else { FRAC_PI_2 / bend - state[0] }
         })?;
+        self.film_pair([body, on], [own, other], (time, &slope), &|load| carrier.yields(load).1, weight)?;
         let scale = libm::sqrt(gravity * height);
         self.note_velocity(body, [end[3], end[4]], scale);
         self.note_velocity(on, [end[5], end[6]], scale);
@@ -62,6 +65,49 @@ impl Bench<'_> {
             }
         }
         self.note_duration(None, time);
+        Ok(())
+    }
+
+    /// Both bodies from where they start; what holds the carrier up on its guide acts from outside.
+    fn film_pair(
+        &mut self,
+        names: [&str; 2],
+        masses: [f64; 2],
+        (end, slope): (f64, Slope<'_, 7>),
+        held: &dyn Fn([f64; 2]) -> [f64; 2],
+        weight: [f64; 2],
+    ) -> Result<(), NothingToSimulate> {
+        let values = self.values;
+        let all = |time: f64, state: &[f64; 11]| {
+            let inner = slope(time, &core::array::from_fn(|place| state[place]));
+            let mut all = [0.0; 11];
+            all[..7].copy_from_slice(&inner);
+            all[7..].copy_from_slice(&state[3..7]);
+            all
+        };
+        let look = |time: f64, state: &[f64; 11]| {
+            let changes = all(time, state);
+            let push = [0, 1].map(|axis| masses[0] * (changes[3 + axis] - weight[axis]));
+            let load = [0, 1].map(|axis| masses[1] * weight[axis] - push[axis]);
+            let reaction = held(load);
+            let total = masses[0] + masses[1];
+            let fallen = [0, 1].map(|body| masses[body] * dot([state[7 + 2 * body], state[8 + 2 * body]], weight));
+            Look {
+                bodies: (0..2)
+                    .map(|body| Seen {
+                        mass: masses[body],
+                        place: values.split([state[7 + 2 * body], state[8 + 2 * body]]),
+                        velocity: values.split([state[3 + 2 * body], state[4 + 2 * body]]),
+                    })
+                    .collect(),
+                outside: values.split([0, 1].map(|axis| reaction[axis] + total * weight[axis])),
+                potential: -fallen[0] - fallen[1],
+                ..Look::default()
+            }
+        };
+        let (names, components, start) = (&names, values.components(), (0.0, [0.0; 11]));
+        self.film(&Motion { names, components, start, end, slope: &all, look: &look })?;
+        self.remark("Each place counts from where its body starts.");
         Ok(())
     }
 }

@@ -1,10 +1,12 @@
 //! A spring that a body runs into or is pushed away by, or a spring between two bodies.
 
+use crate::scene::Axis;
 use crate::scene::stage::{Ends, Spring};
 
 use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::direction::unit;
 use crate::simulate::scene::nothing::NothingToSimulate;
+use crate::simulate::scene::reel::{Look, Motion, Seen};
 
 impl Bench<'_> {
     pub(super) fn spring(&mut self, stage: &Spring) -> Result<(), NothingToSimulate> {
@@ -32,6 +34,17 @@ impl Bench<'_> {
                 let drive = way * (self.values.gravity(axis)? + slope.along * gravity);
                 let grip = friction * slope.across * gravity;
                 let start = [from, way * self.values.velocity_before(body, axis)?];
+                let split = |value: f64| self.values.split(unit(axis).map(|own| own * way * value));
+                let look = |_: f64, &[deformed, speed]: &[f64; 2]| {
+                    let gone = sense * (deformed - from);
+                    Look {
+                        bodies: vec![Seen { mass, place: split(gone), velocity: split(speed) }],
+                        outside: split(mass * (drive - grip) - sense * stiffness * deformed),
+                        potential: stiffness * deformed * deformed / 2.0 - mass * drive * gone,
+                        power: -mass * grip * speed,
+                        ..Look::default()
+                    }
+                };
                 let slope = |_: f64, state: &[f64; 2]| {
                     let push = stiffness * state[0] / mass;
                     [sense * state[1], drive - grip - sense * push]
@@ -39,6 +52,8 @@ impl Bench<'_> {
                 let integrator = self.integrator(0.1 * libm::sqrt(mass / stiffness));
                 let stop = |_: f64, state: &[f64; 2]| if stops { state[1] } else { left(state[0]) };
                 let (time, end) = integrator.event(0.0, start, &slope, &stop)?;
+                let (names, components) = (&[body], self.values.components());
+                self.film(&Motion { names, components, start: (0.0, start), end: time, slope: &slope, look: &look })?;
                 let velocity = if stops { 0.0 } else { way * end[1] };
                 self.note_velocity(body, unit(axis).map(|own| own * velocity), start[1]);
                 self.note_spring(stage, from, end[0]);
@@ -54,6 +69,7 @@ impl Bench<'_> {
                 let integrator = self.integrator(0.1 * libm::sqrt(masses[0].min(masses[1]) / stiffness));
                 let stop = |_: f64, state: &[f64; 3]| if stops { state[1] - state[2] } else { left(state[0]) };
                 let (time, end) = integrator.event(0.0, [from, a, b], &slope, &stop)?;
+                self.film_between([first, second], masses, (time, [from, a, b], stiffness), axis)?;
                 for (body, velocity) in [(first, end[1]), (second, end[2])] {
                     self.note_velocity(body, unit(axis).map(|own| own * velocity), a.abs() + b.abs());
                 }
@@ -61,6 +77,33 @@ impl Bench<'_> {
                 self.note_duration(None, time);
             }
         }
+        Ok(())
+    }
+
+    /// The motion of both bodies, from where each of them starts.
+    fn film_between(
+        &mut self,
+        names: [&str; 2],
+        masses: [f64; 2],
+        (end, [from, a, b], stiffness): (f64, [f64; 3], f64),
+        axis: Axis,
+    ) -> Result<(), NothingToSimulate> {
+        let slope = |_: f64, &[deformed, one, other, ..]: &[f64; 5]| {
+            let push = stiffness * deformed;
+            [one - other, -push / masses[0], push / masses[1], one, other]
+        };
+        let split = |value: f64| self.values.split(unit(axis).map(|own| own * value));
+        let look = |_: f64, &[deformed, one, other, here, there]: &[f64; 5]| Look {
+            bodies: vec![
+                Seen { mass: masses[0], place: split(here), velocity: split(one) },
+                Seen { mass: masses[1], place: split(there), velocity: split(other) },
+            ],
+            potential: stiffness * deformed * deformed / 2.0,
+            ..Look::default()
+        };
+        let (names, components, start) = (&names, self.values.components(), (0.0, [from, a, b, 0.0, 0.0]));
+        self.film(&Motion { names, components, start, end, slope: &slope, look: &look })?;
+        self.remark("Each body's place counts from where it starts.");
         Ok(())
     }
 

@@ -5,10 +5,15 @@ use crate::scene::stage::Stream;
 use crate::simulate::scene::bench::{Bench, Way, part};
 use crate::simulate::scene::direction::{turned, unit};
 use crate::simulate::scene::nothing::NothingToSimulate;
+use crate::simulate::scene::reel::{Look, Motion, Seen, plane};
 use crate::simulate::scene::touch::{Party, Touch, dot};
 
 /// How many droplets are counted.
 const DROPLETS: u32 = 1_000;
+
+/// What is watched of a stream.
+const DROPLET: &str = "droplet";
+const SEEN: &str = "One droplet of 1 kg is shown, as seen from the body that it meets; how long it takes is not told.";
 
 impl Bench<'_> {
     pub(super) fn stream(&mut self, stage: &Stream) -> Result<(), NothingToSimulate> {
@@ -79,7 +84,10 @@ impl Bench<'_> {
         let drop = Party::free(1.0, towards.map(|own| own * relative));
         let still = Party { mass: None, velocity: [0.0; 2], guide: None };
         let normal = towards.map(|own| own * relative.signum());
-        let parted = Touch { parties: [drop, still], normal, restitution }.run(self)?;
+        let touch = Touch { parties: [drop, still], normal, restitution };
+        let parted = touch.run(self)?;
+        touch.film(self, [DROPLET, ""])?;
+        self.remark(SEEN);
         Ok(parted.impulses[1])
     }
 
@@ -87,12 +95,24 @@ impl Bench<'_> {
     fn along_vane(&mut self, towards: [f64; 2], relative: f64, turn: f64) -> Result<[f64; 2], NothingToSimulate> {
         let start = towards.map(|own| own * relative);
         let sense = turn.signum();
-        let slope = |_: f64, state: &[f64; 4]| {
-            // A turn of 1 rad in a second.
+        // Velocity, the impulse on the vane, and the place; a turn of 1 rad in a second.
+        let slope = |_: f64, state: &[f64; 6]| {
             let push = turned([state[0], state[1]], sense * core::f64::consts::FRAC_PI_2);
-            [push[0], push[1], -push[0], -push[1]]
+            [push[0], push[1], -push[0], -push[1], state[0], state[1]]
         };
-        let end = self.integrator(0.1).until(0.0, [start[0], start[1], 0.0, 0.0], turn.abs(), &slope)?;
+        let state = [start[0], start[1], 0.0, 0.0, 0.0, 0.0];
+        let end = self.integrator(0.1).until(0.0, state, turn.abs(), &slope)?;
+        let look = |time: f64, state: &[f64; 6]| {
+            let [x, y, ..] = slope(time, state);
+            Look {
+                bodies: vec![Seen { mass: 1.0, place: vec![state[4], state[5]], velocity: vec![state[0], state[1]] }],
+                outside: vec![x, y],
+                ..Look::default()
+            }
+        };
+        let (names, components, start) = (&[DROPLET], plane(false), (0.0, state));
+        self.film(&Motion { names, components, start, end: turn.abs(), slope: &slope, look: &look })?;
+        self.remark(SEEN);
         Ok([end[2], end[3]])
     }
 }

@@ -6,6 +6,7 @@ use crate::scene::stage::{Place, Swing, Way};
 use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::direction::unit;
 use crate::simulate::scene::nothing::NothingToSimulate;
+use crate::simulate::scene::reel::{Look, Motion, Seen, plane};
 
 /// The angle at which a swing starts whose cord may have any length.
 const ANY_ANGLE: f64 = 1.0;
@@ -55,7 +56,25 @@ impl Bench<'_> {
             Some(end) if !stops => end - state[0],
             _ => state[1],
         };
-        let (_, [angle, turning]) = integrator.event(0.0, [start, speed / length], &slope, &stop)?;
+        let first = [start, speed / length];
+        let (time, [angle, turning]) = integrator.event(0.0, first, &slope, &stop)?;
+        let mass = self.values.any_mass(body);
+        // Across and up from the lowest point; weight and the cord act.
+        let look = |_: f64, &[angle, turning]: &[f64; 2]| {
+            let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+            let (height, swept) = (length * (1.0 - cos), length * turning);
+            let cord = mass * (swept * turning + gravity * cos);
+            let place = vec![sense * length * sin, height];
+            let velocity = vec![sense * swept * cos, swept * sin];
+            Look {
+                bodies: vec![Seen { mass, place, velocity }],
+                outside: vec![-sense * cord * sin, cord * cos - mass * gravity],
+                potential: mass * gravity * height,
+                ..Look::default()
+            }
+        };
+        let (names, start_of) = (&[body], (0.0, first));
+        self.film(&Motion { names, components: plane(true), start: start_of, end: time, slope: &slope, look: &look })?;
         let reached = if stops { 0.0 } else { length * turning };
         let depth = |angle: f64| -length * libm::cos(angle);
         let rise = (depth(angle) - depth(start)).abs();

@@ -7,6 +7,7 @@ use crate::simulate::scene::bench::{Bench, Way, part};
 use crate::simulate::scene::direction::unit;
 use crate::simulate::scene::integrate::Integrator;
 use crate::simulate::scene::nothing::NothingToSimulate;
+use crate::simulate::scene::reel::{Look, Motion, Seen};
 use crate::simulate::scene::touch::{Party, dot};
 
 use super::separate::Apart;
@@ -120,6 +121,13 @@ impl Bench<'_> {
         if stage.on_ground && driven(burn.start) <= 0.0 {
             let burning = |_: f64, _: &[f64; 1]| [-burn.flow];
             let held = integrator.run(0.0, [burn.start], time, &burning, &|_, mass| -driven(mass[0]))?;
+            let still = |_: f64, &[mass]: &[f64; 1]| Look {
+                bodies: vec![Seen { mass, place: vec![0.0], velocity: vec![0.0] }],
+                outside: vec![0.0],
+                ..Look::default()
+            };
+            let (names, components, start) = (&[body], self.values.components(), (0.0, [burn.start]));
+            self.film(&Motion { names, components, start, end: held.time, slope: &burning, look: &still })?;
             (begun, state[0]) = (held.time, held.state[0]);
         }
         if stage.on_ground {
@@ -131,6 +139,19 @@ impl Bench<'_> {
         };
         let integrator = Integrator { longest: (time - begun).max(f64::MIN_POSITIVE) / 64.0, ..integrator };
         let [mass, speed, way] = integrator.until(begun, state, time, &slope)?;
+        let look = |_: f64, &[mass, speed, way]: &[f64; 3]| {
+            let pushed = burn.along * burn.force - burn.resistance * speed * speed.abs();
+            Look {
+                bodies: vec![Seen { mass, place: vec![way], velocity: vec![speed] }],
+                // What leaves takes the momentum and the energy with it that it had before.
+                outside: vec![pushed + mass * burn.weight - burn.flow * speed],
+                power: (pushed + mass * burn.weight) * speed - burn.flow * speed * speed / 2.0,
+                ..Look::default()
+            }
+        };
+        let (names, components, start) = (&[body], self.values.components(), (begun, state));
+        self.film(&Motion { names, components, start, end: time, slope: &slope, look: &look })?;
+        self.remark("Momentum and energy are of what is left; what the exhaust takes with it counts as from outside.");
         self.note_velocity(body, unit(axis).map(|own| own * speed), before);
         self.note_here(&format!("s_{body}"), way, 0.0);
         match &stage.mass {

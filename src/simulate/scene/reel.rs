@@ -1,0 +1,174 @@
+//! What can be watched of a motion that is integrated: its bodies at common instants, and what acts on them meanwhile.
+
+use crate::scene::{Axis, Plane, Scene};
+use crate::simulate::record::{GAUSS, Moment, Record, Recorded};
+
+use super::bench::{Bench, part};
+use super::integrate::{Integrator, Slope};
+use super::nothing::NothingToSimulate;
+use super::values::Values;
+
+/// The evenly spaced instants of a motion.
+const INSTANTS: u32 = 120;
+
+/// A component of positions and velocities.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Component {
+    /// Its letter: x.
+    pub letter: &'static str,
+    /// Whether it is the height.
+    pub vertical: bool,
+}
+
+impl Component {
+    /// The component along an axis of a scene.
+    #[must_use]
+    pub fn along(scene: &Scene, axis: Axis) -> Self {
+        let axes = scene.axes.rectangular();
+        let senses = axes.iter().find(|(other, _)| *other == axis);
+        let steep = senses.is_some_and(|(_, senses)| ["upwards", "downwards"].contains(&senses.positive.as_str()));
+        Self { letter: axis.letter(), vertical: steep && scene.plane == Plane::Vertical }
+    }
+}
+
+/// A motion that was watched.
+#[derive(Clone, Debug)]
+pub struct Reel {
+    /// What its positions and velocities consist of.
+    pub components: Vec<Component>,
+    /// What was seen.
+    pub record: Record,
+    /// What a reader must know of it.
+    pub notes: Vec<&'static str>,
+}
+
+/// A body as it is seen at an instant.
+pub(super) struct Seen {
+    pub mass: f64,
+    pub place: Vec<f64>,
+    pub velocity: Vec<f64>,
+}
+
+/// What is seen at an instant.
+#[derive(Default)]
+pub(super) struct Look {
+    pub bodies: Vec<Seen>,
+    /// The forces from outside, added up.
+    pub outside: Vec<f64>,
+    /// The energy that weight and springs can give back.
+    pub potential: f64,
+    /// The power of all other forces.
+    pub power: f64,
+    /// The energy that is lost for good.
+    pub lost: f64,
+}
+
+/// A motion to be watched: how its state goes on from a start to an end, and what is seen of it.
+pub(super) struct Motion<'a, const N: usize> {
+    pub names: &'a [&'a str],
+    pub components: Vec<Component>,
+    pub start: (f64, [f64; N]),
+    pub end: f64,
+    pub slope: Slope<'a, N>,
+    pub look: &'a dyn Fn(f64, &[f64; N]) -> Look,
+}
+
+impl Values<'_> {
+    /// The components along the axes of the scene.
+    pub(super) fn components(&self) -> Vec<Component> {
+        self.axes().into_iter().map(|axis| Component::along(self.scene, axis)).collect()
+    }
+
+    /// A vector by its components along the axes of the scene.
+    pub(super) fn split(&self, vector: [f64; 2]) -> Vec<f64> {
+        self.axes().into_iter().map(|axis| part(vector, axis)).collect()
+    }
+}
+
+/// The components of a motion in a plane of its own: across, and in height where it stands upright.
+pub(super) fn plane(upright: bool) -> Vec<Component> {
+    vec![Component { letter: "x", vertical: false }, Component { letter: "y", vertical: upright }]
+}
+
+impl Bench<'_> {
+    /// Watches a motion, where anybody does. One that goes on where the last one ended continues it; any other takes its place.
+    pub(super) fn film<const N: usize>(&mut self, motion: &Motion<'_, N>) -> Result<(), NothingToSimulate> {
+        let tolerance = self.tolerance;
+        let Some(reels) = self.reels.as_mut().filter(|_| motion.end > motion.start.0) else { return Ok(()) };
+        let ended =
+            |reel: &Reel| reel.record.moments.last().is_some_and(|last| last.time.total_cmp(&motion.start.0).is_eq());
+        let same =
+            |reel: &mut Reel| reel.record.bodies.iter().map(|body| body.name.as_str()).eq(motion.names.iter().copied());
+        let before = reels.pop_if(same);
+        let mut reel = before.filter(ended).unwrap_or_else(|| Reel {
+            components: motion.components.clone(),
+            record: Record { bodies: Vec::new(), moments: Vec::new(), impacts: Vec::new() },
+            notes: Vec::new(),
+        });
+        let longest = (motion.end - motion.start.0) / f64::from(INSTANTS);
+        motion.watch(Integrator { tolerance, longest }, &mut reel.record)?;
+        reels.push(reel);
+        Ok(())
+    }
+
+    /// Notes what a reader of the last motion that was watched must know.
+    pub(super) fn remark(&mut self, note: &'static str) {
+        if let Some(reel) = self.reels.as_mut().and_then(|reels| reels.last_mut()) {
+            reel.notes = vec![note];
+        }
+    }
+}
+
+impl<const N: usize> Motion<'_, N> {
+    fn watch(&self, integrator: Integrator, record: &mut Record) -> Result<(), NothingToSimulate> {
+        let (start, mut state) = self.start;
+        let first = (self.look)(start, &state);
+        let (mut outside, mut work) = match record.moments.last() {
+            Some(last) => (last.outside.clone(), last.work),
+            None => (vec![0.0; self.components.len()], 0.0),
+        };
+        if record.bodies.is_empty() {
+            let named = self.names.iter().zip(&first.bodies);
+            record.bodies = named.map(|(name, body)| Recorded { name: (*name).to_owned(), mass: body.mass }).collect();
+        }
+        let mut time = start;
+        record.moments.push(moment(time, first, &outside, work));
+        for step in 1..=INSTANTS {
+            let next = start + (self.end - start) * f64::from(step) / f64::from(INSTANTS);
+            let (middle, half) = (f64::midpoint(time, next), (next - time) / 2.0);
+            for (place, weight) in GAUSS {
+                let node = middle + place * half;
+                (state, time) = (integrator.until(time, state, node, self.slope)?, node);
+                let look = (self.look)(time, &state);
+                for (sum, force) in outside.iter_mut().zip(&look.outside) {
+                    *sum += force * weight * half;
+                }
+                work += look.power * weight * half;
+            }
+            (state, time) = (integrator.until(time, state, next, self.slope)?, next);
+            record.moments.push(moment(time, (self.look)(time, &state), &outside, work));
+        }
+        Ok(())
+    }
+}
+
+fn moment(time: f64, look: Look, outside: &[f64], work: f64) -> Moment {
+    let total: f64 = look.bodies.iter().map(|body| body.mass).sum();
+    let added = |value: &dyn Fn(&Seen, usize) -> f64| -> Vec<f64> {
+        (0..outside.len()).map(|part| look.bodies.iter().map(|body| body.mass * value(body, part)).sum()).collect()
+    };
+    let squares = |body: &Seen| body.velocity.iter().map(|part| part * part).sum::<f64>();
+    Moment {
+        time,
+        centre: added(&|body, part| body.place[part] / total),
+        momentum: added(&|body, part| body.velocity[part]),
+        outside: outside.to_vec(),
+        kinetic: look.bodies.iter().map(|body| body.mass * squares(body) / 2.0).sum(),
+        potential: look.potential,
+        lost: look.lost,
+        work,
+        masses: look.bodies.iter().map(|body| body.mass).collect(),
+        positions: look.bodies.iter().map(|body| body.place.clone()).collect(),
+        velocities: look.bodies.into_iter().map(|body| body.velocity).collect(),
+    }
+}
