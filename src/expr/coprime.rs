@@ -68,7 +68,9 @@ fn is_coprime_image(mut left: Vec<u64>, mut right: Vec<u64>) -> bool {
     while let Some(lead) = right.last().copied() {
         while let Some(own) = left.last().copied().filter(|_| left.len() >= right.len()) {
             let shift = left.len() - right.len();
-            left.iter_mut().for_each(|value| *value = times(*value, lead));
+            for value in &mut left {
+                *value = times(*value, lead);
+            }
             for (value, other) in left.iter_mut().skip(shift).zip(&right) {
                 *value = (*value + PRIME - times(own, *other)) % PRIME;
             }
