@@ -12,7 +12,7 @@ use super::structure::Structure;
 use super::{Statement, System};
 
 /// Places from which the search for one begins.
-const STARTS: u32 = 8;
+const STARTS: u32 = 32;
 
 /// How many of the places found are compared.
 const COMPARED: usize = 2;
@@ -44,17 +44,21 @@ impl Sample {
         let blank = Self(vec![1.0; symbols().map(|symbol| symbol.index() + 1).max().unwrap_or(0)]);
         let told = stated.iter().filter(|own| is_zero(own)).count();
         let is_allowed = |found: &Self| system.positive.iter().all(|symbol| found.value(*symbol) > NOTHING);
-        let settled = (0..STARTS).filter_map(|salt| blank.start(system, &stated, salt).settled(&residuals));
-        let mut fewest: Option<Self> = None;
-        for found in settled.filter(is_allowed).take(COMPARED) {
-            if fewest.as_ref().is_none_or(|least| found.zeros() < least.zeros()) {
-                fewest = Some(found);
-            }
-            if fewest.as_ref().is_some_and(|least| least.zeros() <= told) {
+        let (mut found, mut allowed) = (Vec::new(), 0);
+        for settled in (0..STARTS).filter_map(|salt| blank.start(system, &stated, salt).settled(&residuals)) {
+            let judged = (!is_allowed(&settled), settled.zeros(), settled);
+            allowed += usize::from(!judged.0);
+            let is_best = !judged.0 && judged.1 <= told;
+            found.push(judged);
+            if is_best || allowed == COMPARED {
                 break;
             }
         }
-        fewest.unwrap_or_else(|| Self((0..blank.0.len()).map(|index| generic(index, 0)).collect()))
+        // Equations that depend on each other do so at places where a mass is negative, too, if nothing vanishes there.
+        let serves = |(forbidden, zeros, _): &(bool, usize, Self)| !forbidden || *zeros <= told;
+        let best = found.into_iter().filter(serves).min_by_key(|(forbidden, zeros, _)| (*forbidden, *zeros));
+        let unrelated = || Self((0..blank.0.len()).map(|index| generic(index, 0)).collect());
+        best.map_or_else(unrelated, |(_, _, sample)| sample)
     }
 
     /// Values in no relation to each other, but for symbols that stand alone in an equation: these have the value of its
