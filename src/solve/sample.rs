@@ -8,11 +8,12 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::expr::{Expr, Symbol};
 
+use super::basis::Basis;
 use super::structure::Structure;
 use super::{Statement, System};
 
 /// Places from which the search for one begins.
-const STARTS: u32 = 32;
+const STARTS: u32 = 8;
 
 /// How many of the places found are compared.
 const COMPARED: usize = 2;
@@ -54,9 +55,13 @@ impl Sample {
                 break;
             }
         }
-        // Equations that depend on each other do so at places where a mass is negative, too, if nothing vanishes there.
+        // Equations that depend on each other do so at places where a mass is negative, too; but there also others may, so
+        // that of such places the one counts at which most are independent.
         let serves = |(forbidden, zeros, _): &(bool, usize, Self)| !forbidden || *zeros <= told;
-        let best = found.into_iter().filter(serves).min_by_key(|(forbidden, zeros, _)| (*forbidden, *zeros));
+        let best = found.into_iter().filter(serves).min_by_key(|(forbidden, zeros, sample)| {
+            let dependent = if *forbidden { residuals.len() - sample.rank(&residuals) } else { 0 };
+            (*forbidden, dependent, *zeros)
+        });
         let unrelated = || Self((0..blank.0.len()).map(|index| generic(index, 0)).collect());
         best.map_or_else(unrelated, |(_, _, sample)| sample)
     }
@@ -107,6 +112,12 @@ impl Sample {
         let mut slopes = Vec::new();
         term.slopes(&|symbol| self.value(symbol), 1.0, &mut |symbol, slope| slopes.push((symbol, slope)));
         slopes
+    }
+
+    /// How many of the terms are independent here.
+    fn rank(&self, residuals: &[Expr]) -> usize {
+        let mut basis = Basis::default();
+        residuals.iter().filter(|residual| basis.add(&self.dense(self.slopes(residual).into_iter()))).count()
     }
 
     /// Moved to where all terms are zero, by damped steps (Levenberg and Marquardt's).
@@ -192,7 +203,6 @@ pub(super) fn generic(index: usize, salt: u32) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::super::Equation;
-    use super::super::basis::Basis;
     use super::*;
     use crate::expr::{Names, SymbolEntry, SymbolTable, parse};
     use crate::quantity::Dimension;
