@@ -96,14 +96,17 @@ impl Bench<'_> {
     /// Bodies that stay together: what holds them takes up their relative motion along each axis.
     fn stick(&mut self, stage: &Impact, bodies: [&str; 2]) -> Result<(), NothingToSimulate> {
         let parties = [self.party(bodies[0])?, self.party(bodies[1])?];
-        if parties.iter().any(|party| party.guide.is_some()) {
-            return Err(NothingToSimulate::NoMethod);
+        let guide = parties.iter().find_map(|party| party.guide);
+        let lines: Vec<[f64; 2]> = match guide {
+            Some([x, y]) => vec![[x, y], [-y, x]],
+            None => self.values.axes().into_iter().map(unit).collect(),
+        };
+        if guide.is_none() {
+            self.take(&self.values.impact(stage)?)?;
         }
-        self.take(&self.values.impact(stage)?)?;
         let mut held = Touch { parties, normal: [0.0; 2], restitution: 0.0 };
-        let mut impulses = [[0.0; 2]; 2];
-        for axis in self.values.axes() {
-            let along = unit(axis);
+        let (mut impulses, mut reactions) = ([[0.0; 2]; 2], [[0.0; 2]; 2]);
+        for along in lines {
             let closing = dot(held.parties[0].velocity, along) - dot(held.parties[1].velocity, along);
             if closing == 0.0 {
                 continue;
@@ -113,10 +116,19 @@ impl Bench<'_> {
             for own in [0, 1] {
                 held.parties[own].velocity = parted.velocities[own];
                 impulses[own] = [0, 1].map(|axis| impulses[own][axis] + parted.impulses[own][axis]);
+                reactions[own] = [0, 1].map(|axis| reactions[own][axis] + parted.reactions[own][axis]);
             }
         }
         for (body, impulse) in bodies.iter().zip(impulses) {
             self.note_impulse(body, impulse, stage.duration.as_ref());
+        }
+        for ((body, party), reaction) in bodies.iter().zip(parties).zip(reactions) {
+            if let Some([x, y]) = party.guide {
+                self.note_here(&format!("R_{body}"), dot([-y, x], reaction), 0.0);
+                let scale = parties.iter().map(|party| dot(party.velocity, party.velocity)).fold(0.0, f64::max);
+                let whole = stage.becomes.as_deref().unwrap_or(body);
+                self.note_velocity(whole, held.parties[0].velocity, libm::sqrt(scale));
+            }
         }
         let before = Touch { parties, ..held };
         let carriers = |touch: &Touch| touch.parties.map(|party| (party.mass.unwrap_or(0.0), party.velocity));
