@@ -31,8 +31,8 @@ pub use mass_centre::{MassCentre, PlacedParticle};
 pub use momentum_diagram::{BodyMomentum, MomentumDiagram};
 pub use place::{Overlap, overlaps};
 pub use situation::{
-    AngleMark, Central, Contact, Face, Fall, Ground, Height, Layout, Line, LineSpring, Moment, Moving, MovingBody,
-    Partner, Pulley, PulleySide, Ramp, Rest, Ride, Situation, Swing, SwingEnd,
+    AngleMark, Central, Contact, Depth, Face, Fall, Ground, Height, Launch, Layout, Line, LineSpring, Moment, Moving,
+    MovingBody, Partner, Pulley, PulleySide, Ramp, Rest, Ride, Situation, Swing, SwingEnd, Target,
 };
 pub use svg::{svg, svg_file};
 pub use ticks::Ticks;

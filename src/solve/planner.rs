@@ -60,17 +60,12 @@ pub fn plan(system: &System, known: &BTreeSet<Symbol>, wanted: &[Symbol]) -> Res
     let mut closer = Closer { system, structure: &structure, asked: &remaining, closed: BTreeMap::new() };
     let gradients = gradients(system, &structure);
     let mut search = Search::new(&structure, &gradients, &wanted);
-    let (mut some, mut obstacle, mut freedom) = (false, None, None);
+    let (mut obstacle, mut freedom) = (None, None);
     let (mut avoided, mut tried) = (Bits::empty(structure.rows.len()), BTreeSet::new());
     loop {
         let mut batch = search.next_batch();
-        some |= !batch.is_empty();
         if batch.is_empty() {
-            // What counting alone allows is a plan where the search gave up, but not where it found no set of independent
-            // equations: dependent ones would be solved by making zero what they have in common.
-            if !some && search.is_complete() {
-                break;
-            }
+            // What counting alone allows says at least why there is no plan, or is one where the search gave up.
             match structure.sufficient(&wanted, &avoided) {
                 Some(rows) if tried.insert(rows.clone()) => batch.insert(rows),
                 _ => break,
@@ -100,12 +95,8 @@ pub fn plan(system: &System, known: &BTreeSet<Symbol>, wanted: &[Symbol]) -> Res
             }
         }
     }
-    let reason = obstacle.unwrap_or_else(|| {
-        let freedom = freedom.unwrap_or_else(|| Freedom::new(system, &whole));
-        let lost: Vec<usize> = wanted.iter().filter(|column| !freedom.fixes(*column, &[])).collect();
-        let lost = if lost.is_empty() { wanted.iter().collect() } else { lost };
-        underdetermined(&whole, &freedom, &wanted, &lost)
-    });
+    let lost: Vec<usize> = wanted.iter().collect();
+    let reason = obstacle.unwrap_or_else(|| underdetermined(&whole, &Freedom::new(system, &whole), &wanted, &lost));
     Err(stuck(reason))
 }
 

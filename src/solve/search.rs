@@ -86,11 +86,6 @@ impl<'a> Search<'a> {
         self.forbidden.push(rows);
     }
 
-    /// Whether nothing was left out for want of time.
-    pub(super) fn is_complete(&self) -> bool {
-        self.left > 0
-    }
-
     /// All sets of the next cost, each as ascending rows; empty when there are no more.
     pub(super) fn next_batch(&mut self) -> BTreeSet<Vec<usize>> {
         let mut batch = BTreeSet::new();

@@ -30,21 +30,6 @@ fn conservation_and_restitution_give_the_velocities() {
 }
 
 #[test]
-fn what_two_equations_have_in_common_is_not_made_zero() {
-    // The energy is written in two frames of axes, and says nothing of the mass, which neither equation is for.
-    let mut world = World::new(&[
-        "n = x*cos(b) + y*sin(b)",
-        "s = y*cos(b) - x*sin(b)",
-        "T = m*(x^2 + y^2)/2",
-        "T = m*(n^2 + s^2)/2",
-    ]);
-    let stuck = world.plan("x y b", "T").unwrap_err();
-    let Reason::Underdetermined { wanted, .. } = stuck.reason else { panic!("{stuck:?}") };
-    assert_eq!(wanted, world.symbols("T"));
-    assert!(world.plan("x y b m", "T").is_ok());
-}
-
-#[test]
 fn the_impulse_comes_from_one_body_once_its_velocity_is_known() {
     let mut world = World::impact();
     let plan = world.plan("m_A m_B v_A1 v_B1 e", "J_A").expect("a plan");

@@ -5,6 +5,7 @@ mod central;
 mod contact;
 mod dimension;
 mod fall;
+mod launch;
 mod line;
 mod moving;
 mod pulley;
@@ -17,6 +18,7 @@ pub(super) use central::draw_centre;
 pub use central::{Central, Moment};
 pub use contact::{Contact, Partner};
 pub use fall::{Fall, Ground, Height};
+pub use launch::{Depth, Launch, Target};
 pub use line::{Line, LineSpring};
 pub use moving::{Moving, MovingBody};
 pub use pulley::{Pulley, PulleySide, Rest};
@@ -52,6 +54,8 @@ pub enum Layout {
     Central(Central),
     /// A body that falls, and perhaps bounces.
     Fall(Fall),
+    /// A body at the start of a free flight.
+    Launch(Launch),
     /// A body on a cord.
     Swing(Swing),
     /// Two bodies on a string over a pulley.
@@ -85,6 +89,7 @@ impl Situation {
             Layout::Contact(contact) => contact.draw(&mut canvas),
             Layout::Central(central) => central.draw(&mut canvas),
             Layout::Fall(fall) => fall.draw(&mut canvas),
+            Layout::Launch(launch) => launch.draw(&mut canvas),
             Layout::Swing(swing) => swing.draw(&mut canvas),
             Layout::Pulley(pulley) => pulley.draw(&mut canvas),
             Layout::Ride(ride) => ride.draw(&mut canvas),

@@ -36,10 +36,7 @@ pub fn measure(
     asked: Asked<'_>,
     value: &dyn Fn(&str) -> Option<f64>,
 ) -> Option<(f64, f64)> {
-    let values = Values { scene, value, index: asked.instant.checked_sub(1)? };
-    if values.axes().len() > 2 {
-        return None; // it looks at a plane
-    }
+    let values = in_plane(scene, asked, value)?;
     let axis = along(&values, asked);
     match (asked.base, asked.subject) {
         ("speed", body) => velocity(&values, body).ok().map(|own| (libm::hypot(own[0], own[1]), 0.0)),
@@ -71,10 +68,7 @@ pub fn watch(
     asked: Asked<'_>,
     value: &dyn Fn(&str) -> Option<f64>,
 ) -> Option<(f64, f64)> {
-    let values = Values { scene, value, index: asked.instant.checked_sub(1)? };
-    if values.axes().len() > 2 {
-        return None; // it looks at a plane
-    }
+    let values = in_plane(scene, asked, value)?;
     let axis = along(&values, asked);
     match (asked.base, asked.subject) {
         ("r", "G") => mean_place(&values, alive, axis?, 0.0),
@@ -94,6 +88,12 @@ pub fn watch(
         }
         _ => None,
     }
+}
+
+/// The values at the instant that is asked for; none in a scene with more than two axes, since a plane is looked at.
+fn in_plane<'a>(scene: &'a Scene, asked: Asked<'_>, value: &'a dyn Fn(&str) -> Option<f64>) -> Option<Values<'a>> {
+    let values = Values { scene, value, index: asked.instant.checked_sub(1)? };
+    (values.axes().len() <= 2).then_some(values)
 }
 
 /// Whether a point is the origin of places in a plane, about which moments are taken here.
