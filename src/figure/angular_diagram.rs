@@ -68,6 +68,32 @@ pub struct AngularImpulse {
     pub value: Option<f64>,
 }
 
+/// Moments of momentum of all bodies together, which need no places: arcs about the fixed point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TurnDiagram {
+    /// Title, description, caption.
+    pub wording: Wording,
+    /// The name of the fixed point.
+    pub centre: Math,
+    /// Before, what changes it, after.
+    pub terms: [AngularImpulse; 3],
+}
+
+impl TurnDiagram {
+    /// The diagram; of each term only the sense is drawn.
+    #[must_use]
+    pub fn drawing(&self) -> Drawing {
+        let panels = self.terms.iter().map(|term| turn_panel(&self.centre, term)).collect();
+        let row = Row { panels, signs: vec![Operator::Plus, Operator::Equals] };
+        self.wording.drawing(assemble(&headings(), vec![row], &[]))
+    }
+}
+
+/// What stands over the three panels.
+pub(super) fn headings() -> [Math; 3] {
+    ["before", "angular impulse", "after"].map(|words| Math::Text(words.to_owned()))
+}
+
 impl AngularDiagram {
     /// The diagram: one scale for all radii, another for all momenta.
     #[must_use]
@@ -84,8 +110,7 @@ impl AngularDiagram {
             ],
             signs: vec![Operator::Plus, Operator::Equals],
         });
-        let headings = ["before", "angular impulse", "after"].map(|words| Math::Text(words.to_owned()));
-        self.wording.drawing(assemble(&headings, rows.collect(), &self.axes))
+        self.wording.drawing(assemble(&headings(), rows.collect(), &self.axes))
     }
 
     fn state_panel(&self, name: &Math, state: &AngularState, radii: Scale, momenta: Scale) -> Vec<Shape> {

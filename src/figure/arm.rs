@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use crate::expr::Math;
 use crate::expr::Operator;
 
-use super::angular_diagram::{AngularImpulse, turn_panel};
+use super::angular_diagram::{AngularImpulse, headings, turn_panel};
 use super::body::{Attach, Body};
 use super::input::Wording;
 use super::panels::{Row, assemble};
@@ -81,8 +81,7 @@ impl ArmDiagram {
             panels: vec![panel(&self.before), turn_panel(&self.before.centre, &self.impulse), panel(&self.after)],
             signs: vec![Operator::Plus, Operator::Equals],
         };
-        let headings = ["before", "angular impulse", "after"].map(|words| Math::Text(words.to_owned()));
-        self.wording.drawing(assemble(&headings, vec![row], &[]))
+        self.wording.drawing(assemble(&headings(), vec![row], &[]))
     }
 }
 

@@ -22,7 +22,7 @@ mod ticks;
 mod tikz;
 mod typeset;
 
-pub use angular_diagram::{AngularDiagram, AngularImpulse, AngularMomentum, AngularState};
+pub use angular_diagram::{AngularDiagram, AngularImpulse, AngularMomentum, AngularState, TurnDiagram};
 pub use arm::{Arm, ArmDiagram, OnArm};
 pub use body::Attach;
 pub use drawing::{Drawing, Point, Role, Shape};

@@ -41,12 +41,12 @@ pub(super) struct Witness<'a> {
     found: BTreeMap<String, Reached>,
     sums: Vec<Reached>,
     terms: Vec<Reached>,
-    /// By which ways it was simulated.
-    pub ways: BTreeSet<Way>,
+    ways: BTreeSet<Way>,
     /// Why a stage was not simulated.
     pub nothing: Option<NothingToSimulate>,
     run: BTreeSet<usize>,
     used: RefCell<BTreeSet<Symbol>>,
+    watched: Cell<bool>,
 }
 
 /// What the laws say and what the simulation finds.
@@ -90,6 +90,7 @@ impl<'a> Witness<'a> {
             nothing: None,
             run: BTreeSet::new(),
             used: RefCell::default(),
+            watched: Cell::default(),
         };
         for stage in 0..case.scene.stages.len() {
             match observe(case.scene, stage, &|name| witness.value(name), tolerance) {
@@ -104,6 +105,11 @@ impl<'a> Witness<'a> {
             }
         }
         witness
+    }
+
+    /// By which ways something was found.
+    pub(super) fn ways(&self) -> impl Iterator<Item = Way> {
+        self.ways.iter().copied().chain(self.watched.get().then_some(Way::Measured))
     }
 
     /// The quantities of the variant that the simulation started from.
@@ -191,7 +197,8 @@ impl<'a> Witness<'a> {
             // What nothing simulated enters would only repeat a formula.
             let own = measure(self.case.scene, alive, asked, &value).filter(|_| simulated.get());
             // Where no stage has been yet, the bodies are watched.
-            own.or_else(|| watch(self.case.scene, alive, asked, &value).filter(|_| asked.instant == 1))
+            let watched = || watch(self.case.scene, alive, asked, &value).filter(|_| asked.instant == 1);
+            own.or_else(|| watched().inspect(|_| self.watched.set(true)))
         });
         own.map(|(value, scale)| Seen { value, error: self.tolerance * value.abs().max(scale) })
     }

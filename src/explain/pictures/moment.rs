@@ -2,6 +2,9 @@
 
 use crate::expr::Math;
 use crate::expr::name_math;
+use crate::figure;
+use crate::figure::AngularImpulse;
+use crate::figure::Arm;
 use crate::figure::BodyMomentum;
 use crate::figure::Drawing;
 use crate::figure::Form;
@@ -11,7 +14,9 @@ use crate::figure::Line;
 use crate::figure::MomentumDiagram;
 use crate::figure::Moving;
 use crate::figure::MovingBody;
+use crate::figure::Role;
 use crate::figure::Situation;
+use crate::figure::TurnDiagram;
 use crate::figure::Wording;
 use crate::scene::Components;
 use crate::scene::Strength;
@@ -21,6 +26,7 @@ use super::super::wording::capitalised;
 use super::super::wording::list;
 use super::compass::Compass;
 use super::quantities::Quantities;
+use super::sheet::central::moment;
 use super::vectors::body_math;
 use super::words::OBLIQUE;
 use super::words::arrows;
@@ -44,8 +50,8 @@ fn momentum(quantities: &Quantities<'_>, about: &str, instant: usize) -> Option<
 
 /// The body with what is given of its angular momentum and of the moment.
 pub(super) fn sheet(quantities: &Quantities<'_>, compass: &Compass, stage: &Moment) -> Option<Drawing> {
-    let Strength::Components(components) = &stage.value else { return None };
     let (names, body) = turning(quantities, 0);
+    let Strength::Components(components) = &stage.value else { return Some(arcs(quantities, &names, stage)) };
     let name = format!("H_{}1", stage.about);
     let mut vectors: Vec<Moving> = momentum(quantities, &stage.about, 1)
         .and_then(|value| quantities.along_axes(&value))
@@ -86,24 +92,17 @@ fn moments(quantities: &Quantities<'_>, components: &Components) -> Vec<Moving> 
 /// The diagram.
 pub(super) fn diagram(quantities: &Quantities<'_>, compass: &Compass, index: usize, stage: &Moment) -> Option<Drawing> {
     let (names, name) = turning(quantities, index);
+    if quantities.axes.len() < 3 {
+        return turns(quantities, index, stage, &names);
+    }
     let [before, after] = [1, 2].map(|own| momentum(quantities, &stage.about, index + own));
     let (before, after) = (before?, after?);
     let gained = [0, 1, 2].map(|own| after[own] - before[own]);
     let placed = |label: Math, vector: [f64; 3]| LabelledVector { label, value: quantities.along_axes(&vector) };
     let [first, second] = [1, 2].map(|own| name_math(&format!("H_{}{}", stage.about, index + own)));
     let impulse = impulse(stage);
-    let (phrase, centre) = (quantities.model().phrase(quantities.scene(), index), quantities.centre(&stage.about));
-    let balance = format!("angular momentum before + angular impulse = angular momentum after, about {centre}");
-    let wording = Wording {
-        title: format!("Angular impulse-momentum diagram of {phrase}"),
-        description: sentences([format!(
-            "for {names}, {} + {} = {}",
-            first.plain(),
-            "the angular impulse",
-            second.plain()
-        )]),
-        caption: sentences([format!("for {names}, {balance}"), OBLIQUE.to_owned()]),
-    };
+    let wording = wording(quantities, index, stage, &names, [&first, &second]);
+    let wording = Wording { caption: sentences([wording.caption, OBLIQUE.to_owned()]), ..wording };
     let row = BodyMomentum {
         name,
         form: Form::Block,
@@ -115,6 +114,50 @@ pub(super) fn diagram(quantities: &Quantities<'_>, compass: &Compass, index: usi
     };
     let diagram = MomentumDiagram { wording, bodies: vec![row], axes: compass.marks() };
     Some(diagram.of_angular_momentum())
+}
+
+fn wording(quantities: &Quantities<'_>, index: usize, stage: &Moment, names: &str, ends: [&Math; 2]) -> Wording {
+    let (phrase, centre) = (quantities.model().phrase(quantities.scene(), index), quantities.centre(&stage.about));
+    let [first, second] = ends.map(Math::plain);
+    let balance = "angular momentum before + angular impulse = angular momentum after";
+    Wording {
+        title: format!("Angular impulse-momentum diagram of {phrase}"),
+        description: sentences([format!("for {names}, {first} + the angular impulse = {second}")]),
+        caption: format!("For {names}, {balance}, about {centre}"),
+    }
+}
+
+/// In a plane: what is given of the angular momentum and the moment, as arcs.
+fn arcs(quantities: &Quantities<'_>, names: &str, stage: &Moment) -> Drawing {
+    let name = format!("H_{}1", stage.about);
+    let first = quantities.named(&name).filter(|value| *value != 0.0);
+    let first = first.map(|value| (figure::Moment { label: name_math(&name), value }, Role::Momentum));
+    let moment = moment(quantities, &stage.value).map(|own| (own, Role::Force));
+    let turns: Vec<(figure::Moment, Role)> = first.into_iter().chain(moment).collect();
+    let seen = format!("the moment on {names} about {}", quantities.centre(&stage.about));
+    let each = turns.iter().map(|(turn, _)| {
+        let sense = if turn.value < 0.0 { "clockwise" } else { "counter-clockwise" };
+        format!("{} is {sense}", turn.label.plain())
+    });
+    let wording = Wording {
+        title: capitalised(names),
+        description: sentences([seen.clone()].into_iter().chain(each)),
+        caption: sentences([seen]),
+    };
+    let arm = Arm { centre: body_math(&stage.about), particles: Vec::new(), turns };
+    Situation { wording, layout: Layout::Arm(arm), axes: Vec::new() }.drawing()
+}
+
+/// In a plane: the diagram in arcs.
+fn turns(quantities: &Quantities<'_>, index: usize, stage: &Moment, names: &str) -> Option<Drawing> {
+    let ends = [1, 2].map(|own| format!("H_{}{}", stage.about, index + own));
+    let [before, after] = [quantities.named(&ends[0])?, quantities.named(&ends[1])?];
+    let [first, second] = ends.map(|name| name_math(&name));
+    let wording = wording(quantities, index, stage, names, [&first, &second]);
+    let wording = Wording { caption: sentences([wording.caption]), ..wording };
+    let terms = [(first, before), (impulse(stage), after - before), (second, after)];
+    let terms = terms.map(|(label, value)| AngularImpulse { label, value: Some(value) });
+    Some(TurnDiagram { wording, centre: body_math(&stage.about), terms }.drawing())
 }
 
 /// The integral of the moment over the time.
