@@ -104,15 +104,7 @@ fn formulas(criterion: &mut Criterion) {
     let [a, b, asked] = ["a", "b", "x"].map(|name| symbols.intern(entry(name)));
     let formula = Expr::from(a) + Expr::from(b);
     let domain = vec![(a, 1.0, 3.0), (b, 2.0, 5.0)];
-    let expected = ExpectedFormula {
-        formula,
-        symbols: Arc::new(symbols),
-        asked,
-        domain,
-        values: Vec::new(),
-        multiple_of: None,
-        dimension: Dimension::NONE,
-    };
+    let expected = ExpectedFormula::new(formula, Arc::new(symbols), asked, domain);
     let part = Expected { id: "x".to_owned(), points: 1, kind: ExpectedKind::Formula(expected) };
     let hostile = [
         ("a sum", format!("a + b{}", "+a-a".repeat(47))),

@@ -182,15 +182,7 @@ fn formula() -> (ExpectedKind, usize) {
     let formula = (Expr::one() + e) * m_a.clone() * v / (m_a + m_b);
     let domain: Vec<(Symbol, f64, f64)> = names.map(|name| (name, 0.5, 4.0)).to_vec();
     let count = domain.len();
-    let kind = ExpectedKind::Formula(ExpectedFormula {
-        formula,
-        symbols: Arc::new(symbols),
-        asked,
-        domain,
-        values: Vec::new(),
-        multiple_of: None,
-        dimension: Dimension::VELOCITY,
-    });
+    let kind = ExpectedKind::Formula(ExpectedFormula::new(formula, Arc::new(symbols), asked, domain));
     (kind, count)
 }
 

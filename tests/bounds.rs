@@ -22,15 +22,7 @@ fn formula() -> ExpectedKind {
     let [a, b, asked] = ["a", "b", "x"].map(|name| symbols.intern(entry(name)));
     let formula = Expr::from(a) + Expr::from(b);
     let domain = vec![(a, 1.0, 3.0), (b, 2.0, 5.0)];
-    ExpectedKind::Formula(ExpectedFormula {
-        formula,
-        symbols: Arc::new(symbols),
-        asked,
-        domain,
-        values: Vec::new(),
-        multiple_of: None,
-        dimension: Dimension::NONE,
-    })
+    ExpectedKind::Formula(ExpectedFormula::new(formula, Arc::new(symbols), asked, domain))
 }
 
 /// Every kind of part, with the most characters that are read.

@@ -13,6 +13,8 @@ use room::lines;
 
 #[path = "cli/chart.rs"]
 mod chart;
+#[path = "cli/json.rs"]
+mod json;
 #[path = "cli/room.rs"]
 mod room;
 #[path = "cli/simulate.rs"]

@@ -69,15 +69,7 @@ fn formula() -> ExpectedKind {
     let domain: Vec<(Symbol, f64, f64)> = NAMES.map(|(name, dimension)| (add(name, dimension), 1.0, 2.0)).to_vec();
     let asked = add("v_B2", Dimension::VELOCITY);
     let formula = Expr::from(domain[2].0);
-    ExpectedKind::Formula(ExpectedFormula {
-        formula,
-        symbols: Arc::new(symbols),
-        asked,
-        domain,
-        values: Vec::new(),
-        multiple_of: None,
-        dimension: Dimension::VELOCITY,
-    })
+    ExpectedKind::Formula(ExpectedFormula::new(formula, Arc::new(symbols), asked, domain))
 }
 
 fn interval() -> ExpectedKind {

@@ -67,7 +67,7 @@ fn form_audit(problem: &Arc<Problem>, position: usize, seeds: u64, idle: &Outcom
         Promise::Requires => idle.clone(),
         Promise::Simulation => witnessed.clone(),
         Promise::WrongForms => wrong_forms::told_apart(problem, position, seeds),
-        Promise::Rounding => Outcome::NotChecked("this version does not round as a student does"),
+        Promise::Rounding => repeat::rounding(problem, position, seeds),
     };
     Ok(FormAudit {
         form: form.question.name.clone(),

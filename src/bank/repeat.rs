@@ -14,7 +14,7 @@ use super::promise::Outcome;
 /// Seeds whose variants are solved again from what is printed; each costs a compilation.
 const SOLVED_AGAIN: u64 = 8;
 
-/// Seeds whose keys are marked.
+/// Seeds whose keys are marked, as they are printed and rounded on the way.
 const MARKED: u64 = 64;
 
 /// Honest rounding that moves an answer by more than this share of it blurs right and wrong.
@@ -58,8 +58,23 @@ fn key(exercise: &Exercise) -> Vec<(String, String)> {
 
 /// A student who types in what the key prints gets every point.
 pub(super) fn key_marks(problem: &Arc<Problem>, form: usize, seeds: u64) -> Outcome {
+    full_marks(problem, form, seeds, |exercise| key(exercise).into_iter().collect())
+}
+
+/// So does one who rounds every value on the way to the figures that are asked.
+pub(super) fn rounding(problem: &Arc<Problem>, form: usize, seeds: u64) -> Outcome {
+    full_marks(problem, form, seeds, Exercise::rounded_answers)
+}
+
+/// Whether a student who answers in one way is right with every seed.
+fn full_marks(
+    problem: &Arc<Problem>,
+    form: usize,
+    seeds: u64,
+    answers: impl Fn(&Exercise) -> BTreeMap<String, String>,
+) -> Outcome {
     let wrong = |(seed, exercise): (u64, Exercise)| {
-        let answers: BTreeMap<String, String> = key(&exercise).into_iter().collect();
+        let answers = answers(&exercise);
         let report = exercise.grade(&answers, DecimalMark::Point);
         let part = report.parts.iter().find(|part| !part.verdict.is_right())?;
         let typed = answers.get(&part.id).map(String::as_str).unwrap_or_default();

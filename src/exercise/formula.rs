@@ -77,13 +77,11 @@ pub(super) fn expected_formula(worked: Worked<'_>, part: &FormulaPart) -> grade:
     }
     let formula = worked.in_givens(part.symbol, &alphabet.values);
     let symbols = &worked.problem.model().symbols;
+    let formula = formula.unwrap_or_else(|| Expr::from(part.symbol));
+    let table = Arc::new(worked.problem.notation().table(symbols));
     grade::ExpectedKind::Formula(grade::ExpectedFormula {
-        formula: formula.unwrap_or_else(|| Expr::from(part.symbol)),
-        symbols: Arc::new(worked.problem.notation().table(symbols)),
-        asked: part.symbol,
-        domain: alphabet.letters,
         values: alphabet.values.into_iter().collect(),
         multiple_of: part.in_terms_of.filter(|unit| symbols.entry(*unit).dimension != Dimension::NONE),
-        dimension: symbols.entry(part.symbol).dimension,
+        ..grade::ExpectedFormula::new(formula, table, part.symbol, alphabet.letters)
     })
 }

@@ -16,13 +16,9 @@ use crate::problem::PartKind;
 use crate::problem::PlannedForm;
 use crate::problem::Problem;
 use crate::problem::Worked;
-use crate::problem::senses_of;
 
 use super::formula::expected_formula;
 use super::rules::Rules;
-
-/// Beginnings of names of signed components, whose direction a student may give in words.
-const SIGNED: [&str; 4] = ["v_", "p_", "J_", "F_avg_"];
 
 /// All that marking knows of a form before its numbers are drawn. With them it marks answers, always in the same way.
 ///
@@ -104,19 +100,19 @@ impl Marker {
 
 impl Blank {
     pub(super) fn new(rules: Rules<'_>, part: &Part) -> Self {
-        let number = |name: &str, own: &NumberPart| blank_number(rules, part, name, own);
+        let number = |own: &NumberPart| blank_number(rules, part, own);
         let mut boundary = None;
         let kind = match &part.kind {
             PartKind::Choice(_) | PartKind::Formula(_) => {
                 grade::ExpectedKind::Choice { options: Vec::new(), right: 0, because: String::new() }
             }
-            PartKind::Number(own) => grade::ExpectedKind::Number(number(&part.id, own)),
+            PartKind::Number(own) => grade::ExpectedKind::Number(number(own)),
             PartKind::Vector(vector) => grade::ExpectedKind::Vector(grade::ExpectedVector {
-                components: part.numbers().map(|(name, own)| number(&name, own)).collect(),
+                components: part.numbers().map(|(_, own)| number(own)).collect(),
                 frame: rules.frame(&vector.axes),
             }),
             PartKind::Range(range) => {
-                boundary = Some(number(&part.id, &range.number));
+                boundary = Some(number(&range.number));
                 let (name, unit) = (part.id.clone(), range.number.plain_unit());
                 grade::ExpectedKind::Interval(Box::new(grade::ExpectedInterval { name, low: None, high: None, unit }))
             }
@@ -181,10 +177,9 @@ pub(super) fn widen(expected: &mut grade::Expected, worked: Worked<'_>, part: &P
     }
 }
 
-fn blank_number(rules: Rules<'_>, part: &Part, name: &str, number: &NumberPart) -> grade::ExpectedNumber {
+fn blank_number(rules: Rules<'_>, part: &Part, number: &NumberPart) -> grade::ExpectedNumber {
     let unit = number.plain_unit();
-    let signed = SIGNED.iter().any(|start| name.starts_with(start));
-    let senses = senses_of(&rules.problem.loaded().draft.scene, name).filter(|_| signed);
+    let senses = rules.problem.senses(number.symbol);
     grade::ExpectedNumber {
         cyclic: unit.has_pi(),
         tolerance: match &number.tolerance {

@@ -12,7 +12,6 @@ use crate::problem::PartKind;
 use crate::problem::VectorPart;
 use crate::problem::Worked;
 use crate::problem::orders;
-use crate::problem::senses_of;
 use crate::quantity::Printed;
 use crate::solve::Bounded;
 
@@ -161,9 +160,7 @@ fn printed(display: Display<'_>, number: &NumberPart, answer: Bounded) -> Math {
 
 /// The direction of a signed component in words: "to the left"; "at rest" for zero.
 fn direction(display: Display<'_>, part: &Part, number: &NumberPart) -> Option<String> {
-    let scene = &display.worked.problem.loaded().draft.scene;
-    let signed = ["v_", "p_", "J_", "F_avg_"].iter().any(|start| part.id.starts_with(start));
-    let senses = senses_of(scene, &part.id).filter(|_| signed)?;
+    let senses = display.worked.problem.senses(number.symbol)?;
     if display.worked.answers(number).len() > 1 {
         return None;
     }

@@ -157,6 +157,15 @@ pub struct ExpectedFormula {
     pub dimension: Dimension,
 }
 
+impl ExpectedFormula {
+    /// A formula in the symbols of `domain` alone, each between two values.
+    #[must_use]
+    pub fn new(formula: Expr, symbols: Arc<SymbolTable>, asked: Symbol, domain: Vec<(Symbol, f64, f64)>) -> Self {
+        let dimension = symbols.entry(asked).dimension;
+        Self { formula, symbols, asked, domain, values: Vec::new(), multiple_of: None, dimension }
+    }
+}
+
 impl PartialEq for ExpectedFormula {
     fn eq(&self, other: &Self) -> bool {
         self.formula == other.formula && self.asked == other.asked && self.domain == other.domain

@@ -369,6 +369,12 @@ impl Model {
         self.mentions.get(name).copied().or_else(|| self.symbols.find(name))
     }
 
+    /// The stream of a stage.
+    #[must_use]
+    pub fn flowing_in(&self, stage: usize) -> Option<&Flowing> {
+        self.flowing.iter().find(|own| own.stage == stage)
+    }
+
     /// When an instant of the scene is, as an adverbial phrase: `just after the impact`.
     #[must_use]
     pub fn when(&self, scene: &Scene, instant: usize) -> String {

@@ -81,7 +81,7 @@ pub use regimes::{Dead, Leaf, Regimes};
 pub use rounding::Judged;
 pub use rubric::{Keep, OtherUnits, Rubric, Writing};
 pub use sampler::{MOST_ATTEMPTS, NoVariant, Rejection, Sampler};
-pub use say::{quantity as say_quantity, senses_of, trimmed};
+pub use say::{quantity as say_quantity, trimmed};
 pub use schema::json_schema;
 pub use simulated::Simulated;
 pub use stream::{Scheme, Streams, Words};

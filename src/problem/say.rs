@@ -1,6 +1,7 @@
 //! Filling an author's text: how a quantity is said in a sentence.
 
 use crate::expr::Symbol;
+use crate::model::Name;
 use crate::quantity::Decimal;
 use crate::quantity::Printed;
 use crate::quantity::Unit;
@@ -122,9 +123,22 @@ impl Speaker<'_> {
     }
 }
 
+/// The first parts of names whose sign is a direction: velocities, momenta, impulses and forces.
+const DIRECTED: [&str; 9] = ["v", "v_rel", "v_common", "p", "J", "J_def", "J_rest", "F", "F_avg"];
+
+impl Problem {
+    /// The words for the two directions between which the sign of a quantity decides; none where the sign is no direction,
+    /// as that of a place or an energy.
+    #[must_use]
+    pub fn senses(&self, symbol: Symbol) -> Option<Senses> {
+        let text = &self.model().symbols.entry(symbol).name;
+        Name::parse(text).filter(|name| !name.is_plain() && DIRECTED.contains(&name.base.as_str()))?;
+        senses_of(&self.loaded().draft.scene, text)
+    }
+}
+
 /// The words for the two directions of a component: of the axis that its name ends in, or of the only one.
-#[must_use]
-pub fn senses_of(scene: &Scene, name: &str) -> Option<Senses> {
+fn senses_of(scene: &Scene, name: &str) -> Option<Senses> {
     let axes = scene.axes.rectangular();
     let letter = name.rsplit_once('.').map(|(_, letter)| letter.split(['@', '[']).next().unwrap_or(letter));
     let found = match letter {

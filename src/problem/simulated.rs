@@ -52,7 +52,7 @@ impl Simulated<'_> {
             }
             Made::Written(to, written) => {
                 let fits = match to {
-                    SlipOf::Signed => self.worked.is_signed(number),
+                    SlipOf::Signed => self.worked.problem.senses(number.symbol).is_some(),
                     SlipOf::Angle => matches!(&number.unit, AskedUnit::Unit(unit) if unit.has_pi()),
                     SlipOf::Count => number.whole,
                 };
@@ -136,12 +136,5 @@ impl<'a> Worked<'a> {
             }
         }
         !possible
-    }
-
-    /// Whether the sign of a number says a direction, so that it can be got wrong.
-    fn is_signed(&self, number: &NumberPart) -> bool {
-        let entry = self.problem.model().symbols.entry(number.symbol);
-        let senses = super::say::senses_of(&self.problem.loaded().draft.scene, &entry.name);
-        senses.is_some() && ["v_", "p_", "J_", "F_avg_"].iter().any(|start| entry.name.starts_with(start))
     }
 }

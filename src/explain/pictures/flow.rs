@@ -43,7 +43,7 @@ pub(super) fn arriving(
     index: usize,
     stage: &Stream,
 ) -> Option<Drawing> {
-    let flowing = quantities.model().flowing.iter().find(|own| own.stage == index)?;
+    let flowing = quantities.model().flowing_in(index)?;
     let speed = quantities.evaluate(&flowing.relative)?;
     let label = || factor(&flowing.relative, quantities.unsigned(&flowing.relative));
     let along = quantities.direction(&flowing.direction)?;

@@ -39,7 +39,7 @@ pub use flight::Flight;
 pub use impact::{Impact, Partners};
 pub use interact::Interact;
 pub use moment::Moment;
-pub use motion::{Components, Course, Motion};
+pub use motion::{Course, Motion};
 pub use push::{During, Push};
 pub use rotate::{Arm, Rotate};
 pub use separate::{Relative, Separate, When};

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::scene::{Axis, Term};
+use crate::scene::{Axis, Components, Term};
 
 use super::During;
 
@@ -38,32 +38,13 @@ pub enum Course {
     Only(Term),
 }
 
-/// The components of a quantity as it changes.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Components {
-    /// Along x.
-    #[serde(default)]
-    pub x: Option<Term>,
-    /// Along y.
-    #[serde(default)]
-    pub y: Option<Term>,
-    /// Along z.
-    #[serde(default)]
-    pub z: Option<Term>,
-}
-
 impl Course {
     /// The term along an axis, in a scene with that many.
     #[must_use]
     pub fn along(&self, axis: Axis, axes: usize) -> Option<&Term> {
         match self {
             Self::Only(term) => (axes == 1).then_some(term),
-            Self::Components(own) => match axis {
-                Axis::X => own.x.as_ref(),
-                Axis::Y => own.y.as_ref(),
-                Axis::Z => own.z.as_ref(),
-            },
+            Self::Components(own) => own.get(axis),
         }
     }
 }

@@ -28,7 +28,7 @@ pub(in super::super) fn drawing(
     index: usize,
     stage: &Stream,
 ) -> Option<Drawing> {
-    let flowing = quantities.model().flowing.iter().find(|own| own.stage == index)?;
+    let flowing = quantities.model().flowing_in(index)?;
     let mut vectors = Vec::new();
     if !flowing.speed.is_zero() {
         vectors.extend(arrow(quantities, compass, &flowing.speed, &flowing.direction).map(Moving::arriving));
