@@ -11,11 +11,13 @@ use crate::figure::Drawing;
 use crate::figure::LabelledVector;
 use crate::figure::Wording;
 use crate::scene::Strength;
+use crate::scene::Term;
 use crate::scene::stage::Bowl;
 use crate::scene::stage::Central;
 use crate::scene::stage::Conical;
 use crate::scene::stage::During;
 use crate::scene::stage::Rotate;
+use crate::scene::stage::Way;
 use crate::solve::Statement;
 
 use super::quantities::Quantities;
@@ -98,9 +100,28 @@ pub(super) fn conical(quantities: &Quantities<'_>, stage: usize, conical: &Conic
 
 /// The diagram of a body inside a bowl at its two levels, seen from above: what moves along the slope has no moment.
 pub(super) fn bowl(quantities: &Quantities<'_>, stage: usize, bowl: &Bowl) -> Drawing {
-    let place = |side: u8| round(quantities, &bowl.body, stage, side, &[("theta", [0.0, 1.0])]);
+    let [before, mut after] = [0, 1].map(|side| round(quantities, &bowl.body, stage, side, &[("theta", [0.0, 1.0])]));
+    after.radius.1 = after.radius.1.or_else(|| other_level(quantities, bowl, before.radius.1?));
+    // What energy alone has answered still has its angular momentum.
+    if let (Some(moment), Some(radius), Some((_, velocity))) =
+        (before.moment(), after.radius.1, after.velocity.first_mut())
+    {
+        *velocity = velocity.or(Some([0.0, moment / radius]));
+    }
     let impulse = AngularImpulse { label: nothing(&bowl.about), value: Some(0.0) };
-    drawing(quantities, [&bowl.body, &bowl.about], stage, [place(0), place(1)], impulse)
+    drawing(quantities, [&bowl.body, &bowl.about], stage, [before, after], impulse)
+}
+
+/// The distance from the axis at the second level, by the shape of the wall.
+fn other_level(quantities: &Quantities<'_>, bowl: &Bowl, first: f64) -> Option<f64> {
+    let number = |term: &Option<Term>| quantities.evaluate(&quantities.term(term.as_ref()?)?);
+    let rise = number(&bowl.height)? * if bowl.way == Way::Up { 1.0 } else { -1.0 };
+    if let Some(angle) = number(&bowl.cone) {
+        return Some(first + rise * libm::tan(angle));
+    }
+    let size = number(&bowl.sphere)?;
+    let depth = libm::sqrt((size * size - first * first).max(0.0)) - rise;
+    Some(libm::sqrt((size * size - depth * depth).max(0.0)))
 }
 
 /// The angular impulse by its name, or as moment times time.

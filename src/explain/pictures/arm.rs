@@ -129,29 +129,37 @@ fn names(quantities: &Quantities<'_>, all: &[Carried<'_>]) -> String {
 /// The diagram of several bodies on an arm.
 pub(super) fn rotation(quantities: &Quantities<'_>, index: usize, stage: &Rotate) -> Option<Drawing> {
     let all = held(stage);
-    let [before, after] = [0, 1].map(|side| arm(quantities, index, &all, &stage.about, side));
-    let total = |arm: &Option<(Arm, f64)>| arm.as_ref().map(|(_, moment)| *moment);
-    let gained = if stage.moment.is_some() { Some(total(&after)? - total(&before)?) } else { Some(0.0) };
-    let impulse = AngularImpulse { label: moment_impulse(quantities, index, stage), value: gained };
-    Some(diagram(quantities, index, [before?.0, after?.0], impulse, (&all, &stage.about)))
+    let (before, first) = arm(quantities, index, &all, &stage.about, (0, None))?;
+    // What nobody asks for may not be solved: without a moment it follows.
+    let resists = |own: &Carried<'_>| {
+        let distance = quantities.evaluate(&quantities.term(own.distances[1])?)?;
+        Some(quantities.mass(own.body)? * distance * distance)
+    };
+    let whole: Option<f64> = all.iter().map(resists).sum();
+    let turn = whole.filter(|_| stage.moment.is_none()).map(|whole| first / whole);
+    let (after, last) = arm(quantities, index, &all, &stage.about, (1, turn))?;
+    let gained = if stage.moment.is_some() { last - first } else { 0.0 };
+    let impulse = AngularImpulse { label: moment_impulse(quantities, index, stage), value: Some(gained) };
+    Some(diagram(quantities, index, [before, after], impulse, (&all, &stage.about)))
 }
 
 /// The diagram of a body that strikes an arm.
 pub(super) fn strike(quantities: &Quantities<'_>, index: usize, stage: &Strike) -> Option<Drawing> {
     let all = struck(stage);
-    let [before, after] = [0, 1].map(|side| arm(quantities, index, &all, &stage.about, side));
+    let [before, after] = [0, 1].map(|side| arm(quantities, index, &all, &stage.about, (side, None)));
     let impulse = AngularImpulse { label: nothing(&stage.about), value: Some(0.0) };
     Some(diagram(quantities, index, [before?.0, after?.0], impulse, (&all, &stage.about)))
 }
 
-/// The arm at one end with the momenta of what it carries, and their moment about the centre.
+/// The arm at one end with the momenta of what it carries, and their moment about the centre; with an angular velocity for
+/// where none was solved.
 fn arm(quantities: &Quantities<'_>, index: usize, all: &[Carried<'_>], about: &str, side: usize) -> Option<(Arm, f64)> {
     let mut moment = 0.0;
     let mut particles = Vec::new();
     for own in all {
         let name = quantities.velocity_name(own.body, index + 1 + side);
         let distance = quantities.evaluate(&quantities.term(own.distances[side])?)?;
-        let turns = || Some(quantities.named(&format!("omega_{}", index + 1 + side))? * distance);
+        let turns = || Some(quantities.named(&format!("omega_{}", index + 1 + side)).or(turn)? * distance);
         let momentum = quantities.mass(own.body)? * quantities.named(&name).or_else(turns)?;
         moment += momentum * distance;
         let label = product([quantities.mass_math(own.body), name_math(&name)]);
