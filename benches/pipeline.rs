@@ -8,6 +8,7 @@ use std::sync::Arc;
 use criterion::Criterion;
 use criterion::criterion_group;
 use criterion::criterion_main;
+use momentous::bank::Bank;
 use momentous::exercise::Exercise;
 use momentous::explain::Audience;
 use momentous::fault::Source;
@@ -25,6 +26,15 @@ use momentous::render::Solution;
 const PROBLEMS: [&str; 4] =
     ["impact/two-carts", "impact/hockey-pucks", "impact/ball-on-roof", "impulse/crate-ramp-force"];
 
+/// The slowest of the bank to load: the most algebra, the most equations that hold together, the most ways to go.
+const SLOWEST: [&str; 5] = [
+    "conservation/firework-burst",
+    "impact/ball-on-wedge",
+    "conservation/crate-off-trolley-ramp",
+    "conservation/cannon-on-carriage",
+    "impact/croquet-glance",
+];
+
 fn source(id: &str) -> Source {
     let path = format!("{}/problem_bank/{id}.yaml", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(&path).unwrap_or_default();
@@ -41,12 +51,15 @@ fn problem(id: &str) -> Arc<Problem> {
 
 fn file_to_plan(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("file to plan");
-    for id in PROBLEMS {
+    let loads = |source: &Source| load(black_box(source.clone())).and_then(|loaded| compile(loaded, None)).is_ok();
+    for id in PROBLEMS.into_iter().chain(SLOWEST) {
         let source = source(id);
-        group.bench_function(id, |bencher| {
-            bencher.iter(|| load(black_box(source.clone())).and_then(|loaded| compile(loaded, None)).is_ok());
-        });
+        group.bench_function(id, |bencher| bencher.iter(|| loads(&source)));
     }
+    let bank = Bank::built_in();
+    group.sample_size(10).bench_function("the whole bank", |bencher| {
+        bencher.iter(|| bank.sources().filter(|source| loads(source)).count());
+    });
     group.finish();
 }
 

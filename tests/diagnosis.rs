@@ -99,6 +99,27 @@ fn nothing_follows_from_what_makes_the_rest_trivial() {
     }
 }
 
+/// Skaters of 54 kg and 66 kg together at (3, 0) m/s; the first leaves at (1, 0.8) m/s, so the second at (4.636, -0.6545) m/s with
+/// the momentum (306, -43.2) kg m/s. With (3.64, -0.655) m/s the momentum is (240.2, -43.2) kg m/s, the energy 451.4 J.
+#[test]
+fn numbers_and_vectors_follow_from_a_vector() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("problem_bank/vectors/skaters-part.yaml");
+    let text = std::fs::read_to_string(path).expect("the problem is there");
+    let set = [("m_A", "54 kg"), ("m_B", "66 kg"), ("v_W1.x", "3 m/s"), ("v_A2.x", "1 m/s"), ("v_A2.y", "0.8 m/s")];
+    let set = set.map(|(name, value)| (name.to_owned(), value.to_owned()));
+    let ask = ["v_B2", "p_B2", "T_B2"].map(str::to_owned);
+    let skaters = Exercise::with_values(&problem(&text), 0, 1, &set, &ask).unwrap_or_else(|faults| panic!("{faults}"));
+    let verdicts = |velocity: &str, momentum: &str, energy: &str| {
+        let report = mark(&skaters, &[("v_B2", velocity), ("p_B2", momentum), ("T_B2", energy)], false);
+        report.parts.iter().map(|own| own.verdict.code()).collect::<Vec<_>>()
+    };
+    let [wrong, follows] = ["(3.64, -0.655) m/s", "(240, -43.2) N s"];
+    assert_eq!(verdicts(wrong, follows, "451 J"), ["wrong", "follow_through", "follow_through"]);
+    // The other component has to be right, or to follow as well.
+    assert_eq!(verdicts(wrong, "(240, -50.2) N s", "400 J"), ["wrong", "wrong", "wrong"]);
+    assert_eq!(verdicts("(4.64, -0.655) m/s", "(306, -43.2) N s", "724 J"), ["right", "right", "right"]);
+}
+
 #[test]
 fn what_would_have_followed_is_shown_only_when_the_question_is_closed() {
     let exercise = collision();

@@ -91,6 +91,54 @@ fn a_wrong_formula_is_traced_to_the_wrong_form_that_gives_it() {
     assert_eq!(traced("m_B v_A1/(m_A + m_B)"), Vec::<&str>::new());
 }
 
+/// With half the right velocity `m_A v_A1/(2 (m_A + m_B))` a quarter of the energy is left that should be, so that
+/// `T_lost = T_1 (1 - m_A/(4 (m_A + m_B)))`; the right one is `T_1 m_B/(m_A + m_B)`.
+#[test]
+fn a_formula_follows_from_an_earlier_wrong_one() {
+    let coupling = exercise(&COUPLING.replace("HOW", "symbol"));
+    let half = "m_A v_A1/(2 (m_A + m_B))";
+    let cases = [
+        (half, "T_1 (1 - m_A/(4 (m_A + m_B)))", "follow_through"),
+        (half, "1 - m_A/(4 (m_A + m_B))", "follow_through"),
+        (half, "m_A v_A1^2/2 - (m_A + m_B) (m_A v_A1/(2 (m_A + m_B)))^2/2", "follow_through"),
+        (half, "1 - m_A/(2 (m_A + m_B))", "wrong"),
+        (half, "m_B/(m_A + m_B)", "right"),
+        // More energy than there was: the step is right, and something is wrong with what went into it.
+        ("2 v_A1", "T_1 (1 - 4 (m_A + m_B)/m_A)", "follow_through_unphysical"),
+        // Equal to a given, nothing, or of another dimension: the rest would be trivial.
+        ("v_A1", "-m_B v_A1^2/2", "wrong"),
+        ("0", "1", "wrong"),
+        ("m_A", "T_1 - (m_A + m_B) v_A1^2/8", "wrong"),
+    ];
+    for (velocity, loss, verdict) in cases {
+        let report = both(&coupling, velocity, loss);
+        let own = &report.parts[1];
+        assert_eq!(own.verdict.code(), verdict, "{velocity}, then {loss}: {}", own.message);
+        assert_eq!(own.follows.is_some(), verdict.starts_with("follow"), "{}", own.message);
+    }
+    let follows = both(&coupling, half, cases[0].1).parts.swap_remove(1);
+    assert!(follows.message.starts_with("This follows from your own v_C2 by "), "{}", follows.message);
+    assert_eq!(follows.points.0, grade::Points::default().0 + momentous::quantity::Rational::from(1));
+}
+
+/// The number for the energy lost is what the formula for the velocity makes of it.
+#[test]
+fn a_number_follows_from_an_earlier_wrong_formula() {
+    let named = COUPLING.replace("HOW", "named").replace("T_lost, as: formula, unit: T_1", "T_lost, unit: kJ");
+    let coupling = exercise(&named);
+    let worked = coupling.worked();
+    let value = |name: &str| worked.variant.value(worked.problem.model().symbols.find(name).unwrap()).unwrap().value;
+    let (m_a, m_b, v) = (value("m_A"), value("m_B"), value("v_A1"));
+    let lost = m_a * v * v / 2.0 * (1.0 - m_a / (4.0 * (m_a + m_b))) / 1000.0;
+    let report = both(&coupling, "m_A v_A1/(2 (m_A + m_B))", &format!("{lost:.2} kJ"));
+    assert_eq!(report.parts[1].verdict.code(), "follow_through", "{}", report.parts[1].message);
+}
+
+fn both(coupling: &Exercise, velocity: &str, loss: &str) -> grade::Report {
+    let answers = [("v_C2", velocity), ("T_lost", loss)].map(|(part, text)| (part.to_owned(), text.to_owned()));
+    coupling.grade(&BTreeMap::from(answers), DecimalMark::Point)
+}
+
 #[test]
 fn the_record_holds_the_formula_as_text_and_as_latex() {
     let record = exercise(&COUPLING.replace("HOW", "symbol")).record(None);

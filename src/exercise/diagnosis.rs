@@ -7,7 +7,6 @@ use crate::grade::diagnose;
 use crate::laws::wrong::Misconception;
 use crate::problem::FormulaPart;
 use crate::problem::Mistake;
-use crate::problem::NumberPart;
 use crate::problem::PartKind;
 use crate::problem::Simulated;
 
@@ -27,16 +26,8 @@ impl Marking<'_> {
         }
     }
 
-    /// A number that is asked, what is right, and what was answered; of several roots the first alone.
-    pub(super) fn wrong(&self, place: usize) -> Option<(&NumberPart, &grade::ExpectedNumber, &grade::Answer)> {
-        let (part, expected, answer) = self.answered(place)?;
-        match (part, expected) {
-            (PartKind::Number(number), grade::ExpectedKind::Number(right)) => Some((number, right, answer)),
-            _ => None,
-        }
-    }
-
-    fn answered(&self, place: usize) -> Option<(&PartKind, &grade::ExpectedKind, &grade::Answer)> {
+    /// What is asked, what is right, and what was answered; of several roots the first alone.
+    pub(super) fn answered(&self, place: usize) -> Option<(&PartKind, &grade::ExpectedKind, &grade::Answer)> {
         let expected = self.expected.get(place)?;
         let part = self.worked.form.parts.get(*self.parts.get(place)?).filter(|part| part.id == expected.id)?;
         Some((&part.kind, &expected.kind, self.readings.get(place)?.as_ref()?.answer.as_ref().ok()?))
@@ -47,12 +38,13 @@ impl Marking<'_> {
         match self.answered(place)? {
             (PartKind::Number(number), grade::ExpectedKind::Number(right), answer) => {
                 let answer = diagnose::number(right, answer).filter(|own| !diagnose::is_coarse(right, *own))?;
-                let (mistakes, values) = self.outcomes(|all, mistake| all.answers(mistake, number));
+                let (mistakes, values) = self.outcomes(|all, mistake, add| all.each(mistake, number, add));
                 Some(picked(&mistakes, diagnose::matching(right, answer, &values)))
             }
             (PartKind::Vector(vector), grade::ExpectedKind::Vector(right), answer) => {
                 let answer = diagnose::components(right, answer)?;
-                let (mistakes, values) = self.outcomes(|all, mistake| all.vectors(mistake, vector));
+                let (mistakes, values) =
+                    self.outcomes(|all, mistake, add| all.vectors(mistake, vector).into_iter().for_each(add));
                 Some(picked(&mistakes, diagnose::matching_vectors(right, &answer, &values)))
             }
             (PartKind::Formula(formula), grade::ExpectedKind::Formula(right), answer) => {
@@ -80,10 +72,16 @@ impl Marking<'_> {
     }
 
     /// What every mistake makes of an answer.
-    fn outcomes<T>(&self, of: impl Fn(&Simulated<'_>, &Mistake) -> Vec<T>) -> (Vec<&Mistake>, Vec<T>) {
+    fn outcomes<T>(&self, each: impl Fn(&Simulated<'_>, &Mistake, &mut dyn FnMut(T))) -> (Vec<&Mistake>, Vec<T>) {
         let simulated = self.simulated.get_or_init(|| self.worked.simulated());
-        let mistakes = self.worked.mistakes().iter();
-        mistakes.flat_map(|mistake| of(simulated, mistake).into_iter().map(move |value| (mistake, value))).unzip()
+        let (mut mistakes, mut values) = (Vec::new(), Vec::new());
+        for mistake in self.worked.mistakes() {
+            each(simulated, mistake, &mut |value| {
+                mistakes.push(mistake);
+                values.push(value);
+            });
+        }
+        (mistakes, values)
     }
 
     /// What is said of the mistakes that lead to an answer; nothing where there are none.

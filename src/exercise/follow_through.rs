@@ -1,14 +1,19 @@
 //! Follow-through: an answer that is wrong only because an earlier one was.
 
+use std::collections::BTreeSet;
+
+use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::grade;
 use crate::grade::Follows;
 use crate::grade::Verdict;
 use crate::grade::diagnose;
-use crate::problem::Consequence;
+use crate::laws::Law;
 use crate::problem::NumberPart;
+use crate::problem::PartKind;
 use crate::quantity::Dimension;
 use crate::quantity::Printed;
+use crate::quantity::Rational;
 
 use super::marking::Marking;
 
@@ -16,22 +21,24 @@ use super::marking::Marking;
 const MOST_EARLIER: usize = 4;
 /// A given and an answer are the same within this share of it.
 const SAME: f64 = 1e-6;
-/// Values that a student rounds on the way move what follows from them by up to this share.
-const ROUNDING: f64 = 0.006;
 
-/// A wrong earlier answer that later ones may build upon.
-struct Earlier {
-    id: String,
-    symbol: Symbol,
-    /// In SI units.
-    value: f64,
+/// A wrong earlier answer that later ones may build upon; of a vector, one of its components.
+pub(super) struct Earlier {
+    pub(super) id: String,
+    pub(super) symbol: Symbol,
+    /// In SI units; of a formula, with the numbers of the variant.
+    pub(super) value: f64,
+    /// In what is given. Of numbers only a pure one can stand in a formula.
+    pub(super) formula: Option<Expr>,
 }
 
-/// An earlier set of answers and what follows from it.
-struct Found {
-    from: Vec<String>,
-    consequence: Consequence,
-    fraction: crate::quantity::Rational,
+/// Earlier answers and what follows from them.
+pub(super) struct Found {
+    pub(super) from: Vec<String>,
+    pub(super) by: Vec<&'static Law>,
+    pub(super) unphysical: Option<String>,
+    /// What the answer is worth otherwise: less than all where its unit is missing.
+    pub(super) fraction: Rational,
 }
 
 impl Marking<'_> {
@@ -43,35 +50,57 @@ impl Marking<'_> {
             if !diagnose::is_open(own.verdict) {
                 continue;
             }
-            let Some((number, right, answer)) = self.wrong(place) else { continue };
-            let Some(value) = diagnose::number(right, answer) else { continue };
-            let Some(expected) = self.expected.get(place) else { continue };
             let relevant = earlier.get(earlier.len().saturating_sub(MOST_EARLIER)..).unwrap_or_default();
-            if let Some(found) = self.followed(number, expected, (answer, value), relevant) {
-                let flagged = found.consequence.unphysical.is_some();
+            if let Some(found) = self.followed(place, relevant) {
+                let flagged = found.unphysical.is_some();
                 own.verdict = if flagged { Verdict::FollowThroughUnphysical } else { Verdict::FollowThrough };
-                let fraction = self.rubric.fraction(own.verdict) * found.fraction;
-                own.points = grade::Points(fraction * crate::quantity::Rational::from(own.out_of));
-                let follows = Follows {
-                    from: found.from,
-                    by: found.consequence.by.iter().map(|law| law.name).collect(),
-                    unphysical: found.consequence.unphysical,
-                };
+                own.points =
+                    grade::Points(self.rubric.fraction(own.verdict) * found.fraction * Rational::from(own.out_of));
+                let by = found.by.iter().map(|law| law.name).collect();
+                let follows = Follows { from: found.from, by, unphysical: found.unphysical };
                 own.message = follows.to_string();
                 own.follows = Some(follows);
-            } else if closed && !relevant.is_empty() {
+            } else if closed
+                && !relevant.is_empty()
+                && let Some((PartKind::Number(number), ..)) = self.answered(place)
+            {
                 own.own_values = self.own_values(number, relevant);
             }
-            let value = value * self.worked.unit_of(number);
-            if self.can_be_built_upon(number.symbol, value) {
-                earlier.push(Earlier { id: own.id.clone(), symbol: number.symbol, value });
-            }
+            let fresh = self.given_as(place).into_iter();
+            earlier.extend(fresh.filter_map(|(symbol, value, formula)| {
+                self.can_be_built_upon(symbol, value).then(|| Earlier { id: own.id.clone(), symbol, value, formula })
+            }));
         }
         report.recount();
     }
 
+    /// What an answer says of the quantities that are asked: values in SI units, and formulas in what is given. Nothing where it
+    /// measures something else.
+    fn given_as(&self, place: usize) -> Vec<(Symbol, f64, Option<Expr>)> {
+        match self.answered(place) {
+            Some((PartKind::Number(number), grade::ExpectedKind::Number(right), answer)) => {
+                let value = diagnose::number(right, answer).map(|value| value * self.worked.unit_of(number));
+                let pure = self.worked.problem.model().symbols.entry(number.symbol).dimension == Dimension::NONE;
+                let formula = if pure { exactly(answer) } else { None };
+                value.map(|value| (number.symbol, value, formula)).into_iter().collect()
+            }
+            Some((PartKind::Vector(vector), grade::ExpectedKind::Vector(right), answer)) => {
+                let values = diagnose::components(right, answer).unwrap_or_default();
+                let pairs = vector.components.iter().zip(values);
+                pairs.map(|(own, value)| (own.symbol, value * self.worked.unit_of(own), None)).collect()
+            }
+            Some((PartKind::Formula(formula), grade::ExpectedKind::Formula(right), grade::Answer::Formula(answer))) => {
+                let written = right.in_letters(&answer.formula);
+                let fits = written.dimension(&right.symbols) == Ok(right.dimension);
+                let value = written.evaluate(&|own| self.worked.variant.value(own).map_or(f64::NAN, |own| own.value));
+                fits.then_some((formula.symbol, value, Some(written))).into_iter().collect()
+            }
+            _ => Vec::new(),
+        }
+    }
+
     /// What makes the rest trivial or impossible is not built upon: nothing, and what is given anyway.
-    fn can_be_built_upon(&self, symbol: Symbol, value: f64) -> bool {
+    pub(super) fn can_be_built_upon(&self, symbol: Symbol, value: f64) -> bool {
         let dimension = self.worked.problem.model().symbols.entry(symbol).dimension;
         let given = self.worked.variant.all_given().iter().any(|(own, _, unit)| {
             let given = self.worked.variant.value(*own).map(|given| given.value);
@@ -80,72 +109,19 @@ impl Marking<'_> {
         value != 0.0 && value.is_finite() && !given
     }
 
-    /// The consequence that the answer is, of the fewest earlier answers; one that is possible rather than one that is not.
-    fn followed(
-        &self,
-        number: &NumberPart,
-        expected: &grade::Expected,
-        (answer, written): (&grade::Answer, f64),
-        earlier: &[Earlier],
-    ) -> Option<Found> {
-        let mut best: Option<Found> = None;
-        let grade::ExpectedKind::Number(right) = &expected.kind else { return None };
-        let mut target = expected.clone();
-        for chosen in subsets(earlier) {
-            let mut verdicts = Vec::new();
-            let mut accept = |value: f64| {
-                if is_far(right, value, written) {
-                    return false;
-                }
-                aim(&mut target, expected, value);
-                let judged = grade::judge(&target, answer).verdict;
-                let accepted = judged.is_right() || judged == Verdict::UnitMissing;
-                verdicts.extend(accepted.then_some(judged));
-                accepted
-            };
-            let consequences = self.consequences(number, &chosen, &mut accept);
-            for (consequence, judged) in consequences.into_iter().zip(verdicts) {
-                let better = best
-                    .as_ref()
-                    .is_none_or(|best| best.consequence.unphysical.is_some() && consequence.unphysical.is_none());
-                if better {
-                    let from = chosen.iter().map(|own| own.id.clone()).collect();
-                    best = Some(Found { from, consequence, fraction: self.rubric.fraction(judged) });
-                }
-            }
-        }
-        best
-    }
-
-    /// What follows from earlier answers and is wanted, without what makes the rest trivial.
-    fn consequences(
-        &self,
-        number: &NumberPart,
-        chosen: &[&Earlier],
-        accept: &mut dyn FnMut(f64) -> bool,
-    ) -> Vec<Consequence> {
-        let values = chosen.iter().map(|own| (own.symbol, own.value)).collect();
-        let unit = self.worked.unit_of(number);
-        let mut accept = |value: f64| self.can_be_built_upon(number.symbol, value * unit) && accept(value);
-        self.worked.following(number, &values, &mut accept)
-    }
-
     /// What would have followed from the student's own answers: every value, and the laws by which it follows.
     fn own_values(&self, number: &NumberPart, earlier: &[Earlier]) -> Option<String> {
         let all: Vec<&Earlier> = earlier.iter().collect();
-        let (chosen, found) = [all, earlier.iter().rev().take(1).collect()]
+        let last: Vec<&Earlier> = earlier.iter().rev().take(1).collect();
+        let (chosen, found) = [all, last]
             .into_iter()
-            .map(|chosen| {
-                (
-                    chosen.iter().map(|own| own.id.as_str()).collect::<Vec<_>>(),
-                    self.consequences(number, &chosen, &mut |_| true),
-                )
-            })
+            .map(|chosen| (names(&chosen), self.consequences(number.symbol, &chosen, &mut |_| true)))
             .find(|(_, found)| !found.is_empty())?;
+        let unit = self.worked.unit_of(number);
         let said: Vec<String> = found
             .iter()
             .filter_map(|own| {
-                let value = Printed::new(own.value, number.figures)?.plain();
+                let value = Printed::new(own.value / unit, number.figures)?.plain();
                 let laws: Vec<&str> = own.by.iter().map(|law| law.name).collect();
                 Some(format!("{} by {}", format!("{value} {}", number.plain_unit()).trim_end(), laws.join(" and ")))
             })
@@ -154,39 +130,15 @@ impl Marking<'_> {
     }
 }
 
-/// Whether an answer is so far from a value, whatever its sign, that it cannot be taken for it. An angle is never far, nor is what
-/// may be a fraction of something.
-fn is_far(right: &grade::ExpectedNumber, value: f64, answer: f64) -> bool {
-    let size = value.abs().max(right.scale);
-    let tolerance = match &right.tolerance {
-        grade::Tolerance::Relative(share) => share.to_f64().abs() * size,
-        grade::Tolerance::Absolute(distance) => distance.to_f64().abs(),
-        grade::Tolerance::ToFigures => size,
-    };
-    let reach = 2.0 * (tolerance + right.allowance + ROUNDING * size);
-    !right.cyclic && right.unit.dimension() != Dimension::NONE && (answer.abs() - value.abs()).abs() > reach
+/// A pure number as it was written.
+fn exactly(answer: &grade::Answer) -> Option<Expr> {
+    let grade::Answer::Number(answer) = answer else { return None };
+    let factor = answer.unit.clone().unwrap_or_default().factor();
+    Some(Expr::Number(answer.directed().scaled(&factor)?.value().clone()))
 }
 
-/// Every choice of earlier answers, small ones first.
-fn subsets(earlier: &[Earlier]) -> Vec<Vec<&Earlier>> {
-    let mut all: Vec<Vec<&Earlier>> = vec![Vec::new()];
-    for own in earlier {
-        let with: Vec<Vec<&Earlier>> = all.iter().map(|chosen| [chosen.as_slice(), &[own]].concat()).collect();
-        all.extend(with);
-    }
-    all.retain(|chosen| !chosen.is_empty());
-    all.sort_by_key(Vec::len);
-    all
-}
-
-/// Puts what follows from the student's own answers in place of the right value.
-fn aim(target: &mut grade::Expected, expected: &grade::Expected, value: f64) {
-    let grade::ExpectedKind::Number(right) = &expected.kind else { return };
-    if let grade::ExpectedKind::Number(number) = &mut target.kind {
-        number.value = value;
-        number.error = SAME * SAME * value.abs();
-        number.exact = None;
-        number.allowance = right.allowance.max(ROUNDING * value.abs());
-        number.magnitude = number.senses.is_none() && value >= 0.0;
-    }
+/// The parts of earlier answers, each once.
+pub(super) fn names(chosen: &[&Earlier]) -> Vec<String> {
+    let mut seen = BTreeSet::new();
+    chosen.iter().filter(|own| seen.insert(&own.id)).map(|own| own.id.clone()).collect()
 }

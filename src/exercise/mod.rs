@@ -4,6 +4,7 @@ mod attempts;
 mod diagnosis;
 mod drawer;
 mod follow_through;
+mod followed;
 mod formula;
 mod marker;
 mod marking;

@@ -40,7 +40,7 @@ pub fn solution(worked: Worked<'_>) -> Outline {
         section("Momentum and impulse diagrams", diagrams::diagrams(worked)),
         section("Axes and what is given", axes::axes(display)),
         section("Laws", laws(display)),
-        section(closing, [answers, checks].concat()),
+        section(closing, answers.into_iter().chain(checks).collect()),
     ];
     sections.retain(|section| !section.blocks.is_empty());
     sections.push(Section {
@@ -174,14 +174,14 @@ fn laws(display: Display<'_>) -> Vec<Block> {
 
 /// Leaves out a sentence that says of the next equation what was just said of the one before.
 fn without_repetition(blocks: Vec<Block>) -> Vec<Block> {
-    let mut said: Option<Block> = None;
-    let mut kept = Vec::new();
+    let mut said: Option<usize> = None;
+    let mut kept: Vec<Block> = Vec::with_capacity(blocks.len());
     for block in blocks {
         if matches!(block, Block::Paragraph(_)) {
-            if said.as_ref() == Some(&block) {
+            if said.and_then(|place| kept.get(place)) == Some(&block) {
                 continue;
             }
-            said = Some(block.clone());
+            said = Some(kept.len());
         }
         kept.push(block);
     }

@@ -1,5 +1,7 @@
 //! The value of a term in floating point, the same on every platform.
 
+use crate::quantity::nearest_double;
+
 use super::{Expr, Function, Piecewise, Symbol};
 
 impl Expr {
@@ -12,7 +14,7 @@ impl Expr {
     /// ```
     pub fn evaluate(&self, value: &dyn Fn(Symbol) -> f64) -> f64 {
         match self {
-            Self::Number(number) => number.to_f64().value(),
+            Self::Number(number) => nearest_double(number),
             Self::Pi => std::f64::consts::PI,
             Self::Symbol(symbol) => value(*symbol),
             Self::Sum(terms) => terms.iter().map(|term| term.evaluate(value)).sum(),

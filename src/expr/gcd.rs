@@ -4,6 +4,7 @@
 
 use crate::quantity::Rational;
 
+use super::coprime::are_coprime;
 use super::monomial::{Atom, Monomial};
 use super::polynomial::Polynomial;
 
@@ -82,7 +83,7 @@ fn search(left: &Polynomial, right: &Polynomial, work: &mut Work) -> Option<Poly
 
 /// The same for two polynomials that no monomial divides.
 fn search_primitive(left: &Polynomial, right: &Polynomial, work: &mut Work) -> Option<Polynomial> {
-    if left.len() == 1 || right.len() == 1 {
+    if left.len() == 1 || right.len() == 1 || are_coprime(left, right) {
         return Some(Polynomial::one());
     }
     if left.len() > MAX_TERMS || right.len() > MAX_TERMS {

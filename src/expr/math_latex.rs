@@ -1,5 +1,7 @@
 //! Typeset mathematics as LaTeX (with amsmath).
 
+use std::borrow::Borrow;
+
 use super::{Math, Operator};
 
 /// Letters and signs that LaTeX knows by name.
@@ -91,68 +93,116 @@ impl Math {
     /// ```
     #[must_use]
     pub fn latex(&self) -> String {
-        match self {
-            Self::Row(parts) => row(parts),
-            Self::Number(text) => text.clone(),
-            Self::Identifier(text) => identifier(text),
-            Self::Text(text) => format!(r"\text{{{}}}", escaped(text)),
-            Self::Operator(operator) => operator.latex().trim().to_owned(),
-            Self::Fraction(above, below) => format!(r"\frac{{{}}}{{{}}}", above.latex(), below.latex()),
-            Self::Sub(base, subscript) => format!("{}_{{{}}}", base.latex(), subscript.latex_subscript()),
-            Self::Sup(base, exponent) => format!("{}^{{{}}}", base.latex_base(), exponent.latex()),
-            Self::SubSup(base, subscript, exponent) => {
-                format!("{}_{{{}}}^{{{}}}", base.latex(), subscript.latex_subscript(), exponent.latex())
-            }
-            Self::Root(inner) => format!(r"\sqrt{{{}}}", inner.latex()),
-            Self::Bracketed(inner) => inner.latex_between("(", ")"),
-            Self::Squared(inner) => inner.latex_between("[", "]"),
-            Self::Bars(inner) => inner.latex_between(r"\lvert ", r"\rvert "),
-            Self::Function(name) if COMMANDS.contains(&name.as_str()) => format!(r"\{name}"),
-            Self::Function(name) => format!(r"\operatorname{{{}}}", escaped(name)),
-            Self::Cases(cases) => {
-                let case = |(condition, value): &(Self, Self)| format!("{} & {}", value.latex(), condition.latex());
-                let rows: Vec<_> = cases.iter().map(case).collect();
-                format!(r"\begin{{cases}} {} \end{{cases}}", rows.join(r" \\ "))
-            }
-            Self::Integral(low, high, integrand, variable) => {
-                let (low, high) = (low.latex(), high.latex());
-                format!(r"\int_{{{low}}}^{{{high}}} {}\,d{}", integrand.latex(), spaced(&variable.latex()))
-            }
-            Self::Vector(name) => format!(r"\mathbf{{{}}}", escaped(name)),
-        }
+        let mut out = String::new();
+        self.write_latex(&mut out);
+        out
     }
 
     /// The same for parts side by side.
-    pub(crate) fn row_latex(parts: &[Self]) -> String {
-        row(parts)
+    pub(crate) fn row_latex<M: Borrow<Self>>(parts: &[M]) -> String {
+        let mut out = String::new();
+        write_row(parts, &mut out);
+        out
+    }
+
+    fn write_latex(&self, out: &mut String) {
+        match self {
+            Self::Row(parts) => write_row(parts, out),
+            Self::Number(text) => out.push_str(text),
+            Self::Identifier(text) => write_identifier(text, out),
+            Self::Text(text) => write_command("text", text, out),
+            Self::Operator(operator) => out.push_str(operator.latex().trim()),
+            Self::Fraction(above, below) => {
+                out.push_str(r"\frac");
+                above.write_group(out);
+                below.write_group(out);
+            }
+            Self::Sub(base, subscript) => {
+                base.write_latex(out);
+                subscript.write_subscript(out);
+            }
+            Self::Sup(base, exponent) => {
+                if matches!(**base, Self::Sup(..) | Self::SubSup(..)) {
+                    base.write_group(out);
+                } else {
+                    base.write_latex(out);
+                }
+                out.push('^');
+                exponent.write_group(out);
+            }
+            Self::SubSup(base, subscript, exponent) => {
+                base.write_latex(out);
+                subscript.write_subscript(out);
+                out.push('^');
+                exponent.write_group(out);
+            }
+            Self::Root(inner) => {
+                out.push_str(r"\sqrt");
+                inner.write_group(out);
+            }
+            Self::Bracketed(inner) => inner.write_between("(", ")", out),
+            Self::Squared(inner) => inner.write_between("[", "]", out),
+            Self::Bars(inner) => inner.write_between(r"\lvert ", r"\rvert ", out),
+            Self::Function(name) if COMMANDS.contains(&name.as_str()) => out.extend(["\\", name]),
+            Self::Function(name) => write_command("operatorname", name, out),
+            Self::Cases(cases) => {
+                out.push_str(r"\begin{cases} ");
+                for (index, (condition, value)) in cases.iter().enumerate() {
+                    out.push_str(if index > 0 { r" \\ " } else { "" });
+                    value.write_latex(out);
+                    out.push_str(" & ");
+                    condition.write_latex(out);
+                }
+                out.push_str(r" \end{cases}");
+            }
+            Self::Integral(low, high, integrand, variable) => {
+                out.push_str(r"\int_");
+                low.write_group(out);
+                out.push('^');
+                high.write_group(out);
+                out.push(' ');
+                integrand.write_latex(out);
+                out.push_str(r"\,d");
+                let start = out.len();
+                variable.write_latex(out);
+                // A command needs a space before a letter that follows.
+                if !out[start..].starts_with(char::is_alphabetic) {
+                    out.insert(start, ' ');
+                }
+            }
+            Self::Vector(name) => write_command("mathbf", name, out),
+        }
+    }
+
+    /// In braces.
+    fn write_group(&self, out: &mut String) {
+        out.push('{');
+        self.write_latex(out);
+        out.push('}');
     }
 
     /// Letters of a subscript in italics when single, upright when they form a word: `A1`, `avg,A`.
-    fn latex_subscript(&self) -> String {
-        let Self::Text(text) = self else { return self.latex() };
-        let parts = super::math::subscript_parts(text);
-        let part = |part: &str| {
+    fn write_subscript(&self, out: &mut String) {
+        out.push('_');
+        let Self::Text(text) = self else { return self.write_group(out) };
+        out.push('{');
+        for part in super::math::subscript_parts(text) {
             let word = part.chars().count() > 1 && part.starts_with(char::is_alphabetic);
-            if word || part.starts_with(' ') { format!(r"\text{{{}}}", escaped(part)) } else { escaped(part) }
-        };
-        parts.into_iter().map(part).collect()
-    }
-
-    fn latex_base(&self) -> String {
-        match self {
-            Self::Sup(..) | Self::SubSup(..) => format!("{{{}}}", self.latex()),
-            other => other.latex(),
+            if word || part.starts_with(' ') {
+                write_command("text", part, out);
+            } else {
+                write_escaped(part, out);
+            }
         }
+        out.push('}');
     }
 
     /// Between delimiters that grow where something tall is inside.
-    fn latex_between(&self, open: &str, close: &str) -> String {
-        let inside = self.latex();
-        if self.is_tall() {
-            format!(r"\left{open}{inside}\right{close}")
-        } else {
-            format!("{open}{inside}{}", close.trim_end())
-        }
+    fn write_between(&self, open: &str, close: &str, out: &mut String) {
+        let tall = self.is_tall();
+        out.extend([if tall { r"\left" } else { "" }, open]);
+        self.write_latex(out);
+        out.extend(if tall { [r"\right", close] } else { ["", close.trim_end()] });
     }
 
     /// Whether brackets around it must grow.
@@ -167,26 +217,26 @@ impl Math {
     }
 }
 
-fn identifier(text: &str) -> String {
+fn write_identifier(text: &str, out: &mut String) {
     let mut letters = text.chars();
     match (letters.next(), letters.next()) {
         (Some(single), None) => match NAMED.iter().find(|(own, _)| *own == single) {
-            Some((_, command)) => (*command).to_owned(),
-            None => escaped(text),
+            Some((_, command)) => out.push_str(command),
+            None => write_escaped(text, out),
         },
-        (None, _) => "{}".to_owned(),
-        _ => format!(r"\mathit{{{}}}", escaped(text)),
+        (None, _) => out.push_str("{}"),
+        _ => write_command("mathit", text, out),
     }
 }
 
-/// A command needs a space before a letter that follows.
-fn spaced(latex: &str) -> String {
-    if latex.starts_with(char::is_alphabetic) { latex.to_owned() } else { format!(" {latex}") }
+fn write_command(name: &str, text: &str, out: &mut String) {
+    out.extend(["\\", name, "{"]);
+    write_escaped(text, out);
+    out.push('}');
 }
 
 /// Upright text with what LaTeX would misread replaced; `^2` becomes a superscript, as in `m/s^2`.
-fn escaped(text: &str) -> String {
-    let mut result = String::new();
+fn write_escaped(text: &str, out: &mut String) {
     let mut letters = text.chars().peekable();
     while let Some(letter) = letters.next() {
         if letter == '^' {
@@ -195,48 +245,45 @@ fn escaped(text: &str) -> String {
                 power.push(digit);
             }
             if power.is_empty() {
-                result.push_str(r"\textasciicircum{}");
+                out.push_str(r"\textasciicircum{}");
             } else {
-                result.extend(["$^{", &power, "}$"]);
+                out.extend(["$^{", &power, "}$"]);
             }
             continue;
         }
-        match IN_TEXT.iter().find(|(own, _)| *own == letter) {
-            Some((_, replacement)) => result.push_str(replacement),
-            None => result.push(letter),
+        match IN_TEXT.iter().find(|(own, _)| *own == letter).filter(|_| !letter.is_ascii_alphanumeric()) {
+            Some((_, replacement)) => out.push_str(replacement),
+            None => out.push(letter),
         }
     }
-    result
 }
 
-fn row(parts: &[Math]) -> String {
-    let mut text = String::new();
-    for (index, part) in parts.iter().enumerate() {
-        let before = index.checked_sub(1).and_then(|index| parts.get(index));
-        let latex = match part {
-            Math::Operator(Operator::Juxtapose) if matches!(before, Some(Math::Function(_) | Math::Sup(..))) => {
-                if is_function(before) {
-                    " ".to_owned()
-                } else {
-                    r"\,".to_owned()
-                }
-            }
-            Math::Operator(operator) if Math::is_prefix(before) => operator.latex().trim().to_owned(),
-            Math::Operator(operator) => operator.latex().to_owned(),
+fn write_row<M: Borrow<Math>>(parts: &[M], out: &mut String) {
+    let start = out.len();
+    let mut before: Option<&Math> = None;
+    for part in parts.iter().map(M::borrow) {
+        let mark = match part {
+            Math::Operator(_) => out.len(),
             part => {
                 if Math::needs_space(before, part) {
-                    text.push_str(r"\ ");
+                    out.push_str(r"\ ");
                 }
-                part.latex()
+                out.len()
             }
         };
-        // `\pi` and `r` must not run together to `\pir`
-        if ends_with_command(&text) && latex.starts_with(|c: char| c.is_ascii_alphabetic()) {
-            text.push(' ');
+        match part {
+            Math::Operator(Operator::Juxtapose) if is_function(before) => out.push(' '),
+            Math::Operator(Operator::Juxtapose) if matches!(before, Some(Math::Sup(..))) => out.push_str(r"\,"),
+            Math::Operator(operator) if Math::is_prefix(before) => out.push_str(operator.latex().trim()),
+            Math::Operator(operator) => out.push_str(operator.latex()),
+            part => part.write_latex(out),
         }
-        text.push_str(&latex);
+        // `\pi` and `r` must not run together to `\pir`
+        if ends_with_command(&out[start..mark]) && out[mark..].starts_with(|c: char| c.is_ascii_alphabetic()) {
+            out.insert(mark, ' ');
+        }
+        before = Some(part);
     }
-    text
 }
 
 fn is_function(part: Option<&Math>) -> bool {
@@ -248,8 +295,6 @@ fn is_function(part: Option<&Math>) -> bool {
 }
 
 fn ends_with_command(latex: &str) -> bool {
-    latex.rfind('\\').is_some_and(|start| {
-        let name = latex.get(start + 1..).unwrap_or_default();
-        !name.is_empty() && name.chars().all(|c| c.is_ascii_alphabetic())
-    })
+    let before = latex.trim_end_matches(|c: char| c.is_ascii_alphabetic());
+    before.len() < latex.len() && before.ends_with('\\')
 }

@@ -1,5 +1,7 @@
 //! Typeset mathematics as `MathML` Core, so that a page shows it without a script.
 
+use std::borrow::Borrow;
+
 use super::{Math, Operator};
 
 impl Operator {
@@ -41,7 +43,7 @@ impl Math {
     }
 
     /// Parts side by side, as one element without the `math` around it.
-    pub(crate) fn row_element(parts: &[Self]) -> String {
+    pub(crate) fn row_element<M: Borrow<Self>>(parts: &[M]) -> String {
         row(parts)
     }
 
@@ -105,10 +107,10 @@ fn between(open: &str, inner: &Math, close: &str) -> String {
     format!("<mrow>{}{inside}{}</mrow>", bracket(open, "prefix"), bracket(close, "postfix"))
 }
 
-fn row(parts: &[Math]) -> String {
+fn row<M: Borrow<Math>>(parts: &[M]) -> String {
     let mut elements = String::new();
-    for (index, part) in parts.iter().enumerate() {
-        let before = index.checked_sub(1).and_then(|index| parts.get(index));
+    let mut before = None;
+    for part in parts.iter().map(M::borrow) {
         match part {
             Math::Operator(Operator::Juxtapose) => {
                 elements.push_str("<mo lspace=\"0\" rspace=\"0.1667em\">\u{2062}</mo>");
@@ -123,6 +125,7 @@ fn row(parts: &[Math]) -> String {
                 elements.push_str(&part.element());
             }
         }
+        before = Some(part);
     }
     format!("<mrow>{elements}</mrow>")
 }

@@ -6,6 +6,7 @@
 //! plain text, `LaTeX` or `MathML`.
 
 mod canonical;
+mod coprime;
 mod curvature;
 mod derivative;
 mod dimension;

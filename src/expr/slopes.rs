@@ -61,7 +61,7 @@ impl Expr {
 
 impl Function {
     /// The derivative of a function of one argument.
-    fn slope_at(self, argument: f64) -> f64 {
+    pub(crate) fn slope_at(self, argument: f64) -> f64 {
         match self {
             Self::Sin => libm::cos(argument),
             Self::Cos => -libm::sin(argument),

@@ -1,5 +1,7 @@
 //! The drawing model: what a figure consists of, before any format.
 
+use std::collections::BTreeSet;
+
 use crate::expr::Math;
 
 /// A drawing in its own units (about one point each), y upwards.
@@ -29,7 +31,7 @@ pub struct Point {
 }
 
 /// What a shape means; it decides line width and colour, in one table for both writers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Role {
     /// A body's outline.
     Body,
@@ -127,4 +129,26 @@ pub enum Shape {
         /// Colour follows this role.
         role: Role,
     },
+}
+
+impl Drawing {
+    /// Every role that a shape has, in the order of the roles.
+    pub(super) fn roles(&self) -> BTreeSet<Role> {
+        self.shapes.iter().map(Shape::role).collect()
+    }
+}
+
+impl Shape {
+    /// What it means.
+    fn role(&self) -> Role {
+        match self {
+            Self::Line { role, .. }
+            | Self::Arrow { role, .. }
+            | Self::Circle { role, .. }
+            | Self::Rectangle { role, .. }
+            | Self::Arc { role, .. }
+            | Self::Area { role, .. }
+            | Self::Label { role, .. } => *role,
+        }
+    }
 }

@@ -33,8 +33,9 @@ pub use mass_centre::{MassCentre, PlacedParticle};
 pub use momentum_diagram::{BodyMomentum, MomentumDiagram};
 pub use place::{Overlap, overlaps};
 pub use situation::{
-    Across, AngleMark, Bowl, Central, Conical, Contact, Face, Fall, Ground, Height, Layout, Line, LineSpring, Moment,
-    Moving, MovingBody, Partner, Pulley, PulleySide, Ramp, Rest, Ride, Situation, Space, Swing, SwingEnd, Wall,
+    Across, AngleMark, Bowl, Central, Conical, Contact, Depth, Face, Fall, Ground, Height, Launch, Layout, Line,
+    LineSpring, Moment, Moving, MovingBody, Partner, Pulley, PulleySide, Ramp, Rest, Ride, Situation, Space, Swing,
+    SwingEnd, Target, Wall,
 };
 pub use svg::{svg, svg_file};
 pub use ticks::Ticks;

@@ -42,24 +42,23 @@ pub(super) fn style(role: Role) -> Style {
     Style { class, colour, dark, mix, width, fill }
 }
 
-/// Every role, in the order of the style sheet.
-pub(super) const ROLES: [Role; 11] = [
-    Role::Body,
-    Role::Momentum,
-    Role::Impulse,
-    Role::Velocity,
-    Role::Force,
-    Role::Length,
-    Role::Surface,
-    Role::Axis,
-    Role::Path,
-    Role::Curve,
-    Role::Guide,
-];
-
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    const ROLES: [Role; 11] = [
+        Role::Body,
+        Role::Momentum,
+        Role::Impulse,
+        Role::Velocity,
+        Role::Force,
+        Role::Length,
+        Role::Surface,
+        Role::Axis,
+        Role::Path,
+        Role::Curve,
+        Role::Guide,
+    ];
 
     /// Relative luminance of `#rrggbb`, as WCAG 2 defines it.
     fn luminance(colour: &str) -> Option<f64> {

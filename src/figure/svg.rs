@@ -1,12 +1,13 @@
 //! A drawing as SVG: within a page, its ink following the page's text colour; or as a file, on a card of its own.
 
+use std::collections::BTreeSet;
 use std::fmt::Write;
 
 use crate::expr::Math;
 
 use super::extent::{Extent, Measure};
 use super::geometry::{arc_points, arrow_head, coordinate, corners};
-use super::style::{ROLES, Style, TYPE_SIZE, style};
+use super::style::{Style, TYPE_SIZE, style};
 use super::typeset::{Face, runs};
 use super::{Drawing, Point, Role, Shape};
 
@@ -65,7 +66,7 @@ fn element(drawing: &Drawing, style: &str, ground: &str) -> String {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" class=\"momentous-figure\" \
          width=\"{width}pt\" height=\"{height}pt\" viewBox=\"0 0 {width} {height}\">\n\
          <title>{title}</title>\n<desc>{description}</desc>\n<style>\n{}{style}</style>\n{ground}",
-        style_sheet()
+        style_sheet(&drawing.roles())
     ));
     for shape in &drawing.shapes {
         page.shape(shape);
@@ -74,8 +75,9 @@ fn element(drawing: &Drawing, style: &str, ground: &str) -> String {
     page.out
 }
 
-/// The rules are confined to figures, because a page's style sheets are shared by all that is on it.
-fn style_sheet() -> String {
+/// The rules of the roles that are drawn. They are confined to figures, because a page's style sheets are shared by all that is
+/// on it.
+fn style_sheet(roles: &BTreeSet<Role>) -> String {
     let scope = ".momentous-figure";
     let mut sheet = format!(
         "{scope}{{max-width:100%;height:auto}}\n\
@@ -84,7 +86,7 @@ fn style_sheet() -> String {
          {scope} .i{{font-style:italic}}\n{scope} .b{{font-weight:bold}}\n\
          {scope} .dashed{{stroke-dasharray:{DASHES}}}\n"
     );
-    for style in ROLES.map(style) {
+    for style in roles.iter().copied().map(style) {
         let (class, width, fill) = (style.class, style.width, style.fill);
         let rule = format!(
             "{scope} .{class}{{{};stroke-width:{width};fill:none}}\n\
@@ -243,6 +245,15 @@ fn escape(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn only_the_roles_that_are_drawn_have_rules() {
+        let shapes = vec![Shape::Line { points: vec![Point::default()], role: Role::Axis, dashed: false }];
+        let (title, description, caption) = (String::new(), String::new(), String::new());
+        let (low, high) = (Point::default(), Point::default());
+        let text = svg(&Drawing { title, description, caption, low, high, shapes });
+        assert!(text.contains(".axis{") && !text.contains(".momentum{"), "{text}");
+    }
 
     #[test]
     fn markup_and_control_characters_do_not_reach_the_page() {

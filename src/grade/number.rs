@@ -5,6 +5,7 @@ use dashu::base::{Abs, BitTest, Sign};
 use crate::quantity::Factor;
 use crate::quantity::Integer;
 use crate::quantity::Rational;
+use crate::quantity::nearest_double;
 
 /// The most binary digits above or below the fraction bar: enough for every number of 40 digits times 10^400, and a few products of them.
 const MAX_BITS: usize = 8192;
@@ -38,7 +39,7 @@ impl Number {
     }
 
     fn new(value: Rational, exact: bool) -> Self {
-        Self { near: value.to_f64().value(), value, exact }
+        Self { near: nearest_double(&value), value, exact }
     }
 
     /// A number known to double precision; `None` where it is not finite.

@@ -65,13 +65,14 @@ impl Reading {
 impl Readings {
     /// The same, from memory where the text was read before. Every text must be one for the same part and the same mark.
     pub fn read(&self, text: &str, asked: &ExpectedKind, mark: DecimalMark) -> Option<Arc<Reading>> {
-        if let Ok(mut known) = self.0.lock()
+        // Where another thread is at it, reading again is quicker than waiting.
+        if let Ok(mut known) = self.0.try_lock()
             && let Some(reading) = known.find(text)
         {
             return Some(reading);
         }
         let reading = Arc::new(Reading::of(text, asked, mark)?);
-        if let Ok(mut known) = self.0.lock() {
+        if let Ok(mut known) = self.0.try_lock() {
             known.put(text.to_owned(), Arc::clone(&reading));
         }
         Some(reading)

@@ -87,7 +87,7 @@ impl Builder<'_> {
 
     /// What weight does along each axis to a body in the air: with an incline the first axis runs along the slope and the second
     /// away from it. A fault is noted where weight has no part in the scene.
-    pub(super) fn falling(&mut self, incline: Option<&Term>, path: &Path) -> Option<Vec<Fall>> {
+    pub(super) fn falling(&mut self, index: usize, incline: Option<&Term>, path: &Path) -> Option<Vec<Fall>> {
         let gravity = self.gravity();
         if let Some(term) = incline {
             let path = &path.key("incline");
@@ -98,6 +98,7 @@ impl Builder<'_> {
                 return None;
             }
             let slope = self.slope(term, path);
+            self.slopes.push(Slope { stage: index, angle: slope.angle.clone(), rises: slope.sign > 0 });
             let along = Fall::Along((-(gravity.clone() * slope.rise())).simplify());
             return Some(vec![along, Fall::Towards { acceleration: -(gravity * slope.press), down: -1 }]);
         }

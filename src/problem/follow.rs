@@ -6,6 +6,7 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::sync::RwLock;
 
+use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::laws::Law;
 use crate::laws::energy;
@@ -26,7 +27,6 @@ use crate::solve::audit;
 use crate::solve::plan;
 
 use super::mistakes::Solver;
-use super::part::NumberPart;
 use super::planned::Form;
 use super::planned::Problem;
 use super::regimes::Leaf;
@@ -37,6 +37,8 @@ use super::variant::Worked;
 const MOST_WAYS: usize = 64;
 /// Energy created up to this share of what was there may come of rounding.
 const ROUNDING: (i64, u32) = (102, 100);
+/// A formula and a program give the same within this share.
+const SAME: f64 = 1e-9;
 
 /// The ways in which a form's answers follow from each other, as far as somebody has asked: by the way the scene goes, the
 /// quantity that is asked, and the earlier quantities that are known.
@@ -58,7 +60,7 @@ pub struct Following {
 /// What follows from earlier answers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Consequence {
-    /// The value, in the unit of the question.
+    /// The value, in SI units.
     pub value: f64,
     /// The laws by which it follows.
     pub by: Vec<&'static Law>,
@@ -66,21 +68,42 @@ pub struct Consequence {
     pub unphysical: Option<String>,
 }
 
+/// What follows from earlier answers, before anybody has said whether it is wanted.
+pub struct Candidate<'a> {
+    /// The value, in SI units.
+    pub value: f64,
+    asked: Symbol,
+    worked: Worked<'a>,
+    way: &'a Following,
+    input: &'a dyn Fn(Symbol) -> Option<Bounded>,
+}
+
+impl Candidate<'_> {
+    /// The formulas, in what is given and the earlier quantities, that have this value.
+    #[must_use]
+    pub fn formulas(&self) -> Vec<Expr> {
+        let value = |symbol: Symbol| (self.input)(symbol).map_or(f64::NAN, |own| own.value);
+        let mut formulas = self.worked.every_formula(&self.way.solver.plan, self.asked);
+        formulas.retain(|formula| (formula.evaluate(&value) - self.value).abs() <= SAME * self.value.abs());
+        formulas
+    }
+}
+
 impl Worked<'_> {
-    /// What follows for a part from answers to earlier ones, each in SI units, as far as `accept` wants the value, in the unit
-    /// of the question. The plans are made when this is first asked.
+    /// What follows for a quantity from answers to earlier ones, each in SI units, as far as `accept` wants it. The plans are
+    /// made when this is first asked.
     #[must_use]
     pub fn following(
         &self,
-        number: &NumberPart,
+        asked: Symbol,
         earlier: &BTreeMap<Symbol, f64>,
-        accept: &mut dyn FnMut(f64) -> bool,
+        accept: &mut dyn FnMut(&Candidate<'_>) -> bool,
     ) -> Vec<Consequence> {
         let from: BTreeSet<Symbol> = earlier.keys().copied().collect();
-        let key = (self.variant.leaf(), number.symbol, from);
+        let key = (self.variant.leaf(), asked, from);
         let known = self.form.followings.0.read().ok().and_then(|known| known.get(&key).cloned());
         let ways = known.unwrap_or_else(|| {
-            let ways: Arc<[Following]> = planned(self.problem, self.form, self.leaf(), number.symbol, &key.2).into();
+            let ways: Arc<[Following]> = planned(self.problem, self.form, self.leaf(), asked, &key.2).into();
             if let Ok(mut known) = self.form.followings.0.write() {
                 known.insert(key, Arc::clone(&ways));
             }
@@ -90,12 +113,12 @@ impl Worked<'_> {
             Some(value) => Some(Bounded { value: *value, error: 0.0 }),
             None => self.variant.value(symbol),
         };
-        let unit = self.unit_of(number);
         let mut consequences = Vec::new();
         for way in ways.iter() {
-            for value in way.solver.values(number.symbol, &input).into_iter().map(|value| value / unit) {
+            for value in way.solver.values(asked, &input) {
+                let candidate = Candidate { value, asked, worked: *self, way, input: &input };
                 // A zero, or nothing at all, makes the question trivial: nobody is given marks for it.
-                if value != 0.0 && value.is_finite() && accept(value) {
+                if value != 0.0 && value.is_finite() && accept(&candidate) {
                     let unphysical = way.unphysical(self.problem.model(), &input);
                     consequences.push(Consequence { value, by: way.by.clone(), unphysical });
                 }

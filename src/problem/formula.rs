@@ -194,7 +194,7 @@ pub(super) fn symbols_only(loaded: &Loaded, form: &Form, named: &dyn Fn(&str) ->
     only.difference(&told).copied().filter(|symbol| form.told.contains(symbol)).collect()
 }
 
-impl<'a> Worked<'a> {
+impl Worked<'_> {
     /// What the formulas of this variant are written in.
     #[must_use]
     pub fn alphabet(&self) -> Alphabet {
@@ -269,7 +269,7 @@ impl<'a> Worked<'a> {
     }
 
     /// A quantity in what is given by way of another plan, for each of its roots.
-    pub(super) fn every_formula(&self, plan: &'a Plan, symbol: Symbol) -> Vec<Expr> {
+    pub(super) fn every_formula(&self, plan: &Plan, symbol: Symbol) -> Vec<Expr> {
         let roots = plan.steps.iter().map(|step| step.roots.len()).max().unwrap_or(0);
         let values = self.alphabet().values;
         let composed = |root: usize| {

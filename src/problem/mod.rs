@@ -64,7 +64,7 @@ pub use document::{Document, Entry, Kind, Node, Scalar, Style};
 pub use domain::{Domain, Grid};
 pub use draft::{Draft, Expect, Form, Level, Relation, Roots, Units};
 pub use entries::Entries;
-pub use follow::Consequence;
+pub use follow::{Candidate, Consequence};
 pub use form::Question;
 pub use formula::FormulaPart;
 pub use given::{ChoiceEntry, Given, GivenEntry, RangeEntry, ValueEntry};

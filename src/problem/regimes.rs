@@ -201,6 +201,18 @@ impl Scratch {
         self.outcome(regimes)?.value(symbol).copied().filter(Real::is_real)
     }
 
+    /// All quantities, by symbol, in SI units; `count` symbols in all.
+    pub(super) fn values(&self, regimes: &Regimes, count: usize) -> Vec<Option<Bounded>> {
+        let mut values = vec![None; count];
+        let Some(outcome) = self.outcome(regimes) else { return values };
+        for (symbol, value) in outcome.values() {
+            if let Some(place) = values.get_mut(symbol.index()) {
+                *place = Some(*value).filter(Real::is_real);
+            }
+        }
+        values
+    }
+
     /// A quantity in each further solution.
     pub(super) fn other_values(&self, regimes: &Regimes, symbol: Symbol) -> Vec<Bounded> {
         let outcome = self.outcome(regimes);

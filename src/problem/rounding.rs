@@ -1,7 +1,5 @@
 //! How far honest rounding can move an answer, and the size against which a zero is judged.
 
-use std::collections::BTreeMap;
-
 use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::quantity::Dimension;
@@ -24,6 +22,51 @@ pub struct Judged {
     pub allowance: f64,
     /// The problem's own scale for such a quantity.
     pub scale: f64,
+}
+
+/// The slopes of one value with respect to others, by symbol, with memory for those of one formula.
+struct Slopes {
+    whole: Vec<Option<f64>>,
+    parts: Vec<f64>,
+    touched: Vec<Symbol>,
+}
+
+impl Slopes {
+    fn of(asked: Symbol, count: usize) -> Self {
+        let mut slopes = Self { whole: vec![None; count], parts: vec![0.0; count], touched: Vec::new() };
+        if let Some(own) = slopes.whole.get_mut(asked.index()) {
+            *own = Some(1.0);
+        }
+        slopes
+    }
+
+    /// The slope by a symbol; none where the value does not depend on it.
+    fn by(&self, symbol: Symbol) -> Option<f64> {
+        self.whole.get(symbol.index()).copied().flatten()
+    }
+
+    /// Adds a part of a formula's slope.
+    fn add(&mut self, symbol: Symbol, part: f64) {
+        let Some(sum) = self.parts.get_mut(symbol.index()) else { return };
+        *sum += part;
+        if !self.touched.contains(&symbol) {
+            self.touched.push(symbol);
+        }
+    }
+
+    /// Adds the slopes of a formula, as far as it has any there.
+    fn settle(&mut self) {
+        for symbol in self.touched.drain(..) {
+            let (Some(part), Some(whole)) = (self.parts.get_mut(symbol.index()), self.whole.get_mut(symbol.index()))
+            else {
+                continue;
+            };
+            let part = std::mem::take(part);
+            if part.is_finite() {
+                *whole = Some(whole.unwrap_or(0.0) + part);
+            }
+        }
+    }
 }
 
 impl Worked<'_> {
@@ -50,21 +93,19 @@ impl Worked<'_> {
     /// `sum |dt/dx_i| (half a unit of x_i's last figure) + half a unit of t's`, over the values `x_i` on the way to t.
     fn allowance(&self, asked: Symbol, figures: usize) -> f64 {
         let leaf = self.leaf();
-        let mut slopes: BTreeMap<Symbol, f64> = BTreeMap::from([(asked, 1.0)]);
+        let mut slopes = Slopes::of(asked, self.problem.model().symbols.len());
+        let value = |own| self.value(own);
         let mut total = 0.0;
         // Backwards through the steps: the slope of t with respect to each value is the sum over the values made from it.
         for (position, step) in leaf.answer_steps().iter().enumerate().rev() {
             let choice = self.variant.roots().get(position).copied().unwrap_or(0);
             let Some(root) = step.roots.get(choice).or(step.roots.first()) else { continue };
             for (unknown, closed) in root.values.iter().rev() {
-                let Some(slope) = slopes.get(unknown).copied() else { continue };
+                let Some(slope) = slopes.by(*unknown) else { continue };
                 total += slope.abs() * half_unit(NEXT_DECADE * self.value(*unknown), figures);
-                let Closed::Formula(formula) = closed else { continue };
-                let mut partials: BTreeMap<Symbol, f64> = BTreeMap::new();
-                let value = |own| self.value(own);
-                formula.slopes(&value, slope, &mut |symbol, part| *partials.entry(symbol).or_insert(0.0) += part);
-                for (symbol, partial) in partials.into_iter().filter(|(_, partial)| partial.is_finite()) {
-                    *slopes.entry(symbol).or_insert(0.0) += partial;
+                if let Closed::Formula(formula) = closed {
+                    formula.slopes(&value, slope, &mut |symbol, part| slopes.add(symbol, part));
+                    slopes.settle();
                 }
             }
         }

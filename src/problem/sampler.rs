@@ -312,24 +312,26 @@ impl<'p> Sampler<'p> {
         for (symbol, quantity) in &self.problem.model().literals {
             given.push((*symbol, quantity.value.clone(), quantity.unit.clone()));
         }
-        let symbols = || self.problem.model().symbols.iter().map(|(symbol, _)| symbol);
-        let told = |symbol: Symbol| {
+        let count = self.problem.model().symbols.len();
+        let mut values = self.scratch.values(&self.form.solver, count);
+        for symbol in &self.form.told {
             let input = self.inputs.get(symbol.index()).and_then(Input::bounded);
-            input.filter(|_| self.form.told.contains(&symbol))
-        };
-        let forward = self.form.forward.as_ref();
+            if let (Some(place), Some(input)) = (values.get_mut(symbol.index()), input) {
+                *place = Some(input);
+            }
+        }
+        let forward = self.form.forward.as_ref().map(|forward| self.forward.values(forward, count));
         Variant {
             form: self.position,
             seed,
             given,
-            values: symbols()
-                .map(|symbol| told(symbol).or_else(|| self.scratch.value(&self.form.solver, symbol)))
-                .collect(),
-            forward: symbols().map(|symbol| forward.and_then(|forward| self.forward.value(forward, symbol))).collect(),
+            values,
+            forward: forward.unwrap_or_default(),
             others: self
                 .form
                 .wanted()
                 .map(|symbol| (symbol, self.scratch.other_values(&self.form.solver, symbol)))
+                .filter(|(_, values)| !values.is_empty())
                 .collect(),
             leaf: self.scratch.leaf(),
             roots: self.scratch.roots(&self.form.solver),

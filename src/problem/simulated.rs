@@ -8,7 +8,6 @@ use crate::solve::Bounded;
 
 use super::mistakes::Made;
 use super::mistakes::Mistake;
-use super::mistakes::Way;
 use super::part::AskedUnit;
 use super::part::NumberPart;
 use super::part::PartKind;
@@ -31,24 +30,39 @@ impl Simulated<'_> {
     /// What a mistake makes of the answer to a part, in the unit of the question; none where it cannot be made there.
     #[must_use]
     pub fn answers(&self, mistake: &Mistake, number: &NumberPart) -> Vec<f64> {
+        let mut values = Vec::new();
+        self.each(mistake, number, &mut |value| values.push(value));
+        values
+    }
+
+    /// Gives `add` each of them.
+    pub fn each(&self, mistake: &Mistake, number: &NumberPart, add: &mut dyn FnMut(f64)) {
         let unit = self.worked.unit_of(number);
         let told = |symbol: Symbol| self.worked.variant.value(symbol);
-        let mut values: Vec<f64> = match &mistake.made {
+        let mut add = |value: f64| {
+            let value = value / unit;
+            if value.is_finite() {
+                add(value);
+            }
+        };
+        match &mistake.made {
             Made::Solved(ways) => {
-                let of_way = |way: &Way| match way.batched {
-                    Some(place) => {
-                        self.batch.as_ref().and_then(|batch| batch.value(place, number.symbol)).into_iter().collect()
+                for way in ways {
+                    match way.batched {
+                        Some(place) => {
+                            let value = self.batch.as_ref().and_then(|batch| batch.value(place, number.symbol));
+                            value.into_iter().for_each(&mut add);
+                        }
+                        None => way.solver.values(number.symbol, &told).into_iter().for_each(&mut add),
                     }
-                    None => way.solver.values(number.symbol, &told),
-                };
-                ways.iter().flat_map(of_way).collect()
+                }
             }
             Made::Misread(right, read) => {
                 let misread = |symbol: Symbol| {
                     let factor = read.iter().find(|(own, _)| *own == symbol).map_or(1.0, |(_, factor)| *factor);
                     told(symbol).map(|own| Bounded { value: own.value * factor, error: own.error * factor })
                 };
-                right.values(number.symbol, &misread)
+                right.values(number.symbol, &misread).into_iter().for_each(&mut add);
             }
             Made::Written(to, written) => {
                 let fits = match to {
@@ -56,14 +70,9 @@ impl Simulated<'_> {
                     SlipOf::Angle => matches!(&number.unit, AskedUnit::Unit(unit) if unit.has_pi()),
                     SlipOf::Count => number.whole,
                 };
-                told(number.symbol).filter(|_| fits).map(|value| written(value.value)).into_iter().collect()
+                told(number.symbol).filter(|_| fits).map(|value| written(value.value)).into_iter().for_each(&mut add);
             }
-        };
-        for value in &mut values {
-            *value /= unit;
         }
-        values.retain(|value| value.is_finite());
-        values
     }
 
     /// What a mistake makes of a vector: its components in the unit of the question.

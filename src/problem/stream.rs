@@ -96,7 +96,9 @@ impl Words {
         if made.place != Some(place) {
             self.generator.set_stream(made.id.wrapping_add(place.0));
             self.generator.set_block_pos(place.1);
-            made.words.fill_with(|| self.generator.next_u64());
+            let mut bytes = [[0; 8]; BUFFER];
+            self.generator.fill_bytes(bytes.as_flattened_mut());
+            made.words = bytes.map(u64::from_le_bytes);
             made.place = Some(place);
         }
         // Both remainders are small, so the word is within the buffer.

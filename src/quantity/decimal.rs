@@ -6,7 +6,7 @@ use std::ops::Neg;
 
 use dashu::base::{Abs, Sign, UnsignedAbs};
 
-use super::{Integer, Rational};
+use super::{Integer, Rational, nearest_double};
 
 /// The most digits that a written number may have.
 const MAX_DIGITS: usize = 40;
@@ -161,7 +161,7 @@ impl Decimal {
             #[allow(clippy::cast_precision_loss, reason = "below 2^53")]
             return digits as f64 / POWERS_OF_TEN[scale];
         }
-        self.to_rational().to_f64().value()
+        nearest_double(&self.to_rational())
     }
 
     /// Whether the value is zero.
@@ -259,7 +259,12 @@ pub(super) fn number_length(text: &str) -> usize {
 
 /// `10^places`.
 pub(super) fn power_of_ten(places: usize) -> Integer {
-    Integer::from(10).pow(places)
+    /// The largest power that fits.
+    const SHORT: usize = 38;
+    match u32::try_from(places) {
+        Ok(few) if places <= SHORT => Integer::from(10_u128.pow(few)),
+        _ => Integer::from(10).pow(places),
+    }
 }
 
 /// The digits without the sign.

@@ -4,7 +4,7 @@ use std::ops::Mul;
 use std::sync::OnceLock;
 
 use super::decimal::power_of_ten;
-use super::{Integer, Rational};
+use super::{Integer, Rational, nearest_double};
 
 /// An exact positive factor, `rational * pi^pi`: a degree is `1/180 * pi^1` radians.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -33,7 +33,7 @@ impl Factor {
     #[must_use]
     pub fn to_f64(&self) -> f64 {
         match self.pi {
-            0 => self.rational.to_f64().value(),
+            0 => nearest_double(&self.rational),
             power => (&self.rational * pi_to_60_places().pow(isize::from(power))).to_f64().value(),
         }
     }

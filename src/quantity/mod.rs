@@ -3,6 +3,7 @@
 mod decimal;
 mod dimension;
 mod dimension_name;
+mod double;
 mod factor;
 mod figures;
 mod prefix;
@@ -18,6 +19,7 @@ mod value;
 pub use decimal::{Decimal, DecimalFault};
 pub use dimension::Dimension;
 pub use dimension_name::{UnitSystem, coherent_unit, dimension_name};
+pub use double::nearest_double;
 pub use factor::Factor;
 pub use figures::{Printed, round_rational, round_to_figures};
 pub use unit::Unit;

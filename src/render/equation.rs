@@ -1,55 +1,66 @@
 //! Displayed equations: where they align, and where long ones break.
 
+use std::borrow::Borrow;
+use std::borrow::Cow;
+
 use crate::expr::Math;
 use crate::expr::Operator;
 
+/// A part of an equation as it was laid out, or one that breaking made.
+type Item<'a> = Cow<'a, Math>;
+
 /// One row of a displayed equation; rows are aligned where the right side begins.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Row {
-    items: Vec<Math>,
+pub(super) struct Row<'a> {
+    items: Vec<Item<'a>>,
     /// How many of the items stand before the alignment.
     aligned: usize,
 }
 
-impl Row {
+impl<'a> Row<'a> {
     /// What stands before the alignment; empty where the row continues the one above.
-    pub fn left(&self) -> &[Math] {
+    pub fn left(&self) -> &[Item<'a>] {
         &self.items[..self.aligned]
     }
 
     /// A relation and what follows it, or a continuation.
-    pub fn right(&self) -> &[Math] {
+    pub fn right(&self) -> &[Item<'a>] {
         &self.items[self.aligned..]
     }
 
     /// The whole row, where there is nothing to align it with.
-    pub fn whole(&self) -> &[Math] {
+    pub fn whole(&self) -> &[Item<'a>] {
         &self.items
     }
 }
 
 /// How much too wide the rows are where they could not be broken: 1 for those that fit.
-pub(super) fn excess(rows: &[Row]) -> f64 {
-    let widest = |side: fn(&Row) -> &[Math]| rows.iter().map(|row| width(side(row))).fold(0.0, f64::max);
-    ((widest(Row::left) + widest(Row::right)) / WIDEST).max(1.0)
+pub(super) fn excess(rows: &[Row<'_>]) -> f64 {
+    let left = rows.iter().map(|row| width(row.left())).fold(0.0, f64::max);
+    let right = rows.iter().map(|row| width(row.right())).fold(0.0, f64::max);
+    ((left + right) / WIDEST).max(1.0)
 }
 
 /// The widest row, in widths of a digit: what fits the text of a page at 11 pt and of a screen column.
 const WIDEST: f64 = 62.0;
 
 /// The rows of an equation of those lines, each aligned at its first relation and broken where it is too long.
-pub(super) fn rows(lines: &[Math]) -> Vec<Row> {
-    lines.iter().flat_map(|line| line_rows(flatten(line))).collect()
+pub(super) fn rows(lines: &[Math]) -> Vec<Row<'_>> {
+    lines.iter().flat_map(|line| line_rows(flattened(line))).collect()
 }
 
-fn line_rows(mut items: Vec<Math>) -> Vec<Row> {
+fn line_rows(mut items: Vec<Item<'_>>) -> Vec<Row<'_>> {
     let relation = items.iter().position(is_relation);
     let aligned = relation.filter(|at| width(&items[..*at]) <= WIDEST / 2.0).unwrap_or(0);
     let rest = items.split_off(aligned);
     let room = WIDEST - width(&items);
-    let rest = rest.into_iter().flat_map(|item| unfolded(item, room)).collect();
+    let rest = if rest.iter().any(|item| item_width(item) > room) {
+        rest.into_iter().flat_map(|item| unfolded(item, room)).collect()
+    } else {
+        rest
+    };
     let mut left = Some(items);
-    let row = |mut right: Vec<Math>| match left.take() {
+    let row = |mut right: Vec<_>| match left.take() {
         Some(mut items) => {
             items.append(&mut right);
             Row { items, aligned }
@@ -62,29 +73,34 @@ fn line_rows(mut items: Vec<Math>) -> Vec<Row> {
 
 /// A fraction that is too wide for a row, as one over its denominator times the sum above it, and a wide bracket opened: those can
 /// be broken.
-fn unfolded(item: Math, room: f64) -> Vec<Math> {
-    let (before, inner, [open, close]) = match item {
-        Math::Fraction(over, under) if item_width(&over) > room => {
-            (Some(Math::Fraction(Box::new(Math::Number("1".to_owned())), under)), over, ["[", "]"])
+fn unfolded(item: Item<'_>, room: f64) -> Vec<Item<'_>> {
+    let (before, inner, [open, close]) = match item.as_ref() {
+        Math::Fraction(over, under) if item_width(over) > room => {
+            (Some(Math::Fraction(Box::new(Math::Number("1".to_owned())), under.clone())), over, ["[", "]"])
         }
-        Math::Bracketed(inner) if item_width(&inner) > room => (None, inner, ["(", ")"]),
-        Math::Squared(inner) if item_width(&inner) > room => (None, inner, ["[", "]"]),
-        other => return vec![other],
+        Math::Bracketed(inner) if item_width(inner) > room => (None, inner, ["(", ")"]),
+        Math::Squared(inner) if item_width(inner) > room => (None, inner, ["[", "]"]),
+        _ => return vec![item],
     };
-    let bracket = |sign: &str| Math::Text(sign.to_owned());
-    let mut items: Vec<Math> = before.into_iter().chain([bracket(open)]).collect();
-    items.extend(flatten(&inner).into_iter().flat_map(|item| unfolded(item, room)));
+    let bracket = |sign: &str| Cow::Owned(Math::Text(sign.to_owned()));
+    let mut items: Vec<Item> = before.map(Cow::Owned).into_iter().chain([bracket(open)]).collect();
+    for item in flattened(inner) {
+        items.extend(unfolded(item, room).into_iter().map(|part| Cow::Owned(part.into_owned())));
+    }
     items.push(bracket(close));
     items
 }
 
 /// What a continued sum begins with: a gap, and an empty operand, so that its sign is spaced as one between two.
-fn indent() -> Vec<Math> {
-    vec![Math::Text("\u{2003}".to_owned()), Math::Identifier(String::new())]
+fn indent() -> Vec<Item<'static>> {
+    vec![Cow::Owned(Math::Text("\u{2003}".to_owned())), Cow::Owned(Math::Identifier(String::new()))]
 }
 
 /// Breaks before relations first, and before plus and minus only within a part that is still too long.
-fn fill(items: Vec<Math>, room: f64) -> Vec<Vec<Math>> {
+fn fill(items: Vec<Item<'_>>, room: f64) -> Vec<Vec<Item<'_>>> {
+    if width(&items) <= room {
+        return vec![items];
+    }
     let mut pieces = Vec::new();
     for part in split_before(items, is_relation) {
         if width(&part) <= room {
@@ -93,7 +109,7 @@ fn fill(items: Vec<Math>, room: f64) -> Vec<Vec<Math>> {
             pieces.extend(split_before(part, is_sum));
         }
     }
-    let mut rows: Vec<Vec<Math>> = Vec::new();
+    let mut rows: Vec<Vec<Item>> = Vec::new();
     for piece in pieces {
         match rows.last_mut() {
             Some(row) if width(row) + width(&piece) <= room => row.extend(piece),
@@ -104,11 +120,11 @@ fn fill(items: Vec<Math>, room: f64) -> Vec<Vec<Math>> {
 }
 
 /// Splits before each marked item, but never right after the start or another operator: a sign is no place to break.
-fn split_before(items: Vec<Math>, marked: fn(&Math) -> bool) -> Vec<Vec<Math>> {
-    let mut parts: Vec<Vec<Math>> = vec![Vec::new()];
+fn split_before(items: Vec<Item<'_>>, marked: fn(&Item<'_>) -> bool) -> Vec<Vec<Item<'_>>> {
+    let mut parts: Vec<Vec<Item>> = vec![Vec::new()];
     for item in items {
         let after_operand =
-            parts.last().and_then(|part| part.last()).is_some_and(|last| !matches!(last, Math::Operator(_)));
+            parts.last().and_then(|part| part.last()).is_some_and(|last| !matches!(**last, Math::Operator(_)));
         match parts.last_mut() {
             Some(part) if !(marked(&item) && after_operand) => part.push(item),
             _ => parts.push(vec![item]),
@@ -117,25 +133,31 @@ fn split_before(items: Vec<Math>, marked: fn(&Math) -> bool) -> Vec<Vec<Math>> {
     parts
 }
 
-fn is_relation(item: &Math) -> bool {
+fn is_relation(item: &Item<'_>) -> bool {
     use Operator::{Approximately, AtLeast, AtMost, Differs, Equals, Greater, Implies, Less};
-    matches!(item, Math::Operator(Equals | Approximately | Less | AtMost | Greater | AtLeast | Differs | Implies))
+    matches!(**item, Math::Operator(Equals | Approximately | Less | AtMost | Greater | AtLeast | Differs | Implies))
 }
 
-fn is_sum(item: &Math) -> bool {
-    matches!(item, Math::Operator(Operator::Plus | Operator::Minus | Operator::PlusMinus))
+fn is_sum(item: &Item<'_>) -> bool {
+    matches!(**item, Math::Operator(Operator::Plus | Operator::Minus | Operator::PlusMinus))
 }
 
 /// The items of a row, with rows inside rows opened.
-fn flatten(math: &Math) -> Vec<Math> {
+fn flattened(math: &Math) -> Vec<Item<'_>> {
+    let mut items = Vec::new();
+    flatten(math, &mut items);
+    items
+}
+
+fn flatten<'a>(math: &'a Math, items: &mut Vec<Item<'a>>) {
     match math {
-        Math::Row(parts) => parts.iter().flat_map(flatten).collect(),
-        other => vec![other.clone()],
+        Math::Row(parts) => parts.iter().for_each(|part| flatten(part, items)),
+        other => items.push(Cow::Borrowed(other)),
     }
 }
 
-fn width(items: &[Math]) -> f64 {
-    items.iter().map(item_width).sum()
+fn width<M: Borrow<Math>>(items: &[M]) -> f64 {
+    items.iter().map(|item| item_width(item.borrow())).sum()
 }
 
 /// A rough width, in widths of a digit.
@@ -175,9 +197,10 @@ mod tests {
     #[test]
     fn a_short_chain_stays_on_one_row() {
         let line = Math::relation(identifier("p"), Operator::Equals, identifier("q"));
-        let rows = rows(&[line]);
+        let lines = [line];
+        let rows = rows(&lines);
         assert_eq!(rows.len(), 1);
-        assert_eq!(rows[0].left(), [identifier("p")]);
+        assert_eq!(rows[0].left(), [Cow::Owned(identifier("p"))]);
     }
 
     #[test]
@@ -192,10 +215,10 @@ mod tests {
         ]);
         let rows = rows(std::slice::from_ref(&line));
         assert_eq!(rows.len(), 2);
-        assert_eq!(rows[1].left(), []);
-        assert_eq!(rows[1].right(), [Math::Operator(Operator::Equals), long]);
-        let again: Vec<Math> = rows.into_iter().flat_map(|row| row.items).collect();
-        assert_eq!(again, flatten(&line));
+        assert_eq!(rows[1].left(), Vec::<Item>::new());
+        assert_eq!(rows[1].right(), [Math::Operator(Operator::Equals), long].map(Cow::Owned));
+        let again: Vec<Item> = rows.into_iter().flat_map(|row| row.items).collect();
+        assert_eq!(again, flattened(&line));
     }
 
     #[test]
@@ -204,10 +227,11 @@ mod tests {
         let sum = Math::Row(vec![term.clone(), Math::Operator(Operator::Plus), term.clone()]);
         let fraction = Math::Fraction(Box::new(sum), Box::new(identifier("m")));
         let line = Math::relation(identifier("v"), Operator::Equals, fraction);
-        let rows = rows(&[line]);
+        let lines = [line];
+        let rows = rows(&lines);
         assert_eq!(rows.len(), 2);
-        assert_eq!(rows[0].right().last(), Some(&term));
-        assert_eq!(rows[1].right().last(), Some(&Math::Text("]".into())));
+        assert_eq!(rows[0].right().last().map(Cow::as_ref), Some(&term));
+        assert_eq!(rows[1].right().last().map(Cow::as_ref), Some(&Math::Text("]".into())));
         assert!(excess(&rows) <= 1.0);
     }
 
@@ -225,8 +249,9 @@ mod tests {
             Math::Operator(Operator::Plus),
             term.clone(),
         ]);
-        let rows = rows(&[line]);
+        let lines = [line];
+        let rows = rows(&lines);
         assert_eq!(rows.len(), 3);
-        assert_eq!(rows[0].right(), [Math::Operator(Operator::Equals), minus, term]);
+        assert_eq!(rows[0].right(), [Math::Operator(Operator::Equals), minus, term].map(Cow::Owned));
     }
 }

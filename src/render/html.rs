@@ -33,7 +33,7 @@ impl Writer for Html {
         math.mathml(false)
     }
 
-    fn equation(&self, rows: &[Row], number: Option<u32>) -> String {
+    fn equation(&self, rows: &[Row<'_>], number: Option<u32>) -> String {
         let mut out = String::from("<div class=\"equation\"><math display=\"block\">");
         if let [row] = rows {
             out.push_str(&Math::row_element(row.whole()));

@@ -37,7 +37,7 @@ impl Writer for Latex {
         format!("${}$", latex_text::math(&math.latex()))
     }
 
-    fn equation(&self, rows: &[Row], number: Option<u32>) -> String {
+    fn equation(&self, rows: &[Row<'_>], number: Option<u32>) -> String {
         let equation = format!("\\[\n{}\n\\]", latex_text::math(&latex_text::equation(rows, number)));
         let excess = excess(rows);
         match SMALLER.iter().rev().find(|(least, _)| excess > *least) {

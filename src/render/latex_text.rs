@@ -210,7 +210,7 @@ fn has_glyph(character: char) -> bool {
 }
 
 /// The inside of a displayed equation, for LaTeX and Markdown alike: one row as it is, several aligned.
-pub(super) fn equation(rows: &[Row], number: Option<u32>) -> String {
+pub(super) fn equation(rows: &[Row<'_>], number: Option<u32>) -> String {
     let tag = number.map_or_else(String::new, |number| format!(" \\tag{{{number}}}"));
     if let [row] = rows {
         return Math::row_latex(row.whole()) + &tag;

@@ -30,7 +30,7 @@ impl Writer for Markdown {
         format!("${}$", without_dollars(&math.latex()).replace('|', r"\vert "))
     }
 
-    fn equation(&self, rows: &[Row], number: Option<u32>) -> String {
+    fn equation(&self, rows: &[Row<'_>], number: Option<u32>) -> String {
         format!("$$\n{}\n$$", without_dollars(&latex_text::equation(rows, number)))
     }
 

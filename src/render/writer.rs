@@ -22,7 +22,7 @@ pub(super) trait Writer {
     /// Mathematics within a line.
     fn math(&self, math: &Math) -> String;
     /// A displayed equation.
-    fn equation(&self, rows: &[Row], number: Option<u32>) -> String;
+    fn equation(&self, rows: &[Row<'_>], number: Option<u32>) -> String;
     /// A figure without its caption.
     fn figure(&self, drawing: &Drawing) -> String;
     /// The author's text, its own headings at least of that level.

@@ -51,6 +51,7 @@ mod program;
 mod rank;
 mod real;
 mod replay;
+mod residuals;
 mod sample;
 mod search;
 mod structure;

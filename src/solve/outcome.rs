@@ -39,6 +39,13 @@ impl<'a, R> Outcome<'a, R> {
         if self.workspace.survivors == 0 { None } else { self.workspace.chosen.get(register as usize) }
     }
 
+    /// The values of all symbols in the (first) solution.
+    pub fn values(&self) -> impl Iterator<Item = (Symbol, &'a R)> {
+        let chosen = self.workspace.chosen.as_slice();
+        let found = self.program.symbols.iter().filter(|_| self.workspace.survivors > 0);
+        found.filter_map(|(symbol, register)| Some((*symbol, chosen.get(*register as usize)?)))
+    }
+
     /// The value of a symbol in each further solution.
     pub fn other_values(&self, symbol: Symbol) -> impl Iterator<Item = &'a R> {
         let register = self.program.register(symbol);

@@ -2,12 +2,13 @@
 //! are not: with `v_x = v cos(theta)` and `v_y = v sin(theta)`, `v^2 = v_x^2 + v_y^2` says nothing new, but its derivatives
 //! show that only where the first two hold.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 
 use crate::expr::{Expr, Symbol};
 
+use super::residuals::{Residuals, Values};
 use super::structure::Structure;
 use super::{Statement, System};
 
@@ -31,7 +32,7 @@ const DAMPING: (f64, f64) = (1e-2, 1e-10);
 
 /// A value for each symbol of a system.
 #[derive(Clone, Debug)]
-pub(super) struct Sample(Vec<f64>);
+pub(super) struct Sample(BTreeMap<Symbol, f64>);
 
 impl Sample {
     /// Values at which every equation among the rows holds, with as few zeros as can be; where none are found, as with
@@ -39,14 +40,13 @@ impl Sample {
     pub(super) fn of(system: &System, structure: &Structure) -> Self {
         let stated = structure.rows.iter().filter_map(|row| system.equations.get(row.equation));
         let stated: Vec<&Statement> = stated.map(|equation| &equation.statement).collect();
-        let residuals: Vec<Expr> = stated.iter().filter_map(|own| residual(own)).collect();
-        let symbols = || residuals.iter().flat_map(Expr::symbols);
-        let blank = Self(vec![1.0; symbols().map(|symbol| symbol.index() + 1).max().unwrap_or(0)]);
+        let residuals = Residuals::of(&stated);
         let told = stated.iter().filter(|own| is_zero(own)).count();
         let is_allowed = |found: &Self| system.positive.iter().all(|symbol| found.value(*symbol) > NOTHING);
-        let settled = (0..STARTS).filter_map(|salt| blank.start(system, &stated, salt).settled(&residuals));
+        let start = |salt| residuals.free.iter().map(|symbol| begin(system, *symbol, salt)).collect();
+        let settled = (0..STARTS).filter_map(|salt| settled(&residuals, start(salt)));
         let mut fewest: Option<Self> = None;
-        for found in settled.filter(is_allowed).take(COMPARED) {
+        for found in settled.map(|values| Self::read(residuals.symbols(&values))).filter(is_allowed).take(COMPARED) {
             if fewest.as_ref().is_none_or(|least| found.zeros() < least.zeros()) {
                 fewest = Some(found);
             }
@@ -54,48 +54,22 @@ impl Sample {
                 break;
             }
         }
-        fewest.unwrap_or_else(|| Self((0..blank.0.len()).map(|index| generic(index, 0)).collect()))
+        let generic =
+            || Self::read(stated.iter().flat_map(|own| symbols(own)).map(|own| (own, generic(own.index(), 0))));
+        fewest.unwrap_or_else(generic)
     }
 
-    /// Values in no relation to each other, but for symbols that stand alone in an equation: these have the value of its
-    /// other side.
-    fn start(&self, system: &System, stated: &[&Statement], salt: u32) -> Self {
-        let signed = |index| {
-            let sign = if generic(index, salt + STARTS) < 1.0 { -1.0 } else { 1.0 };
-            sign * generic(index, salt)
-        };
-        let mut sample = Self((0..self.0.len()).map(signed).collect());
-        for symbol in &system.positive {
-            sample.set(*symbol, generic(symbol.index(), salt));
-        }
-        let mut given = BTreeSet::new();
-        for statement in stated {
-            let Statement::Equal { left, right } = statement else { continue };
-            for (side, other) in [(left, right), (right, left)] {
-                let Expr::Symbol(symbol) = side else { continue };
-                let value = other.evaluate(&|symbol| sample.value(symbol));
-                if !other.contains(*symbol) && value.is_finite() && given.insert(*symbol) {
-                    sample.set(*symbol, value);
-                    break;
-                }
-            }
-        }
-        sample
+    fn read(values: impl Iterator<Item = (Symbol, f64)>) -> Self {
+        Self(values.collect())
     }
 
     /// The value of a symbol.
     pub(super) fn value(&self, symbol: Symbol) -> f64 {
-        self.0.get(symbol.index()).copied().unwrap_or(1.0)
-    }
-
-    fn set(&mut self, symbol: Symbol, value: f64) {
-        if let Some(own) = self.0.get_mut(symbol.index()) {
-            *own = value;
-        }
+        self.0.get(&symbol).copied().unwrap_or(1.0)
     }
 
     fn zeros(&self) -> usize {
-        self.0.iter().filter(|value| value.abs() < NOTHING).count()
+        self.0.values().filter(|value| value.abs() < NOTHING).count()
     }
 
     /// The derivatives of a term, in parts: one for each place at which a symbol stands.
@@ -104,70 +78,50 @@ impl Sample {
         term.slopes(&|symbol| self.value(symbol), 1.0, &mut |symbol, slope| slopes.push((symbol, slope)));
         slopes
     }
-
-    /// Moved to where all terms are zero, by damped steps (Levenberg and Marquardt's).
-    fn settled(mut self, residuals: &[Expr]) -> Option<Self> {
-        let mut damping = DAMPING.0;
-        let mut off = self.off(residuals)?;
-        for _ in 0..STEPS {
-            if off.amax() < EQUAL {
-                return Some(self);
-            }
-            let rows: Vec<Vec<(Symbol, f64)>> = residuals.iter().map(|residual| self.slopes(residual)).collect();
-            let mut products = self.products(&rows);
-            for place in 0..rows.len() {
-                products[(place, place)] += damping;
-            }
-            let shares = products.cholesky()?.solve(&off);
-            let step = self.dense(rows.iter().zip(&shares).flat_map(|(row, share)| scaled(row, *share)));
-            let moved = Self(self.0.iter().zip(&step).map(|(value, change)| value - change).collect());
-            match moved.off(residuals).filter(|after| after.norm_squared() < off.norm_squared()) {
-                Some(after) => {
-                    (self, off) = (moved, after);
-                    damping = (damping / 100.0).max(DAMPING.1);
-                }
-                None => damping *= 30.0,
-            }
-        }
-        None
-    }
-
-    /// How far off each term is from zero; none where one has no value.
-    fn off(&self, residuals: &[Expr]) -> Option<DVector<f64>> {
-        let values = residuals.iter().map(|residual| residual.evaluate(&|symbol| self.value(symbol)));
-        let off = DVector::from_iterator(residuals.len(), values);
-        off.iter().all(|own| own.is_finite()).then_some(off)
-    }
-
-    /// Each row of derivatives times each other.
-    fn products(&self, rows: &[Vec<(Symbol, f64)>]) -> DMatrix<f64> {
-        let mut products = DMatrix::zeros(rows.len(), rows.len());
-        for (place, row) in rows.iter().enumerate() {
-            let dense = self.dense(scaled(row, 1.0));
-            for (other, row) in rows.iter().enumerate().skip(place) {
-                let product: f64 = row.iter().map(|(symbol, slope)| slope * dense[symbol.index()]).sum();
-                products[(place, other)] = product;
-                products[(other, place)] = product;
-            }
-        }
-        products
-    }
-
-    /// The sum of what falls to each symbol, by its index.
-    fn dense(&self, parts: impl Iterator<Item = (Symbol, f64)>) -> Vec<f64> {
-        let mut dense = vec![0.0; self.0.len()];
-        parts.for_each(|(symbol, part)| dense[symbol.index()] += part);
-        dense
-    }
 }
 
-fn scaled(row: &[(Symbol, f64)], by: f64) -> impl Iterator<Item = (Symbol, f64)> + '_ {
-    row.iter().map(move |(symbol, slope)| (*symbol, by * slope))
+/// A value in no relation to that of any other symbol.
+fn begin(system: &System, symbol: Symbol, salt: u32) -> f64 {
+    let size = generic(symbol.index(), salt);
+    let negative = generic(symbol.index(), salt + STARTS) < 1.0 && !system.positive.contains(&symbol);
+    if negative { -size } else { size }
+}
+
+/// Moved to where all residuals are zero, by damped steps (Levenberg and Marquardt's).
+fn settled(residuals: &Residuals, start: Vec<f64>) -> Option<Values> {
+    let mut damping = DAMPING.0;
+    let mut place = DVector::from_vec(start);
+    let mut values = residuals.at(place.as_slice());
+    let mut off = residuals.off(&values)?;
+    for _ in 0..STEPS {
+        if off.amax() < EQUAL {
+            return Some(values);
+        }
+        let slopes = residuals.slopes(&values);
+        let mut products = &slopes * slopes.transpose();
+        for place in 0..off.len() {
+            products[(place, place)] += damping;
+        }
+        let moved = &place - slopes.tr_mul(&products.cholesky()?.solve(&off));
+        let there = residuals.at(moved.as_slice());
+        match residuals.off(&there).filter(|after| after.norm_squared() < off.norm_squared()) {
+            Some(after) => {
+                (place, values, off) = (moved, there, after);
+                damping = (damping / 100.0).max(DAMPING.1);
+            }
+            None => damping *= 30.0,
+        }
+    }
+    None
 }
 
 /// Whether an equation says no more than that a symbol is zero.
 fn is_zero(statement: &Statement) -> bool {
     matches!(statement, Statement::Equal { left: Expr::Symbol(_), right } if right.is_zero())
+}
+
+fn symbols(statement: &Statement) -> BTreeSet<Symbol> {
+    residual(statement).map(|term| term.symbols()).unwrap_or_default()
 }
 
 /// Left side minus right side; none for a count.
@@ -228,7 +182,12 @@ mod tests {
         let sample = sample(&polar);
         let mut basis = Basis::default();
         let terms = polar.equations.iter().filter_map(|own| residual(&own.statement));
-        let new: Vec<bool> = terms.map(|term| basis.add(&sample.dense(sample.slopes(&term).into_iter()))).collect();
+        let gradient = |term: Expr| {
+            let mut gradient = vec![0.0; 4];
+            sample.slopes(&term).into_iter().for_each(|(symbol, slope)| gradient[symbol.index()] += slope);
+            gradient
+        };
+        let new: Vec<bool> = terms.map(|term| basis.add(&gradient(term))).collect();
         assert_eq!(new, [true, true, false]);
     }
 
@@ -242,6 +201,6 @@ mod tests {
     #[test]
     fn a_contradiction_leaves_values_in_no_relation() {
         let never = system(&[["x", "1 + x^2"]]);
-        assert_eq!(sample(&never).0, [generic(0, 0)]);
+        assert_eq!(sample(&never).0.into_values().collect::<Vec<_>>(), [generic(0, 0)]);
     }
 }

@@ -83,10 +83,11 @@ fn momentum_diagrams_fit_on_a_sheet() {
 
 #[test]
 fn random_figures_are_clear_complete_and_well_formed() {
-    let kinds: [(&str, Draw); 6] = [
+    let kinds: [(&str, Draw); 7] = [
         ("momentum", random::momentum_diagram),
         ("situation", random::situation),
         ("held", random::held),
+        ("launched", random::launched),
         ("angular", random::angular_diagram),
         ("force", random::force_plot),
         ("centre", random::mass_centre),

@@ -202,6 +202,26 @@ pub fn held(dice: &mut Dice) -> Drawing {
     Situation { wording: wording("A random situation"), layout, axes: xy() }.drawing()
 }
 
+/// Bodies that begin a free flight.
+pub fn launched(dice: &mut Dice) -> Drawing {
+    let direction = dice.angle();
+    let depth = |dice: &mut Dice| match dice.below(3) {
+        0 => Depth::Nothing,
+        _ => Depth::Below(dice.chance(70).then(|| sub("r", "y"))),
+    };
+    let velocity = Moving::velocity(LabelledVector::known(sub("v", "A1"), [direction.cos(), direction.sin()]));
+    let stated = dice.chance(50).then(|| AngleMark { from: 0.0, label: degrees("30") });
+    let body = MovingBody::new(body_name(dice, 0)).shaped(form(dice)).with(Moving { angle: stated, ..velocity });
+    let target = match dice.below(4) {
+        0 => Target::Top,
+        1 => Target::Ground(depth(dice)),
+        2 => Target::Slope(dice.between(-0.8, 0.8), dice.chance(70).then(|| name("\u{3b1}"))),
+        _ => Target::Wall(dice.chance(70).then(|| name("d")), dice.chance(70).then(|| depth(dice))),
+    };
+    let launch = Launch { body, direction: dice.chance(90).then_some(direction), target };
+    Situation { wording: wording("A random flight"), layout: Layout::Launch(launch), axes: xy() }.drawing()
+}
+
 pub fn angular_diagram(dice: &mut Dice) -> Drawing {
     let state = |dice: &mut Dice| AngularState {
         radius: dice.labelled(name("r")),
@@ -278,6 +298,8 @@ pub fn nonsense() -> Vec<Drawing> {
     let pulley = Pulley { sides: [side(), side()] };
     let face = Face::Slope { angle: f64::NAN, label: Some(name("a")), rightwards: true, height: None };
     let ride = Ride { rider: moving.clone(), carrier: moving.clone(), face };
+    let launch =
+        Launch { body: moving.clone(), direction: Some(f64::NAN), target: Target::Slope(f64::NAN, Some(name("a"))) };
     let fall = Fall {
         body: moving,
         heights: vec![Height { label: None, value: f64::NAN }],
@@ -299,6 +321,7 @@ pub fn nonsense() -> Vec<Drawing> {
         MomentumDiagram::default().drawing(),
         situation(Layout::Contact(contact)).drawing(),
         situation(Layout::Fall(fall)).drawing(),
+        situation(Layout::Launch(launch)).drawing(),
         situation(Layout::Swing(swing)).drawing(),
         situation(Layout::Pulley(pulley)).drawing(),
         situation(Layout::Ride(ride)).drawing(),

@@ -1,5 +1,7 @@
 //! Submissions of one chunk, marked by all cores, in the order in which they came.
 
+use std::ops::Range;
+
 use rayon::prelude::*;
 
 use crate::cli::failure::Failure;
@@ -59,41 +61,83 @@ pub(super) fn are_beside(one: &Next, other: &Next) -> bool {
 }
 
 fn at_one_desk(portion: Vec<Next>, problems: &Problems, format: MarksFormat, keep: bool) -> Result<Portion, Failure> {
+    // What belongs to one problem is marked in one go, so that all that the problem needs stays at hand.
+    let mut groups: Vec<(usize, Group)> = together(portion).into_iter().enumerate().collect();
+    groups.sort_by(|(_, one), (_, other)| question(one).cmp(&question(other)));
     let mut desk = Desk::new(problems);
     let mut rows = Rows::new(format);
-    let mut done = Portion { rows: Vec::new(), marked: Vec::new(), is_right: true };
-    let mut rest = portion.into_iter().peekable();
-    while let Some(next) = rest.next() {
-        let first = match next {
-            Ok(submission) => submission,
-            Err((place, message)) => {
-                done.marked.push(Marked::Unusable(place, message));
-                continue;
-            }
-        };
-        let mut attempts = vec![first];
-        while let Some(Ok(more)) = rest.next_if(|next| {
-            let last = attempts.last();
-            matches!((last, next), (Some(last), Ok(next)) if last.is_beside(next))
-        }) {
-            attempts.push(more);
+    let mut is_right = true;
+    let mut done: Vec<Done> = Vec::with_capacity(groups.len());
+    for (place, group) in groups {
+        let start = rows.length()?;
+        let mut own = Done { place, rows: start..start, marked: Vec::new() };
+        match group {
+            Ok(attempts) => is_right &= marked_group(attempts, &mut desk, &mut rows, keep, &mut own.marked)?,
+            Err((place, message)) => own.marked.push(Marked::Unusable(place, message)),
         }
-        let reports = desk.mark(&attempts);
-        for (submission, report) in attempts.into_iter().zip(reports) {
-            match report {
-                Ok(report) => {
-                    for part in &report.parts {
-                        done.is_right &= part.verdict.is_right() || !part.counts;
-                        rows.part(&submission, part)?;
-                    }
-                    if keep {
-                        done.marked.push(Marked::Report(submission, report));
-                    }
-                }
-                Err(message) => done.marked.push(Marked::Unusable(submission.place, message)),
+        own.rows.end = rows.length()?;
+        done.push(own);
+    }
+    done.sort_by_key(|own| own.place);
+    let bytes = rows.into_bytes()?;
+    let slices: Vec<&[u8]> = done.iter().filter_map(|own| bytes.get(own.rows.clone())).collect();
+    let rows = slices.concat();
+    Ok(Portion { rows, marked: done.into_iter().flat_map(|own| own.marked).collect(), is_right })
+}
+
+/// What became of one group of attempts: its place in the portion, and its rows among those that were written.
+struct Done {
+    place: usize,
+    rows: Range<usize>,
+    marked: Vec<Marked>,
+}
+
+/// The attempts of one student at one question, or what is wrong with a row.
+type Group = Result<Vec<Submission>, (Place, String)>;
+
+/// Submissions in their order, those of one student to one question together.
+fn together(portion: Vec<Next>) -> Vec<Group> {
+    let mut groups: Vec<Group> = Vec::with_capacity(portion.len());
+    for next in portion {
+        match (groups.last_mut(), next) {
+            (Some(Ok(attempts)), Ok(more)) if attempts.last().is_some_and(|last| last.is_beside(&more)) => {
+                attempts.push(more);
             }
+            (_, next) => groups.push(next.map(|first| vec![first])),
         }
     }
-    done.rows = rows.into_bytes()?;
-    Ok(done)
+    groups
+}
+
+/// What is asked: problem, form and seed, as they are written.
+fn question(group: &Group) -> Option<[&str; 3]> {
+    let first = group.as_ref().ok()?.first()?;
+    Some([Key::Problem, Key::Form, Key::Seed].map(|key| first.key(key)))
+}
+
+/// Marks the attempts of one student at one question; whether everything that counts is right.
+fn marked_group(
+    attempts: Vec<Submission>,
+    desk: &mut Desk<'_>,
+    rows: &mut Rows,
+    keep: bool,
+    marked: &mut Vec<Marked>,
+) -> Result<bool, Failure> {
+    let mut is_right = true;
+    let reports = desk.mark(&attempts);
+    for (submission, report) in attempts.into_iter().zip(reports) {
+        match report {
+            Ok(report) => {
+                for part in &report.parts {
+                    is_right &= part.verdict.is_right() || !part.counts;
+                    rows.part(&submission, part)?;
+                }
+                if keep {
+                    marked.push(Marked::Report(submission, report));
+                }
+            }
+            Err(message) => marked.push(Marked::Unusable(submission.place, message)),
+        }
+    }
+    Ok(is_right)
 }

@@ -142,6 +142,17 @@ impl Rows {
         }
     }
 
+    /// How many bytes the rows so far have.
+    pub(super) fn length(&mut self) -> Result<usize, Failure> {
+        match self {
+            Self::Lines(lines) => Ok(lines.len()),
+            Self::Table(table) => {
+                table.flush()?;
+                Ok(table.get_ref().len())
+            }
+        }
+    }
+
     /// The bytes of all rows.
     pub(super) fn into_bytes(self) -> Result<Vec<u8>, Failure> {
         match self {

@@ -153,7 +153,13 @@ pub(super) fn strike(quantities: &Quantities<'_>, index: usize, stage: &Strike) 
 
 /// The arm at one end with the momenta of what it carries, and their moment about the centre; with an angular velocity for
 /// where none was solved.
-fn arm(quantities: &Quantities<'_>, index: usize, all: &[Carried<'_>], about: &str, side: usize) -> Option<(Arm, f64)> {
+fn arm(
+    quantities: &Quantities<'_>,
+    index: usize,
+    all: &[Carried<'_>],
+    about: &str,
+    (side, turn): (usize, Option<f64>),
+) -> Option<(Arm, f64)> {
     let mut moment = 0.0;
     let mut particles = Vec::new();
     for own in all {

@@ -62,6 +62,7 @@ pub(super) fn diagram(quantities: &Quantities<'_>, compass: &Compass, stage: usi
         quantities.model().forces.iter().any(|force| force.stage == stage && force.kind == ForceKind::Normal);
     let surface = match own {
         Stage::Impact(impact) if impact.against.is_some() => normal,
+        Stage::Flight(_) => None,
         _ => (on_floor || quantities.slope(stage).is_some()).then(|| compass.angle([0.0, 1.0])),
     };
     let rows = balances.iter().map(|balance| BodyMomentum {

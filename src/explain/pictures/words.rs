@@ -1,10 +1,12 @@
 //! Titles, descriptions and captions of figures.
 
 use crate::expr::Math;
+use crate::figure::Depth;
 use crate::figure::Moment;
 use crate::figure::Moving;
 use crate::figure::MovingBody;
 use crate::figure::Role;
+use crate::figure::Target;
 use crate::figure::Wording;
 use crate::model::ActingForce;
 use crate::quantity::Dimension;
@@ -193,6 +195,32 @@ fn on_paper([x, y]: [f64; 2]) -> String {
     let parts: Vec<String> =
         [part(y, ["up", "down"]), part(x, ["to the right", "to the left"])].into_iter().flatten().collect();
     parts.join(" and ")
+}
+
+/// What is said of a body that begins a free flight.
+pub(super) fn launch_wording(quantities: &Quantities<'_>, body: &str, moving: &MovingBody, target: &Target) -> Wording {
+    let told = |words: &str, label: Option<&Math>| {
+        label.map_or_else(String::new, |label| format!("{words} {}", label.plain()))
+    };
+    let ground = |depth: &Depth| match depth {
+        Depth::Nothing => "it starts on level ground".to_owned(),
+        Depth::Below(height) => format!("the ground lies below the start{}", told(", by", height.as_ref())),
+    };
+    let lies = match target {
+        Target::Top => String::new(),
+        Target::Ground(depth) => ground(depth),
+        Target::Slope(_, angle) => format!("it starts on a slope{}", told(" at the angle", angle.as_ref())),
+        Target::Wall(distance, depth) => {
+            let wall = format!("a wall stands in its way{}", told(", at the distance", distance.as_ref()));
+            depth.as_ref().map_or_else(|| wall.clone(), |depth| format!("{wall}; {}", ground(depth)))
+        }
+    };
+    let own = situation_wording(quantities, &[(body.to_owned(), moving.clone())], "at the start of its flight");
+    Wording {
+        description: format!("{} {}", own.description, sentence(&lies)).trim_end().to_owned(),
+        caption: format!("{}, whose path is a sketch.", own.caption.trim_end_matches('.')),
+        ..own
+    }
 }
 
 /// What is said of a body about a fixed point.

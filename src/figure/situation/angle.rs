@@ -99,6 +99,14 @@ pub(super) fn draw_angle(canvas: &mut Canvas, vertices: &[Vertex], direction: Po
     canvas.label(&mark.label, Role::Body, Anchor::Opening { at: centre, radius, prefer });
 }
 
+/// Marks the angle of a slope at its foot, over a level line.
+pub(super) fn draw_incline(canvas: &mut Canvas, [foot, head]: [Point; 2], label: &Math) {
+    canvas.line([foot, Point::new(head.x, foot.y)], Role::Guide, false);
+    let from = if head.x < foot.x { PI } else { 0.0 };
+    let along = head - foot;
+    draw_angle(canvas, &[Vertex::open(foot, wedge(along.angle()))], along, &AngleMark { from, label: label.clone() });
+}
+
 /// From the foot of a slope to the arc of its angle, far enough for a label between slope and level.
 pub(super) fn wedge(angle: f64) -> f64 {
     (WEDGE_HEIGHT / libm::sin(angle).abs().max(1e-3)).clamp(WEDGE.0, WEDGE.1)

@@ -1,7 +1,5 @@
 //! A body that falls to the floor, and perhaps bounces: heights with dimension lines, the path dashed.
 
-use std::f64::consts::PI;
-
 use crate::expr::Math;
 use crate::figure::body::Attach;
 use crate::figure::coil::{draw_coil, draw_support};
@@ -9,7 +7,7 @@ use crate::figure::place::Canvas;
 use crate::figure::surface::draw_surface;
 use crate::figure::{Point, Role};
 
-use super::angle::{AngleMark, Vertex, draw_angle, wedge};
+use super::angle::draw_incline;
 use super::dimension::draw_dimension;
 use super::moving::{MovingBody, Scales, draw_vector};
 
@@ -109,9 +107,7 @@ impl Ground {
                 canvas.line([Point::new(left - 4.0, 0.0), Point::new(-4.0, 0.0)], Role::Guide, false);
                 if let Some(label) = label {
                     let foot = if along.y < 0.0 { along } else { -along };
-                    let (from, label) = (if along.y < 0.0 { PI } else { 0.0 }, label.clone());
-                    canvas.line([foot, Point::new(-foot.x, foot.y)], Role::Guide, false);
-                    draw_angle(canvas, &[Vertex::open(foot, wedge(*angle))], -foot, &AngleMark { from, label });
+                    draw_incline(canvas, [foot, -foot], label);
                 }
             }
             Self::Body(body) | Self::Sprung(body) => {

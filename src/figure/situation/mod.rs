@@ -7,6 +7,7 @@ mod conical;
 mod contact;
 mod dimension;
 mod fall;
+mod launch;
 mod line;
 mod moving;
 mod pulley;
@@ -22,6 +23,7 @@ pub use central::{Central, Moment};
 pub use conical::{Across, Conical};
 pub use contact::{Contact, Partner};
 pub use fall::{Fall, Ground, Height};
+pub use launch::{Depth, Launch, Target};
 pub use line::{Line, LineSpring};
 pub use moving::{Moving, MovingBody};
 pub(super) use moving::{Scales, draw_vector};
@@ -60,6 +62,8 @@ pub enum Layout {
     Central(Central),
     /// A body that falls, and perhaps bounces.
     Fall(Fall),
+    /// A body at the start of a free flight.
+    Launch(Launch),
     /// A body on a cord.
     Swing(Swing),
     /// Two bodies on a string over a pulley.
@@ -101,6 +105,7 @@ impl Situation {
             Layout::Contact(contact) => contact.draw(&mut canvas),
             Layout::Central(central) => central.draw(&mut canvas),
             Layout::Fall(fall) => fall.draw(&mut canvas),
+            Layout::Launch(launch) => launch.draw(&mut canvas),
             Layout::Swing(swing) => swing.draw(&mut canvas),
             Layout::Pulley(pulley) => pulley.draw(&mut canvas),
             Layout::Ride(ride) => ride.draw(&mut canvas),

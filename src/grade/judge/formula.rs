@@ -36,7 +36,7 @@ const AGREEMENT: f64 = 1e-60;
 
 /// Judges a formula.
 pub(super) fn judge(expected: &ExpectedFormula, answer: &Expr) -> Judgement {
-    let answer = &in_letters(expected, answer);
+    let answer = &expected.in_letters(answer);
     match answer.dimension(&expected.symbols) {
         Err(clash) => {
             let unit = |dimension| coherent_unit(dimension, UnitSystem::Si).to_string();
@@ -59,18 +59,6 @@ pub(super) fn judge(expected: &ExpectedFormula, answer: &Expr) -> Judgement {
         Compared::Factor(_) => Judgement::of(Verdict::FormulaFactor, Message::Slip(Verdict::FormulaFactor)),
         Compared::Equal | Compared::Different => Judgement::of(Verdict::Wrong, Message::Wrong),
     }
-}
-
-/// The answer with everything that stands for something else written out; a bare multiple as what it is a multiple of.
-fn in_letters(expected: &ExpectedFormula, answer: &Expr) -> Expr {
-    let dimension = answer.dimension(&expected.symbols).ok();
-    let unit = expected.multiple_of.filter(|unit| {
-        let own = expected.symbols.entry(*unit).dimension;
-        dimension.is_some_and(|dimension| dimension * own == expected.dimension)
-    });
-    let whole = unit.map_or_else(|| answer.clone(), |unit| answer.clone() * Expr::from(unit));
-    let value = |symbol: Symbol| expected.values.iter().find(|(own, _)| *own == symbol).map(|(_, value)| value.clone());
-    whole.substitute(&value)
 }
 
 /// What doubles say of two formulas.

@@ -38,7 +38,7 @@ struct Along {
 impl Builder<'_> {
     pub(super) fn bounces_after_arrival(&mut self, index: usize, stage: &Bounces, [e, count]: [&Expr; 2], path: &Path) {
         let body = stage.body.as_str();
-        let Some(falls) = self.falling(stage.incline.as_ref(), path) else { return };
+        let Some(falls) = self.falling(index, stage.incline.as_ref(), path) else { return };
         let mut arrival = None;
         let mut along = None;
         for (axis, fall) in self.axes.clone().into_iter().map(|(axis, _)| axis).zip(falls) {

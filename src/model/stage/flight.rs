@@ -24,7 +24,7 @@ impl Builder<'_> {
         self.lasting[index] = Some(time.clone());
         let bodies: Vec<&str> = stage.flying().collect();
         let falls = match &stage.incline {
-            Some(_) => self.falling(stage.incline.as_ref(), path).unwrap_or_default(),
+            Some(_) => self.falling(index, stage.incline.as_ref(), path).unwrap_or_default(),
             None => Vec::new(),
         };
         for body in &bodies {

@@ -3,6 +3,7 @@
 pub(super) mod central;
 pub(super) mod contact;
 pub(super) mod fall;
+pub(super) mod flight;
 pub(super) mod given;
 pub(super) mod line;
 pub(super) mod pulley;
@@ -45,9 +46,11 @@ pub(super) fn drawing(quantities: &Quantities<'_>, compass: &Compass) -> Option<
             | Stage::Blow(_)
             | Stage::Motion(_)
             | Stage::Separate(_)
-            | Stage::Flight(_)
             | Stage::Drift(_),
         ) => line::drawing(quantities, compass, 0),
+        Some(Stage::Flight(flight)) => {
+            flight::drawing(quantities, compass, flight).or_else(|| line::drawing(quantities, compass, 0))
+        }
         Some(Stage::Rotate(rotate)) => central::on_arm(quantities, rotate),
         Some(Stage::Central(stage)) => central::under_force(quantities, stage),
         Some(Stage::Swing(swing)) => Some(swing::drawing(quantities, compass, 0, swing)),

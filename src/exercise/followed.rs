@@ -1,0 +1,245 @@
+//! Whether a wrong answer is what follows from earlier ones, for every kind of answer.
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+use crate::grade;
+use crate::grade::Verdict;
+use crate::problem::Candidate;
+use crate::problem::Consequence;
+use crate::problem::FormulaPart;
+use crate::problem::NumberPart;
+use crate::problem::PartKind;
+use crate::problem::VectorPart;
+use crate::quantity::Dimension;
+
+use super::follow_through::Earlier;
+use super::follow_through::Found;
+use super::follow_through::names;
+use super::marking::Marking;
+
+/// Values that a student rounds on the way move what follows from them by up to this share.
+const ROUNDING: f64 = 0.006;
+/// How far the double nearest to a value is from it.
+const DOUBLE: f64 = 1e-12;
+/// At most so many vectors are put together of what follows for their components.
+const MOST_VECTORS: usize = 256;
+
+/// What may stand as a component: the right value, or what follows from earlier answers.
+struct Component<'a> {
+    value: f64,
+    follows: Option<(Vec<&'a Earlier>, Consequence)>,
+}
+
+impl Marking<'_> {
+    /// The consequence that the answer is, of the fewest earlier answers; one that is possible rather than one that is not.
+    pub(super) fn followed(&self, place: usize, earlier: &[Earlier]) -> Option<Found> {
+        if earlier.is_empty() {
+            return None;
+        }
+        let expected = self.expected.get(place)?;
+        match self.answered(place)? {
+            (PartKind::Number(number), grade::ExpectedKind::Number(_), answer) => {
+                self.number_followed(number, expected, answer, earlier)
+            }
+            (PartKind::Formula(formula), grade::ExpectedKind::Formula(right), answer) => {
+                self.formula_followed(formula, right, answer, earlier)
+            }
+            (PartKind::Vector(vector), grade::ExpectedKind::Vector(_), answer) => {
+                self.vector_followed(vector, expected, answer, earlier)
+            }
+            _ => None,
+        }
+    }
+
+    fn number_followed(
+        &self,
+        number: &NumberPart,
+        expected: &grade::Expected,
+        answer: &grade::Answer,
+        earlier: &[Earlier],
+    ) -> Option<Found> {
+        let grade::ExpectedKind::Number(right) = &expected.kind else { return None };
+        let written = grade::diagnose::number(right, answer)?;
+        let unit = self.worked.unit_of(number);
+        let mut target = expected.clone();
+        self.best(number.symbol, earlier, &mut |_, candidate| {
+            let value = candidate.value / unit;
+            if is_far(right, value, written) {
+                return None;
+            }
+            if let grade::ExpectedKind::Number(number) = &mut target.kind {
+                aim(number, right, value);
+            }
+            accepted(grade::judge(&target, answer).verdict)
+        })
+    }
+
+    /// A formula follows where it is what the equations make of the student's own earlier formulas.
+    fn formula_followed(
+        &self,
+        part: &FormulaPart,
+        right: &grade::ExpectedFormula,
+        answer: &grade::Answer,
+        earlier: &[Earlier],
+    ) -> Option<Found> {
+        self.best(part.symbol, earlier, &mut |chosen, candidate| {
+            let own = |symbol: Symbol| chosen.iter().find(|own| own.symbol == symbol)?.formula.clone();
+            if !chosen.iter().all(|own| own.formula.is_some()) {
+                return None;
+            }
+            let is = |formula: Expr| {
+                let kind = grade::ExpectedKind::Formula(grade::ExpectedFormula { formula, ..right.clone() });
+                let target = grade::Expected { id: String::new(), points: 0, kind };
+                accepted(grade::judge(&target, answer).verdict)
+            };
+            candidate.formulas().into_iter().find_map(|formula| is(formula.substitute(&own)))
+        })
+    }
+
+    /// The best of what follows from every choice of earlier answers, by those that `judge` accepts with a verdict.
+    fn best(
+        &self,
+        asked: Symbol,
+        earlier: &[Earlier],
+        judge: &mut dyn FnMut(&[&Earlier], &Candidate<'_>) -> Option<Verdict>,
+    ) -> Option<Found> {
+        let mut best: Option<Found> = None;
+        for chosen in subsets(earlier) {
+            let mut verdicts = Vec::new();
+            let mut accept = |candidate: &Candidate<'_>| {
+                let judged = judge(&chosen, candidate);
+                verdicts.extend(judged);
+                judged.is_some()
+            };
+            let found = self.consequences(asked, &chosen, &mut accept);
+            for (own, judged) in found.into_iter().zip(verdicts) {
+                if best.as_ref().is_none_or(|best| best.unphysical.is_some() && own.unphysical.is_none()) {
+                    best = Some(Found {
+                        from: names(&chosen),
+                        by: own.by,
+                        unphysical: own.unphysical,
+                        fraction: self.rubric.fraction(judged),
+                    });
+                }
+            }
+        }
+        best
+    }
+
+    /// Each component is right, or follows; and not all are right.
+    fn vector_followed(
+        &self,
+        vector: &VectorPart,
+        expected: &grade::Expected,
+        answer: &grade::Answer,
+        earlier: &[Earlier],
+    ) -> Option<Found> {
+        let grade::ExpectedKind::Vector(right) = &expected.kind else { return None };
+        let components = vector.components.iter().zip(&right.components);
+        let choices: Vec<Vec<Component<'_>>> =
+            components.map(|(part, right)| self.component_choices(part, right.value, earlier)).collect();
+        let mut target = expected.clone();
+        let mut judge = |picked: &[&Component<'_>]| {
+            if let grade::ExpectedKind::Vector(aimed) = &mut target.kind {
+                let all = aimed.components.iter_mut().zip(&right.components).zip(picked);
+                all.for_each(|((own, right), picked)| aim(own, right, picked.value));
+            }
+            let verdict = accepted(grade::judge(&target, answer).verdict)?;
+            let follow = || picked.iter().filter_map(|own| own.follows.as_ref());
+            let chosen: Vec<&Earlier> = follow().flat_map(|(chosen, _)| chosen.iter().copied()).collect();
+            let mut by = Vec::new();
+            follow().flat_map(|(_, own)| &own.by).for_each(|law| {
+                if !by.contains(law) {
+                    by.push(law);
+                }
+            });
+            Some(Found {
+                from: names(&chosen),
+                by,
+                unphysical: follow().find_map(|(_, own)| own.unphysical.clone()),
+                fraction: self.rubric.fraction(verdict),
+            })
+        };
+        let combined =
+            combinations(&choices).into_iter().filter(|picked| picked.iter().any(|own| own.follows.is_some()));
+        let mut found: Vec<Found> = combined.filter_map(|picked| judge(&picked)).collect();
+        found.sort_by_key(|own| (own.unphysical.is_some(), own.from.len()));
+        found.into_iter().next()
+    }
+
+    fn component_choices<'e>(&self, part: &NumberPart, right: f64, earlier: &'e [Earlier]) -> Vec<Component<'e>> {
+        let unit = self.worked.unit_of(part);
+        let mut choices = vec![Component { value: right, follows: None }];
+        for chosen in subsets(earlier) {
+            let found = self.consequences(part.symbol, &chosen, &mut |_| true);
+            choices.extend(
+                found
+                    .into_iter()
+                    .map(|own| Component { value: own.value / unit, follows: Some((chosen.clone(), own)) }),
+            );
+        }
+        choices
+    }
+
+    /// What follows from earlier answers and is wanted, without what makes the rest trivial.
+    pub(super) fn consequences(
+        &self,
+        asked: Symbol,
+        chosen: &[&Earlier],
+        accept: &mut dyn FnMut(&Candidate<'_>) -> bool,
+    ) -> Vec<Consequence> {
+        let values = chosen.iter().map(|own| (own.symbol, own.value)).collect();
+        let mut accept =
+            |candidate: &Candidate<'_>| self.can_be_built_upon(asked, candidate.value) && accept(candidate);
+        self.worked.following(asked, &values, &mut accept)
+    }
+}
+
+/// The verdict, where the answer would be right but for its unit.
+fn accepted(verdict: Verdict) -> Option<Verdict> {
+    (verdict.is_right() || verdict == Verdict::UnitMissing).then_some(verdict)
+}
+
+/// Whether an answer is so far from a value, whatever its sign, that it cannot be taken for it. An angle is never far, nor is what
+/// may be a fraction of something.
+fn is_far(right: &grade::ExpectedNumber, value: f64, answer: f64) -> bool {
+    let size = value.abs().max(right.scale);
+    let tolerance = match &right.tolerance {
+        grade::Tolerance::Relative(share) => share.to_f64().abs() * size,
+        grade::Tolerance::Absolute(distance) => distance.to_f64().abs(),
+        grade::Tolerance::ToFigures => size,
+    };
+    let reach = 2.0 * (tolerance + right.allowance + ROUNDING * size);
+    !right.cyclic && right.unit.dimension() != Dimension::NONE && (answer.abs() - value.abs()).abs() > reach
+}
+
+/// Every choice of earlier answers, small ones first.
+fn subsets(earlier: &[Earlier]) -> Vec<Vec<&Earlier>> {
+    let mut all: Vec<Vec<&Earlier>> = vec![Vec::new()];
+    for own in earlier {
+        let with: Vec<Vec<&Earlier>> = all.iter().map(|chosen| [chosen.as_slice(), &[own]].concat()).collect();
+        all.extend(with);
+    }
+    all.retain(|chosen| !chosen.is_empty());
+    all.sort_by_key(Vec::len);
+    all
+}
+
+/// One choice for each component, in every way; what was listed first comes first.
+fn combinations<'c, 'e>(choices: &'c [Vec<Component<'e>>]) -> Vec<Vec<&'c Component<'e>>> {
+    let mut all: Vec<Vec<&Component<'_>>> = vec![Vec::new()];
+    for own in choices {
+        let longer = all.iter().flat_map(|picked| own.iter().map(move |next| [picked.as_slice(), &[next]].concat()));
+        all = longer.take(MOST_VECTORS).collect();
+    }
+    all
+}
+
+/// Puts what follows from the student's own answers in place of the right value.
+fn aim(number: &mut grade::ExpectedNumber, right: &grade::ExpectedNumber, value: f64) {
+    number.value = value;
+    number.error = DOUBLE * value.abs();
+    number.exact = None;
+    number.allowance = right.allowance.max(ROUNDING * value.abs());
+    number.magnitude = number.senses.is_none() && value >= 0.0;
+}

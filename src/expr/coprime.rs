@@ -1,0 +1,137 @@
+//! What is seen without the algebra of remainders: that two polynomials have no factor in common. Modulo a prime, and with
+//! numbers for all atoms but one, a common factor stays a common factor, so where the images have none, the polynomials have none.
+//!
+//! Source: W. S. Brown, On Euclid's Algorithm and the Computation of Polynomial Greatest Common Divisors, J. ACM 18 (1971).
+
+use std::collections::BTreeMap;
+
+use dashu::Integer;
+
+use super::monomial::Atom;
+use super::polynomial::Polynomial;
+
+/// A prime that leaves room for sums and products in 128 bits.
+const PRIME: u64 = (1 << 61) - 1;
+
+/// Images are not made of powers above this.
+const HIGHEST: i32 = 64;
+
+/// Whether two polynomials with whole coefficients and without a common monomial certainly have no factor in common but numbers.
+/// `false` decides nothing.
+pub(super) fn are_coprime(left: &Polynomial, right: &Polynomial) -> bool {
+    let (left_atoms, right_atoms) = (left.atoms(), right.atoms());
+    let places: BTreeMap<&Atom, usize> = left_atoms.union(&right_atoms).copied().zip(0..).collect();
+    let shared = left_atoms.intersection(&right_atoms);
+    let (Some(left), Some(right)) = (Residues::of(left, &places), Residues::of(right, &places)) else { return false };
+    shared.into_iter().all(|atom| match (left.image(places[atom]), right.image(places[atom])) {
+        // The degree of a common factor shows in its image unless the leading coefficients of both vanish there.
+        (Some(left), Some(right)) if left.last() != Some(&0) || right.last() != Some(&0) => {
+            is_coprime_image(left, right)
+        }
+        _ => false,
+    })
+}
+
+/// A polynomial modulo the prime: the exponents of its atoms by their places, and the coefficient, term by term.
+struct Residues(Vec<(Vec<u32>, u64)>);
+
+impl Residues {
+    fn of(polynomial: &Polynomial, places: &BTreeMap<&Atom, usize>) -> Option<Self> {
+        let term = |(monomial, value): (&super::monomial::Monomial, &crate::quantity::Rational)| {
+            let mut exponents = vec![0; places.len()];
+            for (atom, power) in monomial.powers() {
+                *exponents.get_mut(*places.get(atom)?)? = u32::try_from(power).ok().filter(|_| power <= HIGHEST)?;
+            }
+            Some((exponents, residue(value.numerator()).filter(|_| value.is_int())?))
+        };
+        polynomial.terms().map(term).collect::<Option<_>>().map(Self)
+    }
+
+    /// The coefficients in the atom at a place, with numbers in no relation to each other for all others.
+    fn image(&self, place: usize) -> Option<Vec<u64>> {
+        let degree = self.0.iter().filter_map(|(exponents, _)| exponents.get(place)).max()?;
+        let mut image = vec![0; usize::try_from(*degree).ok()? + 1];
+        for (exponents, value) in &self.0 {
+            let others = exponents.iter().zip(1_u64..).enumerate().filter(|(other, _)| *other != place);
+            let value = others.fold(*value, |value, (_, (power, number))| times(value, raised(point(number), *power)));
+            let own = image.get_mut(usize::try_from(*exponents.get(place)?).ok()?)?;
+            *own = (*own + value) % PRIME;
+        }
+        Some(image)
+    }
+}
+
+/// Euclid's algorithm on coefficients, the lowest power first: whether nothing but a number divides both.
+fn is_coprime_image(mut left: Vec<u64>, mut right: Vec<u64>) -> bool {
+    trim(&mut left);
+    trim(&mut right);
+    while let Some(lead) = right.last().copied() {
+        while let Some(own) = left.last().copied().filter(|_| left.len() >= right.len()) {
+            let shift = left.len() - right.len();
+            for value in &mut left {
+                *value = times(*value, lead);
+            }
+            for (value, other) in left.iter_mut().skip(shift).zip(&right) {
+                *value = (*value + PRIME - times(own, *other)) % PRIME;
+            }
+            trim(&mut left);
+        }
+        std::mem::swap(&mut left, &mut right);
+    }
+    left.len() == 1
+}
+
+/// Drops the powers that do not occur.
+fn trim(image: &mut Vec<u64>) {
+    image.truncate(image.iter().rposition(|value| *value != 0).map_or(0, |last| last + 1));
+}
+
+fn residue(value: &Integer) -> Option<u64> {
+    let rest = match i64::try_from(value) {
+        Ok(small) => i128::from(small),
+        Err(_) => i128::try_from(value % Integer::from(PRIME)).ok()?,
+    };
+    u64::try_from(rest.rem_euclid(i128::from(PRIME))).ok()
+}
+
+fn times(left: u64, right: u64) -> u64 {
+    let product = u128::from(left) * u128::from(right) % u128::from(PRIME);
+    u64::try_from(product).unwrap_or(0)
+}
+
+fn raised(base: u64, power: u32) -> u64 {
+    (0..power).fold(1, |product, _| times(product, base))
+}
+
+/// A fixed number for the atom that is counted so.
+fn point(count: u64) -> u64 {
+    times(count, 0x9e37_79b9_7f4a_7c15 % PRIME)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::canonical::{Rules, none_positive};
+    use super::super::testing::AnyName;
+    use super::*;
+
+    #[test]
+    fn a_common_factor_is_never_denied_and_none_is_mostly_seen() {
+        for (left, right, coprime) in [
+            ("x + 1", "x - 1", true),
+            ("x^2 - 1", "x + 1", false),
+            ("(a + b)*(x + y)", "(a - b)*(x + y)", false),
+            ("(a + b)*(x + y)", "(a - b)*(x - y)", true),
+            ("a*x + b", "a*y + b", true),
+            ("(x - 1)*(x - 2)*(x - 3)", "(x - 4)*(x - 5)*(x - 6)", true),
+            ("x^2 + 2*x*y + y^2", "2*x + 2*y", false),
+            ("m + n", "a + b", true),
+        ] {
+            let mut names = AnyName::default();
+            let rules = Rules { pythagoras: false, expand: false, positive: &none_positive };
+            let [left, right] =
+                [left, right].map(|text| rules.quotient(&names.term(text)).map(|form| form.numerator.primitive().2));
+            let found = left.zip(right).map(|(left, right)| are_coprime(&left, &right));
+            assert_eq!(found, Some(coprime));
+        }
+    }
+}

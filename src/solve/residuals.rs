@@ -1,0 +1,208 @@
+//! Equations on a tape, for their values and all derivatives at many places. A symbol that stands alone on one side is computed
+//! from the other, so that only what no equation defines must be sought.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::expr::{Expr, Symbol};
+
+use super::real::Real;
+use super::tape::{Instruction, Operation, Register, run};
+use super::workspace::{Constants, Workspace};
+use super::writer::Writer;
+use super::{Bounded, Statement};
+
+/// What must be zero where all equations hold, as a function of the symbols that no equation defines.
+#[derive(Debug)]
+pub(super) struct Residuals {
+    tape: Vec<Instruction>,
+    constants: Constants<Bounded>,
+    /// The symbols that are sought.
+    pub(super) free: Vec<Symbol>,
+    /// Their registers.
+    inputs: Vec<Register>,
+    /// Every symbol.
+    symbols: BTreeMap<Symbol, Register>,
+    /// What must be zero, and how far the tape must be run for it.
+    zeros: Vec<(Register, usize)>,
+}
+
+impl Residuals {
+    /// The residuals of these equations; counts have none.
+    pub(super) fn of(stated: &[&Statement]) -> Self {
+        let mut definitions = Definitions::of(stated);
+        let (mut writer, mut free) = (Writer::default(), Vec::new());
+        let sides = |statement: &&Statement| match statement {
+            Statement::Equal { left, right } => Some([left.clone(), right.clone()]),
+            Statement::FirstInteger { .. } => None,
+        };
+        let sides: Vec<Option<[Expr; 2]>> = stated.iter().map(sides).collect();
+        for symbol in sides.iter().flatten().flatten().flat_map(Expr::symbols).collect::<BTreeSet<_>>() {
+            definitions.write(symbol, &mut writer, &mut free);
+        }
+        let open = sides.iter().enumerate().filter(|(place, _)| !definitions.used.contains(place));
+        let zeros = open.filter_map(|(_, sides)| {
+            let [left, right] = sides.as_ref()?;
+            Some((writer.difference(left, right)?, writer.tape.len()))
+        });
+        let zeros = zeros.collect();
+        Self {
+            constants: Constants::new(&writer),
+            free: free.iter().map(|(symbol, _)| *symbol).collect(),
+            inputs: free.into_iter().map(|(_, register)| register).collect(),
+            tape: writer.tape,
+            symbols: writer.symbols,
+            zeros,
+        }
+    }
+
+    /// Everything that is computed from values of the free symbols.
+    pub(super) fn at(&self, place: &[f64]) -> Values {
+        let mut workspace = Workspace::default();
+        let place: Vec<Bounded> = place.iter().map(|value| Bounded::point(*value)).collect();
+        workspace.prepare(&self.constants, &self.inputs, place.iter());
+        run(&self.tape, &(0..self.tape.len()), &mut workspace.registers);
+        Values(workspace.registers.iter().map(Real::rough).collect())
+    }
+
+    /// The value of each symbol.
+    pub(super) fn symbols<'a>(&'a self, values: &'a Values) -> impl Iterator<Item = (Symbol, f64)> + 'a {
+        self.symbols.iter().map(|(symbol, register)| (*symbol, values.get(*register)))
+    }
+
+    /// How far off zero each residual is; none where one has no value.
+    pub(super) fn off(&self, values: &Values) -> Option<DVector<f64>> {
+        let off =
+            DVector::from_iterator(self.zeros.len(), self.zeros.iter().map(|(register, _)| values.get(*register)));
+        off.iter().all(|own| own.is_finite()).then_some(off)
+    }
+
+    /// The derivatives of each residual, a row, in the free symbols: by one backward run of the tape for each.
+    /// (Reverse accumulation: Griewank and Walther, Evaluating Derivatives, chapter 3.)
+    pub(super) fn slopes(&self, values: &Values) -> DMatrix<f64> {
+        let mut slopes = DMatrix::zeros(self.zeros.len(), self.free.len());
+        let mut shares = vec![0.0; values.0.len()];
+        for (row, (register, end)) in self.zeros.iter().enumerate() {
+            shares.fill(0.0);
+            shares[*register as usize] = 1.0;
+            for instruction in self.tape[..*end].iter().rev() {
+                pass_back(instruction, &values.0, &mut shares);
+            }
+            for (column, register) in self.inputs.iter().enumerate() {
+                slopes[(row, column)] = shares[*register as usize];
+            }
+        }
+        slopes
+    }
+}
+
+/// The value in each register after a run.
+#[derive(Clone, Debug)]
+pub(super) struct Values(Vec<f64>);
+
+impl Values {
+    fn get(&self, register: Register) -> f64 {
+        self.0.get(register as usize).copied().unwrap_or(f64::NAN)
+    }
+}
+
+/// The equations that define a symbol: it stands alone on one side, and not on the other.
+struct Definitions<'a> {
+    by_symbol: BTreeMap<Symbol, (usize, &'a Expr)>,
+    /// The symbols on the way to which the definition of another is being written.
+    open: BTreeSet<Symbol>,
+    /// The equations that define something.
+    used: BTreeSet<usize>,
+}
+
+impl<'a> Definitions<'a> {
+    fn of(stated: &[&'a Statement]) -> Self {
+        let mut by_symbol = BTreeMap::new();
+        for (place, statement) in stated.iter().enumerate() {
+            let Statement::Equal { left, right } = statement else { continue };
+            for (side, other) in [(left, right), (right, left)] {
+                if let Expr::Symbol(symbol) = side
+                    && !by_symbol.contains_key(symbol)
+                    && !other.contains(*symbol)
+                {
+                    by_symbol.insert(*symbol, (place, other));
+                    break;
+                }
+            }
+        }
+        Self { by_symbol, open: BTreeSet::new(), used: BTreeSet::new() }
+    }
+
+    /// Gives a symbol its register, after those that it is defined by. Of symbols that define each other in a circle, one is free.
+    /// Recursion is at most as deep as there are symbols.
+    fn write(&mut self, symbol: Symbol, writer: &mut Writer, free: &mut Vec<(Symbol, Register)>) {
+        if writer.symbols.contains_key(&symbol) {
+            return;
+        }
+        if self.open.insert(symbol)
+            && let Some((place, other)) = self.by_symbol.get(&symbol).copied()
+        {
+            for part in other.symbols() {
+                self.write(part, writer, free);
+            }
+            if !writer.symbols.contains_key(&symbol)
+                && let Some(register) = writer.expr(other)
+            {
+                self.used.insert(place);
+                writer.symbols.insert(symbol, register);
+                return;
+            }
+        }
+        if !writer.symbols.contains_key(&symbol) {
+            let register = writer.register();
+            free.push((symbol, register));
+            writer.symbols.insert(symbol, register);
+        }
+    }
+}
+
+/// Gives each operand of an instruction its part in the derivative by what the instruction computes.
+fn pass_back(instruction: &Instruction, values: &[f64], shares: &mut [f64]) {
+    let [a, b, c] = instruction.operands.map(|register| register as usize);
+    let to = instruction.to as usize;
+    let share = shares[to];
+    if share == 0.0 {
+        return;
+    }
+    match instruction.operation {
+        Operation::Add => {
+            shares[a] += share;
+            shares[b] += share;
+        }
+        Operation::Subtract => {
+            shares[a] += share;
+            shares[b] -= share;
+        }
+        Operation::Multiply => {
+            shares[a] += share * values[b];
+            shares[b] += share * values[a];
+        }
+        Operation::Divide => {
+            shares[a] += share / values[b];
+            shares[b] -= share * values[to] / values[b];
+        }
+        Operation::Negate => shares[a] -= share,
+        Operation::Power(exponent) => {
+            shares[a] += share * f64::from(exponent) * libm::pow(values[a], f64::from(exponent) - 1.0);
+        }
+        Operation::Root(degree) => shares[a] += share * values[to] / (f64::from(degree) * values[a]),
+        Operation::Raise => {
+            shares[a] += share * values[b] * libm::pow(values[a], values[b] - 1.0);
+            shares[b] += share * values[to] * libm::log(values[a]);
+        }
+        Operation::Apply(function) => shares[a] += share * function.slope_at(values[a]),
+        Operation::Angle => {
+            let square = values[a] * values[a] + values[b] * values[b];
+            shares[a] += share * values[b] / square;
+            shares[b] -= share * values[a] / square;
+        }
+        Operation::Select => shares[if values[a] <= 0.0 { b } else { c }] += share,
+        Operation::Copy => shares[a] += share,
+    }
+}
