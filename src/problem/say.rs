@@ -7,6 +7,7 @@ use crate::quantity::Printed;
 use crate::quantity::Unit;
 use crate::scene::Scene;
 use crate::scene::Senses;
+use crate::scene::Stage;
 
 use super::planned::Problem;
 use super::text::Filter;
@@ -128,13 +129,20 @@ const DIRECTED: [&str; 9] = ["v", "v_rel", "v_common", "p", "J", "J_def", "J_res
 
 impl Problem {
     /// The words for the two directions between which the sign of a quantity decides; none where the sign is no direction,
-    /// as that of a place or an energy.
+    /// as that of a place or an energy, or where the direction is told apart, as that of a thrust is.
     #[must_use]
     pub fn senses(&self, symbol: Symbol) -> Option<Senses> {
         let text = &self.model().symbols.entry(symbol).name;
-        Name::parse(text).filter(|name| !name.is_plain() && DIRECTED.contains(&name.base.as_str()))?;
-        senses_of(&self.loaded().draft.scene, text)
+        let name = Name::parse(text).filter(|name| !name.is_plain() && DIRECTED.contains(&name.base.as_str()))?;
+        let scene = &self.loaded().draft.scene;
+        let strength =
+            name.base == "F" && (!scene.bodies.contains_key(&name.subject) || has_thrust(scene, &name.subject));
+        senses_of(scene, text).filter(|_| !strength)
     }
+}
+
+fn has_thrust(scene: &Scene, body: &str) -> bool {
+    scene.stages.iter().any(|stage| matches!(stage, Stage::Thrust(thrust) if thrust.body == body))
 }
 
 /// The words for the two directions of a component: of the axis that its name ends in, or of the only one.
