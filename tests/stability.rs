@@ -1,6 +1,8 @@
 //! Every scene of the stability suite by every method, against the table `tests/stability/table.txt`: right, refused by name, or
 //! failing in the known way by the known amount. A method that starts to pass or to fail elsewhere breaks the test.
 
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test says bluntly what it expects")]
+
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;
