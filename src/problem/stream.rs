@@ -98,7 +98,9 @@ impl Words {
             self.generator.set_block_pos(place.1);
             let mut bytes = [[0; 8]; BUFFER];
             self.generator.fill_bytes(bytes.as_flattened_mut());
-            made.words = bytes.map(u64::from_le_bytes);
+            for (word, own) in made.words.iter_mut().zip(bytes) {
+                *word = u64::from_le_bytes(own);
+            }
             made.place = Some(place);
         }
         // Both remainders are small, so the word is within the buffer.

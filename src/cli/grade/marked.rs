@@ -61,14 +61,14 @@ pub(super) fn are_beside(one: &Next, other: &Next) -> bool {
 }
 
 fn at_one_desk(portion: Vec<Next>, problems: &Problems, format: MarksFormat, keep: bool) -> Result<Portion, Failure> {
-    // What belongs to one problem is marked in one go, so that all that the problem needs stays at hand.
-    let mut groups: Vec<(usize, Group)> = together(portion).into_iter().enumerate().collect();
-    groups.sort_by(|(_, one), (_, other)| question(one).cmp(&question(other)));
+    let mut groups: Vec<Option<Group>> = together(portion).into_iter().map(Some).collect();
+    let order = by_question(&groups);
     let mut desk = Desk::new(problems);
     let mut rows = Rows::new(format);
     let mut is_right = true;
     let mut done: Vec<Done> = Vec::with_capacity(groups.len());
-    for (place, group) in groups {
+    for place in order {
+        let Some(group) = groups.get_mut(place).and_then(Option::take) else { continue };
         let start = rows.length()?;
         let mut own = Done { place, rows: start..start, marked: Vec::new() };
         match group {
@@ -107,6 +107,13 @@ fn together(portion: Vec<Next>) -> Vec<Group> {
         }
     }
     groups
+}
+
+/// The places of the groups, those to one problem together: all that a problem needs then stays at hand.
+fn by_question(groups: &[Option<Group>]) -> Vec<usize> {
+    let mut asked: Vec<_> = groups.iter().map(|group| group.as_ref().and_then(question)).zip(0..).collect();
+    asked.sort_unstable();
+    asked.into_iter().map(|(_, place)| place).collect()
 }
 
 /// What is asked: problem, form and seed, as they are written.

@@ -63,7 +63,7 @@ impl Values<'_> {
     /// The sense of a motion along an axis: where a term points, or else along the axis.
     pub(super) fn sense(&self, direction: Option<&Term>, axis: Axis) -> Result<f64, NothingToSimulate> {
         let Some(Term(text)) = direction else { return Ok(1.0) };
-        Ok(super::bench::part(self.direction(text)?, axis).signum())
+        Ok(super::vector::part(self.direction(text)?, axis).signum())
     }
 }
 

@@ -6,6 +6,7 @@
 use super::bench::{Bench, Way};
 use super::integrate::Integrator;
 use super::nothing::NothingToSimulate;
+use super::vector::{Vector, ZERO, dot, less, times};
 
 /// The longest step beside the time of the contact, which is of the order of a second.
 const LONGEST: f64 = 0.1;
@@ -15,9 +16,9 @@ const LONGEST: f64 = 0.1;
 pub(super) struct Party {
     /// Its mass; none where it is too heavy to be moved.
     pub mass: Option<f64>,
-    pub velocity: [f64; 2],
+    pub velocity: Vector,
     /// The one direction in which a guide lets it move.
-    pub guide: Option<[f64; 2]>,
+    pub guide: Option<Vector>,
 }
 
 /// Two bodies at the moment in which they meet.
@@ -25,18 +26,18 @@ pub(super) struct Party {
 pub(super) struct Touch {
     pub parties: [Party; 2],
     /// From the first to the second.
-    pub normal: [f64; 2],
+    pub normal: Vector,
     pub restitution: f64,
 }
 
 /// How they part.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Parted {
-    pub velocities: [[f64; 2]; 2],
+    pub velocities: [Vector; 2],
     /// The impulse of the contact on each.
-    pub impulses: [[f64; 2]; 2],
+    pub impulses: [Vector; 2],
     /// The impulse of the guide of each.
-    pub reactions: [[f64; 2]; 2],
+    pub reactions: [Vector; 2],
     /// The velocity of both along the normal when they are nearest.
     pub common: f64,
     /// The magnitude of the impulse until then, and from then on.
@@ -45,34 +46,43 @@ pub(super) struct Parted {
 
 impl Party {
     /// A body that nothing guides.
-    pub(super) fn free(mass: f64, velocity: [f64; 2]) -> Self {
+    pub(super) fn free(mass: f64, velocity: Vector) -> Self {
         Self { mass: Some(mass), velocity, guide: None }
     }
 
     /// What a force does to it: the acceleration, and what its guide adds to the force.
-    pub(super) fn yields(&self, force: [f64; 2]) -> ([f64; 2], [f64; 2]) {
-        let Some(mass) = self.mass else { return ([0.0; 2], [0.0; 2]) };
+    pub(super) fn yields(&self, force: Vector) -> (Vector, Vector) {
+        let Some(mass) = self.mass else { return (ZERO, ZERO) };
         let felt = match self.guide {
-            Some(along) => along.map(|own| own * dot(along, force)),
+            Some(along) => times(dot(along, force), along),
             None => force,
         };
-        (felt.map(|own| own / mass), [felt[0] - force[0], felt[1] - force[1]])
+        (times(1.0 / mass, felt), less(felt, force))
     }
 }
 
-pub(super) fn dot(one: [f64; 2], other: [f64; 2]) -> f64 {
-    one[0] * other[0] + one[1] * other[1]
+/// Overlap, both velocities, and the magnitude of the impulse.
+type State = [f64; 8];
+
+/// Where the impulse stands in a state.
+const IMPULSE: usize = 7;
+
+fn state(overlap: f64, [[a, b, c], [d, e, f]]: [Vector; 2], impulse: f64) -> State {
+    [overlap, a, b, c, d, e, f, impulse]
 }
 
-/// Overlap, both velocities, and the magnitude of the impulse.
-type State = [f64; 6];
+/// The velocity of the first (0) or the second (1).
+fn velocity(state: &State, party: usize) -> Vector {
+    let [_, a, b, c, d, e, f, _] = *state;
+    if party == 0 { [a, b, c] } else { [d, e, f] }
+}
 
 impl Touch {
     /// Runs the contact to its end.
     pub(super) fn run(&self, bench: &mut Bench<'_>) -> Result<Parted, NothingToSimulate> {
         let [first, second] = self.parties;
-        let rate = |state: &State| dot([state[1] - state[3], state[2] - state[4]], self.normal);
-        let start = [0.0, first.velocity[0], first.velocity[1], second.velocity[0], second.velocity[1], 0.0];
+        let rate = |state: &State| dot(less(velocity(state, 0), velocity(state, 1)), self.normal);
+        let start = state(0.0, [first.velocity, second.velocity], 0.0);
         if rate(&start) <= 0.0 {
             return Err(NothingToSimulate::NothingChanges);
         }
@@ -80,11 +90,11 @@ impl Touch {
         let lighter = self.parties.iter().filter_map(|party| party.mass).fold(f64::INFINITY, f64::min);
         let stiffness = lighter * bench.shorter * bench.shorter;
         let longest = LONGEST / bench.shorter;
-        let slope = |state: &State, force: f64| {
-            let push = self.normal.map(|own| own * force);
-            let (one, _) = first.yields(push.map(|own| -own));
+        let slope = |now: &State, force: f64| {
+            let push = times(force, self.normal);
+            let (one, _) = first.yields(times(-1.0, push));
             let (other, _) = second.yields(push);
-            [rate(state), one[0], one[1], other[0], other[1], force]
+            state(rate(now), [one, other], force)
         };
         let pressing = Integrator { tolerance: bench.tolerance, longest };
         let (nearest, most) =
@@ -99,13 +109,13 @@ impl Touch {
         } else {
             (nearest, most)
         };
-        let on = [self.normal.map(|own| -own * end[5]), self.normal.map(|own| own * end[5])];
+        let on = [times(-end[IMPULSE], self.normal), times(end[IMPULSE], self.normal)];
         Ok(Parted {
-            velocities: [[end[1], end[2]], [end[3], end[4]]],
+            velocities: [velocity(&end, 0), velocity(&end, 1)],
             impulses: on,
             reactions: [first.yields(on[0]).1, second.yields(on[1]).1],
-            common: dot([most[1], most[2]], self.normal),
-            phases: [most[5], end[5] - most[5]],
+            common: dot(velocity(&most, 0), self.normal),
+            phases: [most[IMPULSE], end[IMPULSE] - most[IMPULSE]],
         })
     }
 }
@@ -127,8 +137,8 @@ mod tests {
     /// 3 kg at 3 m/s meets 2 kg at -2 m/s, e = 0.7: by hand v = 1 m/s in common, impulses 6 and 4.2 N s.
     #[test]
     fn a_spring_that_gives_back_less_returns_the_share_e() {
-        let parties = [Party::free(3.0, [3.0, 1.0]), Party::free(2.0, [-2.0, 0.0])];
-        let end = parted(&Touch { parties, normal: [1.0, 0.0], restitution: 0.7 });
+        let parties = [Party::free(3.0, [3.0, 1.0, 0.5]), Party::free(2.0, [-2.0, 0.0, 0.0])];
+        let end = parted(&Touch { parties, normal: [1.0, 0.0, 0.0], restitution: 0.7 });
         let found = [end.velocities[0][0], end.velocities[1][0], end.velocities[0][1], end.common];
         for (found, right) in found.into_iter().chain(end.phases).zip([-0.4, 3.1, 1.0, 1.0, 6.0, 4.2]) {
             assert!((found - right).abs() < 1e-10, "{end:?}");
@@ -140,8 +150,12 @@ mod tests {
     #[test]
     fn a_guide_carries_what_it_does_not_let_through() {
         let half = core::f64::consts::FRAC_1_SQRT_2;
-        let wedge = Party { mass: Some(2.0), velocity: [0.0; 2], guide: Some([1.0, 0.0]) };
-        let touch = Touch { parties: [Party::free(1.0, [0.0, -4.0]), wedge], normal: [half, -half], restitution: 0.0 };
+        let wedge = Party { mass: Some(2.0), velocity: ZERO, guide: Some([1.0, 0.0, 0.0]) };
+        let touch = Touch {
+            parties: [Party::free(1.0, [0.0, -4.0, 0.0]), wedge],
+            normal: [half, -half, 0.0],
+            restitution: 0.0,
+        };
         let end = parted(&touch);
         assert!((end.velocities[1][0] - 0.8).abs() < 1e-10 && end.velocities[1][1] == 0.0, "{end:?}");
         assert!((end.reactions[1][1] - 1.6).abs() < 1e-10 && end.reactions[1][0].abs() < 1e-12, "{end:?}");

@@ -5,25 +5,24 @@ use core::f64::consts::PI;
 use crate::scene::Axis;
 use crate::scene::stage::Blow;
 
-use crate::simulate::scene::bench::{Bench, part};
-use crate::simulate::scene::direction::unit;
+use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::state::add;
+use crate::simulate::scene::vector::{ZERO, add, part, size, times, unit};
 
 impl Bench<'_> {
     pub(super) fn blow(&mut self, stage: &Blow) -> Result<(), NothingToSimulate> {
         let body = stage.body.as_str();
         let mass = self.values.mass(body)?;
         let before = self.values.moving(body)?;
-        let (mut after, mut impulse) = ([0.0; 2], [0.0; 2]);
+        let (mut after, mut impulse) = (ZERO, ZERO);
         for axis in self.values.axes() {
             let start = part(before, axis);
             let strength = self.strength(body, axis, mass, start)?;
             let [velocity, given] = self.struck(mass, start, strength)?;
-            after = add(after, unit(axis).map(|own| own * velocity));
-            impulse = add(impulse, unit(axis).map(|own| own * given));
+            after = add(after, times(velocity, unit(axis)));
+            impulse = add(impulse, times(given, unit(axis)));
         }
-        self.note_velocity(body, after, before[0].abs() + before[1].abs());
+        self.note_velocity(body, after, size(before));
         self.note_impulse(body, impulse, stage.duration.as_ref());
         Ok(())
     }

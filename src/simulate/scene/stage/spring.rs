@@ -3,8 +3,8 @@
 use crate::scene::stage::{Ends, Spring};
 
 use crate::simulate::scene::bench::Bench;
-use crate::simulate::scene::direction::unit;
 use crate::simulate::scene::nothing::NothingToSimulate;
+use crate::simulate::scene::vector::{times, unit};
 
 impl Bench<'_> {
     pub(super) fn spring(&mut self, stage: &Spring) -> Result<(), NothingToSimulate> {
@@ -40,7 +40,7 @@ impl Bench<'_> {
                 let stop = |_: f64, state: &[f64; 2]| if stops { state[1] } else { left(state[0]) };
                 let (time, end) = integrator.event(0.0, start, &slope, &stop)?;
                 let velocity = if stops { 0.0 } else { way * end[1] };
-                self.note_velocity(body, unit(axis).map(|own| own * velocity), start[1]);
+                self.note_velocity(body, times(velocity, unit(axis)), start[1]);
                 self.note_spring(stage, from, end[0]);
                 self.note_duration(None, time);
             }
@@ -55,7 +55,7 @@ impl Bench<'_> {
                 let stop = |_: f64, state: &[f64; 3]| if stops { state[1] - state[2] } else { left(state[0]) };
                 let (time, end) = integrator.event(0.0, [from, a, b], &slope, &stop)?;
                 for (body, velocity) in [(first, end[1]), (second, end[2])] {
-                    self.note_velocity(body, unit(axis).map(|own| own * velocity), a.abs() + b.abs());
+                    self.note_velocity(body, times(velocity, unit(axis)), a.abs() + b.abs());
                 }
                 self.note_spring(stage, from, end[0]);
                 self.note_duration(None, time);

@@ -1,13 +1,13 @@
 //! A body that throws mass away: the thrust of its droplets, and its motion while it becomes lighter.
 
-use crate::scene::Term;
 use crate::scene::stage::{BurningMass, Exhaust, Thrust};
+use crate::scene::{Axis, Term};
 
-use crate::simulate::scene::bench::{Bench, Way, part};
-use crate::simulate::scene::direction::unit;
+use crate::simulate::scene::bench::{Bench, Way};
 use crate::simulate::scene::integrate::Integrator;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::touch::{Party, dot};
+use crate::simulate::scene::touch::Party;
+use crate::simulate::scene::vector::{ZERO, dot, less, part, times, unit};
 
 use super::separate::Apart;
 
@@ -62,13 +62,10 @@ impl Bench<'_> {
     /// What a body gains from droplets of a share of its mass that it throws away, as a force.
     fn droplets(&mut self, speed: f64, flow: f64, mass: f64, share: f64) -> Result<f64, NothingToSimulate> {
         let (droplet, left) = (share * mass, (1.0 - share) * mass);
-        let parties = [Party::free(left, [0.0; 2]), Party::free(droplet, [0.0; 2])];
-        let axis = self.values.axes().first().map_or([1.0, 0.0], |axis| unit(*axis));
-        let seen = |apart: &Apart| {
-            let [body, droplet] = apart.velocities;
-            [body[0] - droplet[0], body[1] - droplet[1]]
-        };
-        let apart = self.searched(parties, axis.map(|own| own * speed), &seen)?;
+        let parties = [Party::free(left, ZERO), Party::free(droplet, ZERO)];
+        let axis = self.values.axes().first().map_or(unit(Axis::X), |axis| unit(*axis));
+        let seen = |apart: &Apart| less(apart.velocities[0], apart.velocities[1]);
+        let apart = self.searched(parties, times(speed, axis), &seen)?;
         Ok(left * dot(apart.velocities[0], axis) / (droplet / flow))
     }
 
@@ -131,7 +128,7 @@ impl Bench<'_> {
         };
         let integrator = Integrator { longest: (time - begun).max(f64::MIN_POSITIVE) / 64.0, ..integrator };
         let [mass, speed, way] = integrator.until(begun, state, time, &slope)?;
-        self.note_velocity(body, unit(axis).map(|own| own * speed), before);
+        self.note_velocity(body, times(speed, unit(axis)), before);
         self.note_here(&format!("s_{body}"), way, 0.0);
         match &stage.mass {
             BurningMass::Both([_, end]) => self.note_term(Some(end), mass, burn.start),
