@@ -5,6 +5,9 @@ use std::sync::Arc;
 
 use super::world::{State, Vector, World};
 
+/// The highest power of time in a force that has an exact motion: with it the square of a distance has the degree 16.
+pub(super) const HIGHEST_POWER: usize = 6;
+
 /// A force on one body, by its place in the list.
 #[derive(Clone, Debug)]
 pub enum Force<const D: usize> {

@@ -12,4 +12,5 @@ pub use clock::Clock;
 pub use grazing::grazing_cosine;
 pub use orbit::Orbit;
 pub use polynomial::first_fall;
+pub(super) use polynomial::shifted;
 pub use quadratic::{Meeting, first_contact};

@@ -36,6 +36,22 @@ pub fn first_fall(coefficients: &[f64], horizon: f64) -> Option<f64> {
     None
 }
 
+/// The same polynomial in the time since `origin`.
+pub(in crate::simulate) fn shifted(coefficients: &[f64], origin: f64) -> Vec<f64> {
+    let mut local = coefficients.to_vec();
+    if origin != 0.0 {
+        for done in 0..local.len() {
+            for place in (done..local.len().saturating_sub(1)).rev() {
+                local[place] += origin * local[place + 1];
+            }
+        }
+    }
+    while local.last() == Some(&0.0) {
+        local.pop();
+    }
+    local
+}
+
 /// Whether the polynomial goes down from 0, by its first coefficient that is not zero.
 fn falls_at_start(coefficients: &[f64]) -> bool {
     coefficients[1..].iter().find(|value| **value != 0.0).is_some_and(|value| *value < 0.0)

@@ -62,10 +62,10 @@ pub enum NoChoice {
 ///
 /// ```
 /// use momentous::simulate::least::{Class, Classified, Request, choose};
-/// let smooth = Classified { class: Class::OdeNeeded, reason: "no exact motion under quadratic drag".to_owned() };
+/// let smooth = Classified { class: Class::OdeNeeded, reason: "no formula here gives the motion under quadratic drag".to_owned() };
 /// let choice = choose(&smooth, &Request { accuracy: Some(1e-6), ..Request::default() }).unwrap();
 /// assert!(choice.cost.as_ref().unwrap().error <= 1e-6);
-/// assert!(choice.to_string().contains("no exact motion under quadratic drag"));
+/// assert!(choice.to_string().contains("no formula here gives the motion under quadratic drag"));
 /// ```
 ///
 /// # Errors
@@ -151,7 +151,7 @@ fn sentence(scene: &Classified, request: &Request, cost: &Cost) -> String {
     format!("{name}{setting}, {why} (reference tasks: error up to {:.0e} in {seconds})", cost.error)
 }
 
-/// A time as people say it.
+/// A time as people say it, in whole units or two figures: no machine keeps to more.
 fn time(seconds: f64) -> String {
     let (unit, name) = match seconds {
         seconds if seconds < 1e-6 => (1e-9, "ns"),
@@ -159,7 +159,8 @@ fn time(seconds: f64) -> String {
         seconds if seconds < 1.0 => (1e-3, "ms"),
         _ => (1.0, "s"),
     };
-    format!("{:.2} {name}", seconds / unit)
+    let number = seconds / unit;
+    format!("{number:.*} {name}", usize::from(number < 9.95))
 }
 
 #[cfg(test)]
@@ -198,6 +199,14 @@ mod tests {
         }
         let both = Request { accuracy: Some(1e-10), budget: Some(1e-9), method: None };
         assert!(choose(&scene(Class::OdeNeeded), &both).is_err());
+    }
+
+    #[test]
+    fn times_are_short() {
+        let cases = [(3.98e-7, "398 ns"), (9.96e-6, "10 µs"), (3.52e-6, "3.5 µs"), (0.025, "25 ms"), (2.0, "2.0 s")];
+        for (seconds, said) in cases {
+            assert_eq!(time(seconds), said);
+        }
     }
 
     #[test]

@@ -66,7 +66,7 @@ impl fmt::Display for Classified {
 /// let drag = (ON_A_LINE[1].jittered)(0.0);
 /// let found = classify(&drag.world, &drag.budget).unwrap();
 /// assert_eq!(found.class, Class::OdeNeeded);
-/// assert_eq!(found.reason, "no exact motion under quadratic drag");
+/// assert_eq!(found.reason, "no formula here gives the motion under quadratic drag");
 /// ```
 ///
 /// # Errors
@@ -90,7 +90,8 @@ pub fn classify<const D: usize>(world: &World<D>, budget: &Budget) -> Result<Cla
     let central = world.forces.iter().any(|force| matches!(force, Force::Central { .. }));
     match EventDriven.run(world, &glance) {
         Err(Refusal::NoExactMotion { force }) => {
-            return Ok(Classified { class: Class::OdeNeeded, reason: format!("no exact motion under {force}") });
+            let reason = format!("no formula here gives the motion under {force}");
+            return Ok(Classified { class: Class::OdeNeeded, reason });
         }
         Ok(_) if central => return said(Class::ClosedForm, "an orbit about one centre is a conic"),
         _ => {}

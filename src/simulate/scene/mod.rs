@@ -15,6 +15,7 @@ mod nothing;
 mod revolution;
 mod stage;
 mod state;
+mod strength;
 mod touch;
 mod values;
 mod vector;

@@ -1,5 +1,7 @@
 //! Motions between impacts: pushes, falls, flights, bounces.
 
+use std::sync::Arc;
+
 use crate::scene::stage::{Bounces, During, Fall, Flight, Push};
 use crate::scene::{Axis, Force as Acting, Pull, Stage, Strength as Told};
 use crate::simulate::budget::Budget;
@@ -8,7 +10,7 @@ use crate::simulate::world::{Body, Vector, Wall, World};
 
 use super::experiment::{Experiment, Reading, Staged};
 use super::nothing::NothingToSimulate;
-use super::values::{OfTime, Values};
+use super::values::Values;
 use super::vector::part;
 
 /// The height from which a ball that bounces is dropped, where no fall before says it.
@@ -39,53 +41,26 @@ impl Values<'_> {
 
     /// A force along one axis, on the clock of a stage that starts at `start`.
     fn pull(&self, world: &mut World<1>, pull: &Pull, axis: Axis, start: f64) -> Result<(), NothingToSimulate> {
-        let along = match (&pull.direction, self.axes().first()) {
-            (Some(term), _) => part(self.direction(&term.0)?, axis),
-            (None, first) => f64::from(u8::from(first == Some(&axis))),
+        let (along, told) = match (&pull.value, &pull.direction) {
+            (Told::Components(parts), _) => match parts.get(axis) {
+                Some(term) => (1.0, &Told::Term(term.clone())),
+                None => return Ok(()),
+            },
+            (told, Some(term)) => (part(self.direction(&term.0)?, axis), told),
+            (told, None) => (f64::from(u8::from(self.axes().first() == Some(&axis))), told),
         };
-        let (strength, changes) = self.strength(&pull.value)?;
-        let strength = Strength::Function(std::sync::Arc::new(move |time| strength(time + start)));
         let direction = Vector::from([along]);
+        if let Some(pieces) = self.polynomials(told, start) {
+            world.forces.push(Force::Varying { body: 0, direction, strength: Strength::Pieces(pieces) });
+            return Ok(());
+        }
+        let (strength, changes) = self.strength(told)?;
+        let strength = Strength::Function(Arc::new(move |time| strength(time + start)));
         world.forces.push(Force::Varying { body: 0, direction, strength });
         // A force of no strength that changes its law at the same times, so that no step goes across one.
         let pieces = changes.into_iter().map(|until| Piece { until: until - start, coefficients: vec![0.0] }).collect();
         world.forces.push(Force::Varying { body: 0, direction, strength: Strength::Pieces(pieces) });
         Ok(())
-    }
-
-    /// A strength in the time, and when it changes its law.
-    pub(super) fn strength(&self, told: &Told) -> Result<(OfTime, Vec<f64>), NothingToSimulate> {
-        match told {
-            // A vector has no one strength.
-            Told::Components(_) => Err(NothingToSimulate::Unread),
-            Told::Term(term) => Ok((self.of_time(term)?, Vec::new())),
-            Told::Pieces(pieces) => {
-                let mut laws = Vec::new();
-                for piece in pieces {
-                    let until = piece.until.as_ref().map_or(Ok(f64::INFINITY), |term| self.term(term))?;
-                    laws.push((until, self.of_time(&piece.is)?));
-                }
-                let changes = laws.iter().map(|(until, _)| *until).filter(|until| until.is_finite()).collect();
-                let at =
-                    move |time: f64| laws.iter().find(|(until, _)| time < *until).map_or(0.0, |(_, law)| law(time));
-                Ok((std::sync::Arc::new(at), changes))
-            }
-            Told::Graph(graph) => {
-                let mut points = Vec::new();
-                for [time, force] in &graph.points {
-                    points.push((self.term(time)?, self.term(force)?));
-                }
-                let changes = points.iter().map(|(time, _)| *time).collect();
-                let at = move |time: f64| {
-                    let line = points.windows(2).find(|ends| ends[0].0 <= time && time < ends[1].0);
-                    line.map_or(0.0, |ends| {
-                        let share = (time - ends[0].0) / (ends[1].0 - ends[0].0);
-                        ends[0].1 + share * (ends[1].1 - ends[0].1)
-                    })
-                };
-                Ok((std::sync::Arc::new(at), changes))
-            }
-        }
     }
 
     /// One body along one axis, under its weight where that acts along it.

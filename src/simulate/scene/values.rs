@@ -35,6 +35,13 @@ struct Reader<'a> {
     missing: bool,
 }
 
+/// A term that was read: the places of its variables, and the values of its other names.
+struct Read {
+    expr: Expr,
+    places: BTreeMap<Symbol, usize>,
+    found: BTreeMap<Symbol, f64>,
+}
+
 impl Reader<'_> {
     fn note(&mut self, name: &str, value: f64) -> Symbol {
         let entry = SymbolEntry { name: name.to_owned(), dimension: Dimension::NONE, meaning: String::new() };
@@ -85,8 +92,40 @@ impl Values<'_> {
         Ok(Arc::new(move |time| read(&[time])))
     }
 
+    /// A term as the coefficients of 1, t, t², ... in the clock, up to a power; none where it is no such polynomial.
+    pub(super) fn polynomial(&self, term: &Term, highest: usize) -> Option<Vec<f64>> {
+        let Read { mut expr, places, found } = self.read(&term.0, &[CLOCK.to_owned()]).ok()?;
+        let clock = places.into_keys().next();
+        let mut coefficients = Vec::new();
+        let mut factorial = 1.0;
+        for power in 0..=highest {
+            // Taylor's coefficients, of which a polynomial has only so many.
+            let value = expr.evaluate(&|symbol| match found.get(&symbol) {
+                Some(value) if Some(symbol) != clock => *value,
+                _ => 0.0,
+            });
+            coefficients.push(value / factorial);
+            let Some(clock) = clock.filter(|clock| expr.symbols().contains(clock)) else {
+                return coefficients.iter().all(|value| value.is_finite()).then_some(coefficients);
+            };
+            expr = expr.differentiate(clock);
+            factorial *= f64::from(u32::try_from(power + 1).ok()?);
+        }
+        None
+    }
+
     /// A term in variables of these names.
     pub(super) fn of_several(&self, text: &str, variables: &[String]) -> Result<OfSeveral, NothingToSimulate> {
+        let Read { expr, places, found } = self.read(text, variables)?;
+        Ok(Arc::new(move |values| {
+            expr.evaluate(&|symbol| match places.get(&symbol) {
+                Some(place) => values.get(*place).copied().unwrap_or(f64::NAN),
+                None => found.get(&symbol).copied().unwrap_or(f64::NAN),
+            })
+        }))
+    }
+
+    fn read(&self, text: &str, variables: &[String]) -> Result<Read, NothingToSimulate> {
         let table = SymbolTable::default();
         let places = BTreeMap::new();
         let mut reader = Reader { known: self.value, variables, places, table, found: BTreeMap::new(), missing: false };
@@ -94,12 +133,7 @@ impl Values<'_> {
         let Reader { places, found, missing, .. } = reader;
         let expr =
             parsed.map_err(|_| if missing { NothingToSimulate::ValueMissing } else { NothingToSimulate::Unread })?;
-        Ok(Arc::new(move |values| {
-            expr.evaluate(&|symbol| match places.get(&symbol) {
-                Some(place) => values.get(*place).copied().unwrap_or(f64::NAN),
-                None => found.get(&symbol).copied().unwrap_or(f64::NAN),
-            })
-        }))
+        Ok(Read { expr, places, found })
     }
 
     /// The axes of the scene, in order.

@@ -1,13 +1,10 @@
 //! The free motion of each body: its acceleration as a polynomial in the time until the next change of a force.
 
-use crate::simulate::exact::Clock;
-use crate::simulate::force::{Force, Strength};
+use crate::simulate::exact::{Clock, shifted};
+use crate::simulate::force::{Force, HIGHEST_POWER, Strength};
 use crate::simulate::refusal::Refusal;
 use crate::simulate::trajectory::Motion;
 use crate::simulate::world::{Vector, World};
-
-/// The highest power of time in a force: with it the square of a distance has the degree 16.
-const HIGHEST_POWER: usize = 6;
 
 /// A body in free motion since its last event.
 #[derive(Clone, Debug)]
@@ -64,22 +61,6 @@ pub(super) fn motion_from<const D: usize>(
         power += 1.0;
     }
     Ok(Motion::Polynomial(coefficients))
-}
-
-/// The same polynomial in the time since `origin`.
-fn shifted(coefficients: &[f64], origin: f64) -> Vec<f64> {
-    let mut local = coefficients.to_vec();
-    if origin != 0.0 {
-        for done in 0..local.len() {
-            for place in (done..local.len().saturating_sub(1)).rev() {
-                local[place] += origin * local[place + 1];
-            }
-        }
-    }
-    while local.last() == Some(&0.0) {
-        local.pop();
-    }
-    local
 }
 
 /// The coefficients of a motion in the time since a later moment, and the acceleration where it is constant.
