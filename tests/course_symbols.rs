@@ -82,3 +82,70 @@ fn a_letter_that_stands_for_something_else_is_a_fault() {
     let swapped = CARTS.replace("{ momentum: L, impulse: I }", "{ momentum: J, impulse: p }");
     assert!(load(Source::new("course.yaml", &swapped)).and_then(|loaded| compile(loaded, None)).is_ok());
 }
+
+/// A course with settings, and with one problem in a topic's folder.
+fn course(settings: &str, problem: &str) -> tempfile::TempDir {
+    let room = tempfile::tempdir().unwrap();
+    let topic = room.path().join("problem_bank/test");
+    std::fs::create_dir_all(&topic).unwrap();
+    std::fs::write(topic.join("course.yaml"), settings).unwrap();
+    std::fs::write(topic.join("carts.yaml"), problem).unwrap();
+    room
+}
+
+/// What the command prints where it runs in that folder: its output, its errors, and whether it ended well.
+fn run_in(room: &tempfile::TempDir, arguments: &[&str]) -> (String, String, bool) {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_momentous"));
+    let output = command.args(arguments).current_dir(room.path()).output().unwrap();
+    let text = |bytes| String::from_utf8(bytes).unwrap();
+    (text(output.stdout), text(output.stderr), output.status.success())
+}
+
+#[test]
+fn the_settings_of_a_course_hold_for_every_problem_of_its_folder() {
+    let plain = CARTS.replace("symbols: { momentum: L, impulse: I }\n", "");
+    let room = course("symbols: { momentum: L, impulse: I }\n", &plain);
+    let sheet = ["generate", "test/course", "--seed", "1", "--solution"];
+    let (printed, errors, _) = run_in(&room, &sheet);
+    assert!(printed.contains("Find $I_{B}$.") && printed.contains("L_{2}"), "{printed}{errors}");
+    let (report, _, right) = run_in(&room, &["check", "--seeds", "4"]);
+    assert!(right && report.contains("1 problem, 1 form"), "{report}");
+
+    let numbers = ["generate", "test/course", "--seed", "1", "--format", "json"];
+    let given = |room| serde_json::from_str::<serde_json::Value>(&run_in(room, &numbers).0).unwrap()["given"].clone();
+    assert_eq!(given(&room), given(&course("symbols: {}\n", &plain)), "the letters change no number");
+
+    let answers = ["--answer=I_B=2", "--answer=L_2=m_A v_A1", "--answer=I_A=-m_B L_1/(m_A + m_B)"];
+    let (report, ..) = run_in(&room, &[&["grade", "--problem", "test/course", "--seed", "1"], &answers[..]].concat());
+    assert!(!report.contains("not given here"), "{report}");
+}
+
+#[test]
+fn a_problem_says_its_own_letters_and_the_nearest_settings_count() {
+    let own = CARTS.replace("{ momentum: L, impulse: I }", "{ impulse: K }");
+    let room = course("symbols: { momentum: L, impulse: I }\n", &own);
+    std::fs::write(room.path().join("problem_bank/course.yaml"), "symbols: { momentum: Q }\n").unwrap();
+    let (printed, errors, _) = run_in(&room, &["generate", "test/course", "--seed", "1"]);
+    assert!(printed.contains("Find $K_{B}$.") && printed.contains("L_{2}"), "{printed}{errors}");
+}
+
+#[test]
+fn settings_alone_hold_for_the_bank_that_is_built_in() {
+    let room = tempfile::tempdir().unwrap();
+    std::fs::create_dir(room.path().join("problem_bank")).unwrap();
+    std::fs::write(room.path().join("problem_bank/course.yaml"), "symbols: { impulse: I }\n").unwrap();
+    let (printed, errors, _) = run_in(&room, &["generate", "impulse/tennis-return", "--seed", "1", "--solution"]);
+    assert!(printed.contains("I_{") && !printed.contains("J_{"), "{printed}{errors}");
+}
+
+#[test]
+fn a_fault_of_the_settings_is_told_at_its_place() {
+    for (settings, message) in [
+        ("symbols: { momentum: v }\n", "`v` stands for another quantity"),
+        ("symbol: { momentum: L }\n", "did you mean `symbols`?"),
+    ] {
+        let room = course(settings, CARTS);
+        let (_, errors, right) = run_in(&room, &["generate", "test/course", "--seed", "1"]);
+        assert!(!right && errors.contains(message) && errors.contains("test/course.yaml:1:"), "{errors}");
+    }
+}

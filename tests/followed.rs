@@ -130,10 +130,12 @@ fn what_is_integrated_can_be_watched() {
     assert!(seen.wrong.is_empty(), "{}", seen.wrong.join("\n"));
     for stage in [
         "blow",
+        "bowl",
         "central",
         "connected",
         "drift",
         "impact",
+        "interact",
         "push",
         "rotate",
         "separate",

@@ -178,7 +178,7 @@ ask: [ { find: v_B2, as: formula }, { find: J_B, as: formula } ]
 #[test]
 fn of_ratios_the_answer_is_a_multiple_of_what_is_left_open() {
     let ratio = exercise(SCALE_FREE);
-    assert_eq!(printed(&ratio), ["3*u/8", "1.125*m*u"]);
+    assert_eq!(printed(&ratio), ["3*u/8", "9*m*u/8"]);
     let verdicts = [
         ("v_B2", "3u/8", "right"),
         ("v_B2", "0.375 u", "right"),

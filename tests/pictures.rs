@@ -141,11 +141,22 @@ fn every_stage_has_its_diagram() {
             | Stage::Taut(_)
             | Stage::Connected(_)
             | Stage::Stream(_)
+            | Stage::Interact(_)
             | Stage::Thrust(_) => true,
             _ => false,
         };
         let swing = |stage: &&Stage| matches!(stage, Stage::Swing(_));
-        let angular = |stage: &&Stage| matches!(stage, Stage::Rotate(_) | Stage::Central(_));
+        let angular = |stage: &&Stage| {
+            matches!(
+                stage,
+                Stage::Rotate(_)
+                    | Stage::Central(_)
+                    | Stage::Moment(_)
+                    | Stage::Strike(_)
+                    | Stage::Conical(_)
+                    | Stage::Bowl(_)
+            )
+        };
         let drawings = drawings_of_solution(worked);
         let titled = |start: &str| drawings.iter().filter(|drawing| drawing.title.starts_with(start)).count();
         assert!(titled("Impulse-momentum") >= stages.iter().filter(momentum).count(), "{at}");
@@ -176,7 +187,7 @@ fn the_sheet_names_nothing_that_is_not_given() {
             .filter(|(symbol, _)| !told.contains(symbol))
             .map(|(_, entry)| name_math(&entry.name).plain())
             // Variables of functions are no secrets, and an axis has the name of the place along it.
-            .filter(|name| !given.contains(name) && !["t", "x", "y"].contains(&name.as_str()))
+            .filter(|name| !given.contains(name) && !["t", "x", "y", "z"].contains(&name.as_str()))
             .collect();
         for label in labels(&drawing) {
             let label = label.plain();

@@ -3,6 +3,8 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test says bluntly what it expects")]
 
+#[path = "textbook/forces.rs"]
+mod forces;
 #[path = "textbook/systems.rs"]
 mod systems;
 #[path = "support/variants.rs"]

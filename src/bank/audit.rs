@@ -7,10 +7,10 @@ use crate::problem::NoVariant;
 use crate::problem::Problem;
 use crate::problem::compile;
 use crate::problem::digest;
-use crate::problem::load;
 
 use super::answers;
 use super::answers::noted;
+use super::course::load_in_course;
 use super::promise::Finding;
 use super::promise::Outcome;
 use super::promise::Promise;
@@ -34,7 +34,7 @@ pub fn audit(source: &Source, seeds: u64) -> Audit {
         faults,
         forms,
     };
-    match load(source.clone()).and_then(|loaded| compile(loaded, None)) {
+    match load_in_course(source.clone()).and_then(|loaded| compile(loaded, None)) {
         Err(faults) => of(None, Some(faults.to_string()), Vec::new()),
         Ok(problem) => {
             let problem = Arc::new(problem);

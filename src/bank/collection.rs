@@ -11,6 +11,8 @@ use crate::fault::Faults;
 use crate::fault::Source;
 use crate::fault::did_you_mean;
 
+use super::course::COURSE_FILE;
+
 /// The folder in which a course keeps its problems.
 pub const FOLDER: &str = "problem_bank";
 
@@ -35,13 +37,15 @@ pub struct Bank {
 }
 
 impl Bank {
-    /// The bank of the current folder's `problem_bank/`, else the one that is built in.
+    /// The bank of the current folder's `problem_bank/`, else the one that is built in. A folder without problems sets only how
+    /// those are printed, by a `course.yaml`.
     ///
     /// # Errors
     /// Where the folder is there and cannot be read.
     pub fn here() -> Result<Self, Faults> {
         let folder = Path::new(FOLDER);
-        if folder.is_dir() { Self::in_folder(folder) } else { Ok(Self::built_in()) }
+        let own = if folder.is_dir() { Self::in_folder(folder)? } else { Self { problems: Vec::new() } };
+        Ok(if own.problems.is_empty() { Self::built_in() } else { own })
     }
 
     /// The bank that is built into the program.
@@ -182,7 +186,7 @@ fn walk(folder: &Path, depth: usize, files: &mut Vec<PathBuf>) -> io::Result<()>
             if depth > 0 {
                 walk(&path, depth - 1, files)?;
             }
-        } else if has_yaml_ending(&path) && path.is_file() {
+        } else if has_yaml_ending(&path) && entry.file_name() != COURSE_FILE && path.is_file() {
             files.push(path);
         }
     }
@@ -202,7 +206,7 @@ fn is_path(name: &str) -> bool {
 /// The longest file that is read as a problem, in bytes: a hundred times what the longest of the bank has.
 const LARGEST: u64 = 256 * 1024;
 
-fn read(path: &Path) -> Result<Source, Faults> {
+pub(super) fn read(path: &Path) -> Result<Source, Faults> {
     if fs::metadata(path).is_ok_and(|file| file.len() > LARGEST) {
         let source = Source::new(&path.display().to_string(), "");
         let fault = Fault::new(Code::Unreadable, "this file is too long for a problem");

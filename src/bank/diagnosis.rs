@@ -12,7 +12,8 @@ use crate::fault::Source;
 use crate::grade::DecimalMark;
 use crate::problem::Problem;
 use crate::problem::compile;
-use crate::problem::load;
+
+use super::course::load_in_course;
 
 /// What became of simulated students.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -72,7 +73,7 @@ impl Tally {
 /// # Errors
 /// The faults of a file that does not load.
 pub fn diagnosed(source: &Source, seeds: u64) -> Result<Diagnosed, Faults> {
-    let problem = Arc::new(compile(load(source.clone())?, None)?);
+    let problem = Arc::new(compile(load_in_course(source.clone())?, None)?);
     let forms = 0..problem.forms().len();
     let students: Vec<(usize, u64)> = forms.flat_map(|form| (1..=seeds).map(move |seed| (form, seed))).collect();
     let tally = students.into_par_iter().map(|(form, seed)| of_seed(&problem, form, seed));

@@ -3,6 +3,7 @@
 mod answers;
 mod audit;
 mod collection;
+mod course;
 mod diagnosis;
 mod entry;
 mod promise;
@@ -14,6 +15,7 @@ mod wrong_forms;
 
 pub use audit::audit;
 pub use collection::{Bank, FOLDER, files_under};
+pub use course::{COURSE_FILE, load_in_course};
 pub use diagnosis::{Diagnosed, Tally, diagnosed};
 pub use entry::Card;
 pub use promise::{Finding, Outcome, Promise};

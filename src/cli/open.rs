@@ -6,11 +6,11 @@ use std::sync::Arc;
 use clap::Args;
 
 use crate::bank::Bank;
+use crate::bank::load_in_course;
 use crate::fault::Source;
 use crate::fault::did_you_mean;
 use crate::problem::Problem;
 use crate::problem::compile;
-use crate::problem::load;
 
 use super::failure::Failure;
 
@@ -42,7 +42,7 @@ impl Secret {
 
 /// Loads and compiles a problem file.
 pub(super) fn compiled(source: Source, secret: Option<&[u8]>) -> Result<Arc<Problem>, Failure> {
-    let problem = load(source).and_then(|loaded| compile(loaded, secret))?;
+    let problem = load_in_course(source).and_then(|loaded| compile(loaded, secret))?;
     Ok(Arc::new(problem))
 }
 

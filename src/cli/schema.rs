@@ -4,6 +4,7 @@ use std::io::Write;
 
 use clap::Args;
 
+use crate::problem::course_schema;
 use crate::problem::json_schema;
 
 use super::exit::Exit;
@@ -22,13 +23,17 @@ and as the first line of a problem file:
 /// Print the JSON Schema of problem files, with a description of every key
 #[derive(Args, Debug)]
 #[command(after_help = HELP)]
-pub(super) struct Schema {}
+pub(super) struct Schema {
+    /// The schema of `course.yaml`, the settings of a course
+    #[arg(long)]
+    course: bool,
+}
 
 impl Schema {
-    #[allow(clippy::unused_self)] // every subcommand runs the same way
     pub(super) fn run(&self) -> Result<Exit, Failure> {
         let mut output = Output::to(None)?;
-        serde_json::to_writer_pretty(&mut output, json_schema())?;
+        let schema = if self.course { course_schema() } else { json_schema() };
+        serde_json::to_writer_pretty(&mut output, schema)?;
         writeln!(output)?;
         output.finish()?;
         Ok(Exit::Fine)

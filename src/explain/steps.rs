@@ -149,7 +149,7 @@ impl Steps<'_> {
         if !self.angle_explained && formula.as_ref().is_some_and(algebra::has_angle_of_point) {
             self.angle_explained = true;
             blocks.push(text(
-                "Here atan2(y, x) is the direction of the vector (x, y): the angle whose tangent is y/x, in the quadrant that the signs of x and y tell.",
+                "The angle lies in the quadrant that the signs of numerator and denominator tell as those of a vector's components: where the denominator is negative, it is half a turn from the arctangent that a calculator gives.",
             ));
         }
         blocks

@@ -219,7 +219,7 @@ mod tests {
             ("1 + v", "cannot add 1 (a pure number) to v (m/s)"),
             ("exp(t)", "exp needs a pure number, not t (s)"),
             ("2^t", "an exponent needs a pure number, not t (s)"),
-            ("sqrt(x)", "x (m) has no power 0.5"),
+            ("sqrt(x)", "x (m) has no power 1/2"),
             ("x^n", "x (m) has no power n"),
         ] {
             let mut names = AnyName::default();

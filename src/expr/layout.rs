@@ -140,6 +140,7 @@ impl Layout<'_> {
             Expr::Product(factors) => self.product(factors),
             Expr::Power(pair) => self.power(&pair.0, &pair.1),
             Expr::Apply(Function::Abs, arguments) => (Math::Bars(Box::new(self.arguments(arguments))), Shape::Whole),
+            Expr::Apply(Function::Atan2, arguments) => self.direction(arguments),
             Expr::Apply(function, arguments) => {
                 self.apply(Math::Function(printed_name(*function).to_owned()), *function, arguments)
             }
@@ -254,6 +255,18 @@ impl Layout<'_> {
         (Math::Row(vec![name, bracketed(self.arguments(arguments))]), Shape::Whole)
     }
 
+    /// The angle of the point (x, y), as the arctangent of the ratio; what is printed beside it tells the quadrant.
+    fn direction(&self, arguments: &[Expr]) -> (Math, Shape) {
+        let name = Math::Function("arctan".to_owned());
+        match arguments {
+            [y, x] if !x.is_one() => {
+                let ratio = Math::Fraction(Box::new(self.term(y).0), Box::new(self.term(x).0));
+                (Math::Row(vec![name, Math::Bracketed(Box::new(ratio))]), Shape::Whole)
+            }
+            _ => self.apply(name, Function::Atan2, arguments.get(..1).unwrap_or_default()),
+        }
+    }
+
     fn arguments(&self, arguments: &[Expr]) -> Math {
         match arguments {
             [single] => self.term(single).0,
@@ -305,7 +318,7 @@ mod tests {
             ("v*cos(theta)", "v cos \u{3b8}", r"v\,\cos \theta"),
             ("cos(theta)*v", "(cos \u{3b8}) v", ""),
             ("sin(a)^2 + sin(2*a)", "sin^2 a + sin(2 a)", r"\sin^{2} a + \sin(2\,a)"),
-            ("0.7*v + 1.25", "0.7 v + 1.25", r"0.7\,v + 1.25"),
+            ("0.7*v + 1.25", "0.7 v + 5/4", r"0.7\,v + \frac{5}{4}"),
             ("e^n*x", "e^n x", r"e^{n}\,x"),
             ("(a/b)^2", "(a/b)^2", r"\left(\frac{a}{b}\right)^{2}"),
             ("a/b/c", "a/(b c)", r"\frac{a}{b\,c}"),
@@ -313,7 +326,12 @@ mod tests {
             ("-0.5*x", "\u{2212}x/2", r"-\frac{x}{2}"),
             ("abs(a - b)", "|a \u{2212} b|", r"\lvert a - b\rvert"),
             ("2*(-3)^n", "", r"2(-3)^{n}"),
-            ("atan2(y, x)", "atan2(y, x)", r"\operatorname{atan2}(y,\; x)"),
+            ("atan2(y, x)", "arctan(y/x)", r"\arctan\left(\frac{y}{x}\right)"),
+            ("a + atan2(y - 1, -x)", "a + arctan((y \u{2212} 1)/(\u{2212}x))", ""),
+            ("atan(y/x)", "arctan(y/x)", r"\arctan\left(\frac{y}{x}\right)"),
+            ("2*atan(k)", "2 arctan(k)", r"2\,\arctan(k)"),
+            ("9/8*x + 5/4*y - 1.2*z", "9 x/8 + 5 y/4 \u{2212} 1.2 z", ""),
+            ("9/8", "9/8", r"\frac{9}{8}"),
         ] {
             let mut names = AnyName::default();
             let term = names.term(text);

@@ -93,11 +93,13 @@ pub(super) fn decimal(value: &Rational) -> Option<String> {
     None
 }
 
-/// Whether a number reads better as a decimal than as a fraction: `0.7` and `2.5`, but `1/2`, `3/4` and `1/3`.
+/// Whether a number reads better as a decimal than as a fraction: `0.7` and `120.5`, but `1/2`, `5/4`, `9/8` and `1/3`.
 pub(super) fn reads_as_decimal(value: &Rational) -> bool {
-    const FRACTIONS: [(u8, u8); 6] = [(1, 2), (3, 2), (1, 4), (3, 4), (1, 8), (3, 8)];
-    let is = |(above, below): &(u8, u8)| *value == Rational::from(*above) / Rational::from(*below);
-    decimal(value).is_some() && !FRACTIONS.iter().any(is)
+    const DENOMINATORS: [u8; 4] = [2, 4, 8, 16];
+    const LARGEST: u8 = 100;
+    let is_below = DENOMINATORS.iter().any(|below| *value.denominator() == (*below).into());
+    let is_small = *value < Rational::from(LARGEST) && *value > -Rational::from(LARGEST);
+    decimal(value).is_some() && !(is_below && is_small)
 }
 
 fn write(term: &Expr, name: &dyn Fn(Symbol) -> String) -> (String, Binding) {
@@ -110,7 +112,7 @@ fn write(term: &Expr, name: &dyn Fn(Symbol) -> String) -> (String, Binding) {
         return (format!("-{}", held(&positive, Binding::Product)), Binding::Sum);
     }
     match term {
-        Expr::Number(value) => match decimal(value) {
+        Expr::Number(value) => match decimal(value).filter(|_| reads_as_decimal(value)) {
             Some(text) => (text, Binding::Whole),
             None => (format!("{}/{}", value.numerator(), value.denominator()), Binding::Product),
         },

@@ -17,6 +17,8 @@ const LONGEST_MOMENTUM: f64 = 54.0;
 const LONGEST_RADIUS: f64 = 72.0;
 /// What is seen of the shortest radius, between the centre and the body.
 const SHORTEST_LINE: f64 = 10.0;
+/// An arrow whose direction lies this near (cosine) to that of the centre points towards it.
+const INWARDS: f64 = 0.9;
 /// The arc that stands for an angular impulse, and how far it turns.
 const ARC_RADIUS: f64 = 20.0;
 const ARC_FROM: f64 = -PI / 3.0;
@@ -66,6 +68,32 @@ pub struct AngularImpulse {
     pub value: Option<f64>,
 }
 
+/// Moments of momentum of all bodies together, which need no places: arcs about the fixed point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TurnDiagram {
+    /// Title, description, caption.
+    pub wording: Wording,
+    /// The name of the fixed point.
+    pub centre: Math,
+    /// Before, what changes it, after.
+    pub terms: [AngularImpulse; 3],
+}
+
+impl TurnDiagram {
+    /// The diagram; of each term only the sense is drawn.
+    #[must_use]
+    pub fn drawing(&self) -> Drawing {
+        let panels = self.terms.iter().map(|term| turn_panel(&self.centre, term)).collect();
+        let row = Row { panels, signs: vec![Operator::Plus, Operator::Equals] };
+        self.wording.drawing(assemble(&headings(), vec![row], &[]))
+    }
+}
+
+/// What stands over the three panels.
+pub(super) fn headings() -> [Math; 3] {
+    ["before", "angular impulse", "after"].map(|words| Math::Text(words.to_owned()))
+}
+
 impl AngularDiagram {
     /// The diagram: one scale for all radii, another for all momenta.
     #[must_use]
@@ -77,13 +105,12 @@ impl AngularDiagram {
         let rows = self.particles.iter().map(|particle| Row {
             panels: vec![
                 self.state_panel(&particle.name, &particle.before, radii, momenta),
-                self.impulse_panel(&particle.impulse),
+                turn_panel(&self.centre, &particle.impulse),
                 self.state_panel(&particle.name, &particle.after, radii, momenta),
             ],
             signs: vec![Operator::Plus, Operator::Equals],
         });
-        let headings = ["before", "angular impulse", "after"].map(|words| Math::Text(words.to_owned()));
-        self.wording.drawing(assemble(&headings, rows.collect(), &self.axes))
+        self.wording.drawing(assemble(&headings(), rows.collect(), &self.axes))
     }
 
     fn state_panel(&self, name: &Math, state: &AngularState, radii: Scale, momenta: Scale) -> Vec<Shape> {
@@ -102,7 +129,10 @@ impl AngularDiagram {
         for momentum in &state.momenta {
             match momentum.vector().map(|vector| momenta.arrow(vector)) {
                 Some(Some(arrow)) => {
-                    body.draw_arrow(&mut canvas, arrow, Attach::Leaving, &momentum.label, Role::Momentum);
+                    // Towards the centre, the radius is in the way.
+                    let inwards = arrow.dot(Point::polar(1.0, outward)) < -INWARDS * arrow.length();
+                    let attach = if inwards { Attach::Arriving } else { Attach::Leaving };
+                    body.draw_arrow(&mut canvas, arrow, attach, &momentum.label, Role::Momentum);
                 }
                 Some(None) => body.draw_note(&mut canvas, &momentum.equals(number("0")), Role::Momentum),
                 None => body.draw_note(&mut canvas, &momentum.equals(unknown()), Role::Momentum),
@@ -111,26 +141,27 @@ impl AngularDiagram {
         canvas.label(&state.radius.label, Role::Length, Anchor::Along { from: Point::ORIGIN, to: end });
         canvas.settle()
     }
+}
 
-    fn impulse_panel(&self, impulse: &AngularImpulse) -> Vec<Shape> {
-        let mut canvas = Canvas::default();
-        draw_centre(&mut canvas, Point::ORIGIN, &self.centre, 0.0);
-        let (text, direction) = match impulse.value {
-            Some(value) if value > 0.0 => (impulse.label.clone(), Some(ARC_TURN)),
-            Some(value) if value < 0.0 => (impulse.label.clone(), Some(-ARC_TURN)),
-            Some(_) => (Math::relation(impulse.label.clone(), Operator::Equals, number("0")), None),
-            None => (Math::relation(impulse.label.clone(), Operator::Equals, unknown()), None),
-        };
-        if let Some(turn) = direction {
-            // Clockwise is the mirror image: the arc ends where the other one starts.
-            let from = if turn > 0.0 { ARC_FROM } else { PI - ARC_FROM };
-            let (centre, radius, role) = (Point::ORIGIN, ARC_RADIUS, Role::Impulse);
-            canvas.draw(Shape::Arc { centre, radius, from, to: from + turn, arrow: true, role });
-        }
-        let radius = if direction.is_some() { ARC_RADIUS } else { 6.0 };
-        canvas.label(&text, Role::Impulse, Anchor::Around { at: Point::ORIGIN, radius, prefer: PI / 2.0 });
-        canvas.settle()
+/// The arc that stands for an angular impulse about a fixed point.
+pub(super) fn turn_panel(name: &Math, impulse: &AngularImpulse) -> Vec<Shape> {
+    let mut canvas = Canvas::default();
+    draw_centre(&mut canvas, Point::ORIGIN, name, 0.0);
+    let (text, direction) = match impulse.value {
+        Some(value) if value > 0.0 => (impulse.label.clone(), Some(ARC_TURN)),
+        Some(value) if value < 0.0 => (impulse.label.clone(), Some(-ARC_TURN)),
+        Some(_) => (Math::relation(impulse.label.clone(), Operator::Equals, number("0")), None),
+        None => (Math::relation(impulse.label.clone(), Operator::Equals, unknown()), None),
+    };
+    if let Some(turn) = direction {
+        // Clockwise is the mirror image: the arc ends where the other one starts.
+        let from = if turn > 0.0 { ARC_FROM } else { PI - ARC_FROM };
+        let (centre, radius, role) = (Point::ORIGIN, ARC_RADIUS, Role::Impulse);
+        canvas.draw(Shape::Arc { centre, radius, from, to: from + turn, arrow: true, role });
     }
+    let radius = if direction.is_some() { ARC_RADIUS } else { 6.0 };
+    canvas.label(&text, Role::Impulse, Anchor::Around { at: Point::ORIGIN, radius, prefer: PI / 2.0 });
+    canvas.settle()
 }
 
 fn number(digits: &str) -> Math {

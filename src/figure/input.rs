@@ -81,12 +81,20 @@ pub struct AxisMark {
     pub name: Math,
     /// Its angle in radians, counter-clockwise from the right.
     pub angle: f64,
+    /// How long its unit is drawn: 1 but where it is foreshortened.
+    pub length: f64,
 }
 
 impl AxisMark {
     /// An axis by its letter.
     #[must_use]
     pub fn new(name: &str, angle: f64) -> Self {
-        Self { name: Math::Identifier(name.to_owned()), angle }
+        Self { name: Math::Identifier(name.to_owned()), angle, length: 1.0 }
+    }
+
+    /// An axis by its letter, with its unit on the drawing.
+    #[must_use]
+    pub fn along(name: &str, [right, up]: [f64; 2]) -> Self {
+        Self { length: libm::hypot(right, up), ..Self::new(name, libm::atan2(up, right)) }
     }
 }

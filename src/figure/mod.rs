@@ -1,6 +1,7 @@
 //! Figures: impulse-momentum diagrams and plots, as one drawing model with an SVG and a `TikZ` writer.
 
 mod angular_diagram;
+mod arm;
 mod body;
 mod coil;
 mod drawing;
@@ -21,7 +22,8 @@ mod ticks;
 mod tikz;
 mod typeset;
 
-pub use angular_diagram::{AngularDiagram, AngularImpulse, AngularMomentum, AngularState};
+pub use angular_diagram::{AngularDiagram, AngularImpulse, AngularMomentum, AngularState, TurnDiagram};
+pub use arm::{Arm, ArmDiagram, OnArm};
 pub use body::Attach;
 pub use drawing::{Drawing, Point, Role, Shape};
 pub use extent::{Extent, bounds, extent, label_extent};
@@ -31,8 +33,9 @@ pub use mass_centre::{MassCentre, PlacedParticle};
 pub use momentum_diagram::{BodyMomentum, MomentumDiagram};
 pub use place::{Overlap, overlaps};
 pub use situation::{
-    AngleMark, Central, Contact, Depth, Face, Fall, Ground, Height, Launch, Layout, Line, LineSpring, Moment, Moving,
-    MovingBody, Partner, Pulley, PulleySide, Ramp, Rest, Ride, Situation, Swing, SwingEnd, Target,
+    Across, AngleMark, Bowl, Central, Conical, Contact, Depth, Face, Fall, Ground, Height, Launch, Layout, Line,
+    LineSpring, Moment, Moving, MovingBody, Partner, Pulley, PulleySide, Ramp, Rest, Ride, Situation, Space, Swing,
+    SwingEnd, Target, Wall,
 };
 pub use svg::{svg, svg_file};
 pub use ticks::Ticks;

@@ -32,6 +32,26 @@ pub struct MomentumDiagram {
     pub axes: Vec<AxisMark>,
 }
 
+/// What a diagram balances.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Quantity {
+    /// Momentum, by impulses.
+    Momentum,
+    /// Angular momentum as a vector, by angular impulses.
+    AngularMomentum,
+}
+
+impl Quantity {
+    /// How its parts are called: before, what changes it, after.
+    fn headings(self, several: bool) -> [&'static str; 3] {
+        match (self, several) {
+            (Self::Momentum, false) => ["momentum before", "impulse", "momentum after"],
+            (Self::Momentum, true) => ["momentum before", "impulses", "momentum after"],
+            (Self::AngularMomentum, _) => ["angular momentum before", "angular impulse", "angular momentum after"],
+        }
+    }
+}
+
 /// The row of one body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BodyMomentum {
@@ -73,19 +93,28 @@ impl MomentumDiagram {
     /// ```
     #[must_use]
     pub fn drawing(&self) -> Drawing {
-        let [longest @ .., shortest] = LONGEST;
-        let fits = |shapes: &Vec<Shape>| bounds(shapes).size().x <= WIDEST;
-        let fitting = longest.into_iter().map(|longest| self.shapes(longest)).find(fits);
-        self.wording.drawing(fitting.unwrap_or_else(|| self.shapes(shortest)))
+        self.balance(Quantity::Momentum)
     }
 
-    fn shapes(&self, longest: f64) -> Vec<Shape> {
+    /// The same for angular momenta as vectors, which angular impulses change.
+    #[must_use]
+    pub fn of_angular_momentum(&self) -> Drawing {
+        self.balance(Quantity::AngularMomentum)
+    }
+
+    fn balance(&self, of: Quantity) -> Drawing {
+        let [longest @ .., shortest] = LONGEST;
+        let fits = |shapes: &Vec<Shape>| bounds(shapes).size().x <= WIDEST;
+        let fitting = longest.into_iter().map(|longest| self.shapes(of, longest)).find(fits);
+        self.wording.drawing(fitting.unwrap_or_else(|| self.shapes(of, shortest)))
+    }
+
+    fn shapes(&self, of: Quantity, longest: f64) -> Vec<Shape> {
         let scale = Scale::fitting(self.bodies.iter().flat_map(BodyMomentum::vectors), longest);
         let rows = self.bodies.iter().map(|body| body.row(scale)).collect();
-        let heading = |words: &str| Math::Text(words.to_owned());
         let several = self.bodies.iter().any(|body| body.impulses.len() > 1);
-        let middle = heading(if several { "impulses" } else { "impulse" });
-        assemble(&[heading("momentum before"), middle, heading("momentum after")], rows, &self.axes)
+        let headings = of.headings(several).map(|words| Math::Text(words.to_owned()));
+        assemble(&headings, rows, &self.axes)
     }
 }
 

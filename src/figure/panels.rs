@@ -60,7 +60,7 @@ pub(super) fn draw_axes(canvas: &mut Canvas, taken: Extent, axes: &[AxisMark]) {
     }
     let mut own = Canvas::default();
     for axis in axes.iter().filter(|axis| axis.angle.is_finite()) {
-        let tip = Point::polar(AXIS_LENGTH, axis.angle);
+        let tip = Point::polar(AXIS_LENGTH * axis.length, axis.angle);
         own.arrow(Point::ORIGIN, tip, Role::Axis);
         own.label(&axis.name, Role::Axis, Anchor::Around { at: tip, radius: 0.0, prefer: axis.angle });
     }

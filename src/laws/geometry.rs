@@ -116,6 +116,17 @@ pub const HEIGHT_IN_BOWL: Law = Law {
     wrong: wrong::geometry::HEIGHT_IN_BOWL,
 };
 
+/// Where a condition begins to hold.
+pub const BOUNDARY: Law = Law {
+    id: "boundary-of-a-condition",
+    name: "the condition of the question",
+    statement: "A condition begins or ceases to hold where both of its sides are equal.",
+    signs: "As those of both sides.",
+    when: "Both sides change continuously with the quantity whose range is asked.",
+    source: "The question.",
+    wrong: &[],
+};
+
 /// Given by the author.
 pub const RELATION: Law = Law {
     id: "stated-relation",
@@ -139,6 +150,7 @@ pub const LAWS: &[&Law] = &[
     &HEIGHT_ON_CIRCLE,
     &HEIGHT_OF_SLOPE,
     &HEIGHT_IN_BOWL,
+    &BOUNDARY,
     &RELATION,
 ];
 

@@ -16,6 +16,7 @@ use crate::quantity::Dimension;
 use crate::quantity::Quantity;
 use crate::quantity::dimension_name;
 use crate::scene::Axis;
+use crate::scene::Plane;
 use crate::scene::Scene;
 use crate::scene::Senses;
 use crate::solve::Condition;
@@ -71,6 +72,11 @@ pub struct Builder<'s> {
 }
 
 impl<'s> Builder<'s> {
+    /// Whether the motion has a direction across it, in which weight acts: a scene in space has none.
+    pub(super) fn weight_acts_across(&self) -> bool {
+        self.scene.plane == Plane::Horizontal && self.axes.len() < 3
+    }
+
     /// An empty model of a scene that has been checked.
     pub(super) fn new(scene: &'s Scene) -> Self {
         Self {

@@ -210,8 +210,8 @@ impl<'s> Builder<'s> {
     /// The equation of the boundary between where a comparison holds and where it does not; it is not added to the system.
     pub fn boundary(&mut self, left: Expr, right: Expr) -> Equation {
         let tag = self.instances.len();
-        let because = "the boundary lies where both sides of the condition are equal".to_owned();
-        self.instances.push(Instance { law: &geometry::RELATION, because, stage: None, integral: None });
+        let because = "the boundary lies where both of its sides are equal".to_owned();
+        self.instances.push(Instance { law: &geometry::BOUNDARY, because, stage: None, integral: None });
         Equation { statement: Statement::Equal { left, right }, tag, cost: builder::LAW_COST }
     }
 

@@ -42,6 +42,18 @@ impl CourseSymbols {
         ]
     }
 
+    /// These letters, and those of `other` where nothing is said here.
+    #[must_use]
+    pub(super) fn or(&self, other: &Self) -> Self {
+        let either = |own: &Option<String>, other: &Option<String>| own.as_ref().or(other.as_ref()).cloned();
+        Self {
+            momentum: either(&self.momentum, &other.momentum),
+            impulse: either(&self.impulse, &other.impulse),
+            angular_momentum: either(&self.angular_momentum, &other.angular_momentum),
+            kinetic_energy: either(&self.kinetic_energy, &other.kinetic_energy),
+        }
+    }
+
     /// The notation.
     ///
     /// # Errors

@@ -6,12 +6,16 @@ use crate::quantity::Dimension;
 use crate::quantity::Unit;
 
 use super::ask::Ask;
+use super::document::Document;
+use super::document::Kind;
+use super::document::Node;
 use super::given::Given;
 use super::load::Loaded;
+use super::text::is_name;
 
 /// Every name whose dimension the file says, with its dimension.
 pub(super) fn declared(loaded: &Loaded) -> Vec<(String, Dimension)> {
-    loaded.given.iter().filter_map(of_given).chain(sought_in_relations(loaded)).collect()
+    loaded.given.iter().filter_map(of_given).chain(sought(loaded)).collect()
 }
 
 /// Name and dimension of a given whose unit says it.
@@ -24,18 +28,52 @@ fn of_given((name, given): (&str, &Given)) -> Option<(String, Dimension)> {
     Some((name.to_owned(), unit.dimension()))
 }
 
-/// Names that only the problem's own relations speak of, and that are asked: the unit in which they are asked says what
-/// they are.
-fn sought_in_relations(loaded: &Loaded) -> impl Iterator<Item = (String, Dimension)> {
-    let is_part = |letter: char| letter.is_alphanumeric() || letter == '_';
-    let spoken: BTreeSet<&str> =
-        loaded.draft.relations.iter().flat_map(|relation| relation.equation.split(|letter| !is_part(letter))).collect();
+/// Names that are asked, and that the file speaks of only within longer terms of its scene and its relations: the unit in
+/// which they are asked says what they are. A name that stands alone is told by its place.
+fn sought(loaded: &Loaded) -> impl Iterator<Item = (String, Dimension)> {
+    let Spoken { within, alone } = Spoken::of(loaded);
     let asked = loaded.questions.iter().flat_map(|question| &question.ask);
     asked.filter_map(move |ask| match ask {
-        Ask::Find(find) if spoken.contains(find.find.as_str()) && loaded.given.get(&find.find).is_none() => {
+        Ask::Find(find)
+            if within.contains(&find.find) && !alone.contains(&find.find) && loaded.given.get(&find.find).is_none() =>
+        {
             let unit = Unit::parse(find.unit.as_deref().unwrap_or_default()).ok()?;
             Some((find.find.clone(), unit.dimension()))
         }
         _ => None,
     })
+}
+
+/// The words of a file's scene and relations: those within longer texts, and those that stand alone.
+#[derive(Default)]
+struct Spoken {
+    within: BTreeSet<String>,
+    alone: BTreeSet<String>,
+}
+
+impl Spoken {
+    fn of(loaded: &Loaded) -> Self {
+        let mut spoken = Self::default();
+        let root = Document::read(&loaded.source).root;
+        let Some(Kind::Mapping(entries)) = root.map(|root| root.kind) else { return spoken };
+        for entry in entries.iter().filter(|entry| entry.key == "scene" || entry.key == "relations") {
+            spoken.listen(&entry.value);
+        }
+        spoken
+    }
+
+    /// Documents are of bounded depth.
+    fn listen(&mut self, node: &Node) {
+        match &node.kind {
+            Kind::Scalar(scalar) if is_name(scalar.text.trim()) => {
+                self.alone.insert(scalar.text.trim().to_owned());
+            }
+            Kind::Scalar(scalar) => {
+                let is_part = |letter: char| letter.is_alphanumeric() || letter == '_';
+                self.within.extend(scalar.text.split(|letter| !is_part(letter)).map(str::to_owned));
+            }
+            Kind::List(items) => items.iter().for_each(|item| self.listen(item)),
+            Kind::Mapping(entries) => entries.iter().for_each(|entry| self.listen(&entry.value)),
+        }
+    }
 }

@@ -102,7 +102,7 @@ pub fn digest(source: &Source) -> String {
 
 /// A checked value in its type. The check knows every rule of the schema; what it lets pass and the type does not is
 /// told in the words of the type.
-fn typed<T: DeserializeOwned>(value: Value) -> Result<T, Fault> {
+pub(super) fn typed<T: DeserializeOwned>(value: Value) -> Result<T, Fault> {
     let mut track = serde_path_to_error::Track::new();
     let tracked = serde_path_to_error::Deserializer::new(value, &mut track);
     let read = singleton_map_recursive::deserialize(tracked);

@@ -137,7 +137,8 @@ fn fault(model: &Model, system: &System, stuck: &Stuck) -> Fault {
     };
     match &stuck.reason {
         Reason::Underdetermined { wanted, enough } => {
-            let message = format!("{} does not follow from what is given", names(wanted));
+            let follow = if wanted.len() == 1 { "does not follow" } else { "do not follow" };
+            let message = format!("{} {follow} from what is given", names(wanted));
             let spoken = |set: &&Vec<Symbol>| set.iter().all(|symbol| !model.symbols.entry(*symbol).name.contains(' '));
             let ways: Vec<String> = enough.iter().filter(spoken).take(4).map(|set| names(set)).collect();
             let known: Vec<Symbol> = stuck.known.iter().copied().collect();

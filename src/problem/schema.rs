@@ -2,20 +2,26 @@
 
 use std::sync::LazyLock;
 
+use schemars::JsonSchema;
 use schemars::Schema;
 use schemars::generate::SchemaSettings;
 use schemars::transform::RecursiveTransform;
 use serde_json::Value;
 
 use super::draft::Draft;
+use super::settings::Course;
 
 /// The schema, made once.
-static SCHEMA: LazyLock<Value> = LazyLock::new(|| {
+static SCHEMA: LazyLock<Value> = LazyLock::new(|| schema_of::<Draft>("A problem for momentous"));
+
+static COURSE_SCHEMA: LazyLock<Value> = LazyLock::new(|| schema_of::<Course>("The settings of a course for momentous"));
+
+fn schema_of<T: JsonSchema>(title: &str) -> Value {
     let settings = SchemaSettings::draft2020_12().with_transform(RecursiveTransform(without_null));
-    let mut schema = settings.into_generator().into_root_schema_for::<Draft>();
-    schema.insert("title".to_owned(), "A problem for momentous".into());
+    let mut schema = settings.into_generator().into_root_schema_for::<T>();
+    schema.insert("title".to_owned(), title.into());
     schema.to_value()
-});
+}
 
 /// The JSON Schema (draft 2020-12) of a problem file, with a description for every key: an editor completes and checks by it.
 ///
@@ -26,6 +32,12 @@ static SCHEMA: LazyLock<Value> = LazyLock::new(|| {
 #[must_use]
 pub fn json_schema() -> &'static Value {
     &SCHEMA
+}
+
+/// The JSON Schema of `course.yaml`.
+#[must_use]
+pub fn course_schema() -> &'static Value {
+    &COURSE_SCHEMA
 }
 
 /// Takes `null` out of what a key may hold: a key that is not wanted is left out.

@@ -40,6 +40,7 @@ fn every_key_that_is_printed_is_documented() {
         room.fine(&all),
         room.run(&[wrong.as_slice(), &answers].concat()).out,
         room.run(&["check", "impact/two-carts", "concepts", "bouncing", "--seeds", "2", "--format", "json"]).out,
+        room.fine(&["simulate", "impact/two-carts", "--format", "json"]),
     ];
     let values: Vec<Value> = printed.iter().flat_map(|text| lines(text)).collect();
     let mut printed = BTreeSet::new();

@@ -85,7 +85,7 @@ pub(super) fn agrees(problem: &Problem, form: usize, seeds: u64) -> (Outcome, Si
         let case = Case { problem, scene, variant: &variant, said: Vec::new() };
         let trial = Trial::new(&worked, &case);
         simulated.seeds += 1;
-        ways.extend(trial.witness.ways.iter().copied());
+        ways.extend(trial.witness.ways());
         reason = reason.or(trial.witness.nothing);
         if let Some(said) = trial.differing(&mut simulated) {
             return (Outcome::Broken(format!("with seed {seed}, {said}")), simulated);

@@ -10,6 +10,7 @@ use crate::expr::Symbol;
 use crate::model::Instant;
 use crate::model::Name;
 use crate::model::Timeline;
+use crate::model::component_name;
 use crate::problem::Problem;
 use crate::problem::Variant;
 use crate::scene::Scene;
@@ -38,13 +39,14 @@ pub(super) struct Witness<'a> {
     timeline: Timeline,
     tolerance: f64,
     found: BTreeMap<String, Reached>,
+    sums: Vec<Reached>,
     terms: Vec<Reached>,
-    /// By which ways it was simulated.
-    pub ways: BTreeSet<Way>,
+    ways: BTreeSet<Way>,
     /// Why a stage was not simulated.
     pub nothing: Option<NothingToSimulate>,
     run: BTreeSet<usize>,
     used: RefCell<BTreeSet<Symbol>>,
+    watched: Cell<bool>,
 }
 
 /// What the laws say and what the simulation finds.
@@ -82,17 +84,20 @@ impl<'a> Witness<'a> {
             timeline: Timeline::new(case.scene),
             tolerance,
             found: BTreeMap::new(),
+            sums: Vec::new(),
             terms: Vec::new(),
             ways: BTreeSet::new(),
             nothing: None,
             run: BTreeSet::new(),
             used: RefCell::default(),
+            watched: Cell::default(),
         };
         for stage in 0..case.scene.stages.len() {
             match observe(case.scene, stage, &|name| witness.value(name), tolerance) {
                 Ok(observed) => {
                     witness.run.insert(stage);
                     witness.ways.extend(observed.ways);
+                    witness.sums.extend(observed.sums);
                     witness.terms.extend(observed.terms);
                     witness.found.extend(observed.found.into_iter().map(|own| (own.name.clone(), own)));
                 }
@@ -100,6 +105,11 @@ impl<'a> Witness<'a> {
             }
         }
         witness
+    }
+
+    /// By which ways something was found.
+    pub(super) fn ways(&self) -> impl Iterator<Item = Way> {
+        self.ways.iter().copied().chain(self.watched.get().then_some(Way::Measured))
     }
 
     /// The quantities of the variant that the simulation started from.
@@ -122,14 +132,17 @@ impl<'a> Witness<'a> {
         Some((symbol, self.said(symbol)?))
     }
 
+    /// What is said of a quantity, which is noted as one that was looked at.
+    fn told(&self, name: &str) -> Option<f64> {
+        let (symbol, value) = self.said_of(name)?;
+        self.used.borrow_mut().insert(symbol);
+        Some(value)
+    }
+
     /// What the simulation starts from: what is said, else what a stage before reached.
     pub(super) fn value(&self, name: &str) -> Option<f64> {
-        if let Some((symbol, value)) = self.said_of(name) {
-            self.used.borrow_mut().insert(symbol);
-            return Some(value);
-        }
-        let since = self.since(name);
-        self.found_as(name).map(|own| own.value).or_else(|| self.component(&since))
+        let found = || self.found_as(name).map(|own| own.value);
+        self.told(name).or_else(found).or_else(|| self.component(&self.since(name)))
     }
 
     /// A component of a velocity of which speed and direction are said.
@@ -167,30 +180,49 @@ impl<'a> Witness<'a> {
     /// What the simulation finds of a quantity by name: itself, or measured on what it finds of the bodies.
     pub(super) fn seen(&self, name: &str) -> Option<Seen> {
         let found = self.found_as(name);
-        found.map(|own| Seen { value: own.value, error: own.error }).or_else(|| self.measured(name))
+        found
+            .map(|own| Seen { value: own.value, error: own.error })
+            .or_else(|| self.measured(name))
+            .or_else(|| self.magnitude(name))
     }
 
     fn measured(&self, name: &str) -> Option<Seen> {
-        let parsed = Name::parse(name)?;
-        let at = match &parsed.instant {
-            Some(Instant::Number(at)) => *at,
-            Some(Instant::Named(named)) => self.timeline.instant(named)?,
-            None => return None,
-        };
-        let (subject, component) = (parsed.subject.as_str(), parsed.component.as_deref());
-        let asked = Asked { base: &parsed.base, subject, instant: at, component };
-        let alive = self.timeline.alive(at);
         let simulated = Cell::new(false);
         let value = |name: &str| {
             let found = self.found_as(name).map(|own| own.value);
             simulated.set(simulated.get() || found.is_some());
             found.or_else(|| self.value(name))
         };
-        // What nothing simulated enters would only repeat a formula.
-        let own = measure(self.case.scene, &alive, asked, &value).filter(|_| simulated.get());
-        // Where no stage has been yet, the bodies are watched.
-        let own = own.or_else(|| watch(self.case.scene, &alive, asked, &value).filter(|_| at == 1));
+        let own = self.asked(name, &|asked, alive| {
+            // What nothing simulated enters would only repeat a formula.
+            let own = measure(self.case.scene, alive, asked, &value).filter(|_| simulated.get());
+            // Where no stage has been yet, the bodies are watched.
+            let watched = || watch(self.case.scene, alive, asked, &value).filter(|_| asked.instant == 1);
+            own.or_else(|| watched().inspect(|_| self.watched.set(true)))
+        });
         own.map(|(value, scale)| Seen { value, error: self.tolerance * value.abs().max(scale) })
+    }
+
+    /// A name taken apart, with who exists at its instant.
+    fn asked<T>(&self, name: &str, of: &dyn Fn(Asked<'_>, &[&str]) -> Option<T>) -> Option<T> {
+        let parsed = Name::parse(name)?;
+        let instant = match &parsed.instant {
+            Some(Instant::Number(at)) => *at,
+            Some(Instant::Named(named)) => self.timeline.instant(named)?,
+            None => return None,
+        };
+        let component = parsed.component.as_deref();
+        of(Asked { base: &parsed.base, subject: &parsed.subject, instant, component }, &self.timeline.alive(instant))
+    }
+
+    /// The magnitude of a vector by what is found of its components.
+    fn magnitude(&self, name: &str) -> Option<Seen> {
+        let vector = name.strip_prefix("magnitude(")?.strip_suffix(')')?;
+        let axes = self.case.scene.axes.rectangular();
+        let parts = axes.iter().map(|(axis, _)| self.seen(&component_name(vector.trim(), axis.letter())));
+        let parts: Vec<Seen> = parts.collect::<Option<_>>()?;
+        let value = libm::sqrt(parts.iter().map(|own| own.value * own.value).sum());
+        Some(Seen { value, error: parts.iter().map(|own| own.error).sum() })
     }
 
     /// What a term comes to with what the simulation finds; none where it finds nothing in it.
@@ -227,7 +259,7 @@ impl<'a> Witness<'a> {
         let Some(Instant::Number(at)) = parsed.instant else { return None };
         let part = |letter: &str| self.seen(&format!("v_{}{at}.{letter}", parsed.subject));
         let (x, y) = (part("x")?, part("y")?);
-        let angle = angle_from(self.case.scene, from, [x.value, y.value], &|name| self.value(name))?;
+        let angle = angle_from(self.case.scene, from, [x.value, y.value, 0.0], &|name| self.value(name))?;
         let error = (x.error + y.error) / libm::hypot(x.value, y.value) + self.tolerance;
         let seen = Seen { value: if clockwise { -angle } else { angle }, error };
         Some(self.compared(symbol, self.said(symbol)?, seen, true))
@@ -243,6 +275,16 @@ impl<'a> Witness<'a> {
             if let Some((symbol, said)) = self.said_of(&reached.name) {
                 let seen = Seen { value: reached.value, error: reached.error };
                 all.insert(reached.name.clone(), self.compared(symbol, said, seen, reached.name.starts_with("angle")));
+            }
+        }
+        for sum in &self.sums {
+            // The bodies as the problem says they end.
+            let said = |name: &str| self.told(name);
+            if let Some((said, _)) =
+                self.asked(&sum.name, &|asked, alive| measure(self.case.scene, alive, asked, &said))
+            {
+                let comparison = Comparison { said, found: sum.value, error: sum.error, turns: false };
+                all.insert(format!("{} of all together", sum.name), comparison);
             }
         }
         for term in &self.terms {

@@ -11,9 +11,13 @@ use crate::figure::Drawing;
 use crate::figure::LabelledVector;
 use crate::figure::Wording;
 use crate::scene::Strength;
+use crate::scene::Term;
+use crate::scene::stage::Bowl;
 use crate::scene::stage::Central;
+use crate::scene::stage::Conical;
 use crate::scene::stage::During;
 use crate::scene::stage::Rotate;
+use crate::scene::stage::Way;
 use crate::solve::Statement;
 
 use super::quantities::Quantities;
@@ -57,27 +61,71 @@ pub(super) fn rotation(quantities: &Quantities<'_>, stage: usize, rotate: &Rotat
 
 /// The diagram of a particle under a central force.
 pub(super) fn central(quantities: &Quantities<'_>, stage: usize, central: &Central) -> Drawing {
-    let place = |side: u8| {
-        let name = quantities.velocity_name(&central.body, stage + 1 + usize::from(side));
-        let radius = name.replacen('v', "r", 1);
-        let component = |letter: &str, unit: [f64; 2]| {
-            let component = format!("{name}.{letter}");
-            let value = quantities.named(&component);
-            (name_math(&component), value.map(|value| unit.map(|part| part * value)))
-        };
-        let transverse = component("theta", [0.0, 1.0]);
-        let radial = component("r", [1.0, 0.0]);
-        let known = radial.1.is_some_and(|value| value != [0.0, 0.0]);
-        let velocity = std::iter::once(transverse).chain(known.then_some(radial)).collect();
-        let radius = (name_math(&radius), quantities.named(&radius));
-        Place { radius, velocity, angle: TURN * f64::from(side) }
-    };
+    let parts = [("theta", [0.0, 1.0]), ("r", [1.0, 0.0])];
+    let place = |side: u8| round(quantities, &central.body, stage, side, &parts);
     let impulse = AngularImpulse { label: nothing(&central.about), value: Some(0.0) };
     drawing(quantities, [&central.body, &central.about], stage, [place(0), place(1)], impulse)
 }
 
+/// A particle at one end of its way round a centre, with these polar components of its velocity: the first, and others that
+/// are not zero.
+fn round(quantities: &Quantities<'_>, body: &str, stage: usize, side: u8, parts: &[(&str, [f64; 2])]) -> Place {
+    let name = quantities.velocity_name(body, stage + 1 + usize::from(side));
+    let radius = name.replacen('v', "r", 1);
+    let component = |(letter, unit): &(&str, [f64; 2])| {
+        let component = format!("{name}.{letter}");
+        let value = quantities.named(&component);
+        (name_math(&component), value.map(|value| unit.map(|part| part * value)))
+    };
+    let mut components = parts.iter().map(component);
+    let first = components.next();
+    let others = components.filter(|(_, value)| value.is_some_and(|value| value != [0.0, 0.0]));
+    let velocity = first.into_iter().chain(others).collect();
+    let radius = (name_math(&radius), quantities.named(&radius));
+    Place { radius, velocity, angle: TURN * f64::from(side) }
+}
+
+/// The diagram of a conical pendulum on its two circles, seen from above.
+pub(super) fn conical(quantities: &Quantities<'_>, stage: usize, conical: &Conical) -> Option<Drawing> {
+    let place = |side: u8| {
+        let name = quantities.velocity_name(&conical.body, stage + 1 + usize::from(side));
+        let radius = name.replacen('v', "r", 1);
+        let velocity = quantities.named(&name).map(|velocity| [0.0, velocity]);
+        let radius = (name_math(&radius), quantities.named(&radius));
+        Place { radius, velocity: vec![(name_math(&name), velocity)], angle: TURN * f64::from(side) }
+    };
+    let impulse = AngularImpulse { label: nothing(&conical.about), value: Some(0.0) };
+    Some(drawing(quantities, [&conical.body, &conical.about], stage, [place(0), place(1)], impulse))
+}
+
+/// The diagram of a body inside a bowl at its two levels, seen from above: what moves along the slope has no moment.
+pub(super) fn bowl(quantities: &Quantities<'_>, stage: usize, bowl: &Bowl) -> Drawing {
+    let [before, mut after] = [0, 1].map(|side| round(quantities, &bowl.body, stage, side, &[("theta", [0.0, 1.0])]));
+    after.radius.1 = after.radius.1.or_else(|| other_level(quantities, bowl, before.radius.1?));
+    // What energy alone has answered still has its angular momentum.
+    if let (Some(moment), Some(radius), Some((_, velocity))) =
+        (before.moment(), after.radius.1, after.velocity.first_mut())
+    {
+        *velocity = velocity.or(Some([0.0, moment / radius]));
+    }
+    let impulse = AngularImpulse { label: nothing(&bowl.about), value: Some(0.0) };
+    drawing(quantities, [&bowl.body, &bowl.about], stage, [before, after], impulse)
+}
+
+/// The distance from the axis at the second level, by the shape of the wall.
+fn other_level(quantities: &Quantities<'_>, bowl: &Bowl, first: f64) -> Option<f64> {
+    let number = |term: &Option<Term>| quantities.evaluate(&quantities.term(term.as_ref()?)?);
+    let rise = number(&bowl.height)? * if bowl.way == Way::Up { 1.0 } else { -1.0 };
+    if let Some(angle) = number(&bowl.cone) {
+        return Some(first + rise * libm::tan(angle));
+    }
+    let size = number(&bowl.sphere)?;
+    let depth = libm::sqrt((size * size - first * first).max(0.0)) - rise;
+    Some(libm::sqrt((size * size - depth * depth).max(0.0)))
+}
+
 /// The angular impulse by its name, or as moment times time.
-fn moment_impulse(quantities: &Quantities<'_>, stage: usize, rotate: &Rotate) -> Math {
+pub(super) fn moment_impulse(quantities: &Quantities<'_>, stage: usize, rotate: &Rotate) -> Math {
     let model = quantities.model();
     let is_integral = |tag: usize| {
         let instance = model.instances.get(tag);
@@ -98,7 +146,7 @@ fn moment_impulse(quantities: &Quantities<'_>, stage: usize, rotate: &Rotate) ->
 }
 
 /// The angular impulse of a force that has no moment: `M_O dt`, said to be zero by the diagram.
-fn nothing(about: &str) -> Math {
+pub(super) fn nothing(about: &str) -> Math {
     product([name_math(&format!("M_{about}")), name_math("dt")])
 }
 

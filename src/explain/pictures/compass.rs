@@ -7,6 +7,8 @@ use crate::scene::Axis;
 use crate::scene::Scene;
 use crate::scene::Senses;
 
+use super::oblique::Oblique;
+
 /// Words with a direction on paper, in quarter turns from the right, counter-clockwise.
 const QUARTERS: &[(&str, u8)] = &[
     ("to the right", 0),
@@ -30,12 +32,18 @@ pub(super) struct Compass {
     named: Vec<(Axis, Senses, u8)>,
     /// By how much the axes are turned from what their words say, for a motion along a slope.
     tilt: f64,
+    /// The axes of a scene in space; its vectors come as they lie on paper.
+    oblique: Option<Oblique>,
 }
 
 impl Compass {
     /// Axes whose words have no direction on paper are laid at 90 degrees to the other one; x goes to the right.
     pub(super) fn of(scene: &Scene) -> Self {
         let axes = scene.axes.rectangular();
+        if let Some(oblique) = Oblique::of(&axes) {
+            let named = axes.into_iter().map(|(axis, senses)| (axis, senses, 0)).collect();
+            return Self { named, oblique: Some(oblique), ..Self::paper() };
+        }
         let words = |position: usize| axes.get(position).and_then(|(_, senses)| quarter(senses));
         let single = axes.len() == 1;
         let (x, y) = match &axes[..] {
@@ -51,14 +59,14 @@ impl Compass {
         let place = |position: usize, axis: Axis| if position == 1 || single && axis == Axis::Y { y } else { x };
         let named =
             axes.into_iter().enumerate().map(|(position, (axis, senses))| (axis, senses, place(position, axis)));
-        Self { x: unit(x), y: unit(y), named: named.collect(), tilt: 0.0 }
+        Self { x: unit(x), y: unit(y), named: named.collect(), tilt: 0.0, oblique: None }
     }
 
     /// The same axes, x rising along a slope of that angle.
     pub(super) fn tilted(&self, rise: f64) -> Self {
         let tilt = if self.x[0] < 0.0 { -rise } else { rise };
         let [x, y] = [self.x, self.y].map(|axis| turned(axis, tilt));
-        Self { x, y, named: self.named.clone(), tilt: self.tilt + tilt }
+        Self { x, y, named: self.named.clone(), tilt: self.tilt + tilt, oblique: self.oblique.clone() }
     }
 
     /// The directions of the paper itself, for bodies each of which has an axis of its own.
@@ -66,7 +74,12 @@ impl Compass {
         let senses = |positive: &str, negative: &str| Senses { positive: positive.into(), negative: negative.into() };
         let named =
             vec![(Axis::X, senses("to the right", "to the left"), 0), (Axis::Y, senses("upwards", "downwards"), 1)];
-        Self { x: unit(0), y: unit(1), named, tilt: 0.0 }
+        Self { x: unit(0), y: unit(1), named, tilt: 0.0, oblique: None }
+    }
+
+    /// Whether three axes lie on the drawing, so that no direction on it is one of the scene.
+    pub(super) fn is_oblique(&self) -> bool {
+        self.oblique.is_some()
     }
 
     /// A vector along x and y as one of the drawing.
@@ -82,6 +95,10 @@ impl Compass {
 
     /// The axes to be named in a figure.
     pub(super) fn marks(&self) -> Vec<AxisMark> {
+        if let Some(oblique) = &self.oblique {
+            let marks = self.named.iter().zip(oblique.units());
+            return marks.map(|((axis, ..), unit)| AxisMark::along(axis.letter(), unit)).collect();
+        }
         self.named
             .iter()
             .map(|(axis, _, quarter)| AxisMark::new(axis.letter(), radians(*quarter) + self.tilt))

@@ -1,9 +1,12 @@
 //! Figures of a variant, filled from its numbers: the diagrams of a solution, and the figure on the problem sheet.
 
 mod angular;
+mod arm;
 mod compass;
 mod flow;
+mod moment;
 mod momentum;
+mod oblique;
 mod plot;
 mod quantities;
 mod sheet;
@@ -29,21 +32,24 @@ pub(super) fn solution(worked: Worked<'_>) -> Vec<Drawing> {
     let sibling = solved_sibling(worked);
     let worked = sibling.as_ref().and_then(|variant| Worked::new(worked.problem, variant)).unwrap_or(worked);
     let quantities = Quantities::new(worked, Scope::Solved);
-    if is_in_space(&quantities) {
-        return Vec::new();
-    }
     let compass = Compass::of(quantities.scene());
     let stages = &quantities.scene().stages;
     if stages.is_empty() {
         return snapshot::drawing(&quantities, &compass).into_iter().collect();
     }
     let drawings = stages.iter().enumerate().flat_map(|(index, stage)| match stage {
+        Stage::Rotate(rotate) if rotate.held().len() > 1 => vec![arm::rotation(&quantities, index, rotate)],
         Stage::Rotate(rotate) => vec![angular::rotation(&quantities, index, rotate)],
+        Stage::Strike(strike) => vec![arm::strike(&quantities, index, strike)],
+        Stage::Conical(conical) => vec![angular::conical(&quantities, index, conical)],
+        Stage::Bowl(bowl) => vec![Some(angular::bowl(&quantities, index, bowl))],
+        Stage::Moment(moment) => vec![moment::diagram(&quantities, &compass, index, moment)],
         Stage::Central(central) => vec![Some(angular::central(&quantities, index, central))],
         Stage::Bounces(bounces) => vec![sheet::fall::bouncing(&quantities, bounces)],
         Stage::Push(_) => {
             let plot = plot::force_plot(&quantities, index);
-            [plot, momentum::diagram(&quantities, &compass, index)].into_iter().collect()
+            let place = snapshot::in_space(&quantities, &compass).filter(|_| index == 0);
+            [place, plot, momentum::diagram(&quantities, &compass, index)].into_iter().collect()
         }
         Stage::Slide(slide) if slide.is_ramp() => vec![Some(sheet::ramp::drawing(&quantities, &compass, index, slide))],
         Stage::Swing(swing) => vec![Some(sheet::swing::drawing(&quantities, &compass, index, swing))],
@@ -59,12 +65,7 @@ pub(super) fn solution(worked: Worked<'_>) -> Vec<Drawing> {
         // What a ball gains before it bounces on is not asked for; the figure of the bounces shows its fall.
         Stage::Fall(_) if matches!(stages.get(index + 1), Some(Stage::Bounces(_))) => Vec::new(),
         Stage::Walk(walk) => vec![sheet::ride::walk(&quantities, &compass, index, walk)],
-        Stage::Drift(_)
-        | Stage::Moment(_)
-        | Stage::Strike(_)
-        | Stage::Conical(_)
-        | Stage::Bowl(_)
-        | Stage::Interact(_) => Vec::new(),
+        Stage::Drift(_) => Vec::new(),
         Stage::Flight(_) if quantities.scene().plane == Plane::Horizontal => Vec::new(),
         Stage::Impact(_)
         | Stage::Spring(_)
@@ -75,6 +76,7 @@ pub(super) fn solution(worked: Worked<'_>) -> Vec<Drawing> {
         | Stage::Separate(_)
         | Stage::Slide(_)
         | Stage::SlideOff(_)
+        | Stage::Interact(_)
         | Stage::Flight(_) => {
             vec![momentum::diagram(&quantities, &compass, index)]
         }
@@ -104,10 +106,5 @@ fn solved_sibling(worked: Worked<'_>) -> Option<Variant> {
 pub fn situation(worked: Worked<'_>) -> Option<Drawing> {
     let quantities = Quantities::new(worked, Scope::Given);
     let compass = Compass::of(quantities.scene());
-    sheet::drawing(&quantities, &compass).filter(|_| !is_in_space(&quantities))
-}
-
-/// Whether a scene has three dimensions, of which a drawing shows two.
-fn is_in_space(quantities: &Quantities<'_>) -> bool {
-    quantities.axes.len() > 2
+    sheet::drawing(&quantities, &compass)
 }

@@ -141,6 +141,7 @@ fn participants(stage: &Stage) -> Vec<Participant> {
             separate.into.iter().map(|part| before(part)).collect()
         }
         Stage::Flight(stage) => stage.flying().map(Participant::alone).collect(),
+        Stage::Interact(stage) => stage.between.iter().map(|body| Participant::alone(body)).collect(),
         Stage::Push(stage) => alone(&stage.body),
         Stage::Slide(stage) => alone(&stage.body),
         Stage::Spring(stage) => match stage.ends() {
@@ -160,7 +161,6 @@ fn participants(stage: &Stage) -> Vec<Participant> {
         | Stage::Strike(_)
         | Stage::Conical(_)
         | Stage::Bowl(_)
-        | Stage::Interact(_)
         | Stage::Central(_)
         | Stage::Bounces(_)
         | Stage::Stream(_)
@@ -189,7 +189,7 @@ fn balance(
         }
         Stage::Fall(_) | Stage::Flight(_) => vec![quantities.impulse_of_weight(body)],
         Stage::Spring(spring) if spring.between.is_none() => vec![resultant()],
-        Stage::SlideOff(_) => vec![resultant()],
+        Stage::SlideOff(_) | Stage::Interact(_) => vec![resultant()],
         _ => {
             let impulses = model.impulses.iter().filter(|impulse| impulse.stage == stage && impulse.on == *body);
             let impulses = impulses.map(|impulse| quantities.impulse(impulse));

@@ -21,6 +21,7 @@ use crate::solve::Statement;
 
 use super::super::display::Display;
 use super::super::display::Shown;
+use super::oblique::Oblique;
 
 /// How much a figure may show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -203,16 +204,33 @@ impl<'a> Quantities<'a> {
 
     /// A direction as a unit vector along x and y.
     pub(super) fn direction(&self, direction: &Direction) -> Option<[f64; 2]> {
+        if direction.across {
+            return Some(self.along(2, if direction.quarters == 0 { 1.0 } else { -1.0 }));
+        }
         let [cosine, sine] = direction.cosine_and_sine();
-        Some([self.evaluate(&cosine)?, self.evaluate(&sine)?])
+        let plane = [self.evaluate(&cosine)?, self.evaluate(&sine)?];
+        Some(self.oblique().map_or(plane, |oblique| oblique.place([plane[0], plane[1], 0.0])))
     }
 
-    /// Components along the scene's axes as a vector along x and y.
+    /// How a scene in space lies on paper.
+    fn oblique(&self) -> Option<Oblique> {
+        Oblique::of(&self.scene().axes.rectangular())
+    }
+
+    /// A component along the axis of that position, as a vector.
+    pub(super) fn along(&self, position: usize, value: f64) -> [f64; 2] {
+        let mut components = [0.0; 3];
+        components[position.min(2)] = value;
+        self.oblique().map_or([components[0], components[1]], |oblique| oblique.place(components))
+    }
+
+    /// Components along the scene's axes as a vector along x and y, or as it lies on paper where there are three.
     pub(super) fn along_axes(&self, components: &[f64]) -> Option<[f64; 2]> {
         match (components, &self.axes[..]) {
             ([only], [Axis::Y]) => Some([0.0, *only]),
             ([only], [_]) => Some([*only, 0.0]),
             ([x, y], [_, _]) => Some([*x, *y]),
+            ([x, y, z], [_, _, _]) => Some(self.oblique()?.place([*x, *y, *z])),
             _ => None,
         }
     }

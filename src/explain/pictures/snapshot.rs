@@ -5,13 +5,16 @@ use crate::expr::name_math;
 use crate::figure::Central;
 use crate::figure::Drawing;
 use crate::figure::Form;
+use crate::figure::LabelledVector;
 use crate::figure::Layout;
 use crate::figure::MassCentre;
 use crate::figure::Moving;
 use crate::figure::MovingBody;
 use crate::figure::PlacedParticle;
 use crate::figure::Situation;
+use crate::figure::Space;
 use crate::figure::Wording;
+use crate::scene::Axis;
 
 use super::super::wording::capitalised;
 use super::super::wording::list;
@@ -21,10 +24,57 @@ use super::quantities::Scope;
 use super::sheet;
 use super::vectors::Labelled;
 use super::vectors::body_math;
+use super::words::OBLIQUE;
+use super::words::arrows;
 use super::words::sentences;
+
+/// A body in space seen from a fixed point, at the start; none where its place may not be shown.
+pub(super) fn in_space(quantities: &Quantities<'_>, compass: &Compass) -> Option<Drawing> {
+    let ([body], [_, _, _]) = (&quantities.timeline.alive(1)[..], &quantities.axes[..]) else { return None };
+    let mut points = quantities.scene().points.iter();
+    let (first, _) = points.next()?;
+    let mut legs = Vec::new();
+    for (position, axis) in quantities.axes.iter().enumerate() {
+        let name = format!("r_{body}1.{}", axis.letter());
+        let value = quantities.named(&name)?;
+        legs.push(LabelledVector::known(name_math(&name), quantities.along(position, value)));
+    }
+    let known = quantities.velocity(body, 1).is_some();
+    let vectors = match quantities.scope() {
+        Scope::Given => quantities.motion(compass, body, 1),
+        Scope::Solved if known => {
+            vec![Moving::momentum(quantities.momentum(body, body, 1, Some(1.0)).placed(compass))]
+        }
+        Scope::Solved => return None,
+    };
+    let others = points.filter_map(|(name, point)| {
+        let part = |own: &Axis| match point.at.get(*own) {
+            Some(term) => quantities.evaluate(&quantities.term(term)?),
+            None => Some(0.0),
+        };
+        let at: Vec<f64> = quantities.axes.iter().map(part).collect::<Option<_>>()?;
+        Some(LabelledVector::known(body_math(name), quantities.along_axes(&at)?))
+    });
+    let points: Vec<LabelledVector> = others.collect();
+    let (name, centre) = (quantities.called(body), quantities.point(first));
+    let what = if quantities.scope() == Scope::Given { "velocity" } else { "momentum" };
+    let with = if vectors.is_empty() { String::new() } else { format!(" with its {what}") };
+    let seen = format!("{name}{with}, seen from {centre}");
+    let body = MovingBody { name: body_math(body), form: Form::Disc, vectors };
+    let wording = Wording {
+        title: capitalised(&format!("{name} and {centre}")),
+        description: sentences([seen.clone(), list(&arrows(&body, false))]),
+        caption: sentences([seen, OBLIQUE.to_owned()]),
+    };
+    let space = Space { centre: body_math(first), legs, points, body };
+    Some(Situation { wording, layout: Layout::Space(space), axes: compass.marks() }.drawing())
+}
 
 /// The figure of a scene without stages: with momenta or a mass centre where it belongs to a solution.
 pub(super) fn drawing(quantities: &Quantities<'_>, compass: &Compass) -> Option<Drawing> {
+    if let Some(drawing) = in_space(quantities, compass) {
+        return Some(drawing);
+    }
     let bodies = quantities.timeline.alive(1);
     let places: Option<Vec<[f64; 2]>> = bodies.iter().map(|body| quantities.position(body, 1)).collect();
     match (&bodies[..], places, quantities.scene().points.keys().next()) {

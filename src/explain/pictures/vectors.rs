@@ -97,7 +97,7 @@ impl Quantities<'_> {
         let component = |(position, axis): (usize, &Axis)| {
             let component = format!("{name}.{}", axis.letter());
             let value = self.named(&component).filter(|value| *value != 0.0)?;
-            let value = Some(if position == 0 { [value, 0.0] } else { [0.0, value] });
+            let value = Some(self.along(position, value));
             Some(Labelled { label: product([mass.clone(), name_math(&component)]), value })
         };
         self.axes.iter().enumerate().filter_map(component).collect()

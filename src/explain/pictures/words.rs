@@ -26,6 +26,8 @@ use super::vectors::Labelled;
 const NOTHING: f64 = 1e-9;
 /// How all impulses on a body in one are written in a caption.
 const RESULTANT: &str = "\u{222b}\u{3a3}F\u{2009}dt";
+/// How a drawing of three axes is to be read.
+pub(super) const OBLIQUE: &str = "oblique projection: what lies along the slanting axis is drawn shorter";
 /// Figures of the numbers in descriptions.
 const FIGURES: usize = 3;
 
@@ -71,6 +73,7 @@ pub(super) fn diagram_wording(
         caption: sentences([
             format!("{phrase}: momentum before + {impulses} = momentum after, for {}", list(&names)),
             duration.unwrap_or_default(),
+            if compass.is_oblique() { OBLIQUE.to_owned() } else { String::new() },
             if in_one { format!("{RESULTANT} is the impulse of all forces together") } else { String::new() },
         ]),
     }
@@ -102,6 +105,10 @@ impl Speak<'_> {
         let Some(value) = vector.value else { return format!("{name}, not known") };
         if size(value) <= NOTHING * self.largest {
             return format!("{name}, zero");
+        }
+        // On a drawing of three axes no length and no direction is that of the vector.
+        if self.compass.is_oblique() {
+            return name;
         }
         let direction = self.compass.words(value);
         match self.unit {
@@ -145,25 +152,29 @@ fn size([x, y]: [f64; 2]) -> f64 {
 pub(super) fn situation_wording(quantities: &Quantities<'_>, bodies: &[(String, MovingBody)], when: &str) -> Wording {
     let names: Vec<String> = bodies.iter().map(|(body, _)| quantities.called(body)).collect();
     let names = list(&names);
+    let flat = quantities.axes.len() < 3;
     let told = bodies.iter().map(|(body, moving)| {
         let name = quantities.called(body);
-        let arrows = arrows(moving);
+        let arrows = arrows(moving, flat);
         if arrows.is_empty() { name } else { format!("{name} with {}", list(&arrows)) }
     });
     Wording {
         title: capitalised(&names),
         description: sentences(told),
-        caption: sentences([format!("{names} {when}")]),
+        caption: sentences([format!("{names} {when}"), if flat { String::new() } else { OBLIQUE.to_owned() }]),
     }
 }
 
 /// The arrows of a body in words: `v_A1 to the right`.
-fn arrows(moving: &MovingBody) -> Vec<String> {
+pub(super) fn arrows(moving: &MovingBody, flat: bool) -> Vec<String> {
     let arrow = |moving: &Moving| {
         let kind = KINDS.iter().find(|(role, _)| *role == moving.role).map_or("", |(_, kind)| kind);
         let (label, value) = (moving.vector.label.plain(), moving.vector.value.unwrap_or_default());
-        let direction =
-            if value == [0.0, 0.0] { ", which is zero".to_owned() } else { format!(" {}", on_paper(value)) };
+        let direction = match value {
+            [0.0, 0.0] => ", which is zero".to_owned(),
+            value if flat => format!(" {}", on_paper(value)),
+            _ => String::new(),
+        };
         let angle =
             moving.angle.as_ref().map_or_else(String::new, |angle| format!(", at the angle {}", angle.label.plain()));
         format!("the {kind} {label}{direction}{angle}")
@@ -222,7 +233,7 @@ pub(super) fn about_wording(
 ) -> Wording {
     let (name, centre) = (quantities.called(body), quantities.point(about));
     let distance = radius.map_or_else(String::new, |radius| format!(" at the distance {}", radius.plain()));
-    let arrows = arrows(moving);
+    let arrows = arrows(moving, true);
     let with = if arrows.is_empty() { String::new() } else { format!(", with {}", list(&arrows)) };
     let moment = moment.map_or_else(String::new, |moment| {
         let sense = if moment.value < 0.0 { "clockwise" } else { "counter-clockwise" };

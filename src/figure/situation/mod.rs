@@ -1,7 +1,9 @@
 //! The figure on a problem sheet: the bodies, and nothing but what is given.
 
 mod angle;
+mod bowl;
 mod central;
+mod conical;
 mod contact;
 mod dimension;
 mod fall;
@@ -11,21 +13,27 @@ mod moving;
 mod pulley;
 mod ramp;
 mod ride;
+mod space;
 mod swing;
 
 pub use angle::AngleMark;
+pub use bowl::{Bowl, Wall};
 pub(super) use central::draw_centre;
 pub use central::{Central, Moment};
+pub use conical::{Across, Conical};
 pub use contact::{Contact, Partner};
 pub use fall::{Fall, Ground, Height};
 pub use launch::{Depth, Launch, Target};
 pub use line::{Line, LineSpring};
 pub use moving::{Moving, MovingBody};
+pub(super) use moving::{Scales, draw_vector};
 pub use pulley::{Pulley, PulleySide, Rest};
 pub use ramp::Ramp;
 pub use ride::{Face, Ride};
+pub use space::Space;
 pub use swing::{Swing, SwingEnd};
 
+use super::arm::Arm;
 use super::extent::bounds;
 use super::input::{AxisMark, Wording};
 use super::panels::draw_axes;
@@ -64,6 +72,14 @@ pub enum Layout {
     Ride(Ride),
     /// A body on a ramp of any shape.
     Ramp(Ramp),
+    /// Particles on an arm.
+    Arm(Arm),
+    /// A body inside a cone or a bowl.
+    Bowl(Bowl),
+    /// A body on a cord that moves round a level circle.
+    Conical(Conical),
+    /// A body at a place in space.
+    Space(Space),
 }
 
 impl Situation {
@@ -94,6 +110,10 @@ impl Situation {
             Layout::Pulley(pulley) => pulley.draw(&mut canvas),
             Layout::Ride(ride) => ride.draw(&mut canvas),
             Layout::Ramp(ramp) => ramp.draw(&mut canvas),
+            Layout::Arm(arm) => arm.draw(&mut canvas),
+            Layout::Bowl(bowl) => bowl.draw(&mut canvas),
+            Layout::Conical(conical) => conical.draw(&mut canvas),
+            Layout::Space(space) => space.draw(&mut canvas),
         }
         let shapes: Vec<Shape> = canvas.settle();
         // The axes go below everything, labels included.

@@ -54,7 +54,7 @@ impl MovingBody {
         self
     }
 
-    pub(super) fn outline(&self) -> Body {
+    pub(in crate::figure) fn outline(&self) -> Body {
         Body::new(&self.name, self.form, Point::ORIGIN)
     }
 }
@@ -100,13 +100,13 @@ impl Moving {
 }
 
 /// The scales of a figure, one a role.
-pub(super) struct Scales {
+pub(in crate::figure) struct Scales {
     velocity: Scale,
     other: Scale,
 }
 
 impl Scales {
-    pub(super) fn of<'a>(bodies: impl IntoIterator<Item = &'a MovingBody>, longest: f64) -> Self {
+    pub(in crate::figure) fn of<'a>(bodies: impl IntoIterator<Item = &'a MovingBody>, longest: f64) -> Self {
         let vectors: Vec<&Moving> = bodies.into_iter().flat_map(|body| &body.vectors).collect();
         let fitting = |velocities: bool| {
             let own = vectors.iter().filter(|moving| (moving.role == Role::Velocity) == velocities);
@@ -115,14 +115,20 @@ impl Scales {
         Self { velocity: fitting(true), other: fitting(false) }
     }
 
-    pub(super) fn arrow(&self, moving: &Moving) -> Option<Point> {
+    pub(in crate::figure) fn arrow(&self, moving: &Moving) -> Option<Point> {
         let scale = if moving.role == Role::Velocity { self.velocity } else { self.other };
         scale.arrow(moving.vector.vector()?)
     }
 }
 
 /// Draws a vector at the body; a zero vector is noted as such, an unknown one left out.
-pub(super) fn draw_vector(canvas: &mut Canvas, body: &mut Body, moving: &Moving, scales: &Scales, attach: Attach) {
+pub(in crate::figure) fn draw_vector(
+    canvas: &mut Canvas,
+    body: &mut Body,
+    moving: &Moving,
+    scales: &Scales,
+    attach: Attach,
+) {
     let Some(arrow) = scales.arrow(moving) else {
         if moving.vector.vector().is_some() {
             body.draw_note(canvas, &moving.vector.equals(Math::Number("0".to_owned())), moving.role);

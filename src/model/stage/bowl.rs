@@ -23,9 +23,8 @@ impl Builder<'_> {
         let (name, centre) = (self.called(body), self.point(&stage.about));
         let states = [index + 1, index + 2].map(|instant| self.polar_state(body, &stage.about, instant));
         let [(r1, v1), (r2, v2)] = states.clone();
-        let because = format!(
-            "the wall's push and the weight have no moment about the vertical axis through {centre}; the mass cancels"
-        );
+        let axis = if centre.contains("axis") { centre } else { format!("the vertical axis through {centre}") };
+        let because = format!("the wall's push and the weight have no moment about {axis}; the mass cancels");
         self.law(&angular::CENTRAL, Some(index), because, (r1.clone() * v1, r2.clone() * v2));
         let speeds = [0, 1].map(|side| self.speed_on_wall(index, side, stage, &states[side].1));
         let [start, end] = speeds.each_ref().map(|speed| energy::specific_kinetic(std::slice::from_ref(speed)));

@@ -79,6 +79,42 @@ impl Builder<'_> {
                 }
             }
         }
+        for [body, other] in [[first, second], [second, first]] {
+            if self.guided(body).is_none() {
+                self.impulse_on_free(contact, body, other);
+            }
+        }
         self.omit("the forces between the bodies", "their impulses cancel in pairs within the system");
+    }
+
+    /// The impulse on the body that is free, which changes its momentum along every axis, and the opposite one on the other.
+    fn impulse_on_free(&mut self, contact: &Contact<'_>, body: &str, other: &str) {
+        let (index, suffix) = (contact.index, self.stage_suffix(contact.index));
+        let names = [body, other].map(|own| self.called(own));
+        let after = contact.stage.becomes.as_deref().unwrap_or(body);
+        let mass = self.mass(body);
+        let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
+        let mut components = Vec::new();
+        for axis in axes {
+            let letter = axis.letter();
+            let meaning = format!("the impulse on {} from {} along {letter}", names[0], names[1]);
+            let impulse = Expr::from(self.symbol(format!("J_{body}.{letter}{suffix}"), Dimension::MOMENTUM, meaning));
+            let ends = [self.velocity(body, index + 1, axis), self.velocity(after, index + 2, axis)];
+            let because = format!("the only impulse on {} alone is that of the contact", names[0]);
+            let sides = momentum::impulse_momentum(&mass, &ends[0], std::slice::from_ref(&impulse), &ends[1]);
+            self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
+            components.push(impulse);
+        }
+        let opposite = components.iter().map(|own| -own.clone()).collect();
+        for (on, by, called, components) in [(body, other, &names[1], components), (other, body, &names[0], opposite)] {
+            self.impulses.push(Impulse {
+                stage: index,
+                on: on.to_owned(),
+                by: Agent::Body(by.to_owned()),
+                called: format!("the contact with {called}"),
+                components,
+                impulsive: true,
+            });
+        }
     }
 }

@@ -135,7 +135,7 @@ impl Builder<'_> {
                 "kinetic energy would be created",
             );
         }
-        if self.scene.plane == Plane::Horizontal {
+        if self.weight_acts_across() {
             self.omit(
                 "weight and whatever supports the bodies",
                 "they act across the motion, and nothing impulsive presses on the support",
@@ -195,7 +195,7 @@ impl Builder<'_> {
     fn general_impact(&mut self, contact: &Contact<'_>, first: &str, second: &str) {
         let (name_a, name_b) = (self.called(first), self.called(second));
         self.exchange(contact, [first, second], [first, second]);
-        if self.scene.plane == Plane::Horizontal {
+        if self.weight_acts_across() {
             self.omit("weight and whatever supports the bodies", "they act across the plane of motion and cancel");
         }
         self.omit(

@@ -5,7 +5,6 @@ use crate::fault::Path;
 use crate::laws::angular;
 use crate::model::Builder;
 use crate::quantity::Dimension;
-use crate::scene::Plane;
 use crate::scene::Strength;
 use crate::scene::stage::Moment;
 
@@ -44,7 +43,7 @@ impl Builder<'_> {
                 (!moment.is_zero()).then(|| self.angular_impulse(index, (&centre, &letter), &moment, &start, &end));
             self.law(law, Some(index), because, (Expr::sum([before].into_iter().chain(gained)), after));
         }
-        if self.scene.plane == Plane::Horizontal {
+        if self.weight_acts_across() {
             self.omit("weight and all else that acts across the motion", "it has no part in the turning");
         }
     }

@@ -151,7 +151,9 @@ impl Builder<'_> {
             });
         }
         if self.scene.plane == Plane::Horizontal && !on_slope {
-            self.omit("weight and all else that acts across the motion", "it has no part along the motion");
+            if self.weight_acts_across() {
+                self.omit("weight and all else that acts across the motion", "it has no part along the motion");
+            }
             self.omit("friction", "the problem does not mention any");
         }
     }

@@ -26,8 +26,11 @@ impl Builder<'_> {
             self.strength(strength, Dimension::ENERGY, &meaning, &path.key("moment"))
         });
         let mut gained = None;
-        if let (Some(moment), Some(during)) = (&moment, &stage.during) {
-            let (start, end) = self.duration(index, during, &path.key("during"));
+        if let Some(moment) = &moment {
+            let (start, end) = match &stage.during {
+                Some(during) => self.duration(index, during, &path.key("during")),
+                None => (Expr::zero(), self.stage_duration(index, None, path)),
+            };
             self.lasting[index] = Some(end.clone() - start.clone());
             self.told_throughout("the moment", moment, &end);
             gained = Some(self.angular_impulse(index, (&centre, ""), moment, &start, &end));

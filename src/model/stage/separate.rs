@@ -54,7 +54,7 @@ impl Builder<'_> {
                 format!("weight during {phrase}"),
                 "it is not impulsive: its impulse in so short a time is negligible",
             );
-        } else {
+        } else if self.weight_acts_across() {
             self.omit(
                 "weight and whatever supports the bodies",
                 "they act across the motion, and nothing impulsive presses on the support",

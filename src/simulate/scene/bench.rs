@@ -1,12 +1,13 @@
 //! Where a stage is simulated: its numbers, how finely, and what has been found.
 
-use crate::scene::{Axis, Term};
+use crate::scene::Term;
 
 use super::experiment::{Reached, Staged};
 use super::integrate::Integrator;
 use super::nothing::NothingToSimulate;
 use super::reel::Reel;
 use super::values::Values;
+use super::vector::{Vector, dot, part, size, times};
 
 /// By which way a stage was simulated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -44,6 +45,8 @@ pub struct Observed {
     pub ways: Vec<Way>,
     /// Quantities by their names.
     pub found: Vec<Reached>,
+    /// What the bodies carry together after a stage, by the names of the sums.
+    pub sums: Vec<Reached>,
     /// Quantities by terms of the scene, which say them: `d`, `2*r`.
     pub terms: Vec<Reached>,
 }
@@ -89,6 +92,12 @@ impl<'a> Bench<'a> {
         self.observed.found.push(reached);
     }
 
+    /// Notes what the bodies carry together, to be compared with what is measured on them as the problem says they end.
+    pub(super) fn note_sum(&mut self, name: &str, value: f64, scale: f64) {
+        let reached = self.reached(name, value, scale);
+        self.observed.sums.push(reached);
+    }
+
     /// Notes a quantity under its name with the suffix of the stage.
     pub(super) fn note_here(&mut self, base: &str, value: f64, scale: f64) {
         self.note(&format!("{base}{}", self.values.suffix()), value, scale);
@@ -112,15 +121,15 @@ impl<'a> Bench<'a> {
     }
 
     /// Notes the velocity of a body after the stage.
-    pub(super) fn note_velocity(&mut self, body: &str, velocity: [f64; 2], scale: f64) {
+    pub(super) fn note_velocity(&mut self, body: &str, velocity: Vector, scale: f64) {
         for axis in self.values.axes() {
             self.note(&self.values.velocity_after(body, axis), part(velocity, axis), scale);
         }
     }
 
     /// Notes a vector that belongs to the stage by components, magnitude and direction: `J_A.x[hit]`, `J_A[hit]`.
-    pub(super) fn note_vector(&mut self, name: &str, vector: [f64; 2]) {
-        let size = libm::hypot(vector[0], vector[1]);
+    pub(super) fn note_vector(&mut self, name: &str, vector: Vector) {
+        let size = size(vector);
         match self.values.axes()[..] {
             [only] => self.note_here(name, part(vector, only), size),
             _ => {
@@ -128,21 +137,23 @@ impl<'a> Bench<'a> {
                     self.note_here(&format!("{name}.{}", axis.letter()), part(vector, axis), size);
                 }
                 self.note_here(name, size, size);
-                self.note_here(&format!("angle_{name}"), libm::atan2(vector[1], vector[0]), 1.0);
+                if self.values.axes().len() == 2 {
+                    self.note_here(&format!("angle_{name}"), libm::atan2(vector[1], vector[0]), 1.0);
+                }
             }
         }
     }
 
     /// Notes the impulse on a body, and the mean force where it is told how long it acted.
-    pub(super) fn note_impulse(&mut self, body: &str, impulse: [f64; 2], duration: Option<&Term>) {
+    pub(super) fn note_impulse(&mut self, body: &str, impulse: Vector, duration: Option<&Term>) {
         self.note_vector(&format!("J_{body}"), impulse);
         if let Some(time) = duration.and_then(|term| self.values.term(term).ok()) {
-            self.note_vector(&format!("F_avg_{body}"), impulse.map(|own| own / time));
+            self.note_vector(&format!("F_avg_{body}"), times(1.0 / time, impulse));
         }
     }
 
     /// Notes the kinetic energy that is lost from one list of masses and velocities to the other.
-    pub(super) fn note_energy(&mut self, before: &[(f64, [f64; 2])], after: &[(f64, [f64; 2])]) {
+    pub(super) fn note_energy(&mut self, before: &[(f64, Vector)], after: &[(f64, Vector)]) {
         let [start, end] =
             [before, after].map(|all| all.iter().map(|(mass, velocity)| kinetic(*mass, *velocity)).sum());
         let (start, end): (f64, f64) = (start, end);
@@ -162,11 +173,6 @@ impl<'a> Bench<'a> {
 }
 
 /// The kinetic energy of a body.
-pub(super) fn kinetic(mass: f64, [x, y]: [f64; 2]) -> f64 {
-    mass * (x * x + y * y) / 2.0
-}
-
-/// The component of a vector along an axis, where a scene with one axis has all along that.
-pub(super) fn part(vector: [f64; 2], axis: Axis) -> f64 {
-    super::direction::part(vector, axis)
+pub(super) fn kinetic(mass: f64, velocity: Vector) -> f64 {
+    mass * dot(velocity, velocity) / 2.0
 }

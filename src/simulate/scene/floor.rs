@@ -1,11 +1,11 @@
 //! A body on a floor or a slope, along one axis: how it slides, and what ends the slide.
 
 use super::bench::Bench;
-use super::direction::unit;
 use super::integrate::Slope as Changes;
 use super::nothing::NothingToSimulate;
 use super::reel::{Look, Motion, Seen};
 use super::values::{OfTime, Values};
+use super::vector::{part, times, unit};
 use crate::scene::{Axis, Term};
 
 /// A slope against the level.
@@ -78,7 +78,7 @@ impl Values<'_> {
     /// The sense of a motion along an axis: where a term points, or else along the axis.
     pub(super) fn sense(&self, direction: Option<&Term>, axis: Axis) -> Result<f64, NothingToSimulate> {
         let Some(Term(text)) = direction else { return Ok(1.0) };
-        Ok(super::bench::part(self.direction(text)?, axis).signum())
+        Ok(part(self.direction(text)?, axis).signum())
     }
 }
 
@@ -130,7 +130,7 @@ impl Slide {
         slope: Changes<'_, 2>,
     ) -> Result<(), NothingToSimulate> {
         let (mass, values) = (body.mass, bench.values);
-        let split = |value: f64| values.split(unit(body.axis).map(|own| own * value));
+        let split = |value: f64| values.split(times(value, unit(body.axis)));
         let look = |time: f64, state: &[f64; 2]| {
             let (force, held) = (mass * slope(time, state)[1], mass * body.weight);
             Look {

@@ -5,10 +5,10 @@ use crate::scene::stage::{Impact, Partners};
 use crate::simulate::budget::Budget;
 use crate::simulate::world::{Body, Wall, World};
 
-use super::direction::part;
 use super::experiment::{Experiment, Reading, Staged};
 use super::nothing::NothingToSimulate;
 use super::values::Values;
+use super::vector::{Vector, part, unit};
 
 /// The radius of bodies that are set beside each other; any will do.
 const RADIUS: f64 = 0.5;
@@ -64,8 +64,7 @@ impl Values<'_> {
         let line = match &stage.line_of_impact {
             Some(term) => self.direction(&term.0)?,
             None => match axes[..] {
-                [Axis::Y] => [0.0, 1.0],
-                [_] => [1.0, 0.0],
+                [only] => unit(only),
                 _ => return Err(NothingToSimulate::NoLineOfImpact),
             },
         };
@@ -81,7 +80,7 @@ impl Values<'_> {
         &self,
         axes: [Axis; D],
         restitution: f64,
-        line: [f64; 2],
+        line: Vector,
         bodies: [&str; 2],
     ) -> Result<Experiment<D>, NothingToSimulate> {
         let mut world = World::new(restitution);
@@ -116,7 +115,7 @@ impl Values<'_> {
         &self,
         axes: [Axis; D],
         restitution: f64,
-        normal: [f64; 2],
+        normal: Vector,
         moves: f64,
         [body, surface]: [&str; 2],
     ) -> Result<World<D>, NothingToSimulate> {

@@ -2,11 +2,10 @@
 
 use crate::scene::{Axis, Scene, Stage};
 
-use super::bench::{kinetic, part};
-use super::direction::unit;
+use super::bench::kinetic;
 use super::nothing::NothingToSimulate;
-use super::state::add;
 use super::values::Values;
+use super::vector::{Vector, ZERO, add, cross, less, part, size, times, unit};
 
 /// A name of the scene, taken apart: `v_G2.x` has the base `v`, the subject `G`, the instant 2 and the component `x`.
 #[derive(Clone, Copy, Debug)]
@@ -21,12 +20,6 @@ pub struct Asked<'a> {
     pub component: Option<&'a str>,
 }
 
-/// How long free motion is watched where nothing happens in the scene, in s.
-const WATCHED: f64 = 1.0;
-
-/// Strips of the area that a radius sweeps meanwhile.
-const STRIPS: u32 = 64;
-
 /// Measures a quantity of the bodies at an instant: their velocities and places are what `value` gives. The second number is
 /// the size of what it is a difference of.
 #[must_use]
@@ -36,74 +29,70 @@ pub fn measure(
     asked: Asked<'_>,
     value: &dyn Fn(&str) -> Option<f64>,
 ) -> Option<(f64, f64)> {
-    let values = in_plane(scene, asked, value)?;
-    let axis = along(&values, asked);
+    let values = Values { scene, value, index: asked.instant.checked_sub(1)? };
+    let one = |vector: Vector| along(&values, asked).map(|axis| part(vector, axis));
+    let moving = |body: &str| velocity(&values, body).ok();
     match (asked.base, asked.subject) {
-        ("speed", body) => velocity(&values, body).ok().map(|own| (libm::hypot(own[0], own[1]), 0.0)),
+        ("speed", body) => Some((size(moving(body)?), 0.0)),
         ("angle", body) if values.axes().len() == 2 => {
-            let own = velocity(&values, body).ok()?;
+            let own = moving(body)?;
             Some((libm::atan2(own[1], own[0]), 1.0))
         }
-        ("p", "") => sum(&values, alive, axis?),
-        ("p", body) => sum(&values, &[body], axis?),
-        ("T", "") => energy(&values, alive),
-        ("T", body) => energy(&values, &[body]),
-        ("v", "G") => {
-            let (momentum, scale) = sum(&values, alive, axis?)?;
-            let whole: f64 = masses(&values, alive)?.into_iter().sum();
-            Some((momentum / whole, scale / whole))
+        ("p", "") => {
+            let (all, scale) = sum(&values, alive, &moving)?;
+            Some((one(all)?, scale))
         }
-        ("v", body) => Some((part(velocity(&values, body).ok()?, axis?), 0.0)),
-        ("r", "G") => mean_place(&values, alive, axis?, 0.0),
-        ("H", point) if is_origin(&values, point) => moment(&values, alive),
-        _ => None,
-    }
-}
-
-/// Measures what is asked of a scene in which nothing happens: its bodies are watched for a while in free motion.
-#[must_use]
-pub fn watch(
-    scene: &Scene,
-    alive: &[&str],
-    asked: Asked<'_>,
-    value: &dyn Fn(&str) -> Option<f64>,
-) -> Option<(f64, f64)> {
-    let values = in_plane(scene, asked, value)?;
-    let axis = along(&values, asked);
-    match (asked.base, asked.subject) {
-        ("r", "G") => mean_place(&values, alive, axis?, 0.0),
-        ("v", "G") => {
-            let (before, one) = mean_place(&values, alive, axis?, WATCHED)?;
-            let (after, other) = mean_place(&values, alive, axis?, 2.0 * WATCHED)?;
-            Some(((after - before) / WATCHED, (one + other) / WATCHED))
+        ("p", body) => {
+            let (own, scale) = sum(&values, &[body], &moving)?;
+            Some((one(own)?, scale))
         }
-        // Twice the mass for each area that the radius sweeps in a unit of time.
-        ("H", point) if is_origin(&values, point) => {
-            let mut all = (0.0, 0.0);
-            for body in alive {
-                let rate = 2.0 * values.mass(body).ok()? * swept(&values, body).ok()? / WATCHED;
-                all = (all.0 + rate, all.1 + rate.abs());
-            }
-            Some(all)
+        ("T", "") => energy(&values, alive, &moving),
+        ("T", body) if body != "G" => energy(&values, &[body], &moving),
+        ("v", "G") => {
+            let (mean, scale) = mean(&values, alive, &moving)?;
+            Some((one(mean)?, scale))
+        }
+        ("v", body) => Some((one(moving(body)?)?, 0.0)),
+        ("r", "G") => {
+            let (mean, scale) = mean(&values, alive, &|body| place(&values, body).ok())?;
+            Some((one(mean)?, scale))
+        }
+        ("H", point) => {
+            let places = |body: &str| place(&values, body).ok();
+            let centre = centre(&values, alive, point, &places)?;
+            let moment = |body: &str| Some(cross(less(places(body)?, centre), moving(body)?));
+            let (all, scale) = sum(&values, alive, &moment)?;
+            Some((turning(&values, asked, all)?, scale))
         }
         _ => None,
     }
 }
 
-/// The values at the instant that is asked for; none in a scene with more than two axes, since a plane is looked at.
-fn in_plane<'a>(scene: &'a Scene, asked: Asked<'_>, value: &'a dyn Fn(&str) -> Option<f64>) -> Option<Values<'a>> {
-    let values = Values { scene, value, index: asked.instant.checked_sub(1)? };
-    (values.axes().len() <= 2).then_some(values)
+/// Which moment a name speaks of: the only one of a plane, or that of its component.
+pub(super) fn turning(values: &Values<'_>, asked: Asked<'_>, moment: Vector) -> Option<f64> {
+    match (values.axes().len(), asked.component) {
+        (2, None) => Some(moment[2]),
+        (3, Some(_)) => along(values, asked).map(|axis| part(moment, axis)),
+        _ => None,
+    }
 }
 
-/// Whether a point is the origin of places in a plane, about which moments are taken here.
-fn is_origin(values: &Values<'_>, point: &str) -> bool {
-    let placed = |own: &crate::scene::Point| own.at.axes().next().is_some();
-    values.axes().len() != 1 && values.scene.points.get(point).is_some_and(|own| !placed(own))
+/// Where a point of the scene is, or the mass centre of bodies.
+pub(super) fn centre(
+    values: &Values<'_>,
+    bodies: &[&str],
+    point: &str,
+    places: &dyn Fn(&str) -> Option<Vector>,
+) -> Option<Vector> {
+    if point == "G" {
+        return mean(values, bodies, places).map(|(mean, _)| mean);
+    }
+    let at = &values.scene.points.get(point)?.at;
+    at.axes().try_fold(ZERO, |all, axis| Some(add(all, times(values.term(at.get(axis)?).ok()?, unit(axis)))))
 }
 
 /// The axis of a component, or the only one.
-fn along(values: &Values<'_>, asked: Asked<'_>) -> Option<Axis> {
+pub(super) fn along(values: &Values<'_>, asked: Asked<'_>) -> Option<Axis> {
     match (asked.component, &values.axes()[..]) {
         (Some(letter), axes) => axes.iter().copied().find(|axis| axis.letter() == letter),
         (None, [only]) => Some(*only),
@@ -112,7 +101,10 @@ fn along(values: &Values<'_>, asked: Asked<'_>) -> Option<Axis> {
 }
 
 /// The velocity of a body, or of what it is part of.
-fn velocity(values: &Values<'_>, body: &str) -> Result<[f64; 2], NothingToSimulate> {
+pub(super) fn velocity(values: &Values<'_>, body: &str) -> Result<Vector, NothingToSimulate> {
+    if values.axes().is_empty() {
+        return Err(NothingToSimulate::Unread);
+    }
     values.moving(body).or_else(|missing| {
         let owner = |whole: &&String| values.scene.members(whole).contains(&body) && whole.as_str() != body;
         let wholes = values.scene.stages.iter().filter_map(|stage| match stage {
@@ -124,68 +116,38 @@ fn velocity(values: &Values<'_>, body: &str) -> Result<[f64; 2], NothingToSimula
     })
 }
 
-fn masses(values: &Values<'_>, bodies: &[&str]) -> Option<Vec<f64>> {
-    bodies.iter().map(|body| values.mass(body).ok()).collect()
-}
-
-fn sum(values: &Values<'_>, bodies: &[&str], axis: Axis) -> Option<(f64, f64)> {
-    let mut all = (0.0, 0.0);
-    for (body, mass) in bodies.iter().zip(masses(values, bodies)?) {
-        let own = mass * part(velocity(values, body).ok()?, axis);
-        all = (all.0 + own, all.1 + own.abs());
+/// Where a body is.
+pub(super) fn place(values: &Values<'_>, body: &str) -> Result<Vector, NothingToSimulate> {
+    if values.axes().is_empty() {
+        return Err(NothingToSimulate::Unread);
     }
-    Some(all)
+    values
+        .axes()
+        .into_iter()
+        .try_fold(ZERO, |all, axis| Ok(add(all, times(values.place_before(body, axis)?, unit(axis)))))
 }
 
-fn energy(values: &Values<'_>, bodies: &[&str]) -> Option<(f64, f64)> {
-    let mut all = 0.0;
-    for (body, mass) in bodies.iter().zip(masses(values, bodies)?) {
-        all += kinetic(mass, velocity(values, body).ok()?);
-    }
-    Some((all, 0.0))
+/// What each body has, counted by its mass and added up; and the sum of the sizes.
+pub(super) fn sum(values: &Values<'_>, bodies: &[&str], of: &dyn Fn(&str) -> Option<Vector>) -> Option<(Vector, f64)> {
+    bodies.iter().try_fold((ZERO, 0.0), |(all, scale), body| {
+        let own = times(values.mass(body).ok()?, of(body)?);
+        Some((add(all, own), scale + size(own)))
+    })
 }
 
-/// The mean of the places of all bodies, each counted by its mass, when they have gone on for a time. Where only velocities
-/// are spoken of, they may all start at the same place.
-fn mean_place(values: &Values<'_>, bodies: &[&str], axis: Axis, time: f64) -> Option<(f64, f64)> {
-    let (mut all, mut scale, mut whole) = (0.0, 0.0, 0.0);
-    for (body, mass) in bodies.iter().zip(masses(values, bodies)?) {
-        let start = values.place_before(body, axis).ok().or((time > 0.0).then_some(0.0))?;
-        let way = if time > 0.0 { time * values.velocity_before(body, axis).ok()? } else { 0.0 };
-        (all, scale, whole) = (all + mass * (start + way), scale + mass * (start.abs() + way.abs()), whole + mass);
-    }
-    Some((all / whole, scale / whole))
+/// The mean of what each body has, counted by its mass; and the mean of the sizes.
+pub(super) fn mean(values: &Values<'_>, bodies: &[&str], of: &dyn Fn(&str) -> Option<Vector>) -> Option<(Vector, f64)> {
+    let (all, scale) = sum(values, bodies, of)?;
+    let whole: f64 = bodies.iter().map(|body| values.mass(body).ok()).sum::<Option<f64>>()?;
+    Some((times(1.0 / whole, all), scale / whole))
 }
 
-fn moment(values: &Values<'_>, bodies: &[&str]) -> Option<(f64, f64)> {
-    let mut all = (0.0, 0.0);
-    for (body, mass) in bodies.iter().zip(masses(values, bodies)?) {
-        let [x, y] = place(values, body).ok()?;
-        let [u, v] = velocity(values, body).ok()?;
-        all = (all.0 + mass * (x * v - y * u), all.1 + mass * ((x * v).abs() + (y * u).abs()));
-    }
-    Some(all)
-}
-
-fn place(values: &Values<'_>, body: &str) -> Result<[f64; 2], NothingToSimulate> {
-    let mut all = [0.0; 2];
-    for axis in values.axes() {
-        let own = values.place_before(body, axis)?;
-        all = add(all, unit(axis).map(|part| part * own));
-    }
-    Ok(all)
-}
-
-/// The area that the radius of a body sweeps while it is watched: triangles between places that follow each other.
-fn swept(values: &Values<'_>, body: &str) -> Result<f64, NothingToSimulate> {
-    let ([x, y], [u, v]) = (place(values, body)?, values.moving(body)?);
-    let at = |step: u32| {
-        let time = WATCHED * f64::from(step) / f64::from(STRIPS);
-        [x + u * time, y + v * time]
-    };
-    let triangle = |step: u32| {
-        let ([a, b], [c, d]) = (at(step), at(step + 1));
-        (a * d - b * c) / 2.0
-    };
-    Ok((0..STRIPS).map(triangle).sum())
+/// The kinetic energy of bodies that move so.
+pub(super) fn energy(
+    values: &Values<'_>,
+    bodies: &[&str],
+    moving: &dyn Fn(&str) -> Option<Vector>,
+) -> Option<(f64, f64)> {
+    let each = bodies.iter().map(|body| Some(kinetic(values.mass(body).ok()?, moving(body)?)));
+    Some((each.sum::<Option<f64>>()?, 0.0))
 }

@@ -13,23 +13,29 @@ mod measure;
 mod motion;
 mod nothing;
 mod reel;
+mod revolution;
 mod stage;
 mod state;
 mod strength;
 mod touch;
 mod values;
+mod vector;
+mod watch;
 
 pub use bench::{Observed, Way};
 pub use experiment::{Experiment, Reached, Reading, Staged};
 pub use impulsive::is_impulsive;
-pub use measure::{Asked, measure, watch};
+pub use measure::{Asked, measure};
 pub use nothing::NothingToSimulate;
 pub use reel::{Component, Reel};
+pub use vector::Vector;
+pub use watch::watch;
 
 use crate::scene::{Scene, Stage};
 
 use bench::Bench;
 use values::Values;
+use vector::{cross, dot};
 
 /// Simulates a stage of a scene, counted from 0, whatever its kind, and says what is found: with errors of the order of the
 /// tolerance, which a second run with another tolerance makes known. `value` gives the quantities of the scene as for [`translate`].
@@ -96,7 +102,7 @@ pub fn follow(
     let mut bench = Bench { reels: Some(Vec::new()), ..Bench::new(&values, tolerance) };
     bench.stage(own)?;
     let reels = bench.reels.unwrap_or_default();
-    if reels.is_empty() { Err(NothingToSimulate::NothingChanges) } else { Ok(reels) }
+    if reels.is_empty() { Err(NothingToSimulate::NotShown) } else { Ok(reels) }
 }
 
 /// The value of a term of a scene, where all its names have values.
@@ -107,9 +113,9 @@ pub fn value_of(scene: &Scene, text: &str, value: &dyn Fn(&str) -> Option<f64>) 
 
 /// The angle from one direction, as authors write them, to a vector, counter-clockwise positive; between -π and π.
 #[must_use]
-pub fn angle_from(scene: &Scene, from: &str, vector: [f64; 2], value: &dyn Fn(&str) -> Option<f64>) -> Option<f64> {
-    let [x, y] = Values { scene, value, index: 0 }.direction(from).ok()?;
-    Some(libm::atan2(x * vector[1] - y * vector[0], x * vector[0] + y * vector[1]))
+pub fn angle_from(scene: &Scene, from: &str, vector: Vector, value: &dyn Fn(&str) -> Option<f64>) -> Option<f64> {
+    let base = Values { scene, value, index: 0 }.direction(from).ok()?;
+    Some(libm::atan2(cross(base, vector)[2], dot(base, vector)))
 }
 
 /// What simulates a stage of a scene, counted from 0, where `value` gives the quantities of the scene in SI units by their

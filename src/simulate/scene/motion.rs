@@ -8,10 +8,10 @@ use crate::simulate::budget::Budget;
 use crate::simulate::force::{Force, Piece, Strength};
 use crate::simulate::world::{Body, Vector, Wall, World};
 
-use super::direction::part;
 use super::experiment::{Experiment, Reading, Staged};
 use super::nothing::NothingToSimulate;
 use super::values::Values;
+use super::vector::part;
 
 /// The height from which a ball that bounces is dropped, where no fall before says it.
 const DROP: &str = "h_0";

@@ -17,6 +17,8 @@ pub enum NothingToSimulate {
     NoRestitution,
     /// A quantity that the simulation needs is neither told nor solved in this form.
     ValueMissing,
+    /// The stage is no motion of bodies that could be watched.
+    NotShown,
     /// The motion is one that no method here integrates.
     NoMethod,
     /// A term, a direction or the axes are of a form that the simulation does not read.
@@ -35,6 +37,7 @@ impl NothingToSimulate {
             Self::NoLineOfImpact => "nothing to simulate: the line of impact is not told",
             Self::NoRestitution => "nothing to simulate: no coefficient of restitution is told",
             Self::ValueMissing => "nothing to simulate: a quantity that it needs is neither told nor solved",
+            Self::NotShown => "not shown: `momentous check` simulates it, but not as a motion of the bodies",
             Self::NoMethod => "nothing to simulate: no method of this version integrates such a motion",
             Self::Unread => "nothing to simulate: it does not read such a term or direction",
         }

@@ -3,10 +3,11 @@
 use crate::scene::{Axis, Plane, Scene};
 use crate::simulate::record::{GAUSS, Moment, Record, Recorded};
 
-use super::bench::{Bench, part};
+use super::bench::Bench;
 use super::integrate::{Integrator, Slope};
 use super::nothing::NothingToSimulate;
 use super::values::Values;
+use super::vector::{Vector, part};
 
 /// The evenly spaced instants of a motion.
 const INSTANTS: u32 = 120;
@@ -80,7 +81,7 @@ impl Values<'_> {
     }
 
     /// A vector by its components along the axes of the scene.
-    pub(super) fn split(&self, vector: [f64; 2]) -> Vec<f64> {
+    pub(super) fn split(&self, vector: Vector) -> Vec<f64> {
         self.axes().into_iter().map(|axis| part(vector, axis)).collect()
     }
 }

@@ -2,21 +2,20 @@
 
 use crate::scene::{Axis, Stage};
 
-use super::bench::part;
-use super::direction::unit;
 use super::nothing::NothingToSimulate;
 use super::values::Values;
+use super::vector::{Vector, ZERO, add, part, times, unit};
 
 impl Values<'_> {
-    /// The velocity of a body before the stage, in x and y.
-    pub(super) fn moving(&self, body: &str) -> Result<[f64; 2], NothingToSimulate> {
-        let mut velocity = [0.0; 2];
+    /// The velocity of a body before the stage.
+    pub(super) fn moving(&self, body: &str) -> Result<Vector, NothingToSimulate> {
+        let mut velocity = ZERO;
         for axis in self.axes() {
             let own = match self.velocity_before(body, axis) {
                 Ok(own) => own,
                 Err(missing) => self.held(body, axis).ok_or(missing)?,
             };
-            velocity = add(velocity, unit(axis).map(|part| part * own));
+            velocity = add(velocity, times(own, unit(axis)));
         }
         Ok(velocity)
     }
@@ -28,18 +27,18 @@ impl Values<'_> {
     }
 
     /// The direction in which a guide lets a body move, or something that it consists of.
-    pub(super) fn guide(&self, body: &str) -> Option<Result<[f64; 2], NothingToSimulate>> {
+    pub(super) fn guide(&self, body: &str) -> Option<Result<Vector, NothingToSimulate>> {
         let guided = |own: &&str| self.scene.bodies.get(*own)?.guide.as_ref();
         let guide = self.scene.members(body).iter().find_map(guided)?;
         Some(self.direction(&guide.along.0))
     }
 
-    /// The acceleration of free fall in x and y.
-    pub(super) fn falling(&self) -> Result<[f64; 2], NothingToSimulate> {
-        let mut all = [0.0; 2];
+    /// The acceleration of free fall.
+    pub(super) fn falling(&self) -> Result<Vector, NothingToSimulate> {
+        let mut all = ZERO;
         for axis in self.axes() {
             let own = self.gravity(axis)?;
-            all = add(all, unit(axis).map(|part| part * own));
+            all = add(all, times(own, unit(axis)));
         }
         Ok(all)
     }
@@ -99,8 +98,4 @@ impl Values<'_> {
         }
         None
     }
-}
-
-pub(super) fn add(one: [f64; 2], other: [f64; 2]) -> [f64; 2] {
-    [one[0] + other[0], one[1] + other[1]]
 }

@@ -7,6 +7,7 @@ use super::bench::{Bench, Way};
 use super::integrate::Integrator;
 use super::nothing::NothingToSimulate;
 use super::reel::{Look, Motion, Seen};
+use super::vector::{Vector, ZERO, add, dot, less, times, within};
 
 /// The longest step beside the time of the contact, which is of the order of a second.
 const LONGEST: f64 = 0.1;
@@ -16,9 +17,9 @@ const LONGEST: f64 = 0.1;
 pub(super) struct Party {
     /// Its mass; none where it is too heavy to be moved.
     pub mass: Option<f64>,
-    pub velocity: [f64; 2],
+    pub velocity: Vector,
     /// The one direction in which a guide lets it move.
-    pub guide: Option<[f64; 2]>,
+    pub guide: Option<Vector>,
 }
 
 /// Two bodies at the moment in which they meet.
@@ -26,18 +27,18 @@ pub(super) struct Party {
 pub(super) struct Touch {
     pub parties: [Party; 2],
     /// From the first to the second.
-    pub normal: [f64; 2],
+    pub normal: Vector,
     pub restitution: f64,
 }
 
 /// How they part.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Parted {
-    pub velocities: [[f64; 2]; 2],
+    pub velocities: [Vector; 2],
     /// The impulse of the contact on each.
-    pub impulses: [[f64; 2]; 2],
+    pub impulses: [Vector; 2],
     /// The impulse of the guide of each.
-    pub reactions: [[f64; 2]; 2],
+    pub reactions: [Vector; 2],
     /// The velocity of both along the normal when they are nearest.
     pub common: f64,
     /// The magnitude of the impulse until then, and from then on.
@@ -64,44 +65,56 @@ impl Phase {
 
 impl Party {
     /// A body that nothing guides.
-    pub(super) fn free(mass: f64, velocity: [f64; 2]) -> Self {
+    pub(super) fn free(mass: f64, velocity: Vector) -> Self {
         Self { mass: Some(mass), velocity, guide: None }
     }
 
     /// What a force does to it: the acceleration, and what its guide adds to the force.
-    pub(super) fn yields(&self, force: [f64; 2]) -> ([f64; 2], [f64; 2]) {
-        let Some(mass) = self.mass else { return ([0.0; 2], [0.0; 2]) };
+    pub(super) fn yields(&self, force: Vector) -> (Vector, Vector) {
+        let Some(mass) = self.mass else { return (ZERO, ZERO) };
         let felt = match self.guide {
-            Some(along) => along.map(|own| own * dot(along, force)),
+            Some(along) => times(dot(along, force), along),
             None => force,
         };
-        (felt.map(|own| own / mass), [felt[0] - force[0], felt[1] - force[1]])
+        (times(1.0 / mass, felt), less(felt, force))
     }
-}
-
-pub(super) fn dot(one: [f64; 2], other: [f64; 2]) -> f64 {
-    one[0] * other[0] + one[1] * other[1]
 }
 
 /// Overlap, both velocities, and the magnitude of the impulse.
-type State = [f64; 6];
+type State = [f64; 8];
+
+/// Where the impulse stands in a state.
+const IMPULSE: usize = 7;
+
+/// Where both places follow, where the contact is watched; and how long such a state is.
+const PLACES: usize = 8;
+const FILMED: usize = 14;
+
+fn state(overlap: f64, [[a, b, c], [d, e, f]]: [Vector; 2], impulse: f64) -> State {
+    [overlap, a, b, c, d, e, f, impulse]
+}
+
+/// The velocity of the first (0) or the second (1).
+fn velocity(state: &State, party: usize) -> Vector {
+    within(state, 1 + 3 * party)
+}
 
 impl Touch {
     fn rate(&self, state: &State) -> f64 {
-        dot([state[1] - state[3], state[2] - state[4]], self.normal)
+        dot(less(velocity(state, 0), velocity(state, 1)), self.normal)
     }
 
-    fn slope(&self, state: &State, force: f64) -> State {
-        let push = self.normal.map(|own| own * force);
-        let (one, _) = self.parties[0].yields(push.map(|own| -own));
+    fn slope(&self, now: &State, force: f64) -> State {
+        let push = times(force, self.normal);
+        let (one, _) = self.parties[0].yields(times(-1.0, push));
         let (other, _) = self.parties[1].yields(push);
-        [self.rate(state), one[0], one[1], other[0], other[1], force]
+        state(self.rate(now), [one, other], force)
     }
 
     /// The pressing and, where the bodies do not stay together, the releasing; the states at the end of each.
     fn phases(&self, bench: &mut Bench<'_>) -> Result<(Vec<Phase>, State, State), NothingToSimulate> {
         let [first, second] = self.parties;
-        let start = [0.0, first.velocity[0], first.velocity[1], second.velocity[0], second.velocity[1], 0.0];
+        let start = state(0.0, [first.velocity, second.velocity], 0.0);
         if self.rate(&start) <= 0.0 {
             return Err(NothingToSimulate::NothingChanges);
         }
@@ -132,23 +145,21 @@ impl Touch {
         let values = bench.values;
         let movable: Vec<usize> = (0..2).filter(|own| self.parties[*own].mass.is_some()).collect();
         let names: Vec<&str> = movable.iter().map(|own| names[*own]).collect();
-        let mut state = [0.0; 10];
-        for (own, party) in self.parties.iter().enumerate() {
-            state[1 + 2 * own..3 + 2 * own].copy_from_slice(&party.velocity);
-        }
+        let mut all = [0.0; FILMED];
+        all[..PLACES].copy_from_slice(&state(0.0, self.parties.map(|party| party.velocity), 0.0));
         let mut begun = 0.0;
         for phase in self.phases(bench)?.0 {
-            let slope = |_: f64, state: &[f64; 10]| {
-                let inner = self.slope(&core::array::from_fn(|place| state[place]), phase.force(state[0]));
-                let mut all = [0.0; 10];
-                all[..6].copy_from_slice(&inner);
-                all[6..].copy_from_slice(&state[1..5]);
-                all
+            let slope = |_: f64, all: &[f64; FILMED]| {
+                let inner = self.slope(&core::array::from_fn(|part| all[part]), phase.force(all[0]));
+                let mut changes = [0.0; FILMED];
+                changes[..PLACES].copy_from_slice(&inner);
+                changes[PLACES..].copy_from_slice(&all[1..IMPULSE]);
+                changes
             };
-            let look = |_: f64, state: &[f64; 10]| {
-                let force = phase.force(state[0]);
-                let push = self.normal.map(|own| own * force);
-                let on = [push.map(|own| -own), push];
+            let look = |_: f64, all: &[f64; FILMED]| {
+                let force = phase.force(all[0]);
+                let push = times(force, self.normal);
+                let on = [times(-1.0, push), push];
                 // A guide, or what is too heavy to be moved, acts from outside.
                 let outside = [0, 1].map(|own| match self.parties[own].mass {
                     Some(_) => self.parties[own].yields(on[own]).1,
@@ -156,23 +167,23 @@ impl Touch {
                 });
                 let moving = movable.iter().map(|own| Seen {
                     mass: self.parties[*own].mass.unwrap_or(0.0),
-                    place: values.split([state[6 + 2 * own], state[7 + 2 * own]]),
-                    velocity: values.split([state[1 + 2 * own], state[2 + 2 * own]]),
+                    place: values.split(within(all, PLACES + 3 * own)),
+                    velocity: values.split(within(all, 1 + 3 * own)),
                 });
                 Look {
                     bodies: moving.collect(),
-                    outside: values.split([outside[0][0] + outside[1][0], outside[0][1] + outside[1][1]]),
-                    potential: force * (state[0] - phase.relaxed) / 2.0,
+                    outside: values.split(add(outside[0], outside[1])),
+                    potential: force * (all[0] - phase.relaxed) / 2.0,
                     lost: phase.lost,
                     ..Look::default()
                 }
             };
             let components = values.components();
             let motion =
-                Motion { names: &names, components, start: (begun, state), end: phase.end, slope: &slope, look: &look };
+                Motion { names: &names, components, start: (begun, all), end: phase.end, slope: &slope, look: &look };
             bench.film(&motion)?;
             let integrator = Integrator { tolerance: bench.tolerance, longest: LONGEST / bench.shorter };
-            state = integrator.until(begun, state, phase.end, &slope)?;
+            all = integrator.until(begun, all, phase.end, &slope)?;
             begun = phase.end;
         }
         bench.remark("How long the contact lasts is not told: it is drawn as seconds. Each place counts from where the bodies meet.");
@@ -183,13 +194,13 @@ impl Touch {
     pub(super) fn run(&self, bench: &mut Bench<'_>) -> Result<Parted, NothingToSimulate> {
         let [first, second] = self.parties;
         let (_, most, end) = self.phases(bench)?;
-        let on = [self.normal.map(|own| -own * end[5]), self.normal.map(|own| own * end[5])];
+        let on = [times(-end[IMPULSE], self.normal), times(end[IMPULSE], self.normal)];
         Ok(Parted {
-            velocities: [[end[1], end[2]], [end[3], end[4]]],
+            velocities: [velocity(&end, 0), velocity(&end, 1)],
             impulses: on,
             reactions: [first.yields(on[0]).1, second.yields(on[1]).1],
-            common: dot([most[1], most[2]], self.normal),
-            phases: [most[5], end[5] - most[5]],
+            common: dot(velocity(&most, 0), self.normal),
+            phases: [most[IMPULSE], end[IMPULSE] - most[IMPULSE]],
         })
     }
 }
@@ -211,8 +222,8 @@ mod tests {
     /// 3 kg at 3 m/s meets 2 kg at -2 m/s, e = 0.7: by hand v = 1 m/s in common, impulses 6 and 4.2 N s.
     #[test]
     fn a_spring_that_gives_back_less_returns_the_share_e() {
-        let parties = [Party::free(3.0, [3.0, 1.0]), Party::free(2.0, [-2.0, 0.0])];
-        let end = parted(&Touch { parties, normal: [1.0, 0.0], restitution: 0.7 });
+        let parties = [Party::free(3.0, [3.0, 1.0, 0.5]), Party::free(2.0, [-2.0, 0.0, 0.0])];
+        let end = parted(&Touch { parties, normal: [1.0, 0.0, 0.0], restitution: 0.7 });
         let found = [end.velocities[0][0], end.velocities[1][0], end.velocities[0][1], end.common];
         for (found, right) in found.into_iter().chain(end.phases).zip([-0.4, 3.1, 1.0, 1.0, 6.0, 4.2]) {
             assert!((found - right).abs() < 1e-10, "{end:?}");
@@ -224,8 +235,12 @@ mod tests {
     #[test]
     fn a_guide_carries_what_it_does_not_let_through() {
         let half = core::f64::consts::FRAC_1_SQRT_2;
-        let wedge = Party { mass: Some(2.0), velocity: [0.0; 2], guide: Some([1.0, 0.0]) };
-        let touch = Touch { parties: [Party::free(1.0, [0.0, -4.0]), wedge], normal: [half, -half], restitution: 0.0 };
+        let wedge = Party { mass: Some(2.0), velocity: ZERO, guide: Some([1.0, 0.0, 0.0]) };
+        let touch = Touch {
+            parties: [Party::free(1.0, [0.0, -4.0, 0.0]), wedge],
+            normal: [half, -half, 0.0],
+            restitution: 0.0,
+        };
         let end = parted(&touch);
         assert!((end.velocities[1][0] - 0.8).abs() < 1e-10 && end.velocities[1][1] == 0.0, "{end:?}");
         assert!((end.reactions[1][1] - 1.6).abs() < 1e-10 && end.reactions[1][0].abs() < 1e-12, "{end:?}");

@@ -16,6 +16,7 @@ use crate::scene::stage;
 use crate::scene::stage::Arm;
 use crate::scene::stage::Rotate;
 
+use super::super::arm;
 use super::super::quantities::Quantities;
 use super::super::vectors::body_math;
 use super::super::words::about_wording;
@@ -26,7 +27,7 @@ const PLACE: f64 = 0.5;
 /// A body on its arm at the start.
 pub(in super::super) fn on_arm(quantities: &Quantities<'_>, rotate: &Rotate) -> Option<Drawing> {
     let held = rotate.held();
-    let [(body, arm)] = held[..] else { return None };
+    let [(body, arm)] = held[..] else { return Some(arm::sheet(quantities, rotate)) };
     let (Arm::Constant(arm) | Arm::Changing([arm, _])) = arm;
     let arm = quantities.term(arm).filter(|arm| quantities.evaluate(arm).is_some());
     let radius = arm.map(|arm| quantities.symbolic(&arm));
@@ -44,7 +45,7 @@ pub(in super::super) fn under_force(quantities: &Quantities<'_>, central: &stage
 }
 
 /// The moment on an arm, where all of it is given; which way it turns is taken from its start.
-fn moment(quantities: &Quantities<'_>, strength: &Strength) -> Option<Moment> {
+pub(in super::super) fn moment(quantities: &Quantities<'_>, strength: &Strength) -> Option<Moment> {
     let Strength::Term(term) = strength else { return None };
     let term = quantities.term(term)?;
     let clock = quantities.model().symbols.find("t").filter(|clock| term.contains(*clock));

@@ -37,7 +37,7 @@ impl Quantities<'_> {
         let component = |position: usize, letter: &str| {
             let component = format!("{name}.{letter}");
             let value = self.named(&component).filter(|value| *value != 0.0)?;
-            let along = if position == 0 { [value, 0.0] } else { [0.0, value] };
+            let along = self.along(position, value);
             Some(Moving::velocity(LabelledVector::known(name_math(&component), compass.place(along))))
         };
         let letters = self.axes.iter().map(|axis| axis.letter()).enumerate();

@@ -8,6 +8,7 @@ pub(super) mod given;
 pub(super) mod line;
 pub(super) mod pulley;
 pub(super) mod ramp;
+pub(super) mod revolution;
 pub(super) mod ride;
 pub(super) mod stream;
 pub(super) mod swing;
@@ -18,7 +19,9 @@ use crate::scene::Stage;
 use crate::scene::Strength;
 use crate::scene::stage::Push;
 
+use super::arm;
 use super::compass::Compass;
+use super::moment;
 use super::plot;
 use super::quantities::Quantities;
 use super::snapshot;
@@ -31,11 +34,13 @@ pub(super) fn drawing(quantities: &Quantities<'_>, compass: &Compass) -> Option<
             contact::drawing(quantities, compass, impact).or_else(|| line::drawing(quantities, compass, 0))
         }
         Some(Stage::Push(push)) if is_graph(push) => plot::force_plot(quantities, 0),
+        Some(Stage::Push(_)) => {
+            snapshot::in_space(quantities, compass).or_else(|| line::drawing(quantities, compass, 0))
+        }
         Some(Stage::Slide(slide)) if slide.is_ramp() => Some(ramp::drawing(quantities, compass, 0, slide)),
         Some(Stage::Taut(taut)) if taut.over.is_some() => Some(pulley::taut(quantities, 0, taut)),
         Some(
-            Stage::Push(_)
-            | Stage::Slide(_)
+            Stage::Slide(_)
             | Stage::Spring(_)
             | Stage::Taut(_)
             | Stage::Blow(_)
@@ -52,7 +57,11 @@ pub(super) fn drawing(quantities: &Quantities<'_>, compass: &Compass) -> Option<
         Some(Stage::Connected(connected)) => Some(pulley::connected(quantities, 0, connected)),
         Some(Stage::SlideOff(slide)) => Some(ride::slide(quantities, compass, slide)),
         Some(Stage::Walk(walk)) => ride::walk(quantities, compass, 0, walk),
-        Some(Stage::Moment(_) | Stage::Strike(_) | Stage::Conical(_) | Stage::Bowl(_) | Stage::Interact(_)) => None,
+        Some(Stage::Moment(stage)) => moment::sheet(quantities, compass, stage),
+        Some(Stage::Strike(stage)) => Some(arm::strike_sheet(quantities, stage)),
+        Some(Stage::Conical(stage)) => Some(revolution::conical(quantities, stage)),
+        Some(Stage::Bowl(stage)) => Some(revolution::bowl(quantities, stage)),
+        Some(Stage::Interact(_)) => snapshot::drawing(quantities, compass),
         Some(Stage::Fall(fall)) => fall::drawing(quantities, compass, fall),
         Some(Stage::Stream(stream)) => stream::drawing(quantities, compass, 0, stream),
         Some(Stage::Thrust(thrust)) => stream::rocket(quantities, compass, 0, thrust),

@@ -5,47 +5,50 @@ use core::f64::consts::PI;
 use crate::scene::Axis;
 use crate::scene::stage::Blow;
 
-use crate::simulate::scene::bench::{Bench, part};
-use crate::simulate::scene::direction::unit;
+use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::reel::{Look, Motion, Seen};
-use crate::simulate::scene::state::add;
-use crate::simulate::scene::touch::dot;
+use crate::simulate::scene::vector::{Vector, ZERO, add, dot, part, size, times, unit, within};
 
 impl Bench<'_> {
     pub(super) fn blow(&mut self, stage: &Blow) -> Result<(), NothingToSimulate> {
         let body = stage.body.as_str();
         let mass = self.values.mass(body)?;
         let before = self.values.moving(body)?;
-        let (mut after, mut impulse, mut force) = ([0.0; 2], [0.0; 2], [0.0; 2]);
+        let (mut after, mut impulse, mut force) = (ZERO, ZERO, ZERO);
         for axis in self.values.axes() {
             let start = part(before, axis);
             let strength = self.strength(body, axis, mass, start)?;
             let [velocity, given] = self.struck(mass, start, strength)?;
-            after = add(after, unit(axis).map(|own| own * velocity));
-            impulse = add(impulse, unit(axis).map(|own| own * given));
-            force = add(force, unit(axis).map(|own| own * strength));
+            after = add(after, times(velocity, unit(axis)));
+            impulse = add(impulse, times(given, unit(axis)));
+            force = add(force, times(strength, unit(axis)));
         }
         self.film_blow(body, mass, before, force)?;
-        self.note_velocity(body, after, before[0].abs() + before[1].abs());
+        self.note_velocity(body, after, size(before));
         self.note_impulse(body, impulse, stage.duration.as_ref());
         Ok(())
     }
 
-    fn film_blow(&mut self, body: &str, mass: f64, [u, v]: [f64; 2], force: [f64; 2]) -> Result<(), NothingToSimulate> {
+    fn film_blow(&mut self, body: &str, mass: f64, before: Vector, force: Vector) -> Result<(), NothingToSimulate> {
         let (values, end) = (self.values, 1.0 / self.shorter);
-        let now = |time: f64| force.map(|own| own * libm::sin(PI * time / end));
-        let slope = |time: f64, state: &[f64; 4]| {
-            let now = now(time);
-            [state[2], state[3], now[0] / mass, now[1] / mass]
+        let now = |time: f64| times(libm::sin(PI * time / end), force);
+        let slope = |time: f64, &[_, _, _, u, v, w]: &[f64; 6]| {
+            let [x, y, z] = times(1.0 / mass, now(time));
+            [u, v, w, x, y, z]
         };
-        let look = |time: f64, &[x, y, u, v]: &[f64; 4]| Look {
-            bodies: vec![Seen { mass, place: values.split([x, y]), velocity: values.split([u, v]) }],
+        let look = |time: f64, state: &[f64; 6]| Look {
+            bodies: vec![Seen {
+                mass,
+                place: values.split(within(state, 0)),
+                velocity: values.split(within(state, 3)),
+            }],
             outside: values.split(now(time)),
-            power: dot(now(time), [u, v]),
+            power: dot(now(time), within(state, 3)),
             ..Look::default()
         };
-        let (names, components, start) = (&[body], values.components(), (0.0, [0.0, 0.0, u, v]));
+        let [u, v, w] = before;
+        let (names, components, start) = (&[body], values.components(), (0.0, [0.0, 0.0, 0.0, u, v, w]));
         self.film(&Motion { names, components, start, end, slope: &slope, look: &look })?;
         self.remark("How the force goes on is not told: it is drawn as half a wave of one second.");
         Ok(())

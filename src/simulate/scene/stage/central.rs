@@ -10,9 +10,35 @@ use crate::simulate::scene::reel::{Look, Motion, Seen, plane};
 /// Place, velocity, and the area that the radius has swept, in units of the distance and the speed at the start.
 type State = [f64; 5];
 
-/// The motion under an attraction that falls with the square of the distance.
+/// The acceleration towards the centre as a function of the distance.
+#[derive(Clone, Copy, Debug)]
+enum Law {
+    /// It falls with the square of the distance.
+    Gravity { parameter: f64 },
+    /// It grows with how far the distance exceeds a length.
+    Spring { rate: f64, slack: f64 },
+}
+
+impl Law {
+    fn inwards(self, distance: f64) -> f64 {
+        match self {
+            Self::Gravity { parameter } => parameter / (distance * distance),
+            Self::Spring { rate, slack } => rate * (distance - slack),
+        }
+    }
+
+    /// The energy of a unit of mass at a distance.
+    fn potential(self, distance: f64) -> f64 {
+        match self {
+            Self::Gravity { parameter } => -parameter / distance,
+            Self::Spring { rate, slack } => rate * (distance - slack) * (distance - slack) / 2.0,
+        }
+    }
+}
+
+/// The motion under a force towards the centre.
 struct Pull {
-    parameter: f64,
+    law: Law,
     integrator: Integrator,
 }
 
@@ -34,7 +60,7 @@ impl Pull {
     fn to(&self, from: (f64, State), stop: &dyn Fn(&State) -> f64) -> Result<(f64, State), NothingToSimulate> {
         let slope = |_: f64, state: &State| {
             let [x, y, u, v, _] = *state;
-            let pull = -self.parameter / libm::pow(distance(state), 3.0);
+            let pull = -self.law.inwards(distance(state)) / distance(state);
             [u, v, pull * x, pull * y, (x * v - y * u) / 2.0]
         };
         self.integrator.event(from.0, from.1, &slope, &|_, state| stop(state))
@@ -43,9 +69,6 @@ impl Pull {
 
 impl Bench<'_> {
     pub(super) fn central(&mut self, stage: &Central) -> Result<(), NothingToSimulate> {
-        if stage.spring.is_some() {
-            return Err(NothingToSimulate::NoMethod);
-        }
         let (body, first) = (stage.body.as_str(), self.values.index + 1);
         let named =
             |base: &str, instant: usize, part: &str| self.values.named(&format!("{base}_{body}{instant}{part}"));
@@ -55,13 +78,18 @@ impl Bench<'_> {
         let goal = named("r", first + 1, "").map(|goal| goal / length);
         let told = stage.gravity.as_ref().map(|term| self.values.term(term)).transpose()?;
         // Where no force is told, any that brings the particle to its goal will do.
-        let parameter = match (told, &goal) {
-            (Some(told), _) => told / (length * speed * speed),
-            (None, Ok(goal)) if *goal > 1.0 => (1.0 + 1.0 / goal) / 4.0,
-            (None, Ok(goal)) => 1.0 + 1.0 / goal,
-            (None, Err(missing)) => return Err(*missing),
+        let law = match (&stage.spring, told, &goal) {
+            (Some(spring), ..) => {
+                let slack = spring.unstretched.as_ref().map_or(Ok(0.0), |term| self.values.term(term))? / length;
+                let rate = self.values.term(&spring.stiffness)? / self.values.mass(body)?;
+                Law::Spring { rate: rate * length * length / (speed * speed), slack }
+            }
+            (None, Some(told), _) => Law::Gravity { parameter: told / (length * speed * speed) },
+            (None, None, Ok(goal)) if *goal > 1.0 => Law::Gravity { parameter: (1.0 + 1.0 / goal) / 4.0 },
+            (None, None, Ok(goal)) => Law::Gravity { parameter: 1.0 + 1.0 / goal },
+            (None, None, Err(missing)) => return Err(*missing),
         };
-        let pull = Pull { parameter, integrator: self.integrator(0.1) };
+        let pull = Pull { law, integrator: self.integrator(0.1) };
         let start = (0.0, [1.0, 0.0, radial, across.signum(), 0.0]);
         let mut shown = 0.0;
         self.note_there(body, first, &start.1, [length, speed]);
@@ -71,6 +99,12 @@ impl Bench<'_> {
             shown = time;
             self.note_there(body, first + 1, &end, [length, speed]);
             self.note(&format!("v_{body}{}.theta", first + 1), speed * around(&end), speed);
+            if stage.spring.is_some() || told.is_some() {
+                // It comes back to the same distance with the opposite radial part.
+                let sense = named("v", first + 1, ".r").unwrap_or(1.0) * outwards(&end);
+                let radial = if sense < 0.0 { -outwards(&end) } else { outwards(&end) };
+                self.note(&format!("v_{body}{}.r", first + 1), speed * radial, speed);
+            }
             self.note("areal_rate", end[4] / time * length * speed, 0.0);
             if radial == 0.0 {
                 self.note_here("dt", time * length / speed, 0.0);
@@ -90,11 +124,10 @@ impl Bench<'_> {
         (start, time): (State, f64),
         [length, speed]: [f64; 2],
     ) -> Result<(), NothingToSimulate> {
-        let parameter = pull.parameter * length * speed * speed;
         let mass = self.values.any_mass(body);
         let slope = |_: f64, &[x, y, u, v]: &[f64; 4]| {
             let away = libm::hypot(x, y);
-            let pull = -parameter / (away * away * away);
+            let pull = -pull.law.inwards(away / length) * speed * speed / (length * away);
             [u, v, pull * x, pull * y]
         };
         let look = |at: f64, state: &[f64; 4]| {
@@ -103,7 +136,7 @@ impl Bench<'_> {
             Look {
                 bodies: vec![Seen { mass, place: vec![x, y], velocity: vec![u, v] }],
                 outside: vec![mass * across, mass * up],
-                potential: -mass * parameter / libm::hypot(x, y),
+                potential: mass * speed * speed * pull.law.potential(libm::hypot(x, y) / length),
                 ..Look::default()
             }
         };

@@ -4,9 +4,9 @@ use crate::scene::Term;
 use crate::scene::stage::{Connected, Strand};
 
 use crate::simulate::scene::bench::Bench;
-use crate::simulate::scene::direction::unit;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::reel::{Component, Look, Motion, Seen};
+use crate::simulate::scene::vector::{times, unit};
 
 /// One end of the string: the mass, and what drives it along the string towards the leading body.
 struct End {
@@ -64,7 +64,7 @@ impl Bench<'_> {
         self.film(&Motion { names: &bodies, components, start: (0.0, start), end: time, slope: &slope, look: &look })?;
         self.remark("s is counted along the string, towards the leading body, for both bodies.");
         for (body, velocity) in bodies.into_iter().zip([end[1], end[2]]) {
-            self.note_velocity(body, unit(axis).map(|own| own * velocity), speed);
+            self.note_velocity(body, times(velocity, unit(axis)), speed);
         }
         self.note_here("tension", tension, trailing.weight.abs() + leading.weight.abs());
         self.note_term(stage.distance.as_ref(), end[0], 0.0);

@@ -3,10 +3,10 @@
 use crate::scene::stage::{Bounces, Fall};
 use crate::scene::{Axis, Stage};
 
-use crate::simulate::scene::bench::{Bench, Way, part};
-use crate::simulate::scene::direction::unit;
+use crate::simulate::scene::bench::{Bench, Way};
 use crate::simulate::scene::integrate::Integrator;
 use crate::simulate::scene::nothing::NothingToSimulate;
+use crate::simulate::scene::vector::{Vector, part, times, unit};
 
 /// The share of the first height below which a bounce adds nothing.
 const NOTHING: f64 = 1e-14;
@@ -32,14 +32,14 @@ impl Bench<'_> {
             let state = [height, before * down.signum()];
             let slope = |_: f64, state: &[f64; 2]| [-state[1], down.abs()];
             let (time, state) = integrator.event(0.0, state, &slope, &|_, state| state[0])?;
-            let velocity = unit(axis).map(|own| own * state[1] * down.signum());
+            let velocity = times(state[1] * down.signum(), unit(axis));
             self.note_velocity_along(&stage.body, axis, velocity);
             self.note_duration(None, time);
         }
         Ok(())
     }
 
-    fn note_velocity_along(&mut self, body: &str, axis: Axis, velocity: [f64; 2]) {
+    fn note_velocity_along(&mut self, body: &str, axis: Axis, velocity: Vector) {
         self.note(&self.values.velocity_after(body, axis), part(velocity, axis), 0.0);
     }
 

@@ -3,9 +3,9 @@
 use crate::scene::stage::{Impact, Partners};
 
 use crate::simulate::scene::bench::Bench;
-use crate::simulate::scene::direction::unit;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::touch::{Parted, Party, Touch, dot};
+use crate::simulate::scene::touch::{Parted, Party, Touch};
+use crate::simulate::scene::vector::{Vector, ZERO, across, add, dot, times, unit};
 
 /// The share of the energy before at which a search for the coefficient of restitution ends.
 const CLOSE: f64 = 1e-14;
@@ -18,7 +18,7 @@ impl Bench<'_> {
         match stage.partners() {
             Some(Partners::Bodies(first, second)) if stage.plastic => self.stick(stage, [first, second]),
             Some(Partners::Bodies(first, second)) => self.collide(stage, [first, second]),
-            Some(Partners::Surface(body, surface)) => self.strike(stage, body, surface),
+            Some(Partners::Surface(body, surface)) => self.rebound(stage, body, surface),
             None => Err(NothingToSimulate::NoStage),
         }
     }
@@ -49,8 +49,8 @@ impl Bench<'_> {
         }
         self.note_parting(stage, &touch, &bodies, &parted);
         for ((body, party), reaction) in bodies.iter().zip(parties).zip(parted.reactions) {
-            if let Some([x, y]) = party.guide {
-                self.note_here(&format!("R_{body}"), dot([-y, x], reaction), 0.0);
+            if let Some(along) = party.guide {
+                self.note_here(&format!("R_{body}"), dot(across(along), reaction), 0.0);
             }
         }
         Ok(())
@@ -60,7 +60,7 @@ impl Bench<'_> {
     fn restitution(&mut self, stage: &Impact, touch: &Touch) -> Result<f64, NothingToSimulate> {
         let Some(term) = &stage.loss else { return self.values.coefficient(stage) };
         let loss = self.values.term(term)?;
-        let energy = |velocities: [[f64; 2]; 2]| -> f64 {
+        let energy = |velocities: [Vector; 2]| -> f64 {
             let each = touch.parties.iter().zip(velocities);
             each.map(|(party, velocity)| party.mass.unwrap_or(0.0) * dot(velocity, velocity) / 2.0).sum()
         };
@@ -77,16 +77,16 @@ impl Bench<'_> {
         Ok(f64::midpoint(low, high))
     }
 
-    fn strike(&mut self, stage: &Impact, body: &str, surface: &str) -> Result<(), NothingToSimulate> {
+    fn rebound(&mut self, stage: &Impact, body: &str, surface: &str) -> Result<(), NothingToSimulate> {
         let entry = self.values.scene.surfaces.get(surface).ok_or(NothingToSimulate::NoStage)?;
         let outward = self.values.direction(&entry.normal.0)?;
         let moves = entry.velocity.as_ref().map_or(Ok(0.0), |term| self.values.term(term))?;
         self.take(&self.values.impact(stage)?)?;
         // Without a mass nothing but velocities can be spoken of.
         let Ok(mass) = self.values.mass(body) else { return Ok(()) };
-        let wall = Party { mass: None, velocity: outward.map(|own| own * moves), guide: None };
+        let wall = Party { mass: None, velocity: times(moves, outward), guide: None };
         let parties = [Party::free(mass, self.values.moving(body)?), wall];
-        let normal = outward.map(|own| -own);
+        let normal = times(-1.0, outward);
         let touch = Touch { parties, normal, restitution: self.values.coefficient(stage)? };
         let mut parted = touch.run(self)?;
         parted.common = -parted.common;
@@ -97,27 +97,39 @@ impl Bench<'_> {
     /// Bodies that stay together: what holds them takes up their relative motion along each axis.
     fn stick(&mut self, stage: &Impact, bodies: [&str; 2]) -> Result<(), NothingToSimulate> {
         let parties = [self.party(bodies[0])?, self.party(bodies[1])?];
-        if parties.iter().any(|party| party.guide.is_some()) {
-            return Err(NothingToSimulate::NoMethod);
+        let guide = parties.iter().find_map(|party| party.guide);
+        let lines: Vec<Vector> = match guide {
+            Some(along) => vec![along, across(along)],
+            None => self.values.axes().into_iter().map(unit).collect(),
+        };
+        if guide.is_none() {
+            self.take(&self.values.impact(stage)?)?;
         }
-        self.take(&self.values.impact(stage)?)?;
-        let mut held = Touch { parties, normal: [0.0; 2], restitution: 0.0 };
-        let mut impulses = [[0.0; 2]; 2];
-        for axis in self.values.axes() {
-            let along = unit(axis);
+        let mut held = Touch { parties, normal: ZERO, restitution: 0.0 };
+        let (mut impulses, mut reactions) = ([ZERO; 2], [ZERO; 2]);
+        for along in lines {
             let closing = dot(held.parties[0].velocity, along) - dot(held.parties[1].velocity, along);
             if closing == 0.0 {
                 continue;
             }
-            held.normal = along.map(|own| own * closing.signum());
+            held.normal = times(closing.signum(), along);
             let parted = held.run(self)?;
             for own in [0, 1] {
                 held.parties[own].velocity = parted.velocities[own];
-                impulses[own] = [0, 1].map(|axis| impulses[own][axis] + parted.impulses[own][axis]);
+                impulses[own] = add(impulses[own], parted.impulses[own]);
+                reactions[own] = add(reactions[own], parted.reactions[own]);
             }
         }
         for (body, impulse) in bodies.iter().zip(impulses) {
             self.note_impulse(body, impulse, stage.duration.as_ref());
+        }
+        for ((body, party), reaction) in bodies.iter().zip(parties).zip(reactions) {
+            if let Some(along) = party.guide {
+                self.note_here(&format!("R_{body}"), dot(across(along), reaction), 0.0);
+                let scale = parties.iter().map(|party| dot(party.velocity, party.velocity)).fold(0.0, f64::max);
+                let whole = stage.becomes.as_deref().unwrap_or(body);
+                self.note_velocity(whole, held.parties[0].velocity, libm::sqrt(scale));
+            }
         }
         let before = Touch { parties, ..held };
         let carriers = |touch: &Touch| touch.parties.map(|party| (party.mass.unwrap_or(0.0), party.velocity));
@@ -142,7 +154,7 @@ impl Bench<'_> {
         self.note_here("v_common", parted.common, 0.0);
         self.note_here("J_def", parted.phases[0], 0.0);
         self.note_here("J_rest", parted.phases[1], parted.phases[0]);
-        let carriers = |velocities: [[f64; 2]; 2]| -> Vec<(f64, [f64; 2])> {
+        let carriers = |velocities: [Vector; 2]| -> Vec<(f64, Vector)> {
             let each = touch.parties.iter().zip(velocities);
             each.filter_map(|(party, velocity)| Some((party.mass?, velocity))).collect()
         };

@@ -1,18 +1,24 @@
 //! What simulates each kind of stage: one file each, as in the scene.
 
 mod blow;
+mod bowl;
 mod central;
+mod conical;
 mod connected;
 mod fall;
 mod flight;
 mod impact;
+mod interact;
+mod moment;
 mod push;
+mod rates;
 mod rotate;
 mod separate;
 mod slide;
 mod slide_off;
 mod spring;
 mod stream;
+mod strike;
 mod swing;
 mod taut;
 mod thrust;
@@ -26,13 +32,7 @@ use super::nothing::NothingToSimulate;
 impl Bench<'_> {
     /// Simulates a stage, whatever its kind.
     pub(super) fn stage(&mut self, stage: &Stage) -> Result<(), NothingToSimulate> {
-        if self.values.axes().len() > 2 {
-            return Err(NothingToSimulate::NoMethod);
-        }
         match stage {
-            Stage::Moment(_) | Stage::Strike(_) | Stage::Conical(_) | Stage::Bowl(_) | Stage::Interact(_) => {
-                Err(NothingToSimulate::NoMethod)
-            }
             Stage::Impact(stage) => self.impact(stage),
             Stage::Push(stage) => self.push(stage),
             Stage::Slide(stage) => self.slide(stage),
@@ -43,6 +43,11 @@ impl Bench<'_> {
             Stage::Blow(stage) => self.blow(stage),
             Stage::Rotate(stage) => self.rotate(stage),
             Stage::Central(stage) => self.central(stage),
+            Stage::Moment(stage) => self.moment(stage),
+            Stage::Strike(stage) => self.strike(stage),
+            Stage::Conical(stage) => self.conical(stage),
+            Stage::Bowl(stage) => self.bowl(stage),
+            Stage::Interact(stage) => self.interact(stage),
             Stage::Fall(stage) => self.fall(stage),
             Stage::Bounces(stage) => self.bounces(stage),
             Stage::Stream(stage) => self.stream(stage),
@@ -69,6 +74,7 @@ mod tests {
     const UPHILL: &str = r#"{"x":"up the slope"}"#;
     const BOTH: &str = r#"{"x":"to the right","y":"upwards"}"#;
     const POLAR: &str = r#""polar""#;
+    const SPACE: &str = r#"{"x":"to the right","y":"away from you","z":"upwards"}"#;
 
     type Row = (&'static str, &'static str, &'static str, &'static str);
 
@@ -171,6 +177,73 @@ mod tests {
             "a_A 2, r_A.max 3, ecc_A 0.5, period_A 8.88576587631673, speed_A2 1.4142135623730951",
         ),
         (
+            POLAR,
+            r#"{"central":{"body":"A","about":"O","spring":{"stiffness":"3 N/m","unstretched":"1 m"}}}"#,
+            "m_A 1, r_A1 2, r_A2 1, v_A1.r 0, v_A1.theta 0.5",
+            "v_A2.theta 1, v_A2.r -1.5, H_O2 1",
+        ),
+        (
+            RIGHT,
+            r#"{"rotate":{"about":"O","bodies":{"A":"1 m","B":["2 m","1 m"]}}}"#,
+            "m_A 1, m_B 2, omega_1 2",
+            "H_O1 18, omega_2 6, v_A2 6, v_B2 6, work 36",
+        ),
+        (
+            RIGHT,
+            r#"{"strike":{"body":"G","about":"O","at":"1 m","carries":{"A":"2 m"},"restitution":0.5}}"#,
+            "m_G 2, m_A 1, v_G1 6, omega_1 0",
+            "omega_2 3, v_A2 6, v_G2 0, H_O2 12, T_lost 18",
+        ),
+        (
+            RIGHT,
+            r#"{"strike":{"body":"G","about":"O","at":"1 m","carries":{"A":"2 m"},"plastic":true}}"#,
+            "m_G 2, m_A 1, v_G1 6, omega_1 0",
+            "omega_2 2, v_G2 2, T_lost 24",
+        ),
+        (
+            RIGHT,
+            r#"{"conical":{"body":"A","about":"O","length":["2 m","1 m"]}}"#,
+            "m_A 1, angle_A1 0.7853981633974483",
+            "v_A1 3.760603093086394, tension_A1 14.142135623730951, H_O2 5.318295896944988",
+        ),
+        (
+            POLAR,
+            r#"{"bowl":{"body":"A","about":"O","way":"down","cone":"45 deg","height":"1 m","horizontal":"start"}}"#,
+            "m_A 1, r_A1 2, v_A1.theta 2",
+            "r_A2 1, v_A2.theta 4, speed_A2 4.898979485566356, angle_A2 0.6154797086703874",
+        ),
+        (
+            POLAR,
+            r#"{"bowl":{"body":"A","about":"O","way":"down","sphere":"5 m","height":"h","horizontal":"both"}}"#,
+            "m_A 1, r_A1 4, v_A1.theta 0.001",
+            "h 2",
+        ),
+        (BOTH, r#"{"moment":{"about":"O","value":"6*t*1 N m/s","during":"2 s"}}"#, "H_O1 -4", "H_O2 8, dt 2"),
+        (
+            SPACE,
+            r#"{"moment":{"about":"O","value":{"x":"3 N m","z":"t*1 N m/s"},"during":"2 s"}}"#,
+            "H_O1.x 1, H_O1.y 2, H_O1.z 3",
+            "H_O2.x 7, H_O2.y 2, H_O2.z 5",
+        ),
+        (
+            SPACE,
+            r#"{"push":{"body":"A","during":"2 s","forces":[{"value":{"x":"6 N","y":"3*t*1 N/s"}}]}}"#,
+            "m_A 2, v_A1.x 1, v_A1.y 0, v_A1.z 4, r_A1.x 1, r_A1.y 2, r_A1.z 3",
+            "v_A2.x 7, v_A2.y 3, v_A2.z -16, J_A.z -40, H_rate_O1.x -40, H_rate_O1.y 38, H_rate_O1.z -12",
+        ),
+        (
+            SPACE,
+            r#"{"separate":{"from":"W","into":["A","B","G"]}}"#,
+            "m_A 2, m_B 1, m_G 1, v_W1.x 1, v_W1.y 0, v_W1.z 0, v_B2.x 1, v_B2.y 2, v_B2.z 0, v_G2.x 3, v_G2.y 0, v_G2.z 4",
+            "v_A2.x 0, v_A2.y -1, v_A2.z -2, J_A.x -2, J_G.z 4, T_gained 16",
+        ),
+        (
+            SPACE,
+            r#"{"impact":{"between":["A","B"],"plastic":true,"becomes":"C"}}"#,
+            "m_A 1, m_B 3, v_A1.x 4, v_A1.y 0, v_A1.z 8, v_B1.x 0, v_B1.y 4, v_B1.z 0",
+            "v_C2.x 1, v_C2.y 3, v_C2.z 2, J_B.z 6",
+        ),
+        (
             UP,
             r#"{"bounces":{"body":"A","restitution":0.5,"count":2}}"#,
             "h_0 5",
@@ -248,7 +321,7 @@ mod tests {
     ];
 
     fn scene(axes: &str, stage: &str) -> Scene {
-        let plane = if axes.contains('y') { "vertical" } else { "horizontal" };
+        let plane = if axes.contains("upwards") { "vertical" } else { "horizontal" };
         let text = format!(
             r#"{{"axes":{axes},"plane":"{plane}","points":{{"O":{{"name":"o"}}}},"bodies":{{"A":{{"name":"a"}},
             "B":{{"name":"b"}},"G":{{"name":"g","guide":{{"along":"x"}}}}}},"stages":[{stage}]}}"#
@@ -291,7 +364,7 @@ mod tests {
         for (stage, told, reason) in [
             (r#"{"blow":{"body":"A","by":"the bat"}}"#, "m_A 1, v_A1 1", NothingToSimulate::ValueMissing),
             (r#"{"impact":{"between":["A","B"]}}"#, "m_A 1, m_B 1, v_A1 1, v_B1 0", NothingToSimulate::NoRestitution),
-            (three, "m_A 1, m_B 1, m_G 1, v_W1 1", NothingToSimulate::NoMethod),
+            (three, "m_A 1, m_B 1, m_G 1, v_W1 1", NothingToSimulate::ValueMissing),
         ] {
             assert_eq!(run(RIGHT, stage, told).unwrap_err(), reason, "{stage}");
         }

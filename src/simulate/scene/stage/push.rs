@@ -5,15 +5,15 @@ use std::sync::Arc;
 use crate::scene::stage::{During, Push};
 use crate::scene::{Axis, Force, Friction, Pull, Strength};
 
-use crate::simulate::scene::bench::{Bench, part};
-use crate::simulate::scene::direction::{turned, unit};
+use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::floor::{Slide, Sliding, Until};
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::values::OfTime;
+use crate::simulate::scene::vector::{Vector, ZERO, across, add, dot, part, times, unit};
 
 /// What a body feels along an axis and across it, upwards: forces in the time of the stage.
-struct Felt {
-    along: OfTime,
+pub(super) struct Felt {
+    pub along: OfTime,
     lifted: OfTime,
     changes: Vec<f64>,
 }
@@ -27,9 +27,14 @@ impl Bench<'_> {
         if friction.is_some() || stage.incline.is_some() || stage.over.is_some() || stage.until.is_some() {
             return self.push_along(stage, friction);
         }
-        let [start, end] = self.during(stage.during.as_ref())?;
+        let rated = self.note_rates(stage)?;
+        let [start, end] = match self.during(stage.during.as_ref()) {
+            // How long the forces act may be left open where only what they begin with is spoken of.
+            Err(NothingToSimulate::ValueMissing) if rated => return Ok(()),
+            during => during?,
+        };
         let mass = self.values.mass(&stage.body)?;
-        let mut impulse = [0.0; 2];
+        let mut impulse = ZERO;
         for axis in self.values.axes() {
             let felt = self.felt(stage, unit(axis))?;
             let weight = mass * self.values.gravity(axis)?;
@@ -50,8 +55,7 @@ impl Bench<'_> {
             .run(self, 1.0, Until::Time(end))?;
             let slid = slide.run(self, 1.0, Until::Time(end))?;
             self.note(&self.values.velocity_after(&stage.body, axis), slid.speed, before);
-            let own = unit(axis).map(|part| part * mass * gained.speed);
-            impulse = [impulse[0] + own[0], impulse[1] + own[1]];
+            impulse = add(impulse, times(mass * gained.speed, unit(axis)));
         }
         self.note_impulse(&stage.body, impulse, None);
         self.note_duration(None, end - start);
@@ -68,8 +72,8 @@ impl Bench<'_> {
     }
 
     /// What pushes and pulls make up along a direction, and at right angles to it.
-    fn felt(&self, stage: &Push, along: [f64; 2]) -> Result<Felt, NothingToSimulate> {
-        let mut all: Vec<([f64; 2], OfTime)> = Vec::new();
+    pub(super) fn felt(&self, stage: &Push, along: Vector) -> Result<Felt, NothingToSimulate> {
+        let mut all: Vec<(Vector, OfTime)> = Vec::new();
         let mut changes: Vec<f64> = Vec::new();
         for force in &stage.forces {
             let Force::Pull(Pull { value, direction, .. }) = force else { continue };
@@ -81,21 +85,19 @@ impl Bench<'_> {
             }
             let towards = match direction {
                 Some(term) => self.values.direction(&term.0)?,
-                None => self.values.axes().first().map_or([1.0, 0.0], |axis| unit(*axis)),
+                None => self.values.axes().first().map_or(unit(Axis::X), |axis| unit(*axis)),
             };
             let (strength, own) = self.values.strength(value)?;
             changes.extend(own);
             all.push((towards, strength));
         }
         changes.sort_by(f64::total_cmp);
-        let sum = |of: [f64; 2]| -> OfTime {
-            let parts: Vec<(f64, OfTime)> = all
-                .iter()
-                .map(|(towards, strength)| (towards[0] * of[0] + towards[1] * of[1], Arc::clone(strength)))
-                .collect();
+        let sum = |of: Vector| -> OfTime {
+            let parts: Vec<(f64, OfTime)> =
+                all.iter().map(|(towards, strength)| (dot(*towards, of), Arc::clone(strength))).collect();
             Arc::new(move |time| parts.iter().map(|(part, strength)| part * strength(time)).sum())
         };
-        Ok(Felt { along: sum(along), lifted: sum(turned(along, core::f64::consts::FRAC_PI_2)), changes })
+        Ok(Felt { along: sum(along), lifted: sum(across(along)), changes })
     }
 
     /// Along one axis, on a floor or a slope.

@@ -1,4 +1,4 @@
-//! A particle on an arm: its motion along the circle while the arm keeps its length, or is drawn in.
+//! Particles on an arm: their motion along circles while the arm keeps its lengths, or while some are drawn in.
 
 use std::sync::Arc;
 
@@ -7,81 +7,118 @@ use core::f64::consts::PI;
 use crate::scene::stage::Rotate;
 
 use crate::simulate::scene::bench::Bench;
-use crate::simulate::scene::direction::unit;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::reel::{Look, Motion, Seen, plane};
 use crate::simulate::scene::values::OfTime;
+use crate::simulate::scene::vector::{times, unit};
+
+/// A particle on the arm, with its distances at both ends.
+struct Held<'a> {
+    body: &'a str,
+    mass: f64,
+    ends: [f64; 2],
+}
+
+impl Held<'_> {
+    /// The distance at a share of the time, with its first and second derivatives by that share.
+    fn radius(&self, share: f64) -> [f64; 3] {
+        let half = (self.ends[1] - self.ends[0]) / 2.0;
+        let (sin, cos) = (libm::sin(PI * share), libm::cos(PI * share));
+        [self.ends[0] + half * (1.0 - cos), half * PI * sin, half * PI * PI * cos]
+    }
+}
+
+/// The particles in the plane of their circles, so long after the start of a span, with what holds and drives them.
+fn seen(held: &[Held<'_>], state: &[f64; 3], [rate, gain, power]: [f64; 3], [time, span]: [f64; 2]) -> Look {
+    let (sin, cos) = (libm::sin(state[0]), libm::cos(state[0]));
+    let pointed = |out: f64, round: f64| [out * cos - round * sin, out * sin + round * cos];
+    let (mut bodies, mut outside) = (Vec::new(), vec![0.0; 2]);
+    for own in held {
+        let [radius, speed, gained] = own.radius(time / span);
+        let (speed, gained) = (speed / span, gained / (span * span));
+        let place = pointed(radius, 0.0).into();
+        bodies.push(Seen { mass: own.mass, place, velocity: pointed(speed, radius * rate).into() });
+        let acceleration = pointed(gained - radius * rate * rate, radius * gain + 2.0 * speed * rate);
+        for (sum, part) in outside.iter_mut().zip(acceleration) {
+            *sum += own.mass * part;
+        }
+    }
+    Look { bodies, outside, power, ..Look::default() }
+}
 
 impl Bench<'_> {
     pub(super) fn rotate(&mut self, stage: &Rotate) -> Result<(), NothingToSimulate> {
         let axis = self.values.axes().first().copied().ok_or(NothingToSimulate::Unread)?;
-        // Several particles on one arm push each other through it.
-        let [(body, arm)] = stage.held()[..] else { return Err(NothingToSimulate::NoMethod) };
-        let [from, to] = arm.ends();
-        let [short, long] = [self.values.term(from)?, self.values.term(to)?];
-        let before = self.values.velocity_before(body, axis)?;
+        let first = self.values.index + 1;
+        let mut held = Vec::new();
+        for (body, arm) in stage.held() {
+            let [from, to] = arm.ends();
+            // What one particle does alone, without a moment, is the same whatever its mass.
+            let lone = stage.moment.is_none() && stage.bodies.len() < 2;
+            let mass = if lone { self.values.any_mass(body) } else { self.values.mass(body)? };
+            held.push(Held { body, mass, ends: [self.values.term(from)?, self.values.term(to)?] });
+        }
+        let turning = |own: &Held<'_>| Ok(self.values.velocity_before(own.body, axis)? / own.ends[0]);
+        let started = self.values.named(&format!("omega_{first}"));
+        let before = held.iter().fold(started, |known, own| known.or_else(|_| turning(own)))?;
         let (moment, changes): (OfTime, Vec<f64>) = match &stage.moment {
             Some(moment) => self.values.strength(moment)?,
             None => (Arc::new(|_| 0.0), Vec::new()),
         };
-        let mass = if stage.moment.is_some() { self.values.mass(body)? } else { self.values.any_mass(body) };
         // Without a moment how long it takes does not matter: about as long as an eighth of a turn.
         let [start, end] = match (&stage.moment, &stage.during) {
-            (None, None) => [0.0, short / before.abs()],
+            (None, None) => [0.0, 1.0 / before.abs()],
             (_, during) => self.during(during.as_ref())?,
         };
-        let arm = |time: f64| {
-            let phase = PI * (time - start) / (end - start);
-            let (half, quick) = ((long - short) / 2.0, PI / (end - start));
-            let (sin, cos) = (libm::sin(phase), libm::cos(phase));
-            // Its length, and how that changes, first and second.
-            [short + half * (1.0 - cos), half * sin * quick, half * cos * quick * quick]
-        };
-        // The angle and its rate: across the arm a particle feels the moment, and the arm's change turns it.
-        let slope = |time: f64, state: &[f64; 2]| {
-            let [radius, drawn, _] = arm(time);
-            [state[1], (moment(time) / (mass * radius) - 2.0 * drawn * state[1]) / radius]
-        };
-        // In the plane of the circle: the arm and the moment act.
-        let look = |time: f64, state: &[f64; 2]| {
-            let [radius, drawn, jerked] = arm(time);
-            let [angle, rate] = *state;
-            let across = moment(time) / radius;
-            let along = mass * (jerked - radius * rate * rate);
-            let (sin, cos) = (libm::sin(angle), libm::cos(angle));
-            let turned = |out: f64, round: f64| vec![out * cos - round * sin, out * sin + round * cos];
-            Look {
-                bodies: vec![Seen { mass, place: turned(radius, 0.0), velocity: turned(drawn, radius * rate) }],
-                outside: turned(along, across),
-                power: along * drawn + across * radius * rate,
-                ..Look::default()
+        let span = end - start;
+        // The angle, its rate, and the work of what holds and drives the particles: across the arm they share the moment, and
+        // the arm's change turns them; along it each is held or drawn.
+        let slope = |time: f64, state: &[f64; 3]| {
+            let (mut resisting, mut driving, mut drawing) = (0.0, moment(time), 0.0);
+            let rate = state[1];
+            for own in &held {
+                let [radius, speed, gained] = own.radius((time - start) / span);
+                let (speed, gained) = (speed / span, gained / (span * span));
+                resisting += own.mass * radius * radius;
+                driving -= 2.0 * own.mass * radius * speed * rate;
+                drawing += own.mass * (gained - radius * rate * rate) * speed;
             }
+            [rate, driving / resisting, drawing + moment(time) * rate]
         };
-        let integrator = self.integrator((end - start) / 32.0);
-        let (mut time, mut state) = (start, [0.0, before / short]);
+        let integrator = self.integrator(span / 32.0);
+        let names: Vec<&str> = held.iter().map(|own| own.body).collect();
+        let (mut time, mut state) = (start, [0.0, before, 0.0]);
         for next in changes.into_iter().filter(|change| *change > start && *change < end).chain([end]) {
-            let held = |at: f64, state: &[f64; 2]| slope(if at >= next { next.next_down() } else { at }, state);
-            let (names, components, start) = (&[body], plane(false), (time, state));
-            self.film(&Motion { names, components, start, end: next, slope: &held, look: &look })?;
-            (state, time) = (integrator.until(time, state, next, &held)?, next);
+            let within = |at: f64, state: &[f64; 3]| slope(if at >= next { next.next_down() } else { at }, state);
+            let look = |at: f64, state: &[f64; 3]| seen(&held, state, within(at, state), [at - start, span]);
+            let (components, begun) = (plane(false), (time, state));
+            self.film(&Motion { names: &names, components, start: begun, end: next, slope: &within, look: &look })?;
+            (state, time) = (integrator.until(time, state, next, &within)?, next);
         }
-        let [angle, rate] = state;
-        let first = self.values.index + 1;
-        for (instant, radius, drawn, angle, rate) in
-            [(first, short, 0.0, 0.0, before / short), (first + 1, long, arm(time)[1], angle, rate)]
-        {
-            let (sin, cos) = (libm::sin(angle), libm::cos(angle));
-            let place = [radius * cos, radius * sin];
-            let velocity = [drawn * cos - radius * rate * sin, drawn * sin + radius * rate * cos];
-            let moment = place[0] * velocity[1] - place[1] * velocity[0];
-            if self.values.mass(body).is_ok() {
-                self.note(&format!("H_{}{instant}", stage.about), mass * moment, 0.0);
+        if held.len() > 1 {
+            self.remark(
+                "Where on their circles the particles are is not told: all are drawn on one side of the centre.",
+            );
+        }
+        let [_, after, work] = state;
+        let energy: f64 = held.iter().map(|own| own.mass * before * before * own.ends[0] * own.ends[0] / 2.0).sum();
+        self.note_here("work", work, energy);
+        for (instant, side, rate) in [(first, 0, before), (first + 1, 1, after)] {
+            let weighed = held.iter().all(|own| self.values.mass(own.body).is_ok());
+            let moments = held.iter().map(|own| own.mass * own.ends[side] * own.ends[side] * rate);
+            if weighed {
+                self.note(&format!("H_{}{instant}", stage.about), moments.sum(), 0.0);
             }
-            self.note(&format!("omega_{body}{instant}"), rate, 0.0);
-            self.note(&format!("a_{body}{instant}.n"), radius * rate * rate, 0.0);
+            let turning = held.first().filter(|_| held.len() == 1).map_or("", |own| own.body);
+            self.note(&format!("omega_{turning}{instant}"), rate, before);
+            for own in &held {
+                self.note(&format!("a_{}{instant}.n", own.body), own.ends[side] * rate * rate, 0.0);
+            }
         }
-        self.note(&self.values.start_name(body, axis), before, 0.0);
-        self.note_velocity(body, unit(axis).map(|own| own * long * rate), before);
+        for own in &held {
+            self.note(&self.values.start_name(own.body, axis), own.ends[0] * before, 0.0);
+            self.note_velocity(own.body, times(own.ends[1] * after, unit(axis)), own.ends[0] * before);
+        }
         Ok(())
     }
 }

@@ -1,38 +1,59 @@
-//! A body that comes apart: some force between its two parts, as strong as the energy, the relative velocity or the velocity
-//! of one part says.
+//! A body that comes apart: some force between its parts, as strong as the energy, the relative velocity or the velocities
+//! afterwards say.
 
+use core::f64::consts::PI;
+
+use nalgebra::Matrix3;
+use nalgebra::Vector3;
+
+use crate::scene::Axis;
 use crate::scene::stage::{Relative, Separate, When};
 
-use crate::simulate::scene::bench::{Bench, kinetic, part};
-use crate::simulate::scene::direction::unit;
+use crate::simulate::scene::bench::{Bench, kinetic};
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::reel::{Look, Motion, Seen};
-use crate::simulate::scene::state::add;
-use crate::simulate::scene::touch::{Party, dot};
+use crate::simulate::scene::touch::Party;
+use crate::simulate::scene::vector::{Vector, ZERO, across, add, dot, less, size, times, unit};
 
 /// Velocities of both parts after the separation, and the impulse on the first.
 pub(super) struct Apart {
-    pub velocities: [[f64; 2]; 2],
-    pub impulse: [f64; 2],
+    pub velocities: [Vector; 2],
+    pub impulse: Vector,
+}
+
+/// A part, before and after.
+struct Piece<'a> {
+    name: &'a str,
+    party: Party,
+    after: Vector,
+    impulse: Vector,
 }
 
 impl Bench<'_> {
     pub(super) fn separate(&mut self, stage: &Separate) -> Result<(), NothingToSimulate> {
-        let [first, second] = &stage.into[..] else { return Err(NothingToSimulate::NoMethod) };
-        let names = [first.as_str(), second.as_str()];
+        let first = stage.into.first().ok_or(NothingToSimulate::NoStage)?;
         let whole = self.values.moving(stage.from.as_deref().unwrap_or(first))?;
-        let mut parties = [Party::free(0.0, whole), Party::free(0.0, whole)];
-        for (party, name) in parties.iter_mut().zip(names) {
-            party.mass = Some(self.values.mass(name)?);
-            party.guide = self.values.guide(name).transpose()?;
+        let mut pieces = Vec::new();
+        for name in &stage.into {
+            let party =
+                Party { guide: self.values.guide(name).transpose()?, ..Party::free(self.values.mass(name)?, whole) };
+            pieces.push(Piece { name, party, after: whole, impulse: ZERO });
         }
-        let apart = match (&stage.energy, &stage.relative) {
-            (Some(energy), _) => self.sprung(parties, self.values.term(energy)?)?,
-            (None, Some(relative)) => self.driven(parties, names, relative)?,
-            (None, None) => self.parting(parties, names)?,
-        };
-        self.note_parts(stage, names, parties, &apart);
-        self.film_parts(names, parties, apart.impulse)
+        match (&stage.energy, &stage.relative, &mut pieces[..]) {
+            (Some(energy), _, [one, other]) => {
+                let energy = self.values.term(energy)?;
+                let apart = self.sprung([one.party, other.party], energy)?;
+                push_apart(one, other, &apart);
+            }
+            (None, Some(relative), [one, other]) => {
+                let apart = self.driven([one.party, other.party], [one.name, other.name], relative)?;
+                push_apart(one, other, &apart);
+            }
+            (None, None, pieces) => self.parting(pieces)?,
+            _ => return Err(NothingToSimulate::NoMethod),
+        }
+        self.note_parts(stage, &pieces);
+        self.film_parts(&pieces)
     }
 
     /// A spring between the parts, the first behind the second, that holds so much energy.
@@ -46,7 +67,7 @@ impl Bench<'_> {
             [state[1] - state[2], -force / masses[0], force / masses[1], force]
         };
         let (_, end) = self.integrator(0.1).event(0.0, start, &slope, &|_, state| state[0])?;
-        let along = |speed: f64| unit(axis).map(|own| own * speed);
+        let along = |speed: f64| times(speed, unit(axis));
         let velocities = [add(parties[0].velocity, along(end[1])), add(parties[1].velocity, along(end[2]))];
         Ok(Apart { velocities, impulse: along(-end[3]) })
     }
@@ -60,152 +81,133 @@ impl Bench<'_> {
     ) -> Result<Apart, NothingToSimulate> {
         let direction = match &relative.direction {
             Some(term) => self.values.direction(&term.0)?,
-            None => self.values.axes().first().map_or([1.0, 0.0], |axis| unit(*axis)),
+            None => self.values.axes().first().map_or(unit(Axis::X), |axis| unit(*axis)),
         };
         let speed = self.values.term(&relative.velocity)?;
         let of = usize::from(relative.of == names[1]);
-        let wanted = direction.map(|own| own * speed);
         let seen = |apart: &Apart| {
             let from = match relative.when {
                 When::After => apart.velocities[1 - of],
                 When::Before => parties[1 - of].velocity,
             };
-            let own = apart.velocities[of];
-            [own[0] - from[0], own[1] - from[1]]
+            less(apart.velocities[of], from)
         };
-        self.searched(parties, wanted, &seen)
+        self.searched(parties, times(speed, direction), &seen)
     }
 
-    /// As strong as one part moves afterwards as it is said to.
-    fn parting(&mut self, parties: [Party; 2], names: [&str; 2]) -> Result<Apart, NothingToSimulate> {
+    /// All but one are pushed off that one, each as strongly as it moves afterwards as it is said to.
+    fn parting(&mut self, pieces: &mut [Piece<'_>]) -> Result<(), NothingToSimulate> {
         let mut missing = NothingToSimulate::ValueMissing;
-        for (own, name) in names.into_iter().enumerate() {
-            let mut wanted = [0.0; 2];
-            let known = self.values.axes().into_iter().try_for_each(|axis| {
-                let after = self.values.named(&self.values.velocity_after(name, axis))?;
-                wanted = add(wanted, unit(axis).map(|unit| unit * after));
-                Ok(())
+        let mut told = Vec::new();
+        for piece in pieces.iter() {
+            let after = self.values.axes().into_iter().try_fold(ZERO, |all, axis| {
+                let after = self.values.named(&self.values.velocity_after(piece.name, axis))?;
+                Ok(add(all, times(after, unit(axis))))
             });
-            match known {
-                Ok(()) => return self.searched(parties, wanted, &|apart| apart.velocities[own]),
-                Err(reason) => missing = reason,
-            }
+            told.push(after.map_err(|reason| missing = reason).ok());
         }
-        Err(missing)
+        // Nothing is said of the one that is left, or it is the last.
+        let rest = told.iter().position(Option::is_none).or(told.len().checked_sub(1)).ok_or(missing)?;
+        let [before @ .., last] = pieces else { return Err(missing) };
+        told.swap(rest, before.len());
+        if let Some(own) = before.get_mut(rest) {
+            std::mem::swap(own, last);
+        }
+        for (piece, wanted) in before.iter_mut().zip(told) {
+            let now = |piece: &Piece<'_>| Party { velocity: piece.after, ..piece.party };
+            let apart = self.searched([now(piece), now(last)], wanted.ok_or(missing)?, &|apart| apart.velocities[0])?;
+            push_apart(piece, last, &apart);
+        }
+        Ok(())
     }
 
     /// The force between the parts with which something comes out as it is wanted: trials along each axis say how it changes.
     pub(super) fn searched(
         &mut self,
         parties: [Party; 2],
-        wanted: [f64; 2],
-        seen: &dyn Fn(&Apart) -> [f64; 2],
+        wanted: Vector,
+        seen: &dyn Fn(&Apart) -> Vector,
     ) -> Result<Apart, NothingToSimulate> {
-        let axes = self.values.axes();
-        let rest = seen(&self.forced(parties, [0.0; 2])?);
-        let missing = [wanted[0] - rest[0], wanted[1] - rest[1]];
+        let rest = seen(&self.forced(parties, ZERO)?);
+        let missing = less(wanted, rest);
         // The force in units that change velocities by about as much as is wanted.
-        let size = libm::hypot(missing[0], missing[1]) * parties[0].mass.unwrap_or(1.0);
-        let mut columns = Vec::new();
-        for axis in &axes {
-            let end = seen(&self.forced(parties, unit(*axis).map(|own| own * size))?);
-            columns.push([(end[0] - rest[0]) / size, (end[1] - rest[1]) / size]);
+        let size = size(missing) * parties[0].mass.unwrap_or(1.0);
+        if size == 0.0 {
+            return self.forced(parties, ZERO);
         }
-        let force = match (&columns[..], &axes[..]) {
-            _ if size == 0.0 => [0.0; 2],
-            ([only], [axis]) => unit(*axis).map(|own| own * part(missing, *axis) / part(*only, *axis)),
-            ([x, y], _) => {
-                let whole = x[0] * y[1] - y[0] * x[1];
-                [(missing[0] * y[1] - y[0] * missing[1]) / whole, (x[0] * missing[1] - missing[0] * x[1]) / whole]
-            }
-            _ => return Err(NothingToSimulate::Unread),
-        };
-        if force.iter().any(|own| !own.is_finite()) {
-            return Err(NothingToSimulate::NoMethod);
+        let mut answers = Matrix3::identity();
+        for axis in self.values.axes() {
+            let end = seen(&self.forced(parties, times(size, unit(axis)))?);
+            answers.set_column(axis as usize, &Vector3::from(times(1.0 / size, less(end, rest))));
         }
-        self.forced(parties, force)
+        let force = answers.lu().solve(&Vector3::from(missing)).ok_or(NothingToSimulate::NoMethod)?;
+        self.forced(parties, force.into())
     }
 
     /// A force on the first part, and its opposite on the second, that rises and falls within a second.
-    fn forced(&mut self, parties: [Party; 2], force: [f64; 2]) -> Result<Apart, NothingToSimulate> {
-        let [a, b] = parties.map(|party| party.velocity);
-        let start = [a[0], a[1], b[0], b[1], 0.0, 0.0];
-        let end = self.integrator(0.25).until(0.0, start, 1.0, &|time, _| {
-            let now = history(force, time);
-            let (one, _) = parties[0].yields(now);
-            let (other, _) = parties[1].yields(now.map(|own| -own));
-            [one[0], one[1], other[0], other[1], now[0], now[1]]
+    fn forced(&mut self, parties: [Party; 2], force: Vector) -> Result<Apart, NothingToSimulate> {
+        let state = |[[a, b, c], [d, e, f], [g, h, i]]: [Vector; 3]| [a, b, c, d, e, f, g, h, i];
+        let start = state([parties[0].velocity, parties[1].velocity, ZERO]);
+        let [a, b, c, d, e, f, impulse @ ..] = self.integrator(0.25).until(0.0, start, 1.0, &|time, _| {
+            let now = times(libm::sin(PI * time), force);
+            state([parties[0].yields(now).0, parties[1].yields(times(-1.0, now)).0, now])
         })?;
-        Ok(Apart { velocities: [[end[0], end[1]], [end[2], end[3]]], impulse: [end[4], end[5]] })
+        Ok(Apart { velocities: [[a, b, c], [d, e, f]], impulse })
     }
 
-    /// The parts while some force with the impulse that was found drives them apart.
-    fn film_parts(
-        &mut self,
-        names: [&str; 2],
-        parties: [Party; 2],
-        impulse: [f64; 2],
-    ) -> Result<(), NothingToSimulate> {
+    /// The parts while some force with the impulse that was found drives them apart: half a wave of one second.
+    fn film_parts(&mut self, pieces: &[Piece<'_>]) -> Result<(), NothingToSimulate> {
         let values = self.values;
-        let force = impulse.map(|own| own * core::f64::consts::FRAC_PI_2);
-        let yielding = |time: f64| {
-            let now = history(force, time);
-            (now, [parties[0].yields(now), parties[1].yields(now.map(|own| -own))])
-        };
-        let slope = |time: f64, state: &[f64; 8]| {
-            let [one, other] = yielding(time).1.map(|(gained, _)| gained);
-            [state[2], state[3], one[0], one[1], state[6], state[7], other[0], other[1]]
-        };
-        let look = |time: f64, state: &[f64; 8]| {
-            let (now, [(_, held), (_, carried)]) = yielding(time);
-            let seen = |body: usize| Seen {
-                mass: parties[body].mass.unwrap_or(0.0),
-                place: values.split([state[4 * body], state[4 * body + 1]]),
-                velocity: values.split([state[4 * body + 2], state[4 * body + 3]]),
-            };
-            Look {
-                bodies: vec![seen(0), seen(1)],
-                outside: values.split(add(held, carried)),
-                power: dot(now, [state[2] - state[6], state[3] - state[7]]),
-                ..Look::default()
+        let look = |time: f64, _: &[f64; 0]| {
+            let phase = PI * time;
+            let (gained, gone) = ((1.0 - libm::cos(phase)) / 2.0, (time - libm::sin(phase) / PI) / 2.0);
+            let (mut bodies, mut outside, mut power) = (Vec::new(), ZERO, 0.0);
+            for Piece { party, impulse, .. } in pieces {
+                let (change, _) = party.yields(*impulse);
+                let force = times(libm::sin(phase) * PI / 2.0, *impulse);
+                let velocity = add(party.velocity, times(gained, change));
+                let place = add(times(time, party.velocity), times(gone, change));
+                outside = add(outside, party.yields(force).1);
+                power += dot(force, velocity);
+                let mass = party.mass.unwrap_or(0.0);
+                bodies.push(Seen { mass, place: values.split(place), velocity: values.split(velocity) });
             }
+            Look { bodies, outside: values.split(outside), power, ..Look::default() }
         };
-        let [a, b] = parties.map(|party| party.velocity);
-        let start = (0.0, [0.0, 0.0, a[0], a[1], 0.0, 0.0, b[0], b[1]]);
-        let components = values.components();
-        self.film(&Motion { names: &names, components, start, end: 1.0, slope: &slope, look: &look })?;
+        let names: Vec<&str> = pieces.iter().map(|piece| piece.name).collect();
+        let (start, components) = ((0.0, []), values.components());
+        self.film(&Motion { names: &names, components, start, end: 1.0, slope: &|_, _| [], look: &look })?;
         self.remark("How long the parts push each other is not told: it is drawn as one second.");
         Ok(())
     }
 
-    fn note_parts(&mut self, stage: &Separate, names: [&str; 2], parties: [Party; 2], apart: &Apart) {
-        let scale = apart.velocities.iter().map(|own| libm::hypot(own[0], own[1])).fold(0.0, f64::max);
-        let whole = stage.from.as_deref().unwrap_or(names[0]);
-        for ((name, velocity), (party, sign)) in names.iter().zip(apart.velocities).zip(parties.iter().zip([1.0, -1.0]))
-        {
-            self.note_velocity(name, velocity, scale);
-            let impulse = apart.impulse.map(|own| sign * own);
-            self.note_impulse(name, impulse, stage.duration.as_ref());
-            if let Some([x, y]) = party.guide {
-                self.note_here(&format!("R_{name}"), dot([-y, x], party.yields(impulse).1), 0.0);
+    fn note_parts(&mut self, stage: &Separate, pieces: &[Piece<'_>]) {
+        let scale = pieces.iter().map(|piece| size(piece.after)).fold(0.0, f64::max);
+        for Piece { name, party, after, impulse } in pieces {
+            self.note_velocity(name, *after, scale);
+            self.note_impulse(name, *impulse, stage.duration.as_ref());
+            if let Some(along) = party.guide {
+                self.note_here(&format!("R_{name}"), dot(across(along), party.yields(*impulse).1), 0.0);
             }
             for axis in self.values.axes() {
-                if let Ok(place) = self.values.place_before(whole, axis) {
+                if let Ok(place) = self.values.place_before(stage.from.as_deref().unwrap_or(name), axis) {
                     self.note(&self.values.place_name(name, self.values.index + 2, axis), place, 0.0);
                 }
             }
         }
-        let masses = parties.map(|party| party.mass.unwrap_or(0.0));
-        let before = [0, 1].map(|own| (masses[own], parties[own].velocity));
-        let after = [0, 1].map(|own| (masses[own], apart.velocities[own]));
+        let mass = |piece: &Piece<'_>| piece.party.mass.unwrap_or(0.0);
+        let before: Vec<_> = pieces.iter().map(|piece| (mass(piece), piece.party.velocity)).collect();
+        let after: Vec<_> = pieces.iter().map(|piece| (mass(piece), piece.after)).collect();
         self.note_energy(&before, &after);
-        let [start, end]: [f64; 2] =
-            [before, after].map(|all| all.into_iter().map(|(mass, velocity)| kinetic(mass, velocity)).sum());
+        let [start, end] =
+            [before, after].map(|all| all.into_iter().map(|(mass, velocity)| kinetic(mass, velocity)).sum::<f64>());
         self.note_term(stage.energy.as_ref(), end - start, start + end);
     }
 }
 
-/// A force at a time of the second within which it rises and falls.
-fn history(most: [f64; 2], time: f64) -> [f64; 2] {
-    most.map(|own| own * libm::sin(core::f64::consts::PI * time))
+/// Lets two parts go on as they were pushed.
+fn push_apart(one: &mut Piece<'_>, other: &mut Piece<'_>, apart: &Apart) {
+    [one.after, other.after] = apart.velocities;
+    one.impulse = add(one.impulse, apart.impulse);
+    other.impulse = less(other.impulse, apart.impulse);
 }

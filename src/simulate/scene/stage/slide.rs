@@ -5,9 +5,9 @@ use std::sync::Arc;
 use crate::scene::stage::{self, Way};
 
 use crate::simulate::scene::bench::Bench;
-use crate::simulate::scene::direction::unit;
 use crate::simulate::scene::floor::{Slide, Sliding, Slope, Until};
 use crate::simulate::scene::nothing::NothingToSimulate;
+use crate::simulate::scene::vector::{times, unit};
 
 /// The slope of a ramp of any shape: 45°.
 const RAMP: f64 = core::f64::consts::FRAC_1_SQRT_2;
@@ -46,7 +46,7 @@ impl Bench<'_> {
             _ => return Err(NothingToSimulate::ValueMissing),
         };
         let slid = slide.run(self, sense, until)?;
-        self.note_velocity(body, unit(axis).map(|own| own * slid.speed), speed);
+        self.note_velocity(body, times(slid.speed, unit(axis)), speed);
         self.note_duration(stage.duration.as_ref(), slid.time);
         self.note_term(stage.distance.as_ref(), slid.way.abs(), 0.0);
         self.note_term(stage.height.as_ref(), (slid.way * slope.along).abs(), 0.0);

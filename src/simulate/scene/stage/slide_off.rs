@@ -8,47 +8,45 @@ use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::integrate::Slope;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::reel::{Look, Motion, Seen};
-use crate::simulate::scene::touch::{Party, dot};
+use crate::simulate::scene::touch::Party;
+use crate::simulate::scene::vector::{Vector, ZERO, across, add, cross, dot, less, size, times, turned};
 
 impl Bench<'_> {
     pub(super) fn slide_off(&mut self, stage: &SlideOff) -> Result<(), NothingToSimulate> {
         let [body, on] = [stage.body.as_str(), stage.on.as_str()];
         let weight = self.values.falling()?;
-        let gravity = libm::hypot(weight[0], weight[1]);
+        let gravity = size(weight);
         let height = self.values.term(&stage.height)?;
-        let down = weight.map(|own| own / gravity);
+        let down = times(1.0 / gravity, weight);
         let end = self.values.direction(&stage.direction.0)?;
         // A face that ends level has to start steep: a quarter of a circle. Any other is straight.
         let bend = if dot(end, down) > f64::EPSILON { 0.0 } else { 1.0 / height };
         let start = if bend == 0.0 { end } else { down };
-        let turn = (down[0] * end[1] - down[1] * end[0]).signum();
+        let turn = cross(down, end)[2].signum();
         let party = |body: &str, guide| -> Result<Party, NothingToSimulate> {
-            Ok(Party { mass: Some(self.values.mass(body)?), velocity: [0.0; 2], guide })
+            Ok(Party { mass: Some(self.values.mass(body)?), velocity: ZERO, guide })
         };
         let slider = party(body, None)?;
         let carrier = party(on, self.values.guide(on).transpose()?)?;
         let [own, other] = [slider.mass.unwrap_or(1.0), carrier.mass.unwrap_or(1.0)];
-        let face = |way: f64| {
-            let (sin, cos) = (libm::sin(turn * bend * way), libm::cos(turn * bend * way));
-            [cos * start[0] - sin * start[1], sin * start[0] + cos * start[1]]
-        };
+        let face = |way: f64| turned(start, turn * bend * way);
         // The way along the face and the speed along it, how far the body has sunk, and both velocities.
         let slope = |_: f64, state: &[f64; 7]| {
             let (way, speed) = (state[0], state[1]);
             let along = face(way);
-            let out = [-along[1], along[0]];
+            let out = across(along);
             let curved = turn * bend * speed * speed;
             // How the acceleration across the face, as seen from it, depends on the force between both: tried with 0 and 1 N.
             let pushed = |force: f64| {
-                let push = out.map(|part| part * force);
-                let mine = [weight[0] + push[0] / own, weight[1] + push[1] / own];
-                let load = [other * weight[0] - push[0], other * weight[1] - push[1]];
+                let push = times(force, out);
+                let mine = add(weight, times(1.0 / own, push));
+                let load = less(times(other, weight), push);
                 let (its, _) = carrier.yields(load);
-                (mine, its, [mine[0] - its[0], mine[1] - its[1]])
+                (mine, its, less(mine, its))
             };
             let [free, tried] = [0.0, 1.0].map(|force| dot(pushed(force).2, out) - curved);
             let (mine, its, seen) = pushed(free / (free - tried));
-            [speed, dot(seen, along), dot([state[3], state[4]], down), mine[0], mine[1], its[0], its[1]]
+            [speed, dot(seen, along), dot([state[3], state[4], 0.0], down), mine[0], mine[1], its[0], its[1]]
         };
         let integrator = self.integrator(0.1 * libm::sqrt(height / gravity));
         let (time, end) = integrator.event(0.0, [0.0; 7], &slope, &|_, state| {
@@ -57,8 +55,8 @@ impl Bench<'_> {
         })?;
         self.film_pair([body, on], [own, other], (time, &slope), &|load| carrier.yields(load).1, weight)?;
         let scale = libm::sqrt(gravity * height);
-        self.note_velocity(body, [end[3], end[4]], scale);
-        self.note_velocity(on, [end[5], end[6]], scale);
+        self.note_velocity(body, [end[3], end[4], 0.0], scale);
+        self.note_velocity(on, [end[5], end[6], 0.0], scale);
         for name in [body, on] {
             for axis in self.values.axes() {
                 self.note(&self.values.start_name(name, axis), 0.0, 0.0);
@@ -74,8 +72,8 @@ impl Bench<'_> {
         names: [&str; 2],
         masses: [f64; 2],
         (end, slope): (f64, Slope<'_, 7>),
-        held: &dyn Fn([f64; 2]) -> [f64; 2],
-        weight: [f64; 2],
+        held: &dyn Fn(Vector) -> Vector,
+        weight: Vector,
     ) -> Result<(), NothingToSimulate> {
         let values = self.values;
         let all = |time: f64, state: &[f64; 11]| {
@@ -87,20 +85,19 @@ impl Bench<'_> {
         };
         let look = |time: f64, state: &[f64; 11]| {
             let changes = all(time, state);
-            let push = [0, 1].map(|axis| masses[0] * (changes[3 + axis] - weight[axis]));
-            let load = [0, 1].map(|axis| masses[1] * weight[axis] - push[axis]);
-            let reaction = held(load);
-            let total = masses[0] + masses[1];
-            let fallen = [0, 1].map(|body| masses[body] * dot([state[7 + 2 * body], state[8 + 2 * body]], weight));
+            let push = times(masses[0], less([changes[3], changes[4], 0.0], weight));
+            let reaction = held(less(times(masses[1], weight), push));
+            let place = |body: usize| [state[7 + 2 * body], state[8 + 2 * body], 0.0];
+            let fallen = [0, 1].map(|body| masses[body] * dot(place(body), weight));
             Look {
                 bodies: (0..2)
                     .map(|body| Seen {
                         mass: masses[body],
-                        place: values.split([state[7 + 2 * body], state[8 + 2 * body]]),
-                        velocity: values.split([state[3 + 2 * body], state[4 + 2 * body]]),
+                        place: values.split(place(body)),
+                        velocity: values.split([state[3 + 2 * body], state[4 + 2 * body], 0.0]),
                     })
                     .collect(),
-                outside: values.split([0, 1].map(|axis| reaction[axis] + total * weight[axis])),
+                outside: values.split(add(reaction, times(masses[0] + masses[1], weight))),
                 potential: -fallen[0] - fallen[1],
                 ..Look::default()
             }

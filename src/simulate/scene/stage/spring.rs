@@ -4,9 +4,9 @@ use crate::scene::Axis;
 use crate::scene::stage::{Ends, Spring};
 
 use crate::simulate::scene::bench::Bench;
-use crate::simulate::scene::direction::unit;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::reel::{Look, Motion, Seen};
+use crate::simulate::scene::vector::{times, unit};
 
 impl Bench<'_> {
     pub(super) fn spring(&mut self, stage: &Spring) -> Result<(), NothingToSimulate> {
@@ -34,7 +34,7 @@ impl Bench<'_> {
                 let drive = way * (self.values.gravity(axis)? + slope.along * gravity);
                 let grip = friction * slope.across * gravity;
                 let start = [from, way * self.values.velocity_before(body, axis)?];
-                let split = |value: f64| self.values.split(unit(axis).map(|own| own * way * value));
+                let split = |value: f64| self.values.split(times(way * value, unit(axis)));
                 let look = |_: f64, &[deformed, speed]: &[f64; 2]| {
                     let gone = sense * (deformed - from);
                     Look {
@@ -55,7 +55,7 @@ impl Bench<'_> {
                 let (names, components) = (&[body], self.values.components());
                 self.film(&Motion { names, components, start: (0.0, start), end: time, slope: &slope, look: &look })?;
                 let velocity = if stops { 0.0 } else { way * end[1] };
-                self.note_velocity(body, unit(axis).map(|own| own * velocity), start[1]);
+                self.note_velocity(body, times(velocity, unit(axis)), start[1]);
                 self.note_spring(stage, from, end[0]);
                 self.note_duration(None, time);
             }
@@ -71,7 +71,7 @@ impl Bench<'_> {
                 let (time, end) = integrator.event(0.0, [from, a, b], &slope, &stop)?;
                 self.film_between([first, second], masses, (time, [from, a, b], stiffness), axis)?;
                 for (body, velocity) in [(first, end[1]), (second, end[2])] {
-                    self.note_velocity(body, unit(axis).map(|own| own * velocity), a.abs() + b.abs());
+                    self.note_velocity(body, times(velocity, unit(axis)), a.abs() + b.abs());
                 }
                 self.note_spring(stage, from, end[0]);
                 self.note_duration(None, time);
@@ -92,7 +92,7 @@ impl Bench<'_> {
             let push = stiffness * deformed;
             [one - other, -push / masses[0], push / masses[1], one, other]
         };
-        let split = |value: f64| self.values.split(unit(axis).map(|own| own * value));
+        let split = |value: f64| self.values.split(times(value, unit(axis)));
         let look = |_: f64, &[deformed, one, other, here, there]: &[f64; 5]| Look {
             bodies: vec![
                 Seen { mass: masses[0], place: split(here), velocity: split(one) },

@@ -1,12 +1,13 @@
 //! A steady stream as droplets, one after another: how many arrive in a time, and what each gives the body.
 
+use crate::scene::Axis;
 use crate::scene::stage::Stream;
 
-use crate::simulate::scene::bench::{Bench, Way, part};
-use crate::simulate::scene::direction::{turned, unit};
+use crate::simulate::scene::bench::{Bench, Way};
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::reel::{Look, Motion, Seen, plane};
-use crate::simulate::scene::touch::{Party, Touch, dot};
+use crate::simulate::scene::touch::{Party, Touch};
+use crate::simulate::scene::vector::{Vector, ZERO, across, dot, part, times, unit};
 
 /// How many droplets are counted.
 const DROPLETS: u32 = 1_000;
@@ -21,7 +22,7 @@ impl Bench<'_> {
         let body = stage.body.as_str();
         let towards = match &stage.direction {
             Some(term) => self.values.direction(&term.0)?,
-            None => self.values.axes().first().map_or([1.0, 0.0], |axis| unit(*axis)),
+            None => self.values.axes().first().map_or(unit(Axis::X), |axis| unit(*axis)),
         };
         let speed = match (&stage.speed, &stage.drop) {
             (Some(term), _) => self.values.term(term)?,
@@ -32,7 +33,7 @@ impl Bench<'_> {
         let flow = self.flow(stage, speed, moves)?;
         let each = self.given(stage, towards, speed - moves)?;
         // Droplets of a kilogram: as many come in a second as the flow has kilograms.
-        let force = each.map(|impulse| impulse * flow);
+        let force = times(flow, each);
         self.note_vector(&format!("F_{body}"), force);
         if let [axis] = self.values.axes()[..] {
             self.note_here(&format!("F_hold_{body}"), -part(force, axis), 0.0);
@@ -76,14 +77,14 @@ impl Bench<'_> {
     }
 
     /// The impulse that a droplet of a kilogram gives the body, which it meets with a relative speed.
-    fn given(&mut self, stage: &Stream, towards: [f64; 2], relative: f64) -> Result<[f64; 2], NothingToSimulate> {
+    fn given(&mut self, stage: &Stream, towards: Vector, relative: f64) -> Result<Vector, NothingToSimulate> {
         if let Some(term) = &stage.turned {
             return self.along_vane(towards, relative, self.values.term(term)?);
         }
         let restitution = stage.restitution.as_ref().map_or(Ok(0.0), |term| self.values.term(term))?;
-        let drop = Party::free(1.0, towards.map(|own| own * relative));
-        let still = Party { mass: None, velocity: [0.0; 2], guide: None };
-        let normal = towards.map(|own| own * relative.signum());
+        let drop = Party::free(1.0, times(relative, towards));
+        let still = Party { mass: None, velocity: ZERO, guide: None };
+        let normal = times(relative.signum(), towards);
         let touch = Touch { parties: [drop, still], normal, restitution };
         let parted = touch.run(self)?;
         touch.film(self, [DROPLET, ""])?;
@@ -92,12 +93,12 @@ impl Bench<'_> {
     }
 
     /// A droplet that a smooth vane leads round an arc: the vane pushes it at right angles to its motion.
-    fn along_vane(&mut self, towards: [f64; 2], relative: f64, turn: f64) -> Result<[f64; 2], NothingToSimulate> {
-        let start = towards.map(|own| own * relative);
+    fn along_vane(&mut self, towards: Vector, relative: f64, turn: f64) -> Result<Vector, NothingToSimulate> {
+        let start = times(relative, towards);
         let sense = turn.signum();
         // Velocity, the impulse on the vane, and the place; a turn of 1 rad in a second.
         let slope = |_: f64, state: &[f64; 6]| {
-            let push = turned([state[0], state[1]], sense * core::f64::consts::FRAC_PI_2);
+            let push = times(sense, across([state[0], state[1], 0.0]));
             [push[0], push[1], -push[0], -push[1], state[0], state[1]]
         };
         let state = [start[0], start[1], 0.0, 0.0, 0.0, 0.0];
@@ -113,6 +114,6 @@ impl Bench<'_> {
         let (names, components, start) = (&[DROPLET], plane(false), (0.0, state));
         self.film(&Motion { names, components, start, end: turn.abs(), slope: &slope, look: &look })?;
         self.remark(SEEN);
-        Ok([end[2], end[3]])
+        Ok([end[2], end[3], 0.0])
     }
 }

@@ -4,9 +4,9 @@ use crate::scene::Term;
 use crate::scene::stage::{Place, Swing, Way};
 
 use crate::simulate::scene::bench::Bench;
-use crate::simulate::scene::direction::unit;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::reel::{Look, Motion, Seen, plane};
+use crate::simulate::scene::vector::{times, unit};
 
 /// The angle at which a swing starts whose cord may have any length.
 const ANY_ANGLE: f64 = 1.0;
@@ -79,7 +79,7 @@ impl Bench<'_> {
         let depth = |angle: f64| -length * libm::cos(angle);
         let rise = (depth(angle) - depth(start)).abs();
         match to {
-            Place::Lowest => self.note_velocity(body, unit(axis).map(|own| own * sense * reached), 0.0),
+            Place::Lowest => self.note_velocity(body, times(sense * reached, unit(axis)), 0.0),
             Place::Angle(term) => {
                 self.note(&format!("speed_{body}{}", instant + 1), reached.abs(), length * turning);
                 if stage.length.is_some() {

@@ -3,9 +3,9 @@
 use crate::scene::stage::Taut;
 
 use crate::simulate::scene::bench::Bench;
-use crate::simulate::scene::direction::unit;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::touch::{Touch, dot};
+use crate::simulate::scene::touch::Touch;
+use crate::simulate::scene::vector::{Vector, across, dot, unit};
 
 impl Bench<'_> {
     pub(super) fn taut(&mut self, stage: &Taut) -> Result<(), NothingToSimulate> {
@@ -25,13 +25,13 @@ impl Bench<'_> {
         for (((body, velocity), impulse), party) in each {
             self.note_velocity(body, velocity, libm::sqrt(scale));
             self.note_impulse(body, impulse, stage.duration.as_ref());
-            if let Some([x, y]) = party.guide {
+            if let Some(along) = party.guide {
                 let reaction = parted.reactions[usize::from(body == behind)];
-                self.note_here(&format!("R_{body}"), dot([-y, x], reaction), 0.0);
+                self.note_here(&format!("R_{body}"), dot(across(along), reaction), 0.0);
             }
         }
         let masses = parties.map(|party| party.mass.unwrap_or(0.0));
-        let carriers = |velocities: [[f64; 2]; 2]| [(masses[0], velocities[0]), (masses[1], velocities[1])];
+        let carriers = |velocities: [Vector; 2]| [(masses[0], velocities[0]), (masses[1], velocities[1])];
         self.note_energy(&carriers(parties.map(|party| party.velocity)), &carriers(parted.velocities));
         Ok(())
     }

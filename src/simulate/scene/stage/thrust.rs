@@ -1,14 +1,14 @@
 //! A body that throws mass away: the thrust of its droplets, and its motion while it becomes lighter.
 
-use crate::scene::Term;
 use crate::scene::stage::{BurningMass, Exhaust, Thrust};
+use crate::scene::{Axis, Term};
 
-use crate::simulate::scene::bench::{Bench, Way, part};
-use crate::simulate::scene::direction::unit;
+use crate::simulate::scene::bench::{Bench, Way};
 use crate::simulate::scene::integrate::Integrator;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::reel::{Look, Motion, Seen};
-use crate::simulate::scene::touch::{Party, dot};
+use crate::simulate::scene::touch::Party;
+use crate::simulate::scene::vector::{ZERO, dot, less, part, times, unit};
 
 use super::separate::Apart;
 
@@ -63,13 +63,10 @@ impl Bench<'_> {
     /// What a body gains from droplets of a share of its mass that it throws away, as a force.
     fn droplets(&mut self, speed: f64, flow: f64, mass: f64, share: f64) -> Result<f64, NothingToSimulate> {
         let (droplet, left) = (share * mass, (1.0 - share) * mass);
-        let parties = [Party::free(left, [0.0; 2]), Party::free(droplet, [0.0; 2])];
-        let axis = self.values.axes().first().map_or([1.0, 0.0], |axis| unit(*axis));
-        let seen = |apart: &Apart| {
-            let [body, droplet] = apart.velocities;
-            [body[0] - droplet[0], body[1] - droplet[1]]
-        };
-        let apart = self.searched(parties, axis.map(|own| own * speed), &seen)?;
+        let parties = [Party::free(left, ZERO), Party::free(droplet, ZERO)];
+        let axis = self.values.axes().first().map_or(unit(Axis::X), |axis| unit(*axis));
+        let seen = |apart: &Apart| less(apart.velocities[0], apart.velocities[1]);
+        let apart = self.searched(parties, times(speed, axis), &seen)?;
         Ok(left * dot(apart.velocities[0], axis) / (droplet / flow))
     }
 
@@ -152,7 +149,7 @@ impl Bench<'_> {
         let (names, components, start) = (&[body], self.values.components(), (begun, state));
         self.film(&Motion { names, components, start, end: time, slope: &slope, look: &look })?;
         self.remark("Momentum and energy are of what is left; what the exhaust takes with it counts as from outside.");
-        self.note_velocity(body, unit(axis).map(|own| own * speed), before);
+        self.note_velocity(body, times(speed, unit(axis)), before);
         self.note_here(&format!("s_{body}"), way, 0.0);
         match &stage.mass {
             BurningMass::Both([_, end]) => self.note_term(Some(end), mass, burn.start),

@@ -1,11 +1,12 @@
 //! A walk on something that is free to move: the feet push the body forwards and what it walks on backwards, then the reverse.
 
+use crate::scene::Axis;
 use crate::scene::stage::Walk;
 
 use crate::simulate::scene::bench::Bench;
-use crate::simulate::scene::direction::unit;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::reel::{Look, Motion, Seen};
+use crate::simulate::scene::vector::{times, unit};
 
 use core::f64::consts::TAU;
 
@@ -33,8 +34,8 @@ impl Bench<'_> {
 
     fn film_walk(&mut self, names: [&str; 2], masses: [f64; 2], strength: f64) -> Result<(), NothingToSimulate> {
         let slope = |time: f64, state: &[f64; 4]| pushed(masses, strength, time, state);
-        let along = self.values.axes().first().map_or([1.0, 0.0], |axis| unit(*axis));
-        let split = |value: f64| self.values.split(along.map(|own| own * value));
+        let along = self.values.axes().first().map_or(unit(Axis::X), |axis| unit(*axis));
+        let split = |value: f64| self.values.split(times(value, along));
         let look = |time: f64, state: &[f64; 4]| Look {
             bodies: (0..2)
                 .map(|body| Seen {

@@ -1,0 +1,41 @@
+//! The settings of the course to which a problem file belongs.
+
+use std::fs;
+use std::path::Path;
+
+use crate::fault::Faults;
+use crate::fault::Source;
+use crate::problem::Course;
+use crate::problem::Loaded;
+use crate::problem::load;
+
+use super::collection::FOLDER;
+use super::collection::read;
+
+/// The name of the file with a course's settings.
+pub const COURSE_FILE: &str = "course.yaml";
+
+/// Reads a problem file with the settings of its course: the nearest `course.yaml`, in its own folder or in one above it, up to
+/// `problem_bank`. Outside such a folder only its own is looked at, so that nothing far away changes what is printed.
+///
+/// # Errors
+/// Every fault of the problem file; if it has none, those of the settings.
+pub fn load_in_course(source: Source) -> Result<Loaded, Faults> {
+    let course = settings_for(Path::new(&*source.name));
+    let loaded = load(source)?;
+    Ok(match course? {
+        Some(course) => loaded.in_course(&course),
+        None => loaded,
+    })
+}
+
+fn settings_for(file: &Path) -> Result<Option<Course>, Faults> {
+    let folders: Vec<&Path> = file.ancestors().skip(1).collect();
+    let is_bank = |folder: &&Path| folder.file_name().is_some_and(|name| name == FOLDER);
+    let searched = folders.iter().position(is_bank).map_or(1, |top| top + 1);
+    let candidates = folders.into_iter().take(searched).map(|folder| folder.join(COURSE_FILE));
+    match candidates.into_iter().find(|path| fs::exists(path).unwrap_or(false)) {
+        Some(path) => Course::read(&read(&path)?).map(Some),
+        None => Ok(None),
+    }
+}

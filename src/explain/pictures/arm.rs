@@ -1,0 +1,208 @@
+//! Particles on one arm: several that turn together, and one that strikes it.
+
+use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::PI;
+use std::f64::consts::TAU;
+
+use crate::expr::name_math;
+use crate::figure::AngularImpulse;
+use crate::figure::Arm;
+use crate::figure::ArmDiagram;
+use crate::figure::Drawing;
+use crate::figure::Form;
+use crate::figure::LabelledVector;
+use crate::figure::Layout;
+use crate::figure::Moment;
+use crate::figure::Moving;
+use crate::figure::MovingBody;
+use crate::figure::OnArm;
+use crate::figure::Role;
+use crate::figure::Situation;
+use crate::figure::Wording;
+use crate::scene::Term;
+use crate::scene::stage::Rotate;
+use crate::scene::stage::Strike;
+
+use super::super::wording::capitalised;
+use super::super::wording::list;
+use super::angular::moment_impulse;
+use super::angular::nothing;
+use super::quantities::Quantities;
+use super::sheet::central::moment;
+use super::vectors::body_math;
+use super::vectors::product;
+use super::words::sentences;
+
+/// A body on an arm, or one that strikes it, as a scene has it.
+struct Carried<'a> {
+    body: &'a str,
+    distances: [&'a Term; 2],
+    angle: f64,
+    strikes: bool,
+}
+
+fn held(stage: &Rotate) -> Vec<Carried<'_>> {
+    let held = stage.held();
+    let many = f64::from(u16::try_from(held.len()).unwrap_or(u16::MAX));
+    // Two lie on a straight arm; more are spread evenly, the first at the top.
+    let first = if held.len() == 2 { 0.0 } else { FRAC_PI_2 };
+    let places = (0_u16..).map(|place| first + TAU * f64::from(place) / many);
+    let carried = held.into_iter().zip(places);
+    carried.map(|((body, arm), angle)| Carried { body, distances: arm.ends(), angle, strikes: false }).collect()
+}
+
+fn struck(stage: &Strike) -> Vec<Carried<'_>> {
+    let on_arm = stage.carries.iter().zip([0.0, PI, FRAC_PI_2, -FRAC_PI_2]);
+    let own = Carried { body: &stage.body, distances: [&stage.at; 2], angle: 0.0, strikes: true };
+    on_arm.map(|((body, at), angle)| Carried { body, distances: [at; 2], angle, strikes: false }).chain([own]).collect()
+}
+
+/// Several bodies on an arm at the start.
+pub(super) fn sheet(quantities: &Quantities<'_>, stage: &Rotate) -> Drawing {
+    let mut turns: Vec<(Moment, Role)> = turning(quantities, 1).into_iter().collect();
+    let acts = stage.moment.as_ref().and_then(|strength| moment(quantities, strength));
+    turns.extend(acts.map(|own| (own, Role::Force)));
+    situation(quantities, &held(stage), &stage.about, turns)
+}
+
+/// A body that comes to an arm.
+pub(super) fn strike_sheet(quantities: &Quantities<'_>, stage: &Strike) -> Drawing {
+    situation(quantities, &struck(stage), &stage.about, turning(quantities, 1).into_iter().collect())
+}
+
+/// The angular velocity at an instant, where it may be shown.
+fn turning(quantities: &Quantities<'_>, instant: usize) -> Option<(Moment, Role)> {
+    let name = format!("omega_{instant}");
+    let value = quantities.named(&name).filter(|value| *value != 0.0)?;
+    Some((Moment { label: name_math(&name), value }, Role::Velocity))
+}
+
+fn situation(quantities: &Quantities<'_>, all: &[Carried<'_>], about: &str, turns: Vec<(Moment, Role)>) -> Drawing {
+    let particles = all.iter().map(|own| {
+        let name = quantities.velocity_name(own.body, 1);
+        let shown = quantities.named(&name).filter(|_| own.strikes || turns.is_empty());
+        let vectors = shown.map(|value| Moving::velocity(LabelledVector::known(name_math(&name), across(own, value))));
+        on_arm(quantities, own, 0, vectors.into_iter().collect())
+    });
+    let particles: Vec<OnArm> = particles.collect();
+    let (names, centre) = (names(quantities, all), quantities.point(about));
+    let arcs = turns.iter().map(|(turn, role)| {
+        let sense = if turn.value < 0.0 { "clockwise" } else { "counter-clockwise" };
+        let what = if *role == Role::Force { "the moment" } else { "the angular velocity" };
+        format!("{what} {} is {sense}", turn.label.plain())
+    });
+    let seen = format!("{names} about {centre}, seen along the axis");
+    let wording = Wording {
+        title: capitalised(&format!("{names} and {centre}")),
+        description: sentences([seen.clone()].into_iter().chain(arcs)),
+        caption: sentences([seen]),
+    };
+    let arm = Arm { centre: body_math(about), particles, turns };
+    Situation { wording, layout: Layout::Arm(arm), axes: Vec::new() }.drawing()
+}
+
+/// A transverse vector where the body is drawn.
+fn across(own: &Carried<'_>, value: f64) -> [f64; 2] {
+    [-value * libm::sin(own.angle), value * libm::cos(own.angle)]
+}
+
+fn on_arm(quantities: &Quantities<'_>, own: &Carried<'_>, side: usize, vectors: Vec<Moving>) -> OnArm {
+    let distance = quantities.term(own.distances[side]);
+    let value = distance.as_ref().and_then(|distance| quantities.evaluate(distance));
+    // The body comes from the side from which it moves towards the arm.
+    let named = |name: String| quantities.named(&name).unwrap_or(0.0);
+    let arm = named("omega_1".to_owned()) * value.unwrap_or(0.0);
+    let comes = named(quantities.velocity_name(own.body, 1)) - arm;
+    OnArm {
+        body: MovingBody { name: body_math(own.body), form: Form::Disc, vectors },
+        distance: value.unwrap_or(1.0),
+        label: distance.filter(|_| value.is_some()).map(|distance| quantities.symbolic(&distance)),
+        angle: own.angle,
+        beside: if own.strikes { if comes < 0.0 { 1.0 } else { -1.0 } } else { 0.0 },
+    }
+}
+
+fn names(quantities: &Quantities<'_>, all: &[Carried<'_>]) -> String {
+    list(&all.iter().map(|own| quantities.called(own.body)).collect::<Vec<_>>())
+}
+
+/// The diagram of several bodies on an arm.
+pub(super) fn rotation(quantities: &Quantities<'_>, index: usize, stage: &Rotate) -> Option<Drawing> {
+    let all = held(stage);
+    let (before, first) = arm(quantities, index, &all, &stage.about, (0, None))?;
+    // What nobody asks for may not be solved: without a moment it follows.
+    let resists = |own: &Carried<'_>| {
+        let distance = quantities.evaluate(&quantities.term(own.distances[1])?)?;
+        Some(quantities.mass(own.body)? * distance * distance)
+    };
+    let whole: Option<f64> = all.iter().map(resists).sum();
+    let turn = whole.filter(|_| stage.moment.is_none()).map(|whole| first / whole);
+    let (after, last) = arm(quantities, index, &all, &stage.about, (1, turn))?;
+    let gained = if stage.moment.is_some() { last - first } else { 0.0 };
+    let impulse = AngularImpulse { label: moment_impulse(quantities, index, stage), value: Some(gained) };
+    Some(diagram(quantities, index, [before, after], impulse, (&all, &stage.about)))
+}
+
+/// The diagram of a body that strikes an arm.
+pub(super) fn strike(quantities: &Quantities<'_>, index: usize, stage: &Strike) -> Option<Drawing> {
+    let all = struck(stage);
+    let [before, after] = [0, 1].map(|side| arm(quantities, index, &all, &stage.about, (side, None)));
+    let impulse = AngularImpulse { label: nothing(&stage.about), value: Some(0.0) };
+    Some(diagram(quantities, index, [before?.0, after?.0], impulse, (&all, &stage.about)))
+}
+
+/// The arm at one end with the momenta of what it carries, and their moment about the centre; with an angular velocity for
+/// where none was solved.
+fn arm(
+    quantities: &Quantities<'_>,
+    index: usize,
+    all: &[Carried<'_>],
+    about: &str,
+    (side, turn): (usize, Option<f64>),
+) -> Option<(Arm, f64)> {
+    let mut moment = 0.0;
+    let mut particles = Vec::new();
+    for own in all {
+        let name = quantities.velocity_name(own.body, index + 1 + side);
+        let distance = quantities.evaluate(&quantities.term(own.distances[side])?)?;
+        let turns = || Some(quantities.named(&format!("omega_{}", index + 1 + side)).or(turn)? * distance);
+        let momentum = quantities.mass(own.body)? * quantities.named(&name).or_else(turns)?;
+        moment += momentum * distance;
+        let label = product([quantities.mass_math(own.body), name_math(&name)]);
+        let vector = LabelledVector::known(label, across(own, momentum));
+        particles.push(on_arm(quantities, own, side, vec![Moving::momentum(vector)]));
+    }
+    Some((Arm { centre: body_math(about), particles, turns: Vec::new() }, moment))
+}
+
+fn diagram(
+    quantities: &Quantities<'_>,
+    index: usize,
+    [before, after]: [Arm; 2],
+    impulse: AngularImpulse,
+    (all, about): (&[Carried<'_>], &str),
+) -> Drawing {
+    let (names, centre) = (names(quantities, all), quantities.point(about));
+    let phrase = quantities.model().phrase(quantities.scene(), index);
+    let change = match impulse.value {
+        Some(0.0) => "no angular impulse acts about it",
+        Some(value) if value < 0.0 => "the angular impulse about it acts clockwise",
+        _ => "the angular impulse about it acts counter-clockwise",
+    };
+    let momenta = |arm: &Arm| {
+        let each = arm.particles.iter().flat_map(|own| &own.body.vectors);
+        list(&each.map(|moving| moving.vector.label.plain()).collect::<Vec<_>>())
+    };
+    let wording = Wording {
+        title: format!("Angular impulse-momentum diagram of {phrase}"),
+        description: sentences([
+            format!("before, {names} have the momenta {} at right angles to the arm about {centre}", momenta(&before)),
+            change.to_owned(),
+            format!("after, they have {}", momenta(&after)),
+        ]),
+        caption: sentences([format!(
+            "about {centre}: angular momentum before + angular impulse = angular momentum after, for {names}"
+        )]),
+    };
+    ArmDiagram { wording, before, impulse, after }.drawing()
+}

@@ -1,0 +1,175 @@
+//! A moment in space: the angular momentum as a vector before, the angular impulse, and the angular momentum after.
+
+use crate::expr::Math;
+use crate::expr::name_math;
+use crate::figure;
+use crate::figure::AngularImpulse;
+use crate::figure::Arm;
+use crate::figure::BodyMomentum;
+use crate::figure::Drawing;
+use crate::figure::Form;
+use crate::figure::LabelledVector;
+use crate::figure::Layout;
+use crate::figure::Line;
+use crate::figure::MomentumDiagram;
+use crate::figure::Moving;
+use crate::figure::MovingBody;
+use crate::figure::Role;
+use crate::figure::Situation;
+use crate::figure::TurnDiagram;
+use crate::figure::Wording;
+use crate::scene::Components;
+use crate::scene::Strength;
+use crate::scene::stage::Moment;
+
+use super::super::wording::capitalised;
+use super::super::wording::list;
+use super::compass::Compass;
+use super::quantities::Quantities;
+use super::sheet::central::moment;
+use super::vectors::body_math;
+use super::words::OBLIQUE;
+use super::words::arrows;
+use super::words::sentences;
+
+/// What turns: all bodies at once.
+fn turning(quantities: &Quantities<'_>, index: usize) -> (String, Math) {
+    let alive = quantities.timeline.alive(index + 1);
+    let names: Vec<String> = alive.iter().map(|body| quantities.called(body)).collect();
+    (list(&names), body_math(&alive.concat()))
+}
+
+/// The angular momentum at one end, along the axes.
+fn momentum(quantities: &Quantities<'_>, about: &str, instant: usize) -> Option<[f64; 3]> {
+    let mut all = [0.0; 3];
+    for (own, axis) in all.iter_mut().zip(&quantities.axes) {
+        *own = quantities.named(&format!("H_{about}{instant}.{}", axis.letter()))?;
+    }
+    Some(all)
+}
+
+/// The body with what is given of its angular momentum and of the moment.
+pub(super) fn sheet(quantities: &Quantities<'_>, compass: &Compass, stage: &Moment) -> Option<Drawing> {
+    let (names, body) = turning(quantities, 0);
+    let Strength::Components(components) = &stage.value else { return Some(arcs(quantities, &names, stage)) };
+    let name = format!("H_{}1", stage.about);
+    let mut vectors: Vec<Moving> = momentum(quantities, &stage.about, 1)
+        .and_then(|value| quantities.along_axes(&value))
+        .map(|value| Moving::momentum(LabelledVector::known(name_math(&name), value)))
+        .into_iter()
+        .collect();
+    vectors.extend(moments(quantities, components));
+    let body = MovingBody { name: body, form: Form::Block, vectors };
+    let centre = quantities.centre(&stage.about);
+    let seen = format!("{names} with its angular momentum and the moment about {centre}");
+    let wording = Wording {
+        title: capitalised(&names),
+        description: sentences([seen.clone(), list(&arrows(&body, false))]),
+        caption: sentences([seen, OBLIQUE.to_owned()]),
+    };
+    let line = Line { bodies: vec![body], ..Line::default() };
+    Some(Situation { wording, layout: Layout::Line(line), axes: compass.marks() }.drawing())
+}
+
+/// The components of a moment that are given; one that changes has no one length.
+fn moments(quantities: &Quantities<'_>, components: &Components) -> Vec<Moving> {
+    let clock = quantities.model().symbols.find("t");
+    let component = |(position, axis): (usize, &crate::scene::Axis)| {
+        let term = quantities.term(components.get(*axis)?)?;
+        let changes = clock.is_some_and(|clock| term.contains(clock));
+        let at = |time: f64| {
+            let own = |symbol| if Some(symbol) == clock { Some(time) } else { quantities.value(symbol) };
+            let value = term.evaluate(&|symbol| own(symbol).unwrap_or(f64::NAN));
+            value.is_finite().then_some(value)
+        };
+        let value = if changes { at(1.0)?.signum() } else { at(0.0)? };
+        let label = if changes { name_math(&format!("M.{}", axis.letter())) } else { quantities.unsigned(&term) };
+        Some(Moving::force(LabelledVector::known(label, quantities.along(position, value))))
+    };
+    quantities.axes.iter().enumerate().filter_map(component).collect()
+}
+
+/// The diagram.
+pub(super) fn diagram(quantities: &Quantities<'_>, compass: &Compass, index: usize, stage: &Moment) -> Option<Drawing> {
+    let (names, name) = turning(quantities, index);
+    if quantities.axes.len() < 3 {
+        return turns(quantities, index, stage, &names);
+    }
+    let [before, after] = [1, 2].map(|own| momentum(quantities, &stage.about, index + own));
+    let (before, after) = (before?, after?);
+    let gained = [0, 1, 2].map(|own| after[own] - before[own]);
+    let placed = |label: Math, vector: [f64; 3]| LabelledVector { label, value: quantities.along_axes(&vector) };
+    let [first, second] = [1, 2].map(|own| name_math(&format!("H_{}{}", stage.about, index + own)));
+    let impulse = impulse(stage);
+    let wording = wording(quantities, index, stage, &names, [&first, &second]);
+    let wording = Wording { caption: sentences([wording.caption, OBLIQUE.to_owned()]), ..wording };
+    let row = BodyMomentum {
+        name,
+        form: Form::Block,
+        surface: None,
+        line_of_impact: None,
+        before: placed(first, before),
+        impulses: vec![placed(impulse, gained)],
+        after: placed(second, after),
+    };
+    let diagram = MomentumDiagram { wording, bodies: vec![row], axes: compass.marks() };
+    Some(diagram.of_angular_momentum())
+}
+
+fn wording(quantities: &Quantities<'_>, index: usize, stage: &Moment, names: &str, ends: [&Math; 2]) -> Wording {
+    let (phrase, centre) = (quantities.model().phrase(quantities.scene(), index), quantities.centre(&stage.about));
+    let [first, second] = ends.map(Math::plain);
+    let balance = "angular momentum before + angular impulse = angular momentum after";
+    Wording {
+        title: format!("Angular impulse-momentum diagram of {phrase}"),
+        description: sentences([format!("for {names}, {first} + the angular impulse = {second}")]),
+        caption: format!("For {names}, {balance}, about {centre}"),
+    }
+}
+
+/// In a plane: what is given of the angular momentum and the moment, as arcs.
+fn arcs(quantities: &Quantities<'_>, names: &str, stage: &Moment) -> Drawing {
+    let name = format!("H_{}1", stage.about);
+    let first = quantities.named(&name).filter(|value| *value != 0.0);
+    let first = first.map(|value| (figure::Moment { label: name_math(&name), value }, Role::Momentum));
+    let moment = moment(quantities, &stage.value).map(|own| (own, Role::Force));
+    let turns: Vec<(figure::Moment, Role)> = first.into_iter().chain(moment).collect();
+    let seen = format!("the moment on {names} about {}", quantities.centre(&stage.about));
+    let each = turns.iter().map(|(turn, _)| {
+        let sense = if turn.value < 0.0 { "clockwise" } else { "counter-clockwise" };
+        format!("{} is {sense}", turn.label.plain())
+    });
+    let wording = Wording {
+        title: capitalised(names),
+        description: sentences([seen.clone()].into_iter().chain(each)),
+        caption: sentences([seen]),
+    };
+    let arm = Arm { centre: body_math(&stage.about), particles: Vec::new(), turns };
+    Situation { wording, layout: Layout::Arm(arm), axes: Vec::new() }.drawing()
+}
+
+/// In a plane: the diagram in arcs.
+fn turns(quantities: &Quantities<'_>, index: usize, stage: &Moment, names: &str) -> Option<Drawing> {
+    let ends = [1, 2].map(|own| format!("H_{}{}", stage.about, index + own));
+    let [before, after] = [quantities.named(&ends[0])?, quantities.named(&ends[1])?];
+    let [first, second] = ends.map(|name| name_math(&name));
+    let wording = wording(quantities, index, stage, names, [&first, &second]);
+    let wording = Wording { caption: sentences([wording.caption]), ..wording };
+    let terms = [(first, before), (impulse(stage), after - before), (second, after)];
+    let terms = terms.map(|(label, value)| AngularImpulse { label, value: Some(value) });
+    Some(TurnDiagram { wording, centre: body_math(&stage.about), terms }.drawing())
+}
+
+/// The integral of the moment over the time.
+fn impulse(stage: &Moment) -> Math {
+    let bound = || Box::new(Math::Row(Vec::new()));
+    let moment = name_math(&format!("M_{}", stage.about));
+    Math::Integral(bound(), bound(), Box::new(moment), Box::new(Math::Identifier("t".to_owned())))
+}
+
+impl Quantities<'_> {
+    /// How a fixed point or the mass centre is called in a sentence.
+    fn centre(&self, about: &str) -> String {
+        if about == "G" { "the mass centre".to_owned() } else { self.point(about) }
+    }
+}

@@ -1,0 +1,158 @@
+//! An arm about a fixed point with the particles on it, seen along its axis; and the balance of their moments of momentum.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use crate::expr::Math;
+use crate::expr::Operator;
+
+use super::angular_diagram::{AngularImpulse, headings, turn_panel};
+use super::body::{Attach, Body};
+use super::input::Wording;
+use super::panels::{Row, assemble};
+use super::place::{Anchor, Canvas};
+use super::scale::Scale;
+use super::situation::{Moment, MovingBody, Scales, draw_centre, draw_vector};
+use super::{Drawing, Point, Role, Shape};
+
+const LONGEST_ARROW: f64 = 40.0;
+const LONGEST_ARM: f64 = 74.0;
+/// What is seen of the shortest arm, between the centre and the body.
+const SHORTEST_LINE: f64 = 12.0;
+/// Clear space about the outermost arc.
+const ARC_ROOM: f64 = 7.0;
+/// From the arm to a body beside it.
+const BESIDE: f64 = 3.0;
+/// The arcs of turns and moments, from the inside to the outside, and how far they turn.
+const ARC_RADIUS: f64 = 15.0;
+const ARC_STEP: f64 = 8.0;
+const ARC_TURN: f64 = 1.1 * PI;
+
+/// An arm with particles.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Arm {
+    /// The name of the fixed point.
+    pub centre: Math,
+    /// The particles.
+    pub particles: Vec<OnArm>,
+    /// What turns the arm, and how it turns, drawn as arcs about the centre.
+    pub turns: Vec<(Moment, Role)>,
+}
+
+/// A particle on an arm, or beside it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OnArm {
+    /// The particle with its vectors.
+    pub body: MovingBody,
+    /// Its distance from the centre, in any one unit, and what is written there.
+    pub distance: f64,
+    /// The label of that distance.
+    pub label: Option<Math>,
+    /// Where it is seen from the centre, in radians.
+    pub angle: f64,
+    /// 0 on the arm; 1 or -1 where it touches the arm from the counter-clockwise or the clockwise side.
+    pub beside: f64,
+}
+
+/// Before, the angular impulse, after.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ArmDiagram {
+    /// Title, description, caption.
+    pub wording: Wording,
+    /// The arm before, with the momenta of its particles.
+    pub before: Arm,
+    /// The angular impulse about the centre.
+    pub impulse: AngularImpulse,
+    /// The arm after.
+    pub after: Arm,
+}
+
+impl ArmDiagram {
+    /// The diagram: one scale for all distances, another for all momenta.
+    #[must_use]
+    pub fn drawing(&self) -> Drawing {
+        let both = [&self.before, &self.after];
+        let scales = Arm::scales(&both);
+        let panel = |arm: &Arm| {
+            let mut canvas = Canvas::default();
+            arm.draw_with(&mut canvas, &scales);
+            canvas.settle()
+        };
+        let row = Row {
+            panels: vec![panel(&self.before), turn_panel(&self.before.centre, &self.impulse), panel(&self.after)],
+            signs: vec![Operator::Plus, Operator::Equals],
+        };
+        self.wording.drawing(assemble(&headings(), vec![row], &[]))
+    }
+}
+
+impl Arm {
+    /// On a problem sheet.
+    pub(super) fn draw(&self, canvas: &mut Canvas) {
+        self.draw_with(canvas, &Self::scales(&[self]));
+    }
+
+    fn scales(arms: &[&Self]) -> (Scale, Scales) {
+        let all = || arms.iter().flat_map(|arm| &arm.particles);
+        let distances = all().map(|own| Point::new(own.distance.abs(), 0.0)).filter(|own| own.x.is_finite());
+        (Scale::fitting(distances, LONGEST_ARM), Scales::of(all().map(|own| &own.body), LONGEST_ARROW))
+    }
+
+    fn draw_with(&self, canvas: &mut Canvas, (distances, scales): &(Scale, Scales)) {
+        let placed: Vec<(Point, Body)> = self.particles.iter().map(|own| self.place(own, *distances)).collect();
+        for (own, (foot, body)) in self.particles.iter().zip(&placed) {
+            body.draw(canvas);
+            let unit = Point::polar(1.0, own.angle);
+            let end = if own.beside == 0.0 { *foot - unit * body.reach(-unit) } else { *foot };
+            canvas.line([Point::ORIGIN, end], Role::Length, false);
+        }
+        let away = self.particles.first().map_or(0.0, |own| own.angle + FRAC_PI_2 / 2.0);
+        draw_centre(canvas, Point::ORIGIN, &self.centre, away);
+        for (number, (turn, role)) in (0_u8..).zip(&self.turns) {
+            let sweep = ARC_TURN.copysign(turn.value);
+            let radius = ARC_RADIUS + ARC_STEP * f64::from(number);
+            let from = away + PI - sweep / 2.0;
+            let (centre, role) = (Point::ORIGIN, *role);
+            canvas.draw(Shape::Arc { centre, radius, from, to: from + sweep, arrow: true, role });
+        }
+        for (own, (_, body)) in self.particles.iter().zip(&placed) {
+            let mut body = body.clone();
+            let normal = Point::polar(1.0, own.angle + FRAC_PI_2) * own.beside;
+            for moving in &own.body.vectors {
+                // What comes to the arm is drawn on its way there.
+                let arrives = scales.arrow(moving).is_some_and(|arrow| arrow.dot(normal) < 0.0);
+                let attach = if arrives { Attach::Arriving } else { Attach::Leaving };
+                draw_vector(canvas, &mut body, moving, scales, attach);
+            }
+        }
+        for (own, (foot, _)) in self.particles.iter().zip(&placed) {
+            if let Some(label) = &own.label {
+                canvas.label(label, Role::Length, Anchor::Along { from: Point::ORIGIN, to: *foot });
+            }
+        }
+        for (number, (turn, role)) in (0_u8..).zip(&self.turns) {
+            let radius = ARC_RADIUS + ARC_STEP * f64::from(number);
+            canvas.label(&turn.label, *role, Anchor::Around { at: Point::ORIGIN, radius, prefer: away + PI });
+        }
+    }
+
+    /// The place of a particle on the arm, and its outline there.
+    fn place(&self, own: &OnArm, distances: Scale) -> (Point, Body) {
+        let (body, angle) = (own.body.outline(), if own.angle.is_finite() { own.angle } else { 0.0 });
+        let unit = Point::polar(1.0, angle);
+        let reach = body.reach(unit);
+        let drawn = |own: &OnArm| distances.arrow(Point::new(own.distance.abs(), 0.0)).map_or(0.0, |own| own.x);
+        let arcs = f64::from(u8::try_from(self.turns.len()).unwrap_or(u8::MAX));
+        let outermost = if arcs > 0.0 { ARC_RADIUS + ARC_STEP * (arcs - 1.0) + ARC_ROOM } else { SHORTEST_LINE };
+        let foot = unit * drawn(own).max(reach + outermost);
+        if own.beside == 0.0 {
+            return (foot, body.moved(foot));
+        }
+        // What touches the arm where it carries something touches that.
+        let near = self.particles.iter().filter(|other| other.beside == 0.0 && other.angle == own.angle);
+        let carried = near.map(|other| (drawn(other), other.body.outline().reach(unit)));
+        let blocked = carried.filter(|(at, other)| (at - drawn(own)).abs() < other + reach);
+        let height = reach + BESIDE + blocked.map(|(_, other)| other).fold(0.0, f64::max);
+        let at = foot + unit.turned() * (height * own.beside.signum());
+        (foot, body.moved(at))
+    }
+}

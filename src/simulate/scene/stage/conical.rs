@@ -1,0 +1,51 @@
+//! A conical pendulum whose cord is drawn in: two steady circles, and the motion between them.
+
+use core::f64::consts::TAU;
+
+use crate::scene::stage::Conical;
+
+use crate::simulate::scene::bench::Bench;
+use crate::simulate::scene::nothing::NothingToSimulate;
+use crate::simulate::scene::revolution::{Circle, Revolution, State, around, distance};
+use crate::simulate::scene::vector::{times, unit};
+
+impl Bench<'_> {
+    pub(super) fn conical(&mut self, stage: &Conical) -> Result<(), NothingToSimulate> {
+        let [axis] = self.values.axes()[..] else { return Err(NothingToSimulate::Unread) };
+        let (body, first, gravity) = (stage.body.as_str(), self.values.index + 1, self.values.named("g")?);
+        let [from, to] = stage.length.ends();
+        let [long, short] = [self.values.term(from)?, self.values.term(to)?];
+        let told = self.values.velocity_before(body, axis);
+        let circle = match (self.values.named(&format!("angle_{body}{first}")), &told) {
+            (Ok(angle), _) => Circle::steady(long, angle, gravity),
+            (Err(_), Ok(speed)) => Circle::with(long, gravity, speed.abs(), &|own| own.speed),
+            (Err(missing), Err(_)) => return Err(missing),
+        };
+        let sense = told.map_or(1.0, f64::signum);
+        // The cord is drawn in evenly within a turn; what the particle is like meanwhile nobody asks.
+        let turn = TAU * circle.radius() / circle.speed;
+        let drawn = (short - long) / turn;
+        // The length is linear in the time: half the second derivative of its square is the square of its rate.
+        let slope = |_: f64, state: &State| Revolution::sphere(gravity).slope(state, drawn * drawn);
+        let mut start = circle.state();
+        let stretch = drawn / long;
+        for own in 0..3 {
+            start[own + 3] += stretch * start[own];
+        }
+        let end = self.integrator(turn / 64.0).until(0.0, start, turn, &slope)?;
+        let swept = around(&end) * distance(&end);
+        let after = Circle::with(short, gravity, swept, &|own| own.speed * own.radius());
+        for (instant, circle) in [(first, circle), (first + 1, after)] {
+            self.note(&format!("angle_{body}{instant}"), circle.angle, 1.0);
+            self.note(&format!("r_{body}{instant}"), circle.radius(), 0.0);
+            if let Ok(mass) = self.values.mass(body) {
+                self.note(&format!("tension_{body}{instant}"), mass * circle.pull(gravity), 0.0);
+                let moment = sense * mass * circle.speed * circle.radius();
+                self.note(&format!("H_{}{instant}", stage.about), moment, 0.0);
+            }
+        }
+        self.note(&self.values.start_name(body, axis), sense * circle.speed, 0.0);
+        self.note_velocity(body, times(sense * after.speed, unit(axis)), 0.0);
+        Ok(())
+    }
+}

@@ -1,0 +1,69 @@
+//! How fast forces change the angular momentum of a body, seen on its motion just after they begin to act.
+
+use crate::scene::stage::{During, Push};
+
+use crate::simulate::scene::bench::Bench;
+use crate::simulate::scene::integrate::Integrator;
+use crate::simulate::scene::measure::{Asked, centre, place, turning, velocity};
+use crate::simulate::scene::nothing::NothingToSimulate;
+use crate::simulate::scene::values::OfTime;
+use crate::simulate::scene::vector::{Vector, add, cross, less, size, times, unit};
+
+/// For how long the motion is looked at, in s.
+const SOON: f64 = 1e-4;
+
+impl Bench<'_> {
+    /// Notes the rates about every point of the scene; whether there was one.
+    pub(super) fn note_rates(&mut self, stage: &Push) -> Result<bool, NothingToSimulate> {
+        let mass = self.values.mass(&stage.body)?;
+        let (Ok(at), Ok(moving)) = (place(self.values, &stage.body), velocity(self.values, &stage.body)) else {
+            return Ok(false);
+        };
+        let start = match &stage.during {
+            Some(During::Between([from, _])) => self.values.term(from)?,
+            _ => 0.0,
+        };
+        let mut drives: Vec<(Vector, OfTime, f64)> = Vec::new();
+        for axis in self.values.axes() {
+            drives.push((unit(axis), self.felt(stage, unit(axis))?.along, self.values.gravity(axis)?));
+        }
+        let slope = |time: f64, &[_, _, _, u, v, w]: &[f64; 6]| {
+            let each = drives.iter().map(|(along, force, falls)| times(force(time) / mass + falls, *along));
+            let [a, b, c] = each.fold([0.0; 3], add);
+            [u, v, w, a, b, c]
+        };
+        let from = [at[0], at[1], at[2], moving[0], moving[1], moving[2]];
+        let integrator = Integrator { longest: SOON, ..self.integrator(SOON) };
+        let moment = |seen: Vector, time: f64| -> Result<Vector, NothingToSimulate> {
+            let [x, y, z, u, v, w] = integrator.until(start, from, start + time, &slope)?;
+            Ok(times(mass, cross(less([x, y, z], seen), [u, v, w])))
+        };
+        let instant = self.values.index + 1;
+        let points = self
+            .values
+            .scene
+            .points
+            .keys()
+            .filter_map(|point| centre(self.values, &[], point, &|_| None).map(|seen| (point.clone(), seen)));
+        let points: Vec<(String, Vector)> = points.collect();
+        for (point, seen) in &points {
+            let still = moment(*seen, 0.0)?;
+            // The slope of the parabola through three moments of time; one half as wide says how far it may be off.
+            let rate = |width: f64| -> Result<Vector, NothingToSimulate> {
+                let [soon, later] = [moment(*seen, width)?, moment(*seen, 2.0 * width)?];
+                Ok(times(0.5 / width, less(less(times(4.0, soon), later), times(3.0, still))))
+            };
+            let (found, other) = (rate(SOON)?, rate(SOON / 2.0)?);
+            let off = size(less(found, other)) + f64::EPSILON * size(still) / SOON;
+            for component in [None, Some("x"), Some("y"), Some("z")] {
+                let asked = Asked { base: "H", subject: point, instant, component };
+                let letter = component.map_or_else(String::new, |letter| format!(".{letter}"));
+                if let Some(rate) = turning(self.values, asked, found) {
+                    self.note(&format!("H_rate_{point}{instant}{letter}"), rate, 8.0 * off / self.tolerance);
+                    self.note(&format!("M_{point}{instant}{letter}"), rate, 8.0 * off / self.tolerance);
+                }
+            }
+        }
+        Ok(!points.is_empty())
+    }
+}

@@ -1,0 +1,58 @@
+//! A body that strikes an arm: a contact that lasts, between the body and the place of the arm that it meets.
+
+use crate::scene::stage::Strike;
+
+use crate::simulate::scene::bench::Bench;
+use crate::simulate::scene::nothing::NothingToSimulate;
+use crate::simulate::scene::touch::{Party, Touch};
+use crate::simulate::scene::vector::{dot, times, unit};
+
+impl Bench<'_> {
+    pub(super) fn strike(&mut self, stage: &Strike) -> Result<(), NothingToSimulate> {
+        let [axis] = self.values.axes()[..] else { return Err(NothingToSimulate::Unread) };
+        let (body, first, along) = (stage.body.as_str(), self.values.index + 1, unit(axis));
+        let distance = self.values.term(&stage.at)?;
+        let mut carried = Vec::new();
+        for (name, term) in &stage.carries {
+            carried.push((name.as_str(), self.values.mass(name)?, self.values.term(term)?));
+        }
+        let turning = self.values.named(&format!("omega_{first}")).or_else(|missing| {
+            let (name, _, arm) = *carried.first().ok_or(missing)?;
+            Ok(self.values.velocity_before(name, axis)? / arm)
+        })?;
+        // By the lever, a particle at another distance from the pivot resists a push at the place that is struck with the
+        // square of the ratio of the distances.
+        let resists = carried.iter().map(|(_, mass, arm)| mass * (arm / distance) * (arm / distance)).sum();
+        let mass = self.values.mass(body)?;
+        let speed = self.values.velocity_before(body, axis)?;
+        let parties = [Party::free(mass, times(speed, along)), Party::free(resists, times(turning * distance, along))];
+        let restitution = match (&stage.restitution, stage.plastic) {
+            (Some(term), _) => self.values.term(term)?,
+            (None, true) => 0.0,
+            (None, false) => return Err(NothingToSimulate::NoRestitution),
+        };
+        let sense = (speed - turning * distance).signum();
+        let parted = Touch { parties, normal: times(sense, along), restitution }.run(self)?;
+        let [after, struck] = parted.velocities.map(|own| dot(own, along));
+        let (mut ends, fast) = ([Vec::new(), Vec::new()], speed.abs() + (turning * distance).abs());
+        for (side, (own, turning)) in [(speed, turning), (after, struck / distance)].into_iter().enumerate() {
+            let mut moment = mass * distance * own;
+            let mut size = moment.abs();
+            ends[side].push((mass, times(own, along)));
+            for (name, mass, arm) in &carried {
+                let velocity = times(arm * turning, along);
+                let name =
+                    if side == 0 { self.values.start_name(name, axis) } else { self.values.velocity_after(name, axis) };
+                self.note(&name, arm * turning, fast);
+                ends[side].push((*mass, velocity));
+                moment += mass * arm * arm * turning;
+                size += (mass * arm * arm * turning).abs();
+            }
+            self.note(&format!("H_{}{}", stage.about, first + side), moment, size);
+            self.note(&format!("omega_{}", first + side), turning, fast / distance);
+        }
+        self.note_velocity(body, times(after, along), fast);
+        self.note_energy(&ends[0], &ends[1]);
+        Ok(())
+    }
+}
