@@ -3,70 +3,24 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test says bluntly what it expects")]
 
+#[path = "certificates/looked.rs"]
+mod looked;
 #[path = "certificates/nearness.rs"]
 mod nearness;
 #[path = "support/variants.rs"]
 mod variants;
 
-use momentous::problem::{PartKind, Problem, Sampler, Variant, Worked};
+use momentous::problem::{Problem, Sampler, Variant};
 use momentous::quantity::Rational;
-use momentous::solve::Bounded;
-use rayon::prelude::*;
 
+use looked::{BESIDE, SHARE, faults, whole_bank};
 use variants::truth::{Truth, is_true, long, long_f64, rough};
-use variants::{bank, bank_problem, form_name, rational, seeds, sheet, solved, value};
-
-/// A bound may be this share of the value, and that much beside it: what a student could measure is far more.
-const SHARE: f64 = 2e-11;
-const BESIDE: f64 = 1e-60;
+use variants::{bank_problem, rational, seeds, sheet, solved, value};
 
 #[test]
 fn of_the_whole_bank() {
-    let bank = bank();
-    let forms: Vec<(&Problem, usize)> =
-        bank.iter().flat_map(|problem| (0..problem.forms().len()).map(move |form| (problem, form))).collect();
-    let wrong: Vec<String> = forms
-        .par_iter()
-        .flat_map_iter(|(problem, form)| {
-            let mut sampler = Sampler::new(problem, *form).unwrap();
-            let mut wrong = Vec::new();
-            for seed in 0..seeds(200) {
-                match sampler.variant(seed) {
-                    Ok(variant) => wrong.extend(faults(problem, &variant)),
-                    Err(fault) => wrong.push(format!("{} seed {seed}: {fault}", form_name(problem, *form))),
-                }
-            }
-            wrong.truncate(5);
-            wrong
-        })
-        .collect();
+    let wrong: Vec<&str> = whole_bank().iter().flat_map(|form| &form.faults).map(String::as_str).collect();
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
-}
-
-/// Everything that a variant claims beyond the truth.
-fn faults(problem: &Problem, variant: &Variant) -> Vec<String> {
-    let truth = Truth::of(problem, variant);
-    let place = format!("{} seed {:?}", form_name(problem, variant.form()), variant.seed());
-    let mut faults = Vec::new();
-    let mut judge = |what: &str, bounded: Bounded, truth: &variants::truth::Long, tight: bool| {
-        if !is_true(bounded, truth) {
-            faults.push(format!("{place}: {what} is {}, not {bounded:?}", rough(truth)));
-        } else if tight && bounded.error > SHARE * bounded.value.abs() + BESIDE {
-            faults.push(format!("{place}: the bound of {what} is worth little: {bounded:?}"));
-        }
-    };
-    for (symbol, entry) in problem.model().symbols.iter() {
-        if let (Some(bounded), Some(truth)) = (variant.value(symbol), truth.value(symbol)) {
-            judge(&entry.name, bounded, truth, false);
-        }
-    }
-    let worked = Worked::new(problem, variant).unwrap();
-    for part in &worked.form.parts {
-        if let PartKind::Number(number) = &part.kind {
-            judge(&part.id, worked.answer(number), &truth.answer(number), true);
-        }
-    }
-    faults
 }
 
 /// Formulas from the textbook, in rational arithmetic of our own: they share nothing with the laws or the solver.
@@ -175,7 +129,7 @@ fn of_nasty_direct_impacts() {
             let size = bounded.value.abs();
             assert!(bounded.error <= SHARE * size + BESIDE, "{values:?}: {name} is known as {bounded:?}");
         }
-        assert_eq!(faults(&problem, &variant), [""; 0]);
+        assert_eq!(faults(&problem, &variant, &Truth::of(&problem, &variant)), [""; 0]);
     }
 }
 
@@ -214,7 +168,7 @@ bodies:
 stages:
   - fall: { body: A, height: h }";
     let (problem, variant) = solved(&sheet(scene, &[("h", "1e-12 m"), ("v_A1", "-3 m/s")], &["dt", "v_A2"]));
-    assert_eq!(faults(&problem, &variant), [""; 0]);
+    assert_eq!(faults(&problem, &variant, &Truth::of(&problem, &variant)), [""; 0]);
     // 2 h / (v + sqrt(v^2 + 2 g h)), with the root by hand.
     let (h, g) = (long(&rational(&problem, &variant, "h")), long(&rational(&problem, &variant, "g")));
     let root = (long_f64(9.0) + long_f64(2.0) * g * h.clone()).sqrt();

@@ -5,9 +5,8 @@
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::num::NonZero;
 use std::path::PathBuf;
-use std::thread;
+use std::sync::LazyLock;
 
 use momentous::explain;
 use momentous::explain::Block;
@@ -24,11 +23,17 @@ use momentous::problem::Problem;
 use momentous::problem::Sampler;
 use momentous::problem::Worked;
 use momentous::scene::Stage;
+use rayon::prelude::*;
 
 const SEEDS: u64 = 200;
 
-/// The problems of the bank, and scenes that are not in it.
-fn bank() -> Vec<Problem> {
+/// The problems of the bank, and scenes that are not in it; read once for all tests.
+fn bank() -> &'static [Problem] {
+    static BANK: LazyLock<Vec<Problem>> = LazyLock::new(read_bank);
+    &BANK
+}
+
+fn read_bank() -> Vec<Problem> {
     let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
     let topics =
         fs::read_dir(root.join("problem_bank")).expect("the bank").map(|entry| entry.expect("a folder").path());
@@ -44,20 +49,12 @@ fn bank() -> Vec<Problem> {
         let loaded = problem::load(Source::new(&name, &text)).unwrap_or_else(|faults| panic!("{name}: {faults}"));
         problem::compile(loaded, None).unwrap_or_else(|faults| panic!("{name}: {faults}"))
     };
-    files.iter().map(read).collect()
+    files.par_iter().map(read).collect()
 }
 
 /// Shows every variant of every form to `look`.
 fn each_variant(seeds: u64, look: impl Fn(&str, Worked<'_>) + Sync) {
-    let bank = bank();
-    let threads = thread::available_parallelism().map_or(1, NonZero::get);
-    let (bank, look) = (&bank, &look);
-    thread::scope(|scope| {
-        for first in 0..threads {
-            let share = bank.iter().skip(first).step_by(threads);
-            scope.spawn(move || share.for_each(|problem| each_variant_of(problem, seeds, look)));
-        }
-    });
+    bank().par_iter().for_each(|problem| each_variant_of(problem, seeds, &look));
 }
 
 fn each_variant_of(problem: &Problem, seeds: u64, look: &impl Fn(&str, Worked<'_>)) {
@@ -205,7 +202,7 @@ fn the_sheet_names_nothing_that_is_not_given() {
 #[test]
 fn the_sheet_of_a_form_does_not_depend_on_what_it_solves() {
     let mut compared = 0;
-    for problem in &bank() {
+    for problem in bank() {
         let forms = problem.forms();
         let pairs = (0..forms.len()).flat_map(|one| (0..one).map(move |other| (one, other)));
         for (one, other) in pairs.filter(|(one, other)| forms[*one].told == forms[*other].told) {

@@ -1,7 +1,11 @@
 //! Every scene of the stability suite by every method, against the table `tests/stability/table.txt`: right, refused by name, or
 //! failing in the known way by the known amount. A method that starts to pass or to fail elsewhere breaks the test.
 
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test says bluntly what it expects")]
+
 use std::fmt::Write;
+use std::fs;
+use std::path::Path;
 
 use momentous::simulate::stability::run_all;
 
@@ -23,4 +27,30 @@ fn every_method_does_what_the_table_says() {
         }
         panic!("the table says otherwise; all of it is now:\n{table}");
     }
+}
+
+/// A point of a committed chart: method, seconds, median and greatest error.
+fn points(task: &str) -> Vec<(String, f64, f64, f64)> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("docs/methods/{task}.csv"));
+    let text = fs::read_to_string(path).unwrap();
+    let point = |line: &str| {
+        let cells: Vec<&str> = line.split(',').collect();
+        Some((cells[1].to_owned(), cells[3].parse().ok()?, cells[4].parse().ok()?, cells[5].parse().ok()?))
+    };
+    text.lines().skip(1).filter_map(point).collect()
+}
+
+/// What `docs/methods.md` says of the bounce tasks, in the points behind its charts.
+#[test]
+fn the_points_of_the_bounce_tasks_are_as_the_page_says() {
+    for task in ["bounce", "bounce-with-drag"] {
+        let (peers, ours): (Vec<_>, Vec<_>) = points(task).into_iter().partition(|point| point.0 == "Rapier");
+        assert!(peers.len() >= 5, "{task}: only {} points of the peer", peers.len());
+        for (_, seconds, median, greatest) in peers {
+            let better = ours.iter().any(|own| own.1 <= seconds && own.2 <= median && own.3 <= greatest);
+            assert!(better, "{task}: nothing of ours is as fast and as right as the peer in {seconds} s");
+        }
+    }
+    let exact = points("bounce").into_iter().find(|point| point.0 == "event driven").unwrap();
+    assert!(exact.1 <= 1e-6 && exact.3 < 1e-15, "{exact:?}");
 }

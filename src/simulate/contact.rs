@@ -83,6 +83,7 @@ impl<const D: usize> World<D> {
 
     /// The bodies at a contact: `None` stands for a wall or a fixed point.
     #[must_use]
+    #[inline]
     pub fn parties(&self, contact: Contact) -> (Option<usize>, usize) {
         match contact {
             Contact::Bodies(first, second) => (Some(first), second),
@@ -96,6 +97,7 @@ impl<const D: usize> World<D> {
 
     /// Gap and normal of a contact.
     #[must_use]
+    #[inline]
     pub fn geometry(&self, contact: Contact, state: &State<D>) -> Geometry<D> {
         match contact {
             Contact::Bodies(first, second) => {
@@ -135,12 +137,14 @@ impl<const D: usize> World<D> {
 
     /// The gap of a contact, in m.
     #[must_use]
+    #[inline]
     pub fn gap(&self, contact: Contact, state: &State<D>) -> f64 {
         self.geometry(contact, state).gap
     }
 
     /// How fast a gap grows, in m/s.
     #[must_use]
+    #[inline]
     pub fn rate(&self, contact: Contact, normal: &Vector<D>, velocities: &[Vector<D>]) -> f64 {
         let (first, second) = self.parties(contact);
         let own = normal.dot(&velocities[second]);
@@ -176,6 +180,7 @@ impl<const D: usize> World<D> {
 
     /// The distance below which a gap is nothing but rounding, in m.
     #[must_use]
+    #[inline]
     pub fn tolerance(&self, contact: Contact, state: &State<D>) -> f64 {
         let reach = |body: usize| state.positions[body].amax() + self.bodies[body].radius;
         let (first, second) = self.parties(contact);

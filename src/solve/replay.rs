@@ -14,8 +14,9 @@ use super::{Exact, Outcome, Relation};
 /// At most this many branches are followed.
 const MOST_BRANCHES: usize = 4096;
 
-/// A wanted value whose bound is a larger share of it than this is computed again, exactly.
-const TIGHT: f64 = 1e-11;
+/// A wanted value whose bound is a larger share of it than this is computed again, exactly: so no certificate is more than a
+/// thousand times what rounding the answer once costs.
+const TIGHT: f64 = 200.0 * f64::EPSILON;
 
 impl Program {
     /// Replays in floating point. A condition whose two sides agree within their error counts as satisfied, and the

@@ -4,6 +4,7 @@
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
+use std::sync::LazyLock;
 
 use dashu::float::round::mode::HalfEven;
 use dashu::float::{Context, FBig};
@@ -31,7 +32,8 @@ pub fn long_f64(value: f64) -> Long {
 }
 
 pub fn pi() -> Long {
-    Context::<HalfEven>::new(BITS).pi::<2>(None).value()
+    static PI: LazyLock<Long> = LazyLock::new(|| Context::<HalfEven>::new(BITS).pi::<2>(None).value());
+    PI.clone()
 }
 
 /// The size of a number, roughly.
@@ -102,7 +104,7 @@ impl Truth {
             self.satisfies_equation(equation, &format!("{} seed {:?}: {law}", problem.id(), variant.seed()));
         }
         for condition in leaf.system.conditions.iter().filter(|own| self.knows(&own.left) && self.knows(&own.right)) {
-            let (difference, size) = self.evaluate(&(condition.left.clone() - condition.right.clone()));
+            let (difference, size) = self.difference(&condition.left, &condition.right);
             assert!(
                 holds(condition.relation, &difference, size),
                 "{} seed {:?}: {}",
@@ -119,7 +121,7 @@ impl Truth {
     fn satisfies_equation(&self, equation: &Equation, what: &str) {
         match &equation.statement {
             Statement::Equal { left, right } if self.knows(left) && self.knows(right) => {
-                let (difference, size) = self.evaluate(&(left.clone() - right.clone()));
+                let (difference, size) = self.difference(left, right);
                 assert!(rough(&difference).abs() <= AGREE * size, "{what}: {difference} is not zero beside {size}");
             }
             Statement::FirstInteger { unknown, from, left, relation, right } if self.values.contains_key(unknown) => {
@@ -128,15 +130,21 @@ impl Truth {
                 while candidate < found {
                     let mut own = Self { values: self.values.clone(), ..Self::default() };
                     own.values.insert(*unknown, candidate.clone());
-                    let (difference, _) = own.evaluate(&(left.clone() - right.clone()));
+                    let (difference, _) = own.difference(left, right);
                     assert!(!holds(*relation, &difference, 0.0), "{what}: a smaller number satisfies it");
                     candidate += Long::ONE;
                 }
-                let (difference, _) = self.evaluate(&(left.clone() - right.clone()));
+                let (difference, _) = self.difference(left, right);
                 assert!(candidate == found && holds(*relation, &difference, 0.0), "{what}: not counted rightly");
             }
             _ => {}
         }
+    }
+
+    /// How far one term is above another, and the size of the largest number that was added up on the way.
+    fn difference(&self, left: &Expr, right: &Expr) -> (Long, f64) {
+        let (left, right) = (self.evaluate(left), self.evaluate(right));
+        (left.0 - right.0, left.1 + right.1)
     }
 
     /// The value of a term, and the size of the largest number that was added up on the way.

@@ -1,8 +1,6 @@
 //! What will happen next: one prediction for each contact, in a tournament whose winner is the earliest. A new prediction
 //! replaces the old one, so that nothing stale is ever met.
 
-use std::cmp::Ordering;
-
 use crate::simulate::contact::Contact;
 use crate::simulate::exact::Clock;
 
@@ -16,25 +14,43 @@ pub(super) struct Event<const D: usize> {
     pub predicted: Predicted<D>,
 }
 
+/// A contact by its place, and when it is due: infinity for never.
+#[derive(Clone, Copy)]
+struct Due {
+    at: Clock,
+    place: usize,
+}
+
+impl Due {
+    /// The earlier of two; of two at one time that of the first place. Without a branch, since nobody could foretell its way.
+    #[inline]
+    #[allow(clippy::needless_bitwise_bool, reason = "a branch costs more")]
+    fn earlier(self, other: Self) -> Self {
+        let first = self.at.is_before(other.at) | ((self.at == other.at) & (self.place < other.place));
+        if first { self } else { other }
+    }
+}
+
 pub(super) struct Agenda<const D: usize> {
     contacts: Vec<Contact>,
     predicted: Vec<Option<Predicted<D>>>,
-    /// When each contact is due, infinity for never; filled up to a power of two.
-    due: Vec<Clock>,
-    /// The earliest contact below each node: node 1 is the root, and `2 n` and `2 n + 1` are below `n`.
-    winners: Vec<usize>,
+    /// The earliest contact below each node: node 1 is the root, `2 n` and `2 n + 1` are below `n`, and the last half, filled up to
+    /// a power of two, are the contacts themselves.
+    earliest: Vec<Due>,
 }
 
 impl<const D: usize> Agenda<D> {
     pub fn new(contacts: Vec<Contact>) -> Self {
         let leaves = contacts.len().next_power_of_two().max(2);
-        let due = vec![Clock::at(f64::INFINITY); leaves];
-        let mut winners = vec![0; leaves];
-        for node in (1..leaves).rev() {
-            let below = 2 * node;
-            winners[node] = if below >= leaves { below - leaves } else { winners[below] };
+        let never = Clock::at(f64::INFINITY);
+        let mut earliest = vec![Due { at: never, place: 0 }; 2 * leaves];
+        for (place, leaf) in earliest[leaves..].iter_mut().enumerate() {
+            leaf.place = place;
         }
-        Self { predicted: vec![None; contacts.len()], contacts, due, winners }
+        for node in (1..leaves).rev() {
+            earliest[node] = earliest[2 * node];
+        }
+        Self { predicted: vec![None; contacts.len()], contacts, earliest }
     }
 
     /// The contacts, by whose places the agenda is kept.
@@ -44,30 +60,22 @@ impl<const D: usize> Agenda<D> {
 
     /// The next event.
     pub fn next(&self) -> Option<Event<D>> {
-        let place = self.winners[1];
+        let Due { at, place } = self.earliest[1];
         let predicted = (*self.predicted.get(place)?)?;
-        Some(Event { at: self.due[place], contact: self.contacts[place], predicted })
+        Some(Event { at, contact: self.contacts[place], predicted })
     }
 
     /// Sets the prediction of a contact, or that there is none.
     pub fn set(&mut self, place: usize, at: Clock, predicted: Option<Predicted<D>>) {
+        let at = if predicted.is_some() { at } else { Clock::at(f64::INFINITY) };
         self.predicted[place] = predicted;
-        self.due[place] = if predicted.is_some() { at } else { Clock::at(f64::INFINITY) };
-        let leaves = self.due.len();
-        let mut node = usize::midpoint(leaves, place);
-        while node >= 1 {
-            let below = 2 * node;
-            let (left, right) = if below >= leaves {
-                (below - leaves, below + 1 - leaves)
-            } else {
-                (self.winners[below], self.winners[below + 1])
-            };
-            let winner = if self.due[right].order(self.due[left]) == Ordering::Less { right } else { left };
-            if winner == self.winners[node] && winner != place {
-                return;
-            }
-            self.winners[node] = winner;
+        let mut node = self.earliest.len() / 2 + place;
+        let mut winner = Due { at, place };
+        self.earliest[node] = winner;
+        while node > 1 {
+            winner = winner.earlier(self.earliest[node ^ 1]);
             node /= 2;
+            self.earliest[node] = winner;
         }
     }
 }
