@@ -102,8 +102,17 @@ impl Arm {
         for (own, (foot, body)) in self.particles.iter().zip(&placed) {
             body.draw(canvas);
             let unit = Point::polar(1.0, own.angle);
-            let end = if own.beside == 0.0 { *foot - unit * body.reach(-unit) } else { *foot };
-            canvas.line([Point::ORIGIN, end], Role::Length, false);
+            if own.beside == 0.0 {
+                canvas.line([Point::ORIGIN, *foot - unit * body.reach(-unit)], Role::Length, false);
+                continue;
+            }
+            // The arm goes on beyond what it carries in that direction.
+            let carried =
+                self.particles.iter().zip(&placed).filter(|(other, _)| other.beside == 0.0 && other.angle == own.angle);
+            let from = carried.map(|(_, (at, body))| at.length() + body.reach(unit)).fold(0.0, f64::max);
+            if foot.length() > from {
+                canvas.line([unit * from, *foot], Role::Length, false);
+            }
         }
         let away = self.particles.first().map_or(0.0, |own| own.angle + FRAC_PI_2 / 2.0);
         draw_centre(canvas, Point::ORIGIN, &self.centre, away);
