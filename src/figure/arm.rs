@@ -22,6 +22,8 @@ const SHORTEST_LINE: f64 = 12.0;
 const ARC_ROOM: f64 = 7.0;
 /// From the arm to a body beside it.
 const BESIDE: f64 = 3.0;
+/// Angles closer than this, in radians, are one direction.
+const SAME_ANGLE: f64 = 1e-9;
 /// The arcs of turns and moments, from the inside to the outside, and how far they turn.
 const ARC_RADIUS: f64 = 15.0;
 const ARC_STEP: f64 = 8.0;
@@ -51,6 +53,13 @@ pub struct OnArm {
     pub angle: f64,
     /// 0 on the arm; 1 or -1 where it touches the arm from the counter-clockwise or the clockwise side.
     pub beside: f64,
+}
+
+impl OnArm {
+    /// Whether it lies on the arm itself, where that points in this direction.
+    fn is_on_arm_at(&self, angle: f64) -> bool {
+        self.beside == 0.0 && (self.angle - angle).abs() < SAME_ANGLE
+    }
 }
 
 /// Before, the angular impulse, after.
@@ -102,8 +111,16 @@ impl Arm {
         for (own, (foot, body)) in self.particles.iter().zip(&placed) {
             body.draw(canvas);
             let unit = Point::polar(1.0, own.angle);
-            let end = if own.beside == 0.0 { *foot - unit * body.reach(-unit) } else { *foot };
-            canvas.line([Point::ORIGIN, end], Role::Length, false);
+            if own.beside == 0.0 {
+                canvas.line([Point::ORIGIN, *foot - unit * body.reach(-unit)], Role::Length, false);
+                continue;
+            }
+            // The arm goes on beyond what it carries in that direction.
+            let carried = self.particles.iter().zip(&placed).filter(|(other, _)| other.is_on_arm_at(own.angle));
+            let from = carried.map(|(_, (at, body))| at.length() + body.reach(unit)).fold(0.0, f64::max);
+            if foot.length() > from {
+                canvas.line([unit * from, *foot], Role::Length, false);
+            }
         }
         let away = self.particles.first().map_or(0.0, |own| own.angle + FRAC_PI_2 / 2.0);
         draw_centre(canvas, Point::ORIGIN, &self.centre, away);
@@ -148,7 +165,7 @@ impl Arm {
             return (foot, body.moved(foot));
         }
         // What touches the arm where it carries something touches that.
-        let near = self.particles.iter().filter(|other| other.beside == 0.0 && other.angle == own.angle);
+        let near = self.particles.iter().filter(|other| other.is_on_arm_at(own.angle));
         let carried = near.map(|other| (drawn(other), other.body.outline().reach(unit)));
         let blocked = carried.filter(|(at, other)| (at - drawn(own)).abs() < other + reach);
         let height = reach + BESIDE + blocked.map(|(_, other)| other).fold(0.0, f64::max);

@@ -44,6 +44,6 @@ fn clay_thrown_on_a_block_on_rails() {
             ("v_B1.x", "0 m/s"),
         ],
         more: "",
-        answers: &[("v_B2.x", 1.0), ("R_B", 8.660254), ("T_lost", 47.5), ("J_A.x", -4.0)],
+        answers: &[("v_B2.x", 1.0), ("R_B", 8.660_254), ("T_lost", 47.5), ("J_A.x", -4.0)],
     });
 }

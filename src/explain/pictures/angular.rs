@@ -86,7 +86,7 @@ fn round(quantities: &Quantities<'_>, body: &str, stage: usize, side: u8, parts:
 }
 
 /// The diagram of a conical pendulum on its two circles, seen from above.
-pub(super) fn conical(quantities: &Quantities<'_>, stage: usize, conical: &Conical) -> Option<Drawing> {
+pub(super) fn conical(quantities: &Quantities<'_>, stage: usize, conical: &Conical) -> Drawing {
     let place = |side: u8| {
         let name = quantities.velocity_name(&conical.body, stage + 1 + usize::from(side));
         let radius = name.replacen('v', "r", 1);
@@ -95,7 +95,7 @@ pub(super) fn conical(quantities: &Quantities<'_>, stage: usize, conical: &Conic
         Place { radius, velocity: vec![(name_math(&name), velocity)], angle: TURN * f64::from(side) }
     };
     let impulse = AngularImpulse { label: nothing(&conical.about), value: Some(0.0) };
-    Some(drawing(quantities, [&conical.body, &conical.about], stage, [place(0), place(1)], impulse))
+    drawing(quantities, [&conical.body, &conical.about], stage, [place(0), place(1)], impulse)
 }
 
 /// The diagram of a body inside a bowl at its two levels, seen from above: what moves along the slope has no moment.

@@ -41,7 +41,7 @@ pub(super) fn solution(worked: Worked<'_>) -> Vec<Drawing> {
         Stage::Rotate(rotate) if rotate.held().len() > 1 => vec![arm::rotation(&quantities, index, rotate)],
         Stage::Rotate(rotate) => vec![angular::rotation(&quantities, index, rotate)],
         Stage::Strike(strike) => vec![arm::strike(&quantities, index, strike)],
-        Stage::Conical(conical) => vec![angular::conical(&quantities, index, conical)],
+        Stage::Conical(conical) => vec![Some(angular::conical(&quantities, index, conical))],
         Stage::Bowl(bowl) => vec![Some(angular::bowl(&quantities, index, bowl))],
         Stage::Moment(moment) => vec![moment::diagram(&quantities, &compass, index, moment)],
         Stage::Central(central) => vec![Some(angular::central(&quantities, index, central))],

@@ -49,9 +49,9 @@ fn momentum(quantities: &Quantities<'_>, about: &str, instant: usize) -> Option<
 }
 
 /// The body with what is given of its angular momentum and of the moment.
-pub(super) fn sheet(quantities: &Quantities<'_>, compass: &Compass, stage: &Moment) -> Option<Drawing> {
+pub(super) fn sheet(quantities: &Quantities<'_>, compass: &Compass, stage: &Moment) -> Drawing {
     let (names, body) = turning(quantities, 0);
-    let Strength::Components(components) = &stage.value else { return Some(arcs(quantities, &names, stage)) };
+    let Strength::Components(components) = &stage.value else { return arcs(quantities, &names, stage) };
     let name = format!("H_{}1", stage.about);
     let mut vectors: Vec<Moving> = momentum(quantities, &stage.about, 1)
         .and_then(|value| quantities.along_axes(&value))
@@ -68,7 +68,7 @@ pub(super) fn sheet(quantities: &Quantities<'_>, compass: &Compass, stage: &Mome
         caption: sentences([seen, OBLIQUE.to_owned()]),
     };
     let line = Line { bodies: vec![body], ..Line::default() };
-    Some(Situation { wording, layout: Layout::Line(line), axes: compass.marks() }.drawing())
+    Situation { wording, layout: Layout::Line(line), axes: compass.marks() }.drawing()
 }
 
 /// The components of a moment that are given; one that changes has no one length.

@@ -29,7 +29,7 @@ use super::snapshot;
 /// The figure; none where nothing that is given can be drawn.
 pub(super) fn drawing(quantities: &Quantities<'_>, compass: &Compass) -> Option<Drawing> {
     match quantities.scene().stages.first() {
-        None => snapshot::drawing(quantities, compass),
+        None | Some(Stage::Interact(_)) => snapshot::drawing(quantities, compass),
         Some(Stage::Impact(impact)) => {
             contact::drawing(quantities, compass, impact).or_else(|| line::drawing(quantities, compass, 0))
         }
@@ -57,11 +57,10 @@ pub(super) fn drawing(quantities: &Quantities<'_>, compass: &Compass) -> Option<
         Some(Stage::Connected(connected)) => Some(pulley::connected(quantities, 0, connected)),
         Some(Stage::SlideOff(slide)) => Some(ride::slide(quantities, compass, slide)),
         Some(Stage::Walk(walk)) => ride::walk(quantities, compass, 0, walk),
-        Some(Stage::Moment(stage)) => moment::sheet(quantities, compass, stage),
+        Some(Stage::Moment(stage)) => Some(moment::sheet(quantities, compass, stage)),
         Some(Stage::Strike(stage)) => Some(arm::strike_sheet(quantities, stage)),
         Some(Stage::Conical(stage)) => Some(revolution::conical(quantities, stage)),
         Some(Stage::Bowl(stage)) => Some(revolution::bowl(quantities, stage)),
-        Some(Stage::Interact(_)) => snapshot::drawing(quantities, compass),
         Some(Stage::Fall(fall)) => fall::drawing(quantities, compass, fall),
         Some(Stage::Stream(stream)) => stream::drawing(quantities, compass, 0, stream),
         Some(Stage::Thrust(thrust)) => stream::rocket(quantities, compass, 0, thrust),

@@ -51,11 +51,11 @@ impl Bench<'_> {
         let stiffness = masses.iter().fold(f64::INFINITY, |least, own| own.min(least)) * (fast / wide) * (fast / wide);
         let slope = |_: f64, state: &State| {
             let mut slope = [0.0; 6 * MOST];
-            for one in 0..bodies.len() {
+            for (one, mass) in masses.iter().enumerate() {
                 put(&mut slope, one, vector(state, MOST + one));
                 let pulls = (0..bodies.len()).filter(|other| *other != one);
                 let force = pulls.fold(ZERO, |all, other| add(all, times(stiffness, apart(state, one, other))));
-                put(&mut slope, MOST + one, times(1.0 / masses[one], force));
+                put(&mut slope, MOST + one, times(1.0 / mass, force));
             }
             slope
         };
