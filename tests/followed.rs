@@ -135,7 +135,6 @@ fn what_is_integrated_can_be_watched() {
         "connected",
         "drift",
         "impact",
-        "interact",
         "push",
         "rotate",
         "separate",

@@ -5,8 +5,7 @@ use crate::scene::stage::Interact;
 use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::measure::{Asked, centre, place, turning, velocity};
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::reel::{Look, Motion, Seen};
-use crate::simulate::scene::vector::{Vector, ZERO, add, cross, dot, less, part, size, times, within};
+use crate::simulate::scene::vector::{Vector, ZERO, add, cross, less, part, size, times, within};
 
 /// The most bodies.
 const MOST: usize = 4;
@@ -61,21 +60,6 @@ impl Bench<'_> {
         };
         let time = WATCHED * wide / fast;
         let end = self.integrator(time / 32.0).until(0.0, start, time, &slope)?;
-        let values = self.values;
-        let look = |_: f64, state: &State| {
-            let pairs = (0..bodies.len()).flat_map(|one| (0..one).map(move |other| (one, other)));
-            let seen = masses.iter().enumerate().map(|(own, mass)| Seen {
-                mass: *mass,
-                place: values.split(vector(state, own)),
-                velocity: values.split(vector(state, MOST + own)),
-            });
-            let potential =
-                pairs.map(|(one, other)| apart(state, one, other)).map(|way| stiffness * dot(way, way) / 2.0).sum();
-            Look { bodies: seen.collect(), outside: values.split(ZERO), potential, ..Look::default() }
-        };
-        let (components, begun) = (values.components(), (0.0, start));
-        self.film(&Motion { names: &bodies, components, start: begun, end: time, slope: &slope, look: &look })?;
-        self.remark("The forces between the bodies are not told: springs stand for them, and the time is made up.");
         let momenta: Vec<Vector> = (0..bodies.len()).map(|own| times(masses[own], vector(&end, MOST + own))).collect();
         let total = momenta.iter().fold(ZERO, |all, own| add(all, *own));
         let scale = momenta.iter().map(|own| size(*own)).fold(0.0, f64::max);
