@@ -101,8 +101,8 @@ impl Bench<'_> {
             self.note(&format!("v_{body}{}.theta", first + 1), speed * around(&end), speed);
             if stage.spring.is_some() || told.is_some() {
                 // It comes back to the same distance with the opposite radial part.
-                let sense = named("v", first + 1, ".r").unwrap_or(1.0) * outwards(&end);
-                let radial = if sense < 0.0 { -outwards(&end) } else { outwards(&end) };
+                let turned = named("v", first + 1, ".r").is_ok_and(|told| told * outwards(&end) < 0.0);
+                let radial = if turned { -outwards(&end) } else { outwards(&end) };
                 self.note(&format!("v_{body}{}.r", first + 1), speed * radial, speed);
             }
             self.note("areal_rate", end[4] / time * length * speed, 0.0);
