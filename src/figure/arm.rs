@@ -133,10 +133,11 @@ impl Arm {
         }
         for (own, (_, body)) in self.particles.iter().zip(&placed) {
             let mut body = body.clone();
-            let normal = Point::polar(1.0, own.angle + FRAC_PI_2) * own.beside;
+            let normal = Point::polar(1.0, own.angle + FRAC_PI_2);
+            // What comes to the arm is drawn on its way there; what is carried is drawn away from what touches it.
+            let blocked = if own.beside == 0.0 { -self.touching(own, &placed) } else { own.beside };
             for moving in &own.body.vectors {
-                // What comes to the arm is drawn on its way there.
-                let arrives = scales.arrow(moving).is_some_and(|arrow| arrow.dot(normal) < 0.0);
+                let arrives = scales.arrow(moving).is_some_and(|arrow| arrow.dot(normal) * blocked < 0.0);
                 let attach = if arrives { Attach::Arriving } else { Attach::Leaving };
                 draw_vector(canvas, &mut body, moving, scales, attach);
             }
@@ -150,6 +151,20 @@ impl Arm {
             let radius = ARC_RADIUS + ARC_STEP * f64::from(number);
             canvas.label(&turn.label, *role, Anchor::Around { at: Point::ORIGIN, radius, prefer: away + PI });
         }
+    }
+
+    /// On which side something touches the arm at a particle that it carries; 0 where nothing does.
+    fn touching(&self, own: &OnArm, placed: &[(Point, Body)]) -> f64 {
+        let at = |wanted: &OnArm| {
+            let mut all = self.particles.iter().zip(placed);
+            all.find(|(other, _)| std::ptr::eq(*other, wanted)).map_or(Point::ORIGIN, |(_, (foot, _))| *foot)
+        };
+        let strikes = |other: &&OnArm| {
+            let room =
+                own.body.outline().reach(Point::new(1.0, 0.0)) + other.body.outline().reach(Point::new(1.0, 0.0));
+            other.beside != 0.0 && other.angle == own.angle && (at(other) - at(own)).length() < room
+        };
+        self.particles.iter().find(strikes).map_or(0.0, |other| other.beside)
     }
 
     /// The place of a particle on the arm, and its outline there.
