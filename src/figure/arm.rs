@@ -102,8 +102,13 @@ impl Arm {
 
     fn scales(arms: &[&Self]) -> (Scale, Scales) {
         let all = || arms.iter().flat_map(|arm| &arm.particles);
-        let distances = all().map(|own| Point::new(own.distance.abs(), 0.0)).filter(|own| own.x.is_finite());
-        (Scale::fitting(distances, LONGEST_ARM), Scales::of(all().map(|own| &own.body), LONGEST_ARROW))
+        // An arm that reaches to both sides is as wide as both.
+        let spans = arms.iter().flat_map(|arm| {
+            let ends = || arm.particles.iter().map(|own| Point::polar(own.distance.abs(), own.angle));
+            ends().flat_map(move |one| ends().chain([Point::ORIGIN]).map(move |other| one - other))
+        });
+        let spans = spans.filter(|span| span.x.is_finite() && span.y.is_finite());
+        (Scale::fitting(spans, LONGEST_ARM), Scales::of(all().map(|own| &own.body), LONGEST_ARROW))
     }
 
     fn draw_with(&self, canvas: &mut Canvas, (distances, scales): &(Scale, Scales)) {
@@ -131,11 +136,11 @@ impl Arm {
             let (centre, role) = (Point::ORIGIN, *role);
             canvas.draw(Shape::Arc { centre, radius, from, to: from + sweep, arrow: true, role });
         }
-        for (own, (_, body)) in self.particles.iter().zip(&placed) {
+        for (own, (foot, body)) in self.particles.iter().zip(&placed) {
             let mut body = body.clone();
             let normal = Point::polar(1.0, own.angle + FRAC_PI_2);
             // What comes to the arm is drawn on its way there; what is carried is drawn away from what touches it.
-            let blocked = if own.beside == 0.0 { -self.touching(own, &placed) } else { own.beside };
+            let blocked = if own.beside == 0.0 { -self.touching((own, *foot), &placed) } else { own.beside };
             for moving in &own.body.vectors {
                 let arrives = scales.arrow(moving).is_some_and(|arrow| arrow.dot(normal) * blocked < 0.0);
                 let attach = if arrives { Attach::Arriving } else { Attach::Leaving };
@@ -153,18 +158,14 @@ impl Arm {
         }
     }
 
-    /// On which side something touches the arm at a particle that it carries; 0 where nothing does.
-    fn touching(&self, own: &OnArm, placed: &[(Point, Body)]) -> f64 {
-        let at = |wanted: &OnArm| {
-            let mut all = self.particles.iter().zip(placed);
-            all.find(|(other, _)| std::ptr::eq(*other, wanted)).map_or(Point::ORIGIN, |(_, (foot, _))| *foot)
+    /// On which side something touches the arm at a particle that it carries there; 0 where nothing does.
+    fn touching(&self, (own, at): (&OnArm, Point), placed: &[(Point, Body)]) -> f64 {
+        let right = Point::new(1.0, 0.0);
+        let strikes = |(other, (foot, body)): &(&OnArm, &(Point, Body))| {
+            let room = own.body.outline().reach(right) + body.reach(right);
+            other.beside != 0.0 && (other.angle - own.angle).abs() < SAME_ANGLE && (*foot - at).length() < room
         };
-        let strikes = |other: &&OnArm| {
-            let room =
-                own.body.outline().reach(Point::new(1.0, 0.0)) + other.body.outline().reach(Point::new(1.0, 0.0));
-            other.beside != 0.0 && other.angle == own.angle && (at(other) - at(own)).length() < room
-        };
-        self.particles.iter().find(strikes).map_or(0.0, |other| other.beside)
+        self.particles.iter().zip(placed).find(strikes).map_or(0.0, |(other, _)| other.beside)
     }
 
     /// The place of a particle on the arm, and its outline there.
