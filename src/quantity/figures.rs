@@ -115,22 +115,22 @@ pub fn round_rational(value: &Rational, figures: usize) -> Decimal {
     let numerator = value.numerator().clone().abs();
     let few = || Some((u64::try_from(&numerator).ok()?, u64::try_from(value.denominator()).ok()?));
     if let Some((above, below)) = few()
-        && let Some((digits, scale)) = rounded(u128::from(above), u128::from(below), figures, bits, short_power)
+        && let Some((digits, scale)) = rounded(&u128::from(above), &u128::from(below), figures, bits, short_power)
     {
         return signed(Integer::from(digits), scale);
     }
     let bit_len = |value: &Integer| i64::try_from(value.bit_len()).unwrap_or(i64::MAX);
     let power = |places: i32| Some(power_of_ten(usize::try_from(places.unsigned_abs()).unwrap_or(0)));
     // Every power of ten is there, so there is a result.
-    let found = rounded(numerator, Integer::from(value.denominator().clone()), figures, bit_len, power);
+    let found = rounded(&numerator, &Integer::from(value.denominator().clone()), figures, bit_len, power);
     found.map_or_else(|| Decimal::from(0), |(digits, scale)| signed(digits, scale))
 }
 
 /// A quotient of positive integers rounded to so many figures, half up: its digits, and how many of them stand behind the
 /// point. `power` gives the power of ten for the size of a place; none where it is too large for this kind of integer.
 fn rounded<I>(
-    numerator: I,
-    denominator: I,
+    numerator: &I,
+    denominator: &I,
     figures: i32,
     bits: impl Fn(&I) -> i64,
     power: impl Fn(i32) -> Option<I>,
@@ -140,7 +140,7 @@ where
 {
     let (least, most) = (power(figures - 1)?, power(figures)?);
     // The place of the first figure, to within a few: log10(2) is 0.30103 to five places.
-    let binary_places = bits(&numerator) - bits(&denominator);
+    let binary_places = bits(numerator) - bits(denominator);
     let place = i32::try_from(binary_places.saturating_mul(30_103) / 100_000).unwrap_or(0);
     let mut scale = figures - 1 - place;
     loop {

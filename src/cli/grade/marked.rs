@@ -19,7 +19,7 @@ const PORTION: usize = 1024;
 
 /// A submission with what was found, or why it cannot be used.
 pub(super) enum Marked {
-    Report(Submission, Report),
+    Report(Submission, Box<Report>),
     Unusable(Place, String),
 }
 
@@ -48,7 +48,7 @@ pub(super) fn marked(
     for next in chunk {
         match portions.last_mut() {
             Some(own) if own.len() < PORTION || own.last().is_some_and(|last| are_beside(last, &next)) => {
-                own.push(next)
+                own.push(next);
             }
             _ => portions.push(vec![next]),
         }
@@ -145,7 +145,7 @@ fn marked_group(
                     rows.part(&submission, part)?;
                 }
                 if keep {
-                    marked.push(Marked::Report(submission, report));
+                    marked.push(Marked::Report(submission, Box::new(report)));
                 }
             }
             Err(message) => marked.push(Marked::Unusable(submission.place, message)),
