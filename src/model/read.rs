@@ -145,6 +145,9 @@ impl Builder<'_> {
                 let each: Vec<String> = stages.map(|stage| format!("`{name}{}`", self.stage_suffix(stage))).collect();
                 fault.help(format!("several stages could be meant: write {}", each.join(" or ")))
             }
+            None if is_bare_name(name) && !name.contains('_') => {
+                fault.help("give it under `given`, or name it at its place in the scene, as `restitution: e` does")
+            }
             None => fault.help("give it under `given`, or use a name that the scene makes, such as `v_A1`"),
         }
     }
