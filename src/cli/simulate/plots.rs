@@ -22,18 +22,24 @@ const BODIES: [usize; 6] = [3, 4, 2, 8, 6, 5];
 /// The rows of a table of impacts that a page has room for.
 const MOST_ROWS: usize = 12;
 
-/// All films, one below the other.
+/// A panel of a film along one of its axes.
+type Along = fn(&Film, usize, &Component, &dyn Fn(&str) -> String) -> Panel;
+
+/// All films, one below the other: a row for each kind of quantity, with the axes side by side.
 pub(super) fn page(title: &str, films: &[Film]) -> Page {
-    let mut page = Page { title: format!("Simulation of {title}"), parts: Vec::new() };
+    let mut page = Page { title: format!("Simulation of {title}"), rows: Vec::new() };
     for film in films {
         let named = |what: &str| format!("stage {}: {what}", film.stage);
-        for (component, axis) in film.axes.iter().enumerate() {
-            page.parts.push(places(film, component, axis, &named).into());
-            page.parts.push(velocities(film, component, axis, &named).into());
-            page.parts.push(momenta(film, component, axis, &named).into());
+        for along in [places, velocities, momenta] as [Along; 3] {
+            let row = film.axes.iter().enumerate().map(|(component, axis)| along(film, component, axis, &named).into());
+            page.rows.push(row.collect());
         }
-        page.parts.push(energies(&film.record, &named).into());
-        page.parts.push(impacts(film, &named).into());
+        let (energies, impacts) = (energies(&film.record, &named).into(), impacts(film, &named).into());
+        if film.axes.len() > 1 {
+            page.rows.push(vec![energies, impacts]);
+        } else {
+            page.rows.extend([vec![energies], vec![impacts]]);
+        }
     }
     page
 }
