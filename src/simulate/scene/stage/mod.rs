@@ -1,6 +1,7 @@
 //! What simulates each kind of stage: one file each, as in the scene.
 
 mod blow;
+mod bounces;
 mod bowl;
 mod central;
 mod conical;
