@@ -274,6 +274,21 @@ fn one_mistake_is_found_and_honest_rounding_is_never_taken_for_one() {
     assert!(kinds.len() >= 30, "{kinds:?}");
 }
 
+/// A ball, 1 kg, meets a wedge of 4 kg on a floor at 5 m/s, the normal 30 degrees off the vertical, e = 0.6. By hand: were the wedge
+/// free, it would get 1.6 * 5 cos 30 deg / (1/1 + 1/4) = 5.543 N s, and 5.543 * sin 30 deg / 4 = 0.693 m/s along the floor.
+#[test]
+fn a_guide_that_is_forgotten_is_recognised() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("problem_bank/impact/ball-on-wedge.yaml");
+    let wedge = problem(&std::fs::read_to_string(path).expect("the problem is there"));
+    let set = [("m", "1 kg"), ("M", "4 kg"), ("v_A1.y", "-5 m/s"), ("beta", "30 deg"), ("e", "0.6")];
+    let set = set.map(|(name, value)| (name.to_owned(), value.to_owned()));
+    let exercise = Exercise::with_values(&wedge, 0, 1, &set, &[]).unwrap_or_else(|faults| panic!("{faults}"));
+    let report = mark(&exercise, &[("v_B2.x", "0.693 m/s")], false);
+    let found = part(&report, "v_B2.x").diagnosis.clone().map(|own| own.codes).unwrap_or_default();
+    let all = exercise.mistaken_answers(&exercise.worked().form.parts[0]);
+    assert!(found.contains(&"guide-forgotten"), "{found:?} {all:?}");
+}
+
 /// The trolleys of the collision with more keys at the top of the file.
 fn trolleys(keys: &str) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures/problems/two_carts.yaml");

@@ -206,6 +206,23 @@ fn too_little_names_what_does_not_follow_and_what_would_do() {
 }
 
 #[test]
+fn a_mass_that_is_never_told_leaves_energy_and_momentum_open() {
+    // The kinetic energy is written twice, in components along the axes and along the slope: that does not tell the mass.
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/problem_bank/impact/ball-on-roof.yaml");
+    let roof = std::fs::read_to_string(path).unwrap();
+    for (name, message) in [
+        ("T_ball1", "`T_ball1` does not follow from what is given"),
+        ("T_ball2", "`T_ball2` does not follow from what is given"),
+        ("p_ball1", "`p_ball1.x`, `p_ball1.y` do not follow from what is given"),
+    ] {
+        let asked = roof.replace("find: speed_ball3, unit: m/s", &format!("find: {name}"));
+        assert_ne!(asked, roof);
+        let faults = read("roof.yaml", &asked).err().unwrap_or_default();
+        assert!(faults.contains(message) && faults.contains("give also `m_ball`"), "{faults}");
+    }
+}
+
+#[test]
 fn too_much_names_the_law_that_is_broken_and_what_it_connects() {
     let given = [GIVEN, &[("v_A2", "-0.5 m/s")]].concat();
     let message = read("carts.yaml", &sheet(CARTS, &given, &["v_B2"])).unwrap_err();

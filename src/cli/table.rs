@@ -7,15 +7,14 @@ use std::path::Path;
 
 use super::failure::Failure;
 
-/// About how many bytes a row has.
-const ROW: usize = 128;
-
 /// A table with a line of headings, read row by row.
 pub(super) struct Table {
     /// The headings, without spaces around them and without the byte order mark that some programs write.
     pub headings: Vec<String>,
     rows: csv::Reader<BufReader<File>>,
-    last: u64,
+    /// The row that was read last, in memory that the next one takes over.
+    row: csv::StringRecord,
+    line: u64,
 }
 
 impl Table {
@@ -41,7 +40,7 @@ impl Table {
         let headings = rows.headers().map_err(|error| said(&error))?;
         let headings =
             headings.iter().map(|heading| heading.trim_start_matches('\u{feff}').trim().to_owned()).collect();
-        Ok(Self { headings, rows, last: 1 })
+        Ok(Self { headings, rows, row: csv::StringRecord::new(), line: 1 })
     }
 
     /// The position of the column with that heading, in small or capital letters.
@@ -50,24 +49,18 @@ impl Table {
     }
 
     /// The next row with its line number, or what is wrong with it.
-    pub(super) fn next_row(&mut self) -> Option<(u64, Result<csv::StringRecord, String>)> {
-        let mut row = csv::StringRecord::with_capacity(ROW, self.headings.len());
-        match self.rows.read_record(&mut row) {
+    pub(super) fn next_row(&mut self) -> Option<(u64, Result<&csv::StringRecord, String>)> {
+        match self.rows.read_record(&mut self.row) {
             Ok(false) => None,
             Ok(true) => {
-                self.last = row.position().map_or(self.last + 1, csv::Position::line);
-                Some((self.last, Ok(row)))
+                self.line = self.row.position().map_or(self.line + 1, csv::Position::line);
+                Some((self.line, Ok(&self.row)))
             }
             Err(error) => {
-                self.last = error.position().map_or(self.last + 1, csv::Position::line);
-                Some((self.last, Err(malformed(error.kind()))))
+                self.line = error.position().map_or(self.line + 1, csv::Position::line);
+                Some((self.line, Err(malformed(error.kind()))))
             }
         }
-    }
-
-    /// The rows with their line numbers, or what is wrong with a row.
-    pub(super) fn rows(&mut self) -> impl Iterator<Item = (u64, Result<csv::StringRecord, String>)> + '_ {
-        std::iter::from_fn(|| self.next_row())
     }
 }
 

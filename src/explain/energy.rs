@@ -64,6 +64,14 @@ fn formula(display: Display<'_>, stage: usize) -> Option<Expr> {
     let worked = display.worked;
     let Some(Stage::Impact(impact)) = worked.problem.loaded().draft.scene.stages.get(stage) else { return None };
     let [first, second] = impact.between.as_ref()?;
+    // A guide takes part in the impact, so that the two masses alone do not decide.
+    let scene = &worked.problem.loaded().draft.scene;
+    let is_guided = |body: &String| {
+        scene.members(body).into_iter().any(|own| scene.bodies.get(own).is_some_and(|body| body.guide.is_some()))
+    };
+    if is_guided(first) || is_guided(second) {
+        return None;
+    }
     let stated = worked.leaf().system.equations.iter().find(|equation| {
         instance(display, equation)
             .is_some_and(|own| own.stage == Some(stage) && own.law.id == restitution::RESTITUTION.id)
@@ -71,7 +79,6 @@ fn formula(display: Display<'_>, stage: usize) -> Option<Expr> {
     let Statement::Equal { right: Expr::Product(factors), .. } = &stated.statement else { return None };
     let [e @ Expr::Symbol(coefficient), approach] = &factors[..] else { return None };
     let mass = |body: &String| -> Option<Symbol> {
-        let scene = &worked.problem.loaded().draft.scene;
         let written = scene.bodies.get(body)?.mass.as_ref().map(|term| term.0.trim().to_owned());
         worked.problem.model().symbol_of(&written.unwrap_or_else(|| format!("m_{body}")))
     };

@@ -7,7 +7,9 @@ use std::sync::Arc;
 
 use dashu::base::BitTest;
 
+use crate::quantity::Decimal;
 use crate::quantity::Rational;
+use crate::quantity::Unit;
 
 use super::Symbol;
 
@@ -67,6 +69,14 @@ pub struct Piecewise {
 }
 
 impl Expr {
+    /// A value with its unit as a number of coherent SI units; a degree is pi/180.
+    #[must_use]
+    pub fn measured(value: &Decimal, unit: &Unit) -> Self {
+        let factor = unit.factor();
+        let number = Self::Number(value.to_rational() * factor.rational);
+        if factor.pi == 0 { number } else { number * Self::Pi.powi(i64::from(factor.pi)) }
+    }
+
     /// The integer `value`.
     #[must_use]
     pub fn integer(value: i64) -> Self {

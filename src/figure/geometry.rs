@@ -125,12 +125,20 @@ pub(super) fn corners(centre: Point, size: Point, angle: f64) -> [Point; 4] {
 
 /// A coordinate as text: two decimals at most, no trailing zeros, never `-0`; anything that is not finite is `0`.
 pub(super) fn coordinate(value: f64) -> String {
-    if !value.is_finite() {
+    let hundredths = libm::round(value * 100.0);
+    if !hundredths.is_finite() {
         return "0".to_owned();
     }
-    let text = format!("{value:.2}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+    // A picture has thousands of coordinates, and whole numbers print much faster than doubles.
+    #[allow(clippy::cast_possible_truncation, reason = "no picture is that large")]
+    let hundredths = hundredths as i64;
+    let sign = if hundredths < 0 { "-" } else { "" };
+    let (whole, rest) = (hundredths.unsigned_abs() / 100, hundredths.unsigned_abs() % 100);
+    match (rest / 10, rest % 10) {
+        (0, 0) => format!("{sign}{whole}"),
+        (tenths, 0) => format!("{sign}{whole}.{tenths}"),
+        (tenths, rest) => format!("{sign}{whole}.{tenths}{rest}"),
+    }
 }
 
 #[cfg(test)]

@@ -2,7 +2,9 @@
 
 use serde::Serialize;
 
+use crate::quantity::half_unit;
 use crate::quantity::round_to_figures;
+use crate::quantity::unit_of_place;
 
 use super::expected::{ExpectedNumber, ExpectedVector};
 use super::read::{Answer, NumberAnswer};
@@ -143,23 +145,12 @@ fn chosen(near: &[Suspect], limit: &dyn Fn(&Suspect) -> f64, own_rounding: f64, 
 
 /// The share of a value beyond which no rounding leads.
 fn reach(figures: usize) -> f64 {
-    libm::pow(0.1, f64::from(u32::try_from(figures).unwrap_or(1)) - 1.0).max(2.0 * ROUNDED_ON_THE_WAY)
+    unit_of_place(1 - i32::try_from(figures).unwrap_or(1)).max(2.0 * ROUNDED_ON_THE_WAY)
 }
 
 /// How far rounding moves a value.
 fn rounding(value: f64, figures: usize) -> f64 {
     half_unit(value, figures) * 1.001 + 1e-9 * value.abs()
-}
-
-/// Half a unit of the last of so many figures.
-fn half_unit(value: f64, figures: usize) -> f64 {
-    if value == 0.0 || !value.is_finite() {
-        return 0.0;
-    }
-    let leading = libm::floor(libm::log10(value.abs()));
-    #[allow(clippy::cast_precision_loss, reason = "figures are at most 12")]
-    let last = leading - (figures as f64 - 1.0);
-    0.5 * libm::pow(10.0, last)
 }
 
 /// Whether an answer is the right one cut to two figures: rounding, not a wrong method.

@@ -12,6 +12,7 @@ use crate::quantity::Factor;
 use crate::quantity::Unit;
 use crate::quantity::dimension_name;
 
+use super::catalogue::{Catalogue, English};
 use super::expected::{Expected, ExpectedKind, ExpectedNumber, Units};
 use super::messages::Message;
 use super::number::Number;
@@ -219,8 +220,8 @@ impl Judgement {
     #[must_use]
     pub fn told(&self) -> String {
         match self.messages.as_slice() {
-            [one] => one.to_string(),
-            all => all.iter().map(ToString::to_string).collect::<Vec<_>>().join(" "),
+            [one] => English.message(one),
+            all => all.iter().map(|one| English.message(one)).collect::<Vec<_>>().join(" "),
         }
     }
 

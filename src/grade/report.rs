@@ -230,7 +230,10 @@ impl fmt::Display for Report {
 impl fmt::Display for Points {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.0.is_int() {
-            return write!(out, "{}", self.0.numerator());
+            return match i64::try_from(self.0.numerator()) {
+                Ok(few) => few.fmt(out),
+                Err(_) => self.0.numerator().fmt(out),
+            };
         }
         let scaled = (&self.0 * Rational::from(10_u32.pow(DECIMALS))).round();
         let printed = Decimal::from_scaled(i128::try_from(scaled).unwrap_or_default(), DECIMALS).to_string();

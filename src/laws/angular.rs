@@ -46,7 +46,7 @@ pub const RATE: Law = Law {
     signs: "As the moments.",
     when: "About a fixed point, or about the mass centre.",
     source: "Newton's second law, its moment taken.",
-    wrong: &[],
+    wrong: wrong::angular::RATE,
 };
 
 /// Conservation of angular momentum.

@@ -116,6 +116,28 @@ pub const TOGETHER: Law = Law {
     wrong: &[],
 };
 
+/// A string over movable pulleys.
+pub const STRANDS: Law = Law {
+    id: "string-over-movable-pulleys",
+    name: "the constraint of the string",
+    statement: "What a string of constant length loses on one side it gains on the other: the velocity of each body times the number of strands on which it hangs is the same.",
+    signs: "As the velocities, along the string.",
+    when: "The string is taut and does not stretch, and the strands of a movable pulley are parallel.",
+    source: "Kinematics: the time derivative of the string's length is zero.",
+    wrong: wrong::kinematics::STRANDS,
+};
+
+/// Where a displacement leads.
+pub const DISPLACED: Law = Law {
+    id: "place-after-a-displacement",
+    name: "the definition of displacement",
+    statement: "A body is at the end where it was at the start, moved by its displacement.",
+    signs: "Along the axis positive.",
+    when: "Always.",
+    source: "The definition.",
+    wrong: &[],
+};
+
 /// Counting until a condition holds.
 pub const COUNT: Law = Law {
     id: "count",
@@ -128,8 +150,21 @@ pub const COUNT: Law = Law {
 };
 
 /// The laws of this chapter.
-pub const LAWS: &[&Law] =
-    &[&FALL_SPEED, &FALL_TIME, &UNIFORM, &FLIGHT_PLACE, &FLIGHT_SPEED, &TOP, &UNTIL, &REST, &TOGETHER, &COUNT, &CLOCK];
+pub const LAWS: &[&Law] = &[
+    &FALL_SPEED,
+    &FALL_TIME,
+    &UNIFORM,
+    &FLIGHT_PLACE,
+    &FLIGHT_SPEED,
+    &TOP,
+    &UNTIL,
+    &REST,
+    &TOGETHER,
+    &STRANDS,
+    &DISPLACED,
+    &COUNT,
+    &CLOCK,
+];
 
 /// `v_2^2 = v_1^2 + 2 g h`.
 #[must_use]

@@ -69,7 +69,7 @@ pub const NO_MOMENTUM: Law = Law {
     signs: "As the velocities.",
     when: "Always.",
     source: "The definition of the mass centre, seen from it.",
-    wrong: &[],
+    wrong: wrong::mass_centre::NO_MOMENTUM,
 };
 
 /// Koenig's theorem for the kinetic energy.

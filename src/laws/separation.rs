@@ -58,7 +58,7 @@ pub const GUIDE: Law = Law {
     signs: "As the velocities.",
     when: "The guide does not give way and the body does not leave it.",
     source: "Kinematics.",
-    wrong: &[],
+    wrong: wrong::separation::GUIDE,
 };
 
 /// Bodies that start from rest.

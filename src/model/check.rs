@@ -19,10 +19,12 @@ use crate::scene::stage::Walk;
 use super::Name;
 use super::timeline::Timeline;
 
+/// The one kind of quantity that only a scene makes and whose name may stand without anything else.
+const WORK: &str = "work";
 /// Kinds of quantity that only a scene makes.
 const STRUCTURAL: &[&str] = &[
     "v", "speed", "angle", "p", "J", "F_avg", "T", "T_lost", "T_gained", "J_def", "J_rest", "v_common", "T_rel",
-    "v_rel", "H", "W",
+    "v_rel", "H", "W", WORK,
 ];
 /// Kinds of quantity about a fixed point or the mass centre, at an instant.
 const ABOUT: &[&str] = &["M", "H_rate"];
@@ -35,7 +37,7 @@ pub(super) fn is_structural(scene: &Scene, name: &str) -> bool {
         return true;
     }
     let Some(name) = Name::parse(name) else { return false };
-    if name.is_plain() {
+    if name.is_plain() && name.base != WORK {
         return false;
     }
     let timeline = Timeline::new(scene);

@@ -48,16 +48,16 @@ impl Builder<'_> {
         Some(Guided { body: body.to_owned(), by, along })
     }
 
-    /// That a guided body does not move at right angles to its guide.
-    pub(super) fn hold(&mut self, guide: &Guided, instant: usize) {
+    /// That a guided body does not move at right angles to its guide; `stage` says what brought it to that instant.
+    pub(super) fn hold(&mut self, guide: &Guided, instant: usize, stage: Option<usize>) {
         let since = self.timeline.since(&guide.body, instant).unwrap_or(instant);
         if !self.defined.insert(format!("guided {}{since}", guide.body)) {
             return;
         }
         let across = self.components(&guide.across());
         let velocity = self.velocities(&guide.body, instant);
-        let because = format!("{} lets {} move along it only", guide.by, self.called(&guide.body));
-        self.law(&separation::GUIDE, None, because, (dot(&velocity, &across), Expr::zero()));
+        let because = format!("held by {}, {} can move along one line only", guide.by, self.called(&guide.body));
+        self.law(&separation::GUIDE, stage, because, (dot(&velocity, &across), Expr::zero()));
     }
 
     /// Mass and velocities of bodies at an instant.
@@ -81,22 +81,22 @@ impl Builder<'_> {
             return;
         };
         for own in &guided {
-            self.hold(own, stage + 2);
+            self.hold(own, stage + 2, Some(stage));
         }
         for body in before {
             if let Some(own) = self.guided(body) {
-                self.hold(&own, stage + 1);
+                self.hold(&own, stage + 1, None);
             }
         }
         let [along, across] = [guide.along.clone(), guide.across()].map(|direction| self.components(&direction));
         let name = self.called(&guide.body);
-        let line = format!("{because}, and {} gives no impulse along the way in which it lets {name} move", guide.by);
+        let line = format!("{because}, and no impulse of {} acts along the line on which {name} can move", guide.by);
         let [from, to] = [&start, &end].map(|own| projected(own, &along));
         self.law(&momentum::CONSERVATION, Some(stage), line, momentum::conservation(&from, &to));
         let suffix = self.stage_suffix(stage);
         let meaning = format!("the impulse of {} on {name}", guide.by);
         let reaction = Expr::from(self.symbol(format!("R_{}{suffix}", guide.body), Dimension::MOMENTUM, meaning));
-        let line = format!("at right angles to its way {} holds {name}; this impulse acts from outside", guide.by);
+        let line = format!("at right angles to that line {name} is held by {}, with an impulse from outside", guide.by);
         let [from, to] = [&start, &end].map(|own| projected(own, &across));
         self.law(&momentum::SYSTEM, Some(stage), line, momentum::system(&from, &reaction, &to));
         let components = across.into_iter().map(|part| if part.is_zero() { part } else { reaction.clone() * part });
@@ -108,7 +108,7 @@ impl Builder<'_> {
             components: components.collect(),
             impulsive: true,
         });
-        self.omit(format!("friction with {}", guide.by), format!("{} is smooth", guide.by));
+        self.omit(format!("friction with {}", guide.by), "the problem does not mention any");
     }
 }
 

@@ -142,6 +142,6 @@ impl Model {
                 })),
             }
         }
-        System { equations, conditions: system.conditions.clone(), positive: system.positive.clone() }
+        system.with(equations)
     }
 }

@@ -20,6 +20,9 @@ use crate::scene::Term;
 use super::Builder;
 use super::Name;
 
+/// Names of what a whole stage does, which need the stage in brackets where there are several.
+const STAGED: &[&str] = &["T_lost", "T_gained", "work", "J_def", "J_rest", "v_common", "dt"];
+
 /// Resolves the names of one term; names that the scene does not make are noted.
 struct Resolver<'b, 's> {
     builder: &'b mut Builder<'s>,
@@ -47,6 +50,9 @@ impl Builder<'_> {
         let entry = SymbolEntry { name: text.to_owned(), dimension: quantity.unit.dimension(), meaning: String::new() };
         let symbol = self.symbols.intern(entry);
         if !self.literals.iter().any(|(own, _)| *own == symbol) {
+            if quantity.unit.dimension() == Dimension::NONE {
+                self.system.fixed.insert(symbol, Expr::measured(&quantity.value, &quantity.unit));
+            }
             self.literals.push((symbol, quantity));
         }
         Some(symbol)
@@ -134,6 +140,11 @@ impl Builder<'_> {
         let known: Vec<&str> = self.symbols.iter().map(|(_, entry)| entry.name.as_str()).collect();
         match did_you_mean(name, known.iter().copied()) {
             Some(near) => fault.help(format!("did you mean `{near}`?")),
+            None if STAGED.contains(&name) && self.scene.stages.len() > 1 => {
+                let stages = 0..self.scene.stages.len();
+                let each: Vec<String> = stages.map(|stage| format!("`{name}{}`", self.stage_suffix(stage))).collect();
+                fault.help(format!("several stages could be meant: write {}", each.join(" or ")))
+            }
             None => fault.help("give it under `given`, or use a name that the scene makes, such as `v_A1`"),
         }
     }

@@ -8,6 +8,8 @@ use crate::scene::stage::Ends;
 use crate::scene::stage::Partners;
 use crate::scene::stage::Separate;
 
+use super::wording::noun;
+
 /// Instants 1 to n + 1 around n stages, and which stage changes which body.
 #[derive(Clone, Debug)]
 pub struct Timeline {
@@ -67,12 +69,13 @@ impl Timeline {
         self.names.iter().position(|own| own == name).map(|index| index + 1)
     }
 
-    /// The position of the stage of that name, or of that key where only one such stage could be meant.
+    /// The position of the stage of that name, or of that key or noun where only one such stage could be meant.
     #[must_use]
     pub fn stage(&self, scene: &Scene, name: &str) -> Option<usize> {
         let named = self.stage_names.iter().position(|own| own.as_deref() == Some(name));
+        let is_meant = |stage: &Stage| stage.key() == name || noun(stage) == name;
         let of_kind: Vec<usize> =
-            scene.stages.iter().enumerate().filter(|(_, stage)| stage.key() == name).map(|(index, _)| index).collect();
+            scene.stages.iter().enumerate().filter(|(_, stage)| is_meant(stage)).map(|(index, _)| index).collect();
         named.or_else(|| if let [only] = of_kind[..] { Some(only) } else { None })
     }
 }

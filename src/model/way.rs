@@ -6,6 +6,7 @@ use crate::fault::Fault;
 use crate::fault::Path;
 use crate::laws::energy;
 use crate::laws::kinematics;
+use crate::laws::separation;
 use crate::scene::Term;
 use crate::solve::Relation;
 
@@ -72,6 +73,14 @@ impl Builder<'_> {
                 self.faults.push(fault.help("write the words of the axis, or `+x` or `-x`").at_path(path));
                 1
             }
+        }
+    }
+
+    /// Every component of the velocity of a body is zero at the start of a stage.
+    pub(super) fn starts_from_rest(&mut self, index: usize, body: &str) {
+        let because = format!("{} from rest", self.does(body, ["starts", "start"]));
+        for velocity in self.velocities(body, index + 1) {
+            self.law(&separation::AT_REST, Some(index), because.clone(), (velocity, Expr::zero()));
         }
     }
 

@@ -42,7 +42,7 @@ fn kind(stage: &Stage) -> (&'static str, &'static str, &'static str) {
 }
 
 /// What a stage is called: by its kind, or as the author calls it.
-fn noun(stage: &Stage) -> &str {
+pub(super) fn noun(stage: &Stage) -> &str {
     match stage {
         Stage::Separate(Separate { called: Some(noun), .. }) => noun,
         _ => kind(stage).0,

@@ -12,7 +12,6 @@ use crate::fault::Path;
 use crate::model::Model;
 use crate::solve::Closed;
 
-use super::formula::exact;
 use super::formula::symbols_only;
 use super::known::Known;
 use super::known::Origin;
@@ -73,7 +72,7 @@ pub(super) fn check(known: &[Known], form: &Form) -> Vec<Fault> {
 /// The values that never change, as exact numbers.
 fn fixed(known: &[Known]) -> BTreeMap<Symbol, Expr> {
     let value = |known: &Known| match (&known.origin, known.unit.factor()) {
-        (Origin::Fixed(value), factor) if factor.pi == 0 => Some((known.symbol, exact(value, &known.unit))),
+        (Origin::Fixed(value), factor) if factor.pi == 0 => Some((known.symbol, Expr::measured(value, &known.unit))),
         _ => None,
     };
     known.iter().filter_map(value).collect()

@@ -9,10 +9,8 @@ use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::fault::Code;
 use crate::fault::Fault;
-use crate::quantity::Decimal;
 use crate::quantity::Dimension;
 use crate::quantity::Rational;
-use crate::quantity::Unit;
 use crate::solve::Closed;
 use crate::solve::Move;
 use crate::solve::Plan;
@@ -129,13 +127,6 @@ fn has_pieces(formula: &Expr) -> bool {
     matches!(formula, Expr::Piecewise(_)) || formula.children().into_iter().any(has_pieces)
 }
 
-/// A value in SI units as a term.
-pub(super) fn exact(value: &Decimal, unit: &Unit) -> Expr {
-    let factor = unit.factor();
-    let number = Expr::Number(value.to_rational() * factor.rational);
-    if factor.pi == 0 { number } else { number * Expr::Pi.powi(i64::from(factor.pi)) }
-}
-
 /// Fixed values that are nothing: they leave a formula altogether.
 fn zeros(known: &[Known]) -> impl Iterator<Item = (Symbol, Expr)> {
     let zero = |known: &&Known| matches!(&known.origin, Origin::Fixed(value) if value.is_zero());
@@ -176,7 +167,7 @@ pub(super) fn check(known: &[Known], literals: &[(Symbol, crate::quantity::Quant
 /// Values without a dimension that an author wrote into a term, and zeros.
 fn numbers(literals: &[(Symbol, crate::quantity::Quantity)]) -> impl Iterator<Item = (Symbol, Expr)> {
     let plain = literals.iter().filter(|(_, own)| own.value.is_zero() || own.unit.dimension() == Dimension::NONE);
-    plain.map(|(symbol, own)| (*symbol, exact(&own.value, &own.unit)))
+    plain.map(|(symbol, own)| (*symbol, Expr::measured(&own.value, &own.unit)))
 }
 
 /// The quantities whose symbols a form's text prints without ever telling their values.
@@ -238,7 +229,7 @@ impl Worked<'_> {
             text.placeholders().any(|placeholder| placeholder.filter.names() && own(&placeholder.name))
         });
         let (value, unit) = self.variant.given(known.symbol).filter(|_| pure && !names)?;
-        Some(exact(&value, &unit))
+        Some(Expr::measured(&value, &unit))
     }
 
     /// The answer to a part as a formula; a multiple of the quantity in terms of which it is asked.

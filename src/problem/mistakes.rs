@@ -38,6 +38,8 @@ pub(super) struct Planned {
     list: Vec<Mistake>,
     pub(super) inputs: Vec<Symbol>,
     pub(super) batch: Batch,
+    /// The quantities that are asked and whose sign is a direction.
+    pub(super) directed: Vec<Symbol>,
 }
 
 /// One way of making one usual mistake.
@@ -115,7 +117,8 @@ fn planned(problem: &Problem, form: &Form, leaf: &Leaf) -> Planned {
         instance: None,
         made: Made::Written(slip.to, slip.written),
     }));
-    Planned { list: mistakes, inputs, batch: batch.finish() }
+    let directed = wanted.into_iter().filter(|symbol| problem.senses(*symbol).is_some()).collect();
+    Planned { list: mistakes, inputs, batch: batch.finish(), directed }
 }
 
 /// Every unit that some given has and that is often overlooked: of all its givens, and of each alone.

@@ -17,7 +17,6 @@ impl Restricted {
     pub(super) fn new(system: &System, kept: impl IntoIterator<Item = usize>) -> Self {
         let places: Vec<usize> = kept.into_iter().collect::<BTreeSet<_>>().into_iter().collect();
         let equations = places.iter().filter_map(|place| system.equations.get(*place).cloned()).collect();
-        let system = System { equations, conditions: system.conditions.clone(), positive: system.positive.clone() };
-        Self { system, places }
+        Self { system: system.with(equations), places }
     }
 }

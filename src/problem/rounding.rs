@@ -3,6 +3,9 @@
 use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::quantity::Dimension;
+use crate::quantity::first_place;
+use crate::quantity::half_unit;
+use crate::quantity::unit_of_place;
 use crate::solve::Closed;
 
 use super::part::AskedUnit;
@@ -80,8 +83,7 @@ impl Worked<'_> {
         let figures = number.figures.min(usize::from(self.problem.loaded().draft.figures.unwrap_or(3)));
         let found = self.allowance(number.symbol, figures) / unit;
         // Whoever converts the result rounds it once more; a decimal multiple leaves its figures as they are.
-        let power = libm::log10(unit.abs());
-        let is_decimal = (power - libm::round(power)).abs() < 1e-9;
+        let is_decimal = (unit - unit_of_place(first_place(unit))).abs() < 1e-9 * unit;
         let written = half_unit(NEXT_DECADE * self.value(number.symbol) / unit, figures);
         Judged { allowance: if is_decimal { found } else { found + written }, scale: self.scale(number.symbol) / unit }
     }
@@ -142,28 +144,5 @@ impl Worked<'_> {
             let side = |side: &Expr| side.evaluate(&|own| self.value(own));
             (side(&condition.left) - side(&condition.right)).abs()
         })
-    }
-}
-
-/// Half a unit of a value's last figure, when it is written with so many figures.
-pub(super) fn half_unit(value: f64, figures: usize) -> f64 {
-    if value == 0.0 || !value.is_finite() {
-        return 0.0;
-    }
-    let leading = libm::floor(libm::log10(value.abs()));
-    #[allow(clippy::cast_precision_loss, reason = "figures are at most 12")]
-    let last = leading - (figures as f64 - 1.0);
-    0.5 * libm::pow(10.0, last)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn half_a_unit_of_the_third_figure() {
-        assert!((half_unit(3.456, 3) - 0.005).abs() < 1e-15);
-        assert!((half_unit(-1234.0, 3) - 5.0).abs() < 1e-12);
-        assert!(half_unit(0.0, 3) < 1e-300);
     }
 }

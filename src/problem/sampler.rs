@@ -292,6 +292,15 @@ impl<'p> Sampler<'p> {
         self.scratch.run(&self.form.solver, &self.inputs, &self.domains)
     }
 
+    /// What is asked in each further solution, where there is one.
+    fn others(&self) -> Vec<(Symbol, Vec<Bounded>)> {
+        if self.scratch.survivors(&self.form.solver) < 2 {
+            return Vec::new();
+        }
+        let others = |symbol| (symbol, self.scratch.other_values(&self.form.solver, symbol));
+        self.form.wanted().map(others).filter(|(_, values)| !values.is_empty()).collect()
+    }
+
     fn keep(&self, seed: Option<u64>) -> Variant {
         let mut given = Vec::new();
         for (known, drawn) in self.problem.known().iter().zip(&self.drawn) {
@@ -327,12 +336,7 @@ impl<'p> Sampler<'p> {
             given,
             values,
             forward: forward.unwrap_or_default(),
-            others: self
-                .form
-                .wanted()
-                .map(|symbol| (symbol, self.scratch.other_values(&self.form.solver, symbol)))
-                .filter(|(_, values)| !values.is_empty())
-                .collect(),
+            others: self.others(),
             leaf: self.scratch.leaf(),
             roots: self.scratch.roots(&self.form.solver),
             dead: self.scratch.dead(&self.form.solver),

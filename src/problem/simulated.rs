@@ -3,6 +3,7 @@
 use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::laws::wrong::reading::SlipOf;
+use crate::quantity::half_unit;
 use crate::solve::BatchValues;
 use crate::solve::Bounded;
 
@@ -12,7 +13,6 @@ use super::part::AskedUnit;
 use super::part::NumberPart;
 use super::part::PartKind;
 use super::part::Tolerance;
-use super::rounding::half_unit;
 use super::variant::Worked;
 use super::vector::VectorPart;
 
@@ -66,7 +66,9 @@ impl Simulated<'_> {
             }
             Made::Written(to, written) => {
                 let fits = match to {
-                    SlipOf::Signed => self.worked.problem.senses(number.symbol).is_some(),
+                    SlipOf::Signed => {
+                        self.worked.planned().is_some_and(|planned| planned.directed.contains(&number.symbol))
+                    }
                     SlipOf::Angle => matches!(&number.unit, AskedUnit::Unit(unit) if unit.has_pi()),
                     SlipOf::Count => number.whole,
                 };

@@ -66,7 +66,7 @@ impl Streams {
     pub fn words(&self) -> Words {
         Words {
             generator: ChaCha8Rng::from_seed(self.key),
-            made: self.ids.iter().map(|id| Made { id: *id, place: None, words: [0; BUFFER] }).collect(),
+            made: self.ids.iter().map(|id| Made { id: *id, place: None, words: [[0; 8]; BUFFER] }).collect(),
         }
     }
 }
@@ -85,7 +85,7 @@ struct Made {
     id: u64,
     /// The block of attempts and the first seed of the words.
     place: Option<(u64, u64)>,
-    words: [u64; BUFFER],
+    words: [[u8; 8]; BUFFER],
 }
 
 impl Words {
@@ -96,16 +96,12 @@ impl Words {
         if made.place != Some(place) {
             self.generator.set_stream(made.id.wrapping_add(place.0));
             self.generator.set_block_pos(place.1);
-            let mut bytes = [[0; 8]; BUFFER];
-            self.generator.fill_bytes(bytes.as_flattened_mut());
-            for (word, own) in made.words.iter_mut().zip(bytes) {
-                *word = u64::from_le_bytes(own);
-            }
+            self.generator.fill_bytes(made.words.as_flattened_mut());
             made.place = Some(place);
         }
         // Both remainders are small, so the word is within the buffer.
         let word = (seed % TOGETHER) * BLOCK + attempt % BLOCK;
-        usize::try_from(word).ok().and_then(|word| made.words.get(word)).copied().unwrap_or(0)
+        usize::try_from(word).ok().and_then(|word| made.words.get(word)).map_or(0, |word| u64::from_le_bytes(*word))
     }
 }
 

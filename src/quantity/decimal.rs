@@ -49,7 +49,7 @@ pub enum DecimalFault {
 
 /// The powers of ten that doubles hold exactly.
 #[rustfmt::skip]
-const POWERS_OF_TEN: [f64; 23] = [
+pub(super) const POWERS_OF_TEN: [f64; 23] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
     1e21, 1e22,
 ];
@@ -205,16 +205,21 @@ impl From<i64> for Decimal {
 /// Without a power of ten: `.5` prints as `0.5`, `1.2e3` as `1200`, and zero never has a sign.
 impl fmt::Display for Decimal {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let sign = if self.is_negative() { "-" } else { "" };
+        if self.is_negative() {
+            out.write_str("-")?;
+        }
         let digits = digits_of(&self.unscaled);
         let places = self.scale.unsigned_abs() as usize;
+        let zeros = |out: &mut fmt::Formatter<'_>, count: usize| (0..count).try_for_each(|_| out.write_str("0"));
         if self.scale <= 0 {
-            let zeros = if self.is_zero() { 0 } else { places };
-            return write!(out, "{sign}{digits}{}", "0".repeat(zeros));
+            out.write_str(&digits)?;
+            return zeros(out, if self.is_zero() { 0 } else { places });
         }
-        let digits = format!("{}{digits}", "0".repeat((places + 1).saturating_sub(digits.len())));
-        let (whole, fraction) = digits.split_at(digits.len() - places);
-        write!(out, "{sign}{whole}.{fraction}")
+        let (whole, fraction) = digits.split_at(digits.len().saturating_sub(places));
+        out.write_str(if whole.is_empty() { "0" } else { whole })?;
+        out.write_str(".")?;
+        zeros(out, places.saturating_sub(fraction.len()))?;
+        out.write_str(fraction)
     }
 }
 
@@ -269,7 +274,10 @@ pub(super) fn power_of_ten(places: usize) -> Integer {
 
 /// The digits without the sign.
 fn digits_of(value: &Integer) -> String {
-    value.clone().abs().to_string()
+    match i64::try_from(value) {
+        Ok(few) => few.unsigned_abs().to_string(),
+        Err(_) => value.clone().abs().to_string(),
+    }
 }
 
 #[cfg(test)]

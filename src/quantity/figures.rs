@@ -1,6 +1,9 @@
 //! Printing numbers to so many significant figures.
 
 use std::cmp::Ordering;
+use std::ops::Add;
+use std::ops::Div;
+use std::ops::Mul;
 
 use dashu::base::{Abs, BitTest, Sign};
 
@@ -106,52 +109,66 @@ pub fn round_rational(value: &Rational, figures: usize) -> Decimal {
         return Decimal::from(0);
     }
     let figures = i32::try_from(figures.clamp(1, MAX_FIGURES)).unwrap_or(1);
+    let signed = |digits: Integer, scale: i32| {
+        Decimal::new(if value.sign() == Sign::Negative { -digits } else { digits }, scale)
+    };
     let numerator = value.numerator().clone().abs();
-    let denominator = Integer::from(value.denominator().clone());
-    let (least, most) = (power_of_ten(places(figures - 1)), power_of_ten(places(figures)));
-    let mut scale = figures - 1 - estimated_place(&numerator, &denominator);
+    let few = || Some((u64::try_from(&numerator).ok()?, u64::try_from(value.denominator()).ok()?));
+    if let Some((above, below)) = few()
+        && let Some((digits, scale)) = rounded(&u128::from(above), &u128::from(below), figures, bits, short_power)
+    {
+        return signed(Integer::from(digits), scale);
+    }
+    let bit_len = |value: &Integer| i64::try_from(value.bit_len()).unwrap_or(i64::MAX);
+    let power = |places: i32| Some(power_of_ten(usize::try_from(places.unsigned_abs()).unwrap_or(0)));
+    // Every power of ten is there, so there is a result.
+    let found = rounded(&numerator, &Integer::from(value.denominator().clone()), figures, bit_len, power);
+    found.map_or_else(|| Decimal::from(0), |(digits, scale)| signed(digits, scale))
+}
+
+/// A quotient of positive integers rounded to so many figures, half up: its digits, and how many of them stand behind the
+/// point. `power` gives the power of ten for the size of a place; none where it is too large for this kind of integer.
+fn rounded<I>(
+    numerator: &I,
+    denominator: &I,
+    figures: i32,
+    bits: impl Fn(&I) -> i64,
+    power: impl Fn(i32) -> Option<I>,
+) -> Option<(I, i32)>
+where
+    I: Clone + PartialOrd + From<u8> + Add<Output = I> + Mul<Output = I> + Div<Output = I>,
+{
+    let (least, most) = (power(figures - 1)?, power(figures)?);
+    // The place of the first figure, to within a few: log10(2) is 0.30103 to five places.
+    let binary_places = bits(numerator) - bits(denominator);
+    let place = i32::try_from(binary_places.saturating_mul(30_103) / 100_000).unwrap_or(0);
+    let mut scale = figures - 1 - place;
     loop {
         let (above, below) = match scale.cmp(&0) {
-            Ordering::Less => (numerator.clone(), &denominator * power_of_ten(places(scale))),
-            _ => (&numerator * power_of_ten(places(scale)), denominator.clone()),
+            Ordering::Less => (numerator.clone(), denominator.clone() * power(scale)?),
+            _ => (numerator.clone() * power(scale)?, denominator.clone()),
         };
-        let cut = &above / &below;
+        let cut = above.clone() / below.clone();
         // The estimate is at most a few places off; each turn mends one.
         if cut >= most {
             scale -= 1;
         } else if cut < least {
             scale += 1;
         } else {
-            return signed(value, carried(half_up(&above, &below), &most, scale));
+            let digits = (above * I::from(2) + below.clone()) / (below * I::from(2));
+            // 9.99 rounded to two figures is 10, not 10.0.
+            return Some(if digits == most { (digits / I::from(10), scale - 1) } else { (digits, scale) });
         }
     }
 }
 
-/// The place of a quotient's first decimal figure, to within a few.
-fn estimated_place(numerator: &Integer, denominator: &Integer) -> i32 {
-    let bits = |value: &Integer| i64::try_from(value.bit_len()).unwrap_or(i64::MAX);
-    let binary_places = bits(numerator) - bits(denominator);
-    // log10(2) = 0.30103 to five places.
-    i32::try_from(binary_places.saturating_mul(30_103) / 100_000).unwrap_or(0)
+fn bits(value: &u128) -> i64 {
+    i64::from(u128::BITS - value.leading_zeros())
 }
 
-/// A positive quotient rounded to an integer, half up.
-fn half_up(above: &Integer, below: &Integer) -> Integer {
-    (above * Integer::from(2) + below) / (below * Integer::from(2))
-}
-
-/// 9.99 rounded to two figures is 10, not 10.0.
-fn carried(rounded: Integer, most: &Integer, scale: i32) -> (Integer, i32) {
-    if rounded == *most { (rounded / Integer::from(10), scale - 1) } else { (rounded, scale) }
-}
-
-fn signed(value: &Rational, (digits, scale): (Integer, i32)) -> Decimal {
-    let digits = if value.sign() == Sign::Negative { -digits } else { digits };
-    Decimal::new(digits, scale)
-}
-
-fn places(scale: i32) -> usize {
-    scale.unsigned_abs() as usize
+/// A power of ten that leaves room for the product with any 64 bits, and its double.
+fn short_power(places: i32) -> Option<u128> {
+    (places.unsigned_abs() <= 18).then(|| 10_u128.pow(places.unsigned_abs()))
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use super::factor::StaticFactor;
 
 /// A decimal prefix.
-#[derive(Debug, PartialEq, Eq, Hash)]
+#[derive(Debug)]
 pub(super) struct Prefix {
     /// How it is printed: `k`.
     pub(super) symbol: &'static str,

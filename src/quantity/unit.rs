@@ -1,6 +1,8 @@
 //! A unit: a product of named units with integer powers.
 
 use std::fmt;
+use std::hash::Hash;
+use std::hash::Hasher;
 
 use super::factor::StaticFactor;
 use super::prefix::Prefix;
@@ -9,10 +11,31 @@ use super::units_table::{UNITS_OF_WEIGHT_AND_MASS, UnitRow};
 use super::{Dimension, Factor};
 
 /// A unit with a symbol of its own, perhaps prefixed: `km`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Symbol {
     pub(super) prefix: Option<&'static Prefix>,
     pub(super) row: &'static UnitRow,
+}
+
+impl Symbol {
+    /// What tells it from every other: each row of the tables has its own symbol.
+    fn key(&self) -> (Option<&'static str>, &'static str) {
+        (self.prefix.map(|prefix| prefix.symbol), self.row.symbol)
+    }
+}
+
+impl PartialEq for Symbol {
+    fn eq(&self, other: &Self) -> bool {
+        self.key() == other.key()
+    }
+}
+
+impl Eq for Symbol {}
+
+impl Hash for Symbol {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.key().hash(state);
+    }
 }
 
 /// A symbol to a power other than zero.

@@ -39,14 +39,16 @@ impl Unit {
     pub fn spoken(&self, plural: bool) -> String {
         let (above, below) = self.fraction();
         let last = above.len().saturating_sub(1);
-        let mut words: Vec<String> = Vec::new();
+        let mut words = String::new();
         for (position, power) in above.iter().enumerate() {
-            words.push(spoken_power(power, plural && position == last, above.len() == 1));
+            words.push_str(if position == 0 { "" } else { " " });
+            speak_power(&mut words, power, plural && position == last, above.len() == 1);
         }
         for power in below {
-            words.push(format!("per {}", spoken_power(power, false, true)));
+            words.push_str(if words.is_empty() { "per " } else { " per " });
+            speak_power(&mut words, power, false, true);
         }
-        words.join(" ")
+        words
     }
 
     /// The powers above and below the fraction bar.
@@ -106,18 +108,23 @@ fn latex_exponent(exponent: u8) -> String {
 }
 
 /// `alone`: nothing is multiplied with it, so that an area may be `square metres`.
-fn spoken_power(power: &Power, plural: bool, alone: bool) -> String {
+fn speak_power(words: &mut String, power: &Power, plural: bool, alone: bool) {
     let row = power.symbol.row;
-    let name = if plural { row.plural } else { row.singular };
-    let name = format!("{}{name}", power.symbol.prefix.map_or("", |prefix| prefix.name));
-    let is_length = row.dimension == super::Dimension::LENGTH;
-    match power.exponent.unsigned_abs() {
-        1 => name,
-        2 if is_length && alone => format!("square {name}"),
-        3 if is_length && alone => format!("cubic {name}"),
-        2 => format!("{name} squared"),
-        3 => format!("{name} cubed"),
-        exponent => format!("{name} to the power of {exponent}"),
+    let before = row.dimension == super::Dimension::LENGTH && alone;
+    let exponent = power.exponent.unsigned_abs();
+    words.push_str(match exponent {
+        2 if before => "square ",
+        3 if before => "cubic ",
+        _ => "",
+    });
+    words.push_str(power.symbol.prefix.map_or("", |prefix| prefix.name));
+    words.push_str(if plural { row.plural } else { row.singular });
+    match exponent {
+        1 => {}
+        2 | 3 if before => {}
+        2 => words.push_str(" squared"),
+        3 => words.push_str(" cubed"),
+        exponent => words.extend([" to the power of ", &exponent.to_string()]),
     }
 }
 

@@ -4,7 +4,7 @@ use super::Dimension;
 use super::factor::StaticFactor;
 
 /// What is known of a unit that has a symbol of its own.
-#[derive(Debug, PartialEq, Eq, Hash)]
+#[derive(Debug)]
 pub(super) struct UnitRow {
     /// How it is printed.
     pub(super) symbol: &'static str,

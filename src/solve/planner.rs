@@ -95,8 +95,12 @@ pub fn plan(system: &System, known: &BTreeSet<Symbol>, wanted: &[Symbol]) -> Res
             }
         }
     }
-    let lost: Vec<usize> = wanted.iter().collect();
-    let reason = obstacle.unwrap_or_else(|| underdetermined(&whole, &Freedom::new(system, &whole), &wanted, &lost));
+    let reason = obstacle.unwrap_or_else(|| {
+        let freedom = freedom.unwrap_or_else(|| Freedom::new(system, &whole));
+        let open = wanted.iter().any(|column| !freedom.fixes(column, &[]));
+        let lost: Vec<usize> = wanted.iter().filter(|column| !open || !freedom.fixes(*column, &[])).collect();
+        underdetermined(&whole, &freedom, &wanted, &lost)
+    });
     Err(stuck(reason))
 }
 

@@ -40,7 +40,10 @@ impl Sample {
     pub(super) fn of(system: &System, structure: &Structure) -> Self {
         let stated = structure.rows.iter().filter_map(|row| system.equations.get(row.equation));
         let stated: Vec<&Statement> = stated.map(|equation| &equation.statement).collect();
-        let residuals = Residuals::of(&stated);
+        let fixed =
+            |(symbol, value): (&Symbol, &Expr)| Statement::Equal { left: (*symbol).into(), right: value.clone() };
+        let fixed: Vec<Statement> = system.fixed.iter().map(fixed).collect();
+        let residuals = Residuals::of(&fixed.iter().chain(stated.iter().copied()).collect::<Vec<_>>());
         let told = stated.iter().filter(|own| is_zero(own)).count();
         let is_allowed = |found: &Self| system.positive.iter().all(|symbol| found.value(*symbol) > NOTHING);
         let start = |salt| residuals.free.iter().map(|symbol| begin(system, *symbol, salt)).collect();

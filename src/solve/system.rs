@@ -1,6 +1,6 @@
 //! A system of equations with the conditions under which it holds.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::expr::{Expr, Symbol};
 
@@ -13,6 +13,16 @@ pub struct System {
     pub conditions: Vec<Condition>,
     /// Symbols whose value is positive in every admissible solution: masses, speeds, durations, distances.
     pub positive: BTreeSet<Symbol>,
+    /// Symbols that stand for one pure number in every problem with these equations, such as a right angle in degrees.
+    pub fixed: BTreeMap<Symbol, Expr>,
+}
+
+impl System {
+    /// Other equations under the same conditions.
+    #[must_use]
+    pub fn with(&self, equations: Vec<Equation>) -> Self {
+        Self { equations, ..Self { equations: Vec::new(), ..self.clone() } }
+    }
 }
 
 /// One equation, as it is taught.

@@ -113,13 +113,21 @@ pub fn situation(dice: &mut Dice) -> Drawing {
             tied: dice.chance(20),
             wall: dice.chance(20),
         }),
-        1 => Layout::Contact(Contact {
-            line_of_impact: dice.angle(),
-            show_line: dice.chance(60),
-            angle,
-            first: moving_body(dice, 0),
-            second: if dice.chance(60) { Partner::Body(moving_body(dice, 1)) } else { Partner::Surface },
-        }),
+        1 => {
+            let second = match dice.below(6) {
+                0 | 1 => Partner::Surface,
+                2 => Partner::Wedge(moving_body(dice, 1)),
+                _ => Partner::Body(moving_body(dice, 1)),
+            };
+            let is_wedge = matches!(second, Partner::Wedge(_));
+            Layout::Contact(Contact {
+                line_of_impact: if is_wedge { dice.between(-2.6, -1.8) } else { dice.angle() },
+                show_line: dice.chance(60),
+                angle,
+                first: moving_body(dice, 0),
+                second,
+            })
+        }
         2 => Layout::Central(Central {
             centre: name("O"),
             angle: dice.angle(),
@@ -178,6 +186,7 @@ pub fn held(dice: &mut Dice) -> Drawing {
                     1 => Rest::Level,
                     _ => Rest::Slope(dice.between(0.1, 1.3), label(dice, "\u{3b1}")),
                 },
+                strands: u8::try_from(dice.below(7)).unwrap_or(1),
             };
             Layout::Pulley(Pulley { sides: [side(dice, 0), side(dice, 1)] })
         }
@@ -294,7 +303,7 @@ pub fn nonsense() -> Vec<Drawing> {
     };
     let end = SwingEnd { angle: f64::NAN, label: Some(name("a")), vectors: moving.vectors.clone() };
     let swing = Swing { body: moving.clone(), ends: vec![end], length: None, height: Some(name("h")) };
-    let side = || PulleySide { body: moving.clone(), rest: Rest::Slope(f64::NAN, Some(name("a"))) };
+    let side = || PulleySide { body: moving.clone(), rest: Rest::Slope(f64::NAN, Some(name("a"))), strands: 0 };
     let pulley = Pulley { sides: [side(), side()] };
     let face = Face::Slope { angle: f64::NAN, label: Some(name("a")), rightwards: true, height: None };
     let ride = Ride { rider: moving.clone(), carrier: moving.clone(), face };

@@ -46,7 +46,7 @@ impl Roster {
         let mut lines: BTreeMap<String, u64> = BTreeMap::new();
         let mut stems: BTreeMap<String, u32> = BTreeMap::new();
         let mut failures = Vec::new();
-        for (line, row) in table.rows() {
+        while let Some((line, row)) = table.next_row() {
             let mut fail =
                 |message: String| failures.push(Failure::unusable(format!("{}:{line}: {message}", path.display())));
             let row = match row {

@@ -55,7 +55,7 @@ impl Changes {
             cells.into_iter().zip(&key).all(|(cell, own)| cell == Some(own.as_str()))
         };
         let row = match self.old.next_row() {
-            Some((_, Ok(row))) if same(&row) => row,
+            Some((_, Ok(row))) if same(row) => row,
             Some((place, Err(message))) => return Err(Failure::unusable(format!("{}:{place}: {message}", self.name))),
             other => {
                 let place = other.map_or_else(|| "its end".to_owned(), |(place, _)| format!("line {place}"));

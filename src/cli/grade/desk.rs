@@ -1,7 +1,5 @@
 //! A desk at which one core marks a portion of the submissions: what draws and marks a form is set up there once.
 
-use std::collections::BTreeMap;
-
 use crate::cli::open;
 use crate::exercise::Drawer;
 use crate::exercise::Exercise;
@@ -15,11 +13,15 @@ use super::submission::{Key, Submission};
 /// What marks the submissions of a portion.
 pub(super) struct Desk<'p> {
     problems: &'p Problems,
-    forms: BTreeMap<(&'p str, usize), Form<'p>>,
+    forms: Vec<Form<'p>>,
+    /// The position of the form that was asked for last: submissions to the same one often stand together.
+    last: usize,
 }
 
-/// One form on the desk, with the variant that was drawn last: submissions to the same one often stand together.
+/// One form on the desk, under the names by which it was asked for, with the variant that was drawn last.
 struct Form<'p> {
+    asked: [String; 2],
+    met: &'p Met,
     marker: &'p Marker,
     drawer: Drawer<'p>,
     last: Option<Exercise>,
@@ -27,7 +29,7 @@ struct Form<'p> {
 
 impl<'p> Desk<'p> {
     pub(super) fn new(problems: &'p Problems) -> Self {
-        Self { problems, forms: BTreeMap::new() }
+        Self { problems, forms: Vec::new(), last: 0 }
     }
 
     /// Marks the attempts of one student at one question; each gets its report, or is told why it cannot be used.
@@ -62,35 +64,45 @@ impl<'p> Desk<'p> {
 
     /// The form that is asked, with the variant of the seed drawn.
     fn open(&mut self, submission: &Submission) -> Result<(&'p str, &Form<'p>), String> {
-        let met = self.problems.find(submission.key(Key::Problem))?;
-        let (problem, id) = (&met.problem, met.problem.id());
-        let digest = &problem.loaded().digest;
+        let seed = submission.key(Key::Seed);
+        let seed = open::seed(seed).map_err(|why| format!("`{seed}` is no seed: {why}"))?;
+        let form = self.form(submission)?;
+        let (id, digest) = (form.met.problem.id(), &form.met.problem.loaded().digest);
         let said = submission.key(Key::Digest);
         if !said.is_empty() && said != digest {
             return Err(format!("the sheet was made from another version of {id}: its digest is {digest}"));
         }
-        let (form, seed) = asked(met, submission)?;
-        let form = match self.forms.entry((id, form)) {
-            std::collections::btree_map::Entry::Occupied(found) => found.into_mut(),
-            std::collections::btree_map::Entry::Vacant(empty) => {
-                let marker = met.markers.get(form).ok_or("the problem has no such form")?;
-                let drawer = Drawer::new(problem, form).map_err(|reason| reason.to_string())?;
-                empty.insert(Form { marker, drawer, last: None })
-            }
-        };
         if form.last.as_ref().is_none_or(|last| last.variant().seed() != Some(seed)) {
             form.last = Some(form.drawer.draw(seed).map_err(|reason| reason.to_string())?);
         }
         Ok((id, form))
     }
+
+    /// The form that is asked; it is set up where it is not on the desk yet.
+    fn form(&mut self, submission: &Submission) -> Result<&mut Form<'p>, String> {
+        let asked = [Key::Problem, Key::Form].map(|key| submission.key(key));
+        let is_asked = |form: &Form<'p>| form.asked.iter().eq(asked);
+        if !self.forms.get(self.last).is_some_and(is_asked) {
+            self.last = match self.forms.iter().position(is_asked) {
+                Some(known) => known,
+                None => {
+                    self.forms.push(Form::new(self.problems.find(asked[0])?, asked)?);
+                    self.forms.len() - 1
+                }
+            };
+        }
+        self.forms.get_mut(self.last).ok_or_else(|| "the problem has no such form".to_owned())
+    }
 }
 
-/// The form and the seed of a submission.
-fn asked(met: &Met, submission: &Submission) -> Result<(usize, u64), String> {
-    let text = submission.key(Key::Seed);
-    let seed = open::seed(text).map_err(|why| format!("`{text}` is no seed: {why}"))?;
-    let form = Some(submission.key(Key::Form)).filter(|form| !form.is_empty());
-    Ok((open::form(&met.problem, form).map_err(|failure| failure.to_string())?, seed))
+impl<'p> Form<'p> {
+    fn new(met: &'p Met, asked: [&str; 2]) -> Result<Self, String> {
+        let name = Some(asked[1]).filter(|form| !form.is_empty());
+        let position = open::form(&met.problem, name).map_err(|failure| failure.to_string())?;
+        let marker = met.markers.get(position).ok_or("the problem has no such form")?;
+        let drawer = Drawer::new(&met.problem, position).map_err(|reason| reason.to_string())?;
+        Ok(Self { asked: asked.map(str::to_owned), met, marker, drawer, last: None })
+    }
 }
 
 /// The answers of a submission, and the hints that were seen.

@@ -1,5 +1,6 @@
 //! Submissions of one chunk, marked by all cores, in the order in which they came.
 
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 use rayon::prelude::*;
@@ -13,12 +14,12 @@ use super::sink::{MarksFormat, Rows};
 use super::source::Next;
 use super::submission::{Key, Place, Submission};
 
-/// Submissions that one core marks in one go.
-const PORTION: usize = 4096;
+/// Submissions that one core marks in one go: few enough to stay in its cache, for they are not marked in their order.
+const PORTION: usize = 1024;
 
 /// A submission with what was found, or why it cannot be used.
 pub(super) enum Marked {
-    Report(Submission, Report),
+    Report(Submission, Box<Report>),
     Unusable(Place, String),
 }
 
@@ -34,7 +35,7 @@ pub(super) struct Portion {
 
 /// Marks a chunk. It has all attempts of a student at a question, or none.
 pub(super) fn marked(
-    mut chunk: Vec<Next>,
+    chunk: Vec<Next>,
     problems: &mut Problems,
     format: MarksFormat,
     keep: bool,
@@ -44,15 +45,16 @@ pub(super) fn marked(
     }
     let problems = &*problems;
     let mut portions: Vec<Vec<Next>> = Vec::new();
-    while !chunk.is_empty() {
-        let mut end = PORTION.min(chunk.len());
-        while end < chunk.len() && are_beside(&chunk[end - 1], &chunk[end]) {
-            end += 1;
+    for next in chunk {
+        match portions.last_mut() {
+            Some(own) if own.len() < PORTION || own.last().is_some_and(|last| are_beside(last, &next)) => {
+                own.push(next);
+            }
+            _ => portions.push(vec![next]),
         }
-        let rest = chunk.split_off(end);
-        portions.push(std::mem::replace(&mut chunk, rest));
     }
-    portions.into_par_iter().map(|portion| at_one_desk(portion, problems, format, keep)).collect()
+    let desk = || Desk::new(problems);
+    portions.into_par_iter().map_init(desk, |desk, portion| at_one_desk(portion, desk, format, keep)).collect()
 }
 
 /// Whether two submissions are attempts of one student at one question.
@@ -60,10 +62,9 @@ pub(super) fn are_beside(one: &Next, other: &Next) -> bool {
     matches!((one, other), (Ok(one), Ok(other)) if one.is_beside(other))
 }
 
-fn at_one_desk(portion: Vec<Next>, problems: &Problems, format: MarksFormat, keep: bool) -> Result<Portion, Failure> {
+fn at_one_desk(portion: Vec<Next>, desk: &mut Desk<'_>, format: MarksFormat, keep: bool) -> Result<Portion, Failure> {
     let mut groups: Vec<Option<Group>> = together(portion).into_iter().map(Some).collect();
     let order = by_question(&groups);
-    let mut desk = Desk::new(problems);
     let mut rows = Rows::new(format);
     let mut is_right = true;
     let mut done: Vec<Done> = Vec::with_capacity(groups.len());
@@ -72,7 +73,7 @@ fn at_one_desk(portion: Vec<Next>, problems: &Problems, format: MarksFormat, kee
         let start = rows.length()?;
         let mut own = Done { place, rows: start..start, marked: Vec::new() };
         match group {
-            Ok(attempts) => is_right &= marked_group(attempts, &mut desk, &mut rows, keep, &mut own.marked)?,
+            Ok(attempts) => is_right &= marked_group(attempts, desk, &mut rows, keep, &mut own.marked)?,
             Err((place, message)) => own.marked.push(Marked::Unusable(place, message)),
         }
         own.rows.end = rows.length()?;
@@ -109,17 +110,21 @@ fn together(portion: Vec<Next>) -> Vec<Group> {
     groups
 }
 
-/// The places of the groups, those to one problem together: all that a problem needs then stays at hand.
+/// The places of the groups, those to one form of a problem together and in the order of their seeds: all that a form needs
+/// then stays at hand.
 fn by_question(groups: &[Option<Group>]) -> Vec<usize> {
-    let mut asked: Vec<_> = groups.iter().map(|group| group.as_ref().and_then(question)).zip(0..).collect();
+    let mut forms: BTreeMap<[&str; 2], usize> = BTreeMap::new();
+    let mut asked: Vec<(usize, Option<u64>, usize)> = Vec::with_capacity(groups.len());
+    for (place, group) in groups.iter().enumerate() {
+        let first = group.as_ref().and_then(|group| group.as_ref().ok()?.first());
+        let next = forms.len();
+        let form = first.map(|first| [Key::Problem, Key::Form].map(|key| first.key(key)));
+        let form = form.map_or(next, |form| *forms.entry(form).or_insert(next));
+        // Numbers sort faster than texts; a seed that is none is reported when its turn comes.
+        asked.push((form, first.and_then(|first| first.key(Key::Seed).parse().ok()), place));
+    }
     asked.sort_unstable();
-    asked.into_iter().map(|(_, place)| place).collect()
-}
-
-/// What is asked: problem, form and seed, as they are written.
-fn question(group: &Group) -> Option<[&str; 3]> {
-    let first = group.as_ref().ok()?.first()?;
-    Some([Key::Problem, Key::Form, Key::Seed].map(|key| first.key(key)))
+    asked.into_iter().map(|(.., place)| place).collect()
 }
 
 /// Marks the attempts of one student at one question; whether everything that counts is right.
@@ -140,7 +145,7 @@ fn marked_group(
                     rows.part(&submission, part)?;
                 }
                 if keep {
-                    marked.push(Marked::Report(submission, report));
+                    marked.push(Marked::Report(submission, Box::new(report)));
                 }
             }
             Err(message) => marked.push(Marked::Unusable(submission.place, message)),

@@ -6,9 +6,7 @@ use std::io::BufRead;
 use std::io::BufReader;
 use std::path::Path;
 use std::path::PathBuf;
-use std::sync::Arc;
 
-use csv::StringRecord;
 use serde::Deserialize;
 use serde_json::Map;
 use serde_json::Value;
@@ -17,7 +15,7 @@ use crate::bank::files_under;
 use crate::cli::failure::Failure;
 use crate::cli::table::Table;
 
-use super::submission::{Columns, Key, Place, Submission};
+use super::submission::{Column, KEYS, Key, Place, Submission};
 
 /// A line of JSON that is longer than this is none of ours.
 const LONGEST_LINE: u64 = 1 << 20;
@@ -27,7 +25,7 @@ pub(super) type Next = Result<Submission, (Place, String)>;
 
 /// Submissions in the order of the input.
 pub(super) enum Source {
-    Table(Box<Table>, Arc<Columns>),
+    Table(Box<Table>, Vec<Column>),
     Lines(BufReader<File>, u64),
     Folder(std::vec::IntoIter<PathBuf>),
 }
@@ -47,13 +45,13 @@ impl Source {
             return Ok(Self::Lines(BufReader::new(file), 0));
         }
         let table = Table::as_it_stands(path)?;
-        let columns = Columns::of(table.headings.iter().map(String::as_str));
+        let columns: Vec<Column> = table.headings.iter().map(|heading| Column::of(heading)).collect();
         for (needed, heading) in [(Key::Problem, "problem"), (Key::Seed, "seed")] {
-            if !columns.has(needed) {
+            if !columns.contains(&Column::Key(needed)) {
                 return Err(Failure::unusable(format!("{} has no column `{heading}`", path.display())));
             }
         }
-        Ok(Self::Table(Box::new(table), Arc::new(columns)))
+        Ok(Self::Table(Box::new(table), columns))
     }
 }
 
@@ -72,7 +70,7 @@ impl Iterator for Source {
                 let (line, row) = table.next_row()?;
                 let place = Place::Line(line);
                 Some(match row {
-                    Ok(row) => Ok(Submission::new(place, Arc::clone(columns), row)),
+                    Ok(row) => Ok(Submission::of_row(place, columns, row.iter())),
                     Err(message) => Err((place, message)),
                 })
             }
@@ -80,15 +78,9 @@ impl Iterator for Source {
             Self::Folder(files) => {
                 let path = files.next()?;
                 let text = fs::read_to_string(&path).map_err(|error| error.to_string());
-                let read = text.and_then(|text| {
-                    let value: Value = serde_yaml::from_str(&text).map_err(|error| error.to_string())?;
-                    flat(&value)
-                });
-                let place = Place::File(path);
-                Some(match read {
-                    Ok((columns, row)) => Ok(Submission::new(place, Arc::new(columns), row)),
-                    Err(message) => Err((place, message)),
-                })
+                let value =
+                    text.and_then(|text| serde_yaml::from_str::<Value>(&text).map_err(|error| error.to_string()));
+                Some(read(Place::File(path), value))
             }
         }
     }
@@ -110,10 +102,7 @@ fn next_line(file: &mut BufReader<File>, line: &mut u64) -> Option<Next> {
                     return Some(Err((place, "the line is longer than a submission can be".to_owned())));
                 }
                 let value = serde_json::from_slice::<Value>(text.trim_ascii()).map_err(|error| error.to_string());
-                return Some(match value.and_then(|value| flat(&value)) {
-                    Ok((columns, row)) => Ok(Submission::new(place, Arc::new(columns), row)),
-                    Err(message) => Err((place, message)),
-                });
+                return Some(read(place, value));
             }
             Err(error) => return Some(Err((place, error.to_string()))),
         }
@@ -140,26 +129,39 @@ struct Written {
     answers: Map<String, Value>,
 }
 
-/// An object as a row with its own headings.
-fn flat(value: &Value) -> Result<(Columns, StringRecord), String> {
-    let written = Written::deserialize(value).map_err(|error| error.to_string())?;
-    let keys = [
-        ("student", &written.student),
-        ("problem", &written.problem),
-        ("digest", &written.digest),
-        ("seed", &written.seed),
-        ("form", &written.form),
-        ("attempt", &written.attempt),
-        ("hints", &written.hints),
-    ];
-    let answers = written.answers.iter().map(|(part, answer)| (part.as_str(), answer));
-    let cells: Vec<(&str, String)> = keys
-        .into_iter()
-        .chain(answers)
-        .map(|(key, value)| Ok((key, text(value).ok_or_else(|| format!("`{key}` is neither a text nor a number"))?)))
-        .collect::<Result<_, String>>()?;
-    let columns = Columns::of(cells.iter().map(|(key, _)| *key));
-    Ok((columns, cells.iter().map(|(_, cell)| cell.as_str()).collect()))
+/// The submission that an object says.
+fn read(place: Place, value: Result<Value, String>) -> Next {
+    match value.and_then(|value| Written::deserialize(&value).map_err(|error| error.to_string())) {
+        Ok(written) => {
+            let mut submission = Submission::new(place.clone());
+            written.put_into(&mut submission).map_err(|message| (place, message))?;
+            Ok(submission)
+        }
+        Err(message) => Err((place, message)),
+    }
+}
+
+impl Written {
+    fn put_into(&self, submission: &mut Submission) -> Result<(), String> {
+        let said =
+            |name: &str, value: &Value| text(value).ok_or_else(|| format!("`{name}` is neither a text nor a number"));
+        for (key, name) in KEYS {
+            let value = match key {
+                Key::Student => &self.student,
+                Key::Problem => &self.problem,
+                Key::Digest => &self.digest,
+                Key::Seed => &self.seed,
+                Key::Form => &self.form,
+                Key::Attempt => &self.attempt,
+                Key::Hints => &self.hints,
+            };
+            submission.put_key(key, &said(name, value)?);
+        }
+        for (part, answer) in &self.answers {
+            submission.put_answer(part, &said(part, answer)?);
+        }
+        Ok(())
+    }
 }
 
 fn text(value: &Value) -> Option<String> {
@@ -177,7 +179,7 @@ fn text(value: &Value) -> Option<String> {
 mod tests {
     use super::*;
 
-    fn read(name: &str, text: &str) -> Vec<Result<String, String>> {
+    fn all(name: &str, text: &str) -> Vec<Result<String, String>> {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join(name);
         fs::write(&path, text).unwrap();
@@ -193,8 +195,8 @@ mod tests {
 
     #[test]
     fn a_table_and_lines_say_the_same() {
-        let table = read("a.csv", "problem,seed,v\na/b,7,3 m/s\na/b,8,\n");
-        let lines = read(
+        let table = all("a.csv", "problem,seed,v\na/b,7,3 m/s\na/b,8,\n");
+        let lines = all(
             "a.jsonl",
             "{\"problem\":\"a/b\",\"seed\":7,\"answers\":{\"v\":\"3 m/s\"}}\n\n{\"problem\":\"a/b\",\"seed\":\"8\"}\n",
         );
@@ -205,7 +207,7 @@ mod tests {
     #[test]
     fn a_bad_line_does_not_stop_the_rest() {
         let lines =
-            read("a.jsonl", "{\n{\"problem\":1,\"seed\":2,\"answers\":{\"v\":[]}}\n{\"problem\":\"a/b\",\"seed\":2}\n");
+            all("a.jsonl", "{\n{\"problem\":1,\"seed\":2,\"answers\":{\"v\":[]}}\n{\"problem\":\"a/b\",\"seed\":2}\n");
         assert!(lines[0].as_ref().unwrap_err().starts_with("1: EOF"), "{lines:?}");
         assert_eq!(lines[1], Err("2: `v` is neither a text nor a number".to_owned()));
         assert_eq!(lines[2], Ok("3 2 ".to_owned()));

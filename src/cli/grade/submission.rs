@@ -2,9 +2,9 @@
 
 use std::fmt;
 use std::path::PathBuf;
-use std::sync::Arc;
 
-use csv::StringRecord;
+/// The bytes that a submission usually has.
+const USUAL_LENGTH: usize = 96;
 
 /// The columns, or keys, that are not parts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,55 +51,91 @@ impl fmt::Display for Place {
 }
 
 /// Which cell of a row is what.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Columns {
-    keys: [Option<usize>; KEYS.len()],
-    parts: Vec<(String, usize)>,
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Column {
+    Key(Key),
+    Part(String),
+    /// A column without a heading.
+    Nothing,
 }
 
-impl Columns {
-    /// Reads the headings of a table; every column that is no key is a part.
-    pub(super) fn of<'a>(headings: impl Iterator<Item = &'a str>) -> Self {
-        let mut columns = Self::default();
-        for (index, heading) in headings.enumerate() {
-            match KEYS.iter().find(|(_, own)| own.eq_ignore_ascii_case(heading)) {
-                Some((key, _)) => columns.keys[*key as usize] = columns.keys[*key as usize].or(Some(index)),
-                None if heading.is_empty() => {}
-                None => columns.parts.push((heading.to_owned(), index)),
-            }
+impl Column {
+    /// Reads a heading of a table; every column that is no key is a part.
+    pub(super) fn of(heading: &str) -> Self {
+        match KEYS.iter().find(|(_, own)| own.eq_ignore_ascii_case(heading)) {
+            Some((key, _)) => Self::Key(*key),
+            None if heading.is_empty() => Self::Nothing,
+            None => Self::Part(heading.to_owned()),
         }
-        columns
-    }
-
-    /// Whether there is a column for that key.
-    pub(super) fn has(&self, key: Key) -> bool {
-        self.keys[key as usize].is_some()
     }
 }
 
-/// One attempt of one student.
+/// One attempt of one student. Its texts stand one after the other in one piece of memory, for many wait in a queue.
 #[derive(Clone, Debug)]
 pub(super) struct Submission {
     pub place: Place,
-    columns: Arc<Columns>,
-    row: StringRecord,
+    text: String,
+    keys: [Span; KEYS.len()],
+    /// The parts that were answered, each with the answer.
+    answers: Vec<[Span; 2]>,
 }
 
+/// Where a text begins and ends.
+#[derive(Clone, Copy, Debug, Default)]
+struct Span(usize, usize);
+
 impl Submission {
-    pub(super) fn new(place: Place, columns: Arc<Columns>, row: StringRecord) -> Self {
-        Self { place, columns, row }
+    /// A submission in which nothing is said yet.
+    pub(super) fn new(place: Place) -> Self {
+        Self { place, text: String::with_capacity(USUAL_LENGTH), keys: Default::default(), answers: Vec::new() }
+    }
+
+    /// Takes what stands in a row, cell by cell.
+    pub(super) fn of_row<'a>(place: Place, columns: &[Column], row: impl Iterator<Item = &'a str>) -> Self {
+        let mut submission = Self::new(place);
+        for (column, cell) in columns.iter().zip(row).filter(|(_, cell)| !cell.is_empty()) {
+            match column {
+                Column::Key(key) => submission.put_key(*key, cell),
+                Column::Part(part) => submission.put_answer(part, cell),
+                Column::Nothing => {}
+            }
+        }
+        submission
+    }
+
+    /// Says what stands under a key; what was said first holds.
+    pub(super) fn put_key(&mut self, key: Key, text: &str) {
+        if self.key(key).is_empty() {
+            self.keys[key as usize] = self.put(text);
+        }
+    }
+
+    /// Answers a part; an answer without anything in it is none.
+    pub(super) fn put_answer(&mut self, part: &str, answer: &str) {
+        if !answer.trim().is_empty() {
+            let spans = [self.put(part), self.put(answer)];
+            self.answers.push(spans);
+        }
+    }
+
+    fn put(&mut self, text: &str) -> Span {
+        let start = self.text.len();
+        self.text.push_str(text.trim());
+        Span(start, self.text.len())
+    }
+
+    fn at(&self, span: Span) -> &str {
+        self.text.get(span.0..span.1).unwrap_or_default()
     }
 
     /// What stands under a key; nothing where there is none.
     pub(super) fn key(&self, key: Key) -> &str {
-        self.columns.keys[key as usize].and_then(|column| self.row.get(column)).unwrap_or_default().trim()
+        self.at(self.keys[key as usize])
     }
 
     /// The parts that were answered, each with the answer.
     pub(super) fn answers(&self) -> impl Iterator<Item = (&str, &str)> {
-        let parts = self.columns.parts.iter();
-        let answers = parts.filter_map(|(part, column)| Some((part.as_str(), self.row.get(*column)?.trim())));
-        answers.filter(|(_, answer)| !answer.is_empty())
+        self.answers.iter().map(|[part, answer]| (self.at(*part), self.at(*answer)))
     }
 
     /// Whether both are attempts of one student at one question. What has no student is nobody's second attempt.

@@ -111,9 +111,15 @@ impl Load {
             value: force.zip(lasting.time).map(|(force, time)| force.map(|part| part * time)),
         };
         let tension = quantities.staged("tension", index);
-        let pull = quantities.named(&tension).map(|size| side.forwards.map(|part| part * size * side.pull));
+        let pull = quantities
+            .named(&tension)
+            .map(|size| side.forwards.map(|part| part * size * side.pull * f64::from(side.strands)));
+        let pulled = match side.strands {
+            1 => name_math(&tension),
+            several => product([Math::Number(several.to_string()), name_math(&tension)]),
+        };
         let weight = Some([0.0, -self.mass * self.gravity]);
-        let mut impulses = vec![impulse(name_math(&tension), pull), impulse(quantities.weight_math(body), weight)];
+        let mut impulses = vec![impulse(pulled, pull), impulse(quantities.weight_math(body), weight)];
         if side.rest != Rest::Hanging {
             // A floor pushes at right angles to the way, upwards.
             let normal = if x < 0.0 { [y, -x] } else { [-y, x] };
@@ -135,7 +141,9 @@ impl Load {
 
 /// How long a motion lasts of which both bodies' gain in momentum along the string is known.
 fn time_of_gain(sides: &[Side<'_>], loads: &[Load]) -> Option<f64> {
-    let gain: f64 = loads.iter().map(|load| load.mass * (load.speeds[1] - load.speeds[0])).sum();
-    let drive: f64 = sides.iter().zip(loads).map(|(side, load)| load.drive(side)).sum();
+    // A body moves by its share of what the string runs, and so what acts on it counts.
+    let each = || sides.iter().zip(loads).map(|(side, load)| (side, load, 1.0 / f64::from(side.strands)));
+    let gain: f64 = each().map(|(_, load, share)| share * load.mass * (load.speeds[1] - load.speeds[0])).sum();
+    let drive: f64 = each().map(|(side, load, share)| share * load.drive(side)).sum();
     Some(gain / drive).filter(|time| time.is_finite())
 }

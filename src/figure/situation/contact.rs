@@ -3,10 +3,12 @@
 //! A velocity into the contact is drawn arriving, its tip at the body, and one out of it leaving:
 //! so no arrow crosses the other body.
 
+use std::f64::consts::PI;
+
 use crate::figure::body::{Attach, Body};
 use crate::figure::place::Canvas;
 use crate::figure::surface::draw_surface;
-use crate::figure::{Point, Role};
+use crate::figure::{Point, Role, Shape};
 
 use super::angle::{AngleMark, Vertex, draw_angle};
 use super::moving::{MovingBody, Scales, draw_vector};
@@ -15,6 +17,9 @@ const LONGEST: f64 = 60.0;
 const SURFACE_HALF: f64 = 62.0;
 /// How far the line of impact goes on beyond the bodies.
 const OVERHANG: f64 = 40.0;
+/// The length of the face of a wedge, and the part of it above the contact.
+const FACE: f64 = 120.0;
+const PLACE: f64 = 0.45;
 
 /// A contact.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,6 +41,8 @@ pub struct Contact {
 pub enum Partner {
     /// Another body.
     Body(MovingBody),
+    /// A body with a slanting face, on a level floor on which it can slide.
+    Wedge(MovingBody),
     /// A fixed plane surface.
     Surface,
 }
@@ -45,7 +52,7 @@ impl Contact {
         let angle = if self.line_of_impact.is_finite() { self.line_of_impact } else { 0.0 };
         let normal = Point::polar(1.0, angle);
         let partner = match &self.second {
-            Partner::Body(body) => Some(body),
+            Partner::Body(body) | Partner::Wedge(body) => Some(body),
             Partner::Surface => None,
         };
         let scales = Scales::of([&self.first].into_iter().chain(partner), LONGEST);
@@ -54,7 +61,9 @@ impl Contact {
         let mut near = touch;
         first.draw(canvas);
         let mut bodies = vec![(&self.first, first, normal)];
-        if let Some(body) = partner {
+        if let Partner::Wedge(body) = &self.second {
+            bodies.push((body, draw_wedge(canvas, body, normal * touch, normal), -normal));
+        } else if let Some(body) = partner {
             let outline = body.outline().turned(angle);
             let reach = outline.support(normal);
             near += 2.0 * reach;
@@ -71,17 +80,36 @@ impl Contact {
         }
         if self.show_line {
             canvas.line([-normal * touch, -normal * (touch + OVERHANG)], Role::Axis, true);
-            if partner.is_some() {
+            if matches!(self.second, Partner::Body(_)) {
                 canvas.line([normal * near, normal * (near + OVERHANG + 16.0)], Role::Axis, true);
             }
         }
         if let Some(mark) = &self.angle {
-            // Beyond the partner; a surface has no far side, so on its normal.
-            let (way, start) = if partner.is_some() { (normal, near) } else { (-normal, touch) };
+            // Beyond the partner; a surface has no far side, so on its normal, and a wedge stands on a floor.
+            let (way, start) = match &self.second {
+                Partner::Body(_) => (normal, near),
+                Partner::Wedge(_) | Partner::Surface => (-normal, touch),
+            };
             let vertices = [8.0, 48.0, 80.0].map(|beyond| Vertex::open(way * (start + beyond), 0.0));
+            let turned = AngleMark { from: mark.from + PI, label: mark.label.clone() };
+            let mark = if matches!(self.second, Partner::Wedge(_)) { &turned } else { mark };
             draw_angle(canvas, &vertices, way, mark);
         }
     }
+}
+
+/// A wedge on a floor whose face is touched at a point, with its normal into the wedge; the outline that its arrows start from.
+fn draw_wedge(canvas: &mut Canvas, body: &MovingBody, touch: Point, normal: Point) -> Body {
+    let down = if normal.turned().y < 0.0 { normal.turned() } else { -normal.turned() };
+    let (foot, top) = (touch + down * (FACE * (1.0 - PLACE)), touch - down * (FACE * PLACE));
+    let heel = Point::new(top.x, foot.y);
+    canvas.draw(Shape::Area { points: vec![heel, foot, top], role: Role::Body });
+    canvas.line([heel, foot, top, heel], Role::Body, false);
+    let [left, right] = [foot.x.min(heel.x) - OVERHANG, foot.x.max(heel.x) + OVERHANG];
+    draw_surface(canvas, Point::new(left, foot.y), Point::new(right, foot.y));
+    let inside = Point::new((foot.x + 2.0 * top.x) / 3.0, (top.y + 2.0 * foot.y) / 3.0);
+    canvas.fixed_label(inside, &body.name, Role::Body);
+    body.outline().moved(inside)
 }
 
 fn draw_vectors(canvas: &mut Canvas, body: &MovingBody, mut outline: Body, into: Point, scales: &Scales) {

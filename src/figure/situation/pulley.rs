@@ -32,6 +32,10 @@ const OVERHANG: f64 = 30.0;
 const ANGLE_ROOM: f64 = 50.0;
 /// From the arc of an angle to the upright through the top of its slope, with the radius of the arc.
 const STEEP_ROOM: f64 = 32.0;
+/// The wheel of a movable pulley, and from its centre to the body.
+const MOVABLE_WHEEL: f64 = 13.0;
+const HOOK: f64 = 7.0;
+const FIXED_END: f64 = 9.0;
 /// How far the side of a table goes down.
 const TABLE: f64 = 64.0;
 
@@ -49,6 +53,8 @@ pub struct PulleySide {
     pub body: MovingBody,
     /// On what it lies.
     pub rest: Rest,
+    /// On how many strands of the string it hangs.
+    pub strands: u8,
 }
 
 /// On what a body on a string lies.
@@ -82,6 +88,7 @@ struct Laid {
     normal: Point,
     outline: Body,
     radius: f64,
+    strands: u8,
 }
 
 impl Laid {
@@ -102,7 +109,10 @@ impl Pulley {
         for side in &laid {
             side.outline.draw(canvas);
             let end = side.outline.centre() - side.way * side.outline.reach(-side.way);
-            draw_cord(canvas, side.normal * radius, end);
+            match side.strands {
+                0 | 1 => draw_cord(canvas, side.normal * radius, end),
+                several => draw_tackle(canvas, side, several, end),
+            }
         }
         self.draw_supports(canvas, &laid, radius, hanging);
         for (side, laid) in self.sides.iter().zip(&laid) {
@@ -138,8 +148,9 @@ impl Pulley {
             Rest::Hanging => HANGING,
             _ => SLIDING + radius - SMALL_WHEEL,
         };
-        let outline = outline.moved(normal * radius + way * distance);
-        Laid { way, normal, outline, radius }
+        let movable = if side.strands < 2 { 0.0 } else { MOVABLE_WHEEL };
+        let outline = outline.moved(normal * (radius + movable) + way * distance);
+        Laid { way, normal, outline, radius, strands: side.strands }
     }
 
     /// What carries the pulley: a ceiling, the edge of a table, the top of a slope.
@@ -176,6 +187,27 @@ impl Pulley {
             draw_surface(canvas, ends[0], ends[1]);
         }
     }
+}
+
+/// A body on a movable pulley: one strand runs to the wheel above, the last to a fixed end, and any others between them.
+fn draw_tackle(canvas: &mut Canvas, side: &Laid, strands: u8, hook: Point) {
+    let centre = hook - side.way * (HOOK + MOVABLE_WHEEL);
+    let top = side.radius + CEILING;
+    canvas.draw(Shape::Circle { centre, radius: MOVABLE_WHEEL, role: Role::Length });
+    canvas.draw(Shape::Circle { centre, radius: HUB, role: Role::Axis });
+    canvas.line([centre, hook], Role::Length, false);
+    draw_cord(canvas, side.normal * side.radius, centre - side.normal * MOVABLE_WHEEL);
+    let foot = |strand: u8| {
+        let share = 2.0 * f64::from(strand) / f64::from(strands - 1) - 1.0;
+        centre + side.normal * (MOVABLE_WHEEL * share)
+    };
+    for foot in (1..strands).map(foot) {
+        draw_cord(canvas, foot, Point::new(foot.x, top));
+    }
+    // All strands but the one from the wheel go up to one beam.
+    let [nearest, fixed] = [1, strands - 1].map(|strand| foot(strand).x);
+    let middle = Point::new(f64::midpoint(nearest, fixed), top);
+    draw_support(canvas, middle, Point::new(0.0, -1.0), FIXED_END + (nearest - fixed).abs() / 2.0);
 }
 
 /// The level at the foot of a slope, and the angle between them.

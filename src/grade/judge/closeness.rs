@@ -7,6 +7,8 @@ use dashu::base::Abs;
 
 use crate::quantity::Rational;
 use crate::quantity::Unit;
+use crate::quantity::first_place;
+use crate::quantity::unit_of_place;
 
 use super::super::expected::{ExpectedNumber, Tolerance};
 use super::super::number::Number;
@@ -165,12 +167,12 @@ fn exact_reference(expected: &ExpectedNumber, value: &Rational) -> Rational {
 
 /// Half a unit of the last asked figure of a value.
 pub(super) fn half_unit(value: f64, expected: &ExpectedNumber) -> f64 {
-    0.5 * libm::pow(10.0, f64::from(last_place(value, expected, expected.figures)))
+    0.5 * unit_of_place(last_place(value, expected, expected.figures))
 }
 
 /// Half a unit of the figure before the last asked one.
 pub(super) fn half_unit_before(value: f64, expected: &ExpectedNumber) -> f64 {
-    0.5 * libm::pow(10.0, f64::from(last_place(value, expected, expected.figures.saturating_sub(1))))
+    0.5 * unit_of_place(last_place(value, expected, expected.figures.saturating_sub(1)))
 }
 
 fn half_unit_exactly(value: &Rational, expected: &ExpectedNumber) -> Rational {
@@ -185,10 +187,7 @@ fn last_place(value: f64, expected: &ExpectedNumber, figures: usize) -> i32 {
         return 0;
     }
     // A decimal such as 1000 must not fall below its own power of ten by rounding.
-    let leading = libm::floor(libm::log10(size * (1.0 + 4.0 * f64::EPSILON)));
-    #[allow(clippy::cast_possible_truncation, reason = "a double has at most 309 digits before its point")]
-    let leading = leading as i32;
-    leading + 1 - i32::try_from(figures).unwrap_or(0)
+    first_place(size * (1.0 + 4.0 * f64::EPSILON)) + 1 - i32::try_from(figures).unwrap_or(0)
 }
 
 fn nearest(angle: f64, turn: f64) -> f64 {

@@ -102,7 +102,8 @@ fn exponent_length(text: &str) -> usize {
 
 /// The number with a decimal point and without grouping.
 fn plain_mark(written: &str, mark: DecimalMark) -> Result<String, UnreadableKind> {
-    let (points, commas) = (written.matches('.').count(), written.matches(',').count());
+    let count = |mark: u8| written.bytes().filter(|byte| *byte == mark).count();
+    let (points, commas) = (count(b'.'), count(b','));
     let last = written.rfind(['.', ',']).and_then(|at| written[at..].chars().next());
     match (points, commas, last) {
         (0, 0, _) | (_, _, None) => Ok(written.to_owned()),
@@ -118,16 +119,16 @@ fn plain_mark(written: &str, mark: DecimalMark) -> Result<String, UnreadableKind
 /// A number with a single mark, which may begin the decimals or group thousands.
 fn one_mark(written: &str, found: char, mark: DecimalMark) -> Result<String, UnreadableKind> {
     let decimal = || Ok(written.replace(',', "."));
-    let ungrouped = grouped(written, found);
+    let ungrouped = || grouped(written, found);
     match (mark, found) {
         (DecimalMark::Point | DecimalMark::Either, '.') | (DecimalMark::Comma, ',') => decimal(),
-        (DecimalMark::Point, _) => ungrouped.map_err(|_| UnreadableKind::OtherMark('.')),
+        (DecimalMark::Point, _) => ungrouped().map_err(|_| UnreadableKind::OtherMark('.')),
         (DecimalMark::Comma, _) => {
-            let Ok(ungrouped) = ungrouped else { return Err(UnreadableKind::OtherMark(',')) };
+            let Ok(ungrouped) = ungrouped() else { return Err(UnreadableKind::OtherMark(',')) };
             Err(UnreadableKind::AmbiguousMark([ungrouped, written.replace('.', ",")]))
         }
         (DecimalMark::Either, _) => {
-            let Ok(ungrouped) = ungrouped else { return decimal() };
+            let Ok(ungrouped) = ungrouped() else { return decimal() };
             Err(UnreadableKind::AmbiguousMark([ungrouped, written.replace(',', ".")]))
         }
     }

@@ -208,6 +208,10 @@ fn polar(text: &str, asked: &ExpectedVector, mark: DecimalMark) -> At<VectorAnsw
                     heading: Some((size.number, format!("{preposition}{words}"))),
                 });
             }
+            // Two bare numbers with a comma between them may be components, or a magnitude and an angle.
+            Err((_, UnreadableKind::AngleUnit)) if text[..at].trim_end().ends_with(',') => {
+                last_fault = Some((0, UnreadableKind::Components(asked.components.len())));
+            }
             // What stands behind the whole quantity is a direction, so its fault is the one to tell.
             Err((shift, kind)) => {
                 last_fault = Some((at + shift, kind));

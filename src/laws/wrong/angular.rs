@@ -60,6 +60,13 @@ pub const REVERSED: Misconception = Misconception {
     ask: "Does the moment turn with the motion or against it?",
     hint: "Choose a positive sense, and give both the motion and the moment their signs.",
 };
+/// `H' = 0`.
+pub const TAKEN_AS_CONSERVED: Misconception = Misconception {
+    id: "angular-momentum-taken-as-conserved",
+    does: "takes the angular momentum to stay the same, though a force has a moment about the point",
+    ask: "Does any force have a moment about this point?",
+    hint: "Angular momentum about a point is conserved only where the moments of all forces about it add up to zero.",
+};
 /// Velocity kept as the radius changes.
 pub const VELOCITY_KEPT: Misconception = Misconception {
     id: "velocity-kept",
@@ -103,6 +110,8 @@ pub const MOMENT: &[WrongForm] = &[
     WrongForm { of: &MOMENTS_ADDED, write: signs_lost },
     WrongForm { of: &FACTORS_EXCHANGED, write: |law| one((law.left(), -law.right())) },
 ];
+/// Wrong forms of the moment equation.
+pub const RATE: &[WrongForm] = &[WrongForm { of: &TAKEN_AS_CONSERVED, write: |law| one((law.left(), Expr::zero())) }];
 /// Wrong forms of angular impulse and momentum.
 pub const ANGULAR_IMPULSE: &[WrongForm] = &[
     WrongForm { of: &START_FORGOTTEN, write: start_forgotten },

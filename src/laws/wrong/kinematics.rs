@@ -8,6 +8,7 @@ use super::Taught;
 use super::Wrong;
 use super::WrongForm;
 use super::momentum::SIGN_LOST;
+use super::rewrite::factors;
 use super::rewrite::gain_reversed;
 use super::rewrite::one;
 use super::rewrite::sign_lost;
@@ -41,6 +42,26 @@ pub const FIRST_VELOCITY: Misconception = Misconception {
     ask: "Does the body start from rest along this axis?",
     hint: "Without gravity, where would the body be after this time?",
 };
+
+/// The strands of the two bodies exchanged.
+pub const STRANDS_EXCHANGED: Misconception = Misconception {
+    id: "strands-exchanged",
+    does: "lets the body on the movable pulley move faster than the string, not slower",
+    ask: "By how much does each strand of a movable pulley become shorter when the string is drawn by one metre?",
+    hint: "The length that is drawn is shared between the strands.",
+};
+/// A movable pulley taken for a fixed one.
+pub const STRANDS_FORGOTTEN: Misconception = Misconception {
+    id: "strands-forgotten",
+    does: "lets both bodies move equally fast, though one hangs by a movable pulley",
+    ask: "How far does the movable pulley rise when the string is drawn by one metre?",
+    hint: "The length that is drawn is shared between the strands.",
+};
+/// Wrong forms of the constraint of a string over movable pulleys.
+pub const STRANDS: &[WrongForm] = &[
+    WrongForm { of: &STRANDS_EXCHANGED, write: |law| strands_to(law, -1) },
+    WrongForm { of: &STRANDS_FORGOTTEN, write: |law| strands_to(law, 0) },
+];
 
 /// Gravity that speeds a rising body up.
 pub const GRAVITY_REVERSED: Misconception = Misconception {
@@ -99,4 +120,12 @@ fn root_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
         Expr::Power(pair) if pair.1 == Expr::integer(2) => one((pair.0.clone(), law.right())),
         _ => Vec::new(),
     }
+}
+
+/// Both sides with the numbers of strands to another power.
+fn strands_to(law: &Taught<'_>, power: i64) -> Vec<Wrong> {
+    law.both(|side| {
+        let changed = |factor: Expr| if factor.as_number().is_some() { factor.powi(power) } else { factor };
+        Expr::product(factors(side).into_iter().map(changed))
+    })
 }

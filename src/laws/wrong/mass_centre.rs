@@ -61,6 +61,8 @@ pub const ANGULAR: &[WrongForm] = &[WrongForm { of: &PART_FORGOTTEN, write: each
 /// Wrong forms of the definition.
 pub const MASS_CENTRE: &[WrongForm] =
     &[WrongForm { of: &PLAIN_AVERAGE, write: plain_average }, WrongForm { of: &SIGN_LOST, write: sign_lost }];
+/// Wrong forms of the momenta relative to the mass centre.
+pub const NO_MOMENTUM: &[WrongForm] = &[WrongForm { of: &PLAIN_AVERAGE, write: plain_average }];
 /// Wrong forms of the motion.
 pub const MOTION: &[WrongForm] = &[
     WrongForm { of: &START_FORGOTTEN, write: start_forgotten },

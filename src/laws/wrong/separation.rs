@@ -1,6 +1,8 @@
 //! Mistakes about bodies that come apart.
 
 use crate::expr::Expr;
+use crate::laws::Sides;
+use crate::quantity::Dimension;
 
 use super::Misconception;
 use super::Taught;
@@ -38,6 +40,16 @@ pub const SUBTRACTED: Misconception = Misconception {
     hint: "What a spring or an explosive gives is gained by the motion.",
 };
 
+/// Momentum conserved where a guide acts.
+pub const GUIDE_FORGOTTEN: Misconception = Misconception {
+    id: "guide-forgotten",
+    does: "conserves the momentum at right angles to a guide, too, as if the guide gave no impulse",
+    ask: "Does anything from outside give an impulse at right angles to the guide?",
+    hint: "Rails, a floor or a cord hold the body with whatever impulse is needed: momentum is conserved along the guide only.",
+};
+
+/// Wrong forms of the constraint of a guide.
+pub const GUIDE: &[WrongForm] = &[WrongForm { of: &GUIDE_FORGOTTEN, write: conserved_across }];
 /// Wrong forms of a relative velocity.
 pub const RELATIVE: &[WrongForm] = &[
     WrongForm { of: &ABSOLUTE, write: absolute },
@@ -48,6 +60,21 @@ pub const ENERGY: &[WrongForm] =
     &[WrongForm { of: &START, write: start_forgotten }, WrongForm { of: &SUBTRACTED, write: subtracted }];
 /// Wrong forms of energy gained.
 pub const GAIN: &[WrongForm] = &[WrongForm { of: &START, write: gain_from_nothing }];
+
+/// The momentum across the guide, without the impulse of the guide, in place of the constraint. It speaks of components that
+/// the right way has no need of, so that the turning of the axes comes with it.
+fn conserved_across(law: &Taught<'_>) -> Vec<Wrong> {
+    let is_impulse = |term: &Expr| matches!(term, Expr::Symbol(symbol) if law.is(*symbol, Dimension::MOMENTUM));
+    let held = law.sides.0.symbols();
+    let after = law.beside("impulse-momentum-of-a-system").filter(|(_, end)| !end.symbols().is_disjoint(&held));
+    let conserved = |(start, end): &Sides| {
+        let kept = terms(start).into_iter().filter(|term| !is_impulse(term));
+        let turned = law.beside("turned-axes").filter(|(own, _)| !own.symbols().is_disjoint(&end.symbols()));
+        let equations = [(Expr::sum(kept), end.clone())].into_iter().chain(turned.cloned()).collect();
+        Wrong { equations, without: &[] }
+    };
+    after.map(conserved).collect()
+}
 
 /// `v_A = u`.
 fn absolute(law: &Taught<'_>) -> Vec<Wrong> {

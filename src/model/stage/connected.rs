@@ -1,6 +1,8 @@
 //! Two bodies on a taut string over a pulley: impulse and momentum, work and energy along the string.
 
 use crate::expr::Expr;
+use crate::fault::Code;
+use crate::fault::Fault;
 use crate::fault::Path;
 use crate::laws::energy;
 use crate::laws::kinematics;
@@ -11,6 +13,7 @@ use crate::model::Impulse;
 use crate::model::Warning;
 use crate::quantity::Dimension;
 use crate::scene::stage::Connected;
+use crate::scene::stage::MOST_STRANDS;
 use crate::scene::stage::Strand;
 use crate::scene::stage::Until;
 use crate::solve::Relation;
@@ -23,6 +26,15 @@ struct Side {
     drive: Expr,
     before: Expr,
     after: Expr,
+    /// On how many strands of the string it hangs.
+    strands: Expr,
+}
+
+impl Side {
+    /// The velocity or the way of the string at this side, where the body has `own`.
+    fn of_string(&self, own: &Expr) -> Expr {
+        self.strands.clone() * own.clone()
+    }
 }
 
 impl Builder<'_> {
@@ -33,9 +45,16 @@ impl Builder<'_> {
         let pulley = stage.over.clone().unwrap_or_else(|| "the pulley".into());
         let duration = self.stage_duration(index, stage.duration.as_ref(), path);
         let because = "the string stays taut and does not stretch";
+        let is_plain = leading.strands == trailing.strands;
+        let constraint = if is_plain { &kinematics::TOGETHER } else { &kinematics::STRANDS };
         for (one, other) in [(&leading.before, &trailing.before), (&leading.after, &trailing.after)] {
             if !other.is_zero() {
-                self.law(&kinematics::TOGETHER, Some(index), because, (one.clone(), other.clone()));
+                let sides = if is_plain {
+                    (one.clone(), other.clone())
+                } else {
+                    (leading.of_string(one), trailing.of_string(other))
+                };
+                self.law(constraint, Some(index), because, sides);
             }
         }
         let meaning = format!("the tension of the string during {}", self.stage_phrase(index));
@@ -52,23 +71,34 @@ impl Builder<'_> {
         let driven = Expr::sum(sides.map(|side| side.drive.clone()));
         let start = Expr::sum([masses(&|side| side.before.clone()), driven.clone() * duration.clone()]);
         let end = masses(&|side| side.after.clone());
-        self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, (start, end));
-        for (side, pull) in [(&trailing, tension.clone()), (&leading, -tension.clone())] {
-            let because =
-                format!("the tension and what else acts on {} along the string change its momentum", side.name);
+        if is_plain {
+            self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, (start, end));
+        }
+        for (side, sign) in [(&trailing, 1), (&leading, -1)] {
+            let (what, pull) = match side.strands.as_number() {
+                Some(one) if one.is_one() => ("the tension".to_owned(), tension.clone()),
+                _ => ("the tension of each strand".to_owned(), side.of_string(&tension)),
+            };
+            let pull = Expr::integer(sign) * pull;
+            let because = format!("{what} and what else acts on {} along the string change its momentum", side.name);
             let impulses = [(pull + side.drive.clone()) * duration.clone()];
             let sides = momentum::impulse_momentum(&side.mass, &side.before, &impulses, &side.after);
             self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
         }
         if let Some(term) = &stage.distance {
-            let meaning = format!("how far {} and {} move", trailing.name, leading.name);
+            let meaning = if is_plain {
+                format!("how far {} and {} move", trailing.name, leading.name)
+            } else {
+                format!("how far {} moves", leading.name)
+            };
             let distance = self.read_positive(term, Dimension::LENGTH, &meaning, &path.key("distance"));
             let kinetic = |velocity: &dyn Fn(&Side) -> Expr| {
                 Expr::sum(sides.map(|side| energy::kinetic(&side.mass, &[velocity(side)])))
             };
-            let works = sides.map(|side| side.drive.clone() * distance.clone());
-            let because =
-                "the string pulls one body forwards and the other back over the same distance, and does no work in all";
+            let run = leading.of_string(&distance);
+            let works = sides
+                .map(|side| Expr::product([side.drive.clone(), run.clone(), side.strands.clone().powi(-1)]).simplify());
+            let because = "what the string does on one body it takes from the other, and it does no work in all";
             let sides =
                 energy::work_energy(kinetic(&|side| side.before.clone()), works, kinetic(&|side| side.after.clone()));
             self.law(&energy::WORK_ENERGY, Some(index), because, sides);
@@ -91,6 +121,12 @@ impl Builder<'_> {
         let name = self.called(body);
         let mass = self.mass(body);
         let weight = mass.clone() * self.gravity();
+        let hung = (1..=MOST_STRANDS).contains(&strand.strands()) && (strand.strands() == 1 || strand.hangs());
+        if !hung {
+            let message = format!("{name} does not hang on {} strands", strand.strands());
+            let help = format!("a body that hangs has 1 to {MOST_STRANDS} strands, and one that slides has one");
+            self.faults.push(Fault::new(Code::Value, message).help(help).at_path(path.key("strands")));
+        }
         let (along, press) = match strand.on.as_ref().map(|term| term.0.trim()) {
             None | Some("hanging") => (Expr::one(), Expr::zero()),
             Some("level") => (Expr::zero(), Expr::one()),
@@ -119,6 +155,13 @@ impl Builder<'_> {
             impulsive: false,
         });
         let after = if stops { Expr::zero() } else { after };
-        Side { name, mass, drive: Expr::sum(parts.into_iter().filter(|part| !part.is_zero())), before, after }
+        Side {
+            name,
+            mass,
+            drive: Expr::sum(parts.into_iter().filter(|part| !part.is_zero())),
+            before,
+            after,
+            strands: Expr::integer(i64::from(strand.strands())),
+        }
     }
 }

@@ -27,13 +27,10 @@ impl Builder<'_> {
             self.faults.push(fault.help(help).at_path(path.key("on")));
             return;
         };
-        let (before, after) = (index + 1, index + 2);
-        self.hold(&guide, after);
+        let after = index + 2;
+        self.hold(&guide, after, None);
         for own in [body, on] {
-            for velocity in self.velocities(own, before) {
-                let because = format!("{} starts from rest", self.called(own));
-                self.law(&separation::AT_REST, Some(index), because, (velocity, Expr::zero()));
-            }
+            self.starts_from_rest(index, own);
         }
         let along = self.components(&guide.along);
         let mut end = self.carrying(&[body, on], after);

@@ -12,6 +12,7 @@ use crate::model::Builder;
 use crate::model::Impulse;
 use crate::model::Warning;
 use crate::quantity::Dimension;
+use crate::scene::Stage;
 use crate::scene::stage::Place;
 use crate::scene::stage::Swing;
 use crate::solve::Relation;
@@ -49,7 +50,7 @@ impl Builder<'_> {
         if let Some(length) = &length {
             self.stays_taut(index, stage, length, &height, &ends[1]);
             for (side, end) in ends.iter().enumerate() {
-                self.tension(index + 1 + side, body, length, end);
+                self.tension(index, side, stage, length, end);
             }
         }
         self.impulses.push(Impulse {
@@ -87,6 +88,8 @@ impl Builder<'_> {
         let velocity = if side == 1 && stage.stops() { vec![Expr::zero(); velocity.len()] } else { velocity };
         if is_lowest {
             self.moves_level(index, stage, &velocity, path);
+        } else if let (1, false, [along]) = (side, stage.stops(), &velocity[..]) {
+            self.swings_on(stage, along, path);
         }
         End { angle, velocity, is_lowest }
     }
@@ -107,6 +110,15 @@ impl Builder<'_> {
                 let reason = format!("{name} would swing the other way");
                 self.require(Warning::Reverses, along, Relation::AtLeast, Expr::zero(), reason);
             }
+        }
+    }
+
+    /// A swing up that ends on its way goes on as it began: along one axis the velocity is counted along the path.
+    fn swings_on(&mut self, stage: &Swing, velocity: &Expr, path: &Path) {
+        if stage.from.is_none() {
+            let along = Expr::integer(self.sense(stage.direction.as_ref(), path)) * velocity.clone();
+            let reason = format!("{} would already swing back", self.called(&stage.body));
+            self.require(Warning::Reverses, along, Relation::AtLeast, Expr::zero(), reason);
         }
     }
 
@@ -164,12 +176,28 @@ impl Builder<'_> {
         self.require(Warning::GoesSlack, pull, Relation::AtLeast, Expr::zero(), reason);
     }
 
-    /// The tension of the cord at an instant.
-    fn tension(&mut self, instant: usize, body: &str, length: &Expr, end: &End) {
+    /// Whether a body swings on cords of several lengths, as at a peg: then its tension changes between two swings.
+    fn changes_cord(&self, stage: &Swing) -> bool {
+        let length = |own: &Swing| own.length.as_ref().map(|term| term.0.trim().to_owned());
+        let others = self.scene.stages.iter().filter_map(|other| match other {
+            Stage::Swing(other) if other.body == stage.body => Some(length(other)),
+            _ => None,
+        });
+        others.into_iter().any(|other| other != length(stage))
+    }
+
+    /// The tension of the cord at the start (0) or at the end (1).
+    fn tension(&mut self, index: usize, side: usize, stage: &Swing, length: &Expr, end: &End) {
+        let (body, instant) = (stage.body.as_str(), index + 1 + side);
         let since = self.timeline.since(body, instant).unwrap_or(instant);
         let name = self.called(body);
-        let meaning = format!("the tension of the cord of {name} {}", self.when(since));
-        let tension = Expr::from(self.symbol(format!("tension_{body}{since}"), Dimension::FORCE, meaning));
+        let (when, suffix) = if self.changes_cord(stage) {
+            (format!("at the {} of {}", ["start", "end"][side], self.stage_phrase(index)), self.stage_suffix(index))
+        } else {
+            (self.when(since), String::new())
+        };
+        let meaning = format!("the tension of the cord of {name} {when}");
+        let tension = Expr::from(self.symbol(format!("tension_{body}{since}{suffix}"), Dimension::FORCE, meaning));
         let (mass, gravity) = (self.mass(body), self.gravity());
         let cosine = end.angle.clone().cos().simplify();
         let sides = force::tension(&tension, [&mass, &gravity], &cosine, &end.velocity, length);

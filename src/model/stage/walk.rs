@@ -2,6 +2,7 @@
 
 use crate::expr::Expr;
 use crate::fault::Path;
+use crate::laws::kinematics;
 use crate::laws::mass_centre;
 use crate::laws::separation;
 use crate::model::Builder;
@@ -10,6 +11,9 @@ use crate::scene::stage::Walk;
 
 impl Builder<'_> {
     pub(in crate::model) fn walk(&mut self, index: usize, stage: &Walk, path: &Path) {
+        for body in [&stage.body, &stage.on] {
+            self.starts_from_rest(index, body);
+        }
         let suffix = self.stage_suffix(index);
         let bodies = [stage.body.as_str(), stage.on.as_str()];
         let [name, other] = bodies.map(|body| self.called(body));
@@ -17,6 +21,13 @@ impl Builder<'_> {
             let meaning = format!("the displacement of {} over the ground", self.called(body));
             Expr::from(self.symbol(format!("s_{body}{suffix}"), Dimension::LENGTH, meaning))
         });
+        if let [(axis, _)] = self.axes[..] {
+            for (body, displacement) in bodies.into_iter().zip(&displacements) {
+                let [from, to] = [index + 1, index + 2].map(|instant| self.place(body, instant, axis));
+                let because = format!("this is how far {} over the ground", self.does(body, ["moves", "move"]));
+                self.law(&kinematics::DISPLACED, Some(index), because, (to, from + displacement.clone()));
+            }
+        }
         let masses = bodies.map(|body| self.mass(body));
         let parts: Vec<(Expr, Expr)> = masses.into_iter().zip(displacements.clone()).collect();
         let because =

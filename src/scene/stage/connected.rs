@@ -33,6 +33,9 @@ pub struct Connected {
     pub until: Option<Until>,
 }
 
+/// The most strands on which a body may hang.
+pub const MOST_STRANDS: u8 = 6;
+
 /// One end of the string.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -42,7 +45,25 @@ pub struct Strand {
     /// `hanging`, `level`, or the angle of the slope on which it lies. Default: hanging.
     #[serde(default)]
     pub on: Option<Term>,
+    /// On how many strands of the string a body hangs, by a light movable pulley or a block and tackle: it is drawn with as many
+    /// tensions, and moves by that fraction of what the string runs. Default: 1.
+    #[serde(default)]
+    pub strands: Option<u8>,
     /// The coefficient of kinetic friction on its floor or slope. Left out: smooth.
     #[serde(default)]
     pub friction: Option<Term>,
+}
+
+impl Strand {
+    /// On how many strands the body hangs.
+    #[must_use]
+    pub fn strands(&self) -> u8 {
+        self.strands.unwrap_or(1)
+    }
+
+    /// Whether the body hangs.
+    #[must_use]
+    pub fn hangs(&self) -> bool {
+        self.on.as_ref().is_none_or(|term| term.0.trim() == "hanging")
+    }
 }

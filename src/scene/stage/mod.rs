@@ -32,7 +32,7 @@ pub use bounces::Bounces;
 pub use bowl::{Bowl, Horizontal};
 pub use central::{Central, CentralSpring, Orbit};
 pub use conical::Conical;
-pub use connected::{Connected, Strand};
+pub use connected::{Connected, MOST_STRANDS, Strand};
 pub use drift::Drift;
 pub use fall::Fall;
 pub use flight::Flight;

@@ -13,7 +13,7 @@ mod tidy;
 
 use crate::expr::{Expr, Symbol};
 
-use super::{Move, Root, Statement, Step, System, Tactic};
+use super::{Closed, Move, Root, Statement, Step, System, Tactic};
 
 /// A tactic: what it makes of a block, or why it does not serve.
 type Try = fn(&Block) -> Result<Closing, Refusal>;
@@ -75,8 +75,18 @@ pub(super) fn close(block: &Block) -> Result<Step, Refusal> {
 }
 
 fn attempt(block: &Block, tactic: Tactic, closes: Try) -> Result<Step, Refusal> {
-    let Closing { unknowns, moves, roots } = closes(block)?;
+    let Closing { unknowns, moves, mut roots } = closes(block)?;
+    // What holds only where a mass is zero holds for no body: such equations are one and the same where a mass is not.
+    let had_roots = !roots.is_empty();
+    roots.retain(|root| !root.values.iter().any(|(symbol, value)| block.positive(*symbol) && is_nothing(value)));
+    if had_roots && roots.is_empty() {
+        return Err(Refusal::Dependent);
+    }
     Ok(Step { equations: block.equations.clone(), unknowns, tactic, moves, roots })
+}
+
+fn is_nothing(value: &Closed) -> bool {
+    matches!(value, Closed::Formula(term) if term.is_zero())
 }
 
 /// The step by which the unknown of a block of one is brought to one side.

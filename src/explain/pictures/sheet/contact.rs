@@ -7,12 +7,16 @@ use crate::figure::Layout;
 use crate::figure::MovingBody;
 use crate::figure::Partner;
 use crate::figure::Situation;
+use crate::scene::Plane;
 use crate::scene::stage::Impact;
 use crate::scene::stage::Partners;
 
 use super::super::compass::Compass;
 use super::super::quantities::Quantities;
 use super::super::words::situation_wording;
+
+/// From this share of the normal on a face is neither level nor upright.
+const SLANT: f64 = 0.1;
 
 /// The bodies touching, with the velocities with which they come; none where that would not tell anything.
 pub(in super::super) fn drawing(quantities: &Quantities<'_>, compass: &Compass, impact: &Impact) -> Option<Drawing> {
@@ -44,11 +48,22 @@ pub(in super::super) fn drawing(quantities: &Quantities<'_>, compass: &Compass, 
             let show_line = normal.is_some();
             // Blocks would be turned so as to touch along a face, of which nothing is known.
             let round = |body: MovingBody| if show_line { body } else { body.shaped(Form::Disc) };
-            let (first, second) = (round(first), Partner::Body(round(second)));
+            let is_wedge = show_line && second.form != Form::Disc && stands_on_floor(quantities, impact, line);
+            let partner = if is_wedge { Partner::Wedge } else { Partner::Body };
+            let (first, second) = (round(first), partner(round(second)));
             Contact { line_of_impact: compass.angle(line), show_line, angle, first, second }
         }
     };
     Some(Situation { wording, layout: Layout::Contact(contact), axes: compass.marks() }.drawing())
+}
+
+/// Whether the second body can slide along a level floor and is struck on a face that slants.
+fn stands_on_floor(quantities: &Quantities<'_>, impact: &Impact, [across, down]: [f64; 2]) -> bool {
+    let Some(Partners::Bodies(_, second)) = impact.partners() else { return false };
+    let scene = &quantities.worked.problem.loaded().draft.scene;
+    let guide = scene.bodies.get(second).and_then(|body| body.guide.as_ref());
+    let is_level = guide.is_some_and(|guide| guide.along.0.trim() == "x") && scene.plane == Plane::Vertical;
+    is_level && across.abs() > SLANT && down < -SLANT
 }
 
 /// The direction in which the first body comes nearer to the second: where no line of impact is stated, they lie so.

@@ -25,6 +25,8 @@ pub(in super::super) struct Side<'a> {
     pub forwards: [f64; 2],
     /// Whether the string pulls it forwards (1) or back (-1).
     pub pull: f64,
+    /// On how many strands of the string it hangs.
+    pub strands: u8,
 }
 
 /// The trailing body lies to the left and is drawn towards the pulley; the leading one, to the right, moves away from it.
@@ -33,8 +35,8 @@ fn sides<'a>(trailing: (&'a str, Rest), leading: (&'a str, Rest)) -> [Side<'a>; 
     let [x, y] = unit(&trailing.1);
     let forwards = unit(&leading.1);
     [
-        Side { body: trailing.0, rest: trailing.1, forwards: [x, -y], pull: 1.0 },
-        Side { body: leading.0, rest: leading.1, forwards, pull: -1.0 },
+        Side { body: trailing.0, rest: trailing.1, forwards: [x, -y], pull: 1.0, strands: 1 },
+        Side { body: leading.0, rest: leading.1, forwards, pull: -1.0, strands: 1 },
     ]
 }
 
@@ -53,7 +55,8 @@ fn rest(quantities: &Quantities<'_>, strand: &Strand) -> Rest {
 /// The two sides of a string that stays taut.
 pub(in super::super) fn sides_of<'a>(quantities: &Quantities<'_>, stage: &'a Connected) -> [Side<'a>; 2] {
     let [trailing, leading] = [&stage.trailing, &stage.leading].map(|own| (own.body.as_str(), rest(quantities, own)));
-    sides(trailing, leading)
+    let [one, other] = sides(trailing, leading);
+    [Side { strands: stage.trailing.strands(), ..one }, Side { strands: stage.leading.strands(), ..other }]
 }
 
 /// The bodies on their string at the start.
@@ -76,7 +79,11 @@ fn situation(quantities: &Quantities<'_>, index: usize, sides: [Side<'_>; 2]) ->
         });
         (
             side.body.to_owned(),
-            PulleySide { body: quantities.body(side.body, velocity.into_iter().collect()), rest: side.rest },
+            PulleySide {
+                body: quantities.body(side.body, velocity.into_iter().collect()),
+                rest: side.rest,
+                strands: side.strands,
+            },
         )
     });
     let bodies = sides.each_ref().map(|(name, side)| (name.clone(), side.body.clone()));

@@ -13,6 +13,8 @@ struct End {
     mass: f64,
     weight: f64,
     friction: f64,
+    /// How far the string runs for each metre that the body moves.
+    strands: f64,
 }
 
 impl Bench<'_> {
@@ -22,26 +24,31 @@ impl Bench<'_> {
         let leading = self.strand(&stage.leading, 1.0)?;
         let bodies = [stage.trailing.body.as_str(), stage.leading.body.as_str()];
         let mut speed = Err(NothingToSimulate::ValueMissing);
-        for body in bodies {
-            speed = speed.or_else(|_| self.values.velocity_before(body, axis));
+        for (body, end) in bodies.into_iter().zip([&trailing, &leading]) {
+            speed = speed.or_else(|_| Ok(end.strands * self.values.velocity_before(body, axis)?));
         }
         let speed = speed?;
         let accelerations = |tension: f64| {
-            let own = (tension + trailing.weight - trailing.friction) / trailing.mass;
-            let other = (leading.weight - leading.friction - tension) / leading.mass;
+            let own = (trailing.strands * tension + trailing.weight - trailing.friction) / trailing.mass;
+            let other = (leading.weight - leading.friction - leading.strands * tension) / leading.mass;
             [own, other]
         };
         // How far apart the accelerations are, tried with a tension of 0 and of 1 N.
-        let apart = |tension: f64| accelerations(tension)[0] - accelerations(tension)[1];
+        let apart = |tension: f64| {
+            let [own, other] = accelerations(tension);
+            trailing.strands * own - leading.strands * other
+        };
         let tension = apart(0.0) / (apart(0.0) - apart(1.0));
         let told = |term: &Option<Term>| term.as_ref().and_then(|term| self.values.term(term).ok());
         let time = told(&stage.duration).or_else(|| self.values.duration().ok());
         let (way, stops) = (told(&stage.distance), stage.until.is_some());
         let slope = |_: f64, state: &[f64; 3]| {
-            [f64::midpoint(state[1], state[2]), accelerations(tension)[0], accelerations(tension)[1]]
+            let run = f64::midpoint(trailing.strands * state[1], leading.strands * state[2]);
+            [run / leading.strands, accelerations(tension)[0], accelerations(tension)[1]]
         };
         let quick = accelerations(tension)[0].abs().max(f64::MIN_POSITIVE);
-        let start = [0.0, speed, speed];
+        let start = [0.0, speed / trailing.strands, speed / leading.strands];
+        let speed = start[2];
         let (time, end) = match (stops, time, way) {
             (true, ..) => self.integrator(speed / quick / 4.0).event(0.0, start, &slope, &|_, state| state[1])?,
             (false, Some(time), _) => (time, self.integrator(time / 4.0).until(0.0, start, time, &slope)?),
@@ -51,12 +58,14 @@ impl Bench<'_> {
             }
             _ => return Err(NothingToSimulate::ValueMissing),
         };
+        let ways = |way: f64| [way * leading.strands / trailing.strands, way];
+        let held = (trailing.strands - leading.strands) * tension;
         let look = |_: f64, &[way, own, other]: &[f64; 3]| Look {
-            bodies: [(&trailing, own), (&leading, other)]
-                .map(|(end, speed)| Seen { mass: end.mass, place: vec![way], velocity: vec![speed] })
+            bodies: [(&trailing, ways(way)[0], own), (&leading, way, other)]
+                .map(|(end, way, speed)| Seen { mass: end.mass, place: vec![way], velocity: vec![speed] })
                 .into(),
-            outside: vec![trailing.weight - trailing.friction + leading.weight - leading.friction],
-            potential: -(trailing.weight + leading.weight) * way,
+            outside: vec![held + trailing.weight - trailing.friction + leading.weight - leading.friction],
+            potential: -trailing.weight * ways(way)[0] - leading.weight * way,
             power: -trailing.friction * own - leading.friction * other,
             ..Look::default()
         };
@@ -84,6 +93,11 @@ impl Bench<'_> {
             }
         };
         let friction = strand.friction.as_ref().map_or(Ok(0.0), |term| self.values.term(term))?;
-        Ok(End { mass, weight: sense * mass * gravity * steep, friction: friction * mass * gravity * pressed })
+        Ok(End {
+            mass,
+            weight: sense * mass * gravity * steep,
+            friction: friction * mass * gravity * pressed,
+            strands: f64::from(strand.strands()),
+        })
     }
 }
