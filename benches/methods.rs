@@ -1,9 +1,12 @@
-//! How long each numerical method takes, and how the cost of the event-driven one grows with bounces, balls and mass ratio.
+//! How long each numerical method takes on each reference task, and how the cost of the event-driven one grows with bounces, balls and mass ratio.
 
 use std::hint::black_box;
+use std::time::Duration;
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
-use momentous::simulate::{Body, Budget, EventDriven, Keep, Method, MethodKind, Setting, Vector, Wall, World};
+use momentous::simulate::{
+    Body, Budget, EventDriven, IN_THE_PLANE, Keep, Method, MethodKind, ON_A_LINE, Setting, Task, Vector, Wall, World,
+};
 
 /// A ball dropped from 4 m.
 fn dropped(restitution: f64) -> World<1> {
@@ -42,17 +45,28 @@ fn blocks(ratio: f64) -> World<1> {
     world
 }
 
-fn methods(criterion: &mut Criterion) {
-    let mut group = criterion.benchmark_group("five bounces");
-    let world = dropped(0.75);
-    let budget = Budget::until(10.0).at_most(5);
+/// Every method on a reference task, at a tolerance of 1e-9 or a step of 1 ms, where it does not refuse.
+fn task<const D: usize>(criterion: &mut Criterion, task: &Task<D>) {
+    let mut group = criterion.benchmark_group(task.name);
+    group.sample_size(10).warm_up_time(Duration::from_millis(200)).measurement_time(Duration::from_secs(1));
+    let case = (task.jittered)(0.0);
+    let budget = case.budget.keep(Keep::Impacts);
     for kind in MethodKind::ALL {
-        let method = kind.with::<1>(if kind.setting() == Setting::Tolerance { 1e-9 } else { 1e-3 });
-        if method.run(&world, &budget).is_ok() {
-            group.bench_function(method.name(), |bencher| bencher.iter(|| method.run(black_box(&world), &budget)));
+        let method = kind.with::<D>(if kind.setting() == Setting::Tolerance { 1e-9 } else { 1e-3 });
+        if method.run(&case.world, &budget).is_ok() {
+            group.bench_function(method.name(), |bencher| bencher.iter(|| method.run(black_box(&case.world), &budget)));
         }
     }
     group.finish();
+}
+
+fn tasks(criterion: &mut Criterion) {
+    for own in ON_A_LINE {
+        task(criterion, own);
+    }
+    for own in IN_THE_PLANE {
+        task(criterion, own);
+    }
 }
 
 fn growth(criterion: &mut Criterion) {
@@ -86,5 +100,5 @@ fn growth(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, methods, growth);
+criterion_group!(benches, tasks, growth);
 criterion_main!(benches);

@@ -177,3 +177,24 @@ stages:
     assert!(is_true(found, &time), "{found:?} is not {}", rough(&time));
     assert!(found.error < 1e-22, "{found:?}");
 }
+
+/// A million bounces that lose a millionth each: with the nearest number for e the textbook's sums are off by 1.2e-11.
+#[test]
+fn of_sums_where_e_is_nearly_1() {
+    let scene = "
+axes: { y: upwards }
+plane: vertical
+bodies:
+  A: { name: the ball }
+stages:
+  - bounces: { body: A, restitution: e, count: n }";
+    let given = [("h_0", "4 m"), ("e", "0.999999"), ("n", "1000000")];
+    let (problem, variant) = solved(&sheet(scene, &given, &["t_n", "h_n", "t_total"]));
+    // From 50 digits.
+    for (name, right) in
+        [("t_n", 1_141_668.934_222_207), ("h_n", 0.541_340_591_605_227_6), ("t_total", 1_806_093.660_895_641_6)]
+    {
+        let found = value(&problem, &variant, name);
+        assert!((found.value / right - 1.0).abs() < 1e-15 && found.error < 1e-14 * right, "{name}: {found:?}");
+    }
+}

@@ -1,9 +1,11 @@
 //! A hunt for new failures: random chains, extreme mass ratios, every coefficient, near-simultaneous and grazing impacts.
 //! No panic, no hang, no gain of energy, and nobody passes through anybody by the event-driven method.
 
+#![allow(clippy::unwrap_used, reason = "a test says bluntly what it expects")]
+
 use momentous::simulate::stability::every_method;
 use momentous::simulate::{
-    Body, Budget, Contact, EventDriven, Method, Refusal, Trajectory, Vector, Wall, World, direct_impact,
+    Body, Budget, Contact, EventDriven, Keep, Method, Refusal, Trajectory, Vector, Wall, World, direct_impact,
 };
 use proptest::prelude::*;
 
@@ -123,12 +125,14 @@ proptest! {
     }
 }
 
-/// Galperin's billiard counts the digits of pi. The order of the impacts is forced, so the law alone decides: the energy must not
-/// drift while 31 million impacts turn a block 10^14 times as heavy round.
+/// The impacts of a block that is `100^n` times as heavy as another with it and a wall: the digits of pi (Galperin).
+const GALPERIN: [u64; 8] = [3, 31, 314, 3141, 31_415, 314_159, 3_141_592, 31_415_926];
+
+/// The order of the impacts is forced, so the law alone decides: the energy must not drift while 31 million impacts turn a block
+/// 10^14 times as heavy round.
 #[test]
 fn galperin_through_seven_digits() {
-    let counts = [(0, 3_u64), (1, 31), (2, 314), (3, 3141), (4, 31415), (5, 314_159), (6, 3_141_592), (7, 31_415_926)];
-    for (power, expected) in counts {
+    for (power, expected) in (0..).zip(GALPERIN) {
         let heavy = 100.0_f64.powi(power);
         let (mut small, mut large) = (0.0, -1.0);
         let mut count = 0;
@@ -146,4 +150,46 @@ fn galperin_through_seven_digits() {
         assert_eq!(count, expected, "10^{power}");
         assert!((energy - 1.0).abs() < 1e-10, "10^{power}: {energy}");
     }
+}
+
+/// The same by the event-driven method, which has to find when each impact happens as well.
+fn galperin_event_by_event(powers: core::ops::Range<usize>) {
+    for power in powers {
+        let heavy = 100.0_f64.powi(i32::try_from(power).unwrap());
+        let mut world = World::<1>::new(1.0);
+        world.bodies.push(Body::particle("small", 1.0, [1.0], [0.0]));
+        world.bodies.push(Body::particle("large", heavy, [2.0], [-1.0]));
+        world.walls.push(Wall::new("wall", [1.0], 0.0));
+        let budget = Budget::until(100.0).at_most(usize::MAX).steps(usize::MAX).keep(Keep::Count);
+        let run = EventDriven.run(&world, &budget).unwrap();
+        let drift = world.kinetic_energy(&run.last.velocities) / (heavy / 2.0) - 1.0;
+        assert_eq!(u64::try_from(run.impact_count), Ok(GALPERIN[power]), "10^{power}");
+        assert!(drift.abs() < 1e-10, "10^{power}: {drift:e}");
+    }
+}
+
+#[test]
+fn galperin_event_by_event_through_four_digits() {
+    galperin_event_by_event(0..5);
+}
+
+#[test]
+#[ignore = "35 million impacts: cargo test --release --test hunt -- --ignored"]
+fn galperin_event_by_event_through_seven_digits() {
+    galperin_event_by_event(5..8);
+}
+
+/// A drop from 4 m with the number nearest to e = 1 - 1e-6: when the millionth bounce is and how high it goes, from 50 digits.
+#[test]
+#[ignore = "a million impacts: cargo test --release --test hunt -- --ignored"]
+fn a_million_bounces_one_by_one() {
+    let mut world = World::<1>::new(1.0 - 1e-6);
+    world.gravity = Vector::from([-9.81]);
+    world.bodies.push(Body::particle("ball", 1.0, [4.0], [0.0]));
+    world.walls.push(Wall::new("floor", [1.0], 0.0));
+    let budget = Budget::impacts(1_000_000).keep(Keep::Count);
+    let run = EventDriven.run(&world, &budget).unwrap();
+    assert!((run.last.time / 1_141_668.934_208_483_5 - 1.0).abs() < 1e-12, "{}", run.last.time);
+    let rises = run.last.velocities[0].x.powi(2) / (2.0 * 9.81);
+    assert!((rises / 0.541_340_591_574_094_3 - 1.0).abs() < 1e-11, "{rises}");
 }

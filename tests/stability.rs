@@ -8,6 +8,7 @@ use std::fs;
 use std::path::Path;
 
 use momentous::simulate::stability::run_all;
+use momentous::simulate::{Body, Budget, EventDriven, Method, Refusal, World};
 
 #[test]
 fn every_method_does_what_the_table_says() {
@@ -27,6 +28,7 @@ fn every_method_does_what_the_table_says() {
         }
         panic!("the table says otherwise; all of it is now:\n{table}");
     }
+    assert!(include_str!("../docs/methods.md").contains(expected.trim()), "docs/methods.md has another table");
 }
 
 /// A point of a committed chart: method, seconds, median and greatest error.
@@ -53,4 +55,42 @@ fn the_points_of_the_bounce_tasks_are_as_the_page_says() {
     }
     let exact = points("bounce").into_iter().find(|point| point.0 == "event driven").unwrap();
     assert!(exact.1 <= 1e-6 && exact.3 < 1e-15, "{exact:?}");
+}
+
+/// Equal beads on a line.
+fn beads(restitution: f64, beads: &[(f64, f64)]) -> World<1> {
+    let mut world = World::new(restitution);
+    for (name, (place, velocity)) in ["A", "B", "C", "D", "E"].iter().zip(beads) {
+        world.bodies.push(Body::particle(name, 1.0, [*place], [*velocity]));
+    }
+    world
+}
+
+/// Where impacts accumulate, the refusal says when: the limit of the sequence of `McNamara` and Young.
+#[test]
+fn a_collapse_is_refused_with_its_time() {
+    let world = beads(0.05, &[(0.0, 1.0), (1.0, 0.0), (2.5, -1.0)]);
+    let Err(Refusal::Collapse { time, contacts }) = EventDriven.run(&world, &Budget::until(10.0)) else {
+        panic!("it collapses")
+    };
+    assert!((time - 1.357_142_9).abs() < 1e-7, "{time}");
+    assert_eq!(contacts, ["A-B", "B-C"]);
+}
+
+/// Every ball of a cradle, one pair after another, as fractions worked out by hand.
+#[test]
+fn every_ball_of_a_cradle_ends_as_by_hand() {
+    let cases: [(f64, usize, &[f64]); 3] = [
+        (0.9, 3, &[381.0 / 8000.0, 399.0 / 8000.0, 361.0 / 400.0]),
+        (0.5, 3, &[13.0 / 64.0, 15.0 / 64.0, 9.0 / 16.0]),
+        (0.5, 10, &[2521.0 / 16384.0, 2739.0 / 16384.0, 729.0 / 4096.0, 189.0 / 1024.0, 81.0 / 256.0]),
+    ];
+    for (restitution, impacts, expected) in cases {
+        let places = [(0.0, 1.0), (1.0, 0.0), (2.0, 0.0), (3.0, 0.0), (4.0, 0.0)];
+        let run = EventDriven.run(&beads(restitution, &places[..expected.len()]), &Budget::until(1e3)).unwrap();
+        assert_eq!(run.impact_count, impacts, "e = {restitution}");
+        for (velocity, expected) in run.last.velocities.iter().zip(expected) {
+            assert!((velocity.x - expected).abs() < 1e-15, "e = {restitution}: {velocity} is not {expected}");
+        }
+    }
 }

@@ -24,9 +24,18 @@ use super::wrong_forms;
 /// Below this share of draws that are not rejected, the author is told.
 const LOW_ACCEPTANCE: f64 = 0.05;
 
-/// Looks at every promise over the seeds 1 to `seeds`, form by form. The outcome does not depend on how many threads work.
+/// How many seeds of each form are looked at, from 1 on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Seeds {
+    /// How many are drawn.
+    pub drawn: u64,
+    /// How many of these are simulated as well.
+    pub simulated: u64,
+}
+
+/// Looks at every promise over the seeds, form by form. The outcome does not depend on how many threads work.
 #[must_use]
-pub fn audit(source: &Source, seeds: u64) -> Audit {
+pub fn audit(source: &Source, seeds: Seeds) -> Audit {
     let of = |problem: Option<String>, faults: Option<String>, forms: Vec<FormAudit>| Audit {
         problem,
         file: source.name.to_string(),
@@ -38,7 +47,7 @@ pub fn audit(source: &Source, seeds: u64) -> Audit {
         Err(faults) => of(None, Some(faults.to_string()), Vec::new()),
         Ok(problem) => {
             let problem = Arc::new(problem);
-            let idle = idle_requires(&problem, seeds);
+            let idle = idle_requires(&problem, seeds.drawn);
             let forms =
                 (0..problem.forms().len()).filter_map(|form| form_audit(&problem, form, seeds, &idle).ok()).collect();
             of(Some(problem.id().to_owned()), None, forms)
@@ -46,12 +55,13 @@ pub fn audit(source: &Source, seeds: u64) -> Audit {
     }
 }
 
-fn form_audit(problem: &Arc<Problem>, position: usize, seeds: u64, idle: &Outcome) -> Result<FormAudit, NoVariant> {
+fn form_audit(problem: &Arc<Problem>, position: usize, seeds: Seeds, idle: &Outcome) -> Result<FormAudit, NoVariant> {
     let form = problem.forms().get(position).ok_or(NoVariant::NoForm)?;
-    let samples = Samples::draw(problem, position, seeds)?;
+    let drawn = seeds.drawn;
+    let samples = Samples::draw(problem, position, drawn)?;
     let columns = answers::columns(&form.parts, &samples);
     let variants = samples.variants();
-    let (witnessed, simulated) = simulation::agrees(problem, position, seeds);
+    let (witnessed, simulated) = simulation::agrees(problem, position, seeds.simulated.min(drawn));
     let look = |promise: Promise| match promise {
         // It is compiled, or there would be no form to look at.
         Promise::Compiles => Outcome::Kept,
@@ -61,17 +71,17 @@ fn form_audit(problem: &Arc<Problem>, position: usize, seeds: u64, idle: &Outcom
         Promise::Varies => answers::varies(&columns, variants),
         Promise::NotZero => answers::not_zero(&columns),
         Promise::NotGiven => answers::not_given(&columns),
-        Promise::Reproduces => repeat::reproduces(problem, position, seeds),
-        Promise::KeyMarks => repeat::key_marks(problem, position, seeds),
-        Promise::Sharp => repeat::sharp(problem, position, seeds),
+        Promise::Reproduces => repeat::reproduces(problem, position, drawn),
+        Promise::KeyMarks => repeat::key_marks(problem, position, drawn),
+        Promise::Sharp => repeat::sharp(problem, position, drawn),
         Promise::Requires => idle.clone(),
         Promise::Simulation => witnessed.clone(),
-        Promise::WrongForms => wrong_forms::told_apart(problem, position, seeds),
-        Promise::Rounding => repeat::rounding(problem, position, seeds),
+        Promise::WrongForms => wrong_forms::told_apart(problem, position, drawn),
+        Promise::Rounding => repeat::rounding(problem, position, drawn),
     };
     Ok(FormAudit {
         form: form.question.name.clone(),
-        seeds,
+        seeds: drawn,
         combinations: u64::try_from(problem.combinations()).unwrap_or(u64::MAX),
         variants,
         acceptance: samples.acceptance(),

@@ -13,7 +13,7 @@ mod sample;
 mod simulation;
 mod wrong_forms;
 
-pub use audit::audit;
+pub use audit::{Seeds, audit};
 pub use collection::{Bank, FOLDER, files_under};
 pub use course::{COURSE_FILE, load_in_course};
 pub use diagnosis::{Diagnosed, Tally, diagnosed};

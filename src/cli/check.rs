@@ -11,6 +11,8 @@ use crate::bank::Audit;
 use crate::bank::Bank;
 use crate::bank::FormAudit;
 use crate::bank::Outcome;
+use crate::bank::SIMULATED;
+use crate::bank::Seeds;
 use crate::bank::audit;
 use crate::quantity::Printed;
 
@@ -26,6 +28,7 @@ const HELP: &str = "\
 Examples:
   momentous check                               every problem of the bank
   momentous check impact/two-carts --seeds 5000
+  momentous check impact --simulated 1000       every seed by a simulation as well
   momentous check impact                        every problem of a topic
   momentous check my-problem.yaml my-folder/
   momentous check --format json | jq 'select(.faults)'
@@ -46,6 +49,9 @@ pub(super) struct Check {
     /// How many seeds to draw for each form
     #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
     seeds: u64,
+    /// How many of these to simulate as well, by a method that shares no code with the laws
+    #[arg(long, value_name = "N", default_value_t = SIMULATED, value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
+    simulated: u64,
     /// For people, or one JSON object a line
     #[arg(long, value_name = "FORMAT", default_value = "text")]
     format: Listing,
@@ -56,7 +62,7 @@ impl Check {
         let sources = Bank::here()?.select(&self.problems)?;
         let bar = progress::bar(sources.len() as u64, false);
         let look = |source| {
-            let audit = audit(source, self.seeds);
+            let audit = audit(source, Seeds { drawn: self.seeds, simulated: self.simulated });
             bar.inc(1);
             audit
         };
@@ -64,7 +70,7 @@ impl Check {
         bar.finish_and_clear();
         let mut output = Output::to(None)?;
         match self.format {
-            Listing::Text => write_text(&mut output, &audits)?,
+            Listing::Text => write_text(&mut output, &audits, self.simulated)?,
             Listing::Json => {
                 for audit in &audits {
                     serde_json::to_writer(&mut output, audit)?;
@@ -83,7 +89,7 @@ impl Check {
     }
 }
 
-fn write_text(output: &mut Output, audits: &[Audit]) -> Result<(), Failure> {
+fn write_text(output: &mut Output, audits: &[Audit], simulated: u64) -> Result<(), Failure> {
     let style = Style::of_stdout();
     for audit in audits {
         let name = audit.problem.as_deref().unwrap_or("does not load");
@@ -103,7 +109,7 @@ fn write_text(output: &mut Output, audits: &[Audit]) -> Result<(), Failure> {
         0 => writeln!(output, "{counted}: {}", style.good("every promise that was checked holds"))?,
         _ => writeln!(output, "{counted}: {}", style.bad(&format!("{} broken", count(broken, "problem"))))?,
     }
-    witnessed::write_share(output, audits)
+    witnessed::write_share(output, audits, simulated)
 }
 
 fn count(number: usize, what: &str) -> String {

@@ -4,7 +4,6 @@ use std::io::Write;
 
 use crate::bank::Audit;
 use crate::bank::FormAudit;
-use crate::bank::SIMULATED;
 use crate::bank::Simulated;
 
 use super::failure::Failure;
@@ -31,7 +30,7 @@ pub(super) fn write_form(output: &mut Output, simulated: &Simulated) -> Result<(
 }
 
 /// The share of the forms with an answer that no simulation witnesses, each with its reason.
-pub(super) fn write_share(output: &mut Output, audits: &[Audit]) -> Result<(), Failure> {
+pub(super) fn write_share(output: &mut Output, audits: &[Audit], simulated: u64) -> Result<(), Failure> {
     let all: Vec<(&Audit, &FormAudit)> =
         audits.iter().flat_map(|audit| audit.forms.iter().map(move |form| (audit, form))).collect();
     if all.is_empty() {
@@ -42,7 +41,7 @@ pub(super) fn write_share(output: &mut Output, audits: &[Audit]) -> Result<(), F
     let share = 100.0 * idle.len() as f64 / all.len() as f64;
     writeln!(
         output,
-        "simulated on the first {SIMULATED} seeds; nothing to simulate for an answer in {share:.1} % of the forms"
+        "simulated on the first {simulated} seeds; nothing to simulate for an answer in {share:.1} % of the forms"
     )?;
     for (audit, form) in idle {
         let name = form.form.as_deref().map_or_else(String::new, |name| format!(", {name}"));

@@ -48,30 +48,31 @@ impl<const D: usize> World<D> {
     }
 
     /// The contacts that a method needs which never lets bodies into each other: on a line only the next body reaches a wall.
-    pub(super) fn reachable(&self, contacts: &[Contact]) -> Vec<Contact> {
-        let next: Vec<Vec<usize>> = (0..self.walls.len()).map(|wall| self.next_to(wall).collect()).collect();
-        let kept = |contact: &&Contact| match contact {
-            Contact::Wall { wall, body } => D > 1 || next[*wall].contains(body),
-            _ => true,
-        };
-        contacts.iter().filter(kept).copied().collect()
+    pub(super) fn reachable(&self, mut contacts: Vec<Contact>) -> Vec<Contact> {
+        if D == 1 {
+            let next: Vec<[Option<usize>; 2]> = (0..self.walls.len()).map(|wall| self.next_to(wall)).collect();
+            contacts.retain(|contact| match contact {
+                Contact::Wall { wall, body } => next[*wall].contains(&Some(*body)),
+                _ => true,
+            });
+        }
+        contacts
     }
 
     /// The body nearest to the face of a wall, and the nearest to its far side where it has one and a body stands behind it.
-    fn next_to(&self, wall: usize) -> impl Iterator<Item = usize> {
+    fn next_to(&self, wall: usize) -> [Option<usize>; 2] {
         let wall = &self.walls[wall];
         let middle = -wall.thickness.map_or(f64::INFINITY, |thickness| thickness / 2.0);
-        let mut front: Option<(f64, usize)> = None;
-        let mut behind: Option<(f64, usize)> = None;
+        let mut sides: [Option<(f64, usize)>; 2] = [None; 2];
         for (index, body) in self.bodies.iter().enumerate() {
             let height = wall.normal.dot(&body.position) - wall.offset;
-            let (reach, nearest) = if height < middle { (-height, &mut behind) } else { (height, &mut front) };
+            let (reach, side) = if height < middle { (-height, 1) } else { (height, 0) };
             let gap = reach - body.radius;
-            if nearest.is_none_or(|(least, _)| gap < least) {
-                *nearest = Some((gap, index));
+            if sides[side].is_none_or(|(least, _)| gap < least) {
+                sides[side] = Some((gap, index));
             }
         }
-        front.into_iter().chain(behind).map(|(_, index)| index)
+        sides.map(|nearest| nearest.map(|(_, index)| index))
     }
 
     /// The bodies from left to right along the first axis; those at one place in the order of the list.

@@ -60,7 +60,7 @@ pub(super) fn page(rows: &[Row]) -> Page {
         curves,
         failures: false,
     };
-    Page { title: "Certificates against errors".to_owned(), parts: vec![panel.into()] }
+    Page { title: "Certificates against errors".to_owned(), rows: vec![vec![panel.into()]] }
 }
 
 /// The decades that the chart shows.

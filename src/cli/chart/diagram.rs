@@ -35,7 +35,7 @@ pub(super) fn page(rows: &[Row]) -> Page {
         }
     }
     let title = format!("Error against time per solve: {}", tasks.join(", "));
-    Page { title, parts: tasks.into_iter().map(|task| panel(task, rows).into()).collect() }
+    Page { title, rows: tasks.into_iter().map(|task| vec![panel(task, rows).into()]).collect() }
 }
 
 fn panel(task: &str, rows: &[Row]) -> Panel {

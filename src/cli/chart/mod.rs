@@ -25,7 +25,8 @@ use super::plot::png;
 use points::Row;
 
 const HELP: &str = "\
-Tasks: bounce, bounce-with-drag, head-on, chain, ramp-force, oblique, kepler; without any, all of them.
+Tasks: bounce, bounce-with-drag, half-sine-force, head-on, contact, chain, ramp-force, oblique, kepler; without any, all of
+them.
 
 Each point is one method at one step or tolerance: the median error over 32 jittered scenes, with a line up to the greatest,
 against the time of one solve. Where scenes were refused or ended without the answer, a cross stands at the upper edge.
@@ -62,7 +63,7 @@ pub(super) struct Chart {
     /// The finest step of the methods with a fixed step, in s
     #[arg(long, value_name = "SECONDS", default_value = "1e-5", value_parser = step)]
     finest_step: f64,
-    /// Solves of each scene, of which the fastest counts
+    /// Solves of each scene, of which the fastest counts; short ones are solved more often
     #[arg(long, value_name = "COUNT", default_value = "5", value_parser = clap::value_parser!(u16).range(1..))]
     repetitions: u16,
     /// Colours for a dark page: for PNG; SVG has both

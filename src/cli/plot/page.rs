@@ -6,13 +6,13 @@ use super::marks::COLOURS;
 use super::panel::{Panel, WIDTH};
 use super::table::Table;
 
-/// A page: panels and tables one below the other.
+/// A page: rows of panels and tables, one below the other.
 #[derive(Clone, Debug)]
 pub(crate) struct Page {
     /// What it shows, for screen readers.
     pub title: String,
-    /// What stands on it, from the top.
-    pub parts: Vec<Part>,
+    /// What stands on it, from the top, and in each row from the left.
+    pub rows: Vec<Vec<Part>>,
 }
 
 /// What can stand on a page.
@@ -56,16 +56,22 @@ impl Page {
     /// The page as an SVG document.
     pub(crate) fn svg(&self, theme: Theme) -> String {
         let mut parts = String::new();
-        let mut top = 0.0;
-        for part in &self.parts {
-            let (svg, height) = part.svg();
-            let _ = write!(parts, "<g transform=\"translate(0 {top})\">\n{svg}</g>\n");
-            top += height;
+        let (mut top, mut width) = (0.0, WIDTH);
+        for row in &self.rows {
+            let (mut left, mut tallest) = (0.0, 0.0_f64);
+            for part in row {
+                let (svg, height) = part.svg();
+                let _ = write!(parts, "<g transform=\"translate({left} {top})\">\n{svg}</g>\n");
+                left += WIDTH;
+                tallest = tallest.max(height);
+            }
+            top += tallest;
+            width = width.max(left);
         }
         format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" viewBox=\"0 0 {WIDTH} {top}\" width=\"{WIDTH}\" \
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" viewBox=\"0 0 {width} {top}\" width=\"{width}\" \
              height=\"{top}\">\n<title>{}</title>\n<style>\n{}</style>\n\
-             <rect class=\"page\" width=\"{WIDTH}\" height=\"{top}\"/>\n{parts}</svg>\n",
+             <rect class=\"page\" width=\"{width}\" height=\"{top}\"/>\n{parts}</svg>\n",
             super::escaped(&self.title),
             style_sheet(theme)
         )

@@ -22,18 +22,31 @@ const BODIES: [usize; 6] = [3, 4, 2, 8, 6, 5];
 /// The rows of a table of impacts that a page has room for.
 const MOST_ROWS: usize = 12;
 
-/// All films, one below the other.
+/// A panel of a film along one of its axes.
+type Along = fn(&Film, usize, &Component, &dyn Fn(&str) -> String) -> Panel;
+
+/// The most panels of a row.
+const COLUMNS: usize = 3;
+
+/// All films, one below the other: a row for each kind of quantity, with the axes of a stage side by side.
 pub(super) fn page(title: &str, films: &[Film]) -> Page {
-    let mut page = Page { title: format!("Simulation of {title}"), parts: Vec::new() };
-    for film in films {
-        let named = |what: &str| format!("stage {}: {what}", film.stage);
-        for (component, axis) in film.axes.iter().enumerate() {
-            page.parts.push(places(film, component, axis, &named).into());
-            page.parts.push(velocities(film, component, axis, &named).into());
-            page.parts.push(momenta(film, component, axis, &named).into());
+    let mut page = Page { title: format!("Simulation of {title}"), rows: Vec::new() };
+    // Of a stage that was simulated axis by axis, each film has one.
+    let together = |one: &Film, next: &Film| one.stage == next.stage && one.axes.len() + next.axes.len() == 2;
+    for films in films.chunk_by(together).flat_map(|films| films.chunks(COLUMNS)) {
+        let named = |what: &str| format!("stage {}: {what}", films[0].stage);
+        for along in [places, velocities, momenta] as [Along; 3] {
+            let axes = films.iter().flat_map(|film| film.axes.iter().enumerate().map(move |axis| (film, axis)));
+            let row = axes.map(|(film, (component, axis))| along(film, component, axis, &named).into());
+            page.rows.push(row.collect());
         }
-        page.parts.push(energies(&film.record, &named).into());
-        page.parts.push(impacts(film, &named).into());
+        let energies = films.iter().map(|film| energies(&film.record, &named).into()).collect::<Vec<_>>();
+        let impacts = films.iter().map(|film| impacts(film, &named).into()).collect::<Vec<_>>();
+        if films[0].axes.len() > 1 {
+            page.rows.push(energies.into_iter().chain(impacts).collect());
+        } else {
+            page.rows.extend([energies, impacts]);
+        }
     }
     page
 }

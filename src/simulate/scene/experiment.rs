@@ -34,11 +34,28 @@ pub enum Reading {
         body: usize,
         /// Which component.
         component: usize,
-        /// -1 where the run ends with a rebound at what the body reaches, so that it is the velocity just before.
+        /// -1 where it counts against the axis.
         sign: f64,
     },
+    /// A component of the velocity of a body just before the rebound that ends the run.
+    Arrival {
+        /// The body's place in the list.
+        body: usize,
+        /// Which component.
+        component: usize,
+    },
+    /// A component of the place of a body.
+    Place {
+        /// The body's place in the list.
+        body: usize,
+        /// Which component.
+        component: usize,
+    },
     /// The time of the last impact, or of coming to rest.
-    Time,
+    Time {
+        /// What the clock shows when the run starts, in s.
+        start: f64,
+    },
 }
 
 /// A world to run, and the names of what is read off it.
@@ -93,8 +110,7 @@ impl<const D: usize> Experiment<D> {
     /// # Errors
     /// It has no end that could be found.
     pub fn shown(&self) -> Result<Shown<D>, Refusal> {
-        let until_impact =
-            self.readings.iter().any(|(_, reading)| matches!(reading, Reading::Velocity { sign, .. } if *sign < 0.0));
+        let until_impact = self.readings.iter().any(|(_, reading)| matches!(reading, Reading::Arrival { .. }));
         Shown::of(&self.world, &self.budget, until_impact)
     }
 
@@ -132,12 +148,19 @@ impl<const D: usize> Experiment<D> {
             Reading::Velocity { body, component, sign } => {
                 Some((name.clone(), sign * run.last.velocities.get(body)?[component], speeds))
             }
-            Reading::Time => {
+            Reading::Arrival { body, component } => {
+                Some((name.clone(), -run.last.velocities.get(body)?[component], speeds))
+            }
+            Reading::Place { body, component } => {
+                let place = run.last.positions.get(body)?[component];
+                Some((name.clone(), place, place.abs() + speeds * run.last.time))
+            }
+            Reading::Time { start } => {
                 let time = match run.ending {
                     Ending::Rest { time, .. } => time,
                     _ => run.impacts.last()?.time,
                 };
-                Some((name.clone(), time, time))
+                Some((name.clone(), start + time, start + time))
             }
         })
     }

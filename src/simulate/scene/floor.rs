@@ -75,6 +75,18 @@ impl Values<'_> {
         Ok(Slope { along: sign * libm::sin(angle), across: libm::cos(angle) })
     }
 
+    /// The acceleration of free fall along each axis. Over a slope the first axis runs along it, the second away from it.
+    pub(super) fn falls(&self, incline: Option<&Term>) -> Result<Vec<f64>, NothingToSimulate> {
+        if incline.is_none() {
+            return self.axes().into_iter().map(|axis| self.gravity(axis)).collect();
+        }
+        let (slope, gravity) = (self.slope(incline)?, self.named("g")?);
+        match self.axes()[..] {
+            [_, _] => Ok(vec![gravity * slope.along, -gravity * slope.across]),
+            _ => Err(NothingToSimulate::Unread),
+        }
+    }
+
     /// The sense of a motion along an axis: where a term points, or else along the axis.
     pub(super) fn sense(&self, direction: Option<&Term>, axis: Axis) -> Result<f64, NothingToSimulate> {
         let Some(Term(text)) = direction else { return Ok(1.0) };

@@ -48,15 +48,8 @@ pub fn measure(
         }
         ("T", "") => energy(&values, alive, &moving),
         ("T", body) if body != "G" => energy(&values, &[body], &moving),
-        ("v", "G") => {
-            let (mean, scale) = mean(&values, alive, &moving)?;
-            Some((one(mean)?, scale))
-        }
+        ("r" | "v", "G") => of_centre(&values, alive, asked, &moving),
         ("v", body) => Some((one(moving(body)?)?, 0.0)),
-        ("r", "G") => {
-            let (mean, scale) = mean(&values, alive, &|body| place(&values, body).ok())?;
-            Some((one(mean)?, scale))
-        }
         ("H", point) => {
             let places = |body: &str| place(&values, body).ok();
             let centre = centre(&values, alive, point, &places)?;
@@ -66,6 +59,20 @@ pub fn measure(
         }
         _ => None,
     }
+}
+
+/// Where the mass centre is, or how fast it goes where the bodies move so.
+pub(super) fn of_centre(
+    values: &Values<'_>,
+    bodies: &[&str],
+    asked: Asked<'_>,
+    moving: &dyn Fn(&str) -> Option<Vector>,
+) -> Option<(f64, f64)> {
+    let (mean, scale) = match asked.base {
+        "r" => mean(values, bodies, &|body| place(values, body).ok())?,
+        _ => mean(values, bodies, moving)?,
+    };
+    Some((part(mean, along(values, asked)?), scale))
 }
 
 /// Which moment a name speaks of: the only one of a plane, or that of its component.

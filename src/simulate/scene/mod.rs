@@ -3,6 +3,7 @@
 //! This is the independent witness of `momentous check`: it reads the scene anew, and shares no code with the laws.
 
 mod bench;
+mod bounces;
 mod direction;
 mod experiment;
 mod floor;

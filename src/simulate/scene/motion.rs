@@ -1,9 +1,9 @@
-//! Motions between impacts: pushes, falls, flights, bounces.
+//! Motions between impacts: pushes, falls, flights.
 
 use std::sync::Arc;
 
-use crate::scene::stage::{Bounces, During, Fall, Flight, Push};
-use crate::scene::{Axis, Force as Acting, Pull, Stage, Strength as Told};
+use crate::scene::stage::{During, Fall, Flight, Push};
+use crate::scene::{Axis, Force as Acting, Pull, Strength as Told};
 use crate::simulate::budget::Budget;
 use crate::simulate::force::{Force, Piece, Strength};
 use crate::simulate::world::{Body, Vector, Wall, World};
@@ -12,9 +12,6 @@ use super::experiment::{Experiment, Reading, Staged};
 use super::nothing::NothingToSimulate;
 use super::values::Values;
 use super::vector::part;
-
-/// The height from which a ball that bounces is dropped, where no fall before says it.
-const DROP: &str = "h_0";
 
 impl Values<'_> {
     /// Forces of known law for a known time: each axis for itself.
@@ -79,14 +76,13 @@ impl Values<'_> {
 
     /// Free flight for a known time.
     pub(super) fn flight(&self, stage: &Flight) -> Result<Staged, NothingToSimulate> {
-        if stage.incline.is_some() {
-            return Err(NothingToSimulate::NoMethod);
-        }
         let time = stage.during.as_ref().map_or_else(|| self.duration(), |term| self.term(term))?;
+        let falls = self.falls(stage.incline.as_ref())?;
         let mut staged = Staged::default();
         for body in stage.flying() {
-            for axis in self.axes() {
-                let world = self.alone(body, self.any_mass(body), axis)?;
+            for (axis, fall) in self.axes().into_iter().zip(&falls) {
+                let mut world = self.alone(body, self.any_mass(body), axis)?;
+                world.gravity = Vector::from([*fall]);
                 staged.on_lines.push(self.until(world, body, axis, time));
             }
         }
@@ -104,36 +100,9 @@ impl Values<'_> {
                 continue;
             }
             world.walls.push(Wall::new("the end of the fall", [-down.signum()], -height));
-            let reading = Reading::Velocity { body: 0, component: 0, sign: -1.0 };
+            let reading = Reading::Arrival { body: 0, component: 0 };
             let readings = vec![(self.velocity_after(&stage.body, axis), reading)];
             staged.on_lines.push(Experiment { world, budget: Budget::impacts(1), readings });
-        }
-        Ok(staged)
-    }
-
-    /// A ball dropped onto a floor: the speed and the time of a bounce, and when all end.
-    pub(super) fn bounces(&self, stage: &Bounces) -> Result<Staged, NothingToSimulate> {
-        let before = self.index.checked_sub(1).and_then(|before| self.scene.stages.get(before));
-        let height = match before {
-            Some(Stage::Fall(fall)) if fall.body == stage.body => self.term(&fall.height)?,
-            Some(_) => return Err(NothingToSimulate::NoMethod),
-            None => self.named(DROP)?,
-        };
-        let mut world = World::<1>::new(self.term(&stage.restitution)?);
-        world.gravity = Vector::from([-self.named("g")?]);
-        world.bodies.push(Body::particle(&stage.body, self.any_mass(&stage.body), [height], [0.0]));
-        world.walls.push(Wall::new("the floor", [1.0], 0.0));
-        let mut staged = Staged::default();
-        if let Some(count) = stage.count.as_ref().map(|term| self.term(term)).transpose()? {
-            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count of bounces")]
-            let budget = Budget::impacts(count.round() as usize);
-            let speed = Reading::Velocity { body: 0, component: 0, sign: 1.0 };
-            let readings = vec![("v_n".to_owned(), speed), ("t_n".to_owned(), Reading::Time)];
-            staged.on_lines.push(Experiment { world: world.clone(), budget, readings });
-        }
-        if world.restitution < 1.0 {
-            let readings = vec![("t_total".to_owned(), Reading::Time)];
-            staged.on_lines.push(Experiment { world, budget: Budget::impacts(usize::MAX), readings });
         }
         Ok(staged)
     }

@@ -91,6 +91,12 @@ pub(super) fn plane(upright: bool) -> Vec<Component> {
     vec![Component { letter: "x", vertical: false }, Component { letter: "y", vertical: upright }]
 }
 
+/// The components of a motion in space, with the height last.
+pub(super) fn upright_space() -> Vec<Component> {
+    let axes = [("x", false), ("y", false), ("z", true)];
+    axes.into_iter().map(|(letter, vertical)| Component { letter, vertical }).collect()
+}
+
 impl Bench<'_> {
     /// Watches a motion, where anybody does. One that goes on where the last one ended continues it; any other takes its place.
     pub(super) fn film<const N: usize>(&mut self, motion: &Motion<'_, N>) -> Result<(), NothingToSimulate> {
@@ -114,8 +120,10 @@ impl Bench<'_> {
 
     /// Notes what a reader of the last motion that was watched must know.
     pub(super) fn remark(&mut self, note: &'static str) {
-        if let Some(reel) = self.reels.as_mut().and_then(|reels| reels.last_mut()) {
-            reel.notes = vec![note];
+        if let Some(reel) = self.reels.as_mut().and_then(|reels| reels.last_mut())
+            && !reel.notes.contains(&note)
+        {
+            reel.notes.push(note);
         }
     }
 }

@@ -3,7 +3,7 @@
 use crate::scene::Scene;
 
 use super::bench::kinetic;
-use super::measure::{Asked, along, centre, energy, mean, place, sum, turning, velocity};
+use super::measure::{Asked, along, centre, energy, mean, of_centre, place, sum, turning, velocity};
 use super::values::Values;
 use super::vector::{Vector, ZERO, add, cross, less, part, size, times};
 
@@ -26,14 +26,7 @@ pub fn watch(
     let watched = Watched { values: &values, bodies: alive };
     let one = |vector: Vector| along(&values, asked).map(|axis| part(vector, axis));
     match (asked.base, asked.subject) {
-        ("r", "G") => {
-            let (mean, scale) = mean(&values, alive, &|body| place(&values, body).ok())?;
-            Some((one(mean)?, scale))
-        }
-        ("v", "G") => {
-            let (mean, scale) = mean(&values, alive, &|body| watched.gone(body, None))?;
-            Some((one(mean)?, scale))
-        }
+        ("r" | "v", "G") => of_centre(&values, alive, asked, &|body| watched.gone(body, None)),
         ("v_rel", body) => Some((one(watched.gone(body, Some("G"))?)?, size(watched.gone(body, None)?))),
         ("T", "G") => {
             let whole: f64 = alive.iter().map(|body| values.mass(body).ok()).sum::<Option<f64>>()?;

@@ -1,5 +1,6 @@
 //! The stability suite: scenes with known answers, each run through every method, and what came of it.
 
+mod points;
 mod scenes;
 
 use super::budget::Budget;

@@ -5,7 +5,7 @@ use crate::simulate::force::Force;
 use crate::simulate::trajectory::{Ending, Trajectory};
 use crate::simulate::world::{Body, Vector, Wall, World};
 
-use super::{Row, Trial, run_trial};
+use super::{Row, Trial, points, run_trial};
 
 /// g in m/s².
 const GRAVITY: f64 = 9.81;
@@ -16,6 +16,7 @@ pub fn run_all() -> Vec<Row> {
     let line = [zeno(), bounces(), collapses(), cradles(), walls(), roots()].into_iter().flatten();
     let mut rows: Vec<Row> = line.flat_map(|trial| run_trial(&trial)).collect();
     rows.extend(plane().iter().flat_map(run_trial));
+    rows.extend(points::run_all());
     rows
 }
 

@@ -22,12 +22,10 @@ struct Due {
 }
 
 impl Due {
-    /// The earlier of two; of two at one time that of the first place. Without a branch, since nobody could foretell its way.
+    /// The earlier of two; of two at one time the one that is asked.
     #[inline]
-    #[allow(clippy::needless_bitwise_bool, reason = "a branch costs more")]
-    fn earlier(self, other: Self) -> Self {
-        let first = self.at.is_before(other.at) | ((self.at == other.at) & (self.place < other.place));
-        if first { self } else { other }
+    fn unless_after(self, other: Self) -> Self {
+        if other.at.is_before(self.at) { other } else { self }
     }
 }
 
@@ -37,6 +35,8 @@ pub(super) struct Agenda<const D: usize> {
     /// The earliest contact below each node: node 1 is the root, `2 n` and `2 n + 1` are below `n`, and the last half, filled up to
     /// a power of two, are the contacts themselves.
     earliest: Vec<Due>,
+    /// The nodes whose contacts changed since the last game.
+    changed: Vec<usize>,
 }
 
 impl<const D: usize> Agenda<D> {
@@ -50,7 +50,7 @@ impl<const D: usize> Agenda<D> {
         for node in (1..leaves).rev() {
             earliest[node] = earliest[2 * node];
         }
-        Self { predicted: vec![None; contacts.len()], contacts, earliest }
+        Self { predicted: vec![None; contacts.len()], contacts, earliest, changed: Vec::new() }
     }
 
     /// The contacts, by whose places the agenda is kept.
@@ -59,7 +59,8 @@ impl<const D: usize> Agenda<D> {
     }
 
     /// The next event.
-    pub fn next(&self) -> Option<Event<D>> {
+    pub fn next(&mut self) -> Option<Event<D>> {
+        self.play();
         let Due { at, place } = self.earliest[1];
         let predicted = (*self.predicted.get(place)?)?;
         Some(Event { at, contact: self.contacts[place], predicted })
@@ -69,14 +70,27 @@ impl<const D: usize> Agenda<D> {
     pub fn set(&mut self, place: usize, at: Clock, predicted: Option<Predicted<D>>) {
         let at = if predicted.is_some() { at } else { Clock::at(f64::INFINITY) };
         self.predicted[place] = predicted;
-        let mut node = self.earliest.len() / 2 + place;
-        let mut winner = Due { at, place };
-        self.earliest[node] = winner;
-        while node > 1 {
-            winner = winner.earlier(self.earliest[node ^ 1]);
-            node /= 2;
-            self.earliest[node] = winner;
+        let leaf = self.earliest.len() / 2 + place;
+        self.earliest[leaf].at = at;
+        self.changed.push(leaf);
+    }
+
+    /// Plays what the changes decide anew, round by round: what an impact changes stands close together, and soon shares its games.
+    fn play(&mut self) {
+        self.changed.sort_unstable();
+        while self.changed.first().is_some_and(|node| *node > 1) {
+            let mut played = 0;
+            for place in 0..self.changed.len() {
+                let node = self.changed[place] / 2;
+                if played == 0 || self.changed[played - 1] != node {
+                    self.earliest[node] = self.earliest[2 * node].unless_after(self.earliest[2 * node + 1]);
+                    self.changed[played] = node;
+                    played += 1;
+                }
+            }
+            self.changed.truncate(played);
         }
+        self.changed.clear();
     }
 }
 

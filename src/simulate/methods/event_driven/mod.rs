@@ -31,7 +31,7 @@ impl<const D: usize> Method<D> for EventDriven {
         if world.forces.iter().any(|force| matches!(force, Force::Central { .. })) {
             return orbits(world, start, budget);
         }
-        Run::new(world, start, world.reachable(&contacts), budget)?.finish()
+        Run::new(world, start, world.reachable(contacts), budget)?.finish()
     }
 }
 

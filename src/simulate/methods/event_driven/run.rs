@@ -1,6 +1,6 @@
 //! The loop: take the next event, strike, predict again for what was struck.
 
-use crate::simulate::budget::Budget;
+use crate::simulate::budget::{Budget, Keep};
 use crate::simulate::contact::Contact;
 use crate::simulate::exact::Clock;
 use crate::simulate::refusal::Refusal;
@@ -18,13 +18,12 @@ pub(super) struct Run<'a, const D: usize> {
     /// The contacts that each body can have, by their places in the agenda.
     contacts: Vec<Vec<usize>>,
     moving: Vec<Moving<D>>,
-    /// The bodies as they were when they were last looked at.
-    state: State<D>,
     now: Clock,
     agenda: Agenda<D>,
     breakpoints: Vec<f64>,
     /// The contacts that were struck since the time last moved by a digit.
     stalled: Vec<Contact>,
+    /// What is returned. Its last state has each body as it was when it was last looked at.
     result: Trajectory<D>,
 }
 
@@ -55,8 +54,7 @@ impl<'a, const D: usize> Run<'a, D> {
             budget,
             contacts,
             moving,
-            result: Trajectory::begin(state.clone()),
-            state,
+            result: Trajectory::begin(state),
             now: Clock::default(),
             agenda: Agenda::new(all),
             breakpoints,
@@ -95,8 +93,8 @@ impl<'a, const D: usize> Run<'a, D> {
     fn look_at(&mut self, body: usize) {
         let moving = &self.moving[body];
         let (position, velocity) = moving.motion.at(self.now.since(moving.since));
-        self.state.positions[body] = position;
-        self.state.velocities[body] = velocity;
+        self.result.last.positions[body] = position;
+        self.result.last.velocities[body] = velocity;
     }
 
     fn look_at_parties(&mut self, contact: Contact) {
@@ -111,7 +109,7 @@ impl<'a, const D: usize> Run<'a, D> {
     fn meet(&mut self, event: &Event<D>) -> Result<Option<Ending>, Refusal> {
         let moved = event.at.seconds() > self.now.seconds();
         self.now = event.at;
-        self.state.time = self.now.seconds();
+        self.result.last.time = self.now.seconds();
         if moved {
             self.stalled.clear();
         }
@@ -123,7 +121,7 @@ impl<'a, const D: usize> Run<'a, D> {
         }
         let others = self.others(&struck);
         if others.is_empty() {
-            let impact = self.world.strike(contact, &struck.normal, struck.rate, &mut self.state.velocities);
+            let impact = self.world.strike(contact, &struck.normal, struck.rate, &mut self.result.last.velocities);
             self.note(impact);
             let (first, second) = self.world.parties(contact);
             for body in first.into_iter().chain([second]) {
@@ -146,13 +144,13 @@ impl<'a, const D: usize> Run<'a, D> {
     /// The contact of an event as it is struck: at a wall the body stands on its face, with the speed that the root gave.
     fn struck(&mut self, event: &Event<D>) -> Struck<D> {
         let contact = event.contact;
-        let geometry = self.world.geometry(contact, &self.state);
+        let geometry = self.world.geometry(contact, &self.result.last);
         let normal = event.predicted.normal.unwrap_or(geometry.normal);
-        let mut rate = self.world.rate(contact, &normal, &self.state.velocities);
+        let mut rate = self.world.rate(contact, &normal, &self.result.last.velocities);
         if let Contact::Wall { body, .. } = contact {
-            self.state.positions[body] -= normal * geometry.gap;
+            self.result.last.positions[body] -= normal * geometry.gap;
             if let Some(exact) = event.predicted.rate {
-                self.state.velocities[body] += normal * (exact - rate);
+                self.result.last.velocities[body] += normal * (exact - rate);
                 rate = exact;
             }
         } else if let Some(exact) = event.predicted.rate.filter(|_| D > 1) {
@@ -175,7 +173,7 @@ impl<'a, const D: usize> Run<'a, D> {
             return Err(self.collapse());
         }
         let mut touched: Vec<usize> = Vec::new();
-        for impact in self.world.collide(&group, &mut self.state.velocities)? {
+        for impact in self.world.collide(&group, &mut self.result.last.velocities)? {
             self.note(impact);
             let (first, second) = self.world.parties(impact.contact);
             touched.extend(first.into_iter().chain([second]));
@@ -200,7 +198,7 @@ impl<'a, const D: usize> Run<'a, D> {
                 let other = self.agenda.contacts()[self.contacts[body][place]];
                 if other != struck.contact {
                     self.look_at_others(other, &[*struck]);
-                    found.extend(self.world.touching(&[other], &self.state));
+                    found.extend(self.world.touching(&[other], &self.result.last));
                 }
             }
         }
@@ -221,7 +219,7 @@ impl<'a, const D: usize> Run<'a, D> {
                         continue;
                     }
                     self.look_at_others(other, &group);
-                    group.extend(self.world.touching(&[other], &self.state));
+                    group.extend(self.world.touching(&[other], &self.result.last));
                 }
             }
             done += 1;
@@ -245,7 +243,7 @@ impl<'a, const D: usize> Run<'a, D> {
 
     /// Begins a new piece of a body's path from its entry in the state.
     fn restart(&mut self, body: usize) -> Result<(), Refusal> {
-        let (position, velocity) = (self.state.positions[body], self.state.velocities[body]);
+        let (position, velocity) = (self.result.last.positions[body], self.result.last.velocities[body]);
         if !position.iter().chain(velocity.iter()).all(|value| value.is_finite()) {
             return Err(Refusal::Breakdown { time: self.now.seconds(), what: "a number is not finite".to_owned() });
         }
@@ -259,6 +257,9 @@ impl<'a, const D: usize> Run<'a, D> {
     }
 
     fn close_segment(&mut self, body: usize) {
+        if self.budget.keep != Keep::Everything {
+            return;
+        }
         let moving = &self.moving[body];
         let segment = Segment { start: moving.since.seconds(), end: self.now.seconds(), motion: moving.motion.clone() };
         self.result.extend(body, segment, self.budget);
@@ -298,20 +299,20 @@ impl<'a, const D: usize> Run<'a, D> {
         let limit = self.breakpoints.last().copied().unwrap_or(f64::INFINITY).min(self.budget.until);
         let horizon = limit - self.now.seconds();
         let elapsed = |body: usize| self.now.since(self.moving[body].since);
-        let found = predict(self.world, contact, &self.state, &self.moving, elapsed, horizon);
+        let found = predict(self.world, contact, &self.result.last, &self.moving, elapsed, horizon);
         self.agenda.set(entry, found.map_or(self.now, |found| self.now.after(found.after)), found);
     }
 
     /// A force changes its law: every body begins a new piece.
     fn change_forces(&mut self, time: f64) -> Result<(), Refusal> {
         self.now = Clock::at(time);
-        self.state.time = time;
+        self.result.last.time = time;
         self.breakpoints.pop();
         self.result.steps += 1;
         for body in 0..self.moving.len() {
             self.look_at(body);
             let (position, velocity): (Vector<D>, Vector<D>) =
-                (self.state.positions[body], self.state.velocities[body]);
+                (self.result.last.positions[body], self.result.last.velocities[body]);
             self.close_segment(body);
             let motion = motion_from(self.world, body, time, position, velocity)?;
             self.moving[body] = Moving { since: self.now, motion };
@@ -359,12 +360,11 @@ impl<'a, const D: usize> Run<'a, D> {
             self.look_at(body);
             self.close_segment(body);
         }
-        self.state.time = self.now.seconds();
+        self.result.last.time = self.now.seconds();
         let finite = |vector: &Vector<D>| vector.iter().all(|value| value.is_finite());
-        if !self.state.positions.iter().chain(&self.state.velocities).all(finite) {
-            return Err(Refusal::Breakdown { time: self.state.time, what: "a number is not finite".to_owned() });
+        if !self.result.last.positions.iter().chain(&self.result.last.velocities).all(finite) {
+            return Err(Refusal::Breakdown { time: self.result.last.time, what: "a number is not finite".to_owned() });
         }
-        self.result.last = self.state;
         self.result.ending = ending;
         Ok(self.result)
     }

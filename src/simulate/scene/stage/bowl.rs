@@ -4,7 +4,7 @@ use crate::scene::stage::{Bowl, Way};
 
 use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::reel::{Component, Look, Motion, Seen, plane};
+use crate::simulate::scene::reel::{Look, Motion, Seen, upright_space};
 use crate::simulate::scene::revolution::{Revolution, State, around, distance, speed};
 use crate::simulate::scene::vector::{times, within};
 
@@ -62,9 +62,7 @@ impl Bench<'_> {
             potential: mass * gravity * state[2],
             ..Look::default()
         };
-        let mut components = plane(false);
-        components.push(Component { letter: "z", vertical: true });
-        let (names, start_of) = (&[body], (0.0, state));
+        let (names, components, start_of) = (&[body], upright_space(), (0.0, state));
         self.film(&Motion { names, components, start: start_of, end: time, slope: &slope, look: &look })?;
         self.note_level(stage, first, &state);
         self.note_level(stage, first + 1, &end);

@@ -6,8 +6,9 @@ use crate::scene::stage::Conical;
 
 use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::revolution::{Circle, Revolution, State, around, distance};
-use crate::simulate::scene::vector::{times, unit};
+use crate::simulate::scene::reel::{Look, Motion, Seen, upright_space};
+use crate::simulate::scene::revolution::{Circle, Revolution, State, around, distance, parts};
+use crate::simulate::scene::vector::{dot, times, unit, within};
 
 impl Bench<'_> {
     pub(super) fn conical(&mut self, stage: &Conical) -> Result<(), NothingToSimulate> {
@@ -26,13 +27,28 @@ impl Bench<'_> {
         let turn = TAU * circle.radius() / circle.speed;
         let drawn = (short - long) / turn;
         // The length is linear in the time: half the second derivative of its square is the square of its rate.
-        let slope = |_: f64, state: &State| Revolution::sphere(gravity).slope(state, drawn * drawn);
+        let cord = Revolution::sphere(gravity);
+        let slope = |_: f64, state: &State| cord.slope(state, drawn * drawn);
         let mut start = circle.state();
         let stretch = drawn / long;
         for own in 0..3 {
             start[own + 3] += stretch * start[own];
         }
         let end = self.integrator(turn / 64.0).until(0.0, start, turn, &slope)?;
+        let mass = self.values.any_mass(body);
+        let look = |time: f64, state: &State| {
+            let (place, velocity) = parts(state);
+            Look {
+                bodies: vec![Seen { mass, place: place.into(), velocity: velocity.into() }],
+                outside: times(mass, within(&slope(time, state), 3)).into(),
+                potential: mass * gravity * state[2],
+                power: mass * dot(cord.held(state, drawn * drawn), velocity),
+                ..Look::default()
+            }
+        };
+        let (names, components) = (&[body], upright_space());
+        self.film(&Motion { names, components, start: (0.0, start), end: turn, slope: &slope, look: &look })?;
+        self.remark("How fast the cord is drawn in is not told: it is drawn in evenly, within a turn. Places count from the pivot.");
         let swept = around(&end) * distance(&end);
         let after = Circle::with(short, gravity, swept, &|own| own.speed * own.radius());
         for (instant, circle) in [(first, circle), (first + 1, after)] {

@@ -42,13 +42,11 @@ impl Track {
 
 impl Bench<'_> {
     pub(super) fn flight(&mut self, stage: &Flight) -> Result<(), NothingToSimulate> {
-        if stage.incline.is_some() {
-            return Err(NothingToSimulate::NoMethod);
-        }
+        let falls = self.values.falls(stage.incline.as_ref())?;
         let mut tracks = Vec::new();
         for body in stage.flying() {
-            for axis in self.values.axes() {
-                tracks.push(self.track(body, axis, self.values.gravity(axis)?)?);
+            for (axis, fall) in self.values.axes().into_iter().zip(&falls) {
+                tracks.push(self.track(body, axis, *fall)?);
             }
         }
         self.go(&tracks, stage.until.as_ref(), stage.during.as_ref())
@@ -158,7 +156,8 @@ impl Bench<'_> {
         let signed: Box<dyn Fn(f64) -> f64> = match ends {
             Ends::Time(time) => return Ok(*time),
             Ends::Top => {
-                let Some(rising) = tracks.iter().find(|track| track.falls != 0.0) else {
+                // Over a slope weight acts along both axes, of which the second points away from it.
+                let Some(rising) = tracks.iter().rfind(|track| track.falls != 0.0) else {
                     return Err(NothingToSimulate::NothingChanges);
                 };
                 let (speed, falls) = (rising.speed, rising.falls);

@@ -5,7 +5,8 @@ use crate::scene::stage::Interact;
 use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::measure::{Asked, centre, place, turning, velocity};
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::vector::{Vector, ZERO, add, cross, less, part, size, times, within};
+use crate::simulate::scene::reel::{Look, Motion, Seen};
+use crate::simulate::scene::vector::{Vector, ZERO, add, cross, dot, less, part, size, times, within};
 
 /// The most bodies.
 const MOST: usize = 4;
@@ -60,6 +61,27 @@ impl Bench<'_> {
         };
         let time = WATCHED * wide / fast;
         let end = self.integrator(time / 32.0).until(0.0, start, time, &slope)?;
+        let values = self.values;
+        let look = |_: f64, state: &State| {
+            let seen = masses.iter().enumerate().map(|(own, mass)| Seen {
+                mass: *mass,
+                place: values.split(vector(state, own)),
+                velocity: values.split(vector(state, MOST + own)),
+            });
+            let pairs = (1..bodies.len()).flat_map(|one| (0..one).map(move |other| (one, other)));
+            let stretched = pairs.map(|(one, other)| apart(state, one, other)).map(|own| dot(own, own));
+            Look {
+                bodies: seen.collect(),
+                outside: vec![0.0; values.axes().len()],
+                potential: stiffness * stretched.sum::<f64>() / 2.0,
+                ..Look::default()
+            }
+        };
+        let (names, components) = (&bodies[..], values.components());
+        self.film(&Motion { names, components, start: (0.0, start), end: time, slope: &slope, look: &look })?;
+        self.remark(
+            "What forces act between the bodies is not told: springs between all of them stand for whatever they are.",
+        );
         let momenta: Vec<Vector> = (0..bodies.len()).map(|own| times(masses[own], vector(&end, MOST + own))).collect();
         let total = momenta.iter().fold(ZERO, |all, own| add(all, *own));
         let scale = momenta.iter().map(|own| size(*own)).fold(0.0, f64::max);

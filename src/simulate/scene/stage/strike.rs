@@ -32,7 +32,12 @@ impl Bench<'_> {
             (None, false) => return Err(NothingToSimulate::NoRestitution),
         };
         let sense = (speed - turning * distance).signum();
-        let parted = Touch { parties, normal: times(sense, along), restitution }.run(self)?;
+        let touch = Touch { parties, normal: times(sense, along), restitution };
+        let parted = touch.run(self)?;
+        touch.film(self, [body, "arm"])?;
+        self.remark(
+            "Of the arm the place that is struck is shown, with the mass that resists there; its momentum is the angular momentum by the distance.",
+        );
         let [after, struck] = parted.velocities.map(|own| dot(own, along));
         let (mut ends, fast) = ([Vec::new(), Vec::new()], speed.abs() + (turning * distance).abs());
         for (side, (own, turning)) in [(speed, turning), (after, struck / distance)].into_iter().enumerate() {

@@ -1,0 +1,73 @@
+//! Bounces on a floor: what is read off the worlds, and heights and the path, which are integrated.
+
+use crate::scene::stage::Bounces;
+
+use crate::simulate::scene::bench::{Bench, Way};
+use crate::simulate::scene::integrate::Integrator;
+use crate::simulate::scene::nothing::NothingToSimulate;
+use crate::simulate::scene::vector::size;
+
+/// The share of the first height below which a bounce adds nothing.
+const NOTHING: f64 = 1e-14;
+
+/// Bounces after which a path is given up.
+const MOST_BOUNCES: u32 = 2_000;
+
+impl Bench<'_> {
+    pub(super) fn bounces(&mut self, stage: &Bounces) -> Result<(), NothingToSimulate> {
+        let staged = self.values.bounces(stage)?;
+        self.take(&staged)?;
+        self.by(Way::Integrated);
+        match self.values.drop_before(stage)? {
+            Some(height) => self.path(stage, height),
+            None => self.between_bounces(stage),
+        }
+    }
+
+    /// Heights and the whole path after a drop.
+    fn path(&mut self, stage: &Bounces, height: f64) -> Result<(), NothingToSimulate> {
+        let count = stage.count.as_ref().map(|term| self.values.term(term)).transpose()?;
+        let (gravity, e) = (self.values.named("g")?, self.values.term(&stage.restitution)?);
+        let mut path = height;
+        let mut rise = height;
+        for bounce in 1..=MOST_BOUNCES {
+            rise = self.bounce(rise, gravity, e)?;
+            path += 2.0 * rise;
+            if count.is_some_and(|count| (count - f64::from(bounce)).abs() < 0.5) {
+                self.note("h_n", rise, 0.0);
+            }
+            if rise <= NOTHING * height {
+                self.note("path_total", path, 0.0);
+                return Ok(());
+            }
+        }
+        Ok(())
+    }
+
+    /// From one height to the floor, and up to the next.
+    fn bounce(&self, from: f64, gravity: f64, e: f64) -> Result<f64, NothingToSimulate> {
+        let integrator = Integrator { tolerance: self.tolerance, longest: 8.0 * libm::sqrt(from / gravity) };
+        let slope = |_: f64, state: &[f64; 2]| [state[1], -gravity];
+        let (time, down) = integrator.event(0.0, [from, 0.0], &slope, &|_, state| state[0])?;
+        let (_, top) = integrator.event(time, [0.0, -e * down[1]], &slope, &|_, state| state[1])?;
+        Ok(top[0])
+    }
+
+    /// The flight that follows the n-th bounce: how high it goes, how long it lasts, and how far.
+    fn between_bounces(&mut self, stage: &Bounces) -> Result<(), NothingToSimulate> {
+        let Some(count) = stage.count.as_ref().map(|term| self.values.term(term)).transpose()? else { return Ok(()) };
+        let (before, after) = (self.values.bounce(stage, count)?, self.values.bounce(stage, count + 1.0)?);
+        let flight = after.time - before.time;
+        self.note("dt_n", flight, after.time);
+        if let [from, to] = [&before, &after].map(|bounce| bounce.along)
+            && let (Some(from), Some(to)) = (from, to)
+        {
+            self.note("range_n", to - from, size([from, to, 0.0]));
+        }
+        let slope = |_: f64, state: &[f64; 2]| [state[1], -before.press];
+        let integrator = Integrator { tolerance: self.tolerance, longest: flight };
+        let (_, top) = integrator.event(0.0, [0.0, before.leaves], &slope, &|_, state| state[1])?;
+        self.note("h_n", top[0], 0.0);
+        Ok(())
+    }
+}
