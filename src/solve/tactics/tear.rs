@@ -29,9 +29,8 @@ pub(super) fn close(block: &Block) -> Result<Closing, Refusal> {
     }
     let residuals = block.residuals().ok_or(Refusal::NotApplicable)?;
     let equations: Vec<(usize, Expr)> = block.equations.iter().copied().zip(residuals).collect();
-    let linear = |residual: &Expr| residual.linear_coefficients(&block.unknowns).is_some();
     let mut last: Vec<usize> = (0..size).collect();
-    last.sort_by_cached_key(|place| linear(&equations[*place].1));
+    last.sort_by_cached_key(|place| !is_curved(&equations[*place].1, &block.unknowns));
     let mut refusal = Refusal::NotApplicable;
     for unknown in &block.unknowns {
         let others: Vec<Symbol> = block.unknowns.iter().copied().filter(|other| other != unknown).collect();
