@@ -47,7 +47,10 @@ impl Seen {
                         *self.followed.entry(stage.key()).or_default() += 1;
                         for reel in &reels {
                             self.balances(&name, reel);
-                            self.end(&name, reel, place, problem, &variant);
+                            // Springs stand for forces that nobody told: what is kept is shown by them, not how it ends.
+                            if stage.key() != "interact" {
+                                self.end(&name, reel, place, problem, &variant);
+                            }
                         }
                     }
                 }
