@@ -133,9 +133,11 @@ struct Written {
 fn read(place: Place, value: Result<Value, String>) -> Next {
     match value.and_then(|value| Written::deserialize(&value).map_err(|error| error.to_string())) {
         Ok(written) => {
-            let mut submission = Submission::new(place.clone());
-            written.put_into(&mut submission).map_err(|message| (place, message))?;
-            Ok(submission)
+            let mut submission = Submission::new(place);
+            match written.put_into(&mut submission) {
+                Ok(()) => Ok(submission),
+                Err(message) => Err((submission.place, message)),
+            }
         }
         Err(message) => Err((place, message)),
     }

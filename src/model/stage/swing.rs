@@ -179,11 +179,11 @@ impl Builder<'_> {
     /// Whether a body swings on cords of several lengths, as at a peg: then its tension changes between two swings.
     fn changes_cord(&self, stage: &Swing) -> bool {
         let length = |own: &Swing| own.length.as_ref().map(|term| term.0.trim().to_owned());
-        let others = self.scene.stages.iter().filter_map(|other| match other {
-            Stage::Swing(other) if other.body == stage.body => Some(length(other)),
-            _ => None,
-        });
-        others.into_iter().any(|other| other != length(stage))
+        let own = length(stage);
+        self.scene
+            .stages
+            .iter()
+            .any(|other| matches!(other, Stage::Swing(other) if other.body == stage.body && length(other) != own))
     }
 
     /// The tension of the cord at the start (0) or at the end (1).
