@@ -25,6 +25,10 @@ use momentous::quantity::Dimension;
 use momentous::quantity::Unit;
 use rayon::prelude::*;
 
+/// As in the program, of which this is a part.
+#[global_allocator]
+static MEMORY: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 mod mix;
 
 /// Submissions, grouped by problem.

@@ -8,6 +8,10 @@ use momentous::simulate::{
     Body, Budget, EventDriven, IN_THE_PLANE, Keep, Method, MethodKind, ON_A_LINE, Setting, Task, Vector, Wall, World,
 };
 
+/// As in the program, of which this is a part.
+#[global_allocator]
+static MEMORY: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 /// A ball dropped from 4 m.
 fn dropped(restitution: f64) -> World<1> {
     let mut world = World::new(restitution);

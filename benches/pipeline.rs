@@ -21,6 +21,10 @@ use momentous::render::Format;
 use momentous::render::Renderer;
 use momentous::render::Solution;
 
+/// As in the program, of which this is a part.
+#[global_allocator]
+static MEMORY: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 /// The problem of the targets, and the hardest of the bank: turned axes with the most equations to choose among, blocks that
 /// refuse to be closed, regimes with the fewest admissible draws.
 const PROBLEMS: [&str; 4] =
