@@ -13,6 +13,7 @@ mod integrate;
 mod measure;
 mod motion;
 mod nothing;
+mod rate;
 mod reel;
 mod revolution;
 mod stage;

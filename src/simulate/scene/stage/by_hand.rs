@@ -255,6 +255,24 @@ const BY_HAND: &[Row] = &[
     (BOTH, r#"{"flight":{"body":"A","until":"top"}}"#, "v_A1.x 3, v_A1.y 10", "dt 1, v_A2.y 0"),
     (
         RIGHT,
+        r#"{"motion":{"body":"A","during":["1 s","3 s"],"velocity":"3*t^2*1 m/s^3"}}"#,
+        "m_A 2, r_A1 1",
+        "v_A1 3, v_A2 27, r_A2 27, F_A1 12, F_A2 36, J_A 48, F_avg_A 24",
+    ),
+    (
+        RIGHT,
+        r#"{"motion":{"body":"A","velocity":"2*x/(1 s)"}}"#,
+        "m_A 1, r_A1 1, dt 1",
+        "r_A2 7.38905609893065, a_A1 4",
+    ),
+    (
+        BOTH,
+        r#"{"motion":{"body":"A","during":"2 s","position":{"x":"t^2*1 m/s^2","y":"3*t*1 m/s"}}}"#,
+        "m_A 5",
+        "r_A2.x 4, r_A2.y 6, v_A2.x 4, v_A2.y 3, a_A2.x 2, F_A1.x 10, F_A2.y 0, J_A.x 20, J_A.y 0",
+    ),
+    (
+        RIGHT,
         r#"{"impact":{"between":["A","B"],"loss":"6 J"}}"#,
         "m_A 2, m_B 2, v_A1 4, v_B1 0",
         "v_common 2, J_B 6, T_lost 6",

@@ -13,6 +13,7 @@ mod flight;
 mod impact;
 mod interact;
 mod moment;
+mod motion;
 mod push;
 mod rates;
 mod rotate;
@@ -60,8 +61,7 @@ impl Bench<'_> {
             Stage::SlideOff(stage) => self.slide_off(stage),
             Stage::Walk(stage) => self.walk(stage),
             Stage::Flight(stage) => self.flight(stage),
-            // What is told at all times leaves nothing to be found.
-            Stage::Motion(_) => Err(NothingToSimulate::NothingChanges),
+            Stage::Motion(stage) => self.motion(stage),
         }
     }
 }

@@ -6,8 +6,9 @@ use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::integrate::Integrator;
 use crate::simulate::scene::measure::{Asked, centre, place, turning, velocity};
 use crate::simulate::scene::nothing::NothingToSimulate;
+use crate::simulate::scene::rate::rate;
 use crate::simulate::scene::values::OfTime;
-use crate::simulate::scene::vector::{Vector, add, cross, less, size, times, unit};
+use crate::simulate::scene::vector::{Vector, add, cross, less, times, unit};
 
 /// For how long the motion is looked at, in s.
 const SOON: f64 = 1e-4;
@@ -47,20 +48,13 @@ impl Bench<'_> {
             .filter_map(|point| centre(self.values, &[], point, &|_| None).map(|seen| (point.clone(), seen)));
         let points: Vec<(String, Vector)> = points.collect();
         for (point, seen) in &points {
-            let still = moment(*seen, 0.0)?;
-            // The slope of the parabola through three moments of time; one half as wide says how far it may be off.
-            let rate = |width: f64| -> Result<Vector, NothingToSimulate> {
-                let [soon, later] = [moment(*seen, width)?, moment(*seen, 2.0 * width)?];
-                Ok(times(0.5 / width, less(less(times(4.0, soon), later), times(3.0, still))))
-            };
-            let (found, other) = (rate(SOON)?, rate(SOON / 2.0)?);
-            let off = size(less(found, other)) + f64::EPSILON * size(still) / SOON;
+            let found = rate(SOON, |time| moment(*seen, time))?;
             for component in [None, Some("x"), Some("y"), Some("z")] {
                 let asked = Asked { base: "H", subject: point, instant, component };
                 let letter = component.map_or_else(String::new, |letter| format!(".{letter}"));
-                if let Some(rate) = turning(self.values, asked, found) {
-                    self.note(&format!("H_rate_{point}{instant}{letter}"), rate, 8.0 * off / self.tolerance);
-                    self.note(&format!("M_{point}{instant}{letter}"), rate, 8.0 * off / self.tolerance);
+                if let Some(rate) = turning(self.values, asked, found.value) {
+                    self.note(&format!("H_rate_{point}{instant}{letter}"), rate, found.off / self.tolerance);
+                    self.note(&format!("M_{point}{instant}{letter}"), rate, found.off / self.tolerance);
                 }
             }
         }
