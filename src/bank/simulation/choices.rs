@@ -1,6 +1,7 @@
 //! Questions that are not a number, answered from what the simulation finds.
 
 use crate::expr::Expr;
+use crate::expr::Symbol;
 use crate::problem::Ask;
 use crate::problem::ChoicePart;
 use crate::problem::Conservable;
@@ -13,6 +14,7 @@ use crate::scene::Scene;
 use crate::scene::Stage;
 use crate::scene::stage::Partners;
 use crate::simulate::scene::is_impulsive;
+use crate::solve::Bounded;
 use crate::solve::Relation;
 
 use super::witness::Case;
@@ -161,6 +163,16 @@ fn kind(scene: &Scene, witness: &Witness<'_>, stage: usize) -> Option<usize> {
     } else {
         INELASTIC
     })
+}
+
+/// Which of two roots happens, the greater or the lesser, in the order in which they are offered: the one that the simulation finds.
+pub(super) fn taken_root(worked: &Worked<'_>, witness: &Witness<'_>, symbol: Symbol) -> Option<usize> {
+    let seen = witness.seen(&worked.problem.model().symbols.entry(symbol).name)?.value;
+    let roots = worked.every_root(symbol);
+    let [one, other] = roots[..] else { return None };
+    let apart = |root: &Bounded| (root.value - seen).abs();
+    let (near, far) = if apart(&one) < apart(&other) { (one, other) } else { (other, one) };
+    Some(usize::from(near.value < far.value))
 }
 
 /// Whether a number is the first that satisfies its condition: it does, and the one before does not.

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::expr::Symbol;
 use crate::problem::Ask;
+use crate::problem::ChoicePart;
 use crate::problem::Part;
 use crate::problem::PartKind;
 use crate::problem::Turn;
@@ -11,6 +12,7 @@ use crate::problem::Worked;
 
 use super::choices::chosen;
 use super::choices::is_first;
+use super::choices::taken_root;
 use super::witness::Case;
 use super::witness::Comparison;
 use super::witness::Witness;
@@ -113,7 +115,11 @@ pub(super) fn agrees(
         Answer::Choice { part, ask, .. } => {
             let PartKind::Choice(choice) = &part.kind else { return None };
             let right = choice.decided(worked).right;
-            Some(chosen(case, witness, ask, choice, tolerance)? == right)
+            let found = match choice {
+                ChoicePart::Physical(symbol) => taken_root(worked, witness, *symbol),
+                _ => chosen(case, witness, ask, choice, tolerance),
+            };
+            Some(found? == right)
         }
         Answer::Number { symbol, ask: Ask::Count(count), .. } => {
             let put = case.said.iter().find(|(own, _)| own == symbol).map(|(_, value)| *value);

@@ -209,6 +209,12 @@ const BY_HAND: &[Row] = &[
     ),
     (RIGHT, r#"{"stream":{"body":"A","by":"the hail","drop":"5 m","flow":"2 kg/s","restitution":0.5}}"#, "", "F_A 30"),
     (
+        UP,
+        r#"{"stream":{"body":"A","by":"the sand","direction":"downwards","speed":"5 m/s","flow":"2 kg/s","during":"3 s","stays":true}}"#,
+        "m_A 4",
+        "N_A 110, F_A -10",
+    ),
+    (
         RIGHT,
         r#"{"thrust":{"body":"A","mass":["2 kg","1 kg"],"exhaust":"1 km/s","flow":"0.1 kg/s"}}"#,
         "v_A1 0",

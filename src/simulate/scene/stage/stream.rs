@@ -41,6 +41,27 @@ impl Bench<'_> {
         if stage.moves.is_some() {
             self.note_here(&format!("P_{body}"), dot(force, towards) * moves, 0.0);
         }
+        if stage.stays {
+            self.carried(stage, flow, force)?;
+        }
+        Ok(())
+    }
+
+    /// The push of what carries a body that stays where it is: against its weight, that of all droplets so far, and their blows.
+    fn carried(&mut self, stage: &Stream, flow: f64, force: Vector) -> Result<(), NothingToSimulate> {
+        let caught = match (&stage.during, &stage.caught) {
+            (Some(term), _) => flow * self.values.term(term)?,
+            (None, Some(term)) => self.values.term(term)?,
+            (None, None) => return Ok(()),
+        };
+        let mass = self.values.mass(&stage.body)? + caught;
+        for axis in self.values.axes() {
+            let gravity = self.values.gravity(axis)?;
+            if gravity != 0.0 {
+                let push = gravity.signum() * (mass * gravity + part(force, axis));
+                self.note_here(&format!("N_{}", stage.body), push, 0.0);
+            }
+        }
         Ok(())
     }
 
