@@ -2,11 +2,14 @@
 
 #![allow(clippy::unwrap_used, reason = "a test says bluntly what it expects")]
 
+use std::collections::BTreeMap;
+use std::path::Path;
 use std::sync::Arc;
 
 use momentous::bank::Bank;
 use momentous::exercise::Exercise;
 use momentous::fault::Source;
+use momentous::grade::DecimalMark;
 use momentous::model::Timeline;
 use momentous::problem::{Ask, Conservable, Conserved, Loaded, PartKind, ad_hoc, compile, compile_ad_hoc, load};
 use momentous::scene::{Axis, Stage};
@@ -261,4 +264,31 @@ fn what_is_left_out_is_something_that_the_scene_could_have() {
         }
     }
     assert!(omissions > 100, "{omissions}");
+}
+
+/// Bank problem, form, part, what is answered, and the mistake that is behind it.
+const MISJUDGED: &[(&str, &str, &str, &str, Option<&str>)] = &[
+    ("concepts/two-trains", "concepts", "a", "no", Some("momentum-judged-by-energy")),
+    ("concepts/two-trains", "concepts", "b", "yes", Some("part-for-system")),
+    ("concepts/egg-drop", "concepts", "b", "yes", Some("outside-impulse-overlooked")),
+    ("concepts/egg-drop", "concepts", "c", "no", Some("impulsive-force-as-ordinary")),
+    ("concepts/egg-drop", "concepts", "d", "yes", Some("ordinary-force-as-impulsive")),
+    ("concepts/egg-drop", "concepts", "d", "no", None),
+    ("concepts/egg-drop", "concepts", "e", "elastic", None),
+];
+
+#[test]
+fn a_wrong_judgement_is_told_from_the_mistake_behind_it() {
+    let bank = Bank::in_folder(Path::new("problem_bank")).unwrap();
+    for (id, form, part, text, behind) in MISJUDGED {
+        let problem = Arc::new(load(bank.open(id).unwrap()).and_then(|loaded| compile(loaded, None)).unwrap());
+        let form = problem.form(Some(form)).unwrap();
+        let exercise = Exercise::draw(&problem, form, 1).unwrap();
+        let answers = BTreeMap::from([((*part).to_owned(), (*text).to_owned())]);
+        let report = exercise.grade(&answers, DecimalMark::Point);
+        let own = report.parts.iter().find(|own| own.id == *part).unwrap();
+        let found = own.diagnosis.as_ref().map(|diagnosis| diagnosis.codes.clone());
+        assert_eq!(found, behind.map(|code| vec![code]), "{id}: {part} = {text}");
+        assert!(own.verdict.is_right() || own.points.0 == 0.into(), "{id}: {part} = {text}");
+    }
 }

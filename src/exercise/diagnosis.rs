@@ -19,7 +19,8 @@ impl Marking<'_> {
             if !diagnose::is_open(own.verdict) || own.follows.is_some() {
                 continue;
             }
-            let Some(diagnosis) = self.suspects(place).and_then(|found| self.diagnosis(found)) else { continue };
+            let found = self.misjudged(place).or_else(|| self.diagnosis(self.suspects(place)?));
+            let Some(diagnosis) = found else { continue };
             let told = diagnosis.hints.iter().take(hints + 1).map(String::as_str);
             own.message = std::iter::once(own.message.as_str()).chain(told).collect::<Vec<_>>().join(" ");
             own.diagnosis = Some(diagnosis);
@@ -31,6 +32,14 @@ impl Marking<'_> {
         let expected = self.expected.get(place)?;
         let part = self.worked.form.parts.get(*self.parts.get(place)?).filter(|part| part.id == expected.id)?;
         Some((&part.kind, &expected.kind, self.readings.get(place)?.as_ref()?.answer.as_ref().ok()?))
+    }
+
+    /// What is said of a wrong choice.
+    fn misjudged(&self, place: usize) -> Option<Diagnosis> {
+        let (PartKind::Choice(choice), ..) = self.answered(place)? else { return None };
+        let behind = choice.decided(&self.worked).behind?;
+        let question = self.feedback(behind).unwrap_or_else(|| behind.ask.to_owned());
+        Some(Diagnosis { codes: vec![behind.id], step: None, hints: vec![question, behind.hint.to_owned()] })
     }
 
     /// The mistakes that lead to the answer there.

@@ -149,7 +149,7 @@ impl Blank {
             }
             (_, PartKind::Formula(formula)) => expected.kind = expected_formula(worked, formula),
             (_, PartKind::Choice(choice)) => {
-                let problem::Decision { options, right, because } = choice.decided(&worked);
+                let problem::Decision { options, right, because, .. } = choice.decided(&worked);
                 expected.kind = grade::ExpectedKind::Choice { options, right, because };
             }
             _ => {}

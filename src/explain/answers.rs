@@ -43,7 +43,7 @@ fn sentence(display: Display<'_>, part: &Part) -> Vec<Inline> {
             ]
         }
         PartKind::Choice(choice) => {
-            let Decision { options, right, because } = choice.decided(&display.worked);
+            let Decision { options, right, because, .. } = choice.decided(&display.worked);
             let option = options.get(right).map_or("", String::as_str);
             vec![
                 Inline::Text(format!("{} ", part.label)),

@@ -31,6 +31,7 @@ pub fn is_open(verdict: Verdict) -> bool {
     matches!(
         verdict,
         Verdict::Wrong
+            | Verdict::ChoiceWrong
             | Verdict::RoundingSlip
             | Verdict::Sense
             | Verdict::SenseReversed

@@ -4,12 +4,14 @@ use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Path;
 use crate::fault::did_you_mean;
+use crate::laws::wrong::Misconception;
 use crate::model::Builder;
 use crate::model::Impulse;
 
 use super::ask::Impulsive;
 use super::decision::ChoicePart;
 use super::decision::Decision;
+use super::misjudged;
 use super::part::PartKind;
 
 /// The label and the kind of a part.
@@ -18,8 +20,9 @@ pub(super) type Question = (String, PartKind);
 /// Whether something holds, and why, as a sentence without a full stop.
 pub(super) type Verdict = (bool, String);
 
-pub(super) fn yes_or_no((holds, because): Verdict) -> PartKind {
-    PartKind::Choice(ChoicePart::Settled(Decision::yes_or_no(holds, because)))
+/// A question that the scene settles, with the mistake that leads to the other answer.
+pub(super) fn yes_or_no((holds, because): Verdict, behind: Option<&'static Misconception>) -> PartKind {
+    PartKind::Choice(ChoicePart::Settled(Decision { behind, ..Decision::yes_or_no(holds, because) }))
 }
 
 /// Forces that never have time to act in a short impact, whatever the scene.
@@ -62,9 +65,10 @@ pub(super) fn impulsive(ask: &Impulsive, builder: &mut Builder<'_>, path: &Path)
             return None;
         }
     };
+    let behind = Some(misjudged::impulsive(verdict.0));
     let owner = ask.on.as_ref().map(|body| builder.name_of(body));
     let named = impulsive_force(force, from_scene == Some(true), owner.as_deref());
-    Some((format!("Is {named} impulsive during {phrase}?"), yes_or_no(verdict)))
+    Some((format!("Is {named} impulsive during {phrase}?"), yes_or_no(verdict, behind)))
 }
 
 /// A force as the subject of a sentence: what gives an impulse, such as a bat, is not itself a force.

@@ -25,6 +25,7 @@ use super::concept::yes_or_no;
 use super::decision::ChoicePart;
 use super::impact_kind::ImpactKind;
 use super::load::Loaded;
+use super::misjudged;
 use super::part::PartKind;
 
 /// Whether a quantity is conserved for some bodies in a stage.
@@ -34,10 +35,14 @@ pub(super) fn conserved(loaded: &Loaded, ask: &Conserved, builder: &mut Builder<
     let names: Vec<String> = ask.of.iter().map(|body| builder.name_of(body)).collect();
     let whose = join(&names);
     let phrase = builder.phrase_of(stage);
+    let judged = |verdict: Verdict, builder: &Builder<'_>| {
+        let behind = misjudged::conserved(ask, builder, stage, verdict.0);
+        yes_or_no(verdict, behind)
+    };
     let kind = match ask.conserved {
-        Conservable::Momentum => yes_or_no(momentum(ask, builder, stage, path)?),
+        Conservable::Momentum => judged(momentum(ask, builder, stage, path)?, builder),
         Conservable::Energy => energy(loaded, ask, builder, stage, path),
-        Conservable::AngularMomentum => yes_or_no(angular(ask, builder, stage)),
+        Conservable::AngularMomentum => judged(angular(ask, builder, stage), builder),
     };
     let what = match (ask.conserved, ask.along) {
         (Conservable::Momentum, Some(axis)) => format!("the momentum of {whose} along {}", axis.letter()),
@@ -124,7 +129,10 @@ fn energy(loaded: &Loaded, ask: &Conserved, builder: &mut Builder<'_>, stage: us
             {
                 (false, "the surface moves, and does work on the body during the contact".into())
             }
-            (_, kind) => return PartKind::Choice(ChoicePart::OfImpact(Box::new(kind.keeps_energy()))),
+            (_, kind) => {
+                let behind = misjudged::conserved(ask, builder, stage, false);
+                return PartKind::Choice(ChoicePart::OfImpact(Box::new(kind.keeps_energy(behind))));
+            }
         },
         Some(Stage::Rotate(stage))
             if stage.moment.is_none() && stage.held().iter().all(|(_, arm)| matches!(arm, Arm::Constant(_))) =>
@@ -167,7 +175,8 @@ fn energy(loaded: &Loaded, ask: &Conserved, builder: &mut Builder<'_>, stage: us
             (!moved, if moved { "a force does work on the body".into() } else { "nothing does work".into() })
         }
     };
-    yes_or_no(verdict)
+    let behind = misjudged::conserved(ask, builder, stage, verdict.0);
+    yes_or_no(verdict, behind)
 }
 
 fn sliding(slide: &Slide) -> Verdict {

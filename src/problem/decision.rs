@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 
 use crate::expr::Expr;
 use crate::expr::Symbol;
+use crate::laws::wrong::Misconception;
 use crate::solve::Relation;
 
 use super::impact_kind::OfImpact;
@@ -34,6 +35,8 @@ pub struct Decision {
     pub right: usize,
     /// Why it is right, as a sentence without a full stop.
     pub because: String,
+    /// The usual mistake that leads to another phrase, where there is one.
+    pub behind: Option<&'static Misconception>,
 }
 
 /// A claim about the numbers of a variant.
@@ -61,7 +64,7 @@ impl Decision {
     /// A question that is answered by yes or no.
     #[must_use]
     pub fn yes_or_no(holds: bool, because: String) -> Self {
-        Self { options: vec!["yes".into(), "no".into()], right: usize::from(!holds), because }
+        Self { options: vec!["yes".into(), "no".into()], right: usize::from(!holds), because, behind: None }
     }
 }
 
@@ -155,6 +158,7 @@ fn ordered(symbols: &[Symbol], worked: &Worked<'_>) -> Decision {
         right: options.iter().position(|option| *option == sorted).unwrap_or(0),
         options: options.iter().map(|option| written(option)).collect(),
         because: "the values found above are in this order".into(),
+        behind: None,
     }
 }
 

@@ -7,6 +7,7 @@ use crate::expr::Symbol;
 use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Path;
+use crate::laws::wrong::Misconception;
 use crate::model::Builder;
 use crate::scene::Stage;
 use crate::scene::stage::Impact;
@@ -48,6 +49,8 @@ pub struct OfImpact {
     options: Vec<String>,
     /// For each kind the position of the right phrase, and why it is right.
     verdicts: [(usize, &'static str); 3],
+    /// The mistake that leads to the first phrase where it is wrong.
+    behind: Option<&'static Misconception>,
 }
 
 impl ImpactKind {
@@ -64,14 +67,14 @@ impl ImpactKind {
         }
     }
 
-    /// Whether kinetic energy is conserved.
-    pub(super) fn keeps_energy(self) -> OfImpact {
+    /// Whether kinetic energy is conserved, with the mistake that takes it for conserved.
+    pub(super) fn keeps_energy(self, behind: Option<&'static Misconception>) -> OfImpact {
         let verdicts = [
             (0, "the impact is elastic (e = 1)"),
             (1, "with e below 1 part of the kinetic energy is lost in the impact"),
             (1, "the bodies stay together, and part of the kinetic energy goes into deforming and heating them"),
         ];
-        OfImpact { kind: self, options: ["yes", "no"].map(str::to_owned).to_vec(), verdicts }
+        OfImpact { kind: self, options: ["yes", "no"].map(str::to_owned).to_vec(), verdicts, behind }
     }
 
     fn classified(self) -> OfImpact {
@@ -80,7 +83,7 @@ impl ImpactKind {
             (1, "e lies between 0 and 1: the bodies separate, and some kinetic energy is lost"),
             (2, "the bodies stay together (e = 0)"),
         ];
-        OfImpact { kind: self, options: KINDS.map(str::to_owned).to_vec(), verdicts }
+        OfImpact { kind: self, options: KINDS.map(str::to_owned).to_vec(), verdicts, behind: None }
     }
 }
 
@@ -116,7 +119,8 @@ impl OfImpact {
             }
         };
         let (right, because) = self.verdicts[kind.min(2)];
-        Decision { options: self.options.clone(), right, because: because.into() }
+        let behind = self.behind.filter(|_| right != 0);
+        Decision { options: self.options.clone(), right, because: because.into(), behind }
     }
 }
 

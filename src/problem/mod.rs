@@ -28,6 +28,7 @@ mod known;
 mod literal;
 mod load;
 mod mentions;
+mod misjudged;
 mod mistakes;
 mod part;
 mod parts;

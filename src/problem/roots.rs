@@ -136,6 +136,7 @@ impl Worked<'_> {
             } else {
                 "both values satisfy the equations, but only this one the conditions of the scene".into()
             },
+            behind: None,
         }
     }
 

@@ -11,6 +11,7 @@ use super::Sides;
 
 pub mod angular;
 pub mod bouncing;
+pub mod concept;
 pub mod energy;
 pub mod force;
 pub mod geometry;
@@ -110,6 +111,7 @@ pub fn all() -> Vec<(&'static str, Vec<&'static Misconception>)> {
         .collect();
     rows.push(("Reading the question", once(&mut reading::MISREADINGS.iter().map(|row| row.of))));
     rows.push(("Writing the answer", once(&mut reading::SLIPS.iter().map(|row| row.of))));
+    rows.push(("Judging a scene", once(&mut concept::CONCEPTS.iter().copied())));
     rows.retain(|(_, kinds)| !kinds.is_empty());
     rows
 }
