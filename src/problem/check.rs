@@ -168,6 +168,7 @@ impl<'s> Checker<'s> {
                         first_required(form).unwrap_or_default()
                     ),
                     (false, Some(name)) => format!("did you mean `{name}`?"),
+                    (false, None) if free.is_empty() => "all keys that can stand here do: remove this one".to_owned(),
                     (false, None) => format!("the keys here are {}", quoted(&free, "and")),
                 };
                 let fault = Fault::new(Code::UnknownKey, format!("`{key}` is not a key of {what}"));

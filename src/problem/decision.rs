@@ -75,7 +75,7 @@ impl ChoicePart {
         match self {
             Self::Settled(_) => BTreeSet::new(),
             Self::OfImpact(choice) => choice.symbols(),
-            Self::Holds(claim) => claim.left.symbols().union(&claim.right.symbols()).copied().collect(),
+            Self::Holds(claim) => claim.symbols(),
             Self::Order(symbols) => symbols.iter().copied().collect(),
             Self::Physical(symbol) => BTreeSet::from([*symbol]),
         }
@@ -115,6 +115,12 @@ pub(super) fn compared(left: f64, right: f64) -> Ordering {
 }
 
 impl Claim {
+    /// Everything that its sides contain.
+    #[must_use]
+    pub fn symbols(&self) -> BTreeSet<Symbol> {
+        self.left.symbols().union(&self.right.symbols()).copied().collect()
+    }
+
     /// Whether it holds where its sides have these values.
     pub(super) fn holds_between(&self, left: f64, right: f64) -> bool {
         let order = compared(left, right);

@@ -98,6 +98,8 @@ impl FormDraft {
             let planned = Regimes::plan(model, &[], &extra(&self.conditions), &everything, &revealed, &self.allowed);
             Some(planned.map_err(|fault| vec![fault.at_path(at)])?)
         };
+        let trials = range::trials(model, &self.parts, &told, &self.allowed)
+            .map_err(|fault| vec![fault.at_path(path.clone())])?;
         let given = self.wanted.iter().find(|symbol| everything.contains(symbol));
         let solver = Regimes::plan(model, &self.counts, &extra(&self.conditions), &told, &wanted, &self.allowed)
             .map_err(|fault| match given.map(|symbol| &model.symbols.entry(*symbol).name) {
@@ -108,8 +110,6 @@ impl FormDraft {
                 None => fault,
             })
             .map_err(|fault| vec![fault.at_path(path)])?;
-        let trials = range::trials(model, &self.parts, &told, &self.allowed)
-            .map_err(|fault| vec![fault.at_path(self.question.path.key("ask"))])?;
         Ok(Form {
             trials,
             question: self.question,

@@ -124,9 +124,17 @@ pub(super) fn trials(
         _ => None,
     });
     let trial = |range: &RangePart| {
-        let told = told.iter().copied().chain([range.number.symbol]).collect();
+        let symbol = range.number.symbol;
+        let alone = || Regimes::plan(model, &[], &[], told, &range.claim.quantities, allowed);
+        if !range.claim.symbols().contains(&symbol) && alone().is_ok() {
+            let name = &model.symbols.entry(symbol).name;
+            let message = format!("whether the condition holds does not depend on `{name}`");
+            let help = format!("ask it of something that changes with `{name}`: `where: v_A2 < 0 m/s`");
+            return Err(Fault::new(Code::UnderDetermined, message).help(help));
+        }
+        let told = told.iter().copied().chain([symbol]).collect();
         let planned = Regimes::plan(model, &[], &[], &told, &range.claim.quantities, allowed)?;
-        Ok((range.number.symbol, planned))
+        Ok((symbol, planned))
     };
     ranges.map(trial).collect()
 }

@@ -55,6 +55,16 @@ pub enum Rejection {
     /// They break a condition of the scene or of the problem.
     #[error("{0}")]
     Condition(String),
+    /// The boundary of a range that is asked is beyond what can be.
+    #[error(
+        "where the condition on `{name}` begins to hold, {reason}: within what is possible it holds always, or never"
+    )]
+    Boundary {
+        /// The quantity whose range is asked.
+        name: String,
+        /// Why the numbers at the boundary are rejected.
+        reason: Box<Rejection>,
+    },
     /// They make a quantity zero in terms of which an answer is asked.
     #[error("`{0}` is zero, and nothing can be told in terms of it")]
     ZeroUnit(String),
@@ -203,7 +213,7 @@ impl<'p> Sampler<'p> {
         }
         let leaf = regimes.leaf(0);
         let model = self.problem.model();
-        dead.first().map(|dead| match dead.cause {
+        let reason = dead.first().map(|dead| match dead.cause {
             Cause::Condition(position) => {
                 let condition = leaf.system.conditions.get(position);
                 let reason = condition.and_then(|condition| model.reasons.get(condition.tag));
@@ -219,6 +229,16 @@ impl<'p> Sampler<'p> {
             }
             Cause::NotReal => Rejection::NotReal,
             Cause::NotPositive => Rejection::NotPositive,
+        })?;
+        let range = self.form.parts.iter().find_map(|part| match &part.kind {
+            PartKind::Range(range) => Some(range.number.symbol),
+            _ => None,
+        });
+        Some(match range {
+            Some(symbol) => {
+                Rejection::Boundary { name: model.symbols.entry(symbol).name.clone(), reason: Box::new(reason) }
+            }
+            None => reason,
         })
     }
 
