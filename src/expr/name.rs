@@ -3,7 +3,7 @@
 use super::{Math, Operator};
 
 /// Names that are typeset as letters of the Greek alphabet, or that the subject abbreviates.
-const LETTERS: [(&str, &str); 26] = [
+const LETTERS: [(&str, &str); 28] = [
     ("alpha", "\u{3b1}"),
     ("beta", "\u{3b2}"),
     ("gamma", "\u{3b3}"),
@@ -30,6 +30,8 @@ const LETTERS: [(&str, &str); 26] = [
     ("ecc", "\u{3b5}"),
     ("period", "T"),
     ("work", "U"),
+    ("range", "R"),
+    ("path", "s"),
 ];
 
 /// The typeset form of a quantity's name. A stage in square brackets is shown for durations only.
@@ -79,6 +81,11 @@ pub fn name_math(name: &str) -> Math {
             Math::Sub(Box::new(Math::Bracketed(Box::new(rate))), Box::new(base_math(&component)))
         };
     }
+    // A letter of its own would be that of kinetic energy.
+    let name = match name.strip_prefix("tension") {
+        Some(rest) if rest.is_empty() || rest.starts_with('_') => format!("F_T{rest}"),
+        _ => name,
+    };
     let (base, subscript) = name.split_once('_').unwrap_or((&name, ""));
     let parts: Vec<&str> = subscript.split('_').chain([instant.as_str()]).filter(|part| !part.is_empty()).collect();
     let whole = with_subscript(base_math(base), &parts.join(","));
@@ -155,6 +162,8 @@ mod tests {
             ("v_A@top", "v_A,top", r"v_{A,\text{top}}"),
             ("v_bullet1", "v_bullet1", r"v_{\text{bullet}1}"),
             ("e", "e", "e"),
+            ("tension", "F_T", "F_{T}"),
+            ("tension_A1[pull]", "F_T,A1", r"F_{T,A1}"),
             ("areal_rate", "dA/(dt)", r"\frac{dA}{dt}"),
             ("magnitude(H_O1)", "|H_O1|", r"\lvert H_{O1}\rvert"),
             ("H_rate_O1", "dH_O1/(dt)", r"\frac{dH_{O1}}{dt}"),
