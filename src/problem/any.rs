@@ -11,6 +11,7 @@ use crate::fault::Fault;
 use crate::fault::Path;
 use crate::model::Model;
 use crate::solve::Closed;
+use crate::solve::may_grow;
 
 use super::formula::symbols_only;
 use super::known::Known;
@@ -42,8 +43,15 @@ pub(super) fn check(known: &[Known], form: &Form) -> Vec<Fault> {
                 if let AskedUnit::InTermsOf(unit) = number.unit {
                     needed.push(unit);
                 }
-                let open: Vec<&&Known> =
-                    free.iter().filter(|known| !sources.never_use(leaf, &needed, known.symbol)).collect();
+                let open = free.iter().copied().filter(|known| !sources.never_use(leaf, &needed, known.symbol));
+                let alike = match number.unit {
+                    AskedUnit::InTermsOf(unit) => [(number.symbol, Some(unit))],
+                    AskedUnit::Unit(_) => [(number.symbol, None)],
+                };
+                let grows = |symbol| {
+                    leaf.system.positive.contains(&symbol) && may_grow(&leaf.system, &form.told, symbol, &alike)
+                };
+                let open: Vec<&Known> = open.filter(|known| !grows(known.symbol)).collect();
                 if open.is_empty() {
                     continue;
                 }

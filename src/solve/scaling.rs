@@ -1,0 +1,219 @@
+//! A proof without algebra that a quantity does not matter: where it may grow by any factor, and others by powers of that factor,
+//! without a single equation or condition noticing, what need not grow with it is the same whatever its value.
+
+use std::collections::BTreeMap;
+use std::collections::BTreeSet;
+
+use crate::expr::Expr;
+use crate::expr::Function;
+use crate::expr::Symbol;
+use crate::quantity::Rational;
+
+use super::system::Statement;
+use super::system::System;
+
+/// Whether every solution of a system turns into another one as `grown`, which is positive, grows: what is known besides stays,
+/// and each quantity of `alike` grows as the one beside it, or stays where there is none.
+///
+/// All roots and all conditions are covered: solutions go over into solutions, so there are as many of them as before.
+#[must_use]
+pub fn may_grow(system: &System, known: &BTreeSet<Symbol>, grown: Symbol, alike: &[(Symbol, Option<Symbol>)]) -> bool {
+    let mut powers = Powers { system, known, grown, rows: BTreeMap::new() };
+    let fits = |powers: &mut Powers<'_>| {
+        for equation in &system.equations {
+            match &equation.statement {
+                Statement::Equal { left, right } => powers.balanced(left, right)?,
+                Statement::FirstInteger { unknown, left, right, .. } => {
+                    powers.equal(powers.of(*unknown), Power::default())?;
+                    powers.balanced(left, right)?;
+                }
+            }
+        }
+        for condition in &system.conditions {
+            powers.balanced(&condition.left, &condition.right)?;
+        }
+        for (symbol, other) in alike {
+            powers.equal(powers.of(*symbol), other.map_or_else(Power::default, |other| powers.of(other)))?;
+        }
+        Some(())
+    };
+    fits(&mut powers).is_some()
+}
+
+/// The power of the factor by which a term grows: a number, and multiples of the powers of unknown quantities.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct Power {
+    number: Rational,
+    unknown: BTreeMap<Symbol, Rational>,
+}
+
+impl Power {
+    fn plus(mut self, factor: &Rational, other: &Self) -> Self {
+        self.number += factor * &other.number;
+        for (symbol, own) in &other.unknown {
+            let sum = self.unknown.entry(*symbol).or_default();
+            *sum += factor * own;
+        }
+        self.unknown.retain(|_, own| !own.is_zero());
+        self
+    }
+}
+
+/// What is known of the powers so far: some of them in terms of the others.
+struct Powers<'a> {
+    system: &'a System,
+    known: &'a BTreeSet<Symbol>,
+    grown: Symbol,
+    rows: BTreeMap<Symbol, Power>,
+}
+
+impl Powers<'_> {
+    fn of(&self, symbol: Symbol) -> Power {
+        if symbol == self.grown {
+            return Power { number: Rational::ONE, unknown: BTreeMap::new() };
+        }
+        if self.known.contains(&symbol) || self.system.fixed.contains_key(&symbol) {
+            return Power::default();
+        }
+        let alone = || Power { number: Rational::ZERO, unknown: BTreeMap::from([(symbol, Rational::ONE)]) };
+        self.rows.get(&symbol).cloned().unwrap_or_else(alone)
+    }
+
+    /// A power in terms of those that are still open.
+    fn resolved(&self, power: Power) -> Power {
+        let number = Power { number: power.number, unknown: BTreeMap::new() };
+        power.unknown.iter().fold(number, |sum, (symbol, factor)| sum.plus(factor, &self.of(*symbol)))
+    }
+
+    /// Two powers have to be the same; none where they cannot be.
+    fn equal(&mut self, one: Power, other: Power) -> Option<()> {
+        let rest = self.resolved(one.plus(&-Rational::ONE, &other));
+        let Some((pivot, factor)) = rest.unknown.iter().next().map(|(symbol, factor)| (*symbol, factor.clone())) else {
+            return rest.number.is_zero().then_some(());
+        };
+        let mut row = Power::default().plus(&(-Rational::ONE / &factor), &rest);
+        row.unknown.remove(&pivot);
+        for own in self.rows.values_mut() {
+            if let Some(share) = own.unknown.remove(&pivot) {
+                *own = std::mem::take(own).plus(&share, &row);
+            }
+        }
+        self.rows.insert(pivot, row);
+        Some(())
+    }
+
+    /// Both sides have to grow alike; what is zero may grow as it likes.
+    fn balanced(&mut self, left: &Expr, right: &Expr) -> Option<()> {
+        match (self.term(left)?, self.term(right)?) {
+            (Some(left), Some(right)) => self.equal(left, right),
+            _ => Some(()),
+        }
+    }
+
+    /// A number that must not grow: an angle, an exponent.
+    fn pure(&mut self, expr: &Expr) -> Option<Option<Power>> {
+        if let Some(power) = self.term(expr)? {
+            self.equal(power, Power::default())?;
+        }
+        Some(Some(Power::default()))
+    }
+
+    /// All terms have to grow alike.
+    fn common<'e>(&mut self, terms: impl IntoIterator<Item = &'e Expr>) -> Option<Option<Power>> {
+        let mut common: Option<Power> = None;
+        for term in terms {
+            let Some(power) = self.term(term)? else { continue };
+            match &common {
+                Some(first) => self.equal(first.clone(), power)?,
+                None => common = Some(power),
+            }
+        }
+        Some(common)
+    }
+
+    /// How a term grows; none within where it is zero, none at all where it does not grow as a whole.
+    fn term(&mut self, expr: &Expr) -> Option<Option<Power>> {
+        Some(match expr {
+            Expr::Number(value) => (!value.is_zero()).then(Power::default),
+            Expr::Pi => Some(Power::default()),
+            Expr::Symbol(symbol) => Some(self.of(*symbol)),
+            Expr::Sum(terms) => self.common(terms.iter())?,
+            Expr::Product(factors) => {
+                let mut product = Power::default();
+                for factor in factors.iter() {
+                    let Some(power) = self.term(factor)? else { return Some(None) };
+                    product = product.plus(&Rational::ONE, &power);
+                }
+                Some(product)
+            }
+            Expr::Power(pair) => match pair.1.as_number() {
+                Some(exponent) => self.term(&pair.0)?.map(|base| Power::default().plus(exponent, &base)),
+                None => self.pure(&pair.0).and(self.pure(&pair.1))?,
+            },
+            Expr::Apply(Function::Abs, arguments) => self.common(arguments.iter())?,
+            Expr::Apply(Function::Atan2, arguments) => {
+                self.common(arguments.iter())?;
+                Some(Power::default())
+            }
+            Expr::Apply(_, arguments) => {
+                for argument in arguments.iter() {
+                    self.pure(argument)?;
+                }
+                Some(Power::default())
+            }
+            Expr::Piecewise(own) => {
+                let ends = own.pieces.iter().filter_map(|(until, _)| until.as_ref());
+                self.common(ends.chain([&own.variable]))?;
+                self.common(own.pieces.iter().map(|(_, value)| value))?
+            }
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::expr::SymbolEntry;
+    use crate::expr::SymbolTable;
+    use crate::quantity::Dimension;
+    use crate::solve::Condition;
+    use crate::solve::Equation;
+    use crate::solve::Relation;
+
+    const NAMES: [&str; 4] = ["mass", "speed", "energy", "height"];
+
+    /// Mass, speed, energy and height of a body that flies up as far as it can.
+    fn symbols() -> [Symbol; 4] {
+        let mut table = SymbolTable::default();
+        let entry = |name: &str| SymbolEntry { name: name.into(), dimension: Dimension::NONE, meaning: String::new() };
+        NAMES.map(|name| table.intern(entry(name)))
+    }
+
+    fn equal(left: Expr, right: Expr) -> Equation {
+        Equation { statement: Statement::Equal { left, right }, tag: 0, cost: 1 }
+    }
+
+    fn energy() -> System {
+        let [mass, speed, energy, height] = symbols().map(Expr::from);
+        let kinetic = equal(energy.clone(), Expr::ratio(1, 2) * mass.clone() * speed.powi(2));
+        System { equations: vec![kinetic, equal(energy, mass * height)], ..System::default() }
+    }
+
+    #[test]
+    fn a_mass_that_drops_out_may_grow() {
+        let [mass, speed, whole, height] = symbols();
+        let known = BTreeSet::from([mass, speed]);
+        assert!(may_grow(&energy(), &known, mass, &[(height, None)]));
+        assert!(may_grow(&energy(), &known, mass, &[(whole, Some(mass)), (height, None)]));
+        assert!(!may_grow(&energy(), &known, mass, &[(whole, None)]));
+        assert!(!may_grow(&energy(), &known, speed, &[(height, None)]));
+    }
+
+    #[test]
+    fn a_condition_that_notices_is_no_proof() {
+        let [mass, speed, _, height] = symbols();
+        let told = Condition { left: mass.into(), relation: Relation::Less, right: Expr::integer(2), tag: 0 };
+        let system = System { conditions: vec![told], ..energy() };
+        assert!(!may_grow(&system, &BTreeSet::from([mass, speed]), mass, &[(height, None)]));
+    }
+}
