@@ -1,4 +1,4 @@
-//! Angular momentum about a fixed point or the mass centre, and the moments of the forces of a push.
+//! Angular momentum about a fixed point or the mass centre, and the moments of the forces of a push, or of weight in flight.
 
 use crate::expr::Expr;
 use crate::expr::Symbol;
@@ -8,9 +8,12 @@ use crate::laws::mass_centre;
 use crate::quantity::Dimension;
 use crate::scene::Axis;
 use crate::scene::Plane;
+use crate::scene::Stage;
 
 use super::super::ActingForce;
 use super::super::Builder;
+use super::super::Direction;
+use super::super::ForceKind;
 use super::super::Name;
 use super::super::builder::SECOND_COST;
 
@@ -160,18 +163,43 @@ impl Builder<'_> {
         }
     }
 
-    /// The forces of the push that begins at an instant, or of the one that ends there; `None` where not all are known.
-    fn acting_at(&self, instant: usize) -> Option<Vec<(ActingForce, bool)>> {
-        let of_stage = |stage: usize| self.forces.iter().filter(move |force| force.stage == stage);
+    /// The forces of the stage that begins at an instant, or of the one that ends there; `None` where not all are known.
+    fn acting_at(&mut self, instant: usize) -> Option<Vec<(ActingForce, bool)>> {
         let stages = [(instant.checked_sub(1), false), (instant.checked_sub(2), true)];
-        let (stage, at_end) = stages
-            .into_iter()
-            .filter_map(|(stage, at_end)| Some((stage?, at_end)))
-            .find(|(stage, _)| of_stage(*stage).next().is_some())?;
+        let stages = || stages.into_iter().filter_map(|(stage, at_end)| Some((stage?, at_end)));
+        let of_stage = |stage: usize| self.forces.iter().filter(move |force| force.stage == stage);
+        let Some((stage, at_end)) = stages().find(|(stage, _)| of_stage(*stage).next().is_some()) else {
+            return stages().find_map(|(stage, at_end)| self.weights_in_flight(stage, instant, at_end));
+        };
         let forces: Vec<(ActingForce, bool)> = of_stage(stage).map(|force| (force.clone(), at_end)).collect();
         let heavy = self.scene.plane == Plane::Vertical;
         let is_pushed = |body: &&str| forces.iter().any(|(force, _)| force.on == *body);
         let told = !heavy || self.timeline.alive(instant).iter().all(is_pushed);
         told.then_some(forces)
+    }
+
+    /// The weights of the bodies, where nothing else acts on any of them.
+    fn weights_in_flight(&mut self, stage: usize, instant: usize, at_end: bool) -> Option<Vec<(ActingForce, bool)>> {
+        let alive: Vec<String> = self.timeline.alive(instant).into_iter().map(str::to_owned).collect();
+        let flying: Vec<&str> = match self.scene.stages.get(stage)? {
+            Stage::Flight(flight) if flight.incline.is_none() => flight.flying().collect(),
+            Stage::Fall(fall) => vec![&fall.body],
+            _ => return None,
+        };
+        if !alive.iter().all(|body| flying.contains(&body.as_str())) {
+            return None;
+        }
+        let (position, down) = (0..self.axes.len()).find_map(|position| Some((position, self.downwards(position)?)))?;
+        let gravity = self.gravity();
+        let weight = |builder: &mut Self, on: String| ActingForce {
+            stage,
+            strength: builder.mass(&on) * gravity.clone(),
+            on,
+            kind: ForceKind::Weight,
+            called: "weight".to_owned(),
+            direction: Direction::axis(position, down < 0),
+            during: [Expr::zero(), Expr::zero()],
+        };
+        Some(alive.into_iter().map(|body| (weight(self, body), at_end)).collect())
     }
 }

@@ -7,8 +7,10 @@ use crate::scene::{Axis, Term};
 
 use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::nothing::NothingToSimulate;
+use crate::simulate::scene::rate::rate;
 use crate::simulate::scene::reel::{Look, Motion, Seen};
 use crate::simulate::scene::values::OfSeveral;
+use crate::simulate::scene::vector::{Vector, ZERO, add, cross, less, size, times, unit};
 
 /// The time after which it is looked on which side of its end a motion that starts on it has gone.
 const SOON: f64 = 1e-6;
@@ -21,6 +23,9 @@ struct Track {
     speed: f64,
     falls: f64,
 }
+
+/// The share of its time over which it is looked at how fast something changes.
+const SOON_AFTER: f64 = 1e-3;
 
 /// What ends a motion.
 enum Ends {
@@ -96,6 +101,39 @@ impl Bench<'_> {
             }
         }
         self.note_duration(during, time);
+        let first = self.values.index + 1;
+        self.note_moments(tracks, first, 0.0, SOON_AFTER * time)?;
+        self.note_moments(tracks, first + 1, time, -SOON_AFTER * time)
+    }
+
+    /// How fast the angular momentum of all about each point of the scene changes, where they all fly and it is known where.
+    fn note_moments(
+        &mut self,
+        tracks: &[Track],
+        instant: usize,
+        time: f64,
+        width: f64,
+    ) -> Result<(), NothingToSimulate> {
+        let seen = |body: &str, later: f64, of: &dyn Fn(&Track, f64) -> f64| {
+            let own = tracks.iter().filter(|track| track.body == body);
+            own.fold(ZERO, |all, track| add(all, times(of(track, time + later), unit(track.axis))))
+        };
+        let points: Vec<(String, Vector)> = self.values.fixed_points();
+        for (point, centre) in points {
+            let turns = rate(width, |later| {
+                let mut all = ZERO;
+                for track in tracks.iter().filter(|track| Some(&track.axis) == self.values.axes().first()) {
+                    let place = seen(&track.body, later, &Track::place_at);
+                    let velocity = seen(&track.body, later, &|own, time| own.speed + own.falls * time);
+                    let Ok(mass) = self.values.mass(&track.body) else { return Ok([f64::NAN; 3]) };
+                    all = add(all, times(mass, cross(less(place, centre), velocity)));
+                }
+                Ok(all)
+            })?;
+            if size(turns.value).is_finite() {
+                self.note_turning(&point, instant, turns);
+            }
+        }
         Ok(())
     }
 

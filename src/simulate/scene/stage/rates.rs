@@ -6,8 +6,8 @@ use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::integrate::Integrator;
 use crate::simulate::scene::measure::{Asked, centre, place, turning, velocity};
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::rate::rate;
-use crate::simulate::scene::values::OfTime;
+use crate::simulate::scene::rate::{Rate, rate};
+use crate::simulate::scene::values::{OfTime, Values};
 use crate::simulate::scene::vector::{Vector, add, cross, less, times, unit};
 
 /// For how long the motion is looked at, in s.
@@ -40,24 +40,31 @@ impl Bench<'_> {
             Ok(times(mass, cross(less([x, y, z], seen), [u, v, w])))
         };
         let instant = self.values.index + 1;
-        let points = self
-            .values
-            .scene
-            .points
-            .keys()
-            .filter_map(|point| centre(self.values, &[], point, &|_| None).map(|seen| (point.clone(), seen)));
-        let points: Vec<(String, Vector)> = points.collect();
+        let points = self.values.fixed_points();
         for (point, seen) in &points {
             let found = rate(SOON, |time| moment(*seen, time))?;
-            for component in [None, Some("x"), Some("y"), Some("z")] {
-                let asked = Asked { base: "H", subject: point, instant, component };
-                let letter = component.map_or_else(String::new, |letter| format!(".{letter}"));
-                if let Some(rate) = turning(self.values, asked, found.value) {
-                    self.note(&format!("H_rate_{point}{instant}{letter}"), rate, found.off / self.tolerance);
-                    self.note(&format!("M_{point}{instant}{letter}"), rate, found.off / self.tolerance);
-                }
-            }
+            self.note_turning(point, instant, found);
         }
         Ok(!points.is_empty())
+    }
+
+    /// Notes how fast the angular momentum about a point changes, which is the moment of all forces about it.
+    pub(super) fn note_turning(&mut self, point: &str, instant: usize, turns: Rate) {
+        for component in [None, Some("x"), Some("y"), Some("z")] {
+            let asked = Asked { base: "H", subject: point, instant, component };
+            let letter = component.map_or_else(String::new, |letter| format!(".{letter}"));
+            if let Some(rate) = turning(self.values, asked, turns.value) {
+                self.note(&format!("H_rate_{point}{instant}{letter}"), rate, turns.off / self.tolerance);
+                self.note(&format!("M_{point}{instant}{letter}"), rate, turns.off / self.tolerance);
+            }
+        }
+    }
+}
+
+impl Values<'_> {
+    /// The fixed points of the scene, and where they are.
+    pub(super) fn fixed_points(&self) -> Vec<(String, Vector)> {
+        let at = |point: &String| Some((point.clone(), centre(self, &[], point, &|_| None)?));
+        self.scene.points.keys().filter_map(at).collect()
     }
 }
