@@ -117,6 +117,13 @@ fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) -> Option<S
             name(&other.on)
         )),
         (Stage::Taut(_) | Stage::Connected(_), _) => during(format!("{body} {is} acted on by the string")),
+        (Stage::Tow(tow), _) => {
+            let [front, rear] = tow.both().map(|own| name(&own.body));
+            format!(
+                "During {phrase}, {} acts on {front} and {rear} with equal and opposite forces; all else comes from outside.",
+                tow.joint()
+            )
+        }
         (Stage::Bounces(_), _) => {
             during(format!("{body} {is} acted on by its weight and, at each bounce, by {}", first.called))
         }

@@ -117,6 +117,10 @@ fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
             let [leading, trailing] = [&connected.leading, &connected.trailing].map(|strand| name(&strand.body));
             format!("{leading} draws {trailing} along by the string")
         }
+        Stage::Tow(tow) => {
+            let [front, rear] = tow.both().map(|own| name(&own.body));
+            format!("{front} and {rear} move together")
+        }
         Stage::Blow(blow) => format!("{} acts on {}", blow.by, name(&blow.body)),
         Stage::Rotate(rotate) => {
             let held: Vec<String> = rotate.held().into_iter().map(|(body, _)| name(body)).collect();

@@ -35,7 +35,7 @@ pub use place::{Overlap, overlaps};
 pub use situation::{
     Across, AngleMark, Bowl, Central, Conical, Contact, Depth, Face, Fall, Ground, Height, Launch, Layout, Line,
     LineSpring, Moment, Moving, MovingBody, Partner, Pulley, PulleySide, Ramp, Rest, Ride, Situation, Space, Swing,
-    SwingEnd, Target, Wall,
+    SwingEnd, Target, Tie, Wall,
 };
 pub use svg::{svg, svg_file};
 pub use ticks::Ticks;

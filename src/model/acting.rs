@@ -73,7 +73,7 @@ pub(super) struct Acts<'a> {
 }
 
 impl Acts<'_> {
-    fn force(self, kind: ForceKind, called: &str, strength: Expr, direction: Direction) -> ActingForce {
+    pub(super) fn force(self, kind: ForceKind, called: &str, strength: Expr, direction: Direction) -> ActingForce {
         let (on, during) = (self.on.to_owned(), self.during.map(Clone::clone));
         ActingForce { stage: self.stage, on, kind, called: called.to_owned(), strength, direction, during }
     }

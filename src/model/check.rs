@@ -102,7 +102,8 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
             | Stage::Spring(_)
             | Stage::Swing(_)
             | Stage::Taut(_)
-            | Stage::Connected(_) => {
+            | Stage::Connected(_)
+            | Stage::Tow(_) => {
                 for (name, key) in held_bodies(stage) {
                     body(name, key);
                 }
@@ -222,6 +223,7 @@ fn held_bodies(stage: &Stage) -> Vec<(&str, &str)> {
             None => Vec::new(),
         },
         Stage::Taut(stage) => stage.between.iter().map(|name| (name.as_str(), "between")).collect(),
+        Stage::Tow(stage) => vec![(&stage.front.body, "front"), (&stage.rear.body, "rear")],
         Stage::Connected(stage) => vec![(&stage.trailing.body, "trailing"), (&stage.leading.body, "leading")],
         _ => Vec::new(),
     }
@@ -241,6 +243,17 @@ fn held(scene: &Scene, stage: &Stage) -> Option<Fault> {
             let fault = Fault::new(Code::Value, "bodies on a string over a pulley need a scene with one axis");
             Some(fault.help("write `axes: { x: along the string }`"))
         }
+        Stage::Tow(_) if !one_axis => {
+            let fault = Fault::new(Code::Value, "bodies in a row need a scene with one axis");
+            Some(fault.help("write `axes: { x: ahead }`"))
+        }
+        Stage::Connected(_) | Stage::Tow(_) => match &held_bodies(stage)[..] {
+            [(one, _), (other, key)] if one == other => {
+                let fault = Fault::new(Code::Value, format!("`{one}` cannot be at both ends"));
+                Some(fault.help(format!("name another body under `{key}`")))
+            }
+            _ => None,
+        },
         _ => None,
     }
 }

@@ -132,6 +132,7 @@ fn changed_bodies(scene: &Scene, stage: &Stage) -> Vec<String> {
         },
         Stage::Swing(stage) => vec![stage.body.clone()],
         Stage::Taut(stage) => stage.between.to_vec(),
+        Stage::Tow(stage) => stage.both().map(|own| own.body.clone()).to_vec(),
         Stage::Connected(stage) => vec![stage.trailing.body.clone(), stage.leading.body.clone()],
         Stage::Blow(stage) => vec![stage.body.clone()],
         Stage::Motion(stage) => vec![stage.body.clone()],

@@ -13,6 +13,7 @@ const KINDS: &[(&str, &str, &str, &str)] = &[
     ("swing", "swing", "at the start of {}", "at the end of {}"),
     ("taut", "jerk of the string", "just before {}", "just after {}"),
     ("connected", "motion on the string", "at the start of {}", "at the end of {}"),
+    ("tow", "common motion", "at the start of {}", "at the end of {}"),
     ("blow", "blow", "just before {}", "just after {}"),
     ("rotate", "motion", "at the start of {}", "at the end of {}"),
     ("moment", "turning", "before {}", "after {}"),

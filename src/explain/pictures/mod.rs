@@ -70,6 +70,7 @@ pub(super) fn solution(worked: Worked<'_>) -> Vec<Drawing> {
         Stage::Impact(_)
         | Stage::Spring(_)
         | Stage::Taut(_)
+        | Stage::Tow(_)
         | Stage::Blow(_)
         | Stage::Motion(_)
         | Stage::Fall(_)

@@ -150,6 +150,7 @@ fn participants(stage: &Stage) -> Vec<Participant> {
             None => Vec::new(),
         },
         Stage::Taut(stage) => stage.between.iter().map(|body| Participant::alone(body)).collect(),
+        Stage::Tow(stage) => stage.both().map(|own| Participant::alone(&own.body)).to_vec(),
         Stage::Blow(stage) => alone(&stage.body),
         Stage::Motion(stage) => alone(&stage.body),
         Stage::Fall(stage) => alone(&stage.body),
@@ -181,7 +182,7 @@ fn balance(
     let scale = quantities.mass(body).or((count == 1).then_some(1.0));
     let model = quantities.model();
     let impulses = match own {
-        Stage::Push(_) | Stage::Slide(_) => {
+        Stage::Push(_) | Stage::Slide(_) | Stage::Tow(_) => {
             let forces = model.forces.iter().filter(|force| force.stage == stage && force.on == *body);
             // Where the body never starts to move, no force has a time in which it changes the momentum.
             let forces = forces.filter(|force| quantities.evaluate(&force.during[0]).is_some());

@@ -42,10 +42,19 @@ pub struct Line {
     pub spring: Option<(LineSpring, Option<Math>)>,
     /// Which of the bodies hangs on a cord from above.
     pub hung: Option<usize>,
-    /// A slack cord between the bodies, from each to the next.
-    pub tied: bool,
+    /// What ties the bodies to each other, from each to the next.
+    pub tied: Option<Tie>,
     /// A fixed wall beyond the last body.
     pub wall: bool,
+}
+
+/// What ties bodies to each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tie {
+    /// A cord that is still slack.
+    Slack,
+    /// A coupling, or a cord that is taut.
+    Firm,
 }
 
 /// Where a spring along a line lies.
@@ -87,7 +96,7 @@ impl Line {
             end += high - low
                 + match (between, self.tied) {
                     (true, _) => SPRING,
-                    (_, true) => TIED_GAP,
+                    (_, Some(_)) => TIED_GAP,
                     _ => GAP,
                 };
         }
@@ -159,11 +168,15 @@ impl Line {
             draw_cord(canvas, top, hook);
             draw_support(canvas, hook, -up, CEILING_HALF);
         }
-        if self.tied {
+        if let Some(tie) = self.tied {
             for pair in placed.windows(2) {
                 let [(_, first), (_, second)] = pair else { continue };
                 let face = |body: &Body, side: f64| body.centre() + frame.along * (side * body.support(frame.along));
-                draw_slack(canvas, face(first, 1.0), face(second, -1.0));
+                let [from, to] = [face(first, 1.0), face(second, -1.0)];
+                match tie {
+                    Tie::Slack => draw_slack(canvas, from, to),
+                    Tie::Firm => draw_cord(canvas, from, to),
+                }
             }
         }
     }

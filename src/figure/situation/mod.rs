@@ -24,7 +24,7 @@ pub use conical::{Across, Conical};
 pub use contact::{Contact, Partner};
 pub use fall::{Fall, Ground, Height};
 pub use launch::{Depth, Launch, Target};
-pub use line::{Line, LineSpring};
+pub use line::{Line, LineSpring, Tie};
 pub use moving::{Moving, MovingBody};
 pub(super) use moving::{Scales, draw_vector};
 pub use pulley::{Pulley, PulleySide, Rest};

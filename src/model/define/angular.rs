@@ -197,7 +197,7 @@ impl Builder<'_> {
             on,
             kind: ForceKind::Weight,
             called: "weight".to_owned(),
-            direction: Direction::axis(position, down < 0),
+            direction: Direction::axis(builder.axis_place(position), down < 0),
             during: [Expr::zero(), Expr::zero()],
         };
         Some(alive.into_iter().map(|body| (weight(self, body), at_end)).collect())

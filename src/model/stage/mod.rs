@@ -28,6 +28,7 @@ mod surface;
 mod swing;
 mod taut;
 mod thrust;
+mod tow;
 mod walk;
 
 pub(in crate::model) use push::Pushed;
@@ -52,6 +53,7 @@ impl Builder<'_> {
                 Stage::Swing(stage) => self.swing(index, stage, &path),
                 Stage::Taut(stage) => self.taut(index, stage, &path),
                 Stage::Connected(stage) => self.connected(index, stage, &path),
+                Stage::Tow(stage) => self.tow(index, stage, &path),
                 Stage::Blow(stage) => self.blow(index, stage, &path),
                 Stage::Rotate(stage) => self.rotate(index, stage, &path),
                 Stage::Moment(stage) => self.moment(index, stage, &path),

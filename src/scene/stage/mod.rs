@@ -24,6 +24,7 @@ mod strike;
 mod swing;
 mod taut;
 mod thrust;
+mod tow;
 mod until;
 mod walk;
 
@@ -51,6 +52,7 @@ pub use strike::Strike;
 pub use swing::{Place, Swing, Way};
 pub use taut::Taut;
 pub use thrust::{BurningMass, Exhaust, Jet, Thrust};
+pub use tow::{Tow, Towed};
 pub use until::Until;
 pub use walk::Walk;
 
@@ -75,6 +77,8 @@ pub enum Stage {
     Taut(Taut),
     /// Two bodies move on the ends of a taut string over a pulley.
     Connected(Connected),
+    /// Two bodies in a row move together while forces act.
+    Tow(Tow),
     /// A blow of unknown history: only its impulse, or its mean force and duration, is spoken of.
     Blow(Blow),
     /// Particles are held on an arm about a fixed point, and a moment acts.
@@ -126,6 +130,7 @@ impl Stage {
             Self::Swing(_) => "swing",
             Self::Taut(_) => "taut",
             Self::Connected(_) => "connected",
+            Self::Tow(_) => "tow",
             Self::Blow(_) => "blow",
             Self::Rotate(_) => "rotate",
             Self::Moment(_) => "moment",
@@ -158,6 +163,7 @@ impl Stage {
             Self::Swing(stage) => &stage.name,
             Self::Taut(stage) => &stage.name,
             Self::Connected(stage) => &stage.name,
+            Self::Tow(stage) => &stage.name,
             Self::Blow(stage) => &stage.name,
             Self::Rotate(stage) => &stage.name,
             Self::Moment(stage) => &stage.name,

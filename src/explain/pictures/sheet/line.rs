@@ -9,6 +9,7 @@ use crate::figure::LineSpring;
 use crate::figure::Moving;
 use crate::figure::MovingBody;
 use crate::figure::Situation;
+use crate::figure::Tie;
 use crate::model::ForceKind;
 use crate::scene::Plane;
 use crate::scene::Stage;
@@ -58,7 +59,11 @@ pub(in super::super) fn drawing(quantities: &Quantities<'_>, compass: &Compass, 
         slope: slope.and_then(|(_, label)| label),
         spring: spring(quantities, &names, stage),
         hung: hung(quantities, &names).filter(|_| !upright),
-        tied: matches!(quantities.scene().stages.get(stage), Some(Stage::Taut(_))),
+        tied: match quantities.scene().stages.get(stage) {
+            Some(Stage::Taut(_)) => Some(Tie::Slack),
+            Some(Stage::Tow(_)) => Some(Tie::Firm),
+            _ => None,
+        },
         wall: has_wall(quantities, stage),
         bodies: bodies.into_iter().map(|(_, body)| body).collect(),
     };
@@ -95,13 +100,19 @@ fn is_struck(quantities: &Quantities<'_>, body: &str, stage: usize) -> bool {
     matches!(quantities.scene().stages.get(stage), Some(Stage::Blow(blow)) if blow.body == body)
 }
 
-/// The bodies from back to front: in an impact, the second body lies ahead of the first.
+/// The bodies from back to front: in an impact, the second body lies ahead of the first, and what tows ahead of what is towed.
 fn order(quantities: &Quantities<'_>, stage: usize) -> Vec<String> {
     let mut order: Vec<String> = Vec::new();
     let place = |order: &Vec<String>, body: &str| order.iter().position(|own| own == body);
     for own in &quantities.scene().stages {
-        let Stage::Impact(impact) = own else { continue };
-        let Some(Partners::Bodies(first, second)) = impact.partners() else { continue };
+        let (first, second) = match own {
+            Stage::Impact(impact) => match impact.partners() {
+                Some(Partners::Bodies(first, second)) => (first, second),
+                _ => continue,
+            },
+            Stage::Tow(tow) => (tow.rear.body.as_str(), tow.front.body.as_str()),
+            _ => continue,
+        };
         match (place(&order, first), place(&order, second)) {
             (None, None) => order.extend([first.to_owned(), second.to_owned()]),
             (Some(behind), None) => order.insert(behind + 1, second.to_owned()),

@@ -43,6 +43,7 @@ pub(super) fn drawing(quantities: &Quantities<'_>, compass: &Compass) -> Option<
             Stage::Slide(_)
             | Stage::Spring(_)
             | Stage::Taut(_)
+            | Stage::Tow(_)
             | Stage::Blow(_)
             | Stage::Motion(_)
             | Stage::Separate(_)

@@ -226,6 +226,18 @@ const BY_HAND: &[Row] = &[
         "v_A1 0",
         "t_start 3.3333333333333335, v_A2 7.213177477483106",
     ),
+    (
+        RIGHT,
+        r#"{"tow":{"front":{"body":"A","force":"30 N"},"rear":{"body":"B","friction":0.1},"duration":"2 s"}}"#,
+        "m_A 4, m_B 5, v_A1 1",
+        "v_A2 6.555555555555555, v_B2 6.555555555555555, tension 18.88888888888889, dt 2",
+    ),
+    (
+        UPHILL,
+        r#"{"tow":{"front":{"body":"A"},"rear":{"body":"B","force":"50 N"},"incline":"30 deg","distance":"d"}}"#,
+        "m_A 3, m_B 5, v_A1 0, d 4",
+        "v_B2 3.1622776601683795, tension -18.75",
+    ),
     (RIGHT, r#"{"walk":{"body":"A","on":"B","distance":"4 m"}}"#, "m_A 1, m_B 3", "s_A 3, s_B -1"),
     (
         RIGHT,
@@ -328,7 +340,11 @@ fn every_kind_of_stage_ends_as_it_does_by_hand() {
             let own = all.find(|own| own.name == name).unwrap_or_else(|| panic!("{stage}: no {name}"));
             let scale = 1.0 + expected.abs();
             // A rate is a quotient of differences, which says itself how far off it may be.
-            let allowed = if own.name.contains("rate") || own.name.starts_with("M_") { own.error.min(1e-7 * scale) } else { 1e-9 * scale };
+            let allowed = if own.name.contains("rate") || own.name.starts_with("M_") {
+                own.error.min(1e-7 * scale)
+            } else {
+                1e-9 * scale
+            };
             assert!((own.value - expected).abs() <= allowed, "{stage}: {own:?}, not {expected}");
         }
     }

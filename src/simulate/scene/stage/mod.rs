@@ -26,6 +26,7 @@ mod strike;
 mod swing;
 mod taut;
 mod thrust;
+mod tow;
 mod walk;
 
 use crate::scene::Stage;
@@ -56,6 +57,7 @@ impl Bench<'_> {
             Stage::Bounces(stage) => self.bounces(stage),
             Stage::Stream(stage) => self.stream(stage),
             Stage::Thrust(stage) => self.thrust(stage),
+            Stage::Tow(stage) => self.tow(stage),
             Stage::Drift(stage) => self.drift(stage),
             Stage::Separate(stage) => self.separate(stage),
             Stage::SlideOff(stage) => self.slide_off(stage),

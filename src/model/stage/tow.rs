@@ -1,0 +1,179 @@
+//! Two bodies in a row: impulse and momentum, work and energy of both together and of each alone.
+
+use crate::expr::Expr;
+use crate::fault::Path;
+use crate::laws::energy;
+use crate::laws::force;
+use crate::laws::kinematics;
+use crate::laws::momentum;
+use crate::model::ActingForce;
+use crate::model::Agent;
+use crate::model::Builder;
+use crate::model::Direction;
+use crate::model::ForceKind;
+use crate::model::Impulse;
+use crate::model::Warning;
+use crate::model::acting::Acts;
+use crate::model::incline::Incline;
+use crate::quantity::Dimension;
+use crate::scene::stage::Tow;
+use crate::scene::stage::Towed;
+use crate::scene::stage::Until;
+use crate::solve::Relation;
+
+/// One of the two bodies.
+struct Member {
+    name: String,
+    mass: Expr,
+    /// Everything from outside that acts along the axis.
+    drive: Expr,
+    before: Expr,
+    after: Expr,
+}
+
+impl Builder<'_> {
+    pub(in crate::model) fn tow(&mut self, index: usize, stage: &Tow, path: &Path) {
+        let joint = stage.joint();
+        let incline = self.incline(index, stage.incline.as_ref(), path);
+        let duration = self.stage_duration(index, stage.duration.as_ref(), path);
+        let stops = stage.until == Some(Until::Rest);
+        let front = self.member(index, &stage.front, &incline, &duration, stops, &path.key("front"));
+        let rear = self.member(index, &stage.rear, &incline, &duration, stops, &path.key("rear"));
+        let because = format!("{joint} keeps {} and {} together", front.name, rear.name);
+        for (one, other) in [(&front.before, &rear.before), (&front.after, &rear.after)] {
+            if !other.is_zero() {
+                self.law(&kinematics::TOGETHER, Some(index), because.clone(), (one.clone(), other.clone()));
+            }
+        }
+        let tension = self.pull_of_joint(index, stage, &duration);
+        let both = [&front, &rear];
+        let driven = Expr::sum(both.map(|own| own.drive.clone()));
+        let masses =
+            |velocity: &dyn Fn(&Member) -> Expr| momentum::total(&both.map(|own| (own.mass.clone(), velocity(own))));
+        let because = format!("{joint} acts on both with equal and opposite impulses, which drop out of the sum");
+        let start = Expr::sum([masses(&|own| own.before.clone()), driven * duration.clone()]);
+        self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, (start, masses(&|own| own.after.clone())));
+        for (own, sign) in [(&front, -1), (&rear, 1)] {
+            let because = format!("{joint} and what acts on {} from outside change its momentum", own.name);
+            let acting = Expr::sum([Expr::integer(sign) * tension.clone(), own.drive.clone()]);
+            let sides = momentum::impulse_momentum(&own.mass, &own.before, &[acting * duration.clone()], &own.after);
+            self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
+        }
+        if let Some(term) = &stage.distance {
+            let meaning = format!("how far {} and {} move", front.name, rear.name);
+            let distance = self.read_positive(term, Dimension::LENGTH, &meaning, &path.key("distance"));
+            let kinetic = |velocity: &dyn Fn(&Member) -> Expr| {
+                Expr::sum(both.map(|own| energy::kinetic(&own.mass, &[velocity(own)])))
+            };
+            let works = both.map(|own| (own.drive.clone() * distance.clone()).simplify());
+            let because = format!("what {joint} does on one body it takes from the other, and it does no work in all");
+            let ends = [kinetic(&|own| own.before.clone()), kinetic(&|own| own.after.clone())];
+            let [start, end] = ends;
+            self.law(&energy::WORK_ENERGY, Some(index), because, energy::work_energy(start, works, end));
+        }
+        for speed in [&front.before, &front.after].into_iter().filter(|speed| !speed.is_zero()) {
+            let reason = format!("{} would move the other way", front.name);
+            self.require(Warning::Reverses, speed.clone(), Relation::AtLeast, Expr::zero(), reason);
+        }
+        self.omit(format!("the mass of {joint}"), "it is light beside the bodies that it joins");
+        self.omit("air resistance", "the problem does not mention any");
+    }
+
+    /// The pull of what joins the bodies, and its part in diagrams.
+    fn pull_of_joint(&mut self, index: usize, stage: &Tow, duration: &Expr) -> Expr {
+        let joint = stage.joint();
+        let meaning = format!("the pull of {joint} during {} (negative where it pushes)", self.stage_phrase(index));
+        let symbol = self.symbol(format!("tension{}", self.stage_suffix(index)), Dimension::FORCE, meaning);
+        let names = stage.both().map(|own| own.body.clone());
+        for (own, other, reversed) in [(0, 1, true), (1, 0, false)] {
+            self.forces.push(ActingForce {
+                stage: index,
+                on: names[own].clone(),
+                kind: ForceKind::Pull,
+                called: joint.to_owned(),
+                strength: symbol.into(),
+                direction: Direction::axis(self.axis_place(0), reversed),
+                during: [Expr::zero(), duration.clone()],
+            });
+            self.impulses.push(Impulse {
+                stage: index,
+                on: names[own].clone(),
+                by: Agent::Body(names[other].clone()),
+                called: joint.to_owned(),
+                components: Vec::new(),
+                impulsive: false,
+            });
+        }
+        symbol.into()
+    }
+
+    /// A body, with all that acts on it from outside.
+    fn member(
+        &mut self,
+        index: usize,
+        towed: &Towed,
+        incline: &Incline,
+        duration: &Expr,
+        stops: bool,
+        path: &Path,
+    ) -> Member {
+        let body = towed.body.as_str();
+        let name = self.called(body);
+        let (mass, suffix) = (self.mass(body), self.stage_suffix(index));
+        let weight = mass.clone() * self.gravity();
+        let during = [Expr::zero(), duration.clone()];
+        let mut acting = Vec::new();
+        if let Some(term) = &towed.force {
+            let meaning = format!("the force on {name}");
+            let force = self.read(term, Dimension::FORCE, &meaning, &path.key("force"));
+            self.forces.push(ActingForce {
+                stage: index,
+                on: body.to_owned(),
+                kind: ForceKind::Pull,
+                called: "the force".into(),
+                strength: force.clone(),
+                direction: Direction::axis(self.axis_place(0), false),
+                during,
+            });
+            acting.push(force);
+        }
+        let friction = towed.friction.as_ref().map(|term| {
+            let meaning = format!("the coefficient of kinetic friction of {name}");
+            self.read_positive(term, Dimension::NONE, &meaning, &path.key("friction"))
+        });
+        if let Some(friction) = &friction {
+            acting.push(-Expr::product([friction.clone(), weight.clone(), incline.press.clone()]));
+        }
+        if !incline.is_level() {
+            acting.push(-(weight.clone() * incline.rise()));
+        }
+        let acts = Acts { stage: index, on: body, during: [&Expr::zero(), duration] };
+        if incline.press.is_zero() {
+            let down = Direction::axis(self.axis_place(0), incline.sign > 0);
+            self.forces.push(acts.force(ForceKind::Weight, "weight", weight, down));
+        } else {
+            let meaning = format!("the normal force on {name}");
+            let normal = Expr::from(self.positive(format!("N_{body}{suffix}"), Dimension::FORCE, meaning));
+            let sides = (normal.clone(), weight.clone() * incline.press.clone());
+            self.law(&force::NORMAL_FORCE, Some(index), "the floor carries what presses on it", sides);
+            self.note_floor(acts, incline, weight, normal, friction.unwrap_or_else(Expr::zero), false);
+        }
+        if !acting.is_empty() {
+            self.impulses.push(Impulse {
+                stage: index,
+                on: body.to_owned(),
+                by: Agent::Outside,
+                called: "what acts from outside".into(),
+                components: Vec::new(),
+                impulsive: false,
+            });
+        }
+        if stops {
+            self.comes_to_rest(index, body);
+        }
+        let ends = [index + 1, index + 2].map(|instant| self.velocities(body, instant));
+        let [before, after] = ends.map(|mut own| own.pop().unwrap_or_else(Expr::zero));
+        let after = if stops { Expr::zero() } else { after };
+        Member { name, mass, drive: Expr::sum(acting), before, after }
+    }
+}

@@ -1,0 +1,65 @@
+//! Two bodies in a row that move together while forces act.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use crate::scene::Term;
+
+use super::Until;
+
+/// Two bodies in a row move together along the one axis of a scene: a lorry and its trailer, an engine and its train, two crates that
+/// touch. Forces may act on each of them.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Tow {
+    /// A name for the stage.
+    #[serde(default)]
+    pub name: Option<String>,
+    /// The body that goes ahead.
+    pub front: Towed,
+    /// The body behind it.
+    pub rear: Towed,
+    /// What joins them, as it is called in a sentence. Default: the coupling.
+    #[serde(default)]
+    pub by: Option<String>,
+    /// The angle of the slope on which both are. Left out: the way is level, or vertical where the axis is.
+    #[serde(default)]
+    pub incline: Option<Term>,
+    /// How long. Left out: it is called `dt`.
+    #[serde(default)]
+    pub duration: Option<Term>,
+    /// How far they move.
+    #[serde(default)]
+    pub distance: Option<Term>,
+    /// `rest` where they move until they are at rest.
+    #[serde(default)]
+    pub until: Option<Until>,
+}
+
+/// One of two bodies in a row.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Towed {
+    /// The body.
+    pub body: String,
+    /// A steady force on it along the axis: that of an engine is positive, that of a brake negative (`-B`). Left out: none.
+    #[serde(default)]
+    pub force: Option<Term>,
+    /// The coefficient of kinetic friction on its floor, or of its resistance to rolling. Left out: smooth.
+    #[serde(default)]
+    pub friction: Option<Term>,
+}
+
+impl Tow {
+    /// Both of them, the one in front first.
+    #[must_use]
+    pub fn both(&self) -> [&Towed; 2] {
+        [&self.front, &self.rear]
+    }
+
+    /// What joins them.
+    #[must_use]
+    pub fn joint(&self) -> &str {
+        self.by.as_deref().unwrap_or("the coupling")
+    }
+}
