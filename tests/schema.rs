@@ -29,6 +29,7 @@ const BEYOND_A_SCHEMA: &[&str] = &[
     "motion_of_a_coefficient",
     "number_beyond_all",
     "plastic_beside_restitution",
+    "range_of_what_does_not_matter",
     "require_that_never_holds",
     "revealed_and_asked",
     "stages_of_one_name",

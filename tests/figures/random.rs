@@ -110,7 +110,7 @@ pub fn situation(dice: &mut Dice) -> Drawing {
                 (place, dice.chance(60).then(|| name("k")))
             }),
             hung: dice.chance(20).then_some(0),
-            tied: dice.chance(20),
+            tied: dice.chance(20).then(|| if dice.chance(50) { Tie::Slack } else { Tie::Firm }),
             wall: dice.chance(20),
         }),
         1 => {

@@ -15,7 +15,9 @@ use crate::model::Impulse;
 use crate::model::Warning;
 use crate::model::acting::Acts;
 use crate::model::incline::Incline;
+use crate::model::read::is_bare_name;
 use crate::quantity::Dimension;
+use crate::scene::Term;
 use crate::scene::stage::Tow;
 use crate::scene::stage::Towed;
 use crate::scene::stage::Until;
@@ -107,6 +109,18 @@ impl Builder<'_> {
         symbol.into()
     }
 
+    /// A force on a body: a name with a minus sign before it is the size of one that acts backwards.
+    fn steady_force(&mut self, name: &str, term: &Term, path: &Path) -> Expr {
+        let size = term.0.trim().strip_prefix('-').map(str::trim).filter(|size| is_bare_name(size));
+        match size {
+            Some(size) => {
+                let meaning = format!("the backward force on {name}");
+                -self.read(&Term(size.to_owned()), Dimension::FORCE, &meaning, path)
+            }
+            None => self.read(term, Dimension::FORCE, &format!("the force on {name}"), path),
+        }
+    }
+
     /// A body, with all that acts on it from outside.
     fn member(
         &mut self,
@@ -124,8 +138,7 @@ impl Builder<'_> {
         let during = [Expr::zero(), duration.clone()];
         let mut acting = Vec::new();
         if let Some(term) = &towed.force {
-            let meaning = format!("the force on {name}");
-            let force = self.read(term, Dimension::FORCE, &meaning, &path.key("force"));
+            let force = self.steady_force(&name, term, &path.key("force"));
             self.forces.push(ActingForce {
                 stage: index,
                 on: body.to_owned(),
