@@ -111,19 +111,16 @@ fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) -> Option<S
             name(&one.on),
             name(&other.on)
         ),
-        (Stage::Connected(_), [one, other]) => during(format!(
-            "the string pulls {} and {} with the same tension, and weight acts on both",
-            name(&one.on),
-            name(&other.on)
-        )),
-        (Stage::Taut(_) | Stage::Connected(_), _) => during(format!("{body} {is} acted on by the string")),
-        (Stage::Tow(tow), _) => {
-            let [front, rear] = tow.both().map(|own| name(&own.body));
-            format!(
-                "During {phrase}, {} acts on {front} and {rear} with equal and opposite forces; all else comes from outside.",
-                tow.joint()
-            )
+        (Stage::Connected(_), [one, other]) => {
+            let both = list(&[one, other].map(|own| name(&own.on)));
+            during(format!("the string pulls {both} with the same tension, and weight acts on both"))
         }
+        (Stage::Taut(_) | Stage::Connected(_), _) => during(format!("{body} {is} acted on by the string")),
+        (Stage::Tow(tow), _) => during(format!(
+            "{} acts on {} with equal and opposite forces; all else comes from outside",
+            tow.joint(),
+            list(&tow.both().map(|own| name(&own.body)))
+        )),
         (Stage::Bounces(_), _) => {
             during(format!("{body} {is} acted on by its weight and, at each bounce, by {}", first.called))
         }

@@ -24,7 +24,7 @@ pub fn may_grow(system: &System, known: &BTreeSet<Symbol>, grown: Symbol, alike:
             match &equation.statement {
                 Statement::Equal { left, right } => powers.balanced(left, right)?,
                 Statement::FirstInteger { unknown, left, right, .. } => {
-                    powers.equal(powers.of(*unknown), Power::default())?;
+                    powers.equal(powers.of(*unknown), &Power::default())?;
                     powers.balanced(left, right)?;
                 }
             }
@@ -33,12 +33,16 @@ pub fn may_grow(system: &System, known: &BTreeSet<Symbol>, grown: Symbol, alike:
             powers.balanced(&condition.left, &condition.right)?;
         }
         for (symbol, other) in alike {
-            powers.equal(powers.of(*symbol), other.map_or_else(Power::default, |other| powers.of(other)))?;
+            let other = other.map_or_else(Power::default, |other| powers.of(other));
+            powers.equal(powers.of(*symbol), &other)?;
         }
-        Some(())
+        Ok::<(), Noticed>(())
     };
-    fits(&mut powers).is_some()
+    fits(&mut powers).is_ok()
 }
+
+/// An equation or a condition notices that the quantity grows.
+struct Noticed;
 
 /// The power of the factor by which a term grows: a number, and multiples of the powers of unknown quantities.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -85,11 +89,11 @@ impl Powers<'_> {
         power.unknown.iter().fold(number, |sum, (symbol, factor)| sum.plus(factor, &self.of(*symbol)))
     }
 
-    /// Two powers have to be the same; none where they cannot be.
-    fn equal(&mut self, one: Power, other: Power) -> Option<()> {
-        let rest = self.resolved(one.plus(&-Rational::ONE, &other));
+    /// Two powers have to be the same.
+    fn equal(&mut self, one: Power, other: &Power) -> Result<(), Noticed> {
+        let rest = self.resolved(one.plus(&-Rational::ONE, other));
         let Some((pivot, factor)) = rest.unknown.iter().next().map(|(symbol, factor)| (*symbol, factor.clone())) else {
-            return rest.number.is_zero().then_some(());
+            return if rest.number.is_zero() { Ok(()) } else { Err(Noticed) };
         };
         let mut row = Power::default().plus(&(-Rational::ONE / &factor), &rest);
         row.unknown.remove(&pivot);
@@ -99,41 +103,41 @@ impl Powers<'_> {
             }
         }
         self.rows.insert(pivot, row);
-        Some(())
+        Ok(())
     }
 
     /// Both sides have to grow alike; what is zero may grow as it likes.
-    fn balanced(&mut self, left: &Expr, right: &Expr) -> Option<()> {
+    fn balanced(&mut self, left: &Expr, right: &Expr) -> Result<(), Noticed> {
         match (self.term(left)?, self.term(right)?) {
-            (Some(left), Some(right)) => self.equal(left, right),
-            _ => Some(()),
+            (Some(left), Some(right)) => self.equal(left, &right),
+            _ => Ok(()),
         }
     }
 
     /// A number that must not grow: an angle, an exponent.
-    fn pure(&mut self, expr: &Expr) -> Option<Option<Power>> {
+    fn pure(&mut self, expr: &Expr) -> Result<Option<Power>, Noticed> {
         if let Some(power) = self.term(expr)? {
-            self.equal(power, Power::default())?;
+            self.equal(power, &Power::default())?;
         }
-        Some(Some(Power::default()))
+        Ok(Some(Power::default()))
     }
 
     /// All terms have to grow alike.
-    fn common<'e>(&mut self, terms: impl IntoIterator<Item = &'e Expr>) -> Option<Option<Power>> {
+    fn common<'e>(&mut self, terms: impl IntoIterator<Item = &'e Expr>) -> Result<Option<Power>, Noticed> {
         let mut common: Option<Power> = None;
         for term in terms {
             let Some(power) = self.term(term)? else { continue };
             match &common {
-                Some(first) => self.equal(first.clone(), power)?,
+                Some(first) => self.equal(first.clone(), &power)?,
                 None => common = Some(power),
             }
         }
-        Some(common)
+        Ok(common)
     }
 
-    /// How a term grows; none within where it is zero, none at all where it does not grow as a whole.
-    fn term(&mut self, expr: &Expr) -> Option<Option<Power>> {
-        Some(match expr {
+    /// How a term grows, if it grows as a whole; none where it is zero.
+    fn term(&mut self, expr: &Expr) -> Result<Option<Power>, Noticed> {
+        Ok(match expr {
             Expr::Number(value) => (!value.is_zero()).then(Power::default),
             Expr::Pi => Some(Power::default()),
             Expr::Symbol(symbol) => Some(self.of(*symbol)),
@@ -141,14 +145,17 @@ impl Powers<'_> {
             Expr::Product(factors) => {
                 let mut product = Power::default();
                 for factor in factors.iter() {
-                    let Some(power) = self.term(factor)? else { return Some(None) };
+                    let Some(power) = self.term(factor)? else { return Ok(None) };
                     product = product.plus(&Rational::ONE, &power);
                 }
                 Some(product)
             }
             Expr::Power(pair) => match pair.1.as_number() {
                 Some(exponent) => self.term(&pair.0)?.map(|base| Power::default().plus(exponent, &base)),
-                None => self.pure(&pair.0).and(self.pure(&pair.1))?,
+                None => {
+                    self.pure(&pair.0)?;
+                    self.pure(&pair.1)?
+                }
             },
             Expr::Apply(Function::Abs, arguments) => self.common(arguments.iter())?,
             Expr::Apply(Function::Atan2, arguments) => {

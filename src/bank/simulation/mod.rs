@@ -83,8 +83,12 @@ pub(super) fn agrees(problem: &Problem, form: usize, seeds: u64) -> (Outcome, Si
         let Ok(variant) = sampler.variant(seed) else { continue };
         let Some(worked) = Worked::new(problem, &variant) else { continue };
         let case = Case { problem, scene, variant: &variant, said: Vec::new() };
-        let trial = Trial::new(&worked, &case);
+        let mut trial = Trial::new(&worked, &case);
         simulated.seeds += 1;
+        // The first says how far off all can be, and how closely everything would be seen.
+        if simulated.seeds == 1 {
+            trial.widen();
+        }
         ways.extend(trial.witness.ways());
         reason = reason.or(trial.witness.nothing);
         if let Some(said) = trial.differing(&mut simulated) {
@@ -113,7 +117,10 @@ struct Trial<'a> {
     worked: &'a Worked<'a>,
     case: &'a Case<'a>,
     witness: Witness<'a>,
+    rough: BTreeMap<String, Comparison>,
     all: BTreeMap<String, (Comparison, f64)>,
+    /// Whether the bounds hold what the errors of the inputs can do, and not only those of the run.
+    wide: bool,
 }
 
 impl<'a> Trial<'a> {
@@ -128,30 +135,56 @@ impl<'a> Trial<'a> {
             let bound = comparison.error + run;
             all.insert(name, (comparison, bound));
         }
-        for symbol in witness.inputs() {
-            let Some(value) = worked.variant.value(symbol).filter(|value| value.error > 0.0) else { continue };
+        let mut trial = Self { worked, case, witness, rough, all, wide: false };
+        trial.compare_formulas();
+        trial
+    }
+
+    /// Puts into the bounds what the errors of the inputs can do: a run more for each of them.
+    fn widen(&mut self) {
+        let [_, coarse] = TOLERANCES;
+        for symbol in self.witness.inputs() {
+            let Some(value) = self.worked.variant.value(symbol).filter(|value| value.error > 0.0) else { continue };
             let nudge = if value.value == 0.0 { NUDGE } else { value.value.abs() * NUDGE };
-            let other = Case { said: vec![(symbol, value.value - nudge)], ..*case };
+            let other = Case { said: vec![(symbol, value.value - nudge)], ..*self.case };
             // The coarser run will do for a slope, so long as it is compared with its like.
-            let changed = compared(worked, &Witness::new(&other, coarse));
-            for (name, (_, bound)) in &mut all {
-                if let (Some(changed), Some(rough)) = (changed.get(name), rough.get(name)) {
+            let changed = compared(self.worked, &Witness::new(&other, coarse));
+            for (name, (_, bound)) in &mut self.all {
+                if let (Some(changed), Some(rough)) = (changed.get(name), self.rough.get(name)) {
                     // Twice the slope: a chord is not the tangent.
                     *bound += 2.0 * ((changed.apart() - rough.apart()) / nudge).abs() * value.error;
                 }
             }
         }
-        for (name, symbol, said) in parts::formulas(worked) {
-            let quantity = &worked.problem.model().symbols.entry(symbol).name;
-            if let Some((comparison, bound)) = all.get(quantity).cloned() {
-                all.insert(name, (Comparison { said, ..comparison }, bound));
+        self.wide = true;
+        self.compare_formulas();
+    }
+
+    /// A formula that is asked is compared as the quantity for which it stands.
+    fn compare_formulas(&mut self) {
+        for (name, symbol, said) in parts::formulas(self.worked) {
+            let quantity = &self.worked.problem.model().symbols.entry(symbol).name;
+            if let Some((comparison, bound)) = self.all.get(quantity).cloned() {
+                self.all.insert(name, (Comparison { said, ..comparison }, bound));
             }
         }
-        Self { worked, case, witness, all }
+    }
+
+    /// Whether laws and simulation differ by more than the bounds allow. One that is no number bounds nothing.
+    fn is_beyond(&self) -> bool {
+        let beyond = |(comparison, bound): &(Comparison, f64)| {
+            let apart = comparison.apart().abs();
+            bound.is_nan() || apart.is_nan() || apart > *bound
+        };
+        self.all.values().any(beyond)
     }
 
     /// The first quantity on which laws and simulation differ; what was compared is counted.
-    fn differing(&self, simulated: &mut Simulated) -> Option<String> {
+    fn differing(&mut self, simulated: &mut Simulated) -> Option<String> {
+        // What the run alone explains needs no further runs.
+        if !self.wide && self.is_beyond() {
+            self.widen();
+        }
         for (name, (comparison, bound)) in &self.all {
             simulated.compared += 1;
             let apart = comparison.apart().abs();

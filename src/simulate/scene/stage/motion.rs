@@ -85,9 +85,10 @@ impl Bench<'_> {
         let from = place(self.values, body);
         let first = if told.places { told.at(start, ZERO) } else { from.unwrap_or(ZERO) };
         let integrator = self.integrator((end - start) / STEPS);
-        let last = match told.places {
-            true => told.at(end, ZERO),
-            false => integrator.until(start, first, end, &|time, at: &Vector| told.at(time, *at))?,
+        let last = if told.places {
+            told.at(end, ZERO)
+        } else {
+            integrator.until(start, first, end, &|time, at: &Vector| told.at(time, *at))?
         };
         let ends =
             [(start, first), (end, last)].map(|(time, at)| (told.velocity(time, at), told.acceleration(time, at)));
