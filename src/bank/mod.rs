@@ -20,4 +20,4 @@ pub use diagnosis::{Diagnosed, Tally, diagnosed};
 pub use entry::Card;
 pub use promise::{Finding, Outcome, Promise};
 pub use report::{AnswerSpread, Audit, FormAudit};
-pub use simulation::{SIMULATED, Simulated, followed, staged};
+pub use simulation::{Simulated, followed, staged};

@@ -11,7 +11,6 @@ use crate::bank::Audit;
 use crate::bank::Bank;
 use crate::bank::FormAudit;
 use crate::bank::Outcome;
-use crate::bank::SIMULATED;
 use crate::bank::Seeds;
 use crate::bank::audit;
 use crate::quantity::Printed;
@@ -28,7 +27,7 @@ const HELP: &str = "\
 Examples:
   momentous check                               every problem of the bank
   momentous check impact/two-carts --seeds 5000
-  momentous check impact --simulated 1000       every seed by a simulation as well
+  momentous check impact --simulated 64         the first seeds only by a simulation as well, to be quick
   momentous check impact                        every problem of a topic
   momentous check my-problem.yaml my-folder/
   momentous check --format json | jq 'select(.faults)'
@@ -49,20 +48,24 @@ pub(super) struct Check {
     /// How many seeds to draw for each form
     #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
     seeds: u64,
-    /// How many of these to simulate as well, by a method that shares no code with the laws
-    #[arg(long, value_name = "N", default_value_t = SIMULATED, value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
-    simulated: u64,
+    /// How many of these to simulate as well, by a method that shares no code with the laws; all of them where nothing is said
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
+    simulated: Option<u64>,
     /// For people, or one JSON object a line
     #[arg(long, value_name = "FORMAT", default_value = "text")]
     format: Listing,
 }
 
 impl Check {
+    fn simulated(&self) -> u64 {
+        self.simulated.unwrap_or(self.seeds).min(self.seeds)
+    }
+
     pub(super) fn run(&self) -> Result<Exit, Failure> {
         let sources = Bank::here()?.select(&self.problems)?;
         let bar = progress::bar(sources.len() as u64, false);
         let look = |source| {
-            let audit = audit(source, Seeds { drawn: self.seeds, simulated: self.simulated });
+            let audit = audit(source, Seeds { drawn: self.seeds, simulated: self.simulated() });
             bar.inc(1);
             audit
         };
@@ -70,7 +73,7 @@ impl Check {
         bar.finish_and_clear();
         let mut output = Output::to(None)?;
         match self.format {
-            Listing::Text => write_text(&mut output, &audits, self.simulated)?,
+            Listing::Text => write_text(&mut output, &audits, self.simulated())?,
             Listing::Json => {
                 for audit in &audits {
                     serde_json::to_writer(&mut output, audit)?;

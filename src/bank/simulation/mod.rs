@@ -10,7 +10,9 @@ mod witness;
 
 use std::collections::BTreeMap;
 use std::collections::BTreeSet;
+use std::ops::RangeInclusive;
 
+use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::problem::Problem;
@@ -29,8 +31,8 @@ use witness::Case;
 use witness::Comparison;
 use witness::Witness;
 
-/// Seeds whose variants are simulated where nobody says how many.
-pub const SIMULATED: u64 = 64;
+/// Seeds that are simulated one after another; portions run beside each other.
+const PORTION: usize = 16;
 
 /// The tolerances of the two runs whose difference says how far the finer one may be off.
 const TOLERANCES: [f64; 2] = [1e-11, 1e-9];
@@ -68,34 +70,72 @@ impl Simulated {
     pub fn is_whole(&self) -> bool {
         self.unseen.is_empty() && !self.witnessed.is_empty()
     }
+
+    /// Takes in what further seeds come to.
+    fn add(&mut self, other: Self) {
+        self.seeds += other.seeds;
+        self.compared += other.compared;
+        self.apart = self.apart.max(other.apart);
+        self.bound = self.bound.max(other.bound);
+        self.witnessed.extend(other.witnessed);
+        self.unseen.extend(other.unseen);
+    }
+}
+
+/// What the simulation of a few seeds comes to.
+#[derive(Default)]
+struct Portion {
+    simulated: Simulated,
+    ways: BTreeSet<Way>,
+    reason: Option<NothingToSimulate>,
+    broken: Option<String>,
+}
+
+impl Portion {
+    /// Simulates seeds one after another, until one is found that differs.
+    fn of(problem: &Problem, form: usize, seeds: RangeInclusive<u64>) -> Self {
+        let (mut own, is_first) = (Self::default(), *seeds.start() == 1);
+        let Ok(mut sampler) = Sampler::new(problem, form) else { return own };
+        let scene = &problem.loaded().draft.scene;
+        for seed in seeds {
+            let Ok(variant) = sampler.variant(seed) else { continue };
+            let Some(worked) = Worked::new(problem, &variant) else { continue };
+            let case = Case { problem, scene, variant: &variant, said: Vec::new() };
+            let mut trial = Trial::new(&worked, &case);
+            own.simulated.seeds += 1;
+            // The very first says how far off all can be, and how closely everything would be seen.
+            let is_looked_at = is_first && own.simulated.seeds == 1;
+            if is_looked_at {
+                trial.widen();
+            }
+            own.ways.extend(trial.witness.ways());
+            own.reason = own.reason.or(trial.witness.nothing);
+            if let Some(said) = trial.differing(&mut own.simulated) {
+                own.broken = Some(format!("with seed {seed}, {said}"));
+                break;
+            }
+            if is_looked_at {
+                trial.put_wrong(&mut own.simulated);
+            }
+        }
+        own
+    }
 }
 
 /// Whether simulations of a form agree with its variants, and how that was found.
 pub(super) fn agrees(problem: &Problem, form: usize, seeds: u64) -> (Outcome, Simulated) {
-    let mut simulated = Simulated::default();
-    let Ok(mut sampler) = Sampler::new(problem, form) else {
-        return (Outcome::NotChecked("nothing was drawn"), simulated);
-    };
-    let scene = &problem.loaded().draft.scene;
-    let mut ways = BTreeSet::new();
-    let mut reason = None;
-    for seed in 1..=seeds {
-        let Ok(variant) = sampler.variant(seed) else { continue };
-        let Some(worked) = Worked::new(problem, &variant) else { continue };
-        let case = Case { problem, scene, variant: &variant, said: Vec::new() };
-        let mut trial = Trial::new(&worked, &case);
-        simulated.seeds += 1;
-        // The first says how far off all can be, and how closely everything would be seen.
-        if simulated.seeds == 1 {
-            trial.widen();
-        }
-        ways.extend(trial.witness.ways());
-        reason = reason.or(trial.witness.nothing);
-        if let Some(said) = trial.differing(&mut simulated) {
-            return (Outcome::Broken(format!("with seed {seed}, {said}")), simulated);
-        }
-        if simulated.seeds == 1 {
-            trial.put_wrong(&mut simulated);
+    let portions: Vec<u64> = (1..=seeds).step_by(PORTION).collect();
+    let portions: Vec<Portion> = portions
+        .into_par_iter()
+        .map(|first| Portion::of(problem, form, first..=seeds.min(first + PORTION as u64 - 1)))
+        .collect();
+    let (mut simulated, mut ways, mut reason) = (Simulated::default(), BTreeSet::new(), None);
+    for own in portions {
+        simulated.add(own.simulated);
+        ways.extend(own.ways);
+        reason = reason.or(own.reason);
+        if let Some(said) = own.broken {
+            return (Outcome::Broken(said), simulated);
         }
     }
     simulated.ways = ways.into_iter().map(Way::called).collect();
