@@ -210,26 +210,17 @@ impl<'a> Trial<'a> {
         }
     }
 
-    /// Whether laws and simulation differ by more than the bounds allow. One that is no number bounds nothing.
-    fn is_beyond(&self) -> bool {
-        let beyond = |(comparison, bound): &(Comparison, f64)| {
-            let apart = comparison.apart().abs();
-            bound.is_nan() || apart.is_nan() || apart > *bound
-        };
-        self.all.values().any(beyond)
-    }
-
     /// The first quantity on which laws and simulation differ; what was compared is counted.
     fn differing(&mut self, simulated: &mut Simulated) -> Option<String> {
         // What the run alone explains needs no further runs.
-        if !self.wide && self.is_beyond() {
+        if !self.wide && self.all.values().any(is_beyond) {
             self.widen();
         }
-        for (name, (comparison, bound)) in &self.all {
+        for (name, own) in &self.all {
             simulated.compared += 1;
+            let (comparison, bound) = own;
             let apart = comparison.apart().abs();
-            // A bound that is no number bounds nothing.
-            if bound.is_nan() || apart.is_nan() || apart > *bound {
+            if is_beyond(own) {
                 return Some(format!(
                     "`{name}` is {} by the laws and {} by simulation, {apart:e} apart where errors allow {bound:e}",
                     comparison.said, comparison.found
@@ -269,6 +260,12 @@ impl<'a> Trial<'a> {
             list.push(answer.id().to_owned());
         }
     }
+}
+
+/// Whether laws and simulation differ by more than the bound allows. One that is no number bounds nothing.
+fn is_beyond((comparison, bound): &(Comparison, f64)) -> bool {
+    let apart = comparison.apart().abs();
+    bound.is_nan() || apart.is_nan() || apart > *bound
 }
 
 /// Everything that is both said and found.

@@ -6,7 +6,6 @@ use crate::laws::energy;
 use crate::laws::force;
 use crate::laws::kinematics;
 use crate::laws::momentum;
-use crate::model::ActingForce;
 use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Direction;
@@ -69,8 +68,7 @@ impl Builder<'_> {
             };
             let works = both.map(|own| (own.drive.clone() * distance.clone()).simplify());
             let because = format!("what {joint} does on one body it takes from the other, and it does no work in all");
-            let ends = [kinetic(&|own| own.before.clone()), kinetic(&|own| own.after.clone())];
-            let [start, end] = ends;
+            let (start, end) = (kinetic(&|own| own.before.clone()), kinetic(&|own| own.after.clone()));
             self.law(&energy::WORK_ENERGY, Some(index), because, energy::work_energy(start, works, end));
         }
         for speed in [&front.before, &front.after].into_iter().filter(|speed| !speed.is_zero()) {
@@ -88,15 +86,9 @@ impl Builder<'_> {
         let symbol = self.symbol(format!("tension{}", self.stage_suffix(index)), Dimension::FORCE, meaning);
         let names = stage.both().map(|own| own.body.clone());
         for (own, other, reversed) in [(0, 1, true), (1, 0, false)] {
-            self.forces.push(ActingForce {
-                stage: index,
-                on: names[own].clone(),
-                kind: ForceKind::Pull,
-                called: joint.to_owned(),
-                strength: symbol.into(),
-                direction: Direction::axis(self.axis_place(0), reversed),
-                during: [Expr::zero(), duration.clone()],
-            });
+            let acts = Acts { stage: index, on: &names[own], during: [&Expr::zero(), duration] };
+            let towards = Direction::axis(self.axis_place(0), reversed);
+            self.forces.push(acts.force(ForceKind::Pull, joint, symbol.into(), towards));
             self.impulses.push(Impulse {
                 stage: index,
                 on: names[own].clone(),
@@ -135,19 +127,12 @@ impl Builder<'_> {
         let name = self.called(body);
         let (mass, suffix) = (self.mass(body), self.stage_suffix(index));
         let weight = mass.clone() * self.gravity();
-        let during = [Expr::zero(), duration.clone()];
+        let acts = Acts { stage: index, on: body, during: [&Expr::zero(), duration] };
         let mut acting = Vec::new();
         if let Some(term) = &towed.force {
             let force = self.steady_force(&name, term, &path.key("force"));
-            self.forces.push(ActingForce {
-                stage: index,
-                on: body.to_owned(),
-                kind: ForceKind::Pull,
-                called: "the force".into(),
-                strength: force.clone(),
-                direction: Direction::axis(self.axis_place(0), false),
-                during,
-            });
+            let ahead = self.first_axis();
+            self.forces.push(acts.force(ForceKind::Pull, "the force", force.clone(), ahead));
             acting.push(force);
         }
         let friction = towed.friction.as_ref().map(|term| {
@@ -160,7 +145,6 @@ impl Builder<'_> {
         if !incline.is_level() {
             acting.push(-(weight.clone() * incline.rise()));
         }
-        let acts = Acts { stage: index, on: body, during: [&Expr::zero(), duration] };
         if incline.press.is_zero() {
             let down = Direction::axis(self.axis_place(0), incline.sign > 0);
             self.forces.push(acts.force(ForceKind::Weight, "weight", weight, down));
