@@ -33,6 +33,8 @@ mod mix;
 
 /// Submissions, grouped by problem.
 const SUBMISSIONS: u64 = 10_000;
+/// What a core takes at a time, so that none of them waits long for the others.
+const PORTION: usize = 100;
 
 struct Row {
     seed: u64,
@@ -40,6 +42,7 @@ struct Row {
 }
 
 /// Draws and marks one after the other; how many parts are right.
+#[inline(never)]
 fn marked(problem: &Arc<Problem>, marker: &Marker, rows: &[Row]) -> usize {
     let Ok(mut drawer) = Drawer::new(problem, 0) else { return 0 };
     let reports = rows.iter().filter_map(|row| {
@@ -64,8 +67,10 @@ fn marking(criterion: &mut Criterion) {
     for cores in [1, 2] {
         let Ok(pool) = rayon::ThreadPoolBuilder::new().num_threads(cores).build() else { continue };
         group.bench_function(format!("answers, {cores} cores"), |bencher| {
-            let one = |((problem, marker), rows): ((_, _), &Vec<Row>)| marked(problem, marker, rows);
-            let all = || problems.par_iter().zip(&markers).zip(&groups).map(one).sum::<usize>();
+            let portions = |((problem, marker), rows): ((_, _), &'_ Vec<Row>)| {
+                rows.par_chunks(PORTION).map(|rows| marked(problem, marker, rows)).sum::<usize>()
+            };
+            let all = || problems.par_iter().zip(&markers).zip(&groups).map(portions).sum::<usize>();
             bencher.iter(|| black_box(pool.install(all)));
         });
     }
