@@ -21,12 +21,8 @@ impl Scheme {
     }
 }
 
-/// Words of a block of `ChaCha8`, as 64 bits.
-const BLOCK: u64 = 8;
-/// Blocks that the generator makes at once: those of neighbouring seeds.
-const TOGETHER: u64 = 4;
-/// Words made at once.
-const BUFFER: usize = 32;
+/// Words of a block of `ChaCha8`, as 64 bits: those of one seed, one for each of so many attempts.
+const BLOCK: usize = 8;
 
 /// The streams of one problem, one for each name. Names do not touch each other's words, so a given may be added or
 /// removed and the others stay.
@@ -64,18 +60,21 @@ impl Streams {
     /// A maker of words; each thread takes its own.
     #[must_use]
     pub fn words(&self) -> Words {
-        Words {
+        let made = |id: &u64| Made {
+            id: *id,
             generator: ChaCha8Rng::from_seed(self.key),
-            made: self.ids.iter().map(|id| Made { id: *id, place: None, words: [[0; 8]; BUFFER] }).collect(),
-        }
+            place: None,
+            next: None,
+            words: [0; BLOCK],
+        };
+        Words { made: self.ids.iter().map(made).collect() }
     }
 }
 
-/// Makes the words of a problem's streams. A word is found by seed and attempt alone, in any order; words of neighbouring
-/// seeds are made together, so running through seeds in order is cheapest.
+/// Makes the words of a problem's streams. A word is found by seed and attempt alone, in any order; running through seeds in
+/// order is cheapest.
 #[derive(Debug)]
 pub struct Words {
-    generator: ChaCha8Rng,
     made: Vec<Made>,
 }
 
@@ -83,25 +82,44 @@ pub struct Words {
 #[derive(Debug)]
 struct Made {
     id: u64,
-    /// The block of attempts and the first seed of the words.
-    place: Option<(u64, u64)>,
-    words: [[u8; 8]; BUFFER],
+    generator: ChaCha8Rng,
+    /// The words that are there.
+    place: Option<Place>,
+    /// The words that the generator makes next, if it goes on.
+    next: Option<Place>,
+    words: [u64; BLOCK],
+}
+
+/// Where words are in a stream: by the block of attempts, and by the seed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Place {
+    attempts: u64,
+    seed: u64,
+}
+
+impl Made {
+    fn go_to(&mut self, place: Place) {
+        if self.next != Some(place) {
+            self.generator.set_stream(self.id.wrapping_add(place.attempts));
+            self.generator.set_block_pos(place.seed);
+        }
+        self.words = std::array::from_fn(|_| self.generator.next_u64());
+        self.place = Some(place);
+        self.next = place.seed.checked_add(1).map(|seed| Place { seed, ..place });
+    }
 }
 
 impl Words {
     /// The random word of the `index`-th name for a seed and an attempt, both from 0; nought where there is no such name.
     pub fn word(&mut self, index: usize, seed: u64, attempt: u64) -> u64 {
         let Some(made) = self.made.get_mut(index) else { return 0 };
-        let place = (attempt / BLOCK, seed - seed % TOGETHER);
+        let place = Place { attempts: attempt / BLOCK as u64, seed };
         if made.place != Some(place) {
-            self.generator.set_stream(made.id.wrapping_add(place.0));
-            self.generator.set_block_pos(place.1);
-            self.generator.fill_bytes(made.words.as_flattened_mut());
-            made.place = Some(place);
+            made.go_to(place);
         }
-        // Both remainders are small, so the word is within the buffer.
-        let word = (seed % TOGETHER) * BLOCK + attempt % BLOCK;
-        usize::try_from(word).ok().and_then(|word| made.words.get(word)).map_or(0, |word| u64::from_le_bytes(*word))
+        // The remainder is small, so the word is within the block.
+        let word = attempt % BLOCK as u64;
+        usize::try_from(word).ok().and_then(|word| made.words.get(word)).copied().unwrap_or_default()
     }
 }
 
