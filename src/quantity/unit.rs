@@ -4,6 +4,8 @@ use std::fmt;
 use std::hash::Hash;
 use std::hash::Hasher;
 
+use smallvec::SmallVec;
+
 use super::factor::StaticFactor;
 use super::prefix::Prefix;
 use super::unit_lookup::find_symbol;
@@ -45,6 +47,9 @@ pub(super) struct Power {
     pub(super) exponent: i8,
 }
 
+/// So many powers are kept in place: few units have more, and units are copied often.
+const USUAL: usize = 3;
+
 /// A product of units, as it is printed: `kg m/s` and `N s` are different units of the same dimension and size.
 ///
 /// Symbols stay in the order in which they were written, those with positive powers first; equal ones are joined.
@@ -59,7 +64,7 @@ pub(super) struct Power {
 /// ```
 #[derive(Clone, PartialEq, Eq, Hash, Default)]
 pub struct Unit {
-    powers: Vec<Power>,
+    powers: SmallVec<[Power; USUAL]>,
     dimension: Dimension,
 }
 
@@ -72,7 +77,7 @@ impl Unit {
 
     /// The product of these powers; `None` where an exponent, of a symbol, of the dimension or of pi, does not fit.
     pub(super) fn from_powers(written: impl IntoIterator<Item = (Symbol, i32)>) -> Option<Self> {
-        let mut joined: Vec<(Symbol, i32)> = Vec::new();
+        let mut joined: SmallVec<[(Symbol, i32); USUAL]> = SmallVec::new();
         for (symbol, exponent) in written {
             match joined.iter_mut().find(|(known, _)| *known == symbol) {
                 Some((_, sum)) => *sum = sum.checked_add(exponent)?,
@@ -80,7 +85,7 @@ impl Unit {
             }
         }
         let fit = |(symbol, exponent): (Symbol, i32)| Some(Power { symbol, exponent: i8::try_from(exponent).ok()? });
-        let mut powers: Vec<Power> =
+        let mut powers: SmallVec<[Power; USUAL]> =
             joined.into_iter().filter(|(_, exponent)| *exponent != 0).map(fit).collect::<Option<_>>()?;
         powers.sort_by_key(|power| power.exponent < 0);
         let total = |exponent_of: fn(&UnitRow) -> i8| {
