@@ -99,6 +99,10 @@ impl Writer {
         if matches!(operation, Operation::Add | Operation::Multiply) && operands[0] > operands[1] {
             operands.swap(0, 1);
         }
+        if operation == Operation::Subtract && operands[0] == operands[1] {
+            // Exactly, while the difference of two roundings would only be small: nothing then looks undecided.
+            return self.constant(Rational::ZERO.into());
+        }
         if let Some(register) = self.computed.get(&(operation, operands)) {
             return *register;
         }
