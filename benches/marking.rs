@@ -45,6 +45,7 @@ struct Row {
 #[inline(never)]
 fn marked(problem: &Arc<Problem>, marker: &Marker, rows: &[Row]) -> usize {
     let Ok(mut drawer) = Drawer::new(problem, 0) else { return 0 };
+    let mut marker = marker.clone();
     let reports = rows.iter().filter_map(|row| {
         let answers: Vec<(&str, &str)> = row.answers.iter().map(|(id, text)| (id.as_str(), text.as_str())).collect();
         let exercise = drawer.draw(row.seed).ok()?;

@@ -9,7 +9,7 @@ use momentous::grade::{DecimalMark, Report};
 use momentous::problem::{Problem, compile, load};
 
 /// What an honest student is told who rounds on the way, where that is not simply right.
-fn wronged(marker: &Marker, exercise: &Exercise) -> Option<Report> {
+fn wronged(marker: &mut Marker, exercise: &Exercise) -> Option<Report> {
     let answers = exercise.rounded_answers();
     let answers: Vec<(&str, &str)> = answers.iter().map(|(part, text)| (part.as_str(), text.as_str())).collect();
     let report = marker.mark(exercise.worked(), &answers, Sitting::default());
@@ -20,11 +20,11 @@ fn wronged(marker: &Marker, exercise: &Exercise) -> Option<Report> {
 fn all_wronged(problem: &Arc<Problem>, seeds: u64) -> Vec<String> {
     let mut found = Vec::new();
     for form in 0..problem.forms().len() {
-        let marker = Marker::new(problem, form, DecimalMark::Point).expect("the form is there");
+        let mut marker = Marker::new(problem, form, DecimalMark::Point).expect("the form is there");
         let mut drawer = Drawer::new(problem, form).expect("the form is there");
         for seed in 1..=seeds {
             let Ok(exercise) = drawer.draw(seed) else { continue };
-            let report = wronged(&marker, &exercise);
+            let report = wronged(&mut marker, &exercise);
             found.extend(report.map(|report| format!("{} form {form} seed {seed}\n{report}", problem.id())));
         }
     }

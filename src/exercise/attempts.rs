@@ -23,7 +23,7 @@ impl Marker {
     /// Marks a student's attempts at a variant, the earliest first; so many more were made `before` the first of them. The marks
     /// depend on these, the variant and its rubric, and on nothing else.
     #[must_use]
-    pub fn mark_attempts(&self, worked: Worked<'_>, attempts: &[Try<'_>], before: u32) -> Vec<Attempt> {
+    pub fn mark_attempts(&mut self, worked: Worked<'_>, attempts: &[Try<'_>], before: u32) -> Vec<Attempt> {
         let most = self.rubric().attempts.most;
         let made = |index: usize| before.saturating_add(u32::try_from(index + 1).unwrap_or(u32::MAX));
         let marked = attempts.iter().enumerate().map(|(index, own)| {
@@ -48,7 +48,7 @@ impl Exercise {
         mark: grade::DecimalMark,
     ) -> Option<grade::Report> {
         let worked = self.worked();
-        let marker = Marker::of(worked.problem, worked.form, mark);
+        let mut marker = Marker::of(worked.problem, worked.form, mark);
         let tries = attempts.iter().map(|answers| Try {
             answers: answers.iter().map(|(id, text)| (id.as_str(), text.as_str())).collect(),
             hints,

@@ -47,7 +47,8 @@ impl Marking<'_> {
         match self.answered(place)? {
             (PartKind::Number(number), grade::ExpectedKind::Number(right), answer) => {
                 let answer = diagnose::number(right, answer).filter(|own| !diagnose::is_coarse(right, *own))?;
-                let (mistakes, values) = self.outcomes(|all, mistake, add| all.each(mistake, number, add));
+                let is_near = |value: f64| diagnose::is_near(right, answer, value);
+                let (mistakes, values) = self.outcomes(|all, mistake, add| all.each(mistake, number, &is_near, add));
                 Some(picked(&mistakes, diagnose::matching(right, answer, &values)))
             }
             (PartKind::Vector(vector), grade::ExpectedKind::Vector(right), answer) => {

@@ -1,4 +1,4 @@
-//! Marking one form of a problem: what does not depend on the numbers is prepared once, and shared by all threads.
+//! Marking one form of a problem: what does not depend on the numbers is prepared once.
 
 use std::sync::Arc;
 
@@ -20,7 +20,8 @@ use crate::problem::Worked;
 use super::formula::expected_formula;
 use super::rules::Rules;
 
-/// All that marking knows of a form before its numbers are drawn. With them it marks answers, always in the same way.
+/// All that marking knows of a form before its numbers are drawn. With them it marks answers, always in the same way; it has
+/// a memory of what it read, so each thread takes a clone of its own.
 ///
 /// ```
 /// use std::sync::Arc;
@@ -30,7 +31,7 @@ use super::rules::Rules;
 /// use momentous::problem::{compile, load};
 ///
 /// let problem = Arc::new(compile(load(Bank::built_in().find("impact/two-carts")?.clone())?, None)?);
-/// let marker = Marker::new(&problem, 0, DecimalMark::Point)?;
+/// let mut marker = Marker::new(&problem, 0, DecimalMark::Point)?;
 /// let mut drawer = Drawer::new(&problem, 0)?;
 /// for seed in 1..4 {
 ///     let exercise = drawer.draw(seed)?;
@@ -40,7 +41,7 @@ use super::rules::Rules;
 /// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Marker {
     pub(super) blanks: Vec<Blank>,
     pub(super) rubric: Rubric,
@@ -50,9 +51,11 @@ pub struct Marker {
 }
 
 /// One part, with everything but the right answer.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Blank {
     asked: grade::Expected,
+    /// A copy with the right answer of some variant, to be filled anew.
+    spare: Option<grade::Expected>,
     /// The boundary of an interval; its ends are known with the numbers.
     boundary: Option<grade::ExpectedNumber>,
     /// What was read as answers to it.
@@ -82,13 +85,8 @@ impl Marker {
     /// Whether the form has a part of that name.
     #[must_use]
     pub fn asks(&self, id: &str) -> bool {
-        let id = self.usual_name(id);
+        let id = self.notation.usual(self.blanks.iter().map(|blank| blank.asked.id.as_str()), id);
         self.blanks.iter().any(|blank| blank.asked.id == id)
-    }
-
-    /// The name of the part that is meant, where the letters of the course are typed.
-    pub(super) fn usual_name<'a>(&'a self, typed: &'a str) -> &'a str {
-        self.notation.usual(self.blanks.iter().map(|blank| blank.asked.id.as_str()), typed)
     }
 
     /// What partly right answers are worth, and what attempts and hints cost.
@@ -119,14 +117,22 @@ impl Blank {
         };
         Self {
             asked: grade::Expected { id: part.id.clone(), points: part.points, kind },
+            spare: None,
             boundary,
             readings: Readings::default(),
         }
     }
 
+    /// Takes back what was filled, so that the next need not be made.
+    pub(super) fn put_back(&mut self, filled: grade::Expected) {
+        if filled.id == self.asked.id && filled.points == self.asked.points {
+            self.spare = Some(filled);
+        }
+    }
+
     /// The part with its right answer. What [`widen`] puts in is left out.
-    pub(super) fn filled(&self, worked: Worked<'_>, part: &Part) -> grade::Expected {
-        let mut expected = self.asked.clone();
+    pub(super) fn filled(&mut self, worked: Worked<'_>, part: &Part) -> grade::Expected {
+        let mut expected = self.spare.take().unwrap_or_else(|| self.asked.clone());
         match (&mut expected.kind, &part.kind) {
             (grade::ExpectedKind::Number(blank), PartKind::Number(number)) => fill(blank, worked, number),
             (grade::ExpectedKind::Vector(blank), PartKind::Vector(vector)) => {
@@ -200,6 +206,7 @@ fn blank_number(rules: Rules<'_>, part: &Part, number: &NumberPart) -> grade::Ex
 fn fill(blank: &mut grade::ExpectedNumber, worked: Worked<'_>, number: &NumberPart) {
     let answer = worked.answer(number);
     (blank.value, blank.error) = (answer.value, answer.error);
+    (blank.allowance, blank.scale) = (0.0, 0.0);
     blank.magnitude = blank.senses.is_none() && answer.value >= 0.0;
 }
 

@@ -1,6 +1,5 @@
 //! Marking a variant: answers are dealt out to what is expected, judged, and looked at again where they are wrong.
 
-use std::borrow::Cow;
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -12,6 +11,7 @@ use crate::problem::Part;
 use crate::problem::PartKind;
 use crate::problem::Simulated;
 use crate::problem::Worked;
+use crate::solve::Bounded;
 
 use super::Exercise;
 use super::ROOTS_JOINED;
@@ -47,34 +47,42 @@ impl Marker {
     /// Marks answers to a variant of this form, by part. Of wrong answers it says what they follow from, or which usual mistake
     /// leads to them.
     #[must_use]
-    pub fn mark(&self, worked: Worked<'_>, answers: &[(&str, &str)], sitting: Sitting) -> grade::Report {
-        let count = self.blanks.len();
+    pub fn mark(&mut self, worked: Worked<'_>, answers: &[(&str, &str)], sitting: Sitting) -> grade::Report {
+        let Self { blanks, rubric, mark, notation } = self;
+        let ids = || worked.form.parts.iter().map(|part| part.id.as_str());
         let renamed: Vec<(&str, &str)>;
         let mut answers = answers;
-        if !self.notation.is_usual() {
-            renamed = answers.iter().map(|(typed, text)| (self.usual_name(typed), *text)).collect();
+        if !notation.is_usual() {
+            renamed = answers.iter().map(|(typed, text)| (notation.usual(ids(), typed), *text)).collect();
             answers = &renamed;
         }
+        let count = blanks.len();
         let mut marking = Marking {
             worked,
-            rubric: &self.rubric,
+            rubric,
             expected: Vec::with_capacity(count),
             readings: Vec::with_capacity(count),
             parts: Vec::with_capacity(count),
             simulated: OnceCell::new(),
         };
-        for (position, (part, blank)) in worked.form.parts.iter().zip(&self.blanks).enumerate() {
+        for (position, (part, blank)) in worked.form.parts.iter().zip(blanks.iter_mut()).enumerate() {
             let text = answers.iter().find(|(id, _)| *id == part.id).map_or("", |(_, text)| *text);
             let text = without_unit_quantity(worked, part, text);
             let single = blank.filled(worked, part);
-            for (expected, text) in shared_out(single, text, worked, part, self.mark) {
+            let mut put = |expected: Expected, text: &str| {
                 // What a formula may contain depends on the way in which the scene goes.
                 marking.readings.push(match &expected.kind {
-                    grade::ExpectedKind::Formula(_) => Reading::of(&text, &expected.kind, self.mark).map(Arc::new),
-                    kind => blank.readings.read(&text, kind, self.mark),
+                    grade::ExpectedKind::Formula(_) => Reading::of(text, &expected.kind, *mark).map(Arc::new),
+                    kind => blank.readings.read(text, kind, *mark),
                 });
                 marking.expected.push(expected);
                 marking.parts.push(position);
+            };
+            match several(worked, part) {
+                Some(roots) => shared_out(&single, &roots, text, worked, part, *mark)
+                    .into_iter()
+                    .for_each(|(expected, text)| put(expected, &text)),
+                None => put(single, text),
             }
         }
         let Marking { expected, readings, parts, .. } = &mut marking;
@@ -83,7 +91,7 @@ impl Marker {
                 widen(expected, worked, part);
             }
         };
-        let mut report = grade::grade_read(expected, readings, &self.rubric, &mut widen);
+        let mut report = grade::grade_read(expected, readings, rubric, &mut widen);
         let asked = |id: &str| marking.expected.iter().any(|own| own.id == id);
         let is_part = |id: &str| worked.form.parts.iter().any(|part| part.id == id);
         let not_asked = answers.iter().filter(|(id, _)| !asked(id) && !is_part(id));
@@ -91,6 +99,11 @@ impl Marker {
         if !report.is_right() {
             marking.follow_through(&mut report, sitting.closed);
             marking.diagnose(&mut report, sitting.hints);
+        }
+        for (expected, position) in marking.expected.into_iter().zip(marking.parts) {
+            if let Some(blank) = blanks.get_mut(position) {
+                blank.put_back(expected);
+            }
         }
         report
     }
@@ -108,7 +121,8 @@ impl Exercise {
     pub fn expected(&self, part: &Part) -> Expected {
         let worked = self.worked();
         let rules = Rules { problem: worked.problem, form: worked.form };
-        let mut expected = Blank::new(rules, part).filled(worked, part);
+        let mut blank = Blank::new(rules, part);
+        let mut expected = blank.filled(worked, part);
         widen(&mut expected, worked, part);
         expected
     }
@@ -134,24 +148,24 @@ impl Exercise {
     }
 }
 
-/// What is expected, each with the text that answers it: the part itself, or one for each of its roots. Each root gets the
-/// first value that is right for it, whatever the order in which they were typed; what is left goes to the roots that are left.
-fn shared_out<'t>(
-    single: Expected,
-    text: &'t str,
+/// The roots of a part, where it has several.
+fn several(worked: Worked<'_>, part: &Part) -> Option<Vec<Bounded>> {
+    let PartKind::Number(number) = &part.kind else { return None };
+    (number.every_root || worked.variant.has_others()).then(|| worked.answers(number)).filter(|roots| roots.len() > 1)
+}
+
+/// What is expected of each of several roots, with the text that answers it. Each root gets the first value that is right for it,
+/// whatever the order in which they were typed; what is left goes to the roots that are left.
+fn shared_out(
+    single: &Expected,
+    roots: &[Bounded],
+    text: &str,
     worked: Worked<'_>,
     part: &Part,
     mark: grade::DecimalMark,
-) -> Vec<(Expected, Cow<'t, str>)> {
-    let roots = match &part.kind {
-        PartKind::Number(number) => worked.answers(number),
-        _ => Vec::new(),
-    };
-    if roots.len() < 2 {
-        return vec![(single, Cow::Borrowed(text))];
-    }
+) -> Vec<(Expected, String)> {
     let count = u32::try_from(roots.len()).unwrap_or(1).max(1);
-    let root = |(index, answer): (usize, &crate::solve::Bounded)| {
+    let root = |(index, answer): (usize, &Bounded)| {
         let mut root = single.clone();
         if index > 0 {
             root.id = format!("{} ({})", part.id, index + 1);
@@ -177,7 +191,5 @@ fn shared_out<'t>(
     }
     let mut left = values.into_iter();
     let pairs = roots.into_iter().zip(dealt);
-    pairs
-        .map(|(root, own)| (root, Cow::Owned(own.unwrap_or_else(|| left.next().unwrap_or_default().to_owned()))))
-        .collect()
+    pairs.map(|(root, own)| (root, own.unwrap_or_else(|| left.next().unwrap_or_default().to_owned()))).collect()
 }

@@ -93,23 +93,32 @@ struct Suspect {
     away: f64,
 }
 
+/// Whether an answer is so near to a value that rounding may lead from the one to the other.
+#[must_use]
+pub fn is_near(expected: &ExpectedNumber, answer: f64, value: f64) -> bool {
+    distance(expected, value, answer) <= reach(expected.figures) * value.abs()
+}
+
+/// How far two values are apart; of directions the shorter way round.
+fn distance(expected: &ExpectedNumber, one: f64, other: f64) -> f64 {
+    if expected.cyclic {
+        return libm::fabs(libm::remainder(one - other, std::f64::consts::TAU / expected.size));
+    }
+    (one - other).abs()
+}
+
 /// The suspects that lead to the answer: those within its rounding, or the nearest within that of the values on the way.
 /// Suspects that give the right answer here are none.
 #[must_use]
 pub fn matching(expected: &ExpectedNumber, answer: f64, suspects: &[f64]) -> Vec<usize> {
-    let turn = expected.cyclic.then(|| std::f64::consts::TAU / expected.size);
-    let distance = |one: f64, other: f64| match turn {
-        Some(turn) => libm::fabs(libm::remainder(one - other, turn)),
-        None => (one - other).abs(),
-    };
+    let distance = |one: f64, other: f64| distance(expected, one, other);
     let rounding = |value: f64| if expected.whole { 0.0 } else { rounding(value, expected.figures) };
     let is_right = |value: f64| distance(value, expected.value) <= rounding(expected.value).min(expected.allowance);
-    let reach = reach(expected.figures);
     let near = suspects
         .iter()
         .enumerate()
-        .map(|(place, value)| Suspect { place, size: value.abs(), away: distance(*value, answer) })
-        .filter(|own| own.away <= reach * own.size && !is_right(suspects[own.place]));
+        .filter(|(_, value)| is_near(expected, answer, **value) && !is_right(**value))
+        .map(|(place, value)| Suspect { place, size: value.abs(), away: distance(*value, answer) });
     let limit = |own: &Suspect| rounding(own.size);
     chosen(&near.collect::<Vec<_>>(), &limit, rounding(answer), !expected.whole)
 }

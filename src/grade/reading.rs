@@ -2,10 +2,9 @@
 
 use std::collections::HashMap;
 use std::sync::Arc;
-use std::sync::Mutex;
 
 use super::expected::ExpectedKind;
-use super::read::{Answer, DecimalMark, Unreadable, read};
+use super::read::{Answer, DecimalMark, Endings, Unreadable, read};
 
 /// So many readings of one part make a generation.
 const MOST: usize = 1024;
@@ -20,18 +19,47 @@ pub struct Reading {
 }
 
 /// What was read as answers to one part. Reading knows nothing of the right value, so the same text is always read in the
-/// same way, and need not be read again.
-#[derive(Debug, Default)]
-pub struct Readings(Mutex<Generations>);
-
-/// What was met lately, and what was met before that; what is not met again while one generation fills is forgotten.
-#[derive(Debug, Default)]
-struct Generations {
+/// same way, and need not be read again; of a number with something behind it, only the number.
+#[derive(Clone, Debug, Default)]
+pub struct Readings {
+    /// Of answers to a number.
+    endings: Endings,
+    /// What was met lately, and what was met before that; what is not met again while one generation fills is forgotten.
     young: HashMap<String, Arc<Reading>>,
     old: HashMap<String, Arc<Reading>>,
 }
 
-impl Generations {
+impl Reading {
+    /// Reads an answer; nothing where there is none.
+    #[must_use]
+    pub fn of(text: &str, asked: &ExpectedKind, mark: DecimalMark) -> Option<Self> {
+        if text.trim().is_empty() {
+            return None;
+        }
+        let answer = read(text, asked, mark);
+        let told = answer.as_ref().map_or_else(ToString::to_string, Answer::echo);
+        Some(Self { answer, told })
+    }
+}
+
+impl Readings {
+    /// The same, from memory where it was read before. Every text must be one for the same part and the same mark.
+    pub fn read(&mut self, text: &str, asked: &ExpectedKind, mark: DecimalMark) -> Option<Arc<Reading>> {
+        if let Some((answer, told)) = self.endings.read(text, mark) {
+            return Some(Arc::new(Reading { answer, told }));
+        }
+        if let Some(reading) = self.find(text) {
+            return Some(reading);
+        }
+        let reading = Arc::new(Reading::of(text, asked, mark)?);
+        // In words a direction and its number are one.
+        if matches!(asked, ExpectedKind::Number(own) if own.reference.is_none() || reading.answer.is_ok()) {
+            self.endings.learn(text, mark, &reading.answer);
+        }
+        self.put(text.to_owned(), Arc::clone(&reading));
+        Some(reading)
+    }
+
     fn find(&mut self, text: &str) -> Option<Arc<Reading>> {
         if let Some(known) = self.young.get(text) {
             return Some(Arc::clone(known));
@@ -49,55 +77,89 @@ impl Generations {
     }
 }
 
-impl Reading {
-    /// Reads an answer; nothing where there is none.
-    #[must_use]
-    pub fn of(text: &str, asked: &ExpectedKind, mark: DecimalMark) -> Option<Self> {
-        if text.trim().is_empty() {
-            return None;
-        }
-        let answer = read(text, asked, mark);
-        let told = answer.as_ref().map_or_else(ToString::to_string, Answer::echo);
-        Some(Self { answer, told })
-    }
-}
-
-impl Readings {
-    /// The same, from memory where the text was read before. Every text must be one for the same part and the same mark.
-    pub fn read(&self, text: &str, asked: &ExpectedKind, mark: DecimalMark) -> Option<Arc<Reading>> {
-        // Where another thread is at it, reading again is quicker than waiting.
-        if let Ok(mut known) = self.0.try_lock()
-            && let Some(reading) = known.find(text)
-        {
-            return Some(reading);
-        }
-        let reading = Arc::new(Reading::of(text, asked, mark)?);
-        if let Ok(mut known) = self.0.try_lock() {
-            known.put(text.to_owned(), Arc::clone(&reading));
-        }
-        Some(reading)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::grade::ExpectedNumber;
     use crate::quantity::Unit;
 
+    fn same(readings: &mut Readings, text: &str, asked: &ExpectedKind, mark: DecimalMark) {
+        let known = readings.read(text, asked, mark);
+        assert_eq!(known.as_deref(), Reading::of(text, asked, mark).as_ref(), "{text}");
+    }
+
     #[test]
     fn what_is_remembered_is_what_would_be_read() {
-        let asked = ExpectedKind::Number(ExpectedNumber::new(1.0, Unit::parse("m/s").unwrap()));
-        let readings = Readings::default();
-        for turn in 0..2 {
+        let options = (0..MOST + 10).map(|number| format!("option {number}")).collect();
+        let asked = ExpectedKind::Choice { options, right: 0, because: String::new() };
+        let mut readings = Readings::default();
+        for _ in 0..2 {
             for number in 0..MOST + 10 {
-                let text = format!("{number} m/s");
-                let known = readings.read(&text, &asked, DecimalMark::Point);
-                assert_eq!(known.as_deref(), Reading::of(&text, &asked, DecimalMark::Point).as_ref(), "{turn}");
+                same(&mut readings, &format!("option {number}"), &asked, DecimalMark::Point);
             }
         }
         assert!(readings.read(" ", &asked, DecimalMark::Point).is_none());
-        let known = readings.0.lock().unwrap();
-        assert!(known.young.len() <= MOST && known.old.len() <= MOST);
+        assert!(readings.young.len() <= MOST && readings.old.len() <= MOST);
+    }
+
+    #[test]
+    fn an_ending_says_the_same_behind_every_number() {
+        const NUMBERS: [&str; 12] =
+            ["2.5", "-3", "+3", "1", "0", "007", "1.234", "1200", "0.0100", "0.40", "1234567.8", "v = 2"];
+        const ENDINGS: [&str; 40] = [
+            "",
+            " m/s",
+            "m/s",
+            " m / s",
+            " m/s to the left",
+            " to the right",
+            " m/s.",
+            " km/h",
+            " ft/s",
+            " apples",
+            " N",
+            " lb",
+            " 000 m/s",
+            " 567",
+            " 1/2 m/s",
+            "/2 m/s",
+            "/s",
+            " per second",
+            " x 10^3 m/s",
+            "× 10^0 m/s",
+            "*1 m/s",
+            "e3 m/s",
+            "e0",
+            " e",
+            "^2 m/s",
+            "² m/s",
+            ".",
+            ". m/s",
+            ",5 m/s",
+            ",000",
+            "_000",
+            "%",
+            "°",
+            " (m/s)",
+            " [m/s]",
+            " ± 1 m/s",
+            " m/s left right",
+            " (to the left)",
+            " π m/s",
+            " + 1 m/s",
+        ];
+        let unit = Unit::parse("m/s").unwrap();
+        let senses = Some(["to the right".to_owned(), "to the left".to_owned()]);
+        let plain = ExpectedNumber::new(1.0, unit);
+        for asked in [plain.clone(), ExpectedNumber { senses, ..plain }].map(ExpectedKind::Number) {
+            for mark in [DecimalMark::Point, DecimalMark::Comma] {
+                let mut readings = Readings::default();
+                for number in NUMBERS {
+                    for ending in ENDINGS {
+                        same(&mut readings, &format!("{number}{ending}"), &asked, mark);
+                    }
+                }
+            }
+        }
     }
 }

@@ -115,7 +115,9 @@ impl Worked<'_> {
         };
         let mut consequences = Vec::new();
         for way in ways.iter() {
-            for value in way.solver.values(asked, &input) {
+            let mut values = Vec::new();
+            way.solver.values(asked, &input, &mut |value| values.push(value));
+            for value in values {
                 let candidate = Candidate { value, asked, worked: *self, way, input: &input };
                 // A zero, or nothing at all, makes the question trivial: nobody is given marks for it.
                 if value != 0.0 && value.is_finite() && accept(&candidate) {

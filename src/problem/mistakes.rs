@@ -11,13 +11,13 @@ use crate::laws::wrong::Misconception;
 use crate::laws::wrong::reading::MISREADINGS;
 use crate::laws::wrong::reading::SLIPS;
 use crate::laws::wrong::reading::SlipOf;
+use crate::quantity::Rational;
 use crate::quantity::Unit;
 use crate::solve::Batch;
 use crate::solve::BatchWriter;
 use crate::solve::Bounded;
 use crate::solve::Plan;
 use crate::solve::Program;
-use crate::solve::Real;
 use crate::solve::System;
 use crate::solve::Verify;
 use crate::solve::Workspace;
@@ -57,8 +57,8 @@ pub struct Mistake {
 pub(super) enum Made {
     /// The system has a wrong equation.
     Solved(Vec<Way>),
-    /// Some givens are taken too large or too small by a factor.
-    Misread(Arc<Solver>, Vec<(Symbol, f64)>),
+    /// Some givens are taken too large or too small by a factor; at this place in the batch, where it is in there.
+    Misread(Arc<Solver>, Vec<(Symbol, f64)>, Option<usize>),
     /// The right value is written down wrongly.
     Written(SlipOf, fn(f64) -> f64),
 }
@@ -85,7 +85,7 @@ pub(super) struct Solver {
 
 thread_local! {
     /// A wrong answer runs some dozens of programs; with one memory for all of them they allocate nothing.
-    static MEMORY: RefCell<Workspace<Bounded>> = RefCell::default();
+    static MEMORY: RefCell<(Vec<Bounded>, Workspace<Bounded>)> = RefCell::default();
 }
 
 impl Mistakes {
@@ -108,9 +108,15 @@ fn planned(problem: &Problem, form: &Form, leaf: &Leaf) -> Planned {
             mistakes.push(Mistake { of: mistaken.of, instance: Some(mistaken.instance), made: Made::Solved(ways) });
         }
     }
-    let right = Restricted::new(&leaf.system, used);
-    if let Some(right) = Solver::new(&right.system, &form.told, &wanted).map(Arc::new) {
-        mistakes.extend(misread(problem, form, &right));
+    let restricted = Restricted::new(&leaf.system, used);
+    if let Some(right) = Solver::new(&restricted.system, &form.told, &wanted).map(Arc::new) {
+        for (of, read) in misread(problem, form) {
+            let exactly = |(symbol, factor): &(Symbol, f64)| Some((*symbol, Rational::try_from(*factor).ok()?));
+            let exactly: Option<Vec<_>> = read.iter().map(exactly).collect();
+            let place = exactly.and_then(|read| right.batched(&restricted.system, &read, &mut batch));
+            let made = Made::Misread(Arc::clone(&right), read, place);
+            mistakes.push(Mistake { of, instance: None, made });
+        }
     }
     mistakes.extend(SLIPS.iter().map(|slip| Mistake {
         of: slip.of,
@@ -121,28 +127,23 @@ fn planned(problem: &Problem, form: &Form, leaf: &Leaf) -> Planned {
     Planned { list: mistakes, inputs, batch: batch.finish(), directed }
 }
 
-/// Every unit that some given has and that is often overlooked: of all its givens, and of each alone.
-fn misread(problem: &Problem, form: &Form, right: &Arc<Solver>) -> Vec<Mistake> {
-    let mut mistakes = Vec::new();
+/// Every unit that some given has and that is often overlooked: of all its givens, and of each alone, and by how much.
+fn misread(problem: &Problem, form: &Form) -> Vec<(&'static Misconception, Vec<(Symbol, f64)>)> {
+    let mut found = Vec::new();
     for row in MISREADINGS {
         let (Ok(given), Ok(taken)) = (Unit::parse(row.given), Unit::parse(row.taken)) else { continue };
         let factor = (taken.factor() * given.factor().power(-1)).to_f64();
         let told =
             form.told.iter().filter(|symbol| problem.unit_told(form, **symbol).is_some_and(|unit| unit == given));
         let read: Vec<(Symbol, f64)> = told.map(|symbol| (*symbol, factor)).collect();
-        let mistake = |read: Vec<(Symbol, f64)>| Mistake {
-            of: row.of,
-            instance: None,
-            made: Made::Misread(Arc::clone(right), read),
-        };
         if read.len() > 1 {
-            mistakes.extend(read.iter().map(|own| mistake(vec![*own])));
+            found.extend(read.iter().map(|own| (row.of, vec![*own])));
         }
         if !read.is_empty() {
-            mistakes.push(mistake(read));
+            found.push((row.of, read));
         }
     }
-    mistakes
+    found
 }
 
 impl Solver {
@@ -166,9 +167,14 @@ impl Solver {
     }
 
     fn into_way(self, system: &System, batch: &mut BatchWriter) -> Way {
-        let plain = self.strict.is_none() && self.loose.is_plain();
-        let batched = if plain { batch.add(system, &self.plan, &self.wanted) } else { None };
+        let batched = self.batched(system, &[], batch);
         Way { solver: self, batched }
+    }
+
+    /// The place in the batch of the same with some givens misread, where there is nothing to choose and nothing to judge.
+    fn batched(&self, system: &System, misread: &[(Symbol, Rational)], batch: &mut BatchWriter) -> Option<usize> {
+        let plain = self.strict.is_none() && self.loose.is_plain();
+        if plain { batch.add(system, &self.plan, &self.wanted, misread) } else { None }
     }
 
     /// What the program takes, in order.
@@ -176,23 +182,26 @@ impl Solver {
         &self.inputs
     }
 
-    /// The values of a quantity in every solution: those that can be, or where none can, all.
-    pub(super) fn values(&self, symbol: Symbol, input: &dyn Fn(Symbol) -> Option<Bounded>) -> Vec<f64> {
+    /// Gives `add` the values of a quantity in every solution: those that can be, or where none can, all.
+    pub(super) fn values(&self, symbol: Symbol, input: &dyn Fn(Symbol) -> Option<Bounded>, add: &mut dyn FnMut(f64)) {
         if !self.wanted.contains(&symbol) {
-            return Vec::new();
+            return;
         }
-        let inputs: Option<Vec<Bounded>> = self.inputs.iter().map(|own| input(*own)).collect();
-        let Some(inputs) = inputs else { return Vec::new() };
-        MEMORY.with_borrow_mut(|memory| {
-            let mut run = |program: &Program| {
-                let outcome = program.run(&inputs, memory);
-                let first = outcome.value(symbol).into_iter();
-                let all = first.chain(outcome.other_values(symbol)).filter(|value| value.is_real());
-                all.map(|value| value.value).filter(|value| value.is_finite()).collect::<Vec<f64>>()
-            };
-            let possible = self.strict.as_ref().map(&mut run).unwrap_or_default();
-            if possible.is_empty() { run(&self.loose) } else { possible }
-        })
+        MEMORY.with_borrow_mut(|(inputs, workspace)| {
+            inputs.clear();
+            inputs.extend(self.inputs.iter().map_while(|own| input(*own)));
+            if inputs.len() < self.inputs.len() {
+                return;
+            }
+            for program in self.strict.iter().chain([&self.loose]) {
+                let outcome = program.run(inputs, workspace);
+                let all = outcome.value(symbol).into_iter().chain(outcome.other_values(symbol));
+                let real = all.map(|own| own.value).filter(|value| value.is_finite());
+                if real.inspect(|value| add(*value)).count() > 0 {
+                    return;
+                }
+            }
+        });
     }
 }
 

@@ -322,7 +322,8 @@ impl<'p> Sampler<'p> {
     }
 
     fn keep(&self, seed: Option<u64>) -> Variant {
-        let mut given = Vec::new();
+        let literals = &self.problem.model().literals;
+        let mut given = Vec::with_capacity(self.form.told.len() + self.form.reveal.len() + literals.len());
         for (known, drawn) in self.problem.known().iter().zip(&self.drawn) {
             if !self.form.told.contains(&known.symbol) {
                 continue;
@@ -338,7 +339,7 @@ impl<'p> Sampler<'p> {
                 given.push((reveal.symbol, value, reveal.unit.clone()));
             }
         }
-        for (symbol, quantity) in &self.problem.model().literals {
+        for (symbol, quantity) in literals {
             given.push((*symbol, quantity.value.clone(), quantity.unit.clone()));
         }
         let count = self.problem.model().symbols.len();

@@ -31,38 +31,43 @@ impl Simulated<'_> {
     #[must_use]
     pub fn answers(&self, mistake: &Mistake, number: &NumberPart) -> Vec<f64> {
         let mut values = Vec::new();
-        self.each(mistake, number, &mut |value| values.push(value));
+        self.each(mistake, number, &|_| true, &mut |value| values.push(value));
         values
     }
 
-    /// Gives `add` each of them.
-    pub fn each(&self, mistake: &Mistake, number: &NumberPart, add: &mut dyn FnMut(f64)) {
+    /// Gives `add` each of them that `is_wanted`.
+    pub fn each(
+        &self,
+        mistake: &Mistake,
+        number: &NumberPart,
+        is_wanted: &dyn Fn(f64) -> bool,
+        add: &mut dyn FnMut(f64),
+    ) {
         let unit = self.worked.unit_of(number);
         let told = |symbol: Symbol| self.worked.variant.value(symbol);
         let mut add = |value: f64| {
             let value = value / unit;
-            if value.is_finite() {
+            if value.is_finite() && is_wanted(value) {
                 add(value);
             }
         };
+        let batched = |place: usize| self.batch.as_ref()?.value(place, number.symbol, &|value| is_wanted(value / unit));
         match &mistake.made {
             Made::Solved(ways) => {
                 for way in ways {
                     match way.batched {
-                        Some(place) => {
-                            let value = self.batch.as_ref().and_then(|batch| batch.value(place, number.symbol));
-                            value.into_iter().for_each(&mut add);
-                        }
-                        None => way.solver.values(number.symbol, &told).into_iter().for_each(&mut add),
+                        Some(place) => batched(place).into_iter().for_each(&mut add),
+                        None => way.solver.values(number.symbol, &told, &mut add),
                     }
                 }
             }
-            Made::Misread(right, read) => {
+            Made::Misread(_, _, Some(place)) => batched(*place).into_iter().for_each(&mut add),
+            Made::Misread(right, read, None) => {
                 let misread = |symbol: Symbol| {
                     let factor = read.iter().find(|(own, _)| *own == symbol).map_or(1.0, |(_, factor)| *factor);
                     told(symbol).map(|own| Bounded { value: own.value * factor, error: own.error * factor })
                 };
-                right.values(number.symbol, &misread).into_iter().for_each(&mut add);
+                right.values(number.symbol, &misread, &mut add);
             }
             Made::Written(to, written) => {
                 let fits = match to {
@@ -95,7 +100,8 @@ impl<'a> Worked<'a> {
         let right = self.every_formula(&self.leaf().audit.plan, symbol);
         let mut formulas: Vec<Expr> = Vec::new();
         for solver in ways.iter().map(|way| &way.solver).filter(|solver| solver.wanted.contains(&symbol)) {
-            let values = solver.values(symbol, &told);
+            let mut values = Vec::new();
+            solver.values(symbol, &told, &mut |value| values.push(value));
             for formula in self.every_formula(&solver.plan, symbol) {
                 // Of several roots the one that is possible for these numbers.
                 let value = formula.evaluate(&|own| told(own).map_or(f64::NAN, |value| value.value));

@@ -70,6 +70,12 @@ impl Variant {
         &self.given
     }
 
+    /// Whether it has further solutions.
+    #[must_use]
+    pub fn has_others(&self) -> bool {
+        !self.others.is_empty()
+    }
+
     /// Which regime it belongs to.
     #[must_use]
     pub fn leaf(&self) -> usize {

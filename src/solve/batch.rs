@@ -1,8 +1,11 @@
 //! Many straight plans side by side on one tape: what they share is computed once, and nothing is judged on the way.
 
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 
+use crate::expr::Expr;
 use crate::expr::Symbol;
+use crate::quantity::Rational;
 
 use super::real::{Real, Sign};
 use super::tape::{Instruction, Register, run};
@@ -23,7 +26,7 @@ pub struct Batch {
 #[derive(Clone, Debug)]
 struct Member {
     unknowns: Vec<(Register, bool)>,
-    wanted: BTreeMap<Symbol, Register>,
+    wanted: Vec<(Symbol, Register)>,
 }
 
 /// Writes a batch.
@@ -42,6 +45,17 @@ pub struct BatchValues<'a> {
     workspace: Workspace<Bounded>,
 }
 
+thread_local! {
+    /// The memory of the last run, which the next one takes.
+    static MEMORY: RefCell<Workspace<Bounded>> = RefCell::default();
+}
+
+impl Drop for BatchValues<'_> {
+    fn drop(&mut self) {
+        MEMORY.set(std::mem::take(&mut self.workspace));
+    }
+}
+
 impl BatchWriter {
     /// A batch over these inputs, in their order.
     #[must_use]
@@ -52,9 +66,20 @@ impl BatchWriter {
         Self { writer, given, inputs: inputs.into_iter().map(|(_, own)| own).collect(), members: Vec::new() }
     }
 
-    /// Adds a plan and gives its place. `None` where it has a choice of roots, or a search, or uses what is not given.
-    pub fn add(&mut self, system: &System, plan: &Plan, wanted: &[Symbol]) -> Option<usize> {
+    /// Adds a plan and gives its place; some inputs are `misread`, so many times too large. `None` where it has a choice of roots,
+    /// or a search, or uses what is not given.
+    pub fn add(
+        &mut self,
+        system: &System,
+        plan: &Plan,
+        wanted: &[Symbol],
+        misread: &[(Symbol, Rational)],
+    ) -> Option<usize> {
         self.writer.symbols.clone_from(&self.given);
+        for (symbol, factor) in misread {
+            let register = self.writer.expr(&(Expr::Number(factor.clone()) * Expr::from(*symbol)))?;
+            self.writer.symbols.insert(*symbol, register);
+        }
         let mut unknowns = Vec::new();
         for step in &plan.steps {
             let [root] = step.roots.as_slice() else { return None };
@@ -88,7 +113,7 @@ impl Batch {
     /// Runs every plan from these inputs.
     #[must_use]
     pub fn run(&self, inputs: &[Bounded]) -> BatchValues<'_> {
-        let mut workspace = Workspace::default();
+        let mut workspace = MEMORY.take();
         workspace.prepare(&self.constants, &self.inputs, inputs.iter());
         run(&self.tape, &(0..self.tape.len()), &mut workspace.registers);
         BatchValues { batch: self, workspace }
@@ -96,16 +121,18 @@ impl Batch {
 }
 
 impl BatchValues<'_> {
-    /// A quantity in the solution of the plan at that place; `None` where it is not wanted there, and where some unknown is not
-    /// real, or is negative though it never can be.
+    /// A quantity in the solution of the plan at that place, if it `is_wanted`; `None` also where the plan does not find it, and
+    /// where some unknown is not real, or is negative though it never can be.
     #[must_use]
-    pub fn value(&self, place: usize, symbol: Symbol) -> Option<f64> {
+    pub fn value(&self, place: usize, symbol: Symbol, is_wanted: &dyn Fn(f64) -> bool) -> Option<f64> {
         let member = self.batch.members.get(place)?;
         let at = |register: Register| self.workspace.registers.get(register as usize);
         let can_be = |(register, positive): &(Register, bool)| {
             at(*register).is_some_and(|own| own.is_real() && !(*positive && own.sign() == Sign::Negative))
         };
-        let value = at(*member.wanted.get(&symbol)?)?.value;
-        (member.unknowns.iter().all(can_be) && value.is_finite()).then_some(value)
+        let (_, register) = member.wanted.iter().find(|(own, _)| *own == symbol)?;
+        let value = at(*register)?.value;
+        // Few values are wanted, so that is asked first.
+        (value.is_finite() && is_wanted(value) && member.unknowns.iter().all(can_be)).then_some(value)
     }
 }

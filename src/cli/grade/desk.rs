@@ -22,7 +22,7 @@ pub(super) struct Desk<'p> {
 struct Form<'p> {
     asked: [String; 2],
     met: &'p Met,
-    marker: &'p Marker,
+    marker: Marker,
     drawer: Drawer<'p>,
     last: Option<Exercise>,
 }
@@ -40,9 +40,7 @@ impl<'p> Desk<'p> {
             Some(Ok(opened)) => opened,
             Some(Err(message)) => return attempts.iter().map(|_| Err(message.clone())).collect(),
         };
-        let Some((marker, exercise)) = form.last.as_ref().map(|exercise| (form.marker, exercise)) else {
-            return Vec::new();
-        };
+        let Form { marker, last: Some(exercise), .. } = form else { return Vec::new() };
         let mut results: Vec<Result<Report, String>> = Vec::with_capacity(attempts.len());
         let mut tries: Vec<(usize, Try<'_>)> = Vec::with_capacity(attempts.len());
         for (place, own) in attempts.iter().enumerate() {
@@ -63,7 +61,7 @@ impl<'p> Desk<'p> {
     }
 
     /// The form that is asked, with the variant of the seed drawn.
-    fn open(&mut self, submission: &Submission) -> Result<(&'p str, &Form<'p>), String> {
+    fn open(&mut self, submission: &Submission) -> Result<(&'p str, &mut Form<'p>), String> {
         let seed = submission.key(Key::Seed);
         let seed = open::seed(seed).map_err(|why| format!("`{seed}` is no seed: {why}"))?;
         let form = self.form(submission)?;
@@ -99,7 +97,7 @@ impl<'p> Form<'p> {
     fn new(met: &'p Met, asked: [&str; 2]) -> Result<Self, String> {
         let name = Some(asked[1]).filter(|form| !form.is_empty());
         let position = open::form(&met.problem, name).map_err(|failure| failure.to_string())?;
-        let marker = met.markers.get(position).ok_or("the problem has no such form")?;
+        let marker = met.markers.get(position).cloned().ok_or("the problem has no such form")?;
         let drawer = Drawer::new(&met.problem, position).map_err(|reason| reason.to_string())?;
         Ok(Self { asked: asked.map(str::to_owned), met, marker, drawer, last: None })
     }

@@ -161,7 +161,7 @@ impl IntervalAnswer {
     }
 }
 
-fn join(words: impl Iterator<Item = String>) -> String {
+pub(super) fn join(words: impl Iterator<Item = String>) -> String {
     words.filter(|word| !word.is_empty()).collect::<Vec<_>>().join(" ")
 }
 

@@ -4,6 +4,7 @@ mod answer;
 mod arithmetic;
 mod choice;
 mod direction;
+mod ending;
 mod formula;
 mod functions;
 mod heading;
@@ -20,6 +21,7 @@ mod vector;
 pub use answer::{
     Answer, ChoiceAnswer, EndAnswer, FormulaAnswer, IntervalAnswer, NumberAnswer, Sense, VectorAnswer, Written,
 };
+pub(super) use ending::Endings;
 pub use numeral::DecimalMark;
 pub use several::read_several;
 pub use unreadable::{Unreadable, UnreadableKind};
