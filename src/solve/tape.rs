@@ -53,8 +53,9 @@ impl Instruction {
     /// Computes one register from others. Registers are below the length: the compiler of the tape made them.
     #[inline]
     fn execute<R: Real>(&self, registers: &mut [R]) {
-        let [a, b, c] = self.operands.map(|register| register as usize);
-        let (a, b, c) = (&registers[a], || &registers[b], || &registers[c]);
+        let [a, b, c] = &self.operands;
+        let at = |register: &Register| &registers[*register as usize];
+        let (a, b, c) = (at(a), || at(b), || at(c));
         let value = match self.operation {
             Operation::Add => a.add(b()),
             Operation::Subtract => a.sub(b()),
