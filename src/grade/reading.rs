@@ -90,12 +90,11 @@ mod tests {
 
     #[test]
     fn what_is_remembered_is_what_would_be_read() {
-        let options = (0..MOST + 10).map(|number| format!("option {number}")).collect();
-        let asked = ExpectedKind::Choice { options, right: 0, because: String::new() };
+        let asked = ExpectedKind::Number(ExpectedNumber::new(1.0, Unit::parse("m/s").unwrap()));
         let mut readings = Readings::default();
         for _ in 0..2 {
             for number in 0..MOST + 10 {
-                same(&mut readings, &format!("option {number}"), &asked, DecimalMark::Point);
+                same(&mut readings, &format!("{number} + 1 m/s"), &asked, DecimalMark::Point);
             }
         }
         assert!(readings.read(" ", &asked, DecimalMark::Point).is_none());
@@ -151,13 +150,12 @@ mod tests {
         let unit = Unit::parse("m/s").unwrap();
         let senses = Some(["to the right".to_owned(), "to the left".to_owned()]);
         let plain = ExpectedNumber::new(1.0, unit);
-        for asked in [plain.clone(), ExpectedNumber { senses, ..plain }].map(ExpectedKind::Number) {
-            for mark in [DecimalMark::Point, DecimalMark::Comma] {
-                let mut readings = Readings::default();
-                for number in NUMBERS {
-                    for ending in ENDINGS {
-                        same(&mut readings, &format!("{number}{ending}"), &asked, mark);
-                    }
+        let directed = ExpectedNumber { senses, ..plain.clone() };
+        for (asked, mark) in [(plain, DecimalMark::Comma), (directed, DecimalMark::Point)] {
+            let (mut readings, asked) = (Readings::default(), ExpectedKind::Number(asked));
+            for number in NUMBERS {
+                for ending in ENDINGS {
+                    same(&mut readings, &format!("{number}{ending}"), &asked, mark);
                 }
             }
         }

@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use dashu::base::Sign;
+
 use crate::quantity::Rational;
 
 use super::report::Points;
@@ -66,16 +68,20 @@ impl Rubric {
     #[must_use]
     pub fn fraction(&self, verdict: Verdict) -> Rational {
         let (above, below) = verdict.usual_fraction();
-        let usual = || Rational::from(above) / Rational::from(below);
+        let usual = || Rational::from_parts_const(Sign::Positive, above.into(), below.into());
         self.fractions.get(&verdict).cloned().unwrap_or_else(usual)
     }
+
     /// The points of an answer with this verdict.
     #[must_use]
     pub fn points(&self, verdict: Verdict, out_of: u32) -> Points {
         if verdict.is_right() {
             return Points(Rational::from(out_of));
         }
-        Points(self.fraction(verdict) * Rational::from(out_of))
+        match self.fraction(verdict) {
+            nothing if nothing.is_zero() => Points::default(),
+            fraction => Points(fraction * Rational::from(out_of)),
+        }
     }
 }
 

@@ -164,8 +164,8 @@ impl<'a> Definitions<'a> {
 
 /// Gives each operand of an instruction its part in the derivative by what the instruction computes.
 fn pass_back(instruction: &Instruction, values: &[f64], shares: &mut [f64]) {
-    let [a, b, c] = instruction.operands.map(|register| register as usize);
-    let to = instruction.to as usize;
+    let [a, b, c] = instruction.operands;
+    let (a, b, c, to) = (a as usize, b as usize, c as usize, instruction.to as usize);
     let share = shares[to];
     if share == 0.0 {
         return;
