@@ -1,5 +1,7 @@
 //! Replaying a program: every root is followed until it breaks something.
 
+use crate::expr::Symbol;
+
 use super::bounded::Bounded;
 use super::bracketing::root_above_zero;
 use super::counting::first_integer;
@@ -59,18 +61,29 @@ impl Program {
             || outcome.survivors() == 1 && self.wanted.iter().any(|symbol| outcome.value(*symbol).is_none_or(loose));
         if open {
             self.run_exact(&exact(), &mut workspaces.precise);
-            round(&workspaces.precise, &mut workspaces.fast);
+            round(&self.symbols, &workspaces.precise, &mut workspaces.fast);
         }
         workspaces.replayed = open;
         Outcome { program: self, workspace: &workspaces.fast, exact: open }
     }
 }
 
-/// Puts what an exact replay found in place of what a floating-point replay found.
-fn round(precise: &Workspace<Precise>, fast: &mut Workspace<Bounded>) {
-    fast.chosen.clear();
-    fast.chosen.extend(precise.chosen.iter().map(Precise::to_bounded));
-    fast.others = precise.others.iter().map(|found| found.iter().map(Precise::to_bounded).collect()).collect();
+/// Puts what an exact replay found in place of what a floating-point replay found. Only the values of symbols are ever asked
+/// for; the others stay as they were.
+fn round(symbols: &[(Symbol, Register)], precise: &Workspace<Precise>, fast: &mut Workspace<Bounded>) {
+    let rounded = |found: &[Precise], into: &mut Vec<Bounded>| {
+        into.resize(found.len(), Bounded::not_real());
+        for place in symbols.iter().map(|(_, register)| *register as usize) {
+            if let (Some(value), Some(place)) = (found.get(place), into.get_mut(place)) {
+                *place = value.to_bounded();
+            }
+        }
+    };
+    rounded(&precise.chosen, &mut fast.chosen);
+    fast.others.resize_with(precise.others.len(), Vec::new);
+    for (found, into) in precise.others.iter().zip(&mut fast.others) {
+        rounded(found, into);
+    }
     fast.death_values.clear();
     fast.death_values.extend(precise.death_values.iter().map(Precise::to_bounded));
     fast.choices.clone_from(&precise.choices);
