@@ -26,7 +26,7 @@ const CARD_STYLE: &str = "\
 @media (prefers-color-scheme:dark){.momentous-figure{color:#e2e5e9}.momentous-figure .card{fill:#16191d}}
 ";
 
-/// The drawing as an SVG element, with title and description for screen readers.
+/// The drawing as an SVG element, with title and description for screen readers. No line of it is blank.
 ///
 /// ```
 /// use momentous::figure::{Drawing, Point, svg};
@@ -283,6 +283,16 @@ mod tests {
         let (low, high) = (Point::default(), Point::default());
         let text = svg(&Drawing { title, description, caption, low, high, shapes });
         assert!(text.contains(".axis{") && !text.contains(".momentum{"), "{text}");
+    }
+
+    #[test]
+    fn no_line_is_blank() {
+        let [title, description, caption] = [" ", "\n\n", ""].map(str::to_owned);
+        let text = Math::Text("\n \n".to_owned());
+        let shapes = vec![Shape::Label { at: Point::default(), text, role: Role::Body }];
+        let (low, high) = (Point::default(), Point::default());
+        let text = svg(&Drawing { title, description, caption, low, high, shapes });
+        assert!(text.lines().all(|line| !line.trim().is_empty()), "{text}");
     }
 
     #[test]

@@ -40,11 +40,8 @@ impl Writer for Markdown {
     }
 
     fn figure(&self, drawing: &Drawing) -> String {
-        // A blank line would end a block of raw HTML.
+        // A blank line would end a block of raw HTML; an SVG has none.
         let mut svg = figure::svg(drawing);
-        if svg.lines().any(|line| line.trim().is_empty()) {
-            svg = svg.lines().filter(|line| !line.trim().is_empty()).collect::<Vec<_>>().join("\n");
-        }
         svg.truncate(svg.trim_end().len());
         svg
     }
@@ -74,7 +71,8 @@ pub(super) fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len() + ROOM);
     let start = text.len() - text.trim_start().len();
     let mut written = 0;
-    for (place, character) in text.char_indices() {
+    for place in text.bytes().enumerate().filter(|(_, byte)| is_suspect(*byte)).map(|(place, _)| place) {
+        let Some(character) = text.get(place..).and_then(|rest| rest.chars().next()) else { continue };
         let behind = || text[place + character.len_utf8()..].chars().next();
         // What begins a list stands before a space: `3. May`, but not `3.5 m` or `-3`.
         let apart = || behind().is_none_or(char::is_whitespace);
@@ -92,6 +90,14 @@ pub(super) fn escape(text: &str) -> String {
     }
     out.push_str(&text[written..]);
     out
+}
+
+/// Whether something that [`escape`] changes may begin with the byte; most bytes are letters, and are passed over at once.
+fn is_suspect(byte: u8) -> bool {
+    const BEFORE_CONTROL: u8 = 0xc2; // the first byte of U+0080 to U+00BF
+    matches!(byte, b'\\' | b'`' | b'*' | b'_' | b'[' | b']' | b'<' | b'>' | b'&' | b'$' | b'|' | b'~')
+        || matches!(byte, b'#' | b'=' | b'+' | b'-' | b'.' | b')' | BEFORE_CONTROL)
+        || byte.is_ascii_control()
 }
 
 /// The same mathematics without mathematics inside text: `\text{m/s$^2$}` is `\text{m/s}^2`, since a dollar inside
@@ -163,6 +169,7 @@ mod tests {
         assert_eq!(escape("# 1"), "\\# 1");
         assert_eq!(escape("12. May"), "12\\. May");
         assert_eq!((escape("3.5 m").as_str(), escape("-3 m").as_str()), ("3.5 m", "-3 m"));
+        assert_eq!(escape("é\u{7f}−\u{85}\u{a0}ü"), "é − \u{a0}ü");
         assert_eq!((escape("- 3").as_str(), escape("---").as_str()), ("\\- 3", "\\---"));
     }
 }
