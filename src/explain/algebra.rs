@@ -5,7 +5,6 @@ use std::collections::BTreeMap;
 use crate::expr::Expr;
 use crate::expr::Function;
 use crate::expr::Math;
-use crate::expr::Operator;
 use crate::quantity::Rational;
 use crate::solve::Move;
 
@@ -42,10 +41,10 @@ pub(super) fn blocks(display: Display<'_>, numbers: &BTreeMap<usize, u32>, step_
         Move::Substitute { equation, unknown, value, left, right } => {
             let words = vec![
                 Inline::Text("Put ".into()),
-                Inline::Math(display.equation(&Expr::from(*unknown), &positive_first(display, value))),
+                Inline::Math(display.equation(&Expr::from(*unknown), &positive_first(value))),
                 Inline::Text(format!(" into {}:", number(equation))),
             ];
-            (words, display.equation(&positive_first(display, left), &positive_first(display, right)))
+            (words, display.equation(&positive_first(left), &positive_first(right)))
         }
         Move::Polar { .. } => {
             return vec![text(
@@ -66,7 +65,7 @@ pub(super) fn blocks(display: Display<'_>, numbers: &BTreeMap<usize, u32>, step_
 
 /// An equation, with all signs changed where its left side begins with a minus.
 pub(super) fn positive(display: Display<'_>, left: &Expr, right: &Expr) -> Math {
-    if begins_with_minus(&display.symbolic(left)) {
+    if left.begins_with_minus() {
         return display.equation(&(-left.clone()).simplify(), &(-right.clone()).simplify());
     }
     display.equation(left, right)
@@ -74,7 +73,7 @@ pub(super) fn positive(display: Display<'_>, left: &Expr, right: &Expr) -> Math 
 
 /// An equation, with all signs changed where both sides begin with a minus.
 pub(super) fn without_common_minus(display: Display<'_>, left: &Expr, right: &Expr) -> Math {
-    let both = [left, right].into_iter().all(|side| begins_with_minus(&display.symbolic(side)));
+    let both = left.begins_with_minus() && right.begins_with_minus();
     if both && !matches!(right, Expr::Sum(_)) && !matches!(left, Expr::Sum(_)) {
         return positive(display, left, right);
     }
@@ -82,18 +81,18 @@ pub(super) fn without_common_minus(display: Display<'_>, left: &Expr, right: &Ex
 }
 
 /// The term with every sum led by a positive part, where it has one: `b - a` for `-a + b`.
-pub(super) fn positive_first(display: Display<'_>, expr: &Expr) -> Expr {
+pub(super) fn positive_first(expr: &Expr) -> Expr {
     match expr {
-        Expr::Sum(_) => led_by_positive(display, expr),
-        _ => without_outer_minus(display, led_by_positive(display, expr)),
+        Expr::Sum(_) => led_by_positive(expr),
+        _ => without_outer_minus(led_by_positive(expr)),
     }
 }
 
 /// The same for a part of a sum, which keeps its sign: in `m v - e (a - b)` the difference is that of a law.
-fn led_by_positive(display: Display<'_>, expr: &Expr) -> Expr {
-    let Expr::Sum(parts) = expr else { return expr.map_children(|part| positive_first(display, part)) };
-    let mut parts: Vec<Expr> = parts.iter().map(|part| led_by_positive(display, part)).collect();
-    let leads = parts.iter().position(|part| !begins_with_minus(&display.symbolic(part)));
+fn led_by_positive(expr: &Expr) -> Expr {
+    let Expr::Sum(parts) = expr else { return expr.map_children(positive_first) };
+    let mut parts: Vec<Expr> = parts.iter().map(led_by_positive).collect();
+    let leads = parts.iter().position(|part| !part.begins_with_minus());
     if let Some(lead) = leads.filter(|lead| *lead > 0) {
         parts[..=lead].rotate_right(1);
     }
@@ -101,26 +100,17 @@ fn led_by_positive(display: Display<'_>, expr: &Expr) -> Expr {
 }
 
 /// `(b - a)/c` for `-(a - b)/c`.
-fn without_outer_minus(display: Display<'_>, expr: Expr) -> Expr {
+fn without_outer_minus(expr: Expr) -> Expr {
     let Expr::Product(factors) = &expr else { return expr };
     let mut factors = factors.to_vec();
     let negative = factors.first().and_then(Expr::as_number).is_some_and(|number| *number < Rational::ZERO);
-    let turns = |factor: &Expr| matches!(factor, Expr::Sum(parts) if parts.iter().skip(1).any(|part| begins_with_minus(&display.symbolic(part))));
+    let turns = |factor: &Expr| matches!(factor, Expr::Sum(parts) if parts.iter().skip(1).any(Expr::begins_with_minus));
     let (true, Some(place)) = (negative, factors.iter().position(turns)) else { return expr };
     let Expr::Sum(parts) = &factors[place] else { return expr };
     let turned = Expr::sum(parts.iter().map(|part| (-part.clone()).simplify()));
-    factors[place] = positive_first(display, &turned);
+    factors[place] = positive_first(&turned);
     factors[0] = (-factors[0].clone()).simplify();
     Expr::product(factors)
-}
-
-fn begins_with_minus(math: &Math) -> bool {
-    match math {
-        Math::Operator(operator) => *operator == Operator::Minus,
-        Math::Row(parts) => parts.first().is_some_and(begins_with_minus),
-        Math::Bracketed(inner) | Math::Squared(inner) => begins_with_minus(inner),
-        _ => false,
-    }
 }
 
 /// Whether a term holds the angle of a point.

@@ -1,5 +1,7 @@
 //! The answers, each in a sentence with its unit and its direction in words.
 
+use std::sync::Arc;
+
 use crate::expr::Math;
 use crate::expr::Operator;
 use crate::problem::AskedUnit;
@@ -104,7 +106,7 @@ fn formula_sentence(display: Display<'_>, part: &Part, formula: &FormulaPart) ->
 pub fn printed_formula(worked: Worked<'_>, part: &FormulaPart) -> Option<Math> {
     let display = Display { worked, free: &worked.free(), shown: &Shown::default() };
     let formula = worked.formula(part)?;
-    Some(display.symbolic(&algebra::positive_first(display, &formula)))
+    Some(display.symbolic(&algebra::positive_first(&formula)))
 }
 
 /// Whether the answer is asked in another unit than the steps computed in.
@@ -128,7 +130,7 @@ pub fn printed_vector(worked: Worked<'_>, vector: &VectorPart) -> Math {
         row.extend((index > 0).then(|| Math::Text(",\u{a0}".into())));
         row.push(shown(number, worked.answer(number).for_print()));
     }
-    let bracketed = Math::Bracketed(Box::new(Math::Row(row)));
+    let bracketed = Math::Bracketed(Arc::new(Math::Row(row)));
     match vector.components.first().map(|first| &first.unit) {
         Some(AskedUnit::Unit(unit)) => with_unit(bracketed, unit),
         Some(AskedUnit::InTermsOf(symbol)) => {

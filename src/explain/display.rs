@@ -3,6 +3,7 @@
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 use crate::expr::Expr;
 use crate::expr::Leaf;
@@ -46,7 +47,7 @@ pub(super) struct Display<'a> {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Shown {
     units: RefCell<BTreeMap<Symbol, Unit>>,
-    numbers: RefCell<BTreeMap<(Symbol, usize), String>>,
+    quantities: RefCell<BTreeMap<(Symbol, usize), Leaf>>,
 }
 
 impl Display<'_> {
@@ -93,17 +94,20 @@ impl Display<'_> {
         coherent_unit(dimension, problem.units())
     }
 
-    /// A value in its display unit, as it is printed with so many figures; `?` where it has none.
-    pub(super) fn number(self, symbol: Symbol, figures: usize) -> String {
-        if let Some(number) = self.shown.numbers.borrow().get(&(symbol, figures)) {
-            return number.clone();
+    /// A value in its display unit with so many figures, as it stands for its quantity in a term.
+    fn leaf(self, symbol: Symbol, figures: usize) -> Leaf {
+        if let Some(leaf) = self.shown.quantities.borrow().get(&(symbol, figures)) {
+            return leaf.clone();
         }
-        let number = self.number_worked_out(symbol, figures);
-        self.shown.numbers.borrow_mut().insert((symbol, figures), number.clone());
-        number
+        let number = self.number(symbol, figures);
+        let kind = LeafKind::Number { negative: number.starts_with('-') };
+        let leaf = Leaf { math: with_unit(number_math(&number), &self.unit(symbol)), kind };
+        self.shown.quantities.borrow_mut().insert((symbol, figures), leaf.clone());
+        leaf
     }
 
-    fn number_worked_out(self, symbol: Symbol, figures: usize) -> String {
+    /// A value in its display unit, as it is printed with so many figures; `?` where it has none.
+    fn number(self, symbol: Symbol, figures: usize) -> String {
         let unit = self.unit(symbol);
         if let Some((value, given)) = self.worked.variant.given(symbol)
             && given == unit
@@ -133,7 +137,7 @@ impl Display<'_> {
 
     /// The number and its unit, to so many figures.
     pub(super) fn quantity_to(self, symbol: Symbol, figures: usize) -> Math {
-        with_unit(number_math(&self.number(symbol, figures)), &self.unit(symbol))
+        self.leaf(symbol, figures).math
     }
 
     /// Whether a term has a value of its own.
@@ -151,6 +155,10 @@ impl Display<'_> {
         if self.is_literal(symbol) { self.quantity(symbol) } else { self.worked.problem.math_of(symbol) }
     }
 
+    fn named(self, symbol: Symbol) -> Leaf {
+        Leaf { math: self.name(symbol), kind: LeafKind::Name }
+    }
+
     /// Whether the quantity is a whole number, found by counting.
     fn is_whole(self, symbol: Symbol) -> bool {
         let mut numbers = self.worked.form.parts.iter().flat_map(|part| part.kind.numbers());
@@ -164,15 +172,15 @@ impl Display<'_> {
     /// A term in symbols.
     pub(super) fn symbolic(self, expr: &Expr) -> Math {
         expr.layout(&|symbol| {
-            let negative = self.is_literal(symbol) && self.number(symbol, INTERMEDIATE).starts_with('-');
-            let kind = if self.is_literal(symbol) { LeafKind::Number { negative } } else { LeafKind::Name };
-            Leaf { math: self.name(symbol), kind }
+            if self.is_literal(symbol) { self.leaf(symbol, INTERMEDIATE) } else { self.named(symbol) }
         })
     }
 
     /// A term in which every quantity given piece by piece is replaced by the piece that holds for this variant.
     pub(super) fn resolved(self, expr: &Expr) -> Expr {
-        let Expr::Piecewise(piecewise) = expr else { return expr.map_children(|part| self.resolved(part)) };
+        let Expr::Piecewise(piecewise) = expr else {
+            return if has_pieces(expr) { expr.map_children(|part| self.resolved(part)) } else { expr.clone() };
+        };
         let at = self.value_of(&piecewise.variable);
         let holds = |until: &Option<Expr>| until.as_ref().is_none_or(|until| at <= self.value_of(until));
         let piece = piecewise.pieces.iter().find(|(until, _)| holds(until)).or(piecewise.pieces.last());
@@ -203,11 +211,7 @@ impl Display<'_> {
     /// A term with numbers and units in place of its symbols.
     pub(super) fn substituted(self, expr: &Expr) -> Math {
         expr.layout(&|symbol| {
-            if self.free.contains(&symbol) {
-                return Leaf { math: self.name(symbol), kind: LeafKind::Name };
-            }
-            let negative = self.number(symbol, INTERMEDIATE).starts_with('-');
-            Leaf { math: self.quantity(symbol), kind: LeafKind::Number { negative } }
+            if self.free.contains(&symbol) { self.named(symbol) } else { self.leaf(symbol, INTERMEDIATE) }
         })
     }
 
@@ -241,20 +245,24 @@ impl Display<'_> {
     }
 }
 
+fn has_pieces(expr: &Expr) -> bool {
+    matches!(expr, Expr::Piecewise(_)) || expr.children().into_iter().any(has_pieces)
+}
+
 /// A number followed by its unit.
 pub(super) fn with_unit(number: Math, unit: &Unit) -> Math {
     if unit.is_none() {
         return number;
     }
-    let gap = if unit.is_attached() { String::new() } else { "\u{a0}".to_owned() };
-    Math::Row(vec![number, Math::Text(format!("{gap}{}", unit.unicode()))])
+    let gap = if unit.is_attached() { "" } else { "\u{a0}" };
+    Math::Row(vec![number, Math::Text([gap, &unit.unicode()].concat())])
 }
 
 /// A printed number as mathematics, powers of ten included.
 pub(super) fn number_math(text: &str) -> Math {
-    match text.split_once(" × 10^") {
+    match text.split_once('×').map(|(mantissa, power)| (mantissa.trim_end(), power.trim_start_matches(" 10^"))) {
         Some((mantissa, exponent)) => {
-            let ten = Math::Sup(Box::new(Math::Number("10".into())), Box::new(Math::Number(exponent.into())));
+            let ten = Math::Sup(Arc::new(Math::Number("10".into())), Arc::new(Math::Number(exponent.into())));
             Math::Row(vec![Math::Number(mantissa.into()), Math::Operator(Operator::Times), ten])
         }
         None => Math::Number(text.replace('\u{2212}', "-")),

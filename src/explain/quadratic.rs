@@ -1,5 +1,7 @@
 //! A quadratic equation as it is solved on paper: in symbols, with numbers, by the formula, both roots.
 
+use std::sync::Arc;
+
 use crate::expr::Expr;
 use crate::expr::Math;
 use crate::expr::Operator;
@@ -37,7 +39,7 @@ impl Coefficient {
     }
 
     fn bracketed(&self) -> Math {
-        Math::Bracketed(Box::new(self.signed()))
+        Math::Bracketed(Arc::new(self.signed()))
     }
 }
 
@@ -85,7 +87,7 @@ fn in_symbols(display: Display<'_>, unknown: Symbol, coefficients: [&Expr; 3]) -
             Inline::Math(display.name(unknown)),
             Inline::Text(":".into()),
         ]),
-        Block::Equation { lines: vec![display.equation(&positive_first(display, &left), &Expr::zero())], number: None },
+        Block::Equation { lines: vec![display.equation(&positive_first(&left), &Expr::zero())], number: None },
     ]
 }
 
@@ -93,9 +95,9 @@ fn in_symbols(display: Display<'_>, unknown: Symbol, coefficients: [&Expr; 3]) -
 fn with_numbers([square, name]: [&Math; 2], a: &Coefficient, b: &Coefficient, c: &Coefficient) -> Math {
     let space = Math::Operator(Operator::Juxtapose);
     let sign = |value: f64| Math::Operator(if value < 0.0 { Operator::Minus } else { Operator::Plus });
-    let mut parts = vec![Math::Bracketed(Box::new(a.size())), space.clone(), square.clone()];
+    let mut parts = vec![Math::Bracketed(Arc::new(a.size())), space.clone(), square.clone()];
     if b.value != 0.0 {
-        parts.extend([sign(b.value), Math::Bracketed(Box::new(b.size())), space, name.clone()]);
+        parts.extend([sign(b.value), Math::Bracketed(Arc::new(b.size())), space, name.clone()]);
     }
     if c.value != 0.0 {
         parts.extend([sign(c.value), c.size()]);
@@ -106,14 +108,14 @@ fn with_numbers([square, name]: [&Math; 2], a: &Coefficient, b: &Coefficient, c:
 
 /// `(-b +- sqrt(b^2 - 4 a c)) / (2 a)` with numbers.
 fn formula(a: &Coefficient, b: &Coefficient, c: &Coefficient) -> Math {
-    let square = Math::Sup(Box::new(b.bracketed()), Box::new(Math::Number("2".into())));
+    let square = Math::Sup(Arc::new(b.bracketed()), Arc::new(Math::Number("2".into())));
     let product = [Math::Number("4".into()), a.bracketed(), c.bracketed()];
     let inside = [vec![square, Math::Operator(Operator::Minus)], product.to_vec()].concat();
-    let root = Math::Root(Box::new(Math::Row(inside)));
+    let root = Math::Root(Arc::new(Math::Row(inside)));
     let minus_b = Coefficient { value: -b.value, unit: b.unit.clone(), figures: b.figures };
     let above = Math::Row(vec![minus_b.signed(), Math::Operator(Operator::PlusMinus), root]);
     let below = Math::Row(vec![Math::Number("2".into()), a.bracketed()]);
-    Math::Fraction(Box::new(above), Box::new(below))
+    Math::Fraction(Arc::new(above), Arc::new(below))
 }
 
 /// The value taken, and the other.

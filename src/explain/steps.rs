@@ -1,6 +1,7 @@
 //! The steps of the plan in words: which law and why, the equation, the algebra, the number.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use crate::expr::Expr;
 use crate::expr::Math;
@@ -88,13 +89,13 @@ impl Steps<'_> {
                 if let Some(integral) = &instance.integral {
                     let integrand = self.display.symbolic(&integral.integrand);
                     let shown = Math::Integral(
-                        Box::new(self.display.symbolic(&integral.low)),
-                        Box::new(self.display.symbolic(&integral.high)),
-                        Box::new(match &integral.integrand {
-                            Expr::Sum(_) => Math::Squared(Box::new(integrand)),
+                        Arc::new(self.display.symbolic(&integral.low)),
+                        Arc::new(self.display.symbolic(&integral.high)),
+                        Arc::new(match &integral.integrand {
+                            Expr::Sum(_) => Math::Squared(Arc::new(integrand)),
                             _ => integrand,
                         }),
-                        Box::new(self.display.name(integral.variable)),
+                        Arc::new(self.display.name(integral.variable)),
                     );
                     lines.push(Math::relation(self.display.symbolic(left), Operator::Equals, shown));
                 } else if !closes.is_some_and(|step| is_definition(step, left, right)) {
@@ -141,7 +142,7 @@ impl Steps<'_> {
         let formula = match closed {
             // The plan's form of a root guards against rounding, which symbols need not.
             Closed::Formula(Expr::Piecewise(_)) if self.display.free.contains(&unknown) => self.in_givens(unknown),
-            Closed::Formula(formula) => Some(algebra::positive_first(self.display, &self.display.resolved(formula))),
+            Closed::Formula(formula) => Some(algebra::positive_first(&self.display.resolved(formula))),
             _ => self.formula_of_piece(step, unknown),
         };
         let mut blocks = vec![self.value(unknown, formula.as_ref())];
@@ -174,7 +175,7 @@ impl Steps<'_> {
     fn in_givens(&self, unknown: Symbol) -> Option<Expr> {
         let worked = self.display.worked;
         let whole = worked.in_givens(unknown, &worked.alphabet().values)?;
-        Some(algebra::positive_first(self.display, &whole))
+        Some(algebra::positive_first(&whole))
     }
 
     /// What an unknown equals where its equation, for these numbers, is linear in it.

@@ -1,8 +1,11 @@
 //! Terms laid out as a textbook prints them: fraction bars, minus signs in place, brackets exactly where needed.
 
+use std::sync::Arc;
+
 use crate::quantity::Rational;
 
-use super::text::{decimal, reads_as_decimal, split_quotient, without_minus};
+use super::sign::without_minus;
+use super::text::{decimal, reads_as_decimal, split_quotient};
 use super::{Expr, Function, Math, Operator, Piecewise, Symbol};
 
 /// What stands for a symbol: its name, or the number that it has.
@@ -64,7 +67,7 @@ impl Expr {
 
 /// In square brackets what has round ones inside.
 fn bracketed(math: Math) -> Math {
-    if has_brackets(&math) { Math::Squared(Box::new(math)) } else { Math::Bracketed(Box::new(math)) }
+    if has_brackets(&math) { Math::Squared(Arc::new(math)) } else { Math::Bracketed(Arc::new(math)) }
 }
 
 fn has_brackets(math: &Math) -> bool {
@@ -104,10 +107,12 @@ fn starts_with_digit(math: &Math) -> bool {
 }
 
 fn constant(value: &Rational) -> (Math, Shape) {
-    if let Some(text) = decimal(value).filter(|_| reads_as_decimal(value)) {
+    if reads_as_decimal(value)
+        && let Some(text) = decimal(value)
+    {
         return (Math::Number(text), Shape::Constant);
     }
-    let part = |text: String| Box::new(Math::Number(text));
+    let part = |text: String| Arc::new(Math::Number(text));
     let fraction = Math::Fraction(part(value.numerator().to_string()), part(value.denominator().to_string()));
     (fraction, Shape::Whole)
 }
@@ -139,7 +144,7 @@ impl Layout<'_> {
             Expr::Sum(terms) => (self.sum(terms), Shape::Sum),
             Expr::Product(factors) => self.product(factors),
             Expr::Power(pair) => self.power(&pair.0, &pair.1),
-            Expr::Apply(Function::Abs, arguments) => (Math::Bars(Box::new(self.arguments(arguments))), Shape::Whole),
+            Expr::Apply(Function::Abs, arguments) => (Math::Bars(Arc::new(self.arguments(arguments))), Shape::Whole),
             Expr::Apply(Function::Atan2, arguments) => self.direction(arguments),
             Expr::Apply(function, arguments) => {
                 self.apply(Math::Function(printed_name(*function).to_owned()), *function, arguments)
@@ -180,7 +185,7 @@ impl Layout<'_> {
             return self.row(&above);
         }
         let above = if above.is_empty() { Math::Number("1".to_owned()) } else { self.row(&above).0 };
-        (Math::Fraction(Box::new(above), Box::new(self.row(&below).0)), Shape::Whole)
+        (Math::Fraction(Arc::new(above), Arc::new(self.row(&below).0)), Shape::Whole)
     }
 
     /// Factors side by side, open where the last one is; a single one as it is.
@@ -217,27 +222,27 @@ impl Layout<'_> {
         if let Some(power) = exponent.as_number() {
             if *power < Rational::ZERO {
                 let below = self.term(&base.clone().power(-exponent.clone())).0;
-                return (Math::Fraction(Box::new(Math::Number("1".to_owned())), Box::new(below)), Shape::Whole);
+                return (Math::Fraction(Arc::new(Math::Number("1".to_owned())), Arc::new(below)), Shape::Whole);
             }
             if *exponent == Expr::ratio(1, 2) {
-                return (Math::Root(Box::new(self.term(base).0)), Shape::Whole);
+                return (Math::Root(Arc::new(self.term(base).0)), Shape::Whole);
             }
             if let Expr::Apply(function, arguments) = base
                 && power.is_int()
                 && matches!(function, Function::Sin | Function::Cos | Function::Tan)
             {
-                let name = Box::new(Math::Function(printed_name(*function).to_owned()));
-                let name = Math::Sup(name, Box::new(self.term(exponent).0));
+                let name = Arc::new(Math::Function(printed_name(*function).to_owned()));
+                let name = Math::Sup(name, Arc::new(self.term(exponent).0));
                 return self.apply(name, *function, arguments);
             }
         }
         let (math, shape) = self.term(base);
         let fraction = matches!(math, Math::Fraction(..) | Math::Sup(..) | Math::SubSup(..));
         let holds = matches!(shape, Shape::Whole | Shape::Constant) && !fraction;
-        let exponent = Box::new(self.term(exponent).0);
+        let exponent = Arc::new(self.term(exponent).0);
         let raised = match if holds { math } else { bracketed(math) } {
             Math::Sub(name, subscript) => Math::SubSup(name, subscript, exponent),
-            other => Math::Sup(Box::new(other), exponent),
+            other => Math::Sup(Arc::new(other), exponent),
         };
         (raised, Shape::Whole)
     }
@@ -260,8 +265,8 @@ impl Layout<'_> {
         let name = Math::Function("arctan".to_owned());
         match arguments {
             [y, x] if !x.is_one() => {
-                let ratio = Math::Fraction(Box::new(self.term(y).0), Box::new(self.term(x).0));
-                (Math::Row(vec![name, Math::Bracketed(Box::new(ratio))]), Shape::Whole)
+                let ratio = Math::Fraction(Arc::new(self.term(y).0), Arc::new(self.term(x).0));
+                (Math::Row(vec![name, Math::Bracketed(Arc::new(ratio))]), Shape::Whole)
             }
             _ => self.apply(name, Function::Atan2, arguments.get(..1).unwrap_or_default()),
         }

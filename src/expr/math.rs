@@ -1,6 +1,8 @@
 //! Typeset mathematics: one layout tree, printed as plain text, LaTeX or `MathML` by the writers beside it.
 
-/// A piece of typeset mathematics.
+use std::sync::Arc;
+
+/// A piece of typeset mathematics. What it is made of may be shared: the name of a quantity stands in many places.
 ///
 /// Terms ([`super::Expr`]) are laid out as this; so are quantities with their units, and the few marks that explanations need.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -16,27 +18,27 @@ pub enum Math {
     /// An operator or relation between its neighbours.
     Operator(Operator),
     /// A fraction.
-    Fraction(Box<Math>, Box<Math>),
+    Fraction(Arc<Math>, Arc<Math>),
     /// A base with a subscript: `v_{A1}`.
-    Sub(Box<Math>, Box<Math>),
+    Sub(Arc<Math>, Arc<Math>),
     /// A base with a superscript: `v^2`.
-    Sup(Box<Math>, Box<Math>),
+    Sup(Arc<Math>, Arc<Math>),
     /// A base with a subscript and a superscript.
-    SubSup(Box<Math>, Box<Math>, Box<Math>),
+    SubSup(Arc<Math>, Arc<Math>, Arc<Math>),
     /// A square root.
-    Root(Box<Math>),
+    Root(Arc<Math>),
     /// Its content in round brackets.
-    Bracketed(Box<Math>),
+    Bracketed(Arc<Math>),
     /// Its content in square brackets: `m_A [v_2 - v_1]`.
-    Squared(Box<Math>),
+    Squared(Arc<Math>),
     /// Its content between bars: an absolute value.
-    Bars(Box<Math>),
+    Bars(Arc<Math>),
     /// A function's name, upright: `sin`, `arctan`.
     Function(String),
     /// Rows of (condition text, value) behind a brace.
     Cases(Vec<(Math, Math)>),
     /// A definite integral: lower, upper, integrand, variable.
-    Integral(Box<Math>, Box<Math>, Box<Math>, Box<Math>),
+    Integral(Arc<Math>, Arc<Math>, Arc<Math>, Arc<Math>),
     /// A vector's name, set bold.
     Vector(String),
 }
@@ -81,7 +83,7 @@ impl Math {
         if subscript.is_empty() {
             return Self::Identifier(base.to_owned());
         }
-        Self::Sub(Box::new(Self::Identifier(base.to_owned())), Box::new(Self::Text(subscript.to_owned())))
+        Self::Sub(Arc::new(Self::Identifier(base.to_owned())), Arc::new(Self::Text(subscript.to_owned())))
     }
 
     /// `left relation right`.
@@ -122,18 +124,14 @@ impl Math {
 }
 
 /// A subscript as runs of letters, of digits, and of everything else.
-pub(crate) fn subscript_parts(text: &str) -> Vec<&str> {
-    let kind = |c: char| (c.is_alphabetic(), c.is_numeric());
-    let mut parts = Vec::new();
-    let mut start = 0;
-    let mut last = None;
-    for (place, letter) in text.char_indices() {
-        if last.is_some_and(|last| last != kind(letter)) {
-            parts.extend(text.get(start..place));
-            start = place;
-        }
-        last = Some(kind(letter));
-    }
-    parts.extend(text.get(start..).filter(|rest| !rest.is_empty()));
-    parts
+pub(crate) fn subscript_parts(text: &str) -> impl Iterator<Item = &str> {
+    let kind = |letter: char| (letter.is_alphabetic(), letter.is_numeric());
+    let mut rest = text;
+    std::iter::from_fn(move || {
+        let first = kind(rest.chars().next()?);
+        let end = rest.find(|letter| kind(letter) != first).unwrap_or(rest.len());
+        let (part, behind) = rest.split_at(end);
+        rest = behind;
+        Some(part)
+    })
 }

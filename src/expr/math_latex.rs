@@ -87,8 +87,9 @@ impl Math {
     /// As LaTeX for math mode, without the dollar signs.
     ///
     /// ```
+    /// use std::sync::Arc;
     /// use momentous::expr::{Math, name_math};
-    /// let fraction = Math::Fraction(Box::new(name_math("J_A[hit]")), Box::new(name_math("m_A")));
+    /// let fraction = Math::Fraction(Arc::new(name_math("J_A[hit]")), Arc::new(name_math("m_A")));
     /// assert_eq!(fraction.latex(), r"\frac{J_{A}}{m_{A}}");
     /// ```
     #[must_use]
@@ -220,7 +221,7 @@ impl Math {
 fn write_identifier(text: &str, out: &mut String) {
     let mut letters = text.chars();
     match (letters.next(), letters.next()) {
-        (Some(single), None) => match NAMED.iter().find(|(own, _)| *own == single) {
+        (Some(single), None) => match NAMED.iter().find(|(own, _)| !single.is_ascii() && *own == single) {
             Some((_, command)) => out.push_str(command),
             None => write_escaped(text, out),
         },
@@ -237,25 +238,45 @@ fn write_command(name: &str, text: &str, out: &mut String) {
 
 /// Upright text with what LaTeX would misread replaced; `^2` becomes a superscript, as in `m/s^2`.
 fn write_escaped(text: &str, out: &mut String) {
-    let mut letters = text.chars().peekable();
-    while let Some(letter) = letters.next() {
-        if letter == '^' {
-            let mut power = String::new();
-            while let Some(digit) = letters.next_if(|c| c.is_ascii_digit() || *c == '-') {
-                power.push(digit);
-            }
-            if power.is_empty() {
-                out.push_str(r"\textasciicircum{}");
-            } else {
-                out.extend(["$^{", &power, "}$"]);
-            }
-            continue;
-        }
-        match IN_TEXT.iter().find(|(own, _)| *own == letter).filter(|_| !letter.is_ascii_alphanumeric()) {
+    let mut rest = text;
+    while let Some(place) = rest.find(is_marked) {
+        let (plain, marked) = rest.split_at(place);
+        out.push_str(plain);
+        rest = match marked.strip_prefix('^') {
+            Some(power) => write_power(power, out),
+            None => write_sign(marked, out),
+        };
+    }
+    out.push_str(rest);
+}
+
+/// Whether LaTeX might read it as something else: letters, digits and the usual marks it does not.
+fn is_marked(letter: char) -> bool {
+    !(letter.is_ascii_alphanumeric() || matches!(letter, ' ' | '\u{a0}' | '/' | '.' | ',' | '-'))
+}
+
+/// The digits after `^`, raised; gives what stands behind them.
+fn write_power<'a>(text: &'a str, out: &mut String) -> &'a str {
+    let end = text.find(|letter: char| !(letter.is_ascii_digit() || letter == '-')).unwrap_or(text.len());
+    let (power, rest) = text.split_at(end);
+    if power.is_empty() {
+        out.push_str(r"\textasciicircum{}");
+    } else {
+        out.extend(["$^{", power, "}$"]);
+    }
+    rest
+}
+
+/// The first letter, or what stands for it; gives what stands behind it.
+fn write_sign<'a>(text: &'a str, out: &mut String) -> &'a str {
+    let mut letters = text.chars();
+    if let Some(letter) = letters.next() {
+        match IN_TEXT.iter().find(|(own, _)| *own == letter) {
             Some((_, replacement)) => out.push_str(replacement),
             None => out.push(letter),
         }
     }
+    letters.as_str()
 }
 
 fn write_row<M: Borrow<Math>>(parts: &[M], out: &mut String) {

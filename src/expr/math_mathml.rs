@@ -95,7 +95,7 @@ impl Math {
             Some(first) if first.is_alphabetic() => format!("<mi>{}</mi>", escaped(part)),
             _ => format!("<mtext>{}</mtext>", escaped(part)),
         };
-        let parts: Vec<_> = super::math::subscript_parts(text).into_iter().map(part).collect();
+        let parts: Vec<_> = super::math::subscript_parts(text).map(part).collect();
         if parts.len() == 1 { parts.concat() } else { format!("<mrow>{}</mrow>", parts.concat()) }
     }
 }
@@ -173,6 +173,8 @@ fn escaped(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
     use super::super::name_math;
     use super::*;
 
@@ -216,18 +218,18 @@ mod tests {
 
     #[test]
     fn every_construction_is_well_formed() {
-        let number = || Box::new(Math::Number("-1".into()));
+        let number = || Arc::new(Math::Number("-1".into()));
         let all = Math::Row(vec![
             Math::Fraction(number(), number()),
             Math::Sup(number(), number()),
-            Math::SubSup(number(), Box::new(Math::Text("a<b".into())), number()),
+            Math::SubSup(number(), Arc::new(Math::Text("a<b".into())), number()),
             Math::Operator(Operator::Implies),
             Math::Root(number()),
             Math::Bracketed(number()),
             Math::Squared(number()),
             Math::Bars(number()),
             Math::Function("sin".into()),
-            Math::Cases(vec![(Math::Text("t < 1".into()), *number())]),
+            Math::Cases(vec![(Math::Text("t < 1".into()), Math::Number("-1".into()))]),
             Math::Integral(number(), number(), number(), number()),
         ]);
         let xml = all.mathml(true);

@@ -31,6 +31,7 @@ mod polynomial_in;
 mod properties;
 mod quotient;
 mod readable;
+mod sign;
 mod simplify;
 mod slopes;
 mod symbol;

@@ -1,5 +1,7 @@
 //! Names of quantities, typeset: `v_A1` as v with the subscript A1, `mu_s` with a Greek letter.
 
+use std::sync::Arc;
+
 use super::{Math, Operator};
 
 /// Names that are typeset as letters of the Greek alphabet, or that the subject abbreviates.
@@ -45,12 +47,12 @@ const LETTERS: [(&str, &str); 28] = [
 #[must_use]
 pub fn name_math(name: &str) -> Math {
     if let Some(inside) = name.strip_prefix("magnitude(").and_then(|name| name.strip_suffix(')')) {
-        return Math::Bars(Box::new(name_math(inside)));
+        return Math::Bars(Arc::new(name_math(inside)));
     }
     if let Some((function, inside)) = name.strip_suffix(')').and_then(|name| name.split_once('(')) {
         let parts = inside.split(',').flat_map(|part| [Math::Operator(Operator::Comma), name_math(part.trim())]);
         let inside = Math::Row(parts.skip(1).collect());
-        return Math::Row(vec![Math::Function(function.to_owned()), Math::Bracketed(Box::new(inside))]);
+        return Math::Row(vec![Math::Function(function.to_owned()), Math::Bracketed(Arc::new(inside))]);
     }
     // A direction along an axis.
     for (mark, operator) in [('+', Operator::Plus), ('-', Operator::Minus)] {
@@ -66,7 +68,7 @@ pub fn name_math(name: &str) -> Math {
     let (name, instant) = split_mark(&name, '@');
     let (name, component) = split_mark(&name, '.');
     let rate = |of: Math| {
-        let differential = |of: Math| Box::new(Math::Row(vec![Math::Identifier("d".into()), of]));
+        let differential = |of: Math| Arc::new(Math::Row(vec![Math::Identifier("d".into()), of]));
         Math::Fraction(differential(of), differential(Math::Identifier("t".into())))
     };
     if name == "areal_rate" {
@@ -78,7 +80,7 @@ pub fn name_math(name: &str) -> Math {
         return if component.is_empty() {
             rate
         } else {
-            Math::Sub(Box::new(Math::Bracketed(Box::new(rate))), Box::new(base_math(&component)))
+            Math::Sub(Arc::new(Math::Bracketed(Arc::new(rate))), Arc::new(base_math(&component)))
         };
     }
     // A letter of its own would be that of kinetic energy.
@@ -92,8 +94,8 @@ pub fn name_math(name: &str) -> Math {
     if component.is_empty() {
         return whole;
     }
-    let whole = if parts.is_empty() { whole } else { Math::Bracketed(Box::new(whole)) };
-    Math::Sub(Box::new(whole), Box::new(base_math(&component)))
+    let whole = if parts.is_empty() { whole } else { Math::Bracketed(Arc::new(whole)) };
+    Math::Sub(Arc::new(whole), Arc::new(base_math(&component)))
 }
 
 /// `dt` is a difference; its subscript, if any, belongs to the whole of it.
@@ -112,13 +114,13 @@ fn with_subscript(base: Math, subscript: &str) -> Math {
     if subscript.is_empty() {
         return base;
     }
-    let subscript = Box::new(Math::Text(subscript.to_owned()));
+    let subscript = Arc::new(Math::Text(subscript.to_owned()));
     match base {
         Math::Row(mut parts) => {
-            let last = parts.pop().map(|last| Math::Sub(Box::new(last), subscript));
+            let last = parts.pop().map(|last| Math::Sub(Arc::new(last), subscript));
             Math::Row(parts.into_iter().chain(last).collect())
         }
-        base => Math::Sub(Box::new(base), subscript),
+        base => Math::Sub(Arc::new(base), subscript),
     }
 }
 

@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 
 use super::testing::AnyName;
-use super::{Expr, Function, Symbol, equal};
+use super::{Expr, Function, Leaf, LeafKind, Math, Operator, Symbol, equal};
 
 const NAMES: [&str; 4] = ["a", "b", "c", "t"];
 
@@ -43,6 +43,15 @@ fn close(left: f64, right: f64) -> bool {
     !left.is_finite() || (left - right).abs() <= 1e-6 * (1.0 + left.abs())
 }
 
+fn begins_with_minus(math: &Math) -> bool {
+    match math {
+        Math::Operator(operator) => *operator == Operator::Minus,
+        Math::Row(parts) => parts.first().is_some_and(begins_with_minus),
+        Math::Bracketed(inner) | Math::Squared(inner) => begins_with_minus(inner),
+        _ => false,
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(256))]
 
@@ -68,6 +77,12 @@ proptest! {
         }
         prop_assert!(!equal(&left, &(left.clone() + Expr::one())) || left.evaluate(&value).is_nan());
         prop_assert!(equal(&(left.clone() * right.clone()), &(right * left)));
+    }
+
+    #[test]
+    fn a_minus_is_seen_without_the_layout(term in terms(true)) {
+        let name = |symbol: Symbol| Leaf { math: Math::Identifier(NAMES[symbol.index()].into()), kind: LeafKind::Name };
+        prop_assert_eq!(term.begins_with_minus(), begins_with_minus(&term.layout(&name)), "{}", term.text(&table().0.0));
     }
 
     #[test]

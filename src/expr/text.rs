@@ -2,6 +2,7 @@
 
 use crate::quantity::Rational;
 
+use super::sign::{is_negative, without_minus};
 use super::{Expr, Function, Symbol, SymbolTable};
 
 /// How tightly a text holds together; a part looser than its place needs brackets.
@@ -45,15 +46,6 @@ impl Expr {
     }
 }
 
-/// The absolute value of a number that is negative, or of a product with such a number in front.
-pub(super) fn without_minus(term: &Expr) -> Option<Expr> {
-    let number = match term {
-        Expr::Product(factors) => factors.first()?.as_number()?,
-        other => other.as_number()?,
-    };
-    (*number < Rational::ZERO).then(|| -term.clone())
-}
-
 /// Numerator and denominator: the factors with negative numeric powers, turned over, and a number's denominator.
 pub(super) fn split_quotient(factors: &[Expr], decimal: impl Fn(&Rational) -> bool) -> (Vec<Expr>, Vec<Expr>) {
     let (mut above, mut below) = (Vec::new(), Vec::new());
@@ -63,7 +55,7 @@ pub(super) fn split_quotient(factors: &[Expr], decimal: impl Fn(&Rational) -> bo
                 above.push(Expr::Number(Rational::from(value.numerator().clone())));
                 below.push(Expr::Number(Rational::from(value.denominator().clone())));
             }
-            Expr::Power(pair) if pair.1.as_number().is_some_and(|power| *power < Rational::ZERO) => {
+            Expr::Power(pair) if pair.1.as_number().is_some_and(is_negative) => {
                 below.push(pair.0.clone().power(-pair.1.clone()));
             }
             other => above.push(other.clone()),
@@ -77,29 +69,32 @@ pub(super) fn split_quotient(factors: &[Expr], decimal: impl Fn(&Rational) -> bo
 
 /// A number with few decimals, exactly; `None` where it has many, or never ends.
 pub(super) fn decimal(value: &Rational) -> Option<String> {
-    const MAX_DECIMALS: usize = 6;
-    let mut scaled = value.clone();
-    for decimals in 0..=MAX_DECIMALS {
-        if scaled.is_int() {
-            let negative = *value < Rational::ZERO;
-            let digits = scaled.numerator().clone().into_parts().1.to_string();
-            let digits = format!("{digits:0>width$}", width = decimals + 1);
-            let (whole, part) = digits.split_at(digits.len() - decimals);
-            let point = if decimals == 0 { "" } else { "." };
-            return Some(format!("{}{whole}{point}{part}", if negative { "-" } else { "" }));
-        }
-        scaled *= Rational::from(10);
+    let decimals = decimals(value)?;
+    if decimals == 0 {
+        return Some(value.numerator().to_string());
     }
-    None
+    let scaled = value * Rational::from(10_u64.pow(decimals));
+    let sign = if is_negative(value) { "-" } else { "" };
+    let decimals = decimals as usize;
+    let digits = format!("{:0>width$}", scaled.numerator().clone().into_parts().1, width = decimals + 1);
+    let (whole, part) = digits.split_at(digits.len() - decimals);
+    Some(format!("{sign}{whole}.{part}"))
+}
+
+/// How many decimals a number has, where they are few: its denominator then divides a power of ten.
+fn decimals(value: &Rational) -> Option<u32> {
+    const MAX_DECIMALS: u32 = 6;
+    let below = u64::try_from(value.denominator()).ok()?;
+    (0..=MAX_DECIMALS).find(|decimals| 10_u64.pow(*decimals) % below == 0)
 }
 
 /// Whether a number reads better as a decimal than as a fraction: `0.7` and `120.5`, but `1/2`, `5/4`, `9/8` and `1/3`.
 pub(super) fn reads_as_decimal(value: &Rational) -> bool {
     const DENOMINATORS: [u8; 4] = [2, 4, 8, 16];
     const LARGEST: u8 = 100;
-    let is_below = DENOMINATORS.iter().any(|below| *value.denominator() == (*below).into());
-    let is_small = *value < Rational::from(LARGEST) && *value > -Rational::from(LARGEST);
-    decimal(value).is_some() && !(is_below && is_small)
+    let is_below = || DENOMINATORS.iter().any(|below| *value.denominator() == (*below).into());
+    let is_small = || *value < Rational::from(LARGEST) && *value > -Rational::from(LARGEST);
+    decimals(value).is_some_and(|decimals| decimals == 0 || !(is_below() && is_small()))
 }
 
 fn write(term: &Expr, name: &dyn Fn(Symbol) -> String) -> (String, Binding) {
@@ -147,7 +142,7 @@ fn write(term: &Expr, name: &dyn Fn(Symbol) -> String) -> (String, Binding) {
             (text, Binding::Product)
         }
         Expr::Power(pair) => match &pair.1 {
-            Expr::Number(power) if *power < Rational::ZERO => {
+            Expr::Number(power) if is_negative(power) => {
                 let below = pair.0.clone().power(-pair.1.clone());
                 (format!("1/{}", held(&below, Binding::Power)), Binding::Product)
             }

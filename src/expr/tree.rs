@@ -153,6 +153,7 @@ impl Expr {
         let mut number = Rational::ONE;
         let mut flat = Vec::new();
         let mut push = |factor: &Self, flat: &mut Vec<Self>| match factor {
+            Self::Number(value) if number.is_one() => number.clone_from(value),
             Self::Number(value) => number *= value,
             other => flat.push(other.clone()),
         };
@@ -277,11 +278,19 @@ impl Expr {
     }
 
     fn collect_symbols(&self, found: &mut BTreeSet<Symbol>) {
-        if let Self::Symbol(symbol) = self {
-            found.insert(*symbol);
-        }
-        for child in self.children() {
-            child.collect_symbols(found);
+        match self {
+            Self::Number(_) | Self::Pi => {}
+            Self::Symbol(symbol) => {
+                found.insert(*symbol);
+            }
+            Self::Sum(parts) | Self::Product(parts) | Self::Apply(_, parts) => {
+                parts.iter().for_each(|part| part.collect_symbols(found));
+            }
+            Self::Power(pair) => {
+                pair.0.collect_symbols(found);
+                pair.1.collect_symbols(found);
+            }
+            other @ Self::Piecewise(_) => other.children().into_iter().for_each(|part| part.collect_symbols(found)),
         }
     }
 

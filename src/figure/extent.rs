@@ -4,28 +4,13 @@ use crate::expr::Math;
 
 use super::geometry::{arc_points, arrow_head, corners};
 use super::style::TYPE_SIZE;
-use super::typeset::{Face, Run, runs};
+use super::typeset::{Face, Look, set};
 use super::{Point, Role, Shape};
 
-/// Widths of characters in units of the type size, after Times; the first line that holds a character decides.
-const WIDTHS: [(&str, f64); 8] = [
-    ("\u{2009}", 0.18),
-    ("ijl.,:;'| \u{a0}", 0.28),
-    ("tfrs()[]/I-", 0.37),
-    ("0123456789aceoz?*", 0.5),
-    ("mwMW\u{2026}\u{21d2}", 0.87),
-    ("bdghknpquvxyJ\u{b0}\u{3b8}\u{3b1}\u{3b2}\u{3c9}", 0.53),
-    ("+=<>\u{2212}\u{d7}\u{2248}\u{2264}\u{2265}\u{b1}\u{2260}\u{221a}", 0.58),
-    ("BCEFLPRSTVXYZ", 0.67),
-];
-/// Every other character: wide capitals, other scripts.
-const WIDEST: f64 = 0.74;
 /// Readers' fonts differ; some are this much wider than Times.
 const ALLOWANCE: f64 = 1.06;
 
 /// Heights above and below the baseline, in units of the type size.
-const LOW_LETTERS: &str = "acegmnopqrsuvwxyz.,:+\u{2212}=\u{2009}\u{a0}\u{3b1}\u{3b5}\u{3bc}\u{3c0}\u{3c3}\u{3c9}";
-const HANGING_LETTERS: &str = "gjpqy,()[]/Q|\u{222b}\u{3b2}\u{3bc}";
 const LOW_HEIGHT: f64 = 0.46;
 const FULL_HEIGHT: f64 = 0.69;
 const HANG: f64 = 0.22;
@@ -219,21 +204,11 @@ pub(super) struct Measure {
 
 impl Measure {
     pub(super) fn of(text: &Math) -> Self {
-        Self::of_runs(&runs(text))
-    }
-
-    pub(super) fn of_runs(runs: &[Run]) -> Self {
-        let mut measure = Self { width: 0.0, above: LOW_HEIGHT, below: 0.0 };
-        for run in runs {
-            let tall = run.text.chars().any(|character| !LOW_LETTERS.contains(character));
-            let hangs = run.text.chars().any(|character| HANGING_LETTERS.contains(character));
-            let height = if tall { FULL_HEIGHT } else { LOW_HEIGHT };
-            measure.width += width(run) * run.size;
-            measure.above = measure.above.max(run.rise + run.size * height);
-            measure.below = measure.below.max(-run.rise + if hangs { run.size * HANG } else { 0.0 });
-        }
-        let scale = TYPE_SIZE;
-        Self { width: measure.width * scale * ALLOWANCE, above: measure.above * scale, below: measure.below * scale }
+        let mut gauge = Gauge { whole: Self { width: 0.0, above: LOW_HEIGHT, below: 0.0 }, run: None };
+        set(text, &mut |piece, look| gauge.put(piece, look));
+        gauge.close();
+        let Self { width, above, below } = gauge.whole;
+        Self { width: width * TYPE_SIZE * ALLOWANCE, above: above * TYPE_SIZE, below: below * TYPE_SIZE }
     }
 
     /// How far its baseline lies below its middle.
@@ -242,13 +217,78 @@ impl Measure {
     }
 }
 
-fn width(run: &Run) -> f64 {
-    let of = |character: char| {
-        WIDTHS.iter().find(|(characters, _)| characters.contains(character)).map_or(WIDEST, |(_, width)| *width)
-    };
-    // Bold faces and slanted last letters stick out a little.
-    let extra = if run.face == Face::Upright { 0.0 } else { 0.06 };
-    run.text.chars().map(of).sum::<f64>() + extra
+/// Measures a label as it is set, run by run: what looks alike is one run.
+struct Gauge {
+    whole: Measure,
+    run: Option<Measured>,
+}
+
+/// A run as far as it is measured, in units of its own size.
+struct Measured {
+    look: Look,
+    width: f64,
+    height: f64,
+    hang: f64,
+}
+
+impl Gauge {
+    fn put(&mut self, piece: &str, look: Look) {
+        let run = match &mut self.run {
+            Some(run) if run.look == look => run,
+            _ => {
+                self.close();
+                self.run.insert(Measured { look, width: 0.0, height: LOW_HEIGHT, hang: 0.0 })
+            }
+        };
+        for character in piece.chars() {
+            run.width += width(character);
+            run.height = if is_low(character) { run.height } else { FULL_HEIGHT };
+            run.hang = if hangs(character) { HANG } else { run.hang };
+        }
+    }
+
+    /// Adds the run that is complete.
+    fn close(&mut self) {
+        let (whole, Some(Measured { look, width, height, hang })) = (&mut self.whole, self.run.take()) else { return };
+        // Bold faces and slanted last letters stick out a little.
+        let extra = if look.face == Face::Upright { 0.0 } else { 0.06 };
+        whole.width += (width + extra) * look.size;
+        whole.above = whole.above.max(look.rise + look.size * height);
+        whole.below = whole.below.max(-look.rise + look.size * hang);
+    }
+}
+
+/// Widths of characters in units of the type size, after Times.
+fn width(character: char) -> f64 {
+    match character {
+        '\u{2009}' => 0.18,
+        'i' | 'j' | 'l' | '.' | ',' | ':' | ';' | '\'' | '|' | ' ' | '\u{a0}' => 0.28,
+        't' | 'f' | 'r' | 's' | '(' | ')' | '[' | ']' | '/' | 'I' | '-' => 0.37,
+        '0'..='9' | 'a' | 'c' | 'e' | 'o' | 'z' | '?' | '*' => 0.5,
+        'b' | 'd' | 'g' | 'h' | 'k' | 'n' | 'p' | 'q' | 'u' | 'v' | 'x' | 'y' | 'J' | '\u{b0}' | '\u{3b1}'
+        | '\u{3b2}' | '\u{3b8}' | '\u{3c9}' => 0.53,
+        '+' | '=' | '<' | '>' | '\u{b1}' | '\u{d7}' | '\u{2212}' | '\u{221a}' | '\u{2248}' | '\u{2260}'
+        | '\u{2264}' | '\u{2265}' => 0.58,
+        'B' | 'C' | 'E' | 'F' | 'L' | 'P' | 'R' | 'S' | 'T' | 'V' | 'X' | 'Y' | 'Z' => 0.67,
+        'm' | 'w' | 'M' | 'W' | '\u{2026}' | '\u{21d2}' => 0.87,
+        // Wide capitals, other scripts.
+        _ => 0.74,
+    }
+}
+
+/// Whether it is no higher than an x.
+fn is_low(character: char) -> bool {
+    matches!(
+        character,
+        'a' | 'c' | 'e' | 'g' | 'm'..='s' | 'u'..='z' | '.' | ',' | ':' | '+' | '=' | '\u{2212}' | '\u{2009}' | '\u{a0}'
+            | '\u{3b1}' | '\u{3b5}' | '\u{3bc}' | '\u{3c0}' | '\u{3c3}' | '\u{3c9}'
+    )
+}
+
+/// Whether it reaches below the baseline.
+fn hangs(character: char) -> bool {
+    matches!(character, 'g' | 'j' | 'p' | 'q' | 'y' | ',' | '(' | ')' | '[' | ']' | '/' | 'Q' | '|')
+        || matches!(character, '\u{222b}' | '\u{3b2}' | '\u{3bc}')
 }
 
 #[cfg(test)]

@@ -1,5 +1,7 @@
 //! Force against time: the curve, and the area under it, which is the impulse.
 
+use std::sync::Arc;
+
 use crate::expr::Math;
 use crate::expr::Operator;
 
@@ -163,7 +165,7 @@ impl PlotAxis {
         let mut parts = vec![self.symbol.clone(), Math::Text("in".to_owned())];
         if power != 0 {
             let (ten, power) = (Math::Number("10".to_owned()), Math::Number(power.to_string()));
-            parts.extend([Math::Sup(Box::new(ten), Box::new(power)), Math::Operator(Operator::Juxtapose)]);
+            parts.extend([Math::Sup(Arc::new(ten), Arc::new(power)), Math::Operator(Operator::Juxtapose)]);
         }
         parts.push(Math::Text(self.unit.clone()));
         Math::Row(parts)

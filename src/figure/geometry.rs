@@ -54,7 +54,11 @@ impl Point {
     /// The same vector turned by an angle in radians, counter-clockwise.
     #[must_use]
     pub fn rotated(self, angle: f64) -> Self {
-        let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
+        self.turned_by([libm::cos(angle), libm::sin(angle)])
+    }
+
+    /// The same vector turned by an angle, told by its cosine and sine.
+    fn turned_by(self, [cosine, sine]: [f64; 2]) -> Self {
         Self::new(self.x * cosine - self.y * sine, self.x * sine + self.y * cosine)
     }
 
@@ -119,26 +123,48 @@ pub(super) fn arc_points(centre: Point, radius: f64, from: f64, to: f64) -> Vec<
 /// The corners of a turned rectangle, counter-clockwise from its lower left.
 pub(super) fn corners(centre: Point, size: Point, angle: f64) -> [Point; 4] {
     let half = size * 0.5;
+    let turn = [libm::cos(angle), libm::sin(angle)];
     [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
-        .map(|(right, up)| centre + Point::new(right * half.x, up * half.y).rotated(angle))
+        .map(|(right, up)| centre + Point::new(right * half.x, up * half.y).turned_by(turn))
 }
 
 /// A coordinate as text: two decimals at most, no trailing zeros, never `-0`; anything that is not finite is `0`.
 pub(super) fn coordinate(value: f64) -> String {
-    let hundredths = libm::round(value * 100.0);
-    if !hundredths.is_finite() {
-        return "0".to_owned();
+    let mut text = String::new();
+    put_coordinate(&mut text, value);
+    text
+}
+
+/// The same at the end of a text. A picture has thousands of coordinates, and the digits of whole numbers are written much
+/// faster than doubles.
+pub(super) fn put_coordinate(out: &mut String, value: f64) {
+    let hundredths = hundredths(value);
+    if hundredths < 0 {
+        out.push('-');
     }
-    // A picture has thousands of coordinates, and whole numbers print much faster than doubles.
-    #[allow(clippy::cast_possible_truncation, reason = "no picture is that large")]
-    let hundredths = hundredths as i64;
-    let sign = if hundredths < 0 { "-" } else { "" };
     let (whole, rest) = (hundredths.unsigned_abs() / 100, hundredths.unsigned_abs() % 100);
-    match (rest / 10, rest % 10) {
-        (0, 0) => format!("{sign}{whole}"),
-        (tenths, 0) => format!("{sign}{whole}.{tenths}"),
-        (tenths, rest) => format!("{sign}{whole}.{tenths}{rest}"),
+    put_digits(out, whole);
+    if rest > 0 {
+        out.push('.');
+        put_digits(out, rest / 10);
     }
+    if rest % 10 > 0 {
+        put_digits(out, rest % 10);
+    }
+}
+
+/// What of a coordinate is printed.
+pub(super) fn hundredths(value: f64) -> i64 {
+    let hundredths = (value * 100.0).round();
+    #[allow(clippy::cast_possible_truncation, reason = "no picture is that large")]
+    if hundredths.is_finite() { hundredths as i64 } else { 0 }
+}
+
+fn put_digits(out: &mut String, number: u64) {
+    if number >= 10 {
+        put_digits(out, number / 10);
+    }
+    out.push(char::from(b'0' + (number % 10) as u8));
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use super::{Drawing, Point, Shape};
 use super::extent::bounds;
 
 /// Free space around a figure, so that line widths and fonts wider than estimated are not cut.
-const MARGIN: f64 = 6.0;
+pub(super) const MARGIN: f64 = 6.0;
 
 /// What a figure is called and what is said about it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

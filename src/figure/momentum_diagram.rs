@@ -6,8 +6,7 @@ use crate::expr::Math;
 use crate::expr::Operator;
 
 use super::body::{Attach, Body};
-use super::extent::bounds;
-use super::input::{AxisMark, Form, LabelledVector, Wording};
+use super::input::{AxisMark, Form, LabelledVector, MARGIN, Wording};
 use super::panels::{Row, assemble};
 use super::place::Canvas;
 use super::scale::Scale;
@@ -17,7 +16,7 @@ use super::{Drawing, Point, Role, Shape};
 /// Lengths of the longest arrow, tried in this order until the figure is not too wide.
 const LONGEST: [f64; 4] = [76.0, 62.0, 48.0, 38.0];
 /// The width of a line of text on a sheet of paper, about.
-const WIDEST: f64 = 440.0;
+const WIDEST: f64 = 440.0 + 2.0 * MARGIN;
 const LINE_OVERHANG: f64 = 16.0;
 const SURFACE_HALF: f64 = 26.0;
 
@@ -104,9 +103,9 @@ impl MomentumDiagram {
 
     fn balance(&self, of: Quantity) -> Drawing {
         let [longest @ .., shortest] = LONGEST;
-        let fits = |shapes: &Vec<Shape>| bounds(shapes).size().x <= WIDEST;
-        let fitting = longest.into_iter().map(|longest| self.shapes(of, longest)).find(fits);
-        self.wording.drawing(fitting.unwrap_or_else(|| self.shapes(of, shortest)))
+        let drawing = |longest: f64| self.wording.drawing(self.shapes(of, longest));
+        let fits = |drawing: &Drawing| drawing.high.x - drawing.low.x <= WIDEST;
+        longest.into_iter().map(drawing).find(fits).unwrap_or_else(|| drawing(shortest))
     }
 
     fn shapes(&self, of: Quantity, longest: f64) -> Vec<Shape> {

@@ -24,15 +24,18 @@ pub(super) struct Row {
 
 /// Rows in columns: headings above, signs between, axes at the lower left.
 pub(super) fn assemble(headings: &[Math], rows: Vec<Row>, axes: &[AxisMark]) -> Vec<Shape> {
-    let widths = column_widths(headings, &rows);
+    // Measuring is dear, so it is done once.
+    let frames: Vec<Vec<Extent>> =
+        rows.iter().map(|row| row.panels.iter().map(|panel| bounds(panel)).collect()).collect();
+    let widths = column_widths(headings, &frames);
     let centres = column_centres(&widths);
     let mut canvas = Canvas::default();
     for (heading, centre) in headings.iter().zip(&centres) {
         canvas.fixed_label(on_baseline(*centre, 0.0, heading), heading, Role::Body);
     }
     let mut top = if headings.is_empty() { 0.0 } else { -HEADING_GAP };
-    for row in rows {
-        let frame = row.panels.iter().map(|panel| bounds(panel)).reduce(Extent::joined);
+    for (row, frames) in rows.into_iter().zip(&frames) {
+        let frame = frames.iter().copied().reduce(Extent::joined);
         let frame = frame.unwrap_or(Extent { low: Point::ORIGIN, high: Point::ORIGIN });
         let level = top - frame.high.y;
         for (index, sign) in row.signs.iter().enumerate() {
@@ -42,8 +45,8 @@ pub(super) fn assemble(headings: &[Math], rows: Vec<Row>, axes: &[AxisMark]) -> 
                 canvas.fixed_label(Point::new(x, level), &Math::Operator(*sign), Role::Body);
             }
         }
-        for (panel, centre) in row.panels.into_iter().zip(&centres) {
-            let shift = Point::new(centre - bounds(&panel).centre().x, level);
+        for ((panel, frame), centre) in row.panels.into_iter().zip(frames).zip(&centres) {
+            let shift = Point::new(centre - frame.centre().x, level);
             canvas.draw_all(panel.into_iter().map(|shape| shifted(shape, shift)));
         }
         top = level + frame.low.y - ROW_GAP;
@@ -70,11 +73,12 @@ pub(super) fn draw_axes(canvas: &mut Canvas, taken: Extent, axes: &[AxisMark]) {
     canvas.draw_all(own.into_iter().map(|shape| shifted(shape, shift)));
 }
 
-fn column_widths(headings: &[Math], rows: &[Row]) -> Vec<f64> {
-    let columns = rows.iter().map(|row| row.panels.len()).max().unwrap_or(0).max(headings.len());
+/// Widths that hold the headings, and in each row the panels with those frames.
+fn column_widths(headings: &[Math], frames: &[Vec<Extent>]) -> Vec<f64> {
+    let columns = frames.iter().map(Vec::len).max().unwrap_or(0).max(headings.len());
     let heading = |column: usize| headings.get(column).map_or(0.0, |heading| Measure::of(heading).width);
-    let panel = |row: &Row, column: usize| row.panels.get(column).map_or(0.0, |panel| bounds(panel).size().x);
-    (0..columns).map(|column| rows.iter().map(|row| panel(row, column)).fold(heading(column), f64::max)).collect()
+    let panel = |row: &[Extent], column: usize| row.get(column).map_or(0.0, |frame| frame.size().x);
+    (0..columns).map(|column| frames.iter().map(|row| panel(row, column)).fold(heading(column), f64::max)).collect()
 }
 
 fn column_centres(widths: &[f64]) -> Vec<f64> {

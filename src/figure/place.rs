@@ -130,8 +130,9 @@ fn place(label: Extent, anchor: Anchor, shapes: &[Shape], boxes: &[Option<Extent
         is_free(at) && foreign.iter().all(|shape| own.contact(shape) == Contact::Clear)
     };
     // Beside a short slanting arrow a wide label lies far off; about its end it does not.
-    let ends = end_places(anchor, label.size());
-    let (first, second) = if is_short(anchor, label.size()) { (&ends[..], None) } else { (&[][..], ends.first()) };
+    let short = is_short(anchor, label.size());
+    let ends = if short || !foreign.is_empty() { end_places(anchor, label.size()) } else { Vec::new() };
+    let (first, second) = if short { (&ends[..], None) } else { (&[][..], ends.first()) };
     let near_and_end = || first.iter().chain(&near).chain(second).copied();
     let clear = |distance: f64| near_and_end().find(|at| is_clear(at, distance));
     // Where no other arrow is near, any place beside its own will do.

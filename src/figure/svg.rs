@@ -1,19 +1,22 @@
 //! A drawing as SVG: within a page, its ink following the page's text colour; or as a file, on a card of its own.
 
 use std::collections::BTreeSet;
-use std::fmt::Write;
 
 use crate::expr::Math;
 
 use super::extent::{Extent, Measure};
-use super::geometry::{arc_points, arrow_head, coordinate, corners};
+use super::geometry::{arc_points, arrow_head, corners, hundredths, put_coordinate};
 use super::style::{Style, TYPE_SIZE, style};
-use super::typeset::{Face, runs};
+use super::typeset::{Face, Run, runs};
 use super::{Drawing, Point, Role, Shape};
 
 /// Serif faces that readers' machines have; no font is loaded.
 const FONTS: &str = "'STIX Two Text','Times New Roman',Times,'Liberation Serif',serif";
 const DASHES: &str = "5 3";
+/// To what the rules of figures are confined.
+const SCOPE: &str = ".momentous-figure";
+/// The room that a figure takes, in bytes, so that its text is not moved about as it grows.
+const USUAL_SIZE: usize = 8192;
 /// How much further a card reaches than its drawing.
 const CARD_MARGIN: f64 = 8.0;
 /// Paper and ink of a file, in light and in dark.
@@ -23,7 +26,7 @@ const CARD_STYLE: &str = "\
 @media (prefers-color-scheme:dark){.momentous-figure{color:#e2e5e9}.momentous-figure .card{fill:#16191d}}
 ";
 
-/// The drawing as an SVG element, with title and description for screen readers.
+/// The drawing as an SVG element, with title and description for screen readers. No line of it is blank.
 ///
 /// ```
 /// use momentous::figure::{Drawing, Point, svg};
@@ -59,59 +62,27 @@ pub fn svg_file(drawing: &Drawing) -> String {
 
 fn element(drawing: &Drawing, style: &str, ground: &str) -> String {
     let size = drawing.high - drawing.low;
-    let (width, height) = (coordinate(size.x), coordinate(size.y));
-    let (title, description) = (escape(&drawing.title), escape(&drawing.description));
-    let mut page = Page { out: String::new(), low: drawing.low, high: drawing.high };
-    page.put(format_args!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" class=\"momentous-figure\" \
-         width=\"{width}pt\" height=\"{height}pt\" viewBox=\"0 0 {width} {height}\">\n\
-         <title>{title}</title>\n<desc>{description}</desc>\n<style>\n{}{style}</style>\n{ground}",
-        style_sheet(&drawing.roles())
-    ));
+    let mut page = Page { out: String::with_capacity(USUAL_SIZE), low: drawing.low, high: drawing.high };
+    page.put(["<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" class=\"momentous-figure\" width=\""]);
+    page.number(size.x);
+    page.put(["pt\" height=\""]);
+    page.number(size.y);
+    page.put(["pt\" viewBox=\"0 0 "]);
+    page.number(size.x);
+    page.put([" "]);
+    page.number(size.y);
+    page.put(["\">\n<title>"]);
+    page.text(&drawing.title);
+    page.put(["</title>\n<desc>"]);
+    page.text(&drawing.description);
+    page.put(["</desc>\n<style>\n"]);
+    page.style_sheet(&drawing.roles());
+    page.put([style, "</style>\n", ground]);
     for shape in &drawing.shapes {
         page.shape(shape);
     }
-    page.out.push_str("</svg>\n");
+    page.put(["</svg>\n"]);
     page.out
-}
-
-/// The rules of the roles that are drawn. They are confined to figures, because a page's style sheets are shared by all that is
-/// on it.
-fn style_sheet(roles: &BTreeSet<Role>) -> String {
-    let scope = ".momentous-figure";
-    let mut sheet = format!(
-        "{scope}{{max-width:100%;height:auto}}\n\
-         {scope} *{{stroke-linejoin:round;stroke-linecap:round}}\n\
-         {scope} text{{font:{TYPE_SIZE}px {FONTS};text-anchor:middle}}\n\
-         {scope} .i{{font-style:italic}}\n{scope} .b{{font-weight:bold}}\n\
-         {scope} .dashed{{stroke-dasharray:{DASHES}}}\n"
-    );
-    for style in roles.iter().copied().map(style) {
-        let (class, width, fill) = (style.class, style.width, style.fill);
-        let rule = format!(
-            "{scope} .{class}{{{};stroke-width:{width};fill:none}}\n\
-             {scope} .{class}.head,{scope} text.{class}{{{};stroke:none}}\n",
-            paint("stroke", &style),
-            paint("fill", &style),
-        );
-        sheet.push_str(&rule);
-        if fill > 0.0 {
-            let filled = format!("{scope} .{class}.filled{{{};fill-opacity:{fill}}}\n", paint("fill", &style));
-            sheet.push_str(&filled);
-        }
-    }
-    sheet.push_str(".momentous-figure .area{stroke:none}\n");
-    sheet
-}
-
-/// A colour for the light and the dark scheme of the page; programs that do not know of schemes keep the first.
-fn paint(property: &str, style: &Style) -> String {
-    let (light, dark) = (style.colour, style.dark);
-    if light == dark {
-        format!("{property}:{light}")
-    } else {
-        format!("{property}:{light};{property}:light-dark({light},{dark})")
-    }
 }
 
 struct Page {
@@ -121,22 +92,86 @@ struct Page {
 }
 
 impl Page {
-    fn put(&mut self, text: std::fmt::Arguments<'_>) {
-        // Writing to a string cannot fail.
-        let _ = self.out.write_fmt(text);
+    fn put<const N: usize>(&mut self, pieces: [&str; N]) {
+        self.out.extend(pieces);
+    }
+
+    fn number(&mut self, value: f64) {
+        put_coordinate(&mut self.out, value);
+    }
+
+    /// Text for XML: markup escaped, characters that XML forbids left out.
+    fn text(&mut self, text: &str) {
+        let mut written = 0;
+        for (place, character) in text.char_indices() {
+            let instead = match character {
+                '&' => "&amp;",
+                '<' => "&lt;",
+                '>' => "&gt;",
+                '"' => "&quot;",
+                '\t' | '\n' | '\r' => " ",
+                '\u{fffe}' | '\u{ffff}' => "",
+                control if control.is_control() => "",
+                _ => continue,
+            };
+            self.put([&text[written..place], instead]);
+            written = place + character.len_utf8();
+        }
+        self.put([&text[written..]]);
+    }
+
+    /// The rules of the roles that are drawn. They are confined to figures, because a page's style sheets are shared by all
+    /// that is on it.
+    fn style_sheet(&mut self, roles: &BTreeSet<Role>) {
+        self.put([SCOPE, "{max-width:100%;height:auto}\n", SCOPE, " *{stroke-linejoin:round;stroke-linecap:round}\n"]);
+        self.put([SCOPE, " text{font:"]);
+        self.number(TYPE_SIZE);
+        self.put(["px ", FONTS, ";text-anchor:middle}\n"]);
+        self.put([SCOPE, " .i{font-style:italic}\n", SCOPE, " .b{font-weight:bold}\n"]);
+        self.put([SCOPE, " .dashed{stroke-dasharray:", DASHES, "}\n"]);
+        for style in roles.iter().copied().map(style) {
+            let class = style.class;
+            self.put([SCOPE, " .", class, "{"]);
+            self.paint("stroke", &style);
+            self.put([";stroke-width:"]);
+            self.number(style.width);
+            self.put([";fill:none}\n", SCOPE, " .", class, ".head,", SCOPE, " text.", class, "{"]);
+            self.paint("fill", &style);
+            self.put([";stroke:none}\n"]);
+            if style.fill > 0.0 {
+                self.put([SCOPE, " .", class, ".filled{"]);
+                self.paint("fill", &style);
+                self.put([";fill-opacity:"]);
+                self.number(style.fill);
+                self.put(["}\n"]);
+            }
+        }
+        self.put([SCOPE, " .area{stroke:none}\n"]);
+    }
+
+    /// A colour for the light and the dark scheme of the page; programs that do not know of schemes keep the first.
+    fn paint(&mut self, property: &str, style: &Style) {
+        let (light, dark) = (style.colour, style.dark);
+        self.put([property, ":", light]);
+        if light != dark {
+            self.put([";", property, ":light-dark(", light, ",", dark, ")"]);
+        }
     }
 
     /// SVG counts downwards from the upper left corner.
-    fn pair(&self, point: Point) -> (String, String) {
-        (coordinate(point.x - self.low.x), coordinate(self.high.y - point.y))
+    fn pair(&mut self, point: Point, between: &str) {
+        self.number(point.x - self.low.x);
+        self.put([between]);
+        self.number(self.high.y - point.y);
     }
 
-    fn list(&self, points: &[Point]) -> String {
-        let pairs = points.iter().map(|point| {
-            let (x, y) = self.pair(*point);
-            format!("{x},{y}")
-        });
-        pairs.collect::<Vec<_>>().join(" ")
+    fn points(&mut self, points: &[Point]) {
+        self.put(["\" points=\""]);
+        for (index, point) in points.iter().enumerate() {
+            self.put([if index > 0 { " " } else { "" }]);
+            self.pair(*point, ",");
+        }
+        self.put(["\"/>\n"]);
     }
 
     fn shape(&mut self, shape: &Shape) {
@@ -148,12 +183,18 @@ impl Page {
                 self.head(*from, *to, *role);
             }
             Shape::Circle { centre, radius, role } => {
-                let ((x, y), radius, class) = (self.pair(*centre), coordinate(*radius), closed_class(*role));
-                self.put(format_args!("<circle class=\"{class}\" cx=\"{x}\" cy=\"{y}\" r=\"{radius}\"/>\n"));
+                self.put(["<circle class=\""]);
+                self.closed_class(*role);
+                self.put(["\" cx=\""]);
+                self.pair(*centre, "\" cy=\"");
+                self.put(["\" r=\""]);
+                self.number(*radius);
+                self.put(["\"/>\n"]);
             }
             Shape::Rectangle { centre, size, angle, role } => {
-                let (points, class) = (self.list(&corners(*centre, *size, *angle)), closed_class(*role));
-                self.put(format_args!("<polygon class=\"{class}\" points=\"{points}\"/>\n"));
+                self.put(["<polygon class=\""]);
+                self.closed_class(*role);
+                self.points(&corners(*centre, *size, *angle));
             }
             Shape::Arc { centre, radius, from, to, arrow, role } => {
                 let points = arc_points(*centre, *radius, *from, *to);
@@ -168,78 +209,67 @@ impl Page {
                 }
             }
             Shape::Area { points, role } => {
-                let (points, class) = (self.list(points), style(*role).class);
-                self.put(format_args!("<polygon class=\"{class} filled area\" points=\"{points}\"/>\n"));
+                self.put(["<polygon class=\"", style(*role).class, " filled area"]);
+                self.points(points);
             }
             Shape::Label { at, text, role } => self.label(*at, text, *role),
         }
     }
 
+    fn closed_class(&mut self, role: Role) {
+        let style = style(role);
+        self.put([style.class, if style.fill > 0.0 { " filled" } else { "" }]);
+    }
+
     fn line(&mut self, points: &[Point], role: Role, dashed: bool) {
-        let (points, class) = (self.list(points), style(role).class);
-        let pattern = if dashed { " dashed" } else { "" };
-        self.put(format_args!("<polyline class=\"{class}{pattern}\" points=\"{points}\"/>\n"));
+        self.put(["<polyline class=\"", style(role).class, if dashed { " dashed" } else { "" }]);
+        self.points(points);
     }
 
     fn head(&mut self, from: Point, to: Point, role: Role) {
         let (head, _) = arrow_head(from, to);
-        let (points, class) = (self.list(&head), style(role).class);
-        self.put(format_args!("<polygon class=\"{class} head\" points=\"{points}\"/>\n"));
+        self.put(["<polygon class=\"", style(role).class, " head"]);
+        self.points(&head);
     }
 
     fn label(&mut self, at: Point, text: &Math, role: Role) {
-        let runs = runs(text);
-        let baseline = Point::new(at.x, at.y - Measure::of_runs(&runs).drop());
-        let ((x, y), class) = (self.pair(baseline), style(role).class);
-        self.put(format_args!("<text class=\"{class}\" x=\"{x}\" y=\"{y}\">"));
+        let baseline = Point::new(at.x, at.y - Measure::of(text).drop());
+        self.put(["<text class=\"", style(role).class, "\" x=\""]);
+        self.pair(baseline, "\" y=\"");
+        self.put(["\">"]);
         let mut rise = 0.0;
-        for run in runs.iter().filter(|run| !run.text.is_empty()) {
-            let face = match run.face {
+        for Run { text, look } in runs(text).iter().filter(|run| !run.text.is_empty()) {
+            let start = self.out.len();
+            self.put(["<tspan"]);
+            let plain = self.out.len();
+            self.put([match look.face {
                 Face::Upright => "",
                 Face::Italic => " class=\"i\"",
                 Face::Bold => " class=\"b\"",
-            };
-            let shift = attribute("dy", (rise - run.rise) * TYPE_SIZE, 0.0);
-            let size = attribute("font-size", run.size * TYPE_SIZE, TYPE_SIZE);
-            let attributes = [face, &shift, &size].concat();
-            rise = run.rise;
-            let text = escape(&run.text);
-            if attributes.is_empty() {
-                self.out.push_str(&text);
+            }]);
+            self.attribute("dy", (rise - look.rise) * TYPE_SIZE, 0.0);
+            self.attribute("font-size", look.size * TYPE_SIZE, TYPE_SIZE);
+            rise = look.rise;
+            if self.out.len() == plain {
+                self.out.truncate(start);
+                self.text(text);
             } else {
-                self.put(format_args!("<tspan{attributes}>{text}</tspan>"));
+                self.put([">"]);
+                self.text(text);
+                self.put(["</tspan>"]);
             }
         }
-        self.out.push_str("</text>\n");
+        self.put(["</text>\n"]);
     }
-}
 
-/// A number as an attribute, left out where it has the value that holds without it.
-fn attribute(name: &str, value: f64, usual: f64) -> String {
-    let (value, usual) = (coordinate(value), coordinate(usual));
-    if value == usual { String::new() } else { format!(" {name}=\"{value}\"") }
-}
-
-fn closed_class(role: Role) -> String {
-    let style = style(role);
-    if style.fill > 0.0 { format!("{} filled", style.class) } else { style.class.to_owned() }
-}
-
-/// Text for XML: markup escaped, characters that XML forbids left out.
-fn escape(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for character in text.chars() {
-        match character {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            '\t' | '\n' | '\r' => out.push(' '),
-            character if character.is_control() || matches!(character, '\u{fffe}' | '\u{ffff}') => {}
-            character => out.push(character),
+    /// A number as an attribute, left out where it has the value that holds without it.
+    fn attribute(&mut self, name: &str, value: f64, usual: f64) {
+        if hundredths(value) != hundredths(usual) {
+            self.put([" ", name, "=\""]);
+            self.number(value);
+            self.put(["\""]);
         }
     }
-    out
 }
 
 #[cfg(test)]
@@ -256,7 +286,19 @@ mod tests {
     }
 
     #[test]
+    fn no_line_is_blank() {
+        let [title, description, caption] = [" ", "\n\n", ""].map(str::to_owned);
+        let text = Math::Text("\n \n".to_owned());
+        let shapes = vec![Shape::Label { at: Point::default(), text, role: Role::Body }];
+        let (low, high) = (Point::default(), Point::default());
+        let text = svg(&Drawing { title, description, caption, low, high, shapes });
+        assert!(text.lines().all(|line| !line.trim().is_empty()), "{text}");
+    }
+
+    #[test]
     fn markup_and_control_characters_do_not_reach_the_page() {
-        assert_eq!(escape("a<b & \"c\"\u{1}\nd"), "a&lt;b &amp; &quot;c&quot; d");
+        let mut page = Page { out: String::new(), low: Point::default(), high: Point::default() };
+        page.text("a<b & \"c\"\u{1}\nd");
+        assert_eq!(page.out, "a&lt;b &amp; &quot;c&quot; d");
     }
 }

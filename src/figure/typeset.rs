@@ -12,15 +12,21 @@ pub(super) enum Face {
     Bold,
 }
 
-/// Text of one face, size and rise.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Run {
-    pub text: String,
+/// How a piece of type looks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Look {
     pub face: Face,
     /// Relative to the size of the label.
     pub size: f64,
     /// Of its baseline, in units of the label's size.
     pub rise: f64,
+}
+
+/// Text of one look.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Run {
+    pub text: String,
+    pub look: Look,
 }
 
 /// Scripts are this much smaller than their base.
@@ -37,33 +43,49 @@ const THIN: &str = "\u{2009}";
 
 /// The runs of a label, left to right.
 pub(super) fn runs(math: &Math) -> Vec<Run> {
-    let mut line = Line { runs: Vec::new(), size: 1.0, rise: 0.0, depth: 0 };
-    line.set(math);
-    line.runs
+    let mut runs: Vec<Run> = Vec::new();
+    set(math, &mut |piece, look| match runs.last_mut() {
+        Some(last) if last.look == look => last.text.push_str(piece),
+        _ => runs.push(Run { text: piece.to_owned(), look }),
+    });
+    runs
 }
 
-struct Line {
-    runs: Vec<Run>,
+/// Hands the pieces of a label over, left to right; neighbours may look alike.
+pub(super) fn set(math: &Math, put: &mut dyn FnMut(&str, Look)) {
+    Line { put, size: 1.0, rise: 0.0, depth: 0 }.set(math);
+}
+
+struct Line<'a> {
+    put: &'a mut dyn FnMut(&str, Look),
     size: f64,
     rise: f64,
     depth: u32,
 }
 
-impl Line {
+impl Line<'_> {
     fn put(&mut self, text: &str, face: Face) {
-        let (size, rise) = (self.size, self.rise);
-        match self.runs.last_mut() {
-            Some(last) if last.face == face && (last.size, last.rise) == (size, rise) => last.text.push_str(text),
-            _ => self.runs.push(Run { text: text.to_owned(), face, size, rise }),
+        (self.put)(text, Look { face, size: self.size, rise: self.rise });
+    }
+
+    /// The text with something else in place of a character.
+    fn put_with(&mut self, text: &str, character: char, instead: &str) {
+        for (index, piece) in text.split(character).enumerate() {
+            self.put(if index > 0 { instead } else { "" }, Face::Upright);
+            self.put(piece, Face::Upright);
         }
     }
 
-    fn script(&mut self, math: &Math, shift: f64) {
+    fn shifted(&mut self, shift: f64, set: impl FnOnce(&mut Self)) {
         let before = (self.size, self.rise);
         self.rise += shift * self.size;
         self.size *= SCRIPT;
-        self.set(math);
+        set(self);
         (self.size, self.rise) = before;
+    }
+
+    fn script(&mut self, math: &Math, shift: f64) {
+        self.shifted(shift, |line| line.set(math));
     }
 
     fn set(&mut self, math: &Math) {
@@ -78,9 +100,9 @@ impl Line {
     fn set_parts(&mut self, math: &Math) {
         match math {
             Math::Row(parts) => self.row(parts),
-            Math::Number(digits) => self.put(&digits.replace('-', "\u{2212}"), Face::Upright),
+            Math::Number(digits) => self.put_with(digits, '-', "\u{2212}"),
             Math::Identifier(name) => self.put(name, Face::Italic),
-            Math::Text(words) => self.put(&words.replace(' ', SPACE), Face::Upright),
+            Math::Text(words) => self.put_with(words, ' ', SPACE),
             Math::Function(name) => self.put(name, Face::Upright),
             Math::Vector(name) => self.put(name, Face::Bold),
             Math::Operator(operator) => self.operator(*operator, false),
@@ -146,11 +168,12 @@ impl Line {
     /// Single letters slanted, words and digits upright, as the writer for LaTeX sets them.
     fn subscript(&mut self, math: &Math) {
         let Math::Text(text) = math else { return self.script(math, -DROP) };
-        for part in subscript_parts(text) {
-            let is_letter = part.chars().count() == 1 && part.starts_with(char::is_alphabetic);
-            let face: fn(String) -> Math = if is_letter { Math::Identifier } else { Math::Text };
-            self.script(&face(part.to_owned()), -DROP);
-        }
+        self.shifted(-DROP, |line| {
+            for part in subscript_parts(text) {
+                let is_letter = part.chars().count() == 1 && part.starts_with(char::is_alphabetic);
+                if is_letter { line.put(part, Face::Italic) } else { line.put_with(part, ' ', SPACE) }
+            }
+        });
     }
 
     fn enclosed(&mut self, open: &str, inner: &Math, close: &str) {
@@ -185,7 +208,9 @@ impl Line {
             Operator::PlusMinus => "\u{b1}",
         };
         let space = if leading { "" } else { SPACE };
-        self.put(&format!("{space}{sign}{space}"), Face::Upright);
+        for piece in [space, sign, space] {
+            self.put(piece, Face::Upright);
+        }
     }
 }
 
@@ -199,8 +224,8 @@ mod tests {
         let runs = runs(&math);
         let texts: Vec<_> = runs.iter().map(|run| run.text.as_str()).collect();
         assert_eq!(texts, ["v", "A", "1", "\u{a0}=\u{a0}\u{2212}2"]);
-        assert!(runs[1].rise < 0.0 && runs[1].size < 1.0);
-        assert_eq!((runs[3].rise, runs[3].size), (0.0, 1.0));
+        assert!(runs[1].look.rise < 0.0 && runs[1].look.size < 1.0);
+        assert_eq!((runs[3].look.rise, runs[3].look.size), (0.0, 1.0));
     }
 
     #[test]
@@ -211,7 +236,7 @@ mod tests {
 
     #[test]
     fn very_deep_terms_are_cut_off() {
-        let deep = (0..500).fold(Math::Identifier("x".into()), |inner, _| Math::Root(Box::new(inner)));
+        let deep = (0..500).fold(Math::Identifier("x".into()), |inner, _| Math::Root(inner.into()));
         assert!(runs(&deep).iter().any(|run| run.text.contains('\u{2026}')));
     }
 }

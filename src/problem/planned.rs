@@ -1,6 +1,7 @@
 //! A compiled problem: its equations, what is known, and its forms, each with its plans.
 
 use std::collections::BTreeSet;
+use std::sync::OnceLock;
 
 use crate::expr::Math;
 use crate::expr::Notation;
@@ -33,6 +34,8 @@ pub struct Problem {
     streams: Streams,
     units: UnitSystem,
     notation: Notation,
+    /// How the name of each quantity is set; found when it is first wanted.
+    names: Vec<OnceLock<Math>>,
 }
 
 /// One way in which a problem is asked, planned.
@@ -127,7 +130,8 @@ impl Problem {
 
     pub(super) fn new(loaded: Loaded, built: Built) -> Self {
         let Built { model, known, forms, streams, units, notation } = built;
-        Self { loaded, model, known, forms, streams, units, notation }
+        let names = vec![OnceLock::new(); model.symbols.len()];
+        Self { loaded, model, known, forms, streams, units, notation, names }
     }
 
     /// The file as it was loaded.
@@ -169,7 +173,8 @@ impl Problem {
     /// The same, typeset.
     #[must_use]
     pub fn math_of(&self, symbol: Symbol) -> Math {
-        self.notation.math(&self.model.symbols.entry(symbol).name)
+        let set = || self.notation.math(&self.model.symbols.entry(symbol).name);
+        self.names.get(symbol.index()).map_or_else(set, |name| name.get_or_init(set).clone())
     }
 
     /// What is known, in the order of the file.

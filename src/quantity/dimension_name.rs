@@ -1,6 +1,7 @@
 //! Dimensions in words, and the units in which a dimension is usually given.
 
 use std::fmt;
+use std::sync::OnceLock;
 
 use super::prefix::KILO;
 use super::unit::Symbol;
@@ -51,8 +52,11 @@ const NAMES: &[Row] = &[
     ([1, -1, -2], "a pressure",                        "Pa",   "lb/ft^2"),
 ];
 
-fn find(dimension: Dimension) -> Option<&'static Row> {
-    NAMES.iter().find(|([mass, length, time], ..)| Dimension::new(*mass, *length, *time) == dimension)
+/// The usual units, SI and US, of the dimensions in the table, each read when it is first wanted.
+static UNITS: [[OnceLock<Unit>; 2]; NAMES.len()] = [const { [const { OnceLock::new() }; 2] }; NAMES.len()];
+
+fn find(dimension: Dimension) -> Option<(&'static Row, &'static [OnceLock<Unit>; 2])> {
+    NAMES.iter().zip(&UNITS).find(|(([mass, length, time], ..), _)| Dimension::new(*mass, *length, *time) == dimension)
 }
 
 /// What has this dimension, with its article: "an impulse or momentum".
@@ -63,7 +67,7 @@ fn find(dimension: Dimension) -> Option<&'static Row> {
 /// ```
 #[must_use]
 pub fn dimension_name(dimension: Dimension) -> &'static str {
-    find(dimension).map_or("a quantity without a common name", |(_, name, ..)| name)
+    find(dimension).map_or("a quantity without a common name", |((_, name, ..), _)| name)
 }
 
 /// The unit of a system in which quantities of this dimension are usually given.
@@ -75,12 +79,14 @@ pub fn dimension_name(dimension: Dimension) -> &'static str {
 /// ```
 #[must_use]
 pub fn coherent_unit(dimension: Dimension, system: UnitSystem) -> Unit {
-    let usual = find(dimension).map_or("", |(_, _, si, us)| match system {
-        UnitSystem::Si => si,
-        UnitSystem::Us => us,
-    });
     let base = || base_unit(dimension, system);
-    if usual.is_empty() { base() } else { Unit::parse(usual).unwrap_or_else(|_| base()) }
+    let Some(((.., si, us), [in_si, in_us])) = find(dimension) else { return base() };
+    let (usual, unit) = match system {
+        UnitSystem::Si => (si, in_si),
+        UnitSystem::Us => (us, in_us),
+    };
+    let read = || if usual.is_empty() { base() } else { Unit::parse(usual).unwrap_or_else(|_| base()) };
+    unit.get_or_init(read).clone()
 }
 
 /// The product of base units that has this dimension.

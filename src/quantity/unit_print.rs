@@ -8,12 +8,12 @@ use super::unit::{Power, Symbol};
 /// How a form of print writes the parts of a unit.
 struct Style {
     between: &'static str,
-    symbol: fn(&str) -> String,
+    symbol: fn(&mut String, &str),
     exponent: fn(u8) -> String,
 }
 
-const PLAIN: Style = Style { between: " ", symbol: str::to_owned, exponent: |exponent| format!("^{exponent}") };
-const UNICODE: Style = Style { between: "·", symbol: str::to_owned, exponent: superscript };
+const PLAIN: Style = Style { between: " ", symbol: String::push_str, exponent: |exponent| format!("^{exponent}") };
+const UNICODE: Style = Style { between: "·", symbol: String::push_str, exponent: superscript };
 const LATEX: Style = Style { between: "\\,", symbol: latex_symbol, exponent: latex_exponent };
 
 impl Unit {
@@ -59,15 +59,44 @@ impl Unit {
 
     fn print(&self, style: &Style) -> String {
         let (above, below) = self.fraction();
-        let product = |powers: &[Power]| {
-            let parts: Vec<String> = powers.iter().map(|power| print_power(power, style)).collect();
-            parts.join(style.between)
-        };
-        let numerator = if above.is_empty() && !below.is_empty() { "1".to_owned() } else { product(above) };
-        match below.len() {
-            0 => numerator,
-            1 => format!("{numerator}/{}", product(below)),
-            _ => format!("{numerator}/({})", product(below)),
+        let mut out = String::new();
+        if above.is_empty() && !below.is_empty() {
+            out.push('1');
+        }
+        style.put_product(&mut out, above);
+        match below {
+            [] => {}
+            [single] => {
+                out.push('/');
+                style.put_power(&mut out, single);
+            }
+            several => {
+                out.push_str("/(");
+                style.put_product(&mut out, several);
+                out.push(')');
+            }
+        }
+        out
+    }
+}
+
+impl Style {
+    fn put_product(&self, out: &mut String, powers: &[Power]) {
+        for (index, power) in powers.iter().enumerate() {
+            out.push_str(if index > 0 { self.between } else { "" });
+            self.put_power(out, power);
+        }
+    }
+
+    /// A power without its sign, which the fraction bar already shows.
+    fn put_power(&self, out: &mut String, power: &Power) {
+        if let Some(prefix) = power.symbol.prefix {
+            (self.symbol)(out, prefix.symbol);
+        }
+        (self.symbol)(out, power.symbol.row.symbol);
+        let exponent = power.exponent.unsigned_abs();
+        if exponent != 1 {
+            out.push_str(&(self.exponent)(exponent));
         }
     }
 }
@@ -85,22 +114,20 @@ impl fmt::Display for Symbol {
     }
 }
 
-/// A power without its sign, which the fraction bar already shows.
-fn print_power(power: &Power, style: &Style) -> String {
-    let symbol = (style.symbol)(&power.symbol.to_string());
-    match power.exponent.unsigned_abs() {
-        1 => symbol,
-        exponent => symbol + &(style.exponent)(exponent),
-    }
-}
-
 fn superscript(exponent: u8) -> String {
     let digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     exponent.to_string().chars().filter_map(|digit| digits.get(digit.to_digit(10)? as usize)).collect()
 }
 
-fn latex_symbol(symbol: &str) -> String {
-    symbol.replace('%', "\\%").replace('°', "{}^\\circ").replace('µ', "\\mu ")
+fn latex_symbol(out: &mut String, symbol: &str) {
+    for character in symbol.chars() {
+        match character {
+            '%' => out.push_str("\\%"),
+            '°' => out.push_str("{}^\\circ"),
+            'µ' => out.push_str("\\mu "),
+            other => out.push(other),
+        }
+    }
 }
 
 fn latex_exponent(exponent: u8) -> String {

@@ -2,12 +2,31 @@
 
 use std::borrow::Borrow;
 use std::borrow::Cow;
+use std::sync::Arc;
 
 use crate::expr::Math;
 use crate::expr::Operator;
 
 /// A part of an equation as it was laid out, or one that breaking made.
-type Item<'a> = Cow<'a, Math>;
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Item<'a> {
+    math: Cow<'a, Math>,
+    /// In widths of a digit, roughly.
+    width: f64,
+}
+
+impl<'a> Item<'a> {
+    fn new(math: Cow<'a, Math>) -> Self {
+        let width = width_of(&math);
+        Self { math, width }
+    }
+}
+
+impl Borrow<Math> for Item<'_> {
+    fn borrow(&self) -> &Math {
+        &self.math
+    }
+}
 
 /// One row of a displayed equation; rows are aligned where the right side begins.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,6 +63,9 @@ pub(super) fn excess(rows: &[Row<'_>]) -> f64 {
 /// The widest row, in widths of a digit: what fits the text of a page at 11 pt and of a screen column.
 const WIDEST: f64 = 62.0;
 
+/// How many items most lines have, or fewer.
+const USUAL_LENGTH: usize = 16;
+
 /// The rows of an equation of those lines, each aligned at its first relation and broken where it is too long.
 pub(super) fn rows(lines: &[Math]) -> Vec<Row<'_>> {
     lines.iter().flat_map(|line| line_rows(flattened(line))).collect()
@@ -54,7 +76,7 @@ fn line_rows(mut items: Vec<Item<'_>>) -> Vec<Row<'_>> {
     let aligned = relation.filter(|at| width(&items[..*at]) <= WIDEST / 2.0).unwrap_or(0);
     let rest = items.split_off(aligned);
     let room = WIDEST - width(&items);
-    let rest = if rest.iter().any(|item| item_width(item) > room) {
+    let rest = if rest.iter().any(|item| item.width > room) {
         rest.into_iter().flat_map(|item| unfolded(item, room)).collect()
     } else {
         rest
@@ -74,18 +96,19 @@ fn line_rows(mut items: Vec<Item<'_>>) -> Vec<Row<'_>> {
 /// A fraction that is too wide for a row, as one over its denominator times the sum above it, and a wide bracket opened: those can
 /// be broken.
 fn unfolded(item: Item<'_>, room: f64) -> Vec<Item<'_>> {
-    let (before, inner, [open, close]) = match item.as_ref() {
-        Math::Fraction(over, under) if item_width(over) > room => {
-            (Some(Math::Fraction(Box::new(Math::Number("1".to_owned())), under.clone())), over, ["[", "]"])
+    let (before, inner, [open, close]) = match item.math.as_ref() {
+        Math::Fraction(over, under) if width_of(over) > room => {
+            (Some(Math::Fraction(Arc::new(Math::Number("1".to_owned())), under.clone())), over, ["[", "]"])
         }
-        Math::Bracketed(inner) if item_width(inner) > room => (None, inner, ["(", ")"]),
-        Math::Squared(inner) if item_width(inner) > room => (None, inner, ["[", "]"]),
+        Math::Bracketed(inner) if width_of(inner) > room => (None, inner, ["(", ")"]),
+        Math::Squared(inner) if width_of(inner) > room => (None, inner, ["[", "]"]),
         _ => return vec![item],
     };
-    let bracket = |sign: &str| Cow::Owned(Math::Text(sign.to_owned()));
-    let mut items: Vec<Item> = before.map(Cow::Owned).into_iter().chain([bracket(open)]).collect();
+    let own = |math: Math| Item::new(Cow::Owned(math));
+    let bracket = |sign: &str| own(Math::Text(sign.to_owned()));
+    let mut items: Vec<Item> = before.map(own).into_iter().chain([bracket(open)]).collect();
     for item in flattened(inner) {
-        items.extend(unfolded(item, room).into_iter().map(|part| Cow::Owned(part.into_owned())));
+        items.extend(unfolded(item, room).into_iter().map(|part| own(part.math.into_owned())));
     }
     items.push(bracket(close));
     items
@@ -93,7 +116,9 @@ fn unfolded(item: Item<'_>, room: f64) -> Vec<Item<'_>> {
 
 /// What a continued sum begins with: a gap, and an empty operand, so that its sign is spaced as one between two.
 fn indent() -> Vec<Item<'static>> {
-    vec![Cow::Owned(Math::Text("\u{2003}".to_owned())), Cow::Owned(Math::Identifier(String::new()))]
+    [Math::Text("\u{2003}".to_owned()), Math::Identifier(String::new())]
+        .map(|math| Item::new(Cow::Owned(math)))
+        .to_vec()
 }
 
 /// Breaks before relations first, and before plus and minus only within a part that is still too long.
@@ -124,7 +149,7 @@ fn split_before(items: Vec<Item<'_>>, marked: fn(&Item<'_>) -> bool) -> Vec<Vec<
     let mut parts: Vec<Vec<Item>> = vec![Vec::new()];
     for item in items {
         let after_operand =
-            parts.last().and_then(|part| part.last()).is_some_and(|last| !matches!(**last, Math::Operator(_)));
+            parts.last().and_then(|part| part.last()).is_some_and(|last| !matches!(*last.math, Math::Operator(_)));
         match parts.last_mut() {
             Some(part) if !(marked(&item) && after_operand) => part.push(item),
             _ => parts.push(vec![item]),
@@ -135,16 +160,16 @@ fn split_before(items: Vec<Item<'_>>, marked: fn(&Item<'_>) -> bool) -> Vec<Vec<
 
 fn is_relation(item: &Item<'_>) -> bool {
     use Operator::{Approximately, AtLeast, AtMost, Differs, Equals, Greater, Implies, Less};
-    matches!(**item, Math::Operator(Equals | Approximately | Less | AtMost | Greater | AtLeast | Differs | Implies))
+    matches!(*item.math, Math::Operator(Equals | Approximately | Less | AtMost | Greater | AtLeast | Differs | Implies))
 }
 
 fn is_sum(item: &Item<'_>) -> bool {
-    matches!(**item, Math::Operator(Operator::Plus | Operator::Minus | Operator::PlusMinus))
+    matches!(*item.math, Math::Operator(Operator::Plus | Operator::Minus | Operator::PlusMinus))
 }
 
 /// The items of a row, with rows inside rows opened.
 fn flattened(math: &Math) -> Vec<Item<'_>> {
-    let mut items = Vec::new();
+    let mut items = Vec::with_capacity(USUAL_LENGTH);
     flatten(math, &mut items);
     items
 }
@@ -152,36 +177,34 @@ fn flattened(math: &Math) -> Vec<Item<'_>> {
 fn flatten<'a>(math: &'a Math, items: &mut Vec<Item<'a>>) {
     match math {
         Math::Row(parts) => parts.iter().for_each(|part| flatten(part, items)),
-        other => items.push(Cow::Borrowed(other)),
+        other => items.push(Item::new(Cow::Borrowed(other))),
     }
 }
 
-fn width<M: Borrow<Math>>(items: &[M]) -> f64 {
-    items.iter().map(|item| item_width(item.borrow())).sum()
+fn width(items: &[Item<'_>]) -> f64 {
+    items.iter().map(|item| item.width).sum()
 }
 
 /// A rough width, in widths of a digit.
-fn item_width(math: &Math) -> f64 {
+fn width_of(math: &Math) -> f64 {
     const SCRIPT: f64 = 0.7;
     match math {
-        Math::Row(parts) => width(parts),
+        Math::Row(parts) => parts.iter().map(width_of).sum(),
         Math::Number(text) | Math::Identifier(text) | Math::Text(text) | Math::Function(text) | Math::Vector(text) => {
-            text.chars().map(|_| 1.0).sum()
+            u32::try_from(text.chars().count()).map_or(f64::INFINITY, f64::from)
         }
         Math::Operator(Operator::Juxtapose) => 0.4,
         Math::Operator(Operator::Comma) => 1.0,
         Math::Operator(_) => 2.4,
-        Math::Fraction(over, under) => item_width(over).max(item_width(under)) + 0.5,
-        Math::Sub(base, script) | Math::Sup(base, script) => item_width(base) + SCRIPT * item_width(script),
-        Math::SubSup(base, low, high) => item_width(base) + SCRIPT * item_width(low).max(item_width(high)),
-        Math::Root(inner) | Math::Bracketed(inner) | Math::Squared(inner) | Math::Bars(inner) => {
-            item_width(inner) + 1.5
-        }
+        Math::Fraction(over, under) => width_of(over).max(width_of(under)) + 0.5,
+        Math::Sub(base, script) | Math::Sup(base, script) => width_of(base) + SCRIPT * width_of(script),
+        Math::SubSup(base, low, high) => width_of(base) + SCRIPT * width_of(low).max(width_of(high)),
+        Math::Root(inner) | Math::Bracketed(inner) | Math::Squared(inner) | Math::Bars(inner) => width_of(inner) + 1.5,
         Math::Cases(cases) => {
-            cases.iter().map(|(when, value)| item_width(when) + item_width(value) + 3.0).fold(0.0, f64::max)
+            cases.iter().map(|(when, value)| width_of(when) + width_of(value) + 3.0).fold(0.0, f64::max)
         }
         Math::Integral(low, high, inner, variable) => {
-            2.0 + SCRIPT * item_width(low).max(item_width(high)) + item_width(inner) + item_width(variable)
+            2.0 + SCRIPT * width_of(low).max(width_of(high)) + width_of(inner) + width_of(variable)
         }
     }
 }
@@ -194,13 +217,17 @@ mod tests {
         Math::Identifier(name.into())
     }
 
+    fn written(items: &[Item<'_>]) -> Vec<Math> {
+        items.iter().map(|item| item.math.clone().into_owned()).collect()
+    }
+
     #[test]
     fn a_short_chain_stays_on_one_row() {
         let line = Math::relation(identifier("p"), Operator::Equals, identifier("q"));
         let lines = [line];
         let rows = rows(&lines);
         assert_eq!(rows.len(), 1);
-        assert_eq!(rows[0].left(), [Cow::Owned(identifier("p"))]);
+        assert_eq!(written(rows[0].left()), [identifier("p")]);
     }
 
     #[test]
@@ -215,8 +242,8 @@ mod tests {
         ]);
         let rows = rows(std::slice::from_ref(&line));
         assert_eq!(rows.len(), 2);
-        assert_eq!(rows[1].left(), Vec::<Item>::new());
-        assert_eq!(rows[1].right(), [Math::Operator(Operator::Equals), long].map(Cow::Owned));
+        assert_eq!(written(rows[1].left()), []);
+        assert_eq!(written(rows[1].right()), [Math::Operator(Operator::Equals), long]);
         let again: Vec<Item> = rows.into_iter().flat_map(|row| row.items).collect();
         assert_eq!(again, flattened(&line));
     }
@@ -225,13 +252,13 @@ mod tests {
     fn a_wide_fraction_is_unfolded_and_broken() {
         let term = identifier(&"y".repeat(40));
         let sum = Math::Row(vec![term.clone(), Math::Operator(Operator::Plus), term.clone()]);
-        let fraction = Math::Fraction(Box::new(sum), Box::new(identifier("m")));
+        let fraction = Math::Fraction(Arc::new(sum), Arc::new(identifier("m")));
         let line = Math::relation(identifier("v"), Operator::Equals, fraction);
         let lines = [line];
         let rows = rows(&lines);
         assert_eq!(rows.len(), 2);
-        assert_eq!(rows[0].right().last().map(Cow::as_ref), Some(&term));
-        assert_eq!(rows[1].right().last().map(Cow::as_ref), Some(&Math::Text("]".into())));
+        assert_eq!(written(rows[0].right()).last(), Some(&term));
+        assert_eq!(written(rows[1].right()).last(), Some(&Math::Text("]".into())));
         assert!(excess(&rows) <= 1.0);
     }
 
@@ -252,6 +279,6 @@ mod tests {
         let lines = [line];
         let rows = rows(&lines);
         assert_eq!(rows.len(), 3);
-        assert_eq!(rows[0].right(), [Math::Operator(Operator::Equals), minus, term].map(Cow::Owned));
+        assert_eq!(written(rows[0].right()), [Math::Operator(Operator::Equals), minus, term]);
     }
 }

@@ -211,13 +211,17 @@ fn has_glyph(character: char) -> bool {
 
 /// The inside of a displayed equation, for LaTeX and Markdown alike: one row as it is, several aligned.
 pub(super) fn equation(rows: &[Row<'_>], number: Option<u32>) -> String {
-    let tag = number.map_or_else(String::new, |number| format!(" \\tag{{{number}}}"));
-    if let [row] = rows {
-        return Math::row_latex(row.whole()) + &tag;
+    let mut out = if let [row] = rows {
+        Math::row_latex(row.whole())
+    } else {
+        let lines: Vec<String> =
+            rows.iter().map(|row| [Math::row_latex(row.left()), Math::row_latex(row.right())].join(" & ")).collect();
+        ["\\begin{aligned}\n", &lines.join(" \\\\\n"), "\n\\end{aligned}"].concat()
+    };
+    if let Some(number) = number {
+        let _ = write!(out, " \\tag{{{number}}}");
     }
-    let lines: Vec<String> =
-        rows.iter().map(|row| format!("{} & {}", Math::row_latex(row.left()), Math::row_latex(row.right()))).collect();
-    format!("\\begin{{aligned}}\n{}\n\\end{{aligned}}{tag}", lines.join(" \\\\\n"))
+    out
 }
 
 #[cfg(test)]

@@ -9,6 +9,9 @@ use super::equation::Row;
 use super::latex_text;
 use super::writer::Writer;
 
+/// Room for the marks that escape what Markdown would read.
+const ROOM: usize = 8;
+
 /// The writer of Markdown.
 pub(super) struct Markdown;
 
@@ -26,18 +29,21 @@ impl Writer for Markdown {
     }
 
     fn math(&self, math: &Math) -> String {
+        let tex = without_dollars(math.latex());
         // A bar would end a cell where the text stands in a table.
-        format!("${}$", without_dollars(&math.latex()).replace('|', r"\vert "))
+        let tex = if tex.contains('|') { tex.replace('|', r"\vert ") } else { tex };
+        ["$", &tex, "$"].concat()
     }
 
     fn equation(&self, rows: &[Row<'_>], number: Option<u32>) -> String {
-        format!("$$\n{}\n$$", without_dollars(&latex_text::equation(rows, number)))
+        ["$$\n", &without_dollars(latex_text::equation(rows, number)), "\n$$"].concat()
     }
 
     fn figure(&self, drawing: &Drawing) -> String {
-        // A blank line would end a block of raw HTML.
-        let svg = figure::svg(drawing);
-        svg.lines().filter(|line| !line.trim().is_empty()).collect::<Vec<_>>().join("\n")
+        // A blank line would end a block of raw HTML; an SVG has none.
+        let mut svg = figure::svg(drawing);
+        svg.truncate(svg.trim_end().len());
+        svg
     }
 
     fn authored(&self, text: &Authored, _level: usize) -> String {
@@ -62,29 +68,45 @@ fn wrapped(text: &str, mark: &str) -> String {
 
 /// Text that Markdown prints as it is: no emphasis, code, link, HTML, mathematics, heading or list comes of it.
 pub(super) fn escape(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    let mut at_start = true;
-    let mut characters = text.chars().peekable();
-    while let Some(character) = characters.next() {
+    let mut out = String::with_capacity(text.len() + ROOM);
+    let start = text.len() - text.trim_start().len();
+    let mut written = 0;
+    for place in text.bytes().enumerate().filter(|(_, byte)| is_suspect(*byte)).map(|(place, _)| place) {
+        let Some(character) = text.get(place..).and_then(|rest| rest.chars().next()) else { continue };
+        let behind = || text[place + character.len_utf8()..].chars().next();
         // What begins a list stands before a space: `3. May`, but not `3.5 m` or `-3`.
-        let apart = characters.peek().is_none_or(|next| next.is_whitespace());
-        let special = matches!(character, '\\' | '`' | '*' | '_' | '[' | ']' | '<' | '>' | '&' | '$' | '|' | '~')
-            || (at_start && matches!(character, '#' | '='))
-            || (at_start && (apart || characters.peek() == Some(&character)) && matches!(character, '+' | '-'))
-            || (apart && matches!(character, '.' | ')') && is_list_number(&out));
-        if special {
-            out.push('\\');
-        }
-        out.push(if character.is_control() { ' ' } else { character });
-        at_start &= character.is_whitespace();
+        let apart = || behind().is_none_or(char::is_whitespace);
+        let mark = match character {
+            '\\' | '`' | '*' | '_' | '[' | ']' | '<' | '>' | '&' | '$' | '|' | '~' => "\\",
+            '#' | '=' if place == start => "\\",
+            '+' | '-' if place == start && (apart() || behind() == Some(character)) => "\\",
+            '.' | ')' if apart() && is_list_number(&text[..place]) => "\\",
+            control if control.is_control() => " ",
+            _ => continue,
+        };
+        out.push_str(&text[written..place]);
+        out.push_str(mark);
+        written = if mark == " " { place + character.len_utf8() } else { place };
     }
+    out.push_str(&text[written..]);
     out
+}
+
+/// Whether something that [`escape`] changes may begin with the byte; most bytes are letters, and are passed over at once.
+fn is_suspect(byte: u8) -> bool {
+    const BEFORE_CONTROL: u8 = 0xc2; // the first byte of U+0080 to U+00BF
+    matches!(byte, b'\\' | b'`' | b'*' | b'_' | b'[' | b']' | b'<' | b'>' | b'&' | b'$' | b'|' | b'~')
+        || matches!(byte, b'#' | b'=' | b'+' | b'-' | b'.' | b')' | BEFORE_CONTROL)
+        || byte.is_ascii_control()
 }
 
 /// The same mathematics without mathematics inside text: `\text{m/s$^2$}` is `\text{m/s}^2`, since a dollar inside
 /// would end the whole.
-fn without_dollars(tex: &str) -> String {
+fn without_dollars(tex: String) -> String {
     const OPEN: &str = r"\text{";
+    if !tex.contains('$') {
+        return tex;
+    }
     let mut out = String::with_capacity(tex.len());
     let mut inside = false;
     let mut rest = tex.chars().peekable();
@@ -116,9 +138,9 @@ fn without_dollars(tex: &str) -> String {
     out
 }
 
-/// Whether what was written so far is a number only, which a full stop would make the start of a list.
-fn is_list_number(written: &str) -> bool {
-    let written = written.trim_start();
+/// Whether what stands before is a number only, which a full stop would make the start of a list.
+fn is_list_number(before: &str) -> bool {
+    let written = before.trim_start_matches(|character: char| character.is_whitespace() || character.is_control());
     !written.is_empty() && written.bytes().all(|byte| byte.is_ascii_digit())
 }
 
@@ -128,9 +150,9 @@ mod tests {
 
     #[test]
     fn no_dollar_is_left_inside_mathematics() {
-        assert_eq!(without_dollars(r"9.81\ \text{m/s$^{2}$}"), r"9.81\ \text{m/s}^{2}");
-        assert_eq!(without_dollars(r"30\text{$^\circ$ left}"), r"30{}^\circ\text{ left}");
-        assert_eq!(without_dollars(r"\text{5 \$}"), r"\text{5 \$}");
+        assert_eq!(without_dollars(r"9.81\ \text{m/s$^{2}$}".into()), r"9.81\ \text{m/s}^{2}");
+        assert_eq!(without_dollars(r"30\text{$^\circ$ left}".into()), r"30{}^\circ\text{ left}");
+        assert_eq!(without_dollars(r"\text{5 \$}".into()), r"\text{5 \$}");
     }
 
     #[test]
@@ -147,6 +169,7 @@ mod tests {
         assert_eq!(escape("# 1"), "\\# 1");
         assert_eq!(escape("12. May"), "12\\. May");
         assert_eq!((escape("3.5 m").as_str(), escape("-3 m").as_str()), ("3.5 m", "-3 m"));
+        assert_eq!(escape("é\u{7f}−\u{85}\u{a0}ü"), "é − \u{a0}ü");
         assert_eq!((escape("- 3").as_str(), escape("---").as_str()), ("\\- 3", "\\---"));
     }
 }

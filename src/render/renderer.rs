@@ -1,6 +1,7 @@
 //! From pages to a document.
 
 use std::path::Path;
+use std::sync::OnceLock;
 
 use crate::fault::Faults;
 use crate::grade::Statistics;
@@ -27,7 +28,9 @@ use super::view::View;
 /// # Ok::<(), momentous::fault::Faults>(())
 /// ```
 pub struct Renderer {
-    templates: [Templates; 3],
+    /// In the order of the formats. The built-in ones are read when they are first wanted: that takes longer than a solution,
+    /// and most programs write one format.
+    templates: [OnceLock<Templates>; 3],
     figures: Figures,
     language: String,
 }
@@ -41,9 +44,14 @@ impl Renderer {
     /// # Errors
     /// Where the folder cannot be read, or a template is not well formed.
     pub fn new(overrides: Option<&Path>) -> Result<Self, Faults> {
-        let [markdown, latex, html] = Format::ALL;
-        let load = |format| Templates::load(format, overrides);
-        let templates = [load(markdown)?, load(latex)?, load(html)?];
+        let templates = [const { OnceLock::new() }; 3];
+        if overrides.is_some() {
+            // What is wrong with a user's is said before anything is written.
+            for (format, kept) in Format::ALL.into_iter().zip(&templates) {
+                let loaded = Templates::load(format, overrides)?;
+                kept.get_or_init(|| loaded);
+            }
+        }
         Ok(Self { templates, figures: Figures::Inline, language: "en".to_owned() })
     }
 
@@ -91,7 +99,7 @@ impl Renderer {
     /// # Errors
     /// Where a template fails.
     pub fn render_statistics(&self, statistics: &Statistics) -> Result<String, Faults> {
-        let templates = &self.templates[2];
+        let templates = self.templates(Format::Html)?;
         let mut context = tera::Context::new();
         context.insert("language", &self.language);
         context.insert_value("style", tera::Value::safe_string(&templates.style));
@@ -109,12 +117,24 @@ impl Renderer {
         self.document(&pages, format)
     }
 
-    fn document(&self, pages: &[PageView], format: Format) -> Result<Document, Faults> {
-        let templates = match format {
-            Format::Markdown => &self.templates[0],
-            Format::Latex => &self.templates[1],
-            Format::Html => &self.templates[2],
+    fn templates(&self, format: Format) -> Result<&Templates, Faults> {
+        let [markdown, latex, html] = &self.templates;
+        let kept = match format {
+            Format::Markdown => markdown,
+            Format::Latex => latex,
+            Format::Html => html,
         };
+        match kept.get() {
+            Some(templates) => Ok(templates),
+            None => {
+                let loaded = Templates::load(format, None)?;
+                Ok(kept.get_or_init(|| loaded))
+            }
+        }
+    }
+
+    fn document(&self, pages: &[PageView], format: Format) -> Result<Document, Faults> {
+        let templates = self.templates(format)?;
         let mut view = View::new(format, &self.figures);
         let mut context = view.document(pages)?;
         context.insert("language", &self.language);

@@ -1,6 +1,7 @@
 //! Scenes for the figures' tests: a gallery of typical and extreme ones, and random ones.
 
 use std::f64::consts::{FRAC_PI_2, PI};
+use std::sync::Arc;
 
 use momentous::expr::Math;
 use momentous::expr::Operator;
@@ -197,7 +198,7 @@ pub fn situations() -> Vec<(&'static str, Situation)> {
         radius: Some(valued(name("r"), "1.2", "m")),
         body: body("S")
             .with(velocity(sub("v", "r"), [1.65, 1.13]))
-            .with(velocity(Math::Sub(Box::new(name("v")), Box::new(name("\u{3b8}"))), [-1.7, 2.48])),
+            .with(velocity(Math::Sub(Arc::new(name("v")), Arc::new(name("\u{3b8}"))), [-1.7, 2.48])),
         circle: true,
         legs: None,
         moment: Some(Moment { label: name("M"), value: 3.0 }),
@@ -254,10 +255,10 @@ pub fn angular_diagrams() -> Vec<(&'static str, AngularDiagram)> {
             diagram(
                 "A moment acts",
                 Math::Integral(
-                    Box::new(Math::Number("0".into())),
-                    Box::new(name("t")),
-                    Box::new(sub("M", "O")),
-                    Box::new(name("t")),
+                    Arc::new(Math::Number("0".into())),
+                    Arc::new(name("t")),
+                    Arc::new(sub("M", "O")),
+                    Arc::new(name("t")),
                 ),
                 Some(3.0),
             ),

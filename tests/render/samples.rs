@@ -1,5 +1,7 @@
 //! Small documents with every kind of content.
 
+use std::sync::Arc;
+
 use momentous::explain::Audience;
 use momentous::explain::Block;
 use momentous::explain::Inline;
@@ -31,17 +33,17 @@ fn row(parts: &[&Math]) -> Math {
 }
 
 fn bracketed(parts: &[&Math]) -> Math {
-    Math::Bracketed(Box::new(row(parts)))
+    Math::Bracketed(Arc::new(row(parts)))
 }
 
 fn fraction(over: Math, under: Math) -> Math {
-    Math::Fraction(Box::new(over), Box::new(under))
+    Math::Fraction(Arc::new(over), Arc::new(under))
 }
 
 /// `(v_A)_{1n}`
 fn normal(body: &str, instant: &str) -> Math {
-    let velocity = Math::Bracketed(Box::new(Math::subscripted("v", body)));
-    Math::Sub(Box::new(velocity), Box::new(Math::Text(format!("{instant}n"))))
+    let velocity = Math::Bracketed(Arc::new(Math::subscripted("v", body)));
+    Math::Sub(Arc::new(velocity), Arc::new(Math::Text(format!("{instant}n"))))
 }
 
 const EQUALS: Math = Math::Operator(Operator::Equals);
@@ -88,7 +90,7 @@ fn energy_check() -> Block {
     let energies = |instant: &str| Math::subscripted("T", instant);
     let lost = row(&[&energies("1"), &MINUS, &energies("2")]);
     let square =
-        |number: &str| Math::Sup(Box::new(bracketed(&[&quantity(number, "m/s")])), Box::new(Math::Number("2".into())));
+        |number: &str| Math::Sup(Arc::new(bracketed(&[&quantity(number, "m/s")])), Arc::new(Math::Number("2".into())));
     let half = fraction(Math::Number("1".into()), Math::Number("2".into()));
     let term = |mass: &str, speed: &str| row(&[&half, &bracketed(&[&quantity(mass, "kg")]), &square(speed)]);
     let line = row(&[

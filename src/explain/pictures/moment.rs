@@ -1,5 +1,7 @@
 //! A moment in space: the angular momentum as a vector before, the angular impulse, and the angular momentum after.
 
+use std::sync::Arc;
+
 use crate::expr::Math;
 use crate::expr::name_math;
 use crate::figure;
@@ -162,9 +164,9 @@ fn turns(quantities: &Quantities<'_>, index: usize, stage: &Moment, names: &str)
 
 /// The integral of the moment over the time.
 fn impulse(stage: &Moment) -> Math {
-    let bound = || Box::new(Math::Row(Vec::new()));
+    let bound = || Arc::new(Math::Row(Vec::new()));
     let moment = name_math(&format!("M_{}", stage.about));
-    Math::Integral(bound(), bound(), Box::new(moment), Box::new(Math::Identifier("t".to_owned())))
+    Math::Integral(bound(), bound(), Arc::new(moment), Arc::new(Math::Identifier("t".to_owned())))
 }
 
 impl Quantities<'_> {

@@ -1,5 +1,7 @@
 //! Impulse-momentum diagrams: for each body of a stage, momentum before + impulses = momentum after.
 
+use std::sync::Arc;
+
 use crate::expr::Expr;
 use crate::expr::Math;
 use crate::figure::BodyMomentum;
@@ -209,10 +211,10 @@ fn balance(
 
 /// All impulses on a body in one, where nobody needs to tell them apart; it follows from the momenta.
 fn resultant() -> Labelled {
-    let bound = || Box::new(Math::Row(Vec::new()));
+    let bound = || Arc::new(Math::Row(Vec::new()));
     let [sum, force, time] = ["\u{3a3}", "F", "t"].map(|letter| Math::Identifier(letter.to_owned()));
     let forces = Math::Row(vec![sum, force]);
-    Labelled { label: Math::Integral(bound(), bound(), Box::new(forces), Box::new(time)), value: None }
+    Labelled { label: Math::Integral(bound(), bound(), Arc::new(forces), Arc::new(time)), value: None }
 }
 
 /// What a plan that is no longer than needed has not solved: the last unknown of each body follows from the others, and

@@ -1,6 +1,7 @@
 //! The numbers that a figure may show: on a problem sheet what is given, in a solution also what was solved.
 
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 use crate::expr::Expr;
 use crate::expr::Math;
@@ -334,7 +335,7 @@ impl<'a> Quantities<'a> {
                 }
                 sum.push(self.mass_math(member));
             }
-            return Math::Bracketed(Box::new(Math::Row(sum)));
+            return Math::Bracketed(Arc::new(Math::Row(sum)));
         }
         let term = self.mass_term(body).and_then(|term| self.term(term));
         term.map_or_else(|| name_math(&format!("m_{body}")), |term| self.symbolic(&term))

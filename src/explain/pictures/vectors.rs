@@ -1,5 +1,7 @@
 //! Velocities, momenta and impulses of a stage as labelled vectors of a drawing.
 
+use std::sync::Arc;
+
 use crate::expr::Expr;
 use crate::expr::Math;
 use crate::expr::Operator;
@@ -158,8 +160,8 @@ impl Quantities<'_> {
             }
         });
         named.unwrap_or_else(|| {
-            let bound = || Box::new(Math::Row(Vec::new()));
-            let letter = |name: &str| Box::new(Math::Identifier(name.to_owned()));
+            let bound = || Arc::new(Math::Row(Vec::new()));
+            let letter = |name: &str| Arc::new(Math::Identifier(name.to_owned()));
             Math::Integral(bound(), bound(), letter("F"), letter("t"))
         })
     }
@@ -175,5 +177,5 @@ impl Quantities<'_> {
 
 /// In brackets where it is a sum.
 pub(super) fn factor(expr: &Expr, math: Math) -> Math {
-    if matches!(expr, Expr::Sum(_)) { Math::Bracketed(Box::new(math)) } else { math }
+    if matches!(expr, Expr::Sum(_)) { Math::Bracketed(Arc::new(math)) } else { math }
 }
