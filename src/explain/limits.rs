@@ -74,13 +74,13 @@ fn with(sampler: &mut Sampler<'_>, worked: Worked<'_>, symbol: Symbol, value: &D
     let values: Vec<(Symbol, Decimal, Unit)> = told
         .map(|(own, old, unit)| if own == symbol { (own, value.clone(), unit) } else { (own, old, unit) })
         .collect();
-    sampler.with_values(0, &values).ok()
+    sampler.at_limit(&values)
 }
 
 fn result(display: Display<'_>, there: Worked<'_>, number: &NumberPart) -> Math {
     let answer = there.answer(number);
     // What is zero at the extreme is printed as such, not as the rounding error that stands for it.
-    let value = if answer.value.abs() <= answer.error { 0.0 } else { answer.value };
+    let value = if answer.value.abs() <= answer.error { 0.0 } else { answer.for_print() };
     let shown =
         Printed::new(value, number.figures).map_or(Math::Text("?".into()), |printed| number_math(&printed.plain()));
     Math::relation(display.name(number.symbol), Operator::Equals, with_unit(shown, &number.plain_unit()))

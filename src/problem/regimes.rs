@@ -171,10 +171,8 @@ pub(super) struct Scratch {
 impl Scratch {
     /// Solves from the inputs; gives the number of admissible solutions.
     pub(super) fn run(&mut self, regimes: &Regimes, inputs: &[Input], domains: &[Option<Domain>]) -> usize {
-        self.inputs.clear();
-        for symbol in &regimes.inputs {
-            let Some(value) = inputs.get(symbol.index()).and_then(Input::bounded) else { return 0 };
-            self.inputs.push(value);
+        if !self.take(regimes, inputs) {
+            return 0;
         }
         let exact = || {
             let input = |symbol: &Symbol| {
@@ -186,6 +184,23 @@ impl Scratch {
         };
         self.taken = regimes.tree.solve_from(&self.inputs, &exact, &mut self.workspace);
         self.survivors(regimes)
+    }
+
+    /// The same for a limiting case, in which conditions may hold with nothing to spare, in floating point alone.
+    pub(super) fn run_limit(&mut self, regimes: &Regimes, inputs: &[Input]) -> usize {
+        if !self.take(regimes, inputs) {
+            return 0;
+        }
+        self.taken = regimes.tree.solve_limit(&self.inputs, &mut self.workspace);
+        self.survivors(regimes)
+    }
+
+    /// Takes the inputs of the programs; whether all are there.
+    fn take(&mut self, regimes: &Regimes, inputs: &[Input]) -> bool {
+        let value = |symbol: &Symbol| inputs.get(symbol.index()).and_then(Input::bounded);
+        self.inputs.clear();
+        self.inputs.extend(regimes.inputs.iter().map_while(value));
+        self.inputs.len() == regimes.inputs.len()
     }
 
     fn outcome<'a>(&'a self, regimes: &'a Regimes) -> Option<Outcome<'a, Bounded>> {

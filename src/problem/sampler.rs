@@ -177,23 +177,38 @@ impl<'p> Sampler<'p> {
     /// # Errors
     /// [`NoVariant::Solutions`] where the values leave none, or several admissible solutions.
     pub fn with_values(&mut self, seed: u64, values: &[(Symbol, Decimal, Unit)]) -> Result<Variant, NoVariant> {
+        self.put(seed, values);
+        match self.solve() {
+            count if self.is_admissible(count) => Ok(self.keep_values(values)),
+            count => Err(NoVariant::Solutions { count, reason: self.why() }),
+        }
+    }
+
+    /// The same for a limiting case of what a form without revealed values tells, such as e = 0: conditions may hold there with
+    /// nothing to spare, and floating point has to do. `None` where it has no admissible solution.
+    #[must_use]
+    pub fn at_limit(&mut self, values: &[(Symbol, Decimal, Unit)]) -> Option<Variant> {
+        self.put(0, values);
+        let count = self.scratch.run_limit(&self.form.solver, &self.inputs);
+        self.is_admissible(count).then(|| self.keep_values(values))
+    }
+
+    fn put(&mut self, seed: u64, values: &[(Symbol, Decimal, Unit)]) {
         self.draw_attempt(seed, 0);
         for (symbol, value, unit) in values {
             if let Some(input) = self.inputs.get_mut(symbol.index()) {
                 *input = Input::of(value, unit);
             }
         }
-        match self.solve() {
-            count if self.is_admissible(count) => {
-                let mut variant = self.keep(None);
-                for (symbol, value, unit) in values {
-                    variant.given.retain(|(own, ..)| own != symbol);
-                    variant.given.push((*symbol, value.clone(), unit.clone()));
-                }
-                Ok(variant)
-            }
-            count => Err(NoVariant::Solutions { count, reason: self.why() }),
+    }
+
+    fn keep_values(&self, values: &[(Symbol, Decimal, Unit)]) -> Variant {
+        let mut variant = self.keep(None);
+        for (symbol, value, unit) in values {
+            variant.given.retain(|(own, ..)| own != symbol);
+            variant.given.push((*symbol, value.clone(), unit.clone()));
         }
+        variant
     }
 
     /// Why the numbers solved last have no admissible solution.

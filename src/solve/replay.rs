@@ -24,8 +24,17 @@ impl Program {
     /// Replays in floating point. A condition whose two sides agree within their error counts as satisfied, and the
     /// outcome is not decided; [`Program::solve`] decides it.
     pub fn run<'a>(&'a self, inputs: &[Bounded], workspace: &'a mut Workspace<Bounded>) -> Outcome<'a, Bounded> {
+        self.run_fast(inputs, workspace, false)
+    }
+
+    fn run_fast<'a>(
+        &'a self,
+        inputs: &[Bounded],
+        workspace: &'a mut Workspace<Bounded>,
+        last: bool,
+    ) -> Outcome<'a, Bounded> {
         workspace.prepare(&self.fast, &self.inputs, inputs.iter());
-        Replay { program: self, workspace, last: false }.stage(0);
+        Replay { program: self, workspace, last }.stage(0);
         Outcome { program: self, workspace, exact: false }
     }
 
@@ -65,6 +74,13 @@ impl Program {
         }
         workspaces.replayed = open;
         Outcome { program: self, workspace: &workspaces.fast, exact: open }
+    }
+
+    /// Solves a limiting case, in which conditions may hold with nothing to spare, in floating point alone: what is within its
+    /// error of zero is taken to be zero.
+    pub fn solve_limit<'a>(&'a self, inputs: &[Bounded], workspaces: &'a mut Workspaces) -> Outcome<'a, Bounded> {
+        workspaces.replayed = false;
+        self.run_fast(inputs, &mut workspaces.fast, true)
     }
 }
 

@@ -33,10 +33,24 @@ impl Tree {
         exact: &dyn Fn() -> Vec<Exact>,
         workspace: &mut TreeWorkspace,
     ) -> Option<usize> {
+        self.first(workspace, &|leaf, memory| leaf.solve_from(inputs, exact, memory).survivors())
+    }
+
+    /// The same for a limiting case, by [`Program::solve_limit`].
+    pub fn solve_limit(&self, inputs: &[Bounded], workspace: &mut TreeWorkspace) -> Option<usize> {
+        self.first(workspace, &|leaf, memory| leaf.solve_limit(inputs, memory).survivors())
+    }
+
+    /// The first leaf with a solution.
+    fn first(
+        &self,
+        workspace: &mut TreeWorkspace,
+        solutions: &dyn Fn(&Program, &mut Workspaces) -> usize,
+    ) -> Option<usize> {
         workspace.leaves.resize_with(self.leaves.len(), Workspaces::default);
         for (place, (leaf, memory)) in self.leaves.iter().zip(&mut workspace.leaves).enumerate() {
             workspace.tried = place + 1;
-            if leaf.solve_from(inputs, exact, memory).survivors() > 0 {
+            if solutions(leaf, memory) > 0 {
                 return Some(place);
             }
         }
