@@ -42,7 +42,6 @@ struct Row {
 }
 
 /// Draws and marks one after the other; how many parts are right.
-#[inline(never)]
 fn marked(problem: &Arc<Problem>, marker: &Marker, rows: &[Row]) -> usize {
     let Ok(mut drawer) = Drawer::new(problem, 0) else { return 0 };
     let mut marker = marker.clone();
@@ -68,7 +67,7 @@ fn marking(criterion: &mut Criterion) {
     for cores in [1, 2] {
         let Ok(pool) = rayon::ThreadPoolBuilder::new().num_threads(cores).build() else { continue };
         group.bench_function(format!("answers, {cores} cores"), |bencher| {
-            let portions = |((problem, marker), rows): ((_, _), &'_ Vec<Row>)| {
+            let portions = |((problem, marker), rows): ((_, _), &Vec<Row>)| {
                 rows.par_chunks(PORTION).map(|rows| marked(problem, marker, rows)).sum::<usize>()
             };
             let all = || problems.par_iter().zip(&markers).zip(&groups).map(portions).sum::<usize>();

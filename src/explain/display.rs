@@ -260,7 +260,7 @@ pub(super) fn with_unit(number: Math, unit: &Unit) -> Math {
 
 /// A printed number as mathematics, powers of ten included.
 pub(super) fn number_math(text: &str) -> Math {
-    match text.split_once('×').map(|(mantissa, power)| (mantissa.trim_end(), power.trim_start_matches(" 10^"))) {
+    match text.split_once(" × 10^") {
         Some((mantissa, exponent)) => {
             let ten = Math::Sup(Arc::new(Math::Number("10".into())), Arc::new(Math::Number(exponent.into())));
             Math::Row(vec![Math::Number(mantissa.into()), Math::Operator(Operator::Times), ten])

@@ -2,8 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use dashu::base::Sign;
-
 use crate::quantity::Rational;
 
 use super::report::Points;
@@ -68,7 +66,7 @@ impl Rubric {
     #[must_use]
     pub fn fraction(&self, verdict: Verdict) -> Rational {
         let (above, below) = verdict.usual_fraction();
-        let usual = || Rational::from_parts_const(Sign::Positive, above.into(), below.into());
+        let usual = || Rational::from(above) / Rational::from(below);
         self.fractions.get(&verdict).cloned().unwrap_or_else(usual)
     }
 
@@ -78,10 +76,7 @@ impl Rubric {
         if verdict.is_right() {
             return Points(Rational::from(out_of));
         }
-        match self.fraction(verdict) {
-            nothing if nothing.is_zero() => Points::default(),
-            fraction => Points(fraction * Rational::from(out_of)),
-        }
+        Points(self.fraction(verdict) * Rational::from(out_of))
     }
 }
 

@@ -196,8 +196,12 @@ impl Solver {
             for program in self.strict.iter().chain([&self.loose]) {
                 let outcome = program.run(inputs, workspace);
                 let all = outcome.value(symbol).into_iter().chain(outcome.other_values(symbol));
-                let real = all.map(|own| own.value).filter(|value| value.is_finite());
-                if real.inspect(|value| add(*value)).count() > 0 {
+                let mut found = false;
+                for value in all.map(|own| own.value).filter(|value| value.is_finite()) {
+                    found = true;
+                    add(value);
+                }
+                if found {
                     return;
                 }
             }
