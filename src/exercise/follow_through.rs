@@ -134,7 +134,7 @@ impl Marking<'_> {
 fn exactly(answer: &grade::Answer) -> Option<Expr> {
     let grade::Answer::Number(answer) = answer else { return None };
     let factor = answer.unit.clone().unwrap_or_default().factor();
-    Some(Expr::Number(answer.directed().scaled(&factor)?.value().clone()))
+    Some(Expr::Number(answer.directed().scaled(&factor)?.value().into_owned()))
 }
 
 /// The parts of earlier answers, each once.

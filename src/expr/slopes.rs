@@ -1,8 +1,13 @@
 //! All partial derivatives of a term at given values, in one pass over it and without a term being made.
 //! (Reverse accumulation: Griewank and Walther, Evaluating Derivatives, chapter 3.)
 
+use smallvec::SmallVec;
+
 use super::evaluate::raise;
 use super::{Expr, Function, Symbol};
+
+/// Most products have no more factors.
+const FEW: usize = 8;
 
 impl Expr {
     /// Gives `add` the partial derivative by a symbol, times `share`, once for each place where the symbol stands; the
@@ -25,7 +30,7 @@ impl Expr {
             Self::Symbol(symbol) => add(*symbol, share),
             Self::Sum(terms) => terms.iter().for_each(|term| term.slopes(value, share, add)),
             Self::Product(factors) => {
-                let values: Vec<f64> = factors.iter().map(|factor| factor.evaluate(value)).collect();
+                let values: SmallVec<[f64; FEW]> = factors.iter().map(|factor| factor.evaluate(value)).collect();
                 for (place, factor) in factors.iter().enumerate() {
                     let others = values.iter().enumerate().filter(|(other, _)| *other != place);
                     factor.slopes(value, share * others.map(|(_, value)| value).product::<f64>(), add);

@@ -1,7 +1,10 @@
 //! A number as marking knows it: exact as long as it can be.
 
+use std::borrow::Cow;
+
 use dashu::base::{Abs, BitTest, Sign};
 
+use crate::quantity::Decimal;
 use crate::quantity::Factor;
 use crate::quantity::Integer;
 use crate::quantity::Rational;
@@ -12,24 +15,48 @@ const MAX_BITS: usize = 8192;
 /// How far double precision may have moved a number that passed through a few irrational functions, relative to it.
 const DOUBLE_SLACK: f64 = 1e-12;
 
+/// The most decimals of a number that is kept as its digits: doubles hold their powers of ten exactly.
+const MOST_DECIMALS: u32 = 22;
+
 /// A number, and whether it is exact or went through double precision (a root, a sine, pi).
 ///
 /// Every operation is bounded in time and memory and answers `None` where its result would be too large, or is not a number.
 #[derive(Clone, Debug)]
 pub struct Number {
-    value: Rational,
+    value: Value,
     /// The double nearest to it: most comparisons need no more.
     near: f64,
     exact: bool,
 }
 
+/// An exact value. Most are decimals of few digits, as they were written, and are never calculated with.
+#[derive(Clone, Debug)]
+enum Value {
+    /// Digits that a double holds, and how many of them stand behind the point.
+    Decimal(i64, u32),
+    Rational(Rational),
+}
+
 impl PartialEq for Number {
     fn eq(&self, other: &Self) -> bool {
-        self.exact == other.exact && self.value == other.value
+        self.exact == other.exact && self.value() == other.value()
     }
 }
 
 impl Eq for Number {}
+
+impl From<&Decimal> for Number {
+    fn from(decimal: &Decimal) -> Self {
+        let digits = i64::try_from(decimal.unscaled()).ok().filter(|digits| digits.unsigned_abs() < 1 << 53);
+        let scale = u32::try_from(decimal.scale()).ok().filter(|scale| *scale <= MOST_DECIMALS);
+        match (digits, scale) {
+            (Some(digits), Some(scale)) => {
+                Self { value: Value::Decimal(digits, scale), near: decimal.to_f64(), exact: true }
+            }
+            _ => Self::exact(decimal.to_rational()),
+        }
+    }
+}
 
 impl Number {
     /// An exact number.
@@ -39,19 +66,25 @@ impl Number {
     }
 
     fn new(value: Rational, exact: bool) -> Self {
-        Self { near: nearest_double(&value), value, exact }
+        Self { near: nearest_double(&value), value: Value::Rational(value), exact }
     }
 
     /// A number known to double precision; `None` where it is not finite.
     #[must_use]
     pub fn rounded(value: f64) -> Option<Self> {
-        Rational::try_from(value).ok().map(|exact| Self { value: exact, near: value, exact: false })
+        let exact = Rational::try_from(value).ok()?;
+        Some(Self { value: Value::Rational(exact), near: value, exact: false })
     }
 
     /// Its value: the exact one, or the double that stands for it.
     #[must_use]
-    pub fn value(&self) -> &Rational {
-        &self.value
+    pub fn value(&self) -> Cow<'_, Rational> {
+        match &self.value {
+            Value::Rational(value) => Cow::Borrowed(value),
+            Value::Decimal(digits, scale) => {
+                Cow::Owned(Decimal::from_scaled(i128::from(*digits), *scale).to_rational())
+            }
+        }
     }
 
     /// The nearest double.
@@ -63,26 +96,38 @@ impl Number {
     /// Whether it is zero.
     #[must_use]
     pub fn is_zero(&self) -> bool {
-        self.value.is_zero()
+        match &self.value {
+            Value::Rational(value) => value.is_zero(),
+            Value::Decimal(digits, _) => *digits == 0,
+        }
     }
 
     /// Whether it is below zero.
     #[must_use]
     pub fn is_negative(&self) -> bool {
-        !self.is_zero() && self.value.sign() == Sign::Negative
+        match &self.value {
+            Value::Rational(value) => !value.is_zero() && value.sign() == Sign::Negative,
+            Value::Decimal(digits, _) => *digits < 0,
+        }
     }
 
     /// How far the number that was meant may lie from [`Number::value`].
     #[must_use]
     pub fn slack(&self) -> Rational {
-        let relative = if self.exact { Rational::ZERO } else { Rational::try_from(DOUBLE_SLACK).unwrap_or_default() };
-        self.value.clone().abs() * relative
+        if self.exact {
+            return Rational::ZERO;
+        }
+        self.value().into_owned().abs() * Rational::try_from(DOUBLE_SLACK).unwrap_or_default()
     }
 
     /// The opposite number.
     #[must_use]
     pub fn negated(self) -> Self {
-        Self { value: -self.value, near: -self.near, ..self }
+        let value = match self.value {
+            Value::Rational(value) => Value::Rational(-value),
+            Value::Decimal(digits, scale) => Value::Decimal(-digits, scale),
+        };
+        Self { value, near: -self.near, ..self }
     }
 
     /// The sum.
@@ -113,6 +158,7 @@ impl Number {
     #[must_use]
     pub fn scaled(&self, factor: &Factor) -> Option<Self> {
         match factor.pi {
+            0 if factor.rational.is_one() => Some(self.clone()),
             0 => self.times(&Self::exact(factor.rational.clone())),
             _ => self.times(&Self::rounded(factor.to_f64())?),
         }
@@ -121,8 +167,9 @@ impl Number {
     /// The power. Exact where the exponent is whole; otherwise only of what is not negative.
     #[must_use]
     pub fn power(&self, exponent: &Self) -> Option<Self> {
-        if exponent.value.is_int() {
-            let whole = isize::try_from(exponent.value.numerator()).ok()?;
+        let whole = exponent.value();
+        if whole.is_int() {
+            let whole = isize::try_from(whole.numerator()).ok()?;
             if self.is_zero() {
                 return if whole < 0 {
                     None
@@ -133,7 +180,7 @@ impl Number {
             if self.bits().checked_mul(whole.unsigned_abs())? > MAX_BITS {
                 return None;
             }
-            return Self::new(self.value.pow(whole), self.exact && exponent.exact).bounded();
+            return Self::new(self.value().pow(whole), self.exact && exponent.exact).bounded();
         }
         if self.is_negative() {
             return None;
@@ -148,8 +195,9 @@ impl Number {
             return None;
         }
         let exact = || {
-            let above = integer_root(self.value.numerator())?;
-            let below = integer_root(&Integer::from(self.value.denominator().clone()))?;
+            let value = self.value();
+            let above = integer_root(value.numerator())?;
+            let below = integer_root(&Integer::from(value.denominator().clone()))?;
             Some(Self::new(Rational::from(above) / Rational::from(below), self.exact))
         };
         exact().or_else(|| Self::rounded(self.to_f64().sqrt()))
@@ -162,12 +210,13 @@ impl Number {
     }
 
     fn with(&self, other: &Self, operation: fn(Rational, Rational) -> Rational) -> Option<Self> {
-        let value = operation(self.value.clone(), other.value.clone());
+        let value = operation(self.value().into_owned(), other.value().into_owned());
         Self::new(value, self.exact && other.exact).bounded()
     }
 
     fn bits(&self) -> usize {
-        self.value.numerator().bit_len().max(self.value.denominator().bit_len())
+        let value = self.value();
+        value.numerator().bit_len().max(value.denominator().bit_len())
     }
 
     fn bounded(self) -> Option<Self> {
@@ -197,6 +246,22 @@ mod tests {
         assert!(ratio(1, 1).slack().is_zero());
         let root = ratio(2, 1).square_root().unwrap();
         assert!(!root.slack().is_zero() && root.to_f64().to_bits() == 2_f64.sqrt().to_bits());
+    }
+
+    #[test]
+    fn a_decimal_is_its_rational() {
+        for text in ["0", "-0.0", "2.50", "-13", "0.000001", "9007199254740991", "9007199254740993", "1e3", "1e-30"] {
+            let decimal = Decimal::parse(text).unwrap();
+            let (number, rational) = (Number::from(&decimal), Number::exact(decimal.to_rational()));
+            assert_eq!(number, rational, "{text}");
+            assert_eq!(number.to_f64().to_bits(), rational.to_f64().to_bits(), "{text}");
+            assert_eq!(
+                (number.is_zero(), number.is_negative()),
+                (rational.is_zero(), rational.is_negative()),
+                "{text}"
+            );
+            assert_eq!(number.negated(), rational.negated(), "{text}");
+        }
     }
 
     #[test]

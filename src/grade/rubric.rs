@@ -73,10 +73,11 @@ impl Rubric {
     /// The points of an answer with this verdict.
     #[must_use]
     pub fn points(&self, verdict: Verdict, out_of: u32) -> Points {
-        if verdict.is_right() {
-            return Points(Rational::from(out_of));
+        // A whole number of points, which most are, takes no fractions.
+        match verdict.usual_fraction() {
+            (above, 1) if !self.fractions.contains_key(&verdict) => Points(Rational::from(u32::from(above) * out_of)),
+            _ => Points(self.fraction(verdict) * Rational::from(out_of)),
         }
-        Points(self.fraction(verdict) * Rational::from(out_of))
     }
 }
 

@@ -1,6 +1,7 @@
 //! The value of a known quantity on its way into a program: exact as a decimal, and as the nearest double.
 
 use crate::quantity::Decimal;
+use crate::quantity::Factor;
 use crate::quantity::Unit;
 use crate::solve::Bounded;
 use crate::solve::Exact;
@@ -14,8 +15,9 @@ use super::planned::Problem;
 pub(super) struct Input {
     value: Option<Bounded>,
     source: Source,
-    unit: Unit,
-    factor: f64,
+    factor: Factor,
+    /// The factor as a double.
+    size: f64,
 }
 
 /// From which decimal the value was made.
@@ -51,20 +53,21 @@ impl Input {
     }
 
     fn blank(unit: &Unit) -> Self {
-        Self { value: None, source: Source::None, unit: unit.clone(), factor: unit.factor().to_f64() }
+        let factor = unit.factor();
+        Self { value: None, source: Source::None, size: factor.to_f64(), factor }
     }
 
     /// A decimal in a unit.
     pub(super) fn of(value: &Decimal, unit: &Unit) -> Self {
         let mut input = Self::blank(unit);
-        input.value = Some(scaled(value.to_f64(), input.factor));
+        input.value = Some(scaled(value.to_f64(), input.size));
         input.source = Source::Decimal(value.clone());
         input
     }
 
     /// Takes the value of that number of a domain.
     pub(super) fn draw(&mut self, domain: &Domain, index: u64) {
-        self.value = Some(scaled(domain.value_f64(index), self.factor));
+        self.value = Some(scaled(domain.value_f64(index), self.size));
         self.source = Source::Drawn(index);
     }
 
@@ -87,8 +90,9 @@ impl Input {
             Source::Drawn(index) => domain?.value(*index),
             Source::None => return None,
         };
-        let factor = self.unit.factor();
-        Some(Exact { rational: decimal.to_rational() * factor.rational, pi_power: factor.pi })
+        let Factor { rational: factor, pi } = &self.factor;
+        let value = decimal.to_rational();
+        Some(Exact { rational: if factor.is_one() { value } else { value * factor }, pi_power: *pi })
     }
 }
 

@@ -10,7 +10,11 @@ use crate::solve::Equation;
 
 use super::domain::Domain;
 use super::input::Input;
+use super::known::Known;
 use super::known::Origin;
+use super::no_variant::MOST_ATTEMPTS;
+use super::no_variant::NoVariant;
+use super::no_variant::Rejection;
 use super::part::PartKind;
 use super::planned::Form;
 use super::planned::Problem;
@@ -18,81 +22,6 @@ use super::regimes::Scratch;
 use super::stream::Words;
 use super::variant::Variant;
 use super::variant::Worked;
-
-/// Tries for one seed before the problem is given up as one that cannot be drawn.
-pub const MOST_ATTEMPTS: u64 = 256;
-
-/// Why a seed has no variant.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum NoVariant {
-    /// No attempt satisfied what the problem requires and had exactly one admissible solution; why the last one did not.
-    #[error("no admissible numbers were found within {MOST_ATTEMPTS} attempts{}", because(.0.as_ref()))]
-    Exhausted(Option<Rejection>),
-    /// The problem has no form at that position.
-    #[error("the problem has no such form")]
-    NoForm,
-    /// The values leave no admissible solution, or more than one.
-    #[error("with these values the problem has {count} admissible solutions{}", because(.reason.as_ref()))]
-    Solutions {
-        /// How many.
-        count: usize,
-        /// Why there is none, where that is known.
-        reason: Option<Rejection>,
-    },
-}
-
-/// Why numbers were rejected.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum Rejection {
-    /// They say more than can be true: an equation that was not needed does not hold.
-    #[error("what is given contradicts {law}, which connects {names}")]
-    Contradiction {
-        /// The law.
-        law: &'static str,
-        /// The quantities that it connects.
-        names: String,
-    },
-    /// They break a condition of the scene or of the problem.
-    #[error("{0}")]
-    Condition(String),
-    /// The boundary of a range that is asked is beyond what can be.
-    #[error(
-        "where the condition on `{name}` begins to hold, {reason}: within what is possible it holds always, or never"
-    )]
-    Boundary {
-        /// The quantity whose range is asked.
-        name: String,
-        /// Why the numbers at the boundary are rejected.
-        reason: Box<Rejection>,
-    },
-    /// They make a quantity zero in terms of which an answer is asked.
-    #[error("`{0}` is zero, and nothing can be told in terms of it")]
-    ZeroUnit(String),
-    /// They leave several solutions.
-    #[error("there are {0} solutions; pick one with `where`, or ask for all with `roots: all`")]
-    Several(usize),
-    /// They leave no real solution.
-    #[error("there is no real solution")]
-    NotReal,
-    /// They make a quantity negative that never is.
-    #[error("a quantity that must be positive would be negative")]
-    NotPositive,
-}
-
-impl NoVariant {
-    /// Why numbers were rejected, where that is known.
-    #[must_use]
-    pub fn rejection(&self) -> Option<&Rejection> {
-        match self {
-            Self::Exhausted(reason) | Self::Solutions { reason, .. } => reason.as_ref(),
-            Self::NoForm => None,
-        }
-    }
-}
-
-fn because(reason: Option<&Rejection>) -> String {
-    reason.map_or_else(String::new, |reason| format!(": {reason}"))
-}
 
 /// Draws variants of one form, reusing its own memory; each thread takes its own.
 pub struct Sampler<'p> {
@@ -107,6 +36,8 @@ pub struct Sampler<'p> {
     forward: Scratch,
     /// The quantities in terms of which answers are asked.
     units: Vec<Symbol>,
+    /// The known quantities that the form tells, with their positions.
+    told: Vec<(usize, &'p Known)>,
     rejected: u64,
 }
 
@@ -129,6 +60,7 @@ impl<'p> Sampler<'p> {
             scratch: Scratch::default(),
             forward: Scratch::default(),
             units: own.units().collect(),
+            told: problem.known().iter().enumerate().filter(|(_, known)| own.told.contains(&known.symbol)).collect(),
             rejected: 0,
         })
     }
@@ -338,16 +270,14 @@ impl<'p> Sampler<'p> {
 
     fn keep(&self, seed: Option<u64>) -> Variant {
         let literals = &self.problem.model().literals;
-        let mut given = Vec::with_capacity(self.form.told.len() + self.form.reveal.len() + literals.len());
-        for (known, drawn) in self.problem.known().iter().zip(&self.drawn) {
-            if !self.form.told.contains(&known.symbol) {
-                continue;
-            }
-            match &known.origin {
-                Origin::Drawn(domain) => given.push((known.symbol, domain.value(*drawn), known.unit.clone())),
-                Origin::Fixed(value) => given.push((known.symbol, value.clone(), known.unit.clone())),
-                Origin::Any => {}
-            }
+        let mut given = Vec::with_capacity(self.told.len() + self.form.reveal.len() + literals.len());
+        for (position, known) in &self.told {
+            let value = match (&known.origin, self.drawn.get(*position)) {
+                (Origin::Drawn(domain), Some(drawn)) => domain.value(*drawn),
+                (Origin::Fixed(value), _) => value.clone(),
+                (Origin::Any | Origin::Drawn(_), _) => continue,
+            };
+            given.push((known.symbol, value, known.unit.clone()));
         }
         for reveal in &self.form.reveal {
             if let Some(value) = self.inputs.get(reveal.symbol.index()).and_then(Input::decimal) {

@@ -138,8 +138,11 @@ impl Decimal {
         if self.scale != 0 {
             return self.figures();
         }
-        let digits = digits_of(&self.unscaled);
-        digits.trim_end_matches('0').len().max(1)
+        match u64::try_from(&self.unscaled.clone().abs()) {
+            Ok(0) => 1,
+            Ok(digits) => self.figures() - (1..20).take_while(|places| digits % 10_u64.pow(*places) == 0).count(),
+            Err(_) => digits_of(&self.unscaled).trim_end_matches('0').len().max(1),
+        }
     }
 
     /// The exact value.

@@ -39,6 +39,12 @@ impl Factor {
     }
 }
 
+impl Default for Factor {
+    fn default() -> Self {
+        Self::ONE
+    }
+}
+
 impl Mul for Factor {
     type Output = Self;
     fn mul(self, other: Self) -> Self {

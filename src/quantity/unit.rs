@@ -62,10 +62,17 @@ const USUAL: usize = 3;
 /// assert_eq!(Unit::parse("km/h")?.factor().to_f64(), 1.0 / 3.6);
 /// # Ok::<(), momentous::quantity::UnitFault>(())
 /// ```
-#[derive(Clone, PartialEq, Eq, Hash, Default)]
+#[derive(PartialEq, Eq, Hash, Default)]
 pub struct Unit {
     powers: SmallVec<[Power; USUAL]>,
     dimension: Dimension,
+}
+
+impl Clone for Unit {
+    fn clone(&self) -> Self {
+        // In one piece: a derived copy would go power by power.
+        Self { powers: SmallVec::from_slice(&self.powers), dimension: self.dimension }
+    }
 }
 
 impl Unit {

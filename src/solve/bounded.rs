@@ -28,14 +28,14 @@ pub struct Bounded {
 }
 
 /// The unit roundoff, 2^-53.
-const UNIT: f64 = f64::EPSILON / 2.0;
+pub(super) const UNIT: f64 = f64::EPSILON / 2.0;
 
 /// The relative error that is allowed for the library's elementary functions: 2 units in the last place. The library's
 /// own tests hold it below 1.
 const LIBRARY: f64 = 4.0 * UNIT;
 
 /// Covers the rounding of the error's own arithmetic, fewer than 16 operations.
-const GROWTH: f64 = 1.0 + 32.0 * UNIT;
+pub(super) const GROWTH: f64 = 1.0 + 32.0 * UNIT;
 
 /// Below this size, an absolute allowance of [`SPECK`] covers underflow.
 const SMALL: f64 = 1e-280;
@@ -46,6 +46,13 @@ impl Bounded {
     #[must_use]
     pub const fn exactly(value: f64) -> Self {
         Self { value, error: 0.0 }
+    }
+
+    /// The value nearest to one within `error` of the true value.
+    pub(super) fn rounded(value: f64, error: f64) -> Self {
+        let rounding = if value.abs() < f64::MIN_POSITIVE { f64::MIN_POSITIVE } else { value.abs() * f64::EPSILON };
+        let error = (error + rounding) * (1.0 + f64::EPSILON);
+        if value.is_finite() { Self { value, error } } else { Self::UNBOUNDED }
     }
 
     /// The value to be rounded for print: as far from zero as the bound allows, so that an exact tie, which floating point
@@ -74,8 +81,13 @@ impl Bounded {
         Some(if below == 1 { above } else { above.div(&Self::integer(below)) })
     }
 
-    /// Brings a result into one of the three states: operands are finite, or not a number where they are not real.
+    /// A result whose error has a share of the value in it, and is so finite only where the value is.
     #[inline]
+    fn with_share(value: f64, error: f64) -> Self {
+        if error < f64::INFINITY { Self { value, error: error * GROWTH } } else { Self::settle(value, error) }
+    }
+
+    /// Brings a result into one of the three states: operands are finite, or not a number where they are not real.
     fn settle(value: f64, error: f64) -> Self {
         if value.is_finite() && error.is_finite() {
             Self { value, error: error * GROWTH }
@@ -139,25 +151,28 @@ impl Real for Bounded {
     #[inline]
     fn add(&self, other: &Self) -> Self {
         let value = self.value + other.value;
-        Self::settle(value, self.error + other.error + value.abs() * UNIT)
+        Self::with_share(value, self.error + other.error + value.abs() * UNIT)
     }
 
     #[inline]
     fn sub(&self, other: &Self) -> Self {
         let value = self.value - other.value;
-        Self::settle(value, self.error + other.error + value.abs() * UNIT)
+        Self::with_share(value, self.error + other.error + value.abs() * UNIT)
     }
 
     #[inline]
     fn mul(&self, other: &Self) -> Self {
         let value = self.value * other.value;
         let spread = self.value.abs() * other.error + other.value.abs() * self.error + self.error * other.error;
-        let underflow = value.abs() < SMALL && self.magnitude() > 0.0 && other.magnitude() > 0.0;
+        if value.abs() >= SMALL {
+            return Self::with_share(value, spread + value.abs() * UNIT);
+        }
+        let underflow = self.magnitude() > 0.0 && other.magnitude() > 0.0;
         let is_zero = |factor: &Self| factor.value == 0.0 && factor.error == 0.0;
         if spread.is_nan() && (is_zero(self) || is_zero(other)) && value == 0.0 {
             return Self::exactly(0.0);
         }
-        Self::settle(value, spread + value.abs() * UNIT + if underflow { SPECK } else { 0.0 })
+        Self::with_share(value, spread + value.abs() * UNIT + if underflow { SPECK } else { 0.0 })
     }
 
     #[inline]
@@ -167,7 +182,7 @@ impl Real for Bounded {
             let value = self.value / other.value;
             let spread = (self.error + value.abs() * other.error) / least;
             let underflow = value.abs() < SMALL && self.magnitude() > 0.0;
-            return Self::settle(value, spread + value.abs() * UNIT + if underflow { SPECK } else { 0.0 });
+            return Self::with_share(value, spread + value.abs() * UNIT + if underflow { SPECK } else { 0.0 });
         }
         if other.error == 0.0 || !self.is_real() || !other.is_real() { Self::NOT_REAL } else { Self::UNBOUNDED }
     }
@@ -182,7 +197,7 @@ impl Real for Bounded {
         let (value, error) = (self.value, self.error);
         if value > error * GROWTH {
             let root = value.sqrt();
-            return Self::settle(root, error / (root + (value - error * GROWTH).max(0.0).sqrt()) + root * UNIT);
+            return Self::with_share(root, error / (root + (value - error * GROWTH).max(0.0).sqrt()) + root * UNIT);
         }
         if value + error < 0.0 || !self.is_real() {
             return Self::NOT_REAL;
@@ -254,8 +269,8 @@ impl Real for Bounded {
         }
     }
 
-    fn rough(&self) -> f64 {
-        self.value
+    fn to_bounded(&self) -> Self {
+        *self
     }
 
     fn is_unbounded(&self) -> bool {

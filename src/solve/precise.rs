@@ -60,25 +60,6 @@ impl Precise {
         }
     }
 
-    /// Rounded to floating point, with a bound that covers the rounding.
-    #[must_use]
-    pub fn to_bounded(&self) -> Bounded {
-        let rounded = |value: f64, error: f64| {
-            let rounding = if value.abs() < f64::MIN_POSITIVE { f64::MIN_POSITIVE } else { value.abs() * f64::EPSILON };
-            let error = (error + rounding) * (1.0 + f64::EPSILON);
-            if value.is_finite() { Bounded { value, error } } else { Bounded { value: 0.0, error: f64::INFINITY } }
-        };
-        match self {
-            Self::Rational(value) => match value.to_f64() {
-                Approximation::Exact(value) => Bounded::exactly(value),
-                Approximation::Inexact(value, _) => rounded(value, 0.0),
-            },
-            Self::Ball(ball) => rounded(ball.middle.to_f64().value(), ball.radius.to_f64().value()),
-            Self::Unbounded => Bounded { value: 0.0, error: f64::INFINITY },
-            Self::NotReal => Bounded { value: f64::NAN, error: f64::NAN },
-        }
-    }
-
     /// The value in decimal digits, without its error; `None` where there is none.
     #[must_use]
     pub fn decimal(&self, digits: usize) -> Option<String> {
@@ -309,8 +290,16 @@ impl Real for Precise {
         }
     }
 
-    fn rough(&self) -> f64 {
-        self.to_bounded().value
+    fn to_bounded(&self) -> Bounded {
+        match self {
+            Self::Rational(value) => match value.to_f64() {
+                Approximation::Exact(value) => Bounded::exactly(value),
+                Approximation::Inexact(value, _) => Bounded::rounded(value, 0.0),
+            },
+            Self::Ball(ball) => Bounded::rounded(ball.middle.to_f64().value(), ball.radius.to_f64().value()),
+            Self::Unbounded => Bounded { value: 0.0, error: f64::INFINITY },
+            Self::NotReal => Bounded { value: f64::NAN, error: f64::NAN },
+        }
     }
 
     fn is_unbounded(&self) -> bool {

@@ -4,6 +4,7 @@ use crate::expr::Expr;
 use crate::expr::Symbol;
 
 use super::bounded::Bounded;
+use super::doubled::Doubled;
 use super::pending::{Pending, Test, Verify};
 use super::precise::Precise;
 use super::tape::{Instruction, Register, Stretch};
@@ -20,6 +21,8 @@ pub struct Program {
     pub(super) symbols: Vec<(Symbol, Register)>,
     pub(super) wanted: Vec<Symbol>,
     pub(super) fast: Constants<Bounded>,
+    /// For a replay with twice the digits, where all operations are algebraic.
+    pub(super) doubled: Option<Constants<Doubled>>,
     pub(super) precise: Constants<Precise>,
     pub(super) unchecked: Vec<usize>,
 }
@@ -113,6 +116,7 @@ impl Program {
             symbols: writer.symbols.iter().map(|(symbol, register)| (*symbol, *register)).collect(),
             wanted: wanted.to_vec(),
             fast: Constants::new(&writer),
+            doubled: writer.tape.iter().all(Instruction::is_algebraic).then(|| Constants::new(&writer)),
             precise: Constants::new(&writer),
             unchecked: tests.conditions(),
             tape: writer.tape,

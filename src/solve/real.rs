@@ -3,6 +3,7 @@
 use crate::expr::Function;
 
 use super::Exact;
+use super::bounded::Bounded;
 
 /// What is known of the sign of a true value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,8 +70,12 @@ pub trait Real: Clone {
 
     /// What is known of the sign.
     fn sign(&self) -> Sign;
+    /// Rounded to floating point, with a bound that covers the rounding.
+    fn to_bounded(&self) -> Bounded;
     /// About how large the value is.
-    fn rough(&self) -> f64;
+    fn rough(&self) -> f64 {
+        self.to_bounded().value
+    }
     /// Whether nothing bounds the value.
     fn is_unbounded(&self) -> bool;
     /// Whether there is a real value, as far as is known.

@@ -5,6 +5,7 @@ use crate::expr::Symbol;
 use super::bounded::Bounded;
 use super::bracketing::root_above_zero;
 use super::counting::first_integer;
+use super::doubled::Doubled;
 use super::pending::Tested;
 use super::precise::Precise;
 use super::program::{Program, Stage, Work};
@@ -16,7 +17,7 @@ use super::{Exact, Outcome, Relation};
 /// At most this many branches are followed.
 const MOST_BRANCHES: usize = 4096;
 
-/// A wanted value whose bound is a larger share of it than this is computed again, exactly: so no certificate is more than a
+/// A wanted value whose bound is a larger share of it than this is computed again with more digits: so no certificate is more than a
 /// thousand times what rounding the answer once costs.
 const TIGHT: f64 = 200.0 * f64::EPSILON;
 
@@ -47,9 +48,9 @@ impl Program {
         Outcome { program: self, workspace, exact: true }
     }
 
-    /// Solves one variant: in floating point, and again exactly where that leaves something open: a condition that is
-    /// not decided, several solutions, or a wanted value whose bound is not tight. Values are rounded to floating point
-    /// with bounds that cover the rounding.
+    /// Solves one variant: in floating point, and again with more digits where that leaves something open: a condition that is
+    /// not decided, several solutions, or a wanted value whose bound is not tight. Twice the digits are often enough; what is
+    /// open even then is decided exactly. Values are rounded to floating point with bounds that cover the rounding.
     pub fn solve<'a>(&'a self, inputs: &[Exact], workspaces: &'a mut Workspaces) -> Outcome<'a, Bounded> {
         let bounded: Vec<Bounded> = inputs.iter().map(Bounded::from_exact).collect();
         self.solve_from(&bounded, &|| inputs.to_vec(), workspaces)
@@ -63,17 +64,31 @@ impl Program {
         exact: &dyn Fn() -> Vec<Exact>,
         workspaces: &'a mut Workspaces,
     ) -> Outcome<'a, Bounded> {
-        let outcome = self.run(inputs, &mut workspaces.fast);
-        let loose = |value: &Bounded| value.error > TIGHT * value.value.abs();
-        let open = !outcome.is_decided()
-            || outcome.survivors() > 1
-            || outcome.survivors() == 1 && self.wanted.iter().any(|symbol| outcome.value(*symbol).is_none_or(loose));
-        if open {
-            self.run_exact(&exact(), &mut workspaces.precise);
-            round(&self.symbols, &workspaces.precise, &mut workspaces.fast);
+        let Workspaces { fast, doubled, precise, replayed } = workspaces;
+        *replayed = self.run(inputs, fast).is_open();
+        if *replayed {
+            let exact = exact();
+            if self.run_doubled(&exact, doubled).is_none_or(|outcome| outcome.is_open()) {
+                self.run_exact(&exact, precise);
+                round(&self.symbols, precise, fast);
+            } else {
+                round(&self.symbols, doubled, fast);
+            }
         }
-        workspaces.replayed = open;
-        Outcome { program: self, workspace: &workspaces.fast, exact: open }
+        Outcome { program: self, workspace: fast, exact: *replayed }
+    }
+
+    /// Replays with twice the digits of floating point; `None` where the program takes more than algebra.
+    fn run_doubled<'a>(
+        &'a self,
+        inputs: &[Exact],
+        workspace: &'a mut Workspace<Doubled>,
+    ) -> Option<Outcome<'a, Doubled>> {
+        let constants = self.doubled.as_ref()?;
+        let inputs: Vec<Doubled> = inputs.iter().map(Doubled::from_exact).collect();
+        workspace.prepare(constants, &self.inputs, inputs.iter());
+        Replay { program: self, workspace, last: false }.stage(0);
+        Some(Outcome { program: self, workspace, exact: false })
     }
 
     /// Solves a limiting case, in which conditions may hold with nothing to spare, in floating point alone: what is within its
@@ -84,10 +99,22 @@ impl Program {
     }
 }
 
-/// Puts what an exact replay found in place of what a floating-point replay found. Only the values of symbols are ever asked
-/// for; the others stay as they were.
-fn round(symbols: &[(Symbol, Register)], precise: &Workspace<Precise>, fast: &mut Workspace<Bounded>) {
-    let rounded = |found: &[Precise], into: &mut Vec<Bounded>| {
+impl<R: Real> Outcome<'_, R> {
+    /// Whether more digits are needed.
+    fn is_open(&self) -> bool {
+        let loose = |value: &R| {
+            let value = value.to_bounded();
+            value.error > TIGHT * value.value.abs()
+        };
+        let is_loose = |symbol: &Symbol| self.value(*symbol).is_none_or(loose);
+        !self.is_decided() || self.survivors() > 1 || self.survivors() == 1 && self.program.wanted.iter().any(is_loose)
+    }
+}
+
+/// Puts what a replay with more digits found in place of what a floating-point replay found. Only the values of symbols are
+/// ever asked for; the others stay as they were.
+fn round<R: Real>(symbols: &[(Symbol, Register)], precise: &Workspace<R>, fast: &mut Workspace<Bounded>) {
+    let rounded = |found: &[R], into: &mut Vec<Bounded>| {
         into.resize(found.len(), Bounded::not_real());
         for place in symbols.iter().map(|(_, register)| *register as usize) {
             if let (Some(value), Some(place)) = (found.get(place), into.get_mut(place)) {
@@ -101,7 +128,7 @@ fn round(symbols: &[(Symbol, Register)], precise: &Workspace<Precise>, fast: &mu
         rounded(found, into);
     }
     fast.death_values.clear();
-    fast.death_values.extend(precise.death_values.iter().map(Precise::to_bounded));
+    fast.death_values.extend(precise.death_values.iter().map(R::to_bounded));
     fast.choices.clone_from(&precise.choices);
     fast.deaths.clone_from(&precise.deaths);
     fast.death_paths.clone_from(&precise.death_paths);
@@ -124,7 +151,9 @@ impl<R: Real> Replay<'_, R> {
             self.survive();
             return;
         };
-        run(&program.tape, &stage.prelude, &mut self.workspace.registers);
+        if !stage.prelude.is_empty() {
+            run(&program.tape, &stage.prelude, &mut self.workspace.registers);
+        }
         for (root, branch) in stage.roots.iter().enumerate() {
             if self.workspace.branches > MOST_BRANCHES {
                 self.workspace.decided = false;
@@ -171,15 +200,16 @@ impl<R: Real> Replay<'_, R> {
 
     /// Why the branch dies at this stage, if it does.
     fn judge(&mut self, stage: &Stage) -> Option<Cause> {
-        let value = |workspace: &Workspace<R>, register: Register| workspace.registers[register as usize].clone();
-        if stage.unknowns.iter().any(|(register, _)| !value(self.workspace, *register).is_real()) {
+        if stage.unknowns.iter().any(|(register, _)| !self.at(*register).is_real()) {
             return Some(Cause::NotReal);
         }
-        run(&self.program.tape, &stage.tests_code, &mut self.workspace.registers);
+        if !stage.tests_code.is_empty() {
+            run(&self.program.tape, &stage.tests_code, &mut self.workspace.registers);
+        }
         for test in &stage.tests {
-            let difference = value(self.workspace, test.difference);
+            let difference = self.at(test.difference);
             match test.what {
-                Tested::Condition(place, relation) => match verdict(relation, &difference, self.last) {
+                Tested::Condition(place, relation) => match verdict(relation, difference, self.last) {
                     Some(true) => {}
                     Some(false) => return Some(Cause::Condition(place)),
                     None => self.workspace.decided = false,
@@ -191,9 +221,13 @@ impl<R: Real> Replay<'_, R> {
                 }
             }
         }
-        let negative = |register: Register| value(self.workspace, register).sign() == Sign::Negative;
-        let broken = stage.unknowns.iter().any(|(register, positive)| *positive && negative(*register));
-        broken.then_some(Cause::NotPositive)
+        let broken = |(register, positive): &(Register, bool)| *positive && self.at(*register).sign() == Sign::Negative;
+        stage.unknowns.iter().any(broken).then_some(Cause::NotPositive)
+    }
+
+    /// What stands in a register: the compiler of the tape made it.
+    fn at(&self, register: Register) -> &R {
+        &self.workspace.registers[register as usize]
     }
 
     fn die(&mut self, stage: &Stage, root: usize, cause: Cause) {

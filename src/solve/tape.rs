@@ -50,6 +50,16 @@ pub(super) struct Instruction {
 }
 
 impl Instruction {
+    /// Whether it takes no more than sums, products, quotients and square roots.
+    pub(super) fn is_algebraic(&self) -> bool {
+        match self.operation {
+            Operation::Add | Operation::Subtract | Operation::Multiply | Operation::Divide | Operation::Negate => true,
+            Operation::Power(_) | Operation::Root(2) | Operation::Select | Operation::Copy => true,
+            Operation::Apply(function) => function == Function::Abs,
+            Operation::Root(_) | Operation::Raise | Operation::Angle => false,
+        }
+    }
+
     /// Computes one register from others. Registers are below the length: the compiler of the tape made them.
     #[inline]
     fn execute<R: Real>(&self, registers: &mut [R]) {

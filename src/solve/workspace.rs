@@ -118,10 +118,11 @@ pub struct Death {
     pub(super) path: (usize, usize),
 }
 
-/// The memory of [`super::Program::solve`]: a floating-point replay, and the exact one where it is needed.
+/// The memory of [`super::Program::solve`]: a floating-point replay, and those with more digits where they are needed.
 #[derive(Clone, Debug, Default)]
 pub struct Workspaces {
     pub(super) fast: Workspace<super::Bounded>,
+    pub(super) doubled: Workspace<super::Doubled>,
     pub(super) precise: Workspace<super::Precise>,
     pub(super) replayed: bool,
 }

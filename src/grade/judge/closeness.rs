@@ -137,7 +137,7 @@ impl Exact {
             Limit::Tolerance => &self.tolerance,
             Limit::Allowance => &self.allowance,
         };
-        self.distance(number.value()) <= limit + &self.error + number.slack()
+        self.distance(&number.value()) <= limit + &self.error + number.slack()
     }
 
     fn distance(&self, number: &Rational) -> Rational {
@@ -203,7 +203,7 @@ fn nearest_turn(angle: Rational, turn: &Rational) -> Rational {
 fn full_turn(unit: &Unit) -> Option<Rational> {
     let revolution = Unit::parse("rev").ok()?;
     let turn = Number::exact(Rational::ONE).scaled(&(revolution.factor() * unit.factor().power(-1)))?;
-    (!turn.is_zero()).then(|| turn.value().clone())
+    (!turn.is_zero()).then(|| turn.value().into_owned())
 }
 
 /// A double as a rational; zero where it is not finite.
@@ -214,5 +214,5 @@ fn rational(value: f64) -> Rational {
 /// The size of a bound that was computed in double precision, a trifle widened so that it includes its boundary; nothing
 /// where it is not finite.
 fn bound(value: f64) -> Rational {
-    Number::rounded(value).map_or(Rational::ZERO, |number| number.value().clone().abs() + number.slack())
+    Number::rounded(value).map_or(Rational::ZERO, |number| number.value().into_owned().abs() + number.slack())
 }

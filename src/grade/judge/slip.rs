@@ -8,6 +8,8 @@ use super::closeness::Target;
 
 /// The largest slip that is looked for.
 const LARGEST: isize = 9;
+/// Where an answer may be away from the right value by no more than this share of it, only the nearest power of ten can be right.
+const NARROW: f64 = 0.5;
 /// The powers of ten up to there.
 const POWERS: [f64; 10] = [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9];
 
@@ -29,7 +31,12 @@ pub(super) fn power_of_ten(target: &Target, number: &Number) -> Option<isize> {
         let scale = Number::exact(Rational::from(10).pow(-power));
         number.times(&scale).is_some_and(|scaled| target.within_tolerance(&scaled))
     };
-    (1..=LARGEST).flat_map(|power| [power, -power]).find(is_right)
+    if reach > NARROW * value.abs() {
+        return (1..=LARGEST).flat_map(|power| [power, -power]).find(is_right);
+    }
+    #[allow(clippy::cast_possible_truncation, reason = "the decades between two doubles are a few hundred")]
+    let nearest = libm::round(libm::log10((given / value).abs())) as isize;
+    Some(nearest).filter(|power| *power != 0 && power.abs() <= LARGEST && is_right(power))
 }
 
 /// Whether a slip by this power of ten is one between usual units of a dimension: thousands, and with lengths centimetres.

@@ -128,7 +128,8 @@ fn within_exactly(expected: &ExpectedVector, given: &[Number]) -> bool {
     let exact: Option<Vec<&Rational>> = expected.components.iter().map(|component| component.exact.as_ref()).collect();
     let Some(exact) = exact else { return false };
     let square = |sum: Rational, part: Rational| sum + &part * &part;
-    let off = exact.iter().zip(given).map(|(right, given)| given.value() - *right).fold(Rational::ZERO, square);
+    let off =
+        exact.iter().zip(given).map(|(right, given)| given.value().as_ref() - *right).fold(Rational::ZERO, square);
     let length = exact.iter().map(|right| (*right).clone()).fold(Rational::ZERO, square);
     match &first.tolerance {
         Tolerance::ToFigures => false,

@@ -168,9 +168,9 @@ pub(super) fn join(words: impl Iterator<Item = String>) -> String {
 /// A number with the figures with which it was written.
 pub(super) fn echo_number(number: &Number, written: Written) -> String {
     match written {
-        Written::Figures { most, .. } => Printed::exact(number.value(), most).plain(),
+        Written::Figures { most, .. } => Printed::exact(&number.value(), most).plain(),
         Written::Computed => {
-            let printed = Printed::exact(number.value(), ECHO_FIGURES).plain();
+            let printed = Printed::exact(&number.value(), ECHO_FIGURES).plain();
             let (mantissa, power) = printed.split_at(printed.find(' ').unwrap_or(printed.len()));
             let short = if mantissa.contains('.') { mantissa.trim_end_matches('0') } else { mantissa };
             format!("{}{power}", short.trim_end_matches('.'))

@@ -251,7 +251,7 @@ impl<'text> Reader<'text> {
         if numeral.spaced && is_fraction {
             return Err((start, UnreadableKind::MixedOrGrouped));
         }
-        let value = Number::exact(numeral.decimal.to_rational());
+        let value = Number::from(&numeral.decimal);
         if let Some((part, length)) = proper_fraction(self.rest()).filter(|_| numeral.digits_only) {
             self.at += length;
             return self.computed(value.plus(&part), UnreadableKind::TooLarge);

@@ -22,9 +22,8 @@ const DIRECTIONS: &[&[&str]] = &[
 const POSITIVE: &[&str] = &["positive", "positive x", "positive y", "+x", "+y"];
 const NEGATIVE: &[&str] = &["negative", "negative x", "negative y", "-x", "-y"];
 
-/// Words that say nothing beside a direction. `in` alone is an inch.
-const FILLERS: &[&str] =
-    &["to", "the", "toward", "towards", "direction", "in the", "along", "moving", "directed", "pointing"];
+/// Words that say nothing beside a direction, and so does `in` before `the`; alone it is an inch.
+const FILLERS: &[&str] = &["to", "the", "toward", "towards", "direction", "along", "moving", "directed", "pointing"];
 
 /// What a phrase says about direction.
 #[derive(Debug, PartialEq, Eq)]
@@ -86,7 +85,15 @@ fn bare(phrase: &str) -> String {
     if is_compass_letter(phrase) {
         return phrase.to_owned();
     }
-    let lower = phrase.to_lowercase().replace("in the ", "in\u{a0}the ");
-    let filling = |word: &&str| !FILLERS.contains(&word.replace('\u{a0}', " ").as_str());
-    lower.split(' ').filter(|word| !word.is_empty()).filter(filling).collect::<Vec<_>>().join(" ")
+    let lower = phrase.to_lowercase();
+    let mut words = lower.split(' ').filter(|word| !word.is_empty()).peekable();
+    let mut bare = String::with_capacity(lower.len());
+    while let Some(word) = words.next() {
+        let filling = FILLERS.contains(&word) || word == "in" && words.peek() == Some(&"the");
+        if !filling {
+            bare.push_str(if bare.is_empty() { "" } else { " " });
+            bare.push_str(word);
+        }
+    }
+    bare
 }

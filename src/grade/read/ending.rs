@@ -71,13 +71,14 @@ impl<'t> Plain<'t> {
 
     fn number(&self) -> Option<(Number, Written)> {
         let decimal = Decimal::parse(self.digits).ok()?;
-        let number = Number::exact(decimal.to_rational());
+        let number = Number::from(&decimal);
         let written = Written::Figures { least: decimal.least_figures(), most: decimal.figures() };
         Some((if self.sign == Some('-') { number.negated() } else { number }, written))
     }
 
-    /// The number in words: most stand as they would be printed.
-    fn told(&self, number: &Number, written: Written) -> String {
+    /// The number in words, with what follows it: most numbers stand as they would be printed.
+    fn told(&self, number: &Number, written: Written, ending: &Ending) -> String {
+        let mut told = String::with_capacity(self.digits.len() + ending.many.len() + 2);
         let (whole, decimals) = self.digits.split_once('.').unwrap_or((self.digits, ""));
         let is_printed = match whole.as_bytes() {
             [b'0'] => !decimals.is_empty() && !decimals.starts_with('0'),
@@ -85,11 +86,18 @@ impl<'t> Plain<'t> {
             // From a million on, numbers are printed with a power of ten.
             digits => digits.len() <= 6,
         };
-        match (is_printed, self.sign) {
-            (false, _) => echo_number(number, written),
-            (true, Some('-')) => format!("-{}", self.digits),
-            (true, _) => self.digits.to_owned(),
+        if is_printed {
+            told.extend(self.sign.filter(|sign| *sign == '-'));
+            told.push_str(self.digits);
+        } else {
+            told.push_str(&echo_number(number, written));
         }
+        let words = if told.trim_start_matches('-') == "1" { &ending.one } else { &ending.many };
+        if !words.is_empty() {
+            told.push(' ');
+            told.push_str(words);
+        }
+        told
     }
 
     /// How many characters stand before the ending.
@@ -112,12 +120,7 @@ impl Endings {
             }
         };
         let (number, written) = plain.number()?;
-        let mut told = plain.told(&number, written);
-        let words = if told.trim_start_matches('-') == "1" { &ending.one } else { &ending.many };
-        if !words.is_empty() {
-            told.push(' ');
-            told.push_str(words);
-        }
+        let told = plain.told(&number, written, ending);
         let answer = NumberAnswer {
             number,
             written,
