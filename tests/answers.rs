@@ -165,7 +165,7 @@ proptest! {
                 let Ok(momentous::grade::Answer::Number(answer)) = answer else {
                     return Err(TestCaseError::fail(format!("{text}: {answer:?}")));
                 };
-                prop_assert_eq!(answer.number.value().as_ref(), &printed.to_decimal().to_rational(), "{}", text);
+                prop_assert_eq!(answer.number.value().into_owned(), printed.to_decimal().to_rational(), "{}", text);
                 prop_assert_eq!(answer.unit.unwrap_or_default(), unit.clone(), "{}", text);
             }
         }

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use crate::expr::Notation;
 use crate::grade;
+use crate::grade::Reading;
 use crate::grade::Readings;
 use crate::grade::Rubric;
 use crate::problem;
@@ -44,6 +45,8 @@ use super::rules::Rules;
 #[derive(Clone, Debug)]
 pub struct Marker {
     pub(super) blanks: Vec<Blank>,
+    /// The parts with their right answers of some variant, to be filled anew; there is nothing, or one for each blank.
+    pub(super) filled: Vec<grade::Expected>,
     pub(super) rubric: Rubric,
     pub(super) mark: grade::DecimalMark,
     /// The letters in which answers may be typed.
@@ -53,13 +56,11 @@ pub struct Marker {
 /// One part, with everything but the right answer.
 #[derive(Clone, Debug)]
 pub(super) struct Blank {
-    asked: grade::Expected,
-    /// A copy with the right answer of some variant, to be filled anew.
-    spare: Option<grade::Expected>,
+    pub(super) asked: grade::Expected,
     /// The boundary of an interval; its ends are known with the numbers.
     boundary: Option<grade::ExpectedNumber>,
     /// What was read as answers to it.
-    pub(super) readings: Readings,
+    readings: Readings,
 }
 
 impl Marker {
@@ -76,6 +77,7 @@ impl Marker {
         let rules = Rules { problem, form };
         Self {
             blanks: form.parts.iter().map(|part| Blank::new(rules, part)).collect(),
+            filled: Vec::new(),
             rubric: rules.rubric(),
             mark,
             notation: problem.notation().clone(),
@@ -117,22 +119,27 @@ impl Blank {
         };
         Self {
             asked: grade::Expected { id: part.id.clone(), points: part.points, kind },
-            spare: None,
             boundary,
             readings: Readings::default(),
         }
     }
 
-    /// Takes back what was filled, so that the next need not be made.
-    pub(super) fn put_back(&mut self, filled: grade::Expected) {
-        if filled.id == self.asked.id && filled.points == self.asked.points {
-            self.spare = Some(filled);
+    /// What an answer says.
+    pub(super) fn read(
+        &mut self,
+        text: &str,
+        asked: &grade::ExpectedKind,
+        mark: grade::DecimalMark,
+    ) -> Option<Arc<Reading>> {
+        match asked {
+            // What a formula may contain depends on the way in which the scene goes.
+            grade::ExpectedKind::Formula(_) => Reading::of(text, asked, mark).map(Arc::new),
+            asked => self.readings.read(text, asked, mark),
         }
     }
 
-    /// The part with its right answer. What [`widen`] puts in is left out.
-    pub(super) fn filled(&mut self, worked: Worked<'_>, part: &Part) -> grade::Expected {
-        let mut expected = self.spare.take().unwrap_or_else(|| self.asked.clone());
+    /// Puts the right answer into a copy of the part. What [`widen`] puts in is left out.
+    pub(super) fn fill(&self, expected: &mut grade::Expected, worked: Worked<'_>, part: &Part) {
         match (&mut expected.kind, &part.kind) {
             (grade::ExpectedKind::Number(blank), PartKind::Number(number)) => fill(blank, worked, number),
             (grade::ExpectedKind::Vector(blank), PartKind::Vector(vector)) => {
@@ -160,7 +167,6 @@ impl Blank {
             }
             _ => {}
         }
-        expected
     }
 }
 

@@ -48,7 +48,7 @@ impl Marker {
     /// leads to them.
     #[must_use]
     pub fn mark(&mut self, worked: Worked<'_>, answers: &[(&str, &str)], sitting: Sitting) -> grade::Report {
-        let Self { blanks, rubric, mark, notation } = self;
+        let Self { blanks, filled, rubric, mark, notation } = self;
         let ids = || worked.form.parts.iter().map(|part| part.id.as_str());
         let renamed: Vec<(&str, &str)>;
         let mut answers = answers;
@@ -60,29 +60,33 @@ impl Marker {
         let mut marking = Marking {
             worked,
             rubric,
-            expected: Vec::with_capacity(count),
+            expected: std::mem::take(filled),
             readings: Vec::with_capacity(count),
             parts: Vec::with_capacity(count),
             simulated: OnceCell::new(),
         };
+        if marking.expected.is_empty() {
+            marking.expected.extend(blanks.iter().map(|blank| blank.asked.clone()));
+        }
+        let mut one_each = true;
         for (position, (part, blank)) in worked.form.parts.iter().zip(blanks.iter_mut()).enumerate() {
             let text = answers.iter().find(|(id, _)| *id == part.id).map_or("", |(_, text)| *text);
             let text = without_unit_quantity(worked, part, text);
-            let single = blank.filled(worked, part);
-            let mut put = |expected: Expected, text: &str| {
-                // What a formula may contain depends on the way in which the scene goes.
-                marking.readings.push(match &expected.kind {
-                    grade::ExpectedKind::Formula(_) => Reading::of(text, &expected.kind, *mark).map(Arc::new),
-                    kind => blank.readings.read(text, kind, *mark),
-                });
-                marking.expected.push(expected);
+            // Several roots of a part before this one have made the list longer.
+            let place = marking.parts.len();
+            let Some(expected) = marking.expected.get_mut(place) else { break };
+            blank.fill(expected, worked, part);
+            if let Some(roots) = several(worked, part) {
+                one_each = false;
+                let shared = shared_out(expected, &roots, text, worked, part, *mark);
+                for (expected, text) in &shared {
+                    marking.readings.push(blank.read(text, &expected.kind, *mark));
+                    marking.parts.push(position);
+                }
+                marking.expected.splice(place..=place, shared.into_iter().map(|(expected, _)| expected));
+            } else {
+                marking.readings.push(blank.read(text, &expected.kind, *mark));
                 marking.parts.push(position);
-            };
-            match several(worked, part) {
-                Some(roots) => shared_out(&single, &roots, text, worked, part, *mark)
-                    .into_iter()
-                    .for_each(|(expected, text)| put(expected, &text)),
-                None => put(single, text),
             }
         }
         let Marking { expected, readings, parts, .. } = &mut marking;
@@ -100,10 +104,8 @@ impl Marker {
             marking.follow_through(&mut report, sitting.closed);
             marking.diagnose(&mut report, sitting.hints);
         }
-        for (expected, position) in marking.expected.into_iter().zip(marking.parts) {
-            if let Some(blank) = blanks.get_mut(position) {
-                blank.put_back(expected);
-            }
+        if one_each {
+            *filled = marking.expected;
         }
         report
     }
@@ -121,8 +123,9 @@ impl Exercise {
     pub fn expected(&self, part: &Part) -> Expected {
         let worked = self.worked();
         let rules = Rules { problem: worked.problem, form: worked.form };
-        let mut blank = Blank::new(rules, part);
-        let mut expected = blank.filled(worked, part);
+        let blank = Blank::new(rules, part);
+        let mut expected = blank.asked.clone();
+        blank.fill(&mut expected, worked, part);
         widen(&mut expected, worked, part);
         expected
     }

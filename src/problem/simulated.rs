@@ -118,7 +118,8 @@ impl<'a> Worked<'a> {
     #[must_use]
     pub fn simulated(&self) -> Simulated<'a> {
         let batch = self.planned().and_then(|planned| {
-            let inputs: Option<Vec<Bounded>> = planned.inputs.iter().map(|own| self.variant.value(*own)).collect();
+            let given = |own: &Symbol| self.variant.value(*own).map(|given| given.value);
+            let inputs: Option<Vec<f64>> = planned.inputs.iter().map(given).collect();
             Some(planned.batch.run(&inputs?))
         });
         Simulated { worked: *self, batch }

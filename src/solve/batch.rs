@@ -11,14 +11,14 @@ use super::real::{Real, Sign};
 use super::tape::{Instruction, Register, run};
 use super::workspace::{Constants, Workspace};
 use super::writer::Writer;
-use super::{Bounded, Closed, Plan, System};
+use super::{Closed, Plan, System};
 
 /// Plans without any choice, on one tape.
 #[derive(Clone, Debug)]
 pub struct Batch {
     tape: Vec<Instruction>,
     inputs: Vec<Register>,
-    constants: Constants<Bounded>,
+    constants: Constants<f64>,
     members: Vec<Member>,
 }
 
@@ -42,12 +42,12 @@ pub struct BatchWriter {
 #[derive(Debug)]
 pub struct BatchValues<'a> {
     batch: &'a Batch,
-    workspace: Workspace<Bounded>,
+    workspace: Workspace<f64>,
 }
 
 thread_local! {
     /// The memory of the last run, which the next one takes.
-    static MEMORY: RefCell<Workspace<Bounded>> = RefCell::default();
+    static MEMORY: RefCell<Workspace<f64>> = RefCell::default();
 }
 
 impl Drop for BatchValues<'_> {
@@ -112,7 +112,7 @@ impl BatchWriter {
 impl Batch {
     /// Runs every plan from these inputs.
     #[must_use]
-    pub fn run(&self, inputs: &[Bounded]) -> BatchValues<'_> {
+    pub fn run(&self, inputs: &[f64]) -> BatchValues<'_> {
         let mut workspace = MEMORY.take();
         workspace.prepare(&self.constants, &self.inputs, inputs.iter());
         run(&self.tape, &(0..self.tape.len()), &mut workspace.registers);
@@ -131,7 +131,7 @@ impl BatchValues<'_> {
             at(*register).is_some_and(|own| own.is_real() && !(*positive && own.sign() == Sign::Negative))
         };
         let (_, register) = member.wanted.iter().find(|(own, _)| *own == symbol)?;
-        let value = at(*register)?.value;
+        let value = *at(*register)?;
         // Few values are wanted, so that is asked first.
         (value.is_finite() && is_wanted(value) && member.unknowns.iter().all(can_be)).then_some(value)
     }

@@ -214,7 +214,8 @@ impl Real for Doubled {
         if self.low == 0.0 && self.error == 0.0 {
             return Bounded::exactly(self.high);
         }
-        Bounded::rounded(self.high, self.low.abs() + self.error)
+        // The first of the pair is the double nearest to both.
+        Bounded::rounded(self.high, self.error)
     }
 
     fn is_unbounded(&self) -> bool {

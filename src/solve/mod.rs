@@ -45,6 +45,7 @@ mod freedom;
 mod matching;
 mod outcome;
 mod pending;
+mod plain;
 mod plan;
 mod planner;
 mod precise;
