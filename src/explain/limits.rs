@@ -35,7 +35,7 @@ pub(super) fn limits(display: Display<'_>) -> Vec<Block> {
         .parts
         .iter()
         .flat_map(|part| part.kind.numbers())
-        .filter(|number| !number.whole && !display.free.contains(&number.symbol))
+        .filter(|number| !number.whole && !display.is_free(number.symbol))
         .collect();
     let oblique = worked.problem.loaded().draft.scene.axes.rectangular().len() > 1;
     let Ok(mut sampler) = Sampler::new(worked.problem, worked.variant.form()) else { return Vec::new() };

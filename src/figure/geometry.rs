@@ -54,7 +54,7 @@ impl Point {
     /// The same vector turned by an angle in radians, counter-clockwise.
     #[must_use]
     pub fn rotated(self, angle: f64) -> Self {
-        self.turned_by([libm::cos(angle), libm::sin(angle)])
+        self.turned_by(cosine_and_sine(angle))
     }
 
     /// The same vector turned by an angle, told by its cosine and sine.
@@ -97,6 +97,11 @@ impl Neg for Point {
     }
 }
 
+/// Most things on drawings stand level.
+fn cosine_and_sine(angle: f64) -> [f64; 2] {
+    if angle == 0.0 { [1.0, 0.0] } else { [libm::cos(angle), libm::sin(angle)] }
+}
+
 /// The filled head of an arrow, tip first, and the point where its shaft ends.
 ///
 /// The head shrinks with short arrows, so that a shaft always remains to be seen.
@@ -123,7 +128,7 @@ pub(super) fn arc_points(centre: Point, radius: f64, from: f64, to: f64) -> Vec<
 /// The corners of a turned rectangle, counter-clockwise from its lower left.
 pub(super) fn corners(centre: Point, size: Point, angle: f64) -> [Point; 4] {
     let half = size * 0.5;
-    let turn = [libm::cos(angle), libm::sin(angle)];
+    let turn = cosine_and_sine(angle);
     [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
         .map(|(right, up)| centre + Point::new(right * half.x, up * half.y).turned_by(turn))
 }
@@ -142,14 +147,14 @@ pub(super) fn put_coordinate(out: &mut String, value: f64) {
     if hundredths < 0 {
         out.push('-');
     }
-    let (whole, rest) = (hundredths.unsigned_abs() / 100, hundredths.unsigned_abs() % 100);
+    let (whole, rest) = (hundredths.unsigned_abs() / 100, (hundredths.unsigned_abs() % 100) as u8);
     put_digits(out, whole);
     if rest > 0 {
         out.push('.');
-        put_digits(out, rest / 10);
-    }
-    if rest % 10 > 0 {
-        put_digits(out, rest % 10);
+        out.push(char::from(b'0' + rest / 10));
+        if rest % 10 > 0 {
+            out.push(char::from(b'0' + rest % 10));
+        }
     }
 }
 
@@ -161,10 +166,14 @@ pub(super) fn hundredths(value: f64) -> i64 {
 }
 
 fn put_digits(out: &mut String, number: u64) {
-    if number >= 10 {
-        put_digits(out, number / 10);
+    let mut power = 1;
+    while power <= number / 10 {
+        power *= 10;
     }
-    out.push(char::from(b'0' + (number % 10) as u8));
+    while power > 0 {
+        out.push(char::from(b'0' + (number / power % 10) as u8));
+        power /= 10;
+    }
 }
 
 #[cfg(test)]

@@ -7,18 +7,47 @@ use std::sync::Arc;
 use crate::expr::Math;
 use crate::expr::Operator;
 
+/// The parts of items one by one, for a writer that would put what is held whole into an element of its own.
+pub(super) fn spread<'a>(items: &'a [Item<'_>]) -> Vec<&'a Math> {
+    let mut parts = Vec::with_capacity(items.len());
+    items.iter().for_each(|item| item.math.spread(&mut |part| parts.push(part)));
+    parts
+}
+
 /// A part of an equation as it was laid out, or one that breaking made.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Item<'a> {
     math: Cow<'a, Math>,
-    /// In widths of a digit, roughly.
-    width: f64,
+    width: Width<'a>,
+}
+
+/// In widths of a digit, roughly.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Width<'a> {
+    One(f64),
+    /// Of what is held in many places, part by part.
+    Parts(&'a [f64]),
 }
 
 impl<'a> Item<'a> {
     fn new(math: Cow<'a, Math>) -> Self {
-        let width = width_of(&math);
+        let width = Width::One(math.width());
         Self { math, width }
+    }
+
+    fn widths(&self) -> &[f64] {
+        match &self.width {
+            Width::One(width) => std::slice::from_ref(width),
+            Width::Parts(widths) => widths,
+        }
+    }
+
+    /// The parts of which it consists.
+    fn opened(self) -> Vec<Self> {
+        match (self.width, self.math) {
+            (Width::Parts(_), Cow::Borrowed(math)) => flattened(math),
+            (width, math) => vec![Self { math, width }],
+        }
     }
 }
 
@@ -68,19 +97,19 @@ const USUAL_LENGTH: usize = 16;
 
 /// The rows of an equation of those lines, each aligned at its first relation and broken where it is too long.
 pub(super) fn rows(lines: &[Math]) -> Vec<Row<'_>> {
-    lines.iter().flat_map(|line| line_rows(flattened(line))).collect()
+    lines.iter().flat_map(line_rows).collect()
 }
 
-fn line_rows(mut items: Vec<Item<'_>>) -> Vec<Row<'_>> {
+fn line_rows(line: &Math) -> Vec<Row<'_>> {
+    let mut items = with_wholes(line);
     let relation = items.iter().position(is_relation);
     let aligned = relation.filter(|at| width(&items[..*at]) <= WIDEST / 2.0).unwrap_or(0);
-    let rest = items.split_off(aligned);
-    let room = WIDEST - width(&items);
-    let rest = if rest.iter().any(|item| item.width > room) {
-        rest.into_iter().flat_map(|item| unfolded(item, room)).collect()
-    } else {
-        rest
-    };
+    let room = WIDEST - width(&items[..aligned]);
+    if width(&items[aligned..]) <= room {
+        return vec![Row { items, aligned }];
+    }
+    let rest = items.split_off(aligned).into_iter().flat_map(Item::opened);
+    let rest: Vec<Item> = rest.flat_map(|item| unfolded(item, room)).collect();
     let mut left = Some(items);
     let row = |mut right: Vec<_>| match left.take() {
         Some(mut items) => {
@@ -96,12 +125,12 @@ fn line_rows(mut items: Vec<Item<'_>>) -> Vec<Row<'_>> {
 /// A fraction that is too wide for a row, as one over its denominator times the sum above it, and a wide bracket opened: those can
 /// be broken.
 fn unfolded(item: Item<'_>, room: f64) -> Vec<Item<'_>> {
-    let (before, inner, [open, close]) = match item.math.as_ref() {
-        Math::Fraction(over, under) if width_of(over) > room => {
+    let (before, inner, [open, close]) = match item.math.bare() {
+        Math::Fraction(over, under) if over.width() > room => {
             (Some(Math::Fraction(Arc::new(Math::Number("1".to_owned())), under.clone())), over, ["[", "]"])
         }
-        Math::Bracketed(inner) if width_of(inner) > room => (None, inner, ["(", ")"]),
-        Math::Squared(inner) if width_of(inner) > room => (None, inner, ["[", "]"]),
+        Math::Bracketed(inner) if inner.width() > room => (None, inner, ["(", ")"]),
+        Math::Squared(inner) if inner.width() > room => (None, inner, ["[", "]"]),
         _ => return vec![item],
     };
     let own = |math: Math| Item::new(Cow::Owned(math));
@@ -159,8 +188,12 @@ fn split_before(items: Vec<Item<'_>>, marked: fn(&Item<'_>) -> bool) -> Vec<Vec<
 }
 
 fn is_relation(item: &Item<'_>) -> bool {
+    relates(&item.math)
+}
+
+fn relates(math: &Math) -> bool {
     use Operator::{Approximately, AtLeast, AtMost, Differs, Equals, Greater, Implies, Less};
-    matches!(*item.math, Math::Operator(Equals | Approximately | Less | AtMost | Greater | AtLeast | Differs | Implies))
+    matches!(math, Math::Operator(Equals | Approximately | Less | AtMost | Greater | AtLeast | Differs | Implies))
 }
 
 fn is_sum(item: &Item<'_>) -> bool {
@@ -170,43 +203,43 @@ fn is_sum(item: &Item<'_>) -> bool {
 /// The items of a row, with rows inside rows opened.
 fn flattened(math: &Math) -> Vec<Item<'_>> {
     let mut items = Vec::with_capacity(USUAL_LENGTH);
-    flatten(math, &mut items);
+    math.spread(&mut |part| items.push(Item::new(Cow::Borrowed(part))));
     items
 }
 
-fn flatten<'a>(math: &'a Math, items: &mut Vec<Item<'a>>) {
+/// The same, but what is held in many places is left whole where it stands between operators, which no part of it concerns.
+fn with_wholes(line: &Math) -> Vec<Item<'_>> {
+    let mut items = Vec::with_capacity(USUAL_LENGTH);
+    put_wholes(line.bare(), true, &mut items);
+    items
+}
+
+fn put_wholes<'a>(math: &'a Math, alone: bool, items: &mut Vec<Item<'a>>) {
     match math {
-        Math::Row(parts) => parts.iter().for_each(|part| flatten(part, items)),
+        Math::Row(parts) => {
+            let is_sign = |place: Option<usize>| match place.and_then(|place| parts.get(place)) {
+                Some(Math::Operator(operator)) => *operator != Operator::Juxtapose,
+                Some(_) => false,
+                None => alone,
+            };
+            for (place, part) in parts.iter().enumerate() {
+                put_wholes(part, is_sign(place.checked_sub(1)) && is_sign(Some(place + 1)), items);
+            }
+        }
+        Math::Shared(shared) if alone && !is_chain(math) => {
+            items.push(Item { math: Cow::Borrowed(math), width: Width::Parts(shared.widths()) });
+        }
+        Math::Shared(_) => items.extend(flattened(math)),
         other => items.push(Item::new(Cow::Borrowed(other))),
     }
 }
 
-fn width(items: &[Item<'_>]) -> f64 {
-    items.iter().map(|item| item.width).sum()
+fn is_chain(math: &Math) -> bool {
+    matches!(math.bare(), Math::Row(parts) if parts.iter().any(relates))
 }
 
-/// A rough width, in widths of a digit.
-fn width_of(math: &Math) -> f64 {
-    const SCRIPT: f64 = 0.7;
-    match math {
-        Math::Row(parts) => parts.iter().map(width_of).sum(),
-        Math::Number(text) | Math::Identifier(text) | Math::Text(text) | Math::Function(text) | Math::Vector(text) => {
-            u32::try_from(text.chars().count()).map_or(f64::INFINITY, f64::from)
-        }
-        Math::Operator(Operator::Juxtapose) => 0.4,
-        Math::Operator(Operator::Comma) => 1.0,
-        Math::Operator(_) => 2.4,
-        Math::Fraction(over, under) => width_of(over).max(width_of(under)) + 0.5,
-        Math::Sub(base, script) | Math::Sup(base, script) => width_of(base) + SCRIPT * width_of(script),
-        Math::SubSup(base, low, high) => width_of(base) + SCRIPT * width_of(low).max(width_of(high)),
-        Math::Root(inner) | Math::Bracketed(inner) | Math::Squared(inner) | Math::Bars(inner) => width_of(inner) + 1.5,
-        Math::Cases(cases) => {
-            cases.iter().map(|(when, value)| width_of(when) + width_of(value) + 3.0).fold(0.0, f64::max)
-        }
-        Math::Integral(low, high, inner, variable) => {
-            2.0 + SCRIPT * width_of(low).max(width_of(high)) + width_of(inner) + width_of(variable)
-        }
-    }
+fn width(items: &[Item<'_>]) -> f64 {
+    items.iter().flat_map(Item::widths).sum()
 }
 
 #[cfg(test)]

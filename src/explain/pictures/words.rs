@@ -43,7 +43,7 @@ pub(super) fn sentences(words: impl IntoIterator<Item = String>) -> String {
 
 /// Whether a vector is the impulse of all forces in one.
 fn is_resultant(impulse: &Labelled) -> bool {
-    matches!(&impulse.label, Math::Integral(_, _, force, _) if matches!(**force, Math::Row(_)))
+    matches!(impulse.label.bare(), Math::Integral(_, _, force, _) if matches!(force.bare(), Math::Row(_)))
 }
 
 /// What is said about a momentum diagram.
@@ -97,7 +97,7 @@ impl Speak<'_> {
 
     /// `m_A v_A1, 8.00 kg m/s to the right`.
     fn vector(&self, vector: &Labelled) -> String {
-        let name = match &vector.label {
+        let name = match vector.label.bare() {
             Math::Integral(..) if is_resultant(vector) => "the impulse of all forces together".to_owned(),
             Math::Integral(..) => "the integral of F over the time".to_owned(),
             label => label.plain(),
