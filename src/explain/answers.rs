@@ -156,7 +156,7 @@ pub(super) fn shown(number: &NumberPart, value: f64) -> Math {
 fn printed(display: Display<'_>, number: &NumberPart, answer: Bounded) -> Math {
     let shown = |value: f64| shown(number, value);
     match &number.unit {
-        AskedUnit::Unit(unit) => with_unit(shown(answer.for_print()), unit),
+        AskedUnit::Unit(_) => display.in_unit_of(number, shown(answer.for_print())),
         AskedUnit::InTermsOf(symbol) => {
             Math::Row(vec![shown(answer.for_print()), Math::Operator(Operator::Juxtapose), display.name(*symbol)])
         }

@@ -21,7 +21,9 @@ use crate::quantity::Unit;
 use crate::quantity::coherent_unit;
 
 use super::algebra::has_angle_of_point;
+use super::term::Measured;
 use super::term::Term;
+use super::term::suffix;
 use super::way::Manner;
 use super::way::Way;
 
@@ -64,7 +66,7 @@ impl<'a> Display<'a> {
 
     /// The unit in which explanations compute with a quantity: the system's own, degrees for angles.
     pub(super) fn unit(self, symbol: Symbol) -> &'a Unit {
-        &self.manner(symbol).unit
+        &self.manner(symbol).measured.unit
     }
 
     /// How a quantity is shown.
@@ -76,9 +78,7 @@ impl<'a> Display<'a> {
             let mut numbers = self.worked.form.parts.iter().flat_map(|part| part.kind.numbers());
             let is_literal = problem.model().literals.iter().any(|(own, _)| *own == symbol);
             Manner {
-                size: unit.factor().to_f64(),
-                suffix: suffix(&unit).map(Math::shared),
-                unit,
+                measured: Measured::new(unit),
                 name: (!is_literal).then(|| problem.math_of(symbol)),
                 senses: problem.senses(symbol),
                 is_whole: numbers.any(|number| number.whole && number.symbol == symbol),
@@ -128,10 +128,7 @@ impl<'a> Display<'a> {
         }
         let number = self.number(symbol, figures);
         let kind = LeafKind::Number { negative: number.starts_with('-') };
-        let math = match &self.manner(symbol).suffix {
-            Some(suffix) => Math::Row(vec![number_math(&number), suffix.clone()]),
-            None => number_math(&number),
-        };
+        let math = self.manner(symbol).measured.put(number_math(&number));
         let leaf = Leaf { math: math.shared(), kind };
         self.shown.0.borrow_mut().push((symbol, figures, leaf.clone()));
         leaf
@@ -142,17 +139,21 @@ impl<'a> Display<'a> {
         let manner = self.manner(symbol);
         let mut told = self.worked.variant.all_given().iter();
         if let Some((_, value, given)) = told.find(|(own, ..)| *own == symbol) {
-            if *given == manner.unit {
+            if *given == manner.measured.unit {
                 return shown_decimal(&if manner.is_known { trimmed(value) } else { value.clone() });
             }
             if !manner.is_whole
-                && let Some(exact) = converted(value, given, &manner.unit)
+                && let Some(exact) = converted(value, given, &manner.measured.unit)
             {
                 return exact;
             }
         }
         let Some(value) = self.worked.variant.value(symbol) else { return "?".into() };
-        if manner.is_whole { format!("{:.0}", value.value) } else { printed(value.for_print() / manner.size, figures) }
+        if manner.is_whole {
+            format!("{:.0}", value.value)
+        } else {
+            printed(value.for_print() / manner.measured.size, figures)
+        }
     }
 
     /// The number and its unit, to so many figures.
@@ -206,7 +207,7 @@ impl<'a> Display<'a> {
         let arranged = expr.arranged();
         Term {
             symbols: arranged.with(&|symbol| self.named(symbol)).shared(),
-            unit: self.unit_of(&expr),
+            unit: Measured::new(self.unit_of(&expr)),
             mentions: expr.symbols().into_iter().collect(),
             has_angle: has_angle_of_point(&expr),
             arranged,
@@ -252,15 +253,25 @@ impl<'a> Display<'a> {
     }
 
     /// A term's value in a unit, to so many figures.
-    pub(super) fn evaluated(self, expr: &Expr, unit: &Unit, figures: usize) -> Math {
+    pub(super) fn evaluated(self, expr: &Expr, unit: &Measured, figures: usize) -> Math {
         if let Expr::Symbol(symbol) = expr
-            && self.unit(*symbol) == unit
+            && self.unit(*symbol) == &unit.unit
         {
             return self.quantity_to(*symbol, figures);
         }
         // The last bits of a sum are not known: what may lie half-way between two printed numbers is rounded up.
-        let value = self.value_of(expr) * (1.0 + 4.0 * f64::EPSILON) / unit.factor().to_f64();
-        with_unit(number_math(&printed(value, figures)), unit)
+        let value = self.value_of(expr) * (1.0 + 4.0 * f64::EPSILON) / unit.size;
+        unit.put(number_math(&printed(value, figures)))
+    }
+
+    /// A number in the unit in which a part asks it; none where that is a quantity.
+    pub(super) fn in_unit_of(self, number: &NumberPart, value: Math) -> Math {
+        let own = &self.manner(number.symbol).measured;
+        match &number.unit {
+            AskedUnit::Unit(unit) if *unit == own.unit => own.put(value),
+            AskedUnit::Unit(unit) => with_unit(value, unit),
+            AskedUnit::InTermsOf(_) => value,
+        }
     }
 
     /// A term's value in SI units; a sum whose terms cancel but for their rounding is zero.
@@ -303,14 +314,11 @@ pub(super) fn with_unit(number: Math, unit: &Unit) -> Math {
     }
 }
 
-/// What follows a number with that unit; nothing for a pure number.
-fn suffix(unit: &Unit) -> Option<Math> {
-    let gap = if unit.is_attached() { "" } else { "\u{a0}" };
-    (!unit.is_none()).then(|| Math::Text([gap, &unit.unicode()].concat()))
-}
-
 /// A printed number as mathematics, powers of ten included.
 pub(super) fn number_math(text: &str) -> Math {
+    if text.is_ascii() {
+        return Math::Number(text.to_owned());
+    }
     match text.split_once(" × 10^") {
         Some((mantissa, exponent)) => {
             let ten = Math::Sup(Arc::new(Math::Number("10".into())), Arc::new(Math::Number(exponent.into())));

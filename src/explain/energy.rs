@@ -69,7 +69,7 @@ impl Loss {
             (false, Some(_)) => "It is not negative, as it must be where nothing supplies energy, and equals",
         }));
         if let Some(formula) = self.formula.as_ref().filter(|_| !is_elastic) {
-            let value = display.evaluated(&formula.expr, display.unit(self.lost), FIGURES);
+            let value = display.evaluated(&formula.expr, &display.manner(self.lost).measured, FIGURES);
             blocks.push(equation(vec![formula.symbols.clone(), equals(), value]));
         }
         Some(blocks)

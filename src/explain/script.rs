@@ -36,7 +36,7 @@ pub(super) struct Script {
 #[derive(Debug)]
 pub(super) enum Formula {
     /// The same in every solution; nothing where no formula gives it.
-    Fixed(Option<Term>),
+    Fixed(Option<Box<Term>>),
     /// It hangs on the numbers.
     Varies,
 }
@@ -91,7 +91,7 @@ impl Writer<'_> {
             _ if is_stated_piecewise(self.display, step) => return Formula::Varies,
             _ => formula_of_equation(self.display, step, unknown),
         };
-        Formula::Fixed(formula.map(|formula| self.display.term(formula)))
+        Formula::Fixed(formula.map(|formula| Box::new(self.display.term(formula))))
     }
 
     /// The law, why it applies here, and its equation in symbols.

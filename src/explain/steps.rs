@@ -105,7 +105,7 @@ impl Steps<'_> {
         }
         let own;
         let formula = match formula {
-            Formula::Fixed(formula) => formula.as_ref(),
+            Formula::Fixed(formula) => formula.as_deref(),
             Formula::Varies => {
                 own = self.formula(step, unknown, closed);
                 own.as_ref()

@@ -8,7 +8,6 @@ use crate::expr::Math;
 use crate::expr::Symbol;
 use crate::problem::PlannedForm;
 use crate::problem::Worked;
-use crate::quantity::Unit;
 use crate::scene::Senses;
 
 use super::Block;
@@ -16,6 +15,7 @@ use super::checks::Checks;
 use super::pictures::Compass;
 use super::pictures::Plan;
 use super::script::Script;
+use super::term::Measured;
 
 /// What is kept of a form: one place for each way in which the scene can go.
 pub(super) struct Memory {
@@ -62,11 +62,7 @@ impl Way {
 /// How a quantity is shown, whatever its value.
 pub(super) struct Manner {
     /// The unit in which explanations compute with it.
-    pub unit: Unit,
-    /// The size of the unit in SI units.
-    pub size: f64,
-    /// What follows the number; nothing for a pure number.
-    pub suffix: Option<Math>,
+    pub measured: Measured,
     /// Its name; nothing for a number that the author wrote into a term.
     pub name: Option<Math>,
     /// The words for the two directions between which its sign decides.

@@ -59,6 +59,9 @@ const IN_TEXT: [(char, &str); 22] = [
     ('\u{2074}', r"$^4$"),
 ];
 
+/// The room that most mathematics takes, in bytes.
+const USUAL_LENGTH: usize = 48;
+
 /// Functions that have a command of their own.
 const COMMANDS: [&str; 8] = ["sin", "cos", "tan", "arcsin", "arccos", "arctan", "exp", "ln"];
 
@@ -94,16 +97,14 @@ impl Math {
     /// ```
     #[must_use]
     pub fn latex(&self) -> String {
-        let mut out = String::new();
+        let mut out = String::with_capacity(USUAL_LENGTH);
         self.write_latex(&mut out);
         out
     }
 
-    /// The same for parts side by side.
-    pub(crate) fn row_latex<M: Borrow<Self>>(parts: &[M]) -> String {
-        let mut out = String::new();
-        write_row(parts, &mut out);
-        out
+    /// The same for parts side by side, at the end of a text.
+    pub(crate) fn put_row_latex<M: Borrow<Self>>(parts: &[M], out: &mut String) {
+        write_row(parts, out);
     }
 
     fn write_latex(&self, out: &mut String) {
@@ -296,7 +297,7 @@ fn write_row<M: Borrow<Math>>(parts: &[M], out: &mut String) {
         match part.bare() {
             Math::Operator(Operator::Juxtapose) if is_function(before) => out.push(' '),
             Math::Operator(Operator::Juxtapose) if matches!(before.map(Math::bare), Some(Math::Sup(..))) => {
-                out.push_str(r"\,")
+                out.push_str(r"\,");
             }
             Math::Operator(operator) if Math::is_prefix(before) => out.push_str(operator.latex().trim()),
             Math::Operator(operator) => out.push_str(operator.latex()),

@@ -144,36 +144,47 @@ pub(super) fn coordinate(value: f64) -> String {
 /// faster than doubles.
 pub(super) fn put_coordinate(out: &mut String, value: f64) {
     let hundredths = hundredths(value);
-    if hundredths < 0 {
-        out.push('-');
+    let (mut whole, rest) = (hundredths.unsigned_abs() / 100, (hundredths.unsigned_abs() % 100) as u8);
+    // From the last sign to the first.
+    let mut signs = [0; MOST_SIGNS];
+    let mut free = signs.iter_mut().rev();
+    let mut written = 0;
+    let mut put = |sign: u8| {
+        if let Some(place) = free.next() {
+            *place = sign;
+            written += 1;
+        }
+    };
+    if rest % 10 > 0 {
+        put(b'0' + rest % 10);
     }
-    let (whole, rest) = (hundredths.unsigned_abs() / 100, (hundredths.unsigned_abs() % 100) as u8);
-    put_digits(out, whole);
     if rest > 0 {
-        out.push('.');
-        out.push(char::from(b'0' + rest / 10));
-        if rest % 10 > 0 {
-            out.push(char::from(b'0' + rest % 10));
+        put(b'0' + rest / 10);
+        put(b'.');
+    }
+    loop {
+        put(b'0' + (whole % 10) as u8);
+        whole /= 10;
+        if whole == 0 {
+            break;
         }
     }
+    if hundredths < 0 {
+        put(b'-');
+    }
+    out.push_str(
+        signs.get(MOST_SIGNS - written..).and_then(|signs| std::str::from_utf8(signs).ok()).unwrap_or_default(),
+    );
 }
+
+/// A sign, the digits of a machine word, and a point.
+const MOST_SIGNS: usize = 24;
 
 /// What of a coordinate is printed.
 pub(super) fn hundredths(value: f64) -> i64 {
     let hundredths = (value * 100.0).round();
     #[allow(clippy::cast_possible_truncation, reason = "no picture is that large")]
     if hundredths.is_finite() { hundredths as i64 } else { 0 }
-}
-
-fn put_digits(out: &mut String, number: u64) {
-    let mut power = 1;
-    while power <= number / 10 {
-        power *= 10;
-    }
-    while power > 0 {
-        out.push(char::from(b'0' + (number / power % 10) as u8));
-        power /= 10;
-    }
 }
 
 #[cfg(test)]

@@ -10,7 +10,9 @@ use crate::expr::Operator;
 /// The parts of items one by one, for a writer that would put what is held whole into an element of its own.
 pub(super) fn spread<'a>(items: &'a [Item<'_>]) -> Vec<&'a Math> {
     let mut parts = Vec::with_capacity(items.len());
-    items.iter().for_each(|item| item.math.spread(&mut |part| parts.push(part)));
+    for item in items {
+        item.math.spread(&mut |part| parts.push(part));
+    }
     parts
 }
 

@@ -31,10 +31,14 @@ impl Writer for Markdown {
     }
 
     fn math(&self, math: &Math) -> String {
-        let tex = without_dollars(math.latex());
+        let mut tex = without_dollars(math.latex());
         // A bar would end a cell where the text stands in a table.
-        let tex = if tex.contains('|') { tex.replace('|', r"\vert ") } else { tex };
-        ["$", &tex, "$"].concat()
+        if tex.contains('|') {
+            tex = tex.replace('|', r"\vert ");
+        }
+        tex.insert(0, '$');
+        tex.push('$');
+        tex
     }
 
     fn equation(&self, rows: &[Row<'_>], number: Option<u32>) -> String {

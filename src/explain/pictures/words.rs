@@ -10,7 +10,6 @@ use crate::figure::Target;
 use crate::figure::Wording;
 use crate::model::ActingForce;
 use crate::quantity::Dimension;
-use crate::quantity::Unit;
 use crate::quantity::coherent_unit;
 
 use super::super::display::printed;
@@ -61,7 +60,8 @@ pub(super) fn diagram_wording(
         .then(|| coherent_unit(Dimension::MOMENTUM, quantities.worked.problem.units()));
     let largest =
         balances.iter().flat_map(Balance::all).filter_map(|vector| vector.value).map(size).fold(0.0, f64::max);
-    let speak = Speak { compass, unit: unit.as_ref(), largest };
+    let unit = unit.map(|unit| (unit.factor().to_f64(), unit.unicode()));
+    let speak = Speak { compass, unit: unit.as_ref().map(|(size, name)| (*size, name.as_str())), largest };
     let rows = balances.iter().map(|balance| speak.balance(&quantities.called(&balance.body), balance));
     let several = balances.iter().any(|balance| balance.impulses.len() > 1);
     let impulses = if several { "impulses" } else { "impulse" };
@@ -82,7 +82,8 @@ pub(super) fn diagram_wording(
 /// How vectors are spoken of in one figure.
 struct Speak<'a> {
     compass: &'a Compass,
-    unit: Option<&'a Unit>,
+    /// The size of the unit of momentum in SI units, and how it is written.
+    unit: Option<(f64, &'a str)>,
     largest: f64,
 }
 
@@ -112,9 +113,9 @@ impl Speak<'_> {
         }
         let direction = self.compass.words(value);
         match self.unit {
-            Some(unit) => {
-                let number = printed(size(value) / unit.factor().to_f64(), FIGURES);
-                format!("{name}, {number} {} {direction}", unit.unicode())
+            Some((one, unit)) => {
+                let number = printed(size(value) / one, FIGURES);
+                format!("{name}, {number} {unit} {direction}")
             }
             None => format!("{name}, {direction}"),
         }
