@@ -144,41 +144,36 @@ pub(super) fn coordinate(value: f64) -> String {
 /// faster than doubles.
 pub(super) fn put_coordinate(out: &mut String, value: f64) {
     let hundredths = hundredths(value);
-    let (mut whole, rest) = (hundredths.unsigned_abs() / 100, (hundredths.unsigned_abs() % 100) as u8);
-    // From the last sign to the first.
-    let mut signs = [0; MOST_SIGNS];
-    let mut free = signs.iter_mut().rev();
-    let mut written = 0;
-    let mut put = |sign: u8| {
-        if let Some(place) = free.next() {
-            *place = sign;
-            written += 1;
-        }
-    };
-    if rest % 10 > 0 {
-        put(b'0' + rest % 10);
-    }
-    if rest > 0 {
-        put(b'0' + rest / 10);
-        put(b'.');
-    }
-    loop {
-        put(b'0' + (whole % 10) as u8);
-        whole /= 10;
-        if whole == 0 {
-            break;
-        }
-    }
     if hundredths < 0 {
-        put(b'-');
+        out.push('-');
     }
-    out.push_str(
-        signs.get(MOST_SIGNS - written..).and_then(|signs| std::str::from_utf8(signs).ok()).unwrap_or_default(),
-    );
+    let (whole, rest) = (hundredths.unsigned_abs() / 100, hundredths.unsigned_abs() % 100);
+    put_digits(out, whole);
+    if rest > 0 {
+        out.push('.');
+        out.push(digit(rest / 10));
+    }
+    if rest % 10 > 0 {
+        out.push(digit(rest));
+    }
 }
 
-/// A sign, the digits of a machine word, and a point.
-const MOST_SIGNS: usize = 24;
+/// The digits of a whole number, of which most have no more than three.
+fn put_digits(out: &mut String, number: u64) {
+    if number >= 1000 {
+        put_digits(out, number / 1000);
+    }
+    for power in [100, 10] {
+        if number >= power {
+            out.push(digit(number / power));
+        }
+    }
+    out.push(digit(number));
+}
+
+fn digit(number: u64) -> char {
+    char::from(b'0' + (number % 10) as u8)
+}
 
 /// What of a coordinate is printed.
 pub(super) fn hundredths(value: f64) -> i64 {

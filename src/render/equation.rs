@@ -1,93 +1,70 @@
 //! Displayed equations: where they align, and where long ones break.
 
-use std::borrow::Borrow;
 use std::borrow::Cow;
 use std::sync::Arc;
 
 use crate::expr::Math;
 use crate::expr::Operator;
 
-/// The parts of items one by one, for a writer that would put what is held whole into an element of its own.
-pub(super) fn spread<'a>(items: &'a [Item<'_>]) -> Vec<&'a Math> {
-    let mut parts = Vec::with_capacity(items.len());
+/// The parts of a row one by one, for a writer that would put a row within it into an element of its own.
+pub(super) fn spread<'a>(items: &'a [Cow<'_, Math>]) -> Vec<&'a Math> {
+    let mut parts = Vec::with_capacity(USUAL_LENGTH);
     for item in items {
-        item.math.spread(&mut |part| parts.push(part));
+        item.spread(&mut |part| parts.push(part));
     }
     parts
 }
 
 /// A part of an equation as it was laid out, or one that breaking made.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Item<'a> {
+struct Item<'a> {
     math: Cow<'a, Math>,
-    width: Width<'a>,
-}
-
-/// In widths of a digit, roughly.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Width<'a> {
-    One(f64),
-    /// Of what is held in many places, part by part.
-    Parts(&'a [f64]),
+    /// In widths of a digit, roughly.
+    width: f64,
 }
 
 impl<'a> Item<'a> {
     fn new(math: Cow<'a, Math>) -> Self {
-        let width = Width::One(math.width());
+        let width = math.width();
         Self { math, width }
-    }
-
-    fn widths(&self) -> &[f64] {
-        match &self.width {
-            Width::One(width) => std::slice::from_ref(width),
-            Width::Parts(widths) => widths,
-        }
-    }
-
-    /// The parts of which it consists.
-    fn opened(self) -> Vec<Self> {
-        match (self.width, self.math) {
-            (Width::Parts(_), Cow::Borrowed(math)) => flattened(math),
-            (width, math) => vec![Self { math, width }],
-        }
-    }
-}
-
-impl Borrow<Math> for Item<'_> {
-    fn borrow(&self) -> &Math {
-        &self.math
     }
 }
 
 /// One row of a displayed equation; rows are aligned where the right side begins.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Row<'a> {
-    items: Vec<Item<'a>>,
+    items: Vec<Cow<'a, Math>>,
     /// How many of the items stand before the alignment.
     aligned: usize,
+    /// How wide they are before and behind it.
+    widths: [f64; 2],
 }
 
 impl<'a> Row<'a> {
+    fn new(left: Vec<Item<'a>>, right: Vec<Item<'a>>) -> Self {
+        let (aligned, widths) = (left.len(), [width(&left), width(&right)]);
+        Self { items: left.into_iter().chain(right).map(|item| item.math).collect(), aligned, widths }
+    }
+
     /// What stands before the alignment; empty where the row continues the one above.
-    pub fn left(&self) -> &[Item<'a>] {
+    pub fn left(&self) -> &[Cow<'a, Math>] {
         &self.items[..self.aligned]
     }
 
     /// A relation and what follows it, or a continuation.
-    pub fn right(&self) -> &[Item<'a>] {
+    pub fn right(&self) -> &[Cow<'a, Math>] {
         &self.items[self.aligned..]
     }
 
     /// The whole row, where there is nothing to align it with.
-    pub fn whole(&self) -> &[Item<'a>] {
+    pub fn whole(&self) -> &[Cow<'a, Math>] {
         &self.items
     }
 }
 
 /// How much too wide the rows are where they could not be broken: 1 for those that fit.
 pub(super) fn excess(rows: &[Row<'_>]) -> f64 {
-    let left = rows.iter().map(|row| width(row.left())).fold(0.0, f64::max);
-    let right = rows.iter().map(|row| width(row.right())).fold(0.0, f64::max);
+    let [left, right] = [0, 1].map(|side| rows.iter().map(|row| row.widths[side]).fold(0.0, f64::max));
     ((left + right) / WIDEST).max(1.0)
 }
 
@@ -103,25 +80,68 @@ pub(super) fn rows(lines: &[Math]) -> Vec<Row<'_>> {
 }
 
 fn line_rows(line: &Math) -> Vec<Row<'_>> {
-    let mut items = with_wholes(line);
+    if let Some(row) = unbroken(line) {
+        return vec![row];
+    }
+    let mut items = flattened(line);
     let relation = items.iter().position(is_relation);
     let aligned = relation.filter(|at| width(&items[..*at]) <= WIDEST / 2.0).unwrap_or(0);
-    let room = WIDEST - width(&items[..aligned]);
-    if width(&items[aligned..]) <= room {
-        return vec![Row { items, aligned }];
-    }
-    let rest = items.split_off(aligned).into_iter().flat_map(Item::opened);
-    let rest: Vec<Item> = rest.flat_map(|item| unfolded(item, room)).collect();
+    let rest = items.split_off(aligned);
+    let room = WIDEST - width(&items);
+    let rest = rest.into_iter().flat_map(|item| unfolded(item, room)).collect();
     let mut left = Some(items);
-    let row = |mut right: Vec<_>| match left.take() {
-        Some(mut items) => {
-            items.append(&mut right);
-            Row { items, aligned }
-        }
-        None if right.first().is_some_and(is_sum) => Row { items: [indent(), right].concat(), aligned: 0 },
-        None => Row { items: right, aligned: 0 },
+    let row = |right: Vec<_>| match left.take() {
+        Some(items) => Row::new(items, right),
+        None if right.first().is_some_and(is_sum) => Row::new(Vec::new(), [indent(), right].concat()),
+        None => Row::new(Vec::new(), right),
     };
     fill(rest, room).into_iter().map(row).collect()
+}
+
+/// The only row of a line that fits, rows within it left as they are; none where it must be broken, or where a row within
+/// would look otherwise if its parts stood in the line themselves.
+fn unbroken(line: &Math) -> Option<Row<'_>> {
+    let parts = match line.bare() {
+        Math::Row(parts) => parts.as_slice(),
+        other => std::slice::from_ref(other),
+    };
+    if !stand_apart(parts) {
+        return None;
+    }
+    let relation = parts.iter().position(relates);
+    let aligned = relation.filter(|at| spread_width(&parts[..*at]) <= WIDEST / 2.0).unwrap_or(0);
+    let (left, right) = parts.split_at(aligned);
+    let widths = [left, right].map(spread_width);
+    let fits = widths[1] <= WIDEST - widths[0];
+    fits.then(|| Row { items: parts.iter().map(Cow::Borrowed).collect(), aligned, widths })
+}
+
+/// Whether every row among the parts stands between signs, and relates nothing.
+fn stand_apart(parts: &[Math]) -> bool {
+    let is_sign = |part: Option<&Math>| part.is_none_or(|part| matches!(part, Math::Operator(_)));
+    parts.iter().enumerate().all(|(place, part)| {
+        let Math::Row(inner) = part.bare() else { return true };
+        let before = place.checked_sub(1).and_then(|before| parts.get(before));
+        // What is held in many places is a term or a quantity, and looked at once would do.
+        let is_set = matches!(part, Math::Shared(_)) || stand_apart(inner);
+        is_sign(before) && is_sign(parts.get(place + 1)) && is_set && !inner.iter().any(relates)
+    })
+}
+
+/// The width of parts as it adds up when rows within them are opened.
+fn spread_width(parts: &[Math]) -> f64 {
+    fn add(math: &Math, total: &mut f64) {
+        match math {
+            Math::Shared(shared) => shared.widths().iter().for_each(|width| *total += width),
+            Math::Row(parts) => parts.iter().for_each(|part| add(part, total)),
+            other => *total += other.width(),
+        }
+    }
+    let mut total = 0.0;
+    for part in parts {
+        add(part, &mut total);
+    }
+    total
 }
 
 /// A fraction that is too wide for a row, as one over its denominator times the sum above it, and a wide bracket opened: those can
@@ -209,39 +229,8 @@ fn flattened(math: &Math) -> Vec<Item<'_>> {
     items
 }
 
-/// The same, but what is held in many places is left whole where it stands between operators, which no part of it concerns.
-fn with_wholes(line: &Math) -> Vec<Item<'_>> {
-    let mut items = Vec::with_capacity(USUAL_LENGTH);
-    put_wholes(line.bare(), true, &mut items);
-    items
-}
-
-fn put_wholes<'a>(math: &'a Math, alone: bool, items: &mut Vec<Item<'a>>) {
-    match math {
-        Math::Row(parts) => {
-            let is_sign = |place: Option<usize>| match place.and_then(|place| parts.get(place)) {
-                Some(Math::Operator(operator)) => *operator != Operator::Juxtapose,
-                Some(_) => false,
-                None => alone,
-            };
-            for (place, part) in parts.iter().enumerate() {
-                put_wholes(part, is_sign(place.checked_sub(1)) && is_sign(Some(place + 1)), items);
-            }
-        }
-        Math::Shared(shared) if alone && !is_chain(math) => {
-            items.push(Item { math: Cow::Borrowed(math), width: Width::Parts(shared.widths()) });
-        }
-        Math::Shared(_) => items.extend(flattened(math)),
-        other => items.push(Item::new(Cow::Borrowed(other))),
-    }
-}
-
-fn is_chain(math: &Math) -> bool {
-    matches!(math.bare(), Math::Row(parts) if parts.iter().any(relates))
-}
-
 fn width(items: &[Item<'_>]) -> f64 {
-    items.iter().flat_map(Item::widths).sum()
+    items.iter().map(|item| item.width).sum()
 }
 
 #[cfg(test)]
@@ -252,8 +241,8 @@ mod tests {
         Math::Identifier(name.into())
     }
 
-    fn written(items: &[Item<'_>]) -> Vec<Math> {
-        items.iter().map(|item| item.math.clone().into_owned()).collect()
+    fn written(items: &[Cow<'_, Math>]) -> Vec<Math> {
+        items.iter().map(|item| item.clone().into_owned()).collect()
     }
 
     #[test]
@@ -279,8 +268,8 @@ mod tests {
         assert_eq!(rows.len(), 2);
         assert_eq!(written(rows[1].left()), []);
         assert_eq!(written(rows[1].right()), [Math::Operator(Operator::Equals), long]);
-        let again: Vec<Item> = rows.into_iter().flat_map(|row| row.items).collect();
-        assert_eq!(again, flattened(&line));
+        let again: Vec<Cow<Math>> = rows.into_iter().flat_map(|row| row.items).collect();
+        assert_eq!(again, flattened(&line).into_iter().map(|item| item.math).collect::<Vec<_>>());
     }
 
     #[test]

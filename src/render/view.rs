@@ -1,9 +1,8 @@
 //! What a template sees: plain values, whose marked-safe strings are already in the tongue of the format.
 
 use std::borrow::Cow;
-use std::collections::BTreeMap;
 
-use tera::{Context, Value};
+use tera::{Context, Map, Value};
 
 use crate::explain::Audience;
 use crate::explain::Block;
@@ -35,7 +34,7 @@ pub(super) struct View<'a> {
 type Fields<const N: usize> = [(&'static str, Value); N];
 
 fn map<const N: usize>(fields: Fields<N>) -> Value {
-    Value::from(BTreeMap::from(fields))
+    Value::from(fields.into_iter().map(|(key, value)| (tera::value::Key::Str(key), value)).collect::<Map>())
 }
 
 fn ready(text: &str) -> Value {

@@ -101,7 +101,7 @@ impl Speak<'_> {
         let name = match vector.label.bare() {
             Math::Integral(..) if is_resultant(vector) => "the impulse of all forces together".to_owned(),
             Math::Integral(..) => "the integral of F over the time".to_owned(),
-            label => label.plain(),
+            _ => vector.label.plain(),
         };
         let Some(value) = vector.value else { return format!("{name}, not known") };
         if size(value) <= NOTHING * self.largest {
