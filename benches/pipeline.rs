@@ -101,7 +101,7 @@ fn worked_solution(criterion: &mut Criterion) {
             group.bench_function(format!("{id}, {}", format.name()), |bencher| {
                 bencher.iter(|| {
                     let solution = Solution {
-                        outline: black_box(&exercise).outline(),
+                        outline: black_box(&exercise).outline(Audience::Everyone),
                         identity: exercise.identity(),
                         audience: Audience::Everyone,
                         faded: None,
@@ -111,7 +111,7 @@ fn worked_solution(criterion: &mut Criterion) {
             });
         }
         group.bench_function(format!("{id}, outline alone"), |bencher| {
-            bencher.iter(|| black_box(&exercise).outline());
+            bencher.iter(|| black_box(&exercise).outline(Audience::Everyone));
         });
     }
     group.finish();

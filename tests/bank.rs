@@ -26,7 +26,7 @@ fn markdown(pages: &[Page]) -> String {
 }
 
 fn solution(exercise: &Exercise, faded: Option<usize>) -> Page {
-    let (outline, identity) = (exercise.outline(), exercise.identity());
+    let (outline, identity) = (exercise.outline(Audience::Instructor), exercise.identity());
     Page::Solution(Solution { outline, identity, audience: Audience::Everyone, faded })
 }
 

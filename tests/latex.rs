@@ -60,7 +60,7 @@ fn faults(exercises: &[Exercise]) -> Vec<String> {
 
 /// The sheet and the solution with all that an instructor sees.
 fn pages(exercise: &Exercise) -> [Page; 2] {
-    let (outline, identity) = (exercise.outline(), exercise.identity());
+    let (outline, identity) = (exercise.outline(Audience::Instructor), exercise.identity());
     let solution = Solution { outline, identity, audience: Audience::Instructor, faded: None };
     [Page::Sheet(exercise.sheet()), Page::Solution(solution)]
 }

@@ -9,6 +9,7 @@ use std::path::PathBuf;
 use std::sync::LazyLock;
 
 use momentous::explain;
+use momentous::explain::Audience;
 use momentous::explain::Block;
 use momentous::expr::Math;
 use momentous::expr::name_math;
@@ -69,7 +70,7 @@ fn each_variant_of(problem: &Problem, seeds: u64, look: &impl Fn(&str, Worked<'_
 }
 
 fn drawings_of_solution(worked: Worked<'_>) -> Vec<Drawing> {
-    let blocks = explain::solution(worked).sections.into_iter().flat_map(|section| section.blocks);
+    let blocks = explain::solution(worked, Audience::Everyone).sections.into_iter().flat_map(|section| section.blocks);
     let figure = |block| match block {
         Block::Figure(drawing) => Some(*drawing),
         _ => None,

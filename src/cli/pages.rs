@@ -35,7 +35,7 @@ impl Shown {
     /// The worked solution of an exercise.
     pub(super) fn solution(self, exercise: &Exercise) -> Solution {
         let audience = if self.instructor { Audience::Instructor } else { Audience::Everyone };
-        Solution { outline: exercise.outline(), identity: exercise.identity(), audience, faded: self.faded }
+        Solution { outline: exercise.outline(audience), identity: exercise.identity(), audience, faded: self.faded }
     }
 
     /// The worked solution as Markdown, for JSON.

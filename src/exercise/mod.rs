@@ -17,6 +17,7 @@ pub use drawer::Drawer;
 use std::sync::Arc;
 
 use crate::explain;
+use crate::explain::Audience;
 use crate::explain::Inline;
 use crate::explain::Outline;
 use crate::expr::Math;
@@ -225,10 +226,10 @@ impl Exercise {
         }
     }
 
-    /// The worked solution; a renderer leaves the instructor's section out for students.
+    /// The worked solution, with the sections that its readers see.
     #[must_use]
-    pub fn outline(&self) -> Outline {
-        explain::solution(self.worked())
+    pub fn outline(&self, audience: Audience) -> Outline {
+        explain::solution(self.worked(), audience)
     }
 
     /// One row of an answer key for each part.

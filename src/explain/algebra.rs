@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use crate::expr::Expr;
 use crate::expr::Function;
 use crate::expr::Math;
+use crate::expr::Symbol;
 use crate::quantity::Rational;
 use crate::solve::Move;
 
@@ -51,16 +52,19 @@ pub(super) fn blocks(display: Display<'_>, numbers: &BTreeMap<usize, u32>, step_
                 "Square and add the two equations for the magnitude; divide the second by the first for the angle.",
             )];
         }
-        Move::Numeric { unknown } => {
-            return vec![Block::Paragraph(vec![
-                Inline::Text("No formula gives ".into()),
-                Inline::Math(display.name(*unknown)),
-                Inline::Text(", so it is found by calculation between bounds.".into()),
-            ])];
-        }
+        Move::Numeric { unknown } => return vec![by_calculation(display, *unknown)],
         Move::Isolate { .. } | Move::Quadratic { .. } | Move::Count { .. } => return Vec::new(),
     };
     vec![Block::Paragraph(words), Block::Equation { lines: vec![equation], number: None }]
+}
+
+/// What is said where no formula gives an unknown.
+pub(super) fn by_calculation(display: Display<'_>, unknown: Symbol) -> Block {
+    Block::Paragraph(vec![
+        Inline::Text("No formula gives ".into()),
+        Inline::Math(display.name(unknown)),
+        Inline::Text(", so it is found by calculation between bounds.".into()),
+    ])
 }
 
 /// An equation, with all signs changed where its left side begins with a minus.

@@ -25,6 +25,7 @@ use super::display::Shown;
 use super::display::number_math;
 use super::display::with_unit;
 use super::interval;
+use super::way::Memory;
 use super::wording::capitalised;
 
 /// One paragraph for each part.
@@ -92,7 +93,7 @@ fn formula_sentence(display: Display<'_>, part: &Part, formula: &FormulaPart) ->
     let is = |math: Math| Inline::Math(Math::relation(display.name(formula.symbol), Operator::Equals, math));
     let mut words = vec![Inline::Text(format!("{}: ", capitalised(&part.label)))];
     words.extend(printed_formula(display.worked, formula).map(is));
-    if !display.free.contains(&formula.symbol) {
+    if !display.is_free(formula.symbol) {
         let figures = usize::from(display.worked.problem.loaded().draft.figures.unwrap_or(3));
         let value = Inline::Math(display.quantity_to(formula.symbol, figures));
         words.extend([Inline::Text(", here ".into()), value]);
@@ -104,7 +105,8 @@ fn formula_sentence(display: Display<'_>, part: &Part, formula: &FormulaPart) ->
 /// A formula as it is printed.
 #[must_use]
 pub fn printed_formula(worked: Worked<'_>, part: &FormulaPart) -> Option<Math> {
-    let display = Display { worked, free: &worked.free(), shown: &Shown::default() };
+    let memory = Memory::of(worked);
+    let display = Display { worked, way: memory.way(worked), shown: &Shown::default() };
     let formula = worked.formula(part)?;
     Some(display.symbolic(&algebra::positive_first(&formula)))
 }
@@ -112,13 +114,14 @@ pub fn printed_formula(worked: Worked<'_>, part: &FormulaPart) -> Option<Math> {
 /// Whether the answer is asked in another unit than the steps computed in.
 fn is_converted(display: Display<'_>, number: &NumberPart) -> bool {
     let own = display.unit(number.symbol);
-    matches!(&number.unit, AskedUnit::Unit(unit) if *unit != own && unit.factor() != own.factor())
+    matches!(&number.unit, AskedUnit::Unit(unit) if unit != own && unit.factor() != own.factor())
 }
 
 /// The answers to a part as they are printed, with their unit: one, or every root.
 #[must_use]
 pub fn printed_answers(worked: Worked<'_>, number: &NumberPart) -> Vec<Math> {
-    let display = Display { worked, free: &worked.free(), shown: &Shown::default() };
+    let memory = Memory::of(worked);
+    let display = Display { worked, way: memory.way(worked), shown: &Shown::default() };
     worked.answers(number).into_iter().map(|answer| printed(display, number, answer)).collect()
 }
 
@@ -153,7 +156,7 @@ pub(super) fn shown(number: &NumberPart, value: f64) -> Math {
 fn printed(display: Display<'_>, number: &NumberPart, answer: Bounded) -> Math {
     let shown = |value: f64| shown(number, value);
     match &number.unit {
-        AskedUnit::Unit(unit) => with_unit(shown(answer.for_print()), unit),
+        AskedUnit::Unit(_) => display.in_unit_of(number, shown(answer.for_print())),
         AskedUnit::InTermsOf(symbol) => {
             Math::Row(vec![shown(answer.for_print()), Math::Operator(Operator::Juxtapose), display.name(*symbol)])
         }
@@ -162,7 +165,7 @@ fn printed(display: Display<'_>, number: &NumberPart, answer: Bounded) -> Math {
 
 /// The direction of a signed component in words: "to the left"; "at rest" for zero.
 fn direction(display: Display<'_>, part: &Part, number: &NumberPart) -> Option<String> {
-    let senses = display.worked.problem.senses(number.symbol)?;
+    let senses = display.manner(number.symbol).senses.as_ref()?;
     if display.worked.answers(number).len() > 1 {
         return None;
     }
@@ -171,7 +174,7 @@ fn direction(display: Display<'_>, part: &Part, number: &NumberPart) -> Option<S
         return part.id.starts_with("v_").then(|| "at rest".to_owned());
     }
     if value.value >= 0.0 {
-        return Some(senses.positive);
+        return Some(senses.positive.clone());
     }
     let size = Printed::new(-value.for_print(), number.figures)?;
     let unit = number.plain_unit();

@@ -31,14 +31,20 @@ const TURNING: [&str; 2] = ["counter-clockwise", "clockwise"];
 
 /// The section's blocks; none where there is nothing to say.
 pub(super) fn axes(display: Display<'_>) -> Vec<Block> {
-    let mut blocks: Vec<Block> = directions(display).into_iter().map(Block::Paragraph).collect();
-    let used = used(display.worked);
+    let paragraphs = || directions(display).into_iter().map(Block::Paragraph);
+    let turns = display.worked.problem.model().frames.iter().flatten().any(|frame| !frame.normal.turn.is_zero());
+    let mut blocks: Vec<Block> = if turns {
+        paragraphs().collect()
+    } else {
+        display.way.directions.get_or_init(|| paragraphs().map(Block::shared).collect()).clone()
+    };
+    let used = display.way.used.get_or_init(|| used(display.worked));
     let literals = &display.worked.problem.model().literals;
     let told = display.worked.variant.all_given().iter();
     let told: Vec<Vec<Inline>> = told
         .filter(|(symbol, ..)| used.contains(symbol) && !literals.iter().any(|(own, _)| own == symbol))
         .map(|given| {
-            let free = display.free.contains(&given.0);
+            let free = display.is_free(given.0);
             vec![Inline::Math(if free { display.name(given.0) } else { value(display, given) })]
         })
         .collect();
@@ -140,7 +146,7 @@ fn used(worked: Worked<'_>) -> BTreeSet<Symbol> {
 /// `m = 360 g = 0.36 kg`; `e = 0.8`.
 fn value(display: Display<'_>, (symbol, value, unit): &(Symbol, Decimal, Unit)) -> Math {
     let mut parts = vec![display.name(*symbol), Math::Operator(Operator::Equals)];
-    if *unit != display.unit(*symbol) && !value.is_zero() {
+    if unit != display.unit(*symbol) && !value.is_zero() {
         parts.extend([with_unit(number_math(&shown_decimal(value)), unit), Math::Operator(Operator::Equals)]);
     }
     parts.push(display.quantity(*symbol));

@@ -13,6 +13,7 @@ use crate::laws::momentum;
 use crate::laws::orbit;
 use crate::laws::restitution;
 use crate::model::Warning;
+use crate::solve;
 use crate::solve::Equation;
 use crate::solve::Statement;
 
@@ -20,9 +21,11 @@ use super::Block;
 use super::Inline;
 use super::display::Display;
 use super::energy;
+use super::energy::Loss;
 use super::limits;
-use super::steps::is_definition;
+use super::script::is_definition;
 use super::steps::text;
+use super::term::Term;
 use super::wording::capitalised;
 
 /// Figures of values in a check.
@@ -45,21 +48,50 @@ const BALANCES: &[(&str, &str)] = &[
     (bouncing::BOUNCE_TIME.id, "The time, and the sum of the times of flight:"),
 ];
 
+/// What the solutions of a way check, before the numbers are known.
+pub(super) struct Checks {
+    balances: Vec<Balance>,
+    losses: Vec<Loss>,
+    conditions: Vec<Condition>,
+}
+
+/// Two sides that must be equal, and what they are.
+struct Balance {
+    words: Block,
+    sides: [Term; 2],
+}
+
+/// What must hold between two terms, in words and symbols.
+struct Condition {
+    words: String,
+    sides: [Term; 2],
+}
+
+impl Checks {
+    fn new(display: Display<'_>) -> Self {
+        Self { balances: balances(display), losses: energy::losses(display), conditions: conditions(display) }
+    }
+}
+
 /// The checks of a variant; none for a form that only asks for concepts.
 pub(super) fn checks(display: Display<'_>) -> Vec<Block> {
     if display.worked.form.wanted().next().is_none() {
         return Vec::new();
     }
-    let mut blocks = Vec::new();
-    blocks.extend(balances(display));
-    blocks.extend(means(display));
-    blocks.extend(energy::energy(display));
-    blocks.extend(conditions(display));
-    blocks.extend(limits::limits(display));
-    if !blocks.is_empty() {
-        blocks.insert(0, text("Check:"));
+    let prepared = display.way.checks.get_or_init(|| Checks::new(display));
+    let has_numbers = |term: &Term| term.mentions.iter().all(|symbol| display.has_number(*symbol));
+    let mut blocks = vec![text("Check:")];
+    let told = prepared.balances.iter().filter(|balance| balance.sides.iter().all(has_numbers));
+    for Balance { words, sides } in told.take(MOST) {
+        let lines = sides.iter().map(|side| evaluated(display, side)).collect();
+        blocks.extend([words.clone(), Block::Equation { lines, number: None }]);
     }
-    blocks
+    blocks.extend(means(display));
+    blocks.extend(prepared.losses.iter().filter_map(|loss| loss.blocks(display)).flatten());
+    let shown = prepared.conditions.iter().filter(|condition| condition.sides.iter().all(has_numbers));
+    blocks.extend(shown.filter_map(|condition| condition.block(display)));
+    blocks.extend(limits::limits(display));
+    if blocks.len() > 1 { blocks } else { Vec::new() }
 }
 
 /// What a reader of the steps knows: what is told, and what the steps found.
@@ -68,28 +100,26 @@ pub(super) fn known(display: Display<'_>) -> BTreeSet<Symbol> {
     told.chain(display.worked.leaf().answer_steps().iter().flat_map(|step| step.unknowns.iter().copied())).collect()
 }
 
-/// Both sides of every balance between quantities that the reader knows, where that is more than reading off a step.
-fn balances(display: Display<'_>) -> Vec<Block> {
+/// The balances between quantities that the reader knows, where that is more than reading off a step.
+fn balances(display: Display<'_>) -> Vec<Balance> {
     let leaf = display.worked.leaf();
     let known = known(display);
     let steps = leaf.answer_steps();
     let is_read_off = |place: usize, left: &Expr, right: &Expr| {
         steps.iter().any(|step| step.equations == [place] && is_definition(step, left, right))
     };
-    let mut rows: Vec<[Block; 2]> = Vec::new();
-    for (place, equation) in leaf.system.equations.iter().enumerate() {
-        let Statement::Equal { left, right } = &equation.statement else { continue };
-        let Some(words) = words_of(display, equation) else { continue };
-        let told = |side: &Expr| side.symbols().is_subset(&known) && display.has_value(side);
+    let balance = |(place, equation): (usize, &Equation)| {
+        let Statement::Equal { left, right } = &equation.statement else { return None };
+        let words = words_of(display, equation)?;
+        let told = |side: &Expr| side.symbols().is_subset(&known);
         // A side that is nothing tells nothing.
         let is_nothing = left.is_zero() || right.is_zero();
         let computes = !is_nothing && [left, right].into_iter().any(|side| !matches!(side, Expr::Symbol(_)));
-        if told(left) && told(right) && computes && !is_read_off(place, left, right) {
-            let lines = [left, right].map(|side| evaluated(display, side));
-            rows.push([text(words), Block::Equation { lines: lines.to_vec(), number: None }]);
-        }
-    }
-    rows.into_iter().take(MOST).flatten().collect()
+        let is_shown = told(left) && told(right) && computes && !is_read_off(place, left, right);
+        let sides = || [left, right].map(|side| display.term(side.clone()));
+        is_shown.then(|| Balance { words: text(words).shared(), sides: sides() })
+    };
+    leaf.system.equations.iter().enumerate().filter_map(balance).collect()
 }
 
 /// That a mass centre's position or velocity lies between those of its bodies.
@@ -149,42 +179,45 @@ fn words_of(display: Display<'_>, equation: &Equation) -> Option<&'static str> {
 }
 
 /// A term in symbols, with numbers, and its value.
-fn evaluated(display: Display<'_>, side: &Expr) -> Math {
-    let value = display.evaluated(side, &display.unit_of(side), FIGURES);
+fn evaluated(display: Display<'_>, side: &Term) -> Math {
+    let value = display.evaluated(&side.expr, &side.unit, FIGURES);
     let numbers = display.substituted(side);
-    let mut parts = vec![display.symbolic(side)];
-    if !matches!(side, Expr::Symbol(_)) && numbers != value {
+    let mut parts = vec![side.symbols.clone()];
+    if !matches!(side.expr, Expr::Symbol(_)) && numbers != value {
         parts.extend([Math::Operator(Operator::Equals), numbers]);
     }
     parts.extend([Math::Operator(Operator::Equals), value]);
     Math::Row(parts)
 }
 
-/// That the bodies do not pass through each other, with the numbers.
-fn conditions(display: Display<'_>) -> Vec<Block> {
-    let leaf = display.worked.leaf();
+/// That the bodies do not pass through each other.
+fn conditions(display: Display<'_>) -> Vec<Condition> {
     let reasons = &display.worked.problem.model().reasons;
-    let mut blocks = Vec::new();
-    for condition in &leaf.system.conditions {
-        let Some(reason) = reasons.get(condition.tag).filter(|reason| reason.warning == Some(Warning::PassesThrough))
-        else {
-            continue;
-        };
-        let sides = [&condition.left, &condition.right];
-        if sides.iter().any(|side| !display.has_value(side) || display.value_of(side).is_nan()) {
-            continue;
+    let condition = |condition: &solve::Condition| {
+        let reason = reasons.get(condition.tag).filter(|reason| reason.warning == Some(Warning::PassesThrough))?;
+        Some(Condition {
+            words: format!("{}: ", capitalised(&reason.text.replace("would pass", "does not pass"))),
+            sides: [&condition.left, &condition.right].map(|side| display.term(side.clone())),
+        })
+    };
+    display.worked.leaf().system.conditions.iter().filter_map(condition).collect()
+}
+
+impl Condition {
+    /// The condition with the numbers.
+    fn block(&self, display: Display<'_>) -> Option<Block> {
+        if self.sides.iter().any(|side| display.value_of(&side.expr).is_nan()) {
+            return None;
         }
-        let unit = display.unit_of(&condition.left);
-        let in_symbols = sides.map(|side| display.symbolic(side));
-        let in_numbers = sides.map(|side| display.evaluated(side, &unit, FIGURES));
+        let in_symbols = self.sides.each_ref().map(|side| side.symbols.clone());
+        let in_numbers = self.sides.each_ref().map(|side| display.evaluated(&side.expr, &self.sides[0].unit, FIGURES));
         let at_least = |[left, right]: [Math; 2]| Inline::Math(Math::relation(left, Operator::AtLeast, right));
-        blocks.push(Block::Paragraph(vec![
-            Inline::Text(format!("{}: ", capitalised(&reason.text.replace("would pass", "does not pass")))),
+        Some(Block::Paragraph(vec![
+            Inline::Text(self.words.clone()),
             at_least(in_symbols),
             Inline::Text(", since ".into()),
             at_least(in_numbers),
             Inline::Text(".".into()),
-        ]));
+        ]))
     }
-    blocks
 }

@@ -13,7 +13,7 @@ use super::display::Display;
 use super::display::number_math;
 use super::display::printed;
 use super::display::with_unit;
-use super::steps::operator;
+use super::script::operator;
 
 /// Figures of the values tried.
 const FIGURES: usize = 4;

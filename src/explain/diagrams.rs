@@ -10,6 +10,7 @@ use crate::scene::Stage;
 
 use super::Block;
 use super::Inline;
+use super::display::Display;
 use super::pictures;
 use super::steps::text;
 use super::wording::agree;
@@ -17,24 +18,30 @@ use super::wording::capitalised;
 use super::wording::list;
 
 /// The section's blocks; none where nothing happens in the scene.
-pub(super) fn diagrams(worked: Worked<'_>) -> Vec<Block> {
+pub(super) fn diagrams(display: Display<'_>) -> Vec<Block> {
+    let worked = display.worked;
     let mut blocks: Vec<Block> =
         pictures::solution(worked).into_iter().map(|drawing| Block::Figure(Box::new(drawing))).collect();
+    blocks.extend_from_slice(display.way.acting.get_or_init(|| sentences(worked)));
+    blocks.extend(why_not_energy(worked));
+    blocks
+}
+
+/// What acts in each stage, and what is left out.
+fn sentences(worked: Worked<'_>) -> Vec<Block> {
     let scene = &worked.problem.loaded().draft.scene;
     let model = worked.problem.model();
     let acting = scene.stages.iter().enumerate().filter_map(|(index, stage)| acting(model, scene, index, stage));
-    blocks.extend(acting.map(|sentence| text(&sentence)));
+    let mut blocks: Vec<Block> = acting.map(|sentence| text(&sentence)).collect();
     let left_out: Vec<Vec<Inline>> = model
         .omissions
         .iter()
         .map(|omission| vec![Inline::Text(format!("{}, because {}.", capitalised(&omission.what), omission.why))])
         .collect();
     if !left_out.is_empty() {
-        blocks.push(text("Left out:"));
-        blocks.push(Block::List(left_out));
+        blocks.extend([text("Left out:"), Block::List(left_out)]);
     }
-    blocks.extend(why_not_energy(worked));
-    blocks
+    blocks.into_iter().map(Block::shared).collect()
 }
 
 /// One sentence on what acts in a stage.

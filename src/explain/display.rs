@@ -1,7 +1,6 @@
 //! How a quantity is shown in an explanation: its symbol, its number, its unit.
 
 use std::cell::RefCell;
-use std::collections::BTreeMap;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
@@ -21,6 +20,13 @@ use crate::quantity::Printed;
 use crate::quantity::Unit;
 use crate::quantity::coherent_unit;
 
+use super::algebra::has_angle_of_point;
+use super::term::Measured;
+use super::term::Term;
+use super::term::suffix;
+use super::way::Manner;
+use super::way::Way;
+
 /// Figures of intermediate values.
 const INTERMEDIATE: usize = 4;
 
@@ -37,28 +43,48 @@ const USUAL: [(&str, &str); 4] = [("J_", "N s"), ("I_", "N s"), ("M_", "N m"), (
 #[derive(Clone, Copy)]
 pub(super) struct Display<'a> {
     pub worked: Worked<'a>,
-    /// Quantities that are shown by their symbols only, since they may have any value.
-    pub free: &'a BTreeSet<Symbol>,
+    /// What it shares with the other variants that go its way.
+    pub way: &'a Way,
     /// What was shown before.
     pub shown: &'a Shown,
 }
 
-/// What was worked out of each quantity of a variant, since a solution shows most of them many times.
+/// The quantities of a variant as they are printed, each to so many figures, since a solution shows most of them many times.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Shown {
-    units: RefCell<BTreeMap<Symbol, Unit>>,
-    quantities: RefCell<BTreeMap<(Symbol, usize), Leaf>>,
-}
+pub(super) struct Shown(RefCell<Vec<(Symbol, usize, Leaf)>>);
 
-impl Display<'_> {
+impl<'a> Display<'a> {
+    /// Quantities that are shown by their symbols only, since they may have any value.
+    pub(super) fn free(self) -> &'a BTreeSet<Symbol> {
+        self.way.free.get_or_init(|| self.worked.free())
+    }
+
+    /// Whether a quantity is shown by its symbol only.
+    pub(super) fn is_free(self, symbol: Symbol) -> bool {
+        self.free().contains(&symbol)
+    }
+
     /// The unit in which explanations compute with a quantity: the system's own, degrees for angles.
-    pub(super) fn unit(self, symbol: Symbol) -> Unit {
-        if let Some(unit) = self.shown.units.borrow().get(&symbol) {
-            return unit.clone();
-        }
-        let unit = self.unit_chosen(symbol);
-        self.shown.units.borrow_mut().insert(symbol, unit.clone());
-        unit
+    pub(super) fn unit(self, symbol: Symbol) -> &'a Unit {
+        &self.manner(symbol).measured.unit
+    }
+
+    /// How a quantity is shown.
+    pub(super) fn manner(self, symbol: Symbol) -> &'a Manner {
+        // There is a place for every symbol of the model.
+        self.way.manners[symbol.index()].get_or_init(|| {
+            let problem = self.worked.problem;
+            let unit = self.unit_chosen(symbol);
+            let mut numbers = self.worked.form.parts.iter().flat_map(|part| part.kind.numbers());
+            let is_literal = problem.model().literals.iter().any(|(own, _)| *own == symbol);
+            Manner {
+                measured: Measured::new(unit),
+                name: (!is_literal).then(|| problem.math_of(symbol)),
+                senses: problem.senses(symbol),
+                is_whole: numbers.any(|number| number.whole && number.symbol == symbol),
+                is_known: problem.known().iter().any(|known| known.symbol == symbol),
+            }
+        })
     }
 
     fn unit_chosen(self, symbol: Symbol) -> Unit {
@@ -96,43 +122,38 @@ impl Display<'_> {
 
     /// A value in its display unit with so many figures, as it stands for its quantity in a term.
     fn leaf(self, symbol: Symbol, figures: usize) -> Leaf {
-        if let Some(leaf) = self.shown.quantities.borrow().get(&(symbol, figures)) {
+        let known = |(own, to, _): &&(Symbol, usize, Leaf)| *own == symbol && *to == figures;
+        if let Some((.., leaf)) = self.shown.0.borrow().iter().find(known) {
             return leaf.clone();
         }
         let number = self.number(symbol, figures);
         let kind = LeafKind::Number { negative: number.starts_with('-') };
-        let leaf = Leaf { math: with_unit(number_math(&number), &self.unit(symbol)), kind };
-        self.shown.quantities.borrow_mut().insert((symbol, figures), leaf.clone());
+        let math = self.manner(symbol).measured.put(number_math(&number));
+        let leaf = Leaf { math: math.shared(), kind };
+        self.shown.0.borrow_mut().push((symbol, figures, leaf.clone()));
         leaf
     }
 
     /// A value in its display unit, as it is printed with so many figures; `?` where it has none.
     fn number(self, symbol: Symbol, figures: usize) -> String {
-        let unit = self.unit(symbol);
-        if let Some((value, given)) = self.worked.variant.given(symbol)
-            && given == unit
-        {
-            let drawn = self.worked.problem.known().iter().any(|known| known.symbol == symbol);
-            return shown_decimal(&if drawn { trimmed(&value) } else { value });
-        }
-        if self.is_whole(symbol) {
-            return self.worked.variant.value(symbol).map_or_else(|| "?".into(), |value| format!("{:.0}", value.value));
-        }
-        if let Some(exact) = self.converted(symbol, &unit) {
-            return exact;
+        let manner = self.manner(symbol);
+        let mut told = self.worked.variant.all_given().iter();
+        if let Some((_, value, given)) = told.find(|(own, ..)| *own == symbol) {
+            if *given == manner.measured.unit {
+                return shown_decimal(&if manner.is_known { trimmed(value) } else { value.clone() });
+            }
+            if !manner.is_whole
+                && let Some(exact) = converted(value, given, &manner.measured.unit)
+            {
+                return exact;
+            }
         }
         let Some(value) = self.worked.variant.value(symbol) else { return "?".into() };
-        printed(value.for_print() / unit.factor().to_f64(), figures)
-    }
-
-    /// A given in another unit, where the conversion is exact and short: 360 g is 0.36 kg.
-    fn converted(self, symbol: Symbol, unit: &Unit) -> Option<String> {
-        let (value, given) = self.worked.variant.given(symbol)?;
-        let (from, to) = (given.factor(), unit.factor());
-        let exact = value.to_rational() * from.rational / to.rational;
-        let rounded = Printed::exact(&exact, MOST_DIGITS);
-        let whole = from.pi == to.pi && rounded.to_decimal().to_rational() == exact && rounded.power_of_ten().is_none();
-        whole.then(|| trim(&rounded.plain()))
+        if manner.is_whole {
+            format!("{:.0}", value.value)
+        } else {
+            printed(value.for_print() / manner.measured.size, figures)
+        }
     }
 
     /// The number and its unit, to so many figures.
@@ -142,7 +163,12 @@ impl Display<'_> {
 
     /// Whether a term has a value of its own.
     pub(super) fn has_value(self, expr: &Expr) -> bool {
-        expr.symbols().iter().all(|symbol| !self.free.contains(symbol) && self.worked.variant.value(*symbol).is_some())
+        expr.symbols().into_iter().all(|symbol| self.has_number(symbol))
+    }
+
+    /// Whether a quantity is shown by a number.
+    pub(super) fn has_number(self, symbol: Symbol) -> bool {
+        !self.is_free(symbol) && self.worked.variant.value(symbol).is_some()
     }
 
     /// The number and its unit, to the figures of an intermediate value.
@@ -152,28 +178,41 @@ impl Display<'_> {
 
     /// The symbol itself; a value that the author wrote into a term is shown as that value.
     pub(super) fn name(self, symbol: Symbol) -> Math {
-        if self.is_literal(symbol) { self.quantity(symbol) } else { self.worked.problem.math_of(symbol) }
+        self.manner(symbol).name.clone().unwrap_or_else(|| self.quantity(symbol))
     }
 
+    /// The symbol itself, or the author's value, as it stands in a term.
     fn named(self, symbol: Symbol) -> Leaf {
+        match &self.manner(symbol).name {
+            Some(name) => Leaf { math: name.clone(), kind: LeafKind::Name },
+            None => self.leaf(symbol, INTERMEDIATE),
+        }
+    }
+
+    /// A number where the quantity has one, else the symbol.
+    fn put_in(self, symbol: Symbol) -> Leaf {
+        if !self.is_free(symbol) {
+            return self.leaf(symbol, INTERMEDIATE);
+        }
         Leaf { math: self.name(symbol), kind: LeafKind::Name }
-    }
-
-    /// Whether the quantity is a whole number, found by counting.
-    fn is_whole(self, symbol: Symbol) -> bool {
-        let mut numbers = self.worked.form.parts.iter().flat_map(|part| part.kind.numbers());
-        numbers.any(|number| number.whole && number.symbol == symbol)
-    }
-
-    fn is_literal(self, symbol: Symbol) -> bool {
-        self.worked.problem.model().literals.iter().any(|(own, _)| *own == symbol)
     }
 
     /// A term in symbols.
     pub(super) fn symbolic(self, expr: &Expr) -> Math {
-        expr.layout(&|symbol| {
-            if self.is_literal(symbol) { self.leaf(symbol, INTERMEDIATE) } else { self.named(symbol) }
-        })
+        expr.layout(&|symbol| self.named(symbol))
+    }
+
+    /// A term that many solutions show, in symbols and ready for numbers.
+    pub(super) fn term(self, expr: Expr) -> Term {
+        let arranged = expr.arranged();
+        Term {
+            symbols: arranged.with(&|symbol| self.named(symbol)).shared(),
+            unit: Measured::new(self.unit_of(&expr)),
+            mentions: expr.symbols().into_iter().collect(),
+            has_angle: has_angle_of_point(&expr),
+            arranged,
+            expr,
+        }
     }
 
     /// A term in which every quantity given piece by piece is replaced by the piece that holds for this variant.
@@ -209,22 +248,30 @@ impl Display<'_> {
     }
 
     /// A term with numbers and units in place of its symbols.
-    pub(super) fn substituted(self, expr: &Expr) -> Math {
-        expr.layout(&|symbol| {
-            if self.free.contains(&symbol) { self.named(symbol) } else { self.leaf(symbol, INTERMEDIATE) }
-        })
+    pub(super) fn substituted(self, term: &Term) -> Math {
+        term.arranged.with(&|symbol| self.put_in(symbol))
     }
 
     /// A term's value in a unit, to so many figures.
-    pub(super) fn evaluated(self, expr: &Expr, unit: &Unit, figures: usize) -> Math {
+    pub(super) fn evaluated(self, expr: &Expr, unit: &Measured, figures: usize) -> Math {
         if let Expr::Symbol(symbol) = expr
-            && self.unit(*symbol) == *unit
+            && self.unit(*symbol) == &unit.unit
         {
             return self.quantity_to(*symbol, figures);
         }
         // The last bits of a sum are not known: what may lie half-way between two printed numbers is rounded up.
-        let value = self.value_of(expr) * (1.0 + 4.0 * f64::EPSILON) / unit.factor().to_f64();
-        with_unit(number_math(&printed(value, figures)), unit)
+        let value = self.value_of(expr) * (1.0 + 4.0 * f64::EPSILON) / unit.size;
+        unit.put(number_math(&printed(value, figures)))
+    }
+
+    /// A number in the unit in which a part asks it; none where that is a quantity.
+    pub(super) fn in_unit_of(self, number: &NumberPart, value: Math) -> Math {
+        let own = &self.manner(number.symbol).measured;
+        match &number.unit {
+            AskedUnit::Unit(unit) if *unit == own.unit => own.put(value),
+            AskedUnit::Unit(unit) => with_unit(value, unit),
+            AskedUnit::InTermsOf(_) => value,
+        }
     }
 
     /// A term's value in SI units; a sum whose terms cancel but for their rounding is zero.
@@ -245,21 +292,33 @@ impl Display<'_> {
     }
 }
 
-fn has_pieces(expr: &Expr) -> bool {
+/// Whether a part of a term is given piece by piece.
+pub(super) fn has_pieces(expr: &Expr) -> bool {
     matches!(expr, Expr::Piecewise(_)) || expr.children().into_iter().any(has_pieces)
+}
+
+/// A given in another unit, where the conversion is exact and short: 360 g is 0.36 kg.
+fn converted(value: &Decimal, given: &Unit, unit: &Unit) -> Option<String> {
+    let (from, to) = (given.factor(), unit.factor());
+    let exact = value.to_rational() * from.rational / to.rational;
+    let rounded = Printed::exact(&exact, MOST_DIGITS);
+    let whole = from.pi == to.pi && rounded.to_decimal().to_rational() == exact && rounded.power_of_ten().is_none();
+    whole.then(|| trim(&rounded.plain()))
 }
 
 /// A number followed by its unit.
 pub(super) fn with_unit(number: Math, unit: &Unit) -> Math {
-    if unit.is_none() {
-        return number;
+    match suffix(unit) {
+        Some(suffix) => Math::Row(vec![number, suffix]),
+        None => number,
     }
-    let gap = if unit.is_attached() { "" } else { "\u{a0}" };
-    Math::Row(vec![number, Math::Text([gap, &unit.unicode()].concat())])
 }
 
 /// A printed number as mathematics, powers of ten included.
 pub(super) fn number_math(text: &str) -> Math {
+    if text.is_ascii() {
+        return Math::Number(text.to_owned());
+    }
     match text.split_once(" × 10^") {
         Some((mantissa, exponent)) => {
             let ten = Math::Sup(Arc::new(Math::Number("10".into())), Arc::new(Math::Number(exponent.into())));

@@ -16,47 +16,64 @@ use super::checks::FIGURES;
 use super::checks::known;
 use super::display::Display;
 use super::steps::text;
+use super::term::Term;
 
-/// The balance of every impact whose loss of energy has a value.
-pub(super) fn energy(display: Display<'_>) -> Vec<Block> {
-    let equations = &display.worked.leaf().system.equations;
-    equations.iter().filter_map(|equation| loss(display, equation)).flatten().collect()
+/// The energy that an impact loses, before the numbers are known.
+pub(super) struct Loss {
+    lost: Symbol,
+    words: Block,
+    /// The difference of the energies before and after.
+    difference: Term,
+    /// What it equals by a formula of its own.
+    formula: Option<Term>,
+}
+
+/// Every impact whose loss of energy has a value.
+pub(super) fn losses(display: Display<'_>) -> Vec<Loss> {
+    display.worked.leaf().system.equations.iter().filter_map(|equation| loss(display, equation)).collect()
 }
 
 fn instance<'a>(display: Display<'a>, equation: &Equation) -> Option<&'a Instance> {
     display.worked.problem.model().instances.get(equation.tag)
 }
 
-/// `T_1 - T_2 = 50.06 J - 16.31 J = 33.75 J`, that it is not negative, and what else it equals.
-fn loss(display: Display<'_>, equation: &Equation) -> Option<Vec<Block>> {
+fn loss(display: Display<'_>, equation: &Equation) -> Option<Loss> {
     let instance = instance(display, equation).filter(|instance| instance.law.id == energy::LOSS.id)?;
     let Statement::Equal { left: Expr::Symbol(lost), right } = &equation.statement else { return None };
-    if !display.has_value(right) || display.free.contains(lost) {
-        return None;
-    }
     let stage = instance.stage?;
     let phrase = display.worked.problem.model().phrase(&display.worked.problem.loaded().draft.scene, stage);
-    let value = display.worked.variant.value(*lost)?;
-    let unit = display.unit(*lost);
-    let equals = Math::Operator(Operator::Equals);
-    let equation = |parts: Vec<Math>| Block::Equation { lines: vec![Math::Row(parts)], number: None };
-    let (sum, numbers) = (display.symbolic(right), display.substituted(right));
-    let result = display.quantity_to(*lost, FIGURES);
-    let mut blocks = vec![
-        text(&format!("Kinetic energy lost in {phrase}:")),
-        equation(vec![sum, equals.clone(), numbers, equals.clone(), result]),
-    ];
-    let formula = formula(display, stage);
-    blocks.push(text(match (value.value.abs() <= value.error.max(1e-12), &formula) {
-        (true, _) => "None is lost: the impact is elastic.",
-        (false, None) => "It is not negative, as it must be where nothing supplies energy.",
-        (false, Some(_)) => "It is not negative, as it must be where nothing supplies energy, and equals",
-    }));
-    if let Some(formula) = formula.filter(|_| value.value.abs() > value.error.max(1e-12)) {
-        let value = display.evaluated(&formula, &unit, FIGURES);
-        blocks.push(equation(vec![display.symbolic(&formula), equals, value]));
+    (!display.is_free(*lost)).then(|| Loss {
+        lost: *lost,
+        words: text(&format!("Kinetic energy lost in {phrase}:")).shared(),
+        difference: display.term(right.clone()),
+        formula: formula(display, stage).map(|formula| display.term(formula)),
+    })
+}
+
+impl Loss {
+    /// `T_1 - T_2 = 50.06 J - 16.31 J = 33.75 J`, that it is not negative, and what else it equals.
+    pub(super) fn blocks(&self, display: Display<'_>) -> Option<Vec<Block>> {
+        if !self.difference.mentions.iter().all(|symbol| display.has_number(*symbol)) {
+            return None;
+        }
+        let value = display.worked.variant.value(self.lost)?;
+        let equals = || Math::Operator(Operator::Equals);
+        let equation = |parts: Vec<Math>| Block::Equation { lines: vec![Math::Row(parts)], number: None };
+        let (sum, numbers) = (self.difference.symbols.clone(), display.substituted(&self.difference));
+        let result = display.quantity_to(self.lost, FIGURES);
+        let mut blocks = vec![self.words.clone(), equation(vec![sum, equals(), numbers, equals(), result])];
+        let is_elastic = value.value.abs() <= value.error.max(1e-12);
+        blocks.push(text(match (is_elastic, &self.formula) {
+            (true, _) => "None is lost: the impact is elastic.",
+            (false, None) => "It is not negative, as it must be where nothing supplies energy.",
+            (false, Some(_)) => "It is not negative, as it must be where nothing supplies energy, and equals",
+        }));
+        if let Some(formula) = self.formula.as_ref().filter(|_| !is_elastic) {
+            let value = display.evaluated(&formula.expr, &display.manner(self.lost).measured, FIGURES);
+            blocks.push(equation(vec![formula.symbols.clone(), equals(), value]));
+        }
+        Some(blocks)
     }
-    Some(blocks)
 }
 
 /// `1/2 m_A m_B / (m_A + m_B) (1 - e^2) (approach)^2`, for an impact of two bodies whose restitution the reader knows.

@@ -51,7 +51,7 @@ pub(super) fn sentence(display: Display<'_>, part: &Part, range: &RangePart) -> 
     let claim = &range.claim;
     let at = with_unit(Math::Number(interval.trial.at.to_f64().to_string()), &range.number.plain_unit());
     let unit = match &claim.left {
-        Expr::Symbol(symbol) => display.unit(*symbol),
+        Expr::Symbol(symbol) => display.unit(*symbol).clone(),
         term => display.unit_of(term),
     };
     let left = with_unit(number_math(&printed(interval.trial.left / unit.factor().to_f64(), 3)), &unit);

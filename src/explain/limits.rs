@@ -17,7 +17,6 @@ use super::Block;
 use super::Inline;
 use super::display::Display;
 use super::display::number_math;
-use super::display::with_unit;
 use super::wording::join;
 
 /// The two extremes, and what happens there: in one dimension, and in two.
@@ -35,7 +34,7 @@ pub(super) fn limits(display: Display<'_>) -> Vec<Block> {
         .parts
         .iter()
         .flat_map(|part| part.kind.numbers())
-        .filter(|number| !number.whole && !display.free.contains(&number.symbol))
+        .filter(|number| !number.whole && !display.is_free(number.symbol))
         .collect();
     let oblique = worked.problem.loaded().draft.scene.axes.rectangular().len() > 1;
     let Ok(mut sampler) = Sampler::new(worked.problem, worked.variant.form()) else { return Vec::new() };
@@ -83,5 +82,5 @@ fn result(display: Display<'_>, there: Worked<'_>, number: &NumberPart) -> Math 
     let value = if answer.value.abs() <= answer.error { 0.0 } else { answer.for_print() };
     let shown =
         Printed::new(value, number.figures).map_or(Math::Text("?".into()), |printed| number_math(&printed.plain()));
-    Math::relation(display.name(number.symbol), Operator::Equals, with_unit(shown, &number.plain_unit()))
+    Math::relation(display.name(number.symbol), Operator::Equals, display.in_unit_of(number, shown))
 }

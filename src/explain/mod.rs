@@ -14,12 +14,15 @@ mod limits;
 mod outline;
 mod pictures;
 mod quadratic;
+mod script;
 mod solution;
 mod steps;
+mod term;
+mod way;
 mod wording;
 
 pub use answers::{printed_answers, printed_formula, printed_vector};
 pub use interval::printed_range;
-pub use outline::{Audience, Block, Inline, Outline, Section};
+pub use outline::{Audience, Block, Inline, Outline, Section, SharedBlock};
 pub use pictures::situation;
 pub use solution::solution;

@@ -7,7 +7,6 @@ use crate::expr::Math;
 use crate::expr::Operator;
 use crate::expr::Symbol;
 use crate::quantity::Unit;
-use crate::solve::Move;
 
 use super::Block;
 use super::Inline;
@@ -43,11 +42,15 @@ impl Coefficient {
     }
 }
 
-/// The equation of a move and its roots; `None` for another move, or where a coefficient has no value.
-pub(super) fn solution(display: Display<'_>, step_move: &Move, figures: usize) -> Option<Vec<Block>> {
-    let Move::Quadratic { unknown, a, b, c } = step_move else { return None };
-    if display.free.contains(unknown) {
-        return Some(in_symbols(display, *unknown, [a, b, c]));
+/// The equation with those coefficients and its roots; `None` where a coefficient has no value.
+pub(super) fn solution(
+    display: Display<'_>,
+    unknown: Symbol,
+    [a, b, c]: [&Expr; 3],
+    figures: usize,
+) -> Option<Vec<Block>> {
+    if display.is_free(unknown) {
+        return Some(in_symbols(display, unknown, [a, b, c]));
     }
     if ![a, b, c].into_iter().all(|term| display.has_value(term)) {
         return None;
@@ -55,13 +58,13 @@ pub(super) fn solution(display: Display<'_>, step_move: &Move, figures: usize) -
     let reversed = display.value_of(a) < 0.0;
     let terms = [a, b, c].map(|term| if reversed { (-term.clone()).simplify() } else { term.clone() });
     let [a, b, c] = terms.each_ref().map(|term| Coefficient::new(display, term, figures));
-    let x = Expr::from(*unknown);
+    let x = Expr::from(unknown);
     let [square, linear, rest] = terms;
     let left = Expr::sum([square * x.clone().powi(2), linear * x.clone(), rest]);
-    let name = display.name(*unknown);
+    let name = display.name(unknown);
     let lines = vec![
         Math::relation(name.clone(), Operator::Equals, formula(&a, &b, &c)),
-        Math::Row(vec![Math::Operator(Operator::Equals), roots(display, *unknown, [&a, &b, &c], figures)?]),
+        Math::Row(vec![Math::Operator(Operator::Equals), roots(display, unknown, [&a, &b, &c], figures)?]),
     ];
     Some(vec![
         Block::Paragraph(vec![
@@ -127,6 +130,6 @@ fn roots(display: Display<'_>, unknown: Symbol, [a, b, c]: [&Coefficient; 3], fi
     let product = c.value * c.unit.factor().to_f64() / (a.value * scale);
     // By Vieta: the product of the roots tells the other one without a difference of almost equal numbers.
     let other = if taken == 0.0 { sum } else { product / taken };
-    let shown = |value: f64| with_unit(number_math(&printed(value / unit.factor().to_f64(), figures)), &unit);
+    let shown = |value: f64| with_unit(number_math(&printed(value / unit.factor().to_f64(), figures)), unit);
     Some(Math::Row(vec![display.quantity_to(unknown, figures), Math::Text(" or ".into()), shown(other)]))
 }

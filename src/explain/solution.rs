@@ -1,7 +1,5 @@
 //! The worked solution: five sections for everyone, and one for the instructor.
 
-use std::collections::BTreeMap;
-
 use crate::expr::Symbol;
 use crate::problem::Worked;
 use crate::scene::Scene;
@@ -20,34 +18,39 @@ use super::diagrams;
 use super::display::Display;
 use super::display::Shown;
 use super::instructor;
+use super::script;
 use super::steps::Figures;
 use super::steps::Steps;
 use super::steps::text;
+use super::way::Memory;
 use super::wording::capitalised;
 use super::wording::list;
 
-/// The worked solution of a variant, for students, with a last section for instructors.
+/// The worked solution of a variant, with a last section where instructors read it.
 #[must_use]
-pub fn solution(worked: Worked<'_>) -> Outline {
-    let free = worked.free();
+pub fn solution(worked: Worked<'_>, audience: Audience) -> Outline {
+    let memory = Memory::of(worked);
     let shown = Shown::default();
-    let display = Display { worked, free: &free, shown: &shown };
+    let display = Display { worked, way: memory.way(worked), shown: &shown };
     let answers = answers::answers(display);
     let checks = checks::checks(display);
     let closing = if checks.is_empty() { "Answer" } else { "Answer and check" };
     let mut sections = vec![
-        section("System", system(worked)),
-        section("Momentum and impulse diagrams", diagrams::diagrams(worked)),
+        section("System", display.way.system.get_or_init(|| kept(system(worked))).clone()),
+        section("Momentum and impulse diagrams", diagrams::diagrams(display)),
         section("Axes and what is given", axes::axes(display)),
         section("Laws", laws(display)),
         section(closing, answers.into_iter().chain(checks).collect()),
     ];
     sections.retain(|section| !section.blocks.is_empty());
-    sections.push(Section {
-        audience: Audience::Instructor,
-        ..section("Certificate and equations used", instructor::notes(display))
-    });
+    if audience == Audience::Instructor {
+        sections.push(Section { audience, ..section("Certificate and equations used", instructor::notes(display)) });
+    }
     Outline { title: worked.problem.title().to_owned(), sections }
+}
+
+fn kept(blocks: Vec<Block>) -> Vec<Block> {
+    blocks.into_iter().map(Block::shared).collect()
 }
 
 fn section(heading: &str, blocks: Vec<Block>) -> Section {
@@ -165,13 +168,14 @@ fn laws(display: Display<'_>) -> Vec<Block> {
     let asked: Vec<Symbol> = worked.form.wanted().collect();
     let answer = usize::from(worked.problem.loaded().draft.figures.unwrap_or(3));
     let figures = Figures { answer, intermediate: answer + 1 };
-    let mut steps = Steps { display, figures, numbers: BTreeMap::new(), asked, angle_explained: false };
+    let mut steps = Steps { display, figures, asked, angle_explained: false };
+    let scripts = display.way.laws.get_or_init(|| script::scripts(display));
     let mut blocks = Vec::new();
     if let [first, ..] = &worked.leaf().words[..] {
         blocks.push(text(&format!("{}.", capitalised(first))));
     }
-    for (position, step) in worked.leaf().answer_steps().iter().enumerate() {
-        blocks.extend(steps.step(position, step));
+    for (position, (step, script)) in worked.leaf().answer_steps().iter().zip(scripts).enumerate() {
+        blocks.extend(steps.step(position, step, script));
     }
     without_repetition(blocks)
 }
@@ -181,8 +185,8 @@ fn without_repetition(blocks: Vec<Block>) -> Vec<Block> {
     let mut said: Option<usize> = None;
     let mut kept: Vec<Block> = Vec::with_capacity(blocks.len());
     for block in blocks {
-        if matches!(block, Block::Paragraph(_)) {
-            if said.and_then(|place| kept.get(place)) == Some(&block) {
+        if matches!(block.bare(), Block::Paragraph(_)) {
+            if said.and_then(|place| kept.get(place)).map(Block::bare) == Some(block.bare()) {
                 continue;
             }
             said = Some(kept.len());

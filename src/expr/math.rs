@@ -2,10 +2,12 @@
 
 use std::sync::Arc;
 
+use super::shared::Shared;
+
 /// A piece of typeset mathematics. What it is made of may be shared: the name of a quantity stands in many places.
 ///
 /// Terms ([`super::Expr`]) are laid out as this; so are quantities with their units, and the few marks that explanations need.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug)]
 pub enum Math {
     /// Parts side by side.
     Row(Vec<Math>),
@@ -41,6 +43,8 @@ pub enum Math {
     Integral(Arc<Math>, Arc<Math>, Arc<Math>, Arc<Math>),
     /// A vector's name, set bold.
     Vector(String),
+    /// Any of these, held in many places.
+    Shared(Arc<Shared>),
 }
 
 /// The operators and relations of the subject.
@@ -104,17 +108,52 @@ impl Math {
     }
 }
 
+/// What is held in many places equals the same by itself.
+impl PartialEq for Math {
+    fn eq(&self, other: &Self) -> bool {
+        match (self.bare(), other.bare()) {
+            (own, other) if std::ptr::eq(own, other) => true,
+            (Self::Row(own), Self::Row(other)) => own == other,
+            (Self::Number(own), Self::Number(other))
+            | (Self::Identifier(own), Self::Identifier(other))
+            | (Self::Text(own), Self::Text(other))
+            | (Self::Function(own), Self::Function(other))
+            | (Self::Vector(own), Self::Vector(other)) => own == other,
+            (Self::Operator(own), Self::Operator(other)) => own == other,
+            (Self::Fraction(a, b), Self::Fraction(c, d))
+            | (Self::Sub(a, b), Self::Sub(c, d))
+            | (Self::Sup(a, b), Self::Sup(c, d)) => (a, b) == (c, d),
+            (Self::SubSup(a, b, c), Self::SubSup(d, e, f)) => (a, b, c) == (d, e, f),
+            (Self::Root(own), Self::Root(other))
+            | (Self::Bracketed(own), Self::Bracketed(other))
+            | (Self::Squared(own), Self::Squared(other))
+            | (Self::Bars(own), Self::Bars(other)) => own == other,
+            (Self::Cases(own), Self::Cases(other)) => own == other,
+            (Self::Integral(a, b, c, d), Self::Integral(e, f, g, h)) => (a, b, c, d) == (e, f, g, h),
+            _ => false,
+        }
+    }
+}
+
+impl Eq for Math {}
+
+impl Default for Math {
+    fn default() -> Self {
+        Self::Row(Vec::new())
+    }
+}
+
 impl Math {
     /// Whether an operator is a sign in front, since nothing that it could join stands before it.
     pub(crate) fn is_prefix(before: Option<&Self>) -> bool {
-        matches!(before, None | Some(Self::Operator(_)))
+        matches!(before.map(Self::bare), None | Some(Self::Operator(_)))
     }
 
     /// Whether a space belongs between neighbours: a number and its unit, a word and what follows.
     pub(crate) fn needs_space(before: Option<&Self>, after: &Self) -> bool {
         let Some(before) = before else { return false };
         let joins = |part: &Self| matches!(part, Self::Operator(_));
-        match (before, after) {
+        match (before.bare(), after.bare()) {
             (before, _) if joins(before) => false,
             (_, Self::Text(text)) => text.starts_with(char::is_alphanumeric),
             (Self::Text(text), after) => !joins(after) && !text.ends_with(char::is_whitespace),

@@ -59,6 +59,9 @@ const IN_TEXT: [(char, &str); 22] = [
     ('\u{2074}', r"$^4$"),
 ];
 
+/// The room that most mathematics takes, in bytes.
+const USUAL_LENGTH: usize = 48;
+
 /// Functions that have a command of their own.
 const COMMANDS: [&str; 8] = ["sin", "cos", "tan", "arcsin", "arccos", "arctan", "exp", "ln"];
 
@@ -94,16 +97,14 @@ impl Math {
     /// ```
     #[must_use]
     pub fn latex(&self) -> String {
-        let mut out = String::new();
+        let mut out = String::with_capacity(USUAL_LENGTH);
         self.write_latex(&mut out);
         out
     }
 
-    /// The same for parts side by side.
-    pub(crate) fn row_latex<M: Borrow<Self>>(parts: &[M]) -> String {
-        let mut out = String::new();
-        write_row(parts, &mut out);
-        out
+    /// The same for parts side by side, at the end of a text.
+    pub(crate) fn put_row_latex<M: Borrow<Self>>(parts: &[M], out: &mut String) {
+        write_row(parts, out);
     }
 
     fn write_latex(&self, out: &mut String) {
@@ -123,7 +124,7 @@ impl Math {
                 subscript.write_subscript(out);
             }
             Self::Sup(base, exponent) => {
-                if matches!(**base, Self::Sup(..) | Self::SubSup(..)) {
+                if matches!(base.bare(), Self::Sup(..) | Self::SubSup(..)) {
                     base.write_group(out);
                 } else {
                     base.write_latex(out);
@@ -172,6 +173,7 @@ impl Math {
                 }
             }
             Self::Vector(name) => write_command("mathbf", name, out),
+            Self::Shared(shared) => out.push_str(shared.latex()),
         }
     }
 
@@ -185,7 +187,7 @@ impl Math {
     /// Letters of a subscript in italics when single, upright when they form a word: `A1`, `avg,A`.
     fn write_subscript(&self, out: &mut String) {
         out.push('_');
-        let Self::Text(text) = self else { return self.write_group(out) };
+        let Self::Text(text) = self.bare() else { return self.write_group(out) };
         out.push('{');
         for part in super::math::subscript_parts(text) {
             let word = part.chars().count() > 1 && part.starts_with(char::is_alphabetic);
@@ -208,7 +210,7 @@ impl Math {
 
     /// Whether brackets around it must grow.
     pub(super) fn is_tall(&self) -> bool {
-        match self {
+        match self.bare() {
             Self::Fraction(..) | Self::Cases(_) | Self::Integral(..) => true,
             Self::Row(parts) => parts.iter().any(Self::is_tall),
             Self::Root(inner) | Self::Bracketed(inner) | Self::Squared(inner) | Self::Bars(inner) => inner.is_tall(),
@@ -283,24 +285,26 @@ fn write_row<M: Borrow<Math>>(parts: &[M], out: &mut String) {
     let start = out.len();
     let mut before: Option<&Math> = None;
     for part in parts.iter().map(M::borrow) {
-        let mark = match part {
+        let mark = match part.bare() {
             Math::Operator(_) => out.len(),
-            part => {
+            _ => {
                 if Math::needs_space(before, part) {
                     out.push_str(r"\ ");
                 }
                 out.len()
             }
         };
-        match part {
+        match part.bare() {
             Math::Operator(Operator::Juxtapose) if is_function(before) => out.push(' '),
-            Math::Operator(Operator::Juxtapose) if matches!(before, Some(Math::Sup(..))) => out.push_str(r"\,"),
+            Math::Operator(Operator::Juxtapose) if matches!(before.map(Math::bare), Some(Math::Sup(..))) => {
+                out.push_str(r"\,");
+            }
             Math::Operator(operator) if Math::is_prefix(before) => out.push_str(operator.latex().trim()),
             Math::Operator(operator) => out.push_str(operator.latex()),
-            part => part.write_latex(out),
+            _ => part.write_latex(out),
         }
         // `\pi` and `r` must not run together to `\pir`
-        if ends_with_command(&out[start..mark]) && out[mark..].starts_with(|c: char| c.is_ascii_alphabetic()) {
+        if out[mark..].starts_with(|c: char| c.is_ascii_alphabetic()) && ends_with_command(&out[start..mark]) {
             out.insert(mark, ' ');
         }
         before = Some(part);
@@ -308,7 +312,7 @@ fn write_row<M: Borrow<Math>>(parts: &[M], out: &mut String) {
 }
 
 fn is_function(part: Option<&Math>) -> bool {
-    match part {
+    match part.map(Math::bare) {
         Some(Math::Function(_)) => true,
         Some(Math::Sup(base, _)) => is_function(Some(base)),
         _ => false,
@@ -316,6 +320,6 @@ fn is_function(part: Option<&Math>) -> bool {
 }
 
 fn ends_with_command(latex: &str) -> bool {
-    let before = latex.trim_end_matches(|c: char| c.is_ascii_alphabetic());
-    before.len() < latex.len() && before.ends_with('\\')
+    let letters = latex.bytes().rev().take_while(u8::is_ascii_alphabetic).count();
+    letters > 0 && latex.as_bytes().get(..latex.len() - letters).is_some_and(|before| before.ends_with(b"\\"))
 }

@@ -57,13 +57,14 @@ impl Math {
                 let (low, high) = (low.plain(), high.plain());
                 format!("integral from {low} to {high} of {} d{}", integrand.plain(), variable.plain())
             }
+            Self::Shared(shared) => shared.plain().to_owned(),
         }
     }
 
     /// In brackets where a fraction bar or a power would else seem to take a part of it.
     fn held(&self, tight: bool) -> String {
-        let loose = match self {
-            Self::Row(parts) => parts.iter().any(|part| match part {
+        let loose = match self.bare() {
+            Self::Row(parts) => parts.iter().any(|part| match part.bare() {
                 Self::Operator(Operator::Juxtapose) => tight,
                 Self::Operator(_) => true,
                 _ => tight && parts.len() > 1,
@@ -79,10 +80,10 @@ fn row(parts: &[Math]) -> String {
     let mut text = String::new();
     for (index, part) in parts.iter().enumerate() {
         let before = index.checked_sub(1).and_then(|index| parts.get(index));
-        match part {
+        match part.bare() {
             Math::Operator(operator) if Math::is_prefix(before) => text.push_str(operator.plain().trim()),
             Math::Operator(operator) => text.push_str(operator.plain()),
-            part => {
+            _ => {
                 if Math::needs_space(before, part) {
                     text.push(' ');
                 }

@@ -5,6 +5,7 @@
 //! and is written readably again ([`Expr::simplify`]). For print a term is laid out as [`Math`], which prints itself as
 //! plain text, `LaTeX` or `MathML`.
 
+mod arrangement;
 mod canonical;
 mod coprime;
 mod curvature;
@@ -20,6 +21,7 @@ mod math;
 mod math_latex;
 mod math_mathml;
 mod math_plain;
+mod math_width;
 mod monomial;
 mod name;
 mod notation;
@@ -31,6 +33,7 @@ mod polynomial_in;
 mod properties;
 mod quotient;
 mod readable;
+mod shared;
 mod sign;
 mod simplify;
 mod slopes;
@@ -41,14 +44,15 @@ mod text;
 mod token;
 mod tree;
 
+pub use arrangement::{Arrangement, Leaf, LeafKind};
 pub use canonical::{equal, equal_where};
 pub use curvature::is_curved;
 pub use dimension::DimensionClash;
-pub use layout::{Leaf, LeafKind};
 pub(crate) use math::subscript_parts;
 pub use math::{Math, Operator};
 pub use name::name_math;
 pub use notation::Notation;
 pub use parse::{MAX_DEPTH, MAX_LENGTH, Names, ParseFault, parse};
+pub use shared::Shared;
 pub use symbol::{Symbol, SymbolEntry, SymbolTable};
 pub use tree::{Expr, Function, Piecewise};

@@ -84,7 +84,7 @@ impl TurnDiagram {
     #[must_use]
     pub fn drawing(&self) -> Drawing {
         let panels = self.terms.iter().map(|term| turn_panel(&self.centre, term)).collect();
-        let row = Row { panels, signs: vec![Operator::Plus, Operator::Equals] };
+        let row = Row { panels };
         self.wording.drawing(assemble(&headings(), vec![row], &[]))
     }
 }
@@ -108,7 +108,6 @@ impl AngularDiagram {
                 turn_panel(&self.centre, &particle.impulse),
                 self.state_panel(&particle.name, &particle.after, radii, momenta),
             ],
-            signs: vec![Operator::Plus, Operator::Equals],
         });
         self.wording.drawing(assemble(&headings(), rows.collect(), &self.axes))
     }

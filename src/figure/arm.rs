@@ -3,7 +3,6 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::expr::Math;
-use crate::expr::Operator;
 
 use super::angular_diagram::{AngularImpulse, headings, turn_panel};
 use super::body::{Attach, Body};
@@ -88,7 +87,6 @@ impl ArmDiagram {
         };
         let row = Row {
             panels: vec![panel(&self.before), turn_panel(&self.before.centre, &self.impulse), panel(&self.after)],
-            signs: vec![Operator::Plus, Operator::Equals],
         };
         self.wording.drawing(assemble(&headings(), vec![row], &[]))
     }

@@ -1,7 +1,5 @@
 //! The drawing model: what a figure consists of, before any format.
 
-use std::collections::BTreeSet;
-
 use crate::expr::Math;
 
 /// A drawing in its own units (about one point each), y upwards.
@@ -131,10 +129,27 @@ pub enum Shape {
     },
 }
 
+impl Role {
+    /// Every role, in order.
+    pub(super) const ALL: [Self; 11] = [
+        Self::Body,
+        Self::Momentum,
+        Self::Impulse,
+        Self::Velocity,
+        Self::Force,
+        Self::Length,
+        Self::Surface,
+        Self::Axis,
+        Self::Path,
+        Self::Curve,
+        Self::Guide,
+    ];
+}
+
 impl Drawing {
-    /// Every role that a shape has, in the order of the roles.
-    pub(super) fn roles(&self) -> BTreeSet<Role> {
-        self.shapes.iter().map(Shape::role).collect()
+    /// Whether a shape has that role.
+    pub(super) fn has(&self, role: Role) -> bool {
+        self.shapes.iter().any(|shape| shape.role() == role)
     }
 }
 

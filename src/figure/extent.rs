@@ -46,6 +46,12 @@ impl Extent {
         points.fold(first, join)
     }
 
+    /// The box of that size about a point.
+    fn level(centre: Point, size: Point) -> Self {
+        let half = size * 0.5;
+        Self { low: centre - half, high: centre + half }
+    }
+
     /// The smallest box around both.
     #[must_use]
     pub fn joined(self, other: Self) -> Self {
@@ -137,6 +143,7 @@ impl Extent {
                     Point::new(centre.x.max(self.low.x).min(self.high.x), centre.y.max(self.low.y).min(self.high.y));
                 (nearest - *centre).length() < *radius
             }
+            Shape::Rectangle { centre, size, angle: 0.0, .. } if !self.meets(Self::level(*centre, *size)) => false,
             Shape::Rectangle { centre, size, angle, .. } => {
                 let within = |corner: &Point| {
                     let own = (*corner - *centre).rotated(-angle);
@@ -172,6 +179,7 @@ pub fn extent(shape: &Shape) -> Extent {
             Extent::around(head.into_iter().chain([*from]))
         }
         Shape::Circle { centre, radius, .. } => Extent { low: *centre, high: *centre }.grown(*radius),
+        Shape::Rectangle { centre, size, angle: 0.0, .. } => Extent::level(*centre, *size),
         Shape::Rectangle { centre, size, angle, .. } => Extent::around(corners(*centre, *size, *angle)),
         Shape::Arc { centre, radius, from, to, .. } => Extent::around(arc_points(*centre, *radius, *from, *to)),
         Shape::Label { at, text, .. } => label_extent(*at, text),
@@ -204,6 +212,15 @@ pub(super) struct Measure {
 
 impl Measure {
     pub(super) fn of(text: &Math) -> Self {
+        let Math::Shared(shared) = text else { return Self::taken(text) };
+        let [width, above, below] = shared.size(|text| {
+            let Self { width, above, below } = Self::taken(text);
+            [width, above, below]
+        });
+        Self { width, above, below }
+    }
+
+    fn taken(text: &Math) -> Self {
         let mut gauge = Gauge { whole: Self { width: 0.0, above: LOW_HEIGHT, below: 0.0 }, run: None };
         set(text, &mut |piece, look| gauge.put(piece, look));
         gauge.close();

@@ -54,7 +54,7 @@ impl Point {
     /// The same vector turned by an angle in radians, counter-clockwise.
     #[must_use]
     pub fn rotated(self, angle: f64) -> Self {
-        self.turned_by([libm::cos(angle), libm::sin(angle)])
+        self.turned_by(cosine_and_sine(angle))
     }
 
     /// The same vector turned by an angle, told by its cosine and sine.
@@ -97,6 +97,11 @@ impl Neg for Point {
     }
 }
 
+/// Most things on drawings stand level.
+fn cosine_and_sine(angle: f64) -> [f64; 2] {
+    if angle == 0.0 { [1.0, 0.0] } else { [libm::cos(angle), libm::sin(angle)] }
+}
+
 /// The filled head of an arrow, tip first, and the point where its shaft ends.
 ///
 /// The head shrinks with short arrows, so that a shaft always remains to be seen.
@@ -123,7 +128,7 @@ pub(super) fn arc_points(centre: Point, radius: f64, from: f64, to: f64) -> Vec<
 /// The corners of a turned rectangle, counter-clockwise from its lower left.
 pub(super) fn corners(centre: Point, size: Point, angle: f64) -> [Point; 4] {
     let half = size * 0.5;
-    let turn = [libm::cos(angle), libm::sin(angle)];
+    let turn = cosine_and_sine(angle);
     [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
         .map(|(right, up)| centre + Point::new(right * half.x, up * half.y).turned_by(turn))
 }
@@ -146,11 +151,28 @@ pub(super) fn put_coordinate(out: &mut String, value: f64) {
     put_digits(out, whole);
     if rest > 0 {
         out.push('.');
-        put_digits(out, rest / 10);
+        out.push(digit(rest / 10));
     }
     if rest % 10 > 0 {
-        put_digits(out, rest % 10);
+        out.push(digit(rest));
     }
+}
+
+/// The digits of a whole number, of which most have no more than three.
+fn put_digits(out: &mut String, number: u64) {
+    if number >= 1000 {
+        put_digits(out, number / 1000);
+    }
+    for power in [100, 10] {
+        if number >= power {
+            out.push(digit(number / power));
+        }
+    }
+    out.push(digit(number));
+}
+
+fn digit(number: u64) -> char {
+    char::from(b'0' + (number % 10) as u8)
 }
 
 /// What of a coordinate is printed.
@@ -158,13 +180,6 @@ pub(super) fn hundredths(value: f64) -> i64 {
     let hundredths = (value * 100.0).round();
     #[allow(clippy::cast_possible_truncation, reason = "no picture is that large")]
     if hundredths.is_finite() { hundredths as i64 } else { 0 }
-}
-
-fn put_digits(out: &mut String, number: u64) {
-    if number >= 10 {
-        put_digits(out, number / 10);
-    }
-    out.push(char::from(b'0' + (number % 10) as u8));
 }
 
 #[cfg(test)]

@@ -1,9 +1,9 @@
 //! The impulse-momentum diagram: for each body, momentum before + impulses = momentum after.
 
 use std::f64::consts::FRAC_PI_2;
+use std::sync::LazyLock;
 
 use crate::expr::Math;
-use crate::expr::Operator;
 
 use super::body::{Attach, Body};
 use super::input::{AxisMark, Form, LabelledVector, MARGIN, Wording};
@@ -42,11 +42,20 @@ enum Quantity {
 
 impl Quantity {
     /// How its parts are called: before, what changes it, after.
-    fn headings(self, several: bool) -> [&'static str; 3] {
+    fn headings(self, several: bool) -> &'static [Math; 3] {
+        static HEADINGS: LazyLock<[[Math; 3]; 3]> = LazyLock::new(|| {
+            [
+                ["momentum before", "impulse", "momentum after"],
+                ["momentum before", "impulses", "momentum after"],
+                ["angular momentum before", "angular impulse", "angular momentum after"],
+            ]
+            .map(|row| row.map(|words| Math::Text(words.to_owned()).shared()))
+        });
+        let [one, many, angular] = &*HEADINGS;
         match (self, several) {
-            (Self::Momentum, false) => ["momentum before", "impulse", "momentum after"],
-            (Self::Momentum, true) => ["momentum before", "impulses", "momentum after"],
-            (Self::AngularMomentum, _) => ["angular momentum before", "angular impulse", "angular momentum after"],
+            (Self::Momentum, false) => one,
+            (Self::Momentum, true) => many,
+            (Self::AngularMomentum, _) => angular,
         }
     }
 }
@@ -112,8 +121,7 @@ impl MomentumDiagram {
         let scale = Scale::fitting(self.bodies.iter().flat_map(BodyMomentum::vectors), longest);
         let rows = self.bodies.iter().map(|body| body.row(scale)).collect();
         let several = self.bodies.iter().any(|body| body.impulses.len() > 1);
-        let headings = of.headings(several).map(|words| Math::Text(words.to_owned()));
-        assemble(&headings, rows, &self.axes)
+        assemble(of.headings(several), rows, &self.axes)
     }
 }
 
@@ -130,7 +138,6 @@ impl BodyMomentum {
                 self.impulse_panel(scale),
                 self.momentum_panel(&self.after, scale),
             ],
-            signs: vec![Operator::Plus, Operator::Equals],
         }
     }
 

@@ -1,5 +1,7 @@
 //! Panels in rows with signs between them: before + impulse = after.
 
+use std::sync::LazyLock;
+
 use crate::expr::Math;
 use crate::expr::Operator;
 
@@ -16,11 +18,14 @@ const HEADING_GAP: f64 = 12.0;
 const AXIS_LENGTH: f64 = 26.0;
 const AXES_GAP: f64 = 14.0;
 
-/// One equation of pictures: each panel drawn about its own origin, the signs between them.
+/// One equation of pictures: each panel drawn about its own origin.
 pub(super) struct Row {
     pub panels: Vec<Vec<Shape>>,
-    pub signs: Vec<Operator>,
 }
+
+/// What stands between the panels: before + impulse = after.
+static SIGNS: LazyLock<[Math; 2]> =
+    LazyLock::new(|| [Operator::Plus, Operator::Equals].map(|sign| Math::Operator(sign).shared()));
 
 /// Rows in columns: headings above, signs between, axes at the lower left.
 pub(super) fn assemble(headings: &[Math], rows: Vec<Row>, axes: &[AxisMark]) -> Vec<Shape> {
@@ -38,11 +43,11 @@ pub(super) fn assemble(headings: &[Math], rows: Vec<Row>, axes: &[AxisMark]) -> 
         let frame = frames.iter().copied().reduce(Extent::joined);
         let frame = frame.unwrap_or(Extent { low: Point::ORIGIN, high: Point::ORIGIN });
         let level = top - frame.high.y;
-        for (index, sign) in row.signs.iter().enumerate() {
+        for (index, sign) in SIGNS.iter().enumerate() {
             if let (Some(left), Some(right)) = (centres.get(index), centres.get(index + 1)) {
                 let (left_width, right_width) = (widths[index], widths[index + 1]);
                 let x = f64::midpoint(left + left_width / 2.0, right - right_width / 2.0);
-                canvas.fixed_label(Point::new(x, level), &Math::Operator(*sign), Role::Body);
+                canvas.fixed_label(Point::new(x, level), sign, Role::Body);
             }
         }
         for ((panel, frame), centre) in row.panels.into_iter().zip(frames).zip(&centres) {

@@ -22,6 +22,10 @@ const NEARBY: f64 = 18.0;
 /// Below this part of a label's width a line is short; above this part of its length its lesser side makes it slant.
 const SHORT: f64 = 0.5;
 const SLANTING: f64 = 0.12;
+/// Where along a line its label is tried, first on the one side and then on the other.
+const PARTS: [f64; 5] = [0.5, 0.7, 0.35, 0.9, 0.15];
+/// Where around a point its label is tried, in eighths of a turn from the preferred direction.
+const EIGHTHS: [f64; 8] = [0.0, 1.0, -1.0, 2.0, -2.0, 3.0, -3.0, 4.0];
 /// How far beyond the arc of an angle its label is tried.
 const OPENINGS: [f64; 6] = [0.0, 6.0, 12.0, 18.0, 24.0, 30.0];
 /// Step from ring to ring, number of rings, places on a ring.
@@ -108,8 +112,8 @@ fn label_box(shape: &Shape) -> Option<Extent> {
 /// The first candidate for a label of that size that is free, or else the last one. `boxes` are those of the shapes that
 /// are labels.
 fn place(label: Extent, anchor: Anchor, shapes: &[Shape], boxes: &[Option<Extent>]) -> Point {
-    let near = near_places(anchor, label.size());
-    let start = near.first().copied().unwrap_or_default();
+    let near = || (0..).map_while(|index| near_place(anchor, label.size(), index));
+    let start = near().next().unwrap_or_default();
     let rings = (1..=RINGS).flat_map(|ring| {
         let radius = RING_STEP * f64::from(ring);
         (0..RING_PLACES).map(move |turn| {
@@ -133,11 +137,11 @@ fn place(label: Extent, anchor: Anchor, shapes: &[Shape], boxes: &[Option<Extent
     let short = is_short(anchor, label.size());
     let ends = if short || !foreign.is_empty() { end_places(anchor, label.size()) } else { Vec::new() };
     let (first, second) = if short { (&ends[..], None) } else { (&[][..], ends.first()) };
-    let near_and_end = || first.iter().chain(&near).chain(second).copied();
+    let near_and_end = || first.iter().copied().chain(near()).chain(second.copied());
     let clear = |distance: f64| near_and_end().find(|at| is_clear(at, distance));
     // Where no other arrow is near, any place beside its own will do.
     let best = if foreign.is_empty() { None } else { DISTANCES.into_iter().find_map(clear) };
-    best.or_else(|| first.iter().chain(&near).copied().chain(rings).find(is_free)).unwrap_or(start)
+    best.or_else(|| first.iter().copied().chain(near()).chain(rings).find(is_free)).unwrap_or(start)
 }
 
 /// Whether a label that belongs to an arrow could be taken for that of this shape, another arrow near to it.
@@ -176,7 +180,8 @@ fn is_short(anchor: Anchor, size: Point) -> bool {
     slants && along.length() < SHORT * size.x
 }
 
-fn near_places(anchor: Anchor, size: Point) -> Vec<Point> {
+/// The place of that index beside what a label belongs to; none behind the last.
+fn near_place(anchor: Anchor, size: Point, index: usize) -> Option<Point> {
     match anchor {
         Anchor::Along { from, to } => {
             let along = to - from;
@@ -190,22 +195,19 @@ fn near_places(anchor: Anchor, size: Point) -> Vec<Point> {
                 let lack = Point::new(side.x.abs(), side.y.abs()).dot(size * 0.5) - shift.dot(side);
                 from.towards(to, part) + shift + side * (GAP + HEAD_ROOM + lack)
             };
-            let mut places: Vec<_> = [0.5, 0.7, 0.35, 0.9, 0.15]
-                .into_iter()
-                .flat_map(|part| [beside(part, normal), beside(part, -normal)])
-                .collect();
-            places.push(clear_of(to, unit, GAP, size));
-            places
+            match PARTS.get(index / 2) {
+                Some(part) => Some(beside(*part, if index.is_multiple_of(2) { normal } else { -normal })),
+                None => (index == 2 * PARTS.len()).then(|| clear_of(to, unit, GAP, size)),
+            }
         }
-        Anchor::Around { at, radius, prefer } => [0.0, 1.0, -1.0, 2.0, -2.0, 3.0, -3.0, 4.0]
-            .into_iter()
-            .map(|eighths| clear_of(at, Point::polar(1.0, prefer + eighths * TAU / 8.0), radius + GAP, size))
-            .collect(),
-        Anchor::Opening { at, radius, prefer } => {
-            let outward = OPENINGS.map(|more| clear_of(at, Point::polar(1.0, prefer), radius + GAP + more, size));
-            let around = near_places(Anchor::Around { at, radius, prefer }, size);
-            outward.into_iter().chain(around).collect()
+        Anchor::Around { at, radius, prefer } => {
+            let eighths = EIGHTHS.get(index)?;
+            Some(clear_of(at, Point::polar(1.0, prefer + eighths * TAU / 8.0), radius + GAP, size))
         }
+        Anchor::Opening { at, radius, prefer } => match OPENINGS.get(index) {
+            Some(more) => Some(clear_of(at, Point::polar(1.0, prefer), radius + GAP + more, size)),
+            None => near_place(Anchor::Around { at, radius, prefer }, size, index - OPENINGS.len()),
+        },
     }
 }
 

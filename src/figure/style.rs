@@ -46,20 +46,6 @@ pub(super) fn style(role: Role) -> Style {
 mod tests {
     use super::*;
 
-    const ROLES: [Role; 11] = [
-        Role::Body,
-        Role::Momentum,
-        Role::Impulse,
-        Role::Velocity,
-        Role::Force,
-        Role::Length,
-        Role::Surface,
-        Role::Axis,
-        Role::Path,
-        Role::Curve,
-        Role::Guide,
-    ];
-
     /// Relative luminance of `#rrggbb`, as WCAG 2 defines it.
     fn luminance(colour: &str) -> Option<f64> {
         let digits = colour.strip_prefix('#')?;
@@ -72,11 +58,11 @@ mod tests {
 
     #[test]
     fn coloured_roles_stand_out_on_light_and_on_dark_pages() {
-        for luminance in ROLES.iter().filter_map(|role| luminance(style(*role).colour)) {
+        for luminance in Role::ALL.iter().filter_map(|role| luminance(style(*role).colour)) {
             assert!(1.05 / (luminance + 0.05) > 3.8, "too pale on white");
             assert!((luminance + 0.05) / 0.057 > 3.8, "too dark on near-black");
         }
-        for luminance in ROLES.iter().filter_map(|role| luminance(style(*role).dark)) {
+        for luminance in Role::ALL.iter().filter_map(|role| luminance(style(*role).dark)) {
             assert!((luminance + 0.05) / 0.057 > 7.0, "too dark for a dark page");
         }
     }

@@ -1,11 +1,11 @@
 //! A drawing as SVG: within a page, its ink following the page's text colour; or as a file, on a card of its own.
 
-use std::collections::BTreeSet;
+use std::sync::LazyLock;
 
 use crate::expr::Math;
 
 use super::extent::{Extent, Measure};
-use super::geometry::{arc_points, arrow_head, corners, hundredths, put_coordinate};
+use super::geometry::{arc_points, arrow_head, coordinate, corners, hundredths, put_coordinate};
 use super::style::{Style, TYPE_SIZE, style};
 use super::typeset::{Face, Run, runs};
 use super::{Drawing, Point, Role, Shape};
@@ -76,12 +76,59 @@ fn element(drawing: &Drawing, style: &str, ground: &str) -> String {
     page.put(["</title>\n<desc>"]);
     page.text(&drawing.description);
     page.put(["</desc>\n<style>\n"]);
-    page.style_sheet(&drawing.roles());
+    page.style_sheet(drawing);
     page.put([style, "</style>\n", ground]);
     for shape in &drawing.shapes {
         page.shape(shape);
     }
     page.put(["</svg>\n"]);
+    page.out
+}
+
+/// The rules that figures may have, the same in all of them.
+struct Sheet {
+    general: String,
+    /// In the order of the roles.
+    roles: [String; Role::ALL.len()],
+}
+
+static SHEET: LazyLock<Sheet> = LazyLock::new(|| Sheet { general: general_rules(), roles: Role::ALL.map(rules) });
+
+fn general_rules() -> String {
+    let size = coordinate(TYPE_SIZE);
+    format!(
+        "{SCOPE}{{max-width:100%;height:auto}}\n{SCOPE} *{{stroke-linejoin:round;stroke-linecap:round}}\n\
+         {SCOPE} text{{font:{size}px {FONTS};text-anchor:middle}}\n\
+         {SCOPE} .i{{font-style:italic}}\n{SCOPE} .b{{font-weight:bold}}\n{SCOPE} .dashed{{stroke-dasharray:{DASHES}}}\n"
+    )
+}
+
+fn rules(role: Role) -> String {
+    let style = style(role);
+    let (class, width) = (style.class, coordinate(style.width));
+    let [stroke, fill] = ["stroke", "fill"].map(|property| paint(property, &style));
+    let filled = if style.fill > 0.0 {
+        format!("{SCOPE} .{class}.filled{{{fill};fill-opacity:{}}}\n", coordinate(style.fill))
+    } else {
+        String::new()
+    };
+    format!(
+        "{SCOPE} .{class}{{{stroke};stroke-width:{width};fill:none}}\n\
+         {SCOPE} .{class}.head,{SCOPE} text.{class}{{{fill};stroke:none}}\n{filled}"
+    )
+}
+
+/// A colour for the light and the dark scheme of the page; programs that do not know of schemes keep the first.
+fn paint(property: &str, style: &Style) -> String {
+    let (light, dark) = (style.colour, style.dark);
+    let scheme = if light == dark { String::new() } else { format!(";{property}:light-dark({light},{dark})") };
+    format!("{property}:{light}{scheme}")
+}
+
+/// A label without its place.
+fn markup(text: &Math) -> String {
+    let mut page = Page { out: String::new(), low: Point::ORIGIN, high: Point::ORIGIN };
+    page.markup(text);
     page.out
 }
 
@@ -93,7 +140,9 @@ struct Page {
 
 impl Page {
     fn put<const N: usize>(&mut self, pieces: [&str; N]) {
-        self.out.extend(pieces);
+        for piece in pieces {
+            self.out.push_str(piece);
+        }
     }
 
     fn number(&mut self, value: f64) {
@@ -122,40 +171,14 @@ impl Page {
 
     /// The rules of the roles that are drawn. They are confined to figures, because a page's style sheets are shared by all
     /// that is on it.
-    fn style_sheet(&mut self, roles: &BTreeSet<Role>) {
-        self.put([SCOPE, "{max-width:100%;height:auto}\n", SCOPE, " *{stroke-linejoin:round;stroke-linecap:round}\n"]);
-        self.put([SCOPE, " text{font:"]);
-        self.number(TYPE_SIZE);
-        self.put(["px ", FONTS, ";text-anchor:middle}\n"]);
-        self.put([SCOPE, " .i{font-style:italic}\n", SCOPE, " .b{font-weight:bold}\n"]);
-        self.put([SCOPE, " .dashed{stroke-dasharray:", DASHES, "}\n"]);
-        for style in roles.iter().copied().map(style) {
-            let class = style.class;
-            self.put([SCOPE, " .", class, "{"]);
-            self.paint("stroke", &style);
-            self.put([";stroke-width:"]);
-            self.number(style.width);
-            self.put([";fill:none}\n", SCOPE, " .", class, ".head,", SCOPE, " text.", class, "{"]);
-            self.paint("fill", &style);
-            self.put([";stroke:none}\n"]);
-            if style.fill > 0.0 {
-                self.put([SCOPE, " .", class, ".filled{"]);
-                self.paint("fill", &style);
-                self.put([";fill-opacity:"]);
-                self.number(style.fill);
-                self.put(["}\n"]);
+    fn style_sheet(&mut self, drawing: &Drawing) {
+        self.put([&SHEET.general]);
+        for (role, rules) in Role::ALL.iter().zip(&SHEET.roles) {
+            if drawing.has(*role) {
+                self.put([rules]);
             }
         }
         self.put([SCOPE, " .area{stroke:none}\n"]);
-    }
-
-    /// A colour for the light and the dark scheme of the page; programs that do not know of schemes keep the first.
-    fn paint(&mut self, property: &str, style: &Style) {
-        let (light, dark) = (style.colour, style.dark);
-        self.put([property, ":", light]);
-        if light != dark {
-            self.put([";", property, ":light-dark(", light, ",", dark, ")"]);
-        }
     }
 
     /// SVG counts downwards from the upper left corner.
@@ -237,6 +260,14 @@ impl Page {
         self.put(["<text class=\"", style(role).class, "\" x=\""]);
         self.pair(baseline, "\" y=\"");
         self.put(["\">"]);
+        match text {
+            Math::Shared(shared) => self.put([shared.label(markup)]),
+            text => self.markup(text),
+        }
+        self.put(["</text>\n"]);
+    }
+
+    fn markup(&mut self, text: &Math) {
         let mut rise = 0.0;
         for Run { text, look } in runs(text).iter().filter(|run| !run.text.is_empty()) {
             let start = self.out.len();
@@ -259,7 +290,6 @@ impl Page {
                 self.put(["</tspan>"]);
             }
         }
-        self.put(["</text>\n"]);
     }
 
     /// A number as an attribute, left out where it has the value that holds without it.

@@ -40,7 +40,11 @@ impl Direction {
         if self.across {
             return [Expr::zero(), Expr::zero()];
         }
-        let (cos, sin) = (self.turn.clone().cos().simplify(), self.turn.clone().sin().simplify());
+        let (cos, sin) = if self.turn.is_zero() {
+            (Expr::one(), Expr::zero())
+        } else {
+            (self.turn.clone().cos().simplify(), self.turn.clone().sin().simplify())
+        };
         match self.quarters % 4 {
             0 => [cos, sin],
             1 => [-sin, cos],

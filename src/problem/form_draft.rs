@@ -16,6 +16,7 @@ use super::compile::condition;
 use super::follow::Followings;
 use super::form::Question;
 use super::formula::Formulas;
+use super::kept::Kept;
 use super::known::Known;
 use super::load::Loaded;
 use super::mistakes::Mistakes;
@@ -122,6 +123,7 @@ impl FormDraft {
             solver,
             mistakes: Mistakes::default(),
             followings: Followings::default(),
+            kept: Kept::default(),
         })
     }
 }

@@ -15,6 +15,7 @@ use super::compile::Built;
 use super::follow::Followings;
 use super::form::Question;
 use super::formula::Formulas;
+use super::kept::Kept;
 use super::known::Known;
 use super::load::Loaded;
 use super::mistakes::Mistakes;
@@ -63,6 +64,8 @@ pub struct Form {
     pub(super) followings: Followings,
     /// The formulas of what is asked; composed when one is first wanted.
     pub(super) formulas: Formulas,
+    /// What all explanations of the form have in common; worked out when one is first wanted.
+    pub kept: Kept,
 }
 
 /// A value that is solved first and then told, rounded as it is printed.
@@ -174,7 +177,7 @@ impl Problem {
     #[must_use]
     pub fn math_of(&self, symbol: Symbol) -> Math {
         let set = || self.notation.math(&self.model.symbols.entry(symbol).name);
-        self.names.get(symbol.index()).map_or_else(set, |name| name.get_or_init(set).clone())
+        self.names.get(symbol.index()).map_or_else(set, |name| name.get_or_init(|| set().shared()).clone())
     }
 
     /// What is known, in the order of the file.

@@ -216,11 +216,21 @@ impl fmt::Display for Decimal {
         if self.is_negative() {
             out.write_str("-")?;
         }
-        let digits = digits_of(&self.unscaled);
+        let (mut room, long);
+        let digits = match u64::try_from(&self.unscaled.clone().abs()) {
+            Ok(few) => {
+                room = [0; MOST_DIGITS];
+                few_digits(few, &mut room)
+            }
+            Err(_) => {
+                long = digits_of(&self.unscaled);
+                &long
+            }
+        };
         let places = self.scale.unsigned_abs() as usize;
         let zeros = |out: &mut fmt::Formatter<'_>, count: usize| (0..count).try_for_each(|_| out.write_str("0"));
         if self.scale <= 0 {
-            out.write_str(&digits)?;
+            out.write_str(digits)?;
             return zeros(out, if self.is_zero() { 0 } else { places });
         }
         let (whole, fraction) = digits.split_at(digits.len().saturating_sub(places));
@@ -287,6 +297,23 @@ pub(super) fn power_of_ten(places: usize) -> Integer {
         Ok(few) if places <= SHORT => Integer::from(10_u128.pow(few)),
         _ => Integer::from(10).pow(places),
     }
+}
+
+/// How many digits a machine word has at most.
+const MOST_DIGITS: usize = 20;
+
+/// The digits of a machine word, at the end of the room for them.
+fn few_digits(mut number: u64, room: &mut [u8; MOST_DIGITS]) -> &str {
+    let mut written = 0;
+    for place in room.iter_mut().rev() {
+        *place = b'0' + (number % 10) as u8;
+        number /= 10;
+        written += 1;
+        if number == 0 {
+            break;
+        }
+    }
+    room.get(MOST_DIGITS - written..).and_then(|digits| std::str::from_utf8(digits).ok()).unwrap_or_default()
 }
 
 /// The digits without the sign.

@@ -99,7 +99,32 @@ impl Printed {
 /// ```
 #[must_use]
 pub fn round_to_figures(value: f64, figures: usize) -> Option<Decimal> {
+    if let Some((digits, scale)) = short(value, figures) {
+        let digits = Integer::from(digits);
+        return Some(Decimal::new(if value < 0.0 { -digits } else { digits }, scale));
+    }
     Rational::try_from(value).ok().map(|exact| round_rational(&exact, figures))
+}
+
+/// The same for a double that is a quotient of machine words: its digits, and how many stand behind the point.
+fn short(value: f64, figures: usize) -> Option<(u128, i32)> {
+    const FRACTION: u32 = f64::MANTISSA_DIGITS - 1;
+    const BIAS: i64 = 1023;
+    let biased = value.to_bits() >> FRACTION & 0x7ff;
+    if biased == 0 || biased == 0x7ff {
+        return None; // zero and what is nearly so, or not finite
+    }
+    let whole = value.to_bits() & ((1 << FRACTION) - 1) | 1 << FRACTION;
+    let even = whole.trailing_zeros();
+    let power = i64::try_from(biased).ok()? - BIAS - i64::from(FRACTION) + i64::from(even);
+    let above = u128::from(whole >> even);
+    let (above, below) = match u32::try_from(power) {
+        Ok(power) if power <= above.leading_zeros() - 64 => (above << power, 1),
+        Ok(_) => return None,
+        Err(_) => (above, 1_u128 << u32::try_from(-power).ok().filter(|power| *power < 64)?),
+    };
+    let figures = i32::try_from(figures.clamp(1, MAX_FIGURES)).ok()?;
+    rounded(&above, &below, figures, bits, short_power)
 }
 
 /// An exact number rounded to `figures` figures (1 to 40), half away from zero. Zero is a bare `0`.

@@ -1,15 +1,23 @@
 //! Displayed equations: where they align, and where long ones break.
 
-use std::borrow::Borrow;
 use std::borrow::Cow;
 use std::sync::Arc;
 
 use crate::expr::Math;
 use crate::expr::Operator;
 
+/// The parts of a row one by one, for a writer that would put a row within it into an element of its own.
+pub(super) fn spread<'a>(items: &'a [Cow<'_, Math>]) -> Vec<&'a Math> {
+    let mut parts = Vec::with_capacity(USUAL_LENGTH);
+    for item in items {
+        item.spread(&mut |part| parts.push(part));
+    }
+    parts
+}
+
 /// A part of an equation as it was laid out, or one that breaking made.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Item<'a> {
+struct Item<'a> {
     math: Cow<'a, Math>,
     /// In widths of a digit, roughly.
     width: f64,
@@ -17,46 +25,46 @@ pub(super) struct Item<'a> {
 
 impl<'a> Item<'a> {
     fn new(math: Cow<'a, Math>) -> Self {
-        let width = width_of(&math);
+        let width = math.width();
         Self { math, width }
-    }
-}
-
-impl Borrow<Math> for Item<'_> {
-    fn borrow(&self) -> &Math {
-        &self.math
     }
 }
 
 /// One row of a displayed equation; rows are aligned where the right side begins.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Row<'a> {
-    items: Vec<Item<'a>>,
+    items: Vec<Cow<'a, Math>>,
     /// How many of the items stand before the alignment.
     aligned: usize,
+    /// How wide they are before and behind it.
+    widths: [f64; 2],
 }
 
 impl<'a> Row<'a> {
+    fn new(left: Vec<Item<'a>>, right: Vec<Item<'a>>) -> Self {
+        let (aligned, widths) = (left.len(), [width(&left), width(&right)]);
+        Self { items: left.into_iter().chain(right).map(|item| item.math).collect(), aligned, widths }
+    }
+
     /// What stands before the alignment; empty where the row continues the one above.
-    pub fn left(&self) -> &[Item<'a>] {
+    pub fn left(&self) -> &[Cow<'a, Math>] {
         &self.items[..self.aligned]
     }
 
     /// A relation and what follows it, or a continuation.
-    pub fn right(&self) -> &[Item<'a>] {
+    pub fn right(&self) -> &[Cow<'a, Math>] {
         &self.items[self.aligned..]
     }
 
     /// The whole row, where there is nothing to align it with.
-    pub fn whole(&self) -> &[Item<'a>] {
+    pub fn whole(&self) -> &[Cow<'a, Math>] {
         &self.items
     }
 }
 
 /// How much too wide the rows are where they could not be broken: 1 for those that fit.
 pub(super) fn excess(rows: &[Row<'_>]) -> f64 {
-    let left = rows.iter().map(|row| width(row.left())).fold(0.0, f64::max);
-    let right = rows.iter().map(|row| width(row.right())).fold(0.0, f64::max);
+    let [left, right] = [0, 1].map(|side| rows.iter().map(|row| row.widths[side]).fold(0.0, f64::max));
     ((left + right) / WIDEST).max(1.0)
 }
 
@@ -68,40 +76,83 @@ const USUAL_LENGTH: usize = 16;
 
 /// The rows of an equation of those lines, each aligned at its first relation and broken where it is too long.
 pub(super) fn rows(lines: &[Math]) -> Vec<Row<'_>> {
-    lines.iter().flat_map(|line| line_rows(flattened(line))).collect()
+    lines.iter().flat_map(line_rows).collect()
 }
 
-fn line_rows(mut items: Vec<Item<'_>>) -> Vec<Row<'_>> {
+fn line_rows(line: &Math) -> Vec<Row<'_>> {
+    if let Some(row) = unbroken(line) {
+        return vec![row];
+    }
+    let mut items = flattened(line);
     let relation = items.iter().position(is_relation);
     let aligned = relation.filter(|at| width(&items[..*at]) <= WIDEST / 2.0).unwrap_or(0);
     let rest = items.split_off(aligned);
     let room = WIDEST - width(&items);
-    let rest = if rest.iter().any(|item| item.width > room) {
-        rest.into_iter().flat_map(|item| unfolded(item, room)).collect()
-    } else {
-        rest
-    };
+    let rest = rest.into_iter().flat_map(|item| unfolded(item, room)).collect();
     let mut left = Some(items);
-    let row = |mut right: Vec<_>| match left.take() {
-        Some(mut items) => {
-            items.append(&mut right);
-            Row { items, aligned }
-        }
-        None if right.first().is_some_and(is_sum) => Row { items: [indent(), right].concat(), aligned: 0 },
-        None => Row { items: right, aligned: 0 },
+    let row = |right: Vec<_>| match left.take() {
+        Some(items) => Row::new(items, right),
+        None if right.first().is_some_and(is_sum) => Row::new(Vec::new(), [indent(), right].concat()),
+        None => Row::new(Vec::new(), right),
     };
     fill(rest, room).into_iter().map(row).collect()
+}
+
+/// The only row of a line that fits, rows within it left as they are; none where it must be broken, or where a row within
+/// would look otherwise if its parts stood in the line themselves.
+fn unbroken(line: &Math) -> Option<Row<'_>> {
+    let parts = match line.bare() {
+        Math::Row(parts) => parts.as_slice(),
+        other => std::slice::from_ref(other),
+    };
+    if !stand_apart(parts) {
+        return None;
+    }
+    let relation = parts.iter().position(relates);
+    let aligned = relation.filter(|at| spread_width(&parts[..*at]) <= WIDEST / 2.0).unwrap_or(0);
+    let (left, right) = parts.split_at(aligned);
+    let widths = [left, right].map(spread_width);
+    let fits = widths[1] <= WIDEST - widths[0];
+    fits.then(|| Row { items: parts.iter().map(Cow::Borrowed).collect(), aligned, widths })
+}
+
+/// Whether every row among the parts stands between signs, and relates nothing.
+fn stand_apart(parts: &[Math]) -> bool {
+    let is_sign = |part: Option<&Math>| part.is_none_or(|part| matches!(part, Math::Operator(_)));
+    parts.iter().enumerate().all(|(place, part)| {
+        let Math::Row(inner) = part.bare() else { return true };
+        let before = place.checked_sub(1).and_then(|before| parts.get(before));
+        // What is held in many places is a term or a quantity, and looked at once would do.
+        let is_set = matches!(part, Math::Shared(_)) || stand_apart(inner);
+        is_sign(before) && is_sign(parts.get(place + 1)) && is_set && !inner.iter().any(relates)
+    })
+}
+
+/// The width of parts as it adds up when rows within them are opened.
+fn spread_width(parts: &[Math]) -> f64 {
+    fn add(math: &Math, total: &mut f64) {
+        match math {
+            Math::Shared(shared) => shared.widths().iter().for_each(|width| *total += width),
+            Math::Row(parts) => parts.iter().for_each(|part| add(part, total)),
+            other => *total += other.width(),
+        }
+    }
+    let mut total = 0.0;
+    for part in parts {
+        add(part, &mut total);
+    }
+    total
 }
 
 /// A fraction that is too wide for a row, as one over its denominator times the sum above it, and a wide bracket opened: those can
 /// be broken.
 fn unfolded(item: Item<'_>, room: f64) -> Vec<Item<'_>> {
-    let (before, inner, [open, close]) = match item.math.as_ref() {
-        Math::Fraction(over, under) if width_of(over) > room => {
+    let (before, inner, [open, close]) = match item.math.bare() {
+        Math::Fraction(over, under) if over.width() > room => {
             (Some(Math::Fraction(Arc::new(Math::Number("1".to_owned())), under.clone())), over, ["[", "]"])
         }
-        Math::Bracketed(inner) if width_of(inner) > room => (None, inner, ["(", ")"]),
-        Math::Squared(inner) if width_of(inner) > room => (None, inner, ["[", "]"]),
+        Math::Bracketed(inner) if inner.width() > room => (None, inner, ["(", ")"]),
+        Math::Squared(inner) if inner.width() > room => (None, inner, ["[", "]"]),
         _ => return vec![item],
     };
     let own = |math: Math| Item::new(Cow::Owned(math));
@@ -159,8 +210,12 @@ fn split_before(items: Vec<Item<'_>>, marked: fn(&Item<'_>) -> bool) -> Vec<Vec<
 }
 
 fn is_relation(item: &Item<'_>) -> bool {
+    relates(&item.math)
+}
+
+fn relates(math: &Math) -> bool {
     use Operator::{Approximately, AtLeast, AtMost, Differs, Equals, Greater, Implies, Less};
-    matches!(*item.math, Math::Operator(Equals | Approximately | Less | AtMost | Greater | AtLeast | Differs | Implies))
+    matches!(math, Math::Operator(Equals | Approximately | Less | AtMost | Greater | AtLeast | Differs | Implies))
 }
 
 fn is_sum(item: &Item<'_>) -> bool {
@@ -170,43 +225,12 @@ fn is_sum(item: &Item<'_>) -> bool {
 /// The items of a row, with rows inside rows opened.
 fn flattened(math: &Math) -> Vec<Item<'_>> {
     let mut items = Vec::with_capacity(USUAL_LENGTH);
-    flatten(math, &mut items);
+    math.spread(&mut |part| items.push(Item::new(Cow::Borrowed(part))));
     items
-}
-
-fn flatten<'a>(math: &'a Math, items: &mut Vec<Item<'a>>) {
-    match math {
-        Math::Row(parts) => parts.iter().for_each(|part| flatten(part, items)),
-        other => items.push(Item::new(Cow::Borrowed(other))),
-    }
 }
 
 fn width(items: &[Item<'_>]) -> f64 {
     items.iter().map(|item| item.width).sum()
-}
-
-/// A rough width, in widths of a digit.
-fn width_of(math: &Math) -> f64 {
-    const SCRIPT: f64 = 0.7;
-    match math {
-        Math::Row(parts) => parts.iter().map(width_of).sum(),
-        Math::Number(text) | Math::Identifier(text) | Math::Text(text) | Math::Function(text) | Math::Vector(text) => {
-            u32::try_from(text.chars().count()).map_or(f64::INFINITY, f64::from)
-        }
-        Math::Operator(Operator::Juxtapose) => 0.4,
-        Math::Operator(Operator::Comma) => 1.0,
-        Math::Operator(_) => 2.4,
-        Math::Fraction(over, under) => width_of(over).max(width_of(under)) + 0.5,
-        Math::Sub(base, script) | Math::Sup(base, script) => width_of(base) + SCRIPT * width_of(script),
-        Math::SubSup(base, low, high) => width_of(base) + SCRIPT * width_of(low).max(width_of(high)),
-        Math::Root(inner) | Math::Bracketed(inner) | Math::Squared(inner) | Math::Bars(inner) => width_of(inner) + 1.5,
-        Math::Cases(cases) => {
-            cases.iter().map(|(when, value)| width_of(when) + width_of(value) + 3.0).fold(0.0, f64::max)
-        }
-        Math::Integral(low, high, inner, variable) => {
-            2.0 + SCRIPT * width_of(low).max(width_of(high)) + width_of(inner) + width_of(variable)
-        }
-    }
 }
 
 #[cfg(test)]
@@ -217,8 +241,8 @@ mod tests {
         Math::Identifier(name.into())
     }
 
-    fn written(items: &[Item<'_>]) -> Vec<Math> {
-        items.iter().map(|item| item.math.clone().into_owned()).collect()
+    fn written(items: &[Cow<'_, Math>]) -> Vec<Math> {
+        items.iter().map(|item| item.clone().into_owned()).collect()
     }
 
     #[test]
@@ -244,8 +268,8 @@ mod tests {
         assert_eq!(rows.len(), 2);
         assert_eq!(written(rows[1].left()), []);
         assert_eq!(written(rows[1].right()), [Math::Operator(Operator::Equals), long]);
-        let again: Vec<Item> = rows.into_iter().flat_map(|row| row.items).collect();
-        assert_eq!(again, flattened(&line));
+        let again: Vec<Cow<Math>> = rows.into_iter().flat_map(|row| row.items).collect();
+        assert_eq!(again, flattened(&line).into_iter().map(|item| item.math).collect::<Vec<_>>());
     }
 
     #[test]

@@ -34,7 +34,7 @@ pub fn fade(outline: &Outline, steps: usize) -> Outline {
 }
 
 fn is_step(block: &Block) -> bool {
-    matches!(block, Block::Equation { .. })
+    matches!(block.bare(), Block::Equation { .. })
 }
 
 /// The blocks up to the last step shown, then space for those that are not.

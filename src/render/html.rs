@@ -1,5 +1,6 @@
 //! HTML with `MathML` and SVG, which needs no script and no network.
 
+use std::borrow::Cow;
 use std::fmt::Write;
 
 use pulldown_cmark::{Event, HeadingLevel, Tag, TagEnd};
@@ -10,6 +11,7 @@ use crate::figure::Drawing;
 
 use super::authored::Authored;
 use super::authored::Piece;
+use super::equation;
 use super::equation::Row;
 use super::writer::Writer;
 
@@ -17,8 +19,8 @@ use super::writer::Writer;
 pub(super) struct Html;
 
 impl Writer for Html {
-    fn text(&self, text: &str) -> String {
-        escape(text)
+    fn text<'a>(&self, text: &'a str) -> Cow<'a, str> {
+        Cow::Owned(escape(text))
     }
 
     fn emphasis(&self, text: &str) -> String {
@@ -36,11 +38,11 @@ impl Writer for Html {
     fn equation(&self, rows: &[Row<'_>], number: Option<u32>) -> String {
         let mut out = String::from("<div class=\"equation\"><math display=\"block\">");
         if let [row] = rows {
-            out.push_str(&Math::row_element(row.whole()));
+            out.push_str(&Math::row_element(&equation::spread(row.whole())));
         } else {
             out.push_str("<mtable displaystyle=\"true\" class=\"aligned\">");
             for row in rows {
-                let (left, right) = (Math::row_element(row.left()), Math::row_element(row.right()));
+                let [left, right] = [row.left(), row.right()].map(|items| Math::row_element(&equation::spread(items)));
                 let _ = write!(out, "<mtr><mtd>{left}</mtd><mtd>{right}</mtd></mtr>");
             }
             out.push_str("</mtable>");

@@ -1,5 +1,7 @@
 //! LaTeX for pdfLaTeX, with the packages that the template loads.
 
+use std::borrow::Cow;
+
 use pulldown_cmark::{Alignment, CodeBlockKind, Event, Tag, TagEnd};
 
 use crate::expr::Math;
@@ -21,8 +23,8 @@ const SMALLER: [(f64, &str); 3] = [(1.0, "\\small"), (1.15, "\\footnotesize"), (
 pub(super) struct Latex;
 
 impl Writer for Latex {
-    fn text(&self, text: &str) -> String {
-        escape(text)
+    fn text<'a>(&self, text: &'a str) -> Cow<'a, str> {
+        Cow::Owned(escape(text))
     }
 
     fn emphasis(&self, text: &str) -> String {

@@ -209,15 +209,24 @@ fn has_glyph(character: char) -> bool {
         | '\u{20ac}' | '\u{2122}')
 }
 
+/// The room that most equations take, in bytes.
+const USUAL_LENGTH: usize = 256;
+
 /// The inside of a displayed equation, for LaTeX and Markdown alike: one row as it is, several aligned.
 pub(super) fn equation(rows: &[Row<'_>], number: Option<u32>) -> String {
-    let mut out = if let [row] = rows {
-        Math::row_latex(row.whole())
+    let mut out = String::with_capacity(USUAL_LENGTH);
+    if let [row] = rows {
+        Math::put_row_latex(row.whole(), &mut out);
     } else {
-        let lines: Vec<String> =
-            rows.iter().map(|row| [Math::row_latex(row.left()), Math::row_latex(row.right())].join(" & ")).collect();
-        ["\\begin{aligned}\n", &lines.join(" \\\\\n"), "\n\\end{aligned}"].concat()
-    };
+        out.push_str("\\begin{aligned}\n");
+        for (index, row) in rows.iter().enumerate() {
+            out.push_str(if index > 0 { " \\\\\n" } else { "" });
+            Math::put_row_latex(row.left(), &mut out);
+            out.push_str(" & ");
+            Math::put_row_latex(row.right(), &mut out);
+        }
+        out.push_str("\n\\end{aligned}");
+    }
     if let Some(number) = number {
         let _ = write!(out, " \\tag{{{number}}}");
     }

@@ -1,5 +1,7 @@
 //! Markdown with `$`-mathematics, as GitHub and pandoc read it.
 
+use std::borrow::Cow;
+
 use crate::expr::Math;
 use crate::figure;
 use crate::figure::Drawing;
@@ -9,14 +11,14 @@ use super::equation::Row;
 use super::latex_text;
 use super::writer::Writer;
 
-/// Room for the marks that escape what Markdown would read.
+/// Room for what more is written than mathematics has signs.
 const ROOM: usize = 8;
 
 /// The writer of Markdown.
 pub(super) struct Markdown;
 
 impl Writer for Markdown {
-    fn text(&self, text: &str) -> String {
+    fn text<'a>(&self, text: &'a str) -> Cow<'a, str> {
         escape(text)
     }
 
@@ -29,10 +31,14 @@ impl Writer for Markdown {
     }
 
     fn math(&self, math: &Math) -> String {
-        let tex = without_dollars(math.latex());
+        let mut tex = without_dollars(math.latex());
         // A bar would end a cell where the text stands in a table.
-        let tex = if tex.contains('|') { tex.replace('|', r"\vert ") } else { tex };
-        ["$", &tex, "$"].concat()
+        if tex.contains('|') {
+            tex = tex.replace('|', r"\vert ");
+        }
+        tex.insert(0, '$');
+        tex.push('$');
+        tex
     }
 
     fn equation(&self, rows: &[Row<'_>], number: Option<u32>) -> String {
@@ -67,11 +73,11 @@ fn wrapped(text: &str, mark: &str) -> String {
 }
 
 /// Text that Markdown prints as it is: no emphasis, code, link, HTML, mathematics, heading or list comes of it.
-pub(super) fn escape(text: &str) -> String {
-    let mut out = String::with_capacity(text.len() + ROOM);
+pub(super) fn escape(text: &str) -> Cow<'_, str> {
+    let mut out = String::new();
     let start = text.len() - text.trim_start().len();
     let mut written = 0;
-    for place in text.bytes().enumerate().filter(|(_, byte)| is_suspect(*byte)).map(|(place, _)| place) {
+    for place in text.bytes().enumerate().filter(|(_, byte)| SUSPECT[usize::from(*byte)]).map(|(place, _)| place) {
         let Some(character) = text.get(place..).and_then(|rest| rest.chars().next()) else { continue };
         let behind = || text[place + character.len_utf8()..].chars().next();
         // What begins a list stands before a space: `3. May`, but not `3.5 m` or `-3`.
@@ -88,16 +94,28 @@ pub(super) fn escape(text: &str) -> String {
         out.push_str(mark);
         written = if mark == " " { place + character.len_utf8() } else { place };
     }
+    if out.is_empty() && written == 0 {
+        return Cow::Borrowed(text);
+    }
     out.push_str(&text[written..]);
-    out
+    Cow::Owned(out)
 }
 
 /// Whether something that [`escape`] changes may begin with the byte; most bytes are letters, and are passed over at once.
-fn is_suspect(byte: u8) -> bool {
+static SUSPECT: [bool; 256] = suspects();
+
+const fn suspects() -> [bool; 256] {
     const BEFORE_CONTROL: u8 = 0xc2; // the first byte of U+0080 to U+00BF
-    matches!(byte, b'\\' | b'`' | b'*' | b'_' | b'[' | b']' | b'<' | b'>' | b'&' | b'$' | b'|' | b'~')
-        || matches!(byte, b'#' | b'=' | b'+' | b'-' | b'.' | b')' | BEFORE_CONTROL)
-        || byte.is_ascii_control()
+    let mut suspects = [false; 256];
+    let mut byte = 0;
+    while byte < BEFORE_CONTROL {
+        let marks = matches!(byte, b'\\' | b'`' | b'*' | b'_' | b'[' | b']' | b'<' | b'>' | b'&' | b'$' | b'|' | b'~');
+        let starts = matches!(byte, b'#' | b'=' | b'+' | b'-' | b'.' | b')');
+        suspects[byte as usize] = marks || starts || byte.is_ascii_control();
+        byte += 1;
+    }
+    suspects[BEFORE_CONTROL as usize] = true;
+    suspects
 }
 
 /// The same mathematics without mathematics inside text: `\text{m/s$^2$}` is `\text{m/s}^2`, since a dollar inside
@@ -107,34 +125,38 @@ fn without_dollars(tex: String) -> String {
     if !tex.contains('$') {
         return tex;
     }
-    let mut out = String::with_capacity(tex.len());
+    let mut out = String::with_capacity(tex.len() + ROOM);
     let mut inside = false;
-    let mut rest = tex.chars().peekable();
-    while let Some(character) = rest.next() {
-        match character {
-            '\\' => {
-                out.push(character);
-                out.extend(rest.next());
-            }
-            '$' if inside => {
-                if rest.next_if_eq(&'}').is_none() {
-                    out.push_str(OPEN);
-                }
-                inside = false;
-            }
-            '$' => {
-                match out.strip_suffix(OPEN).map(str::len) {
-                    Some(length) => {
-                        out.truncate(length);
-                        out.push_str("{}");
-                    }
-                    None => out.push('}'),
-                }
-                inside = true;
-            }
-            other => out.push(other),
+    let mut rest = tex.as_str();
+    while let Some(place) = rest.find(['\\', '$']) {
+        let (plain, marked) = rest.split_at(place);
+        out.push_str(plain);
+        let mut signs = marked.chars();
+        let mark = signs.next();
+        if mark == Some('\\') {
+            out.push('\\');
+            out.extend(signs.next());
+            rest = signs.as_str();
+            continue;
         }
+        rest = signs.as_str();
+        if inside {
+            match rest.strip_prefix('}') {
+                Some(behind) => rest = behind,
+                None => out.push_str(OPEN),
+            }
+        } else {
+            match out.strip_suffix(OPEN).map(str::len) {
+                Some(length) => {
+                    out.truncate(length);
+                    out.push_str("{}");
+                }
+                None => out.push('}'),
+            }
+        }
+        inside = !inside;
     }
+    out.push_str(rest);
     out
 }
 
@@ -168,8 +190,8 @@ mod tests {
         assert_eq!(html, "<p>&lt;b&gt;*x* _y_ `z` [l](u) $m$ a|b ~c~ &amp;amp;</p>\n");
         assert_eq!(escape("# 1"), "\\# 1");
         assert_eq!(escape("12. May"), "12\\. May");
-        assert_eq!((escape("3.5 m").as_str(), escape("-3 m").as_str()), ("3.5 m", "-3 m"));
+        assert_eq!((escape("3.5 m").as_ref(), escape("-3 m").as_ref()), ("3.5 m", "-3 m"));
         assert_eq!(escape("é\u{7f}−\u{85}\u{a0}ü"), "é − \u{a0}ü");
-        assert_eq!((escape("- 3").as_str(), escape("---").as_str()), ("\\- 3", "\\---"));
+        assert_eq!((escape("- 3").as_ref(), escape("---").as_ref()), ("\\- 3", "\\---"));
     }
 }

@@ -1,9 +1,8 @@
 //! What a template sees: plain values, whose marked-safe strings are already in the tongue of the format.
 
 use std::borrow::Cow;
-use std::collections::BTreeMap;
 
-use tera::{Context, Value};
+use tera::{Context, Map, Value};
 
 use crate::explain::Audience;
 use crate::explain::Block;
@@ -23,6 +22,7 @@ use super::writer::{Writer, writer};
 /// Makes the values of one document, and collects the files that go beside it.
 pub(super) struct View<'a> {
     writer: &'static dyn Writer,
+    format: Format,
     /// Where figures go; only Markdown has the choice.
     beside_prefix: Option<&'a str>,
     /// The level of the headings of a page.
@@ -34,7 +34,7 @@ pub(super) struct View<'a> {
 type Fields<const N: usize> = [(&'static str, Value); N];
 
 fn map<const N: usize>(fields: Fields<N>) -> Value {
-    Value::from(BTreeMap::from(fields))
+    Value::from(fields.into_iter().map(|(key, value)| (tera::value::Key::Str(key), value)).collect::<Map>())
 }
 
 fn ready(text: &str) -> Value {
@@ -52,7 +52,7 @@ impl<'a> View<'a> {
             (Format::Markdown, Figures::Beside(prefix)) => Some(prefix.as_str()),
             _ => None,
         };
-        Self { writer: writer(format), beside_prefix, level: 1, beside: Vec::new() }
+        Self { writer: writer(format), format, beside_prefix, level: 1, beside: Vec::new() }
     }
 
     /// The values of the whole document: `title`, `level` and `pages`.
@@ -150,25 +150,34 @@ impl<'a> View<'a> {
     }
 
     fn block(&mut self, id: &str, block: &Block) -> Result<Value, Faults> {
+        Ok(match block.bare() {
+            Block::Figure(drawing) => map([("kind", "figure".into()), ("figure", self.figure(drawing))]),
+            Block::Authored(text) => {
+                map([("kind", "authored".into()), ("text", self.authored(&format!("{id}: text"), text)?)])
+            }
+            _ => self.written(block),
+        })
+    }
+
+    /// A block of which nothing goes beside the document and nothing can be at fault.
+    fn written(&self, block: &Block) -> Value {
         let cells = |row: &[Vec<Inline>]| Value::from(row.iter().map(|cell| self.inline(cell)).collect::<Vec<_>>());
-        Ok(match block {
+        match block {
             Block::Paragraph(run) => map([("kind", "paragraph".into()), ("text", self.inline(run))]),
             Block::Equation { lines, number } => map([
                 ("kind", "equation".into()),
                 ("text", ready(&self.writer.equation(&equation::rows(lines), *number))),
             ]),
             Block::List(items) => map([("kind", "list".into()), ("items", cells(items))]),
-            Block::Figure(drawing) => map([("kind", "figure".into()), ("figure", self.figure(drawing))]),
             Block::Table { head, rows } => map([
                 ("kind", "table".into()),
                 ("head", cells(head)),
                 ("rows", Value::from(rows.iter().map(|row| cells(row)).collect::<Vec<_>>())),
             ]),
-            Block::Authored(text) => {
-                map([("kind", "authored".into()), ("text", self.authored(&format!("{id}: text"), text)?)])
-            }
             Block::Space { lines } => map([("kind", "space".into()), ("lines", (*lines).into())]),
-        })
+            Block::Shared(shared) => Value::clone(&shared.made(self.format as usize, |block| self.written(block))),
+            Block::Figure(_) | Block::Authored(_) => Value::none(),
+        }
     }
 
     fn inline(&self, run: &[Inline]) -> Value {

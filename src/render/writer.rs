@@ -1,5 +1,7 @@
 //! What each format must be able to write; the templates arrange what a writer wrote.
 
+use std::borrow::Cow;
+
 use crate::explain::Inline;
 use crate::expr::Math;
 use crate::figure::Drawing;
@@ -11,10 +13,13 @@ use super::html::Html;
 use super::latex::Latex;
 use super::markdown::Markdown;
 
+/// The room that a run takes, in bytes, or less.
+const USUAL_RUN: usize = 128;
+
 /// The pieces of a document in one format. Every string returned is ready for it: escaped, and complete by itself.
 pub(super) trait Writer {
     /// Plain text.
-    fn text(&self, text: &str) -> String;
+    fn text<'a>(&self, text: &'a str) -> Cow<'a, str>;
     /// Emphasised text.
     fn emphasis(&self, text: &str) -> String;
     /// Strong text.
@@ -30,13 +35,16 @@ pub(super) trait Writer {
 
     /// A run of text and mathematics.
     fn inline(&self, run: &[Inline]) -> String {
-        let write = |part: &Inline| match part {
-            Inline::Text(text) => self.text(text),
-            Inline::Emphasis(text) => self.emphasis(text),
-            Inline::Strong(text) => self.strong(text),
-            Inline::Math(math) => self.math(math),
-        };
-        run.iter().map(write).collect()
+        let mut written = String::with_capacity(USUAL_RUN);
+        for part in run {
+            match part {
+                Inline::Text(text) => written.push_str(&self.text(text)),
+                Inline::Emphasis(text) => written.push_str(&self.emphasis(text)),
+                Inline::Strong(text) => written.push_str(&self.strong(text)),
+                Inline::Math(math) => written.push_str(&self.math(math)),
+            }
+        }
+        written
     }
 }
 

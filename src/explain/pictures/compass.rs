@@ -26,7 +26,7 @@ const ALIGNED: f64 = 1e-9;
 
 /// The directions of x and y (radial and transverse, for polar axes) on the drawing.
 #[derive(Clone, Debug)]
-pub(super) struct Compass {
+pub(in super::super) struct Compass {
     x: [f64; 2],
     y: [f64; 2],
     named: Vec<(Axis, Senses, u8)>,
@@ -38,7 +38,7 @@ pub(super) struct Compass {
 
 impl Compass {
     /// Axes whose words have no direction on paper are laid at 90 degrees to the other one; x goes to the right.
-    pub(super) fn of(scene: &Scene) -> Self {
+    pub(in super::super) fn of(scene: &Scene) -> Self {
         let axes = scene.axes.rectangular();
         if let Some(oblique) = Oblique::of(&axes) {
             let named = axes.into_iter().map(|(axis, senses)| (axis, senses, 0)).collect();

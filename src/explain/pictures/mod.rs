@@ -23,7 +23,10 @@ use crate::problem::Worked;
 use crate::scene::Plane;
 use crate::scene::Stage;
 
-use compass::Compass;
+use super::way::Memory;
+
+pub(super) use compass::Compass;
+pub(super) use momentum::Plan;
 use quantities::Quantities;
 use quantities::Scope;
 
@@ -32,10 +35,11 @@ pub(super) fn solution(worked: Worked<'_>) -> Vec<Drawing> {
     let sibling = solved_sibling(worked);
     let worked = sibling.as_ref().and_then(|variant| Worked::new(worked.problem, variant)).unwrap_or(worked);
     let quantities = Quantities::new(worked, Scope::Solved);
-    let compass = Compass::of(quantities.scene());
+    let memory = Memory::of(worked);
+    let compass = memory.compass(worked);
     let stages = &quantities.scene().stages;
     if stages.is_empty() {
-        return snapshot::drawing(&quantities, &compass).into_iter().collect();
+        return snapshot::drawing(&quantities, compass).into_iter().collect();
     }
     let drawings = stages.iter().enumerate().flat_map(|(index, stage)| match stage {
         Stage::Rotate(rotate) if rotate.held().len() > 1 => vec![arm::rotation(&quantities, index, rotate)],
@@ -43,28 +47,28 @@ pub(super) fn solution(worked: Worked<'_>) -> Vec<Drawing> {
         Stage::Strike(strike) => vec![arm::strike(&quantities, index, strike)],
         Stage::Conical(conical) => vec![Some(angular::conical(&quantities, index, conical))],
         Stage::Bowl(bowl) => vec![Some(angular::bowl(&quantities, index, bowl))],
-        Stage::Moment(moment) => vec![moment::diagram(&quantities, &compass, index, moment)],
+        Stage::Moment(moment) => vec![moment::diagram(&quantities, compass, index, moment)],
         Stage::Central(central) => vec![Some(angular::central(&quantities, index, central))],
         Stage::Bounces(bounces) => vec![sheet::fall::bouncing(&quantities, bounces)],
         Stage::Push(_) => {
             let plot = plot::force_plot(&quantities, index);
-            let place = snapshot::in_space(&quantities, &compass).filter(|_| index == 0);
-            [place, plot, momentum::diagram(&quantities, &compass, index)].into_iter().collect()
+            let place = snapshot::in_space(&quantities, compass).filter(|_| index == 0);
+            [place, plot, momentum::diagram(&quantities, compass, index)].into_iter().collect()
         }
-        Stage::Slide(slide) if slide.is_ramp() => vec![Some(sheet::ramp::drawing(&quantities, &compass, index, slide))],
-        Stage::Swing(swing) => vec![Some(sheet::swing::drawing(&quantities, &compass, index, swing))],
+        Stage::Slide(slide) if slide.is_ramp() => vec![Some(sheet::ramp::drawing(&quantities, compass, index, slide))],
+        Stage::Swing(swing) => vec![Some(sheet::swing::drawing(&quantities, compass, index, swing))],
         Stage::Connected(connected) => vec![string::diagram(&quantities, index, connected)],
         Stage::Stream(stream) => vec![
-            sheet::stream::drawing(&quantities, &compass, index, stream),
-            flow::arriving(&quantities, &compass, index, stream),
+            sheet::stream::drawing(&quantities, compass, index, stream),
+            flow::arriving(&quantities, compass, index, stream),
         ],
         Stage::Thrust(thrust) => {
-            [sheet::stream::rocket(&quantities, &compass, index, thrust), flow::leaving(&quantities, &compass, thrust)]
+            [sheet::stream::rocket(&quantities, compass, index, thrust), flow::leaving(&quantities, compass, thrust)]
                 .to_vec()
         }
         // What a ball gains before it bounces on is not asked for; the figure of the bounces shows its fall.
         Stage::Fall(_) if matches!(stages.get(index + 1), Some(Stage::Bounces(_))) => Vec::new(),
-        Stage::Walk(walk) => vec![sheet::ride::walk(&quantities, &compass, index, walk)],
+        Stage::Walk(walk) => vec![sheet::ride::walk(&quantities, compass, index, walk)],
         Stage::Drift(_) => Vec::new(),
         Stage::Flight(_) if quantities.scene().plane == Plane::Horizontal => Vec::new(),
         Stage::Impact(_)
@@ -79,7 +83,7 @@ pub(super) fn solution(worked: Worked<'_>) -> Vec<Drawing> {
         | Stage::SlideOff(_)
         | Stage::Interact(_)
         | Stage::Flight(_) => {
-            vec![momentum::diagram(&quantities, &compass, index)]
+            vec![momentum::diagram(&quantities, compass, index)]
         }
     });
     drawings.flatten().filter(is_known).collect()
@@ -106,6 +110,6 @@ fn solved_sibling(worked: Worked<'_>) -> Option<Variant> {
 #[must_use]
 pub fn situation(worked: Worked<'_>) -> Option<Drawing> {
     let quantities = Quantities::new(worked, Scope::Given);
-    let compass = Compass::of(quantities.scene());
-    sheet::drawing(&quantities, &compass)
+    let memory = Memory::of(worked);
+    sheet::drawing(&quantities, memory.compass(worked))
 }

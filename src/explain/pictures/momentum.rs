@@ -6,13 +6,16 @@ use crate::expr::Expr;
 use crate::expr::Math;
 use crate::figure::BodyMomentum;
 use crate::figure::Drawing;
+use crate::figure::Form;
 use crate::figure::MomentumDiagram;
 use crate::model::ActingForce;
 use crate::model::ForceKind;
+use crate::model::Impulse;
 use crate::scene::Stage;
 use crate::scene::stage::Ends;
 use crate::scene::stage::Partners;
 
+use super::super::way::Memory;
 use super::compass::Compass;
 use super::quantities::Quantities;
 use super::vectors::Labelled;
@@ -28,18 +31,27 @@ pub(super) struct Balance {
     pub after: Labelled,
 }
 
-/// The diagram of a stage.
-pub(super) fn diagram(quantities: &Quantities<'_>, compass: &Compass, stage: usize) -> Option<Drawing> {
-    let own = quantities.scene().stages.get(stage)?;
+/// The diagram of a stage, as far as no number changes it.
+pub(in super::super) struct Plan {
+    rows: Vec<Planned>,
+    /// The body that takes part alone.
+    only: Option<String>,
+}
+
+/// The row of a body.
+struct Planned {
+    participant: Participant,
+    name: Math,
+    form: Form,
+    /// How its momentum is written before and after, and each impulse on it.
+    before: Math,
+    after: Math,
+    impulses: Vec<Math>,
+}
+
+fn plan(quantities: &Quantities<'_>, own: &Stage, stage: usize) -> Plan {
     let mut bodies = participants(own);
-    let compass = &match quantities.slope(stage) {
-        Some((rise, _)) => compass.tilted(rise),
-        None => compass.clone(),
-    };
-    let reckoned = match &bodies[..] {
-        [only] => quantities.reckoned(stage, &only.body),
-        _ => quantities.clone(),
-    };
+    let only = if let [only] = &bodies[..] { Some(only.body.clone()) } else { None };
     if concerns_mass_centre(quantities) {
         let taken = |body: &str| bodies.iter().any(|own| own.body == body || own.before == body);
         let others: Vec<String> =
@@ -47,8 +59,36 @@ pub(super) fn diagram(quantities: &Quantities<'_>, compass: &Compass, stage: usi
         bodies.extend(others.iter().map(|body| Participant::alone(body)));
         bodies.sort();
     }
-    let mut balances: Vec<Balance> =
-        bodies.iter().map(|participant| balance(&reckoned, own, stage, participant, bodies.len())).collect();
+    let row = |participant: Participant| {
+        let Participant { body, before, after } = &participant;
+        let impulses = impulses_on(quantities, stage, body).map(|impulse| quantities.impulse_name(impulse).shared());
+        Planned {
+            name: body_math(body).shared(),
+            form: quantities.form(body),
+            before: quantities.momentum_name(body, before, stage + 1).shared(),
+            after: quantities.momentum_name(body, after, stage + 2).shared(),
+            impulses: impulses.collect(),
+            participant,
+        }
+    };
+    Plan { rows: bodies.into_iter().map(row).collect(), only }
+}
+
+fn impulses_on<'a>(quantities: &Quantities<'a>, stage: usize, body: &str) -> impl Iterator<Item = &'a Impulse> {
+    quantities.model().impulses.iter().filter(move |impulse| impulse.stage == stage && impulse.on == body)
+}
+
+/// The diagram of a stage.
+pub(super) fn diagram(quantities: &Quantities<'_>, compass: &Compass, stage: usize) -> Option<Drawing> {
+    let own = quantities.scene().stages.get(stage)?;
+    let memory = Memory::of(quantities.worked);
+    let kept = memory.way(quantities.worked).diagrams.get(stage)?;
+    let Plan { rows, only } = kept.get_or_init(|| plan(quantities, own, stage));
+    let tilted = quantities.slope(stage).map(|(rise, _)| compass.tilted(rise));
+    let compass = tilted.as_ref().unwrap_or(compass);
+    let reckoned = only.as_ref().map(|only| quantities.reckoned(stage, only));
+    let reckoned = reckoned.as_ref().unwrap_or(quantities);
+    let mut balances: Vec<Balance> = rows.iter().map(|row| balance(reckoned, own, stage, row, rows.len())).collect();
     let act_on_each_other = match own {
         Stage::Impact(impact) => impact.between.is_some(),
         Stage::Spring(spring) => spring.between.is_some(),
@@ -67,9 +107,9 @@ pub(super) fn diagram(quantities: &Quantities<'_>, compass: &Compass, stage: usi
         Stage::Flight(_) => None,
         _ => (on_floor || quantities.slope(stage).is_some()).then(|| compass.angle([0.0, 1.0])),
     };
-    let rows = balances.iter().map(|balance| BodyMomentum {
-        name: body_math(&balance.body),
-        form: quantities.form(&balance.body),
+    let rows = balances.iter().zip(rows).map(|(balance, row)| BodyMomentum {
+        name: row.name.clone(),
+        form: row.form,
         surface,
         line_of_impact: normal.filter(|_| turned && surface.is_none()),
         before: balance.before.placed(compass),
@@ -173,13 +213,8 @@ fn participants(stage: &Stage) -> Vec<Participant> {
     }
 }
 
-fn balance(
-    quantities: &Quantities<'_>,
-    own: &Stage,
-    stage: usize,
-    Participant { body, before, after }: &Participant,
-    count: usize,
-) -> Balance {
+fn balance(quantities: &Quantities<'_>, own: &Stage, stage: usize, row: &Planned, count: usize) -> Balance {
+    let Participant { body, before, after } = &row.participant;
     // Alone in its diagram, a body of unknown mass is drawn to the scale of its velocities.
     let scale = quantities.mass(body).or((count == 1).then_some(1.0));
     let model = quantities.model();
@@ -194,18 +229,18 @@ fn balance(
         Stage::Spring(spring) if spring.between.is_none() => vec![resultant()],
         Stage::SlideOff(_) | Stage::Interact(_) => vec![resultant()],
         _ => {
-            let impulses = model.impulses.iter().filter(|impulse| impulse.stage == stage && impulse.on == *body);
-            let impulses = impulses.map(|impulse| quantities.impulse(impulse));
             // To the scale of velocities, an impulse is the change of velocity.
             let massless = quantities.mass_symbol(body).is_some_and(|mass| quantities.is_assumed(mass));
-            impulses.map(|impulse| if massless { impulse.unknown() } else { impulse }).collect()
+            let value = |impulse| if massless { None } else { quantities.impulse_value(impulse) };
+            let named = impulses_on(quantities, stage, body).zip(&row.impulses);
+            named.map(|(impulse, name)| Labelled { label: name.clone(), value: value(impulse) }).collect()
         }
     };
     Balance {
         body: body.clone(),
-        before: quantities.momentum(body, before, stage + 1, scale),
+        before: Labelled { label: row.before.clone(), value: quantities.momentum_value(before, stage + 1, scale) },
         impulses,
-        after: quantities.momentum(body, after, stage + 2, scale),
+        after: Labelled { label: row.after.clone(), value: quantities.momentum_value(after, stage + 2, scale) },
     }
 }
 

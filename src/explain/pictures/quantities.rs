@@ -1,6 +1,5 @@
 //! The numbers that a figure may show: on a problem sheet what is given, in a solution also what was solved.
 
-use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use crate::expr::Expr;
@@ -22,6 +21,7 @@ use crate::solve::Statement;
 
 use super::super::display::Display;
 use super::super::display::Shown;
+use super::super::way::Memory;
 use super::oblique::Oblique;
 
 /// How much a figure may show.
@@ -194,7 +194,8 @@ impl<'a> Quantities<'a> {
 
     /// A term in symbols.
     pub(super) fn symbolic(&self, expr: &Expr) -> Math {
-        Display { worked: self.worked, free: &BTreeSet::new(), shown: &Shown::default() }.symbolic(expr)
+        let memory = Memory::of(self.worked);
+        Display { worked: self.worked, way: memory.way(self.worked), shown: &Shown::default() }.symbolic(expr)
     }
 
     /// A term in symbols without the sign in front of it, where an arrow shows the sense.
@@ -215,7 +216,7 @@ impl<'a> Quantities<'a> {
 
     /// How a scene in space lies on paper.
     fn oblique(&self) -> Option<Oblique> {
-        Oblique::of(&self.scene().axes.rectangular())
+        if self.axes.len() == 3 { Oblique::of(&self.scene().axes.rectangular()) } else { None }
     }
 
     /// A component along the axis of that position, as a vector.

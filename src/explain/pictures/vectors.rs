@@ -44,11 +44,6 @@ pub(super) struct Labelled {
 }
 
 impl Labelled {
-    /// The same vector without its value.
-    pub(super) fn unknown(self) -> Self {
-        Self { value: None, ..self }
-    }
-
     /// The same vector as the drawing has it.
     pub(super) fn placed(&self, compass: &Compass) -> LabelledVector {
         LabelledVector { label: self.label.clone(), value: self.value.map(|value| compass.place(value)) }
@@ -86,11 +81,20 @@ impl Quantities<'_> {
 
     /// The momentum of `mass_of` with the velocity that `body` has at an instant; the two differ where bodies have become one.
     pub(super) fn momentum(&self, mass_of: &str, body: &str, instant: usize, scale: Option<f64>) -> Labelled {
+        Labelled { label: self.momentum_name(mass_of, body, instant), value: self.momentum_value(body, instant, scale) }
+    }
+
+    /// How that momentum is written.
+    pub(super) fn momentum_name(&self, mass_of: &str, body: &str, instant: usize) -> Math {
+        product([self.mass_math(mass_of), name_math(&self.velocity_name(body, instant))])
+    }
+
+    /// The momentum of a mass with the velocity that a body has at an instant.
+    pub(super) fn momentum_value(&self, body: &str, instant: usize, mass: Option<f64>) -> Option<[f64; 2]> {
         let velocity = self.velocity(body, instant);
-        let value = velocity.zip(scale).map(|([x, y], mass)| [mass * x, mass * y]);
-        let label = product([self.mass_math(mass_of), name_math(&self.velocity_name(body, instant))]);
+        let value = velocity.zip(mass).map(|([x, y], mass)| [mass * x, mass * y]);
         // A body at rest has no momentum, whatever its mass.
-        Labelled { label, value: value.or(velocity.filter(|velocity| *velocity == [0.0, 0.0])) }
+        value.or(velocity.filter(|velocity| *velocity == [0.0, 0.0]))
     }
 
     /// The components of a momentum along the axes one by one, to the scale of the velocity; those that are zero left out.
@@ -107,11 +111,19 @@ impl Quantities<'_> {
 
     /// The impulse of an impact or a blow.
     pub(super) fn impulse(&self, impulse: &Impulse) -> Labelled {
-        let components: Option<Vec<f64>> = impulse.components.iter().map(|part| self.evaluate(part)).collect();
-        let value = components.and_then(|components| self.along_axes(&components));
+        Labelled { label: self.impulse_name(impulse), value: self.impulse_value(impulse) }
+    }
+
+    /// How that impulse is written.
+    pub(super) fn impulse_name(&self, impulse: &Impulse) -> Math {
         let letter = if impulse.by == Agent::Guide { "R" } else { "J" };
-        let notation = self.worked.problem.notation();
-        Labelled { label: notation.math(&format!("{letter}_{}", impulse.on)), value }
+        self.worked.problem.notation().math(&format!("{letter}_{}", impulse.on))
+    }
+
+    /// The impulse along x and y.
+    pub(super) fn impulse_value(&self, impulse: &Impulse) -> Option<[f64; 2]> {
+        let components: Option<Vec<f64>> = impulse.components.iter().map(|part| self.evaluate(part)).collect();
+        self.along_axes(&components?)
     }
 
     /// The impulse of a force over the time for which it acts.

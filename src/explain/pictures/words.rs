@@ -10,7 +10,6 @@ use crate::figure::Target;
 use crate::figure::Wording;
 use crate::model::ActingForce;
 use crate::quantity::Dimension;
-use crate::quantity::Unit;
 use crate::quantity::coherent_unit;
 
 use super::super::display::printed;
@@ -43,7 +42,7 @@ pub(super) fn sentences(words: impl IntoIterator<Item = String>) -> String {
 
 /// Whether a vector is the impulse of all forces in one.
 fn is_resultant(impulse: &Labelled) -> bool {
-    matches!(&impulse.label, Math::Integral(_, _, force, _) if matches!(**force, Math::Row(_)))
+    matches!(impulse.label.bare(), Math::Integral(_, _, force, _) if matches!(force.bare(), Math::Row(_)))
 }
 
 /// What is said about a momentum diagram.
@@ -61,7 +60,8 @@ pub(super) fn diagram_wording(
         .then(|| coherent_unit(Dimension::MOMENTUM, quantities.worked.problem.units()));
     let largest =
         balances.iter().flat_map(Balance::all).filter_map(|vector| vector.value).map(size).fold(0.0, f64::max);
-    let speak = Speak { compass, unit: unit.as_ref(), largest };
+    let unit = unit.map(|unit| (unit.factor().to_f64(), unit.unicode()));
+    let speak = Speak { compass, unit: unit.as_ref().map(|(size, name)| (*size, name.as_str())), largest };
     let rows = balances.iter().map(|balance| speak.balance(&quantities.called(&balance.body), balance));
     let several = balances.iter().any(|balance| balance.impulses.len() > 1);
     let impulses = if several { "impulses" } else { "impulse" };
@@ -82,7 +82,8 @@ pub(super) fn diagram_wording(
 /// How vectors are spoken of in one figure.
 struct Speak<'a> {
     compass: &'a Compass,
-    unit: Option<&'a Unit>,
+    /// The size of the unit of momentum in SI units, and how it is written.
+    unit: Option<(f64, &'a str)>,
     largest: f64,
 }
 
@@ -97,10 +98,10 @@ impl Speak<'_> {
 
     /// `m_A v_A1, 8.00 kg m/s to the right`.
     fn vector(&self, vector: &Labelled) -> String {
-        let name = match &vector.label {
+        let name = match vector.label.bare() {
             Math::Integral(..) if is_resultant(vector) => "the impulse of all forces together".to_owned(),
             Math::Integral(..) => "the integral of F over the time".to_owned(),
-            label => label.plain(),
+            _ => vector.label.plain(),
         };
         let Some(value) = vector.value else { return format!("{name}, not known") };
         if size(value) <= NOTHING * self.largest {
@@ -112,9 +113,9 @@ impl Speak<'_> {
         }
         let direction = self.compass.words(value);
         match self.unit {
-            Some(unit) => {
-                let number = printed(size(value) / unit.factor().to_f64(), FIGURES);
-                format!("{name}, {number} {} {direction}", unit.unicode())
+            Some((one, unit)) => {
+                let number = printed(size(value) / one, FIGURES);
+                format!("{name}, {number} {unit} {direction}")
             }
             None => format!("{name}, {direction}"),
         }
