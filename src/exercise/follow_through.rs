@@ -10,6 +10,7 @@ use crate::grade::Verdict;
 use crate::grade::diagnose;
 use crate::laws::Law;
 use crate::problem::NumberPart;
+use crate::problem::Part;
 use crate::problem::PartKind;
 use crate::quantity::Dimension;
 use crate::quantity::Printed;
@@ -81,7 +82,9 @@ impl Marking<'_> {
             Some((PartKind::Number(number), grade::ExpectedKind::Number(right), answer)) => {
                 let value = diagnose::number(right, answer).map(|value| value * self.worked.unit_of(number));
                 let pure = self.worked.problem.model().symbols.entry(number.symbol).dimension == Dimension::NONE;
-                let formula = if pure { exactly(answer) } else { None };
+                let is_formula = |part: &Part| matches!(part.kind, PartKind::Formula(_));
+                let stands = pure && self.worked.form.parts.iter().any(is_formula);
+                let formula = if stands { exactly(answer) } else { None };
                 value.map(|value| (number.symbol, value, formula)).into_iter().collect()
             }
             Some((PartKind::Vector(vector), grade::ExpectedKind::Vector(right), answer)) => {

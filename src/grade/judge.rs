@@ -76,11 +76,11 @@ fn judge_number(expected: &ExpectedNumber, answer: &NumberAnswer) -> Judgement {
         return other_dimension(answer, unit, &target);
     }
     let ratio = if same { Factor::ONE } else { ratio(unit, &expected.unit) };
-    let converted = if ratio == Factor::ONE { Some(directed.clone()) } else { directed.scaled(&ratio) };
+    let converted = if ratio.is_one() { Some(directed.clone()) } else { directed.scaled(&ratio) };
     let Some(number) = converted else { return wrong(expected, answer) };
     let judged = compare(&target, answer, &number);
     if judged != Found::Elsewhere {
-        return fitting(&target, answer, &number, judged, ratio != Factor::ONE);
+        return fitting(&target, answer, &number, judged, !ratio.is_one());
     }
     match slip::power_of_ten(&target, &number) {
         Some(power) if slip::is_prefix(power, expected.unit.dimension()) => {
@@ -138,7 +138,8 @@ fn compare(target: &Target, answer: &NumberAnswer, number: &Number) -> Found {
 }
 
 fn ratio(unit: &Unit, other: &Unit) -> Factor {
-    unit.factor() * other.factor().power(-1)
+    let other = other.factor();
+    if other.is_one() { unit.factor() } else { unit.factor() * other.power(-1) }
 }
 
 /// The judgement on a number, in the unit that is asked; whether it was converted from another.

@@ -100,7 +100,7 @@ impl Input {
 fn scaled(value: f64, factor: f64) -> Bounded {
     let product = value * factor;
     let coherent = factor.to_bits() == 1.0_f64.to_bits();
-    let exact = value.fract() == 0.0 && value.abs() < 9e15 && coherent;
+    let exact = coherent && value.abs() < 9e15 && value.fract() == 0.0;
     let half_ulp = f64::EPSILON / 2.0;
     let roundings = if coherent { 1.0 } else { 3.1 };
     Bounded { value: product, error: if exact { 0.0 } else { product.abs() * half_ulp * roundings } }

@@ -126,8 +126,8 @@ impl Decimal {
     /// How many figures are written: leading zeros do not count, trailing zeros do; at least one.
     #[must_use]
     pub fn figures(&self) -> usize {
-        match u64::try_from(&self.unscaled.clone().abs()) {
-            Ok(digits) => digits.checked_ilog10().map_or(1, |places| places as usize + 1),
+        match i64::try_from(&self.unscaled) {
+            Ok(digits) => digits.unsigned_abs().checked_ilog10().map_or(1, |places| places as usize + 1),
             Err(_) => digits_of(&self.unscaled).len(),
         }
     }
@@ -138,9 +138,9 @@ impl Decimal {
         if self.scale != 0 {
             return self.figures();
         }
-        match u64::try_from(&self.unscaled.clone().abs()) {
+        match i64::try_from(&self.unscaled) {
             Ok(0) => 1,
-            Ok(digits) => self.figures() - (1..20).take_while(|places| digits % 10_u64.pow(*places) == 0).count(),
+            Ok(digits) => self.figures() - (1..19).take_while(|places| digits % 10_i64.pow(*places) == 0).count(),
             Err(_) => digits_of(&self.unscaled).trim_end_matches('0').len().max(1),
         }
     }

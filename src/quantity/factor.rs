@@ -23,6 +23,12 @@ impl Factor {
     /// One.
     pub const ONE: Self = Self { rational: Rational::ONE, pi: 0 };
 
+    /// Whether it is one.
+    #[must_use]
+    pub fn is_one(&self) -> bool {
+        self.pi == 0 && self.rational.is_one()
+    }
+
     /// The factor to an integer power.
     #[must_use]
     pub fn power(&self, exponent: i8) -> Self {

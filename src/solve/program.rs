@@ -25,6 +25,8 @@ pub struct Program {
     pub(super) doubled: Option<Constants<Doubled>>,
     pub(super) precise: Constants<Precise>,
     pub(super) unchecked: Vec<usize>,
+    /// Whether there is no choice of roots and no search: everything on the tape is computed once.
+    pub(super) is_computed: bool,
 }
 
 /// Why a plan cannot be compiled: it uses a symbol that neither the inputs nor the steps before give.
@@ -110,7 +112,10 @@ impl Program {
             (stage.tests_code, stage.tests) = writer.stretch(|writer| tests.ready(writer));
             stages.push(stage);
         }
+        let runs = |work: &Work| matches!(work, Work::Run(_));
+        let one_way = |stage: &Stage| matches!(stage.roots.as_slice(), [only] if only.work.iter().all(runs));
         Ok(Self {
+            is_computed: stages.iter().all(one_way),
             stages,
             inputs,
             symbols: writer.symbols.iter().map(|(symbol, register)| (*symbol, *register)).collect(),
@@ -132,10 +137,7 @@ impl Program {
     /// Whether it only computes: no choice of roots, no search, and nothing to judge.
     #[must_use]
     pub fn is_plain(&self) -> bool {
-        let runs = |work: &Work| matches!(work, Work::Run(_));
-        self.is_straight()
-            && self.stages.iter().all(|own| own.tests.is_empty())
-            && self.stages.iter().flat_map(|own| &own.roots).flat_map(|own| &own.work).all(runs)
+        self.is_computed && self.stages.iter().all(|stage| stage.tests.is_empty())
     }
 
     /// Whether no step has a choice of roots.

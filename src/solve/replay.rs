@@ -35,7 +35,7 @@ impl Program {
         last: bool,
     ) -> Outcome<'a, Bounded> {
         workspace.prepare(&self.fast, &self.inputs, inputs.iter());
-        Replay { program: self, workspace, last }.stage(0);
+        Replay { program: self, workspace, last }.follow();
         Outcome { program: self, workspace, exact: false }
     }
 
@@ -44,7 +44,7 @@ impl Program {
     pub fn run_exact<'a>(&'a self, inputs: &[Exact], workspace: &'a mut Workspace<Precise>) -> Outcome<'a, Precise> {
         let inputs: Vec<Precise> = inputs.iter().map(Precise::from_exact).collect();
         workspace.prepare(&self.precise, &self.inputs, inputs.iter());
-        Replay { program: self, workspace, last: true }.stage(0);
+        Replay { program: self, workspace, last: true }.follow();
         Outcome { program: self, workspace, exact: true }
     }
 
@@ -87,7 +87,7 @@ impl Program {
         let constants = self.doubled.as_ref()?;
         let inputs: Vec<Doubled> = inputs.iter().map(Doubled::from_exact).collect();
         workspace.prepare(constants, &self.inputs, inputs.iter());
-        Replay { program: self, workspace, last: false }.stage(0);
+        Replay { program: self, workspace, last: false }.follow();
         Some(Outcome { program: self, workspace, exact: false })
     }
 
@@ -144,6 +144,34 @@ struct Replay<'a, R> {
 }
 
 impl<R: Real> Replay<'_, R> {
+    /// Follows every branch. Where there is nothing to choose and nothing to search, all is computed in one go once the givens
+    /// are judged.
+    fn follow(&mut self) {
+        let program = self.program;
+        let (true, Some((givens, steps))) = (program.is_computed, program.stages.split_first()) else {
+            return self.stage(0);
+        };
+        let (judged, whole) = (givens.tests_code.end, program.tape.len());
+        run(&program.tape, &(0..judged), &mut self.workspace.registers);
+        if self.passes(givens) {
+            run(&program.tape, &(judged..whole), &mut self.workspace.registers);
+            if steps.iter().all(|step| self.passes(step)) {
+                self.survive();
+            }
+        }
+    }
+
+    /// Whether the only root of a stage serves.
+    fn passes(&mut self, stage: &Stage) -> bool {
+        self.workspace.branches += 1;
+        self.workspace.path.push(0);
+        let cause = self.judge(stage);
+        if let Some(cause) = cause {
+            self.die(stage, 0, cause);
+        }
+        cause.is_none()
+    }
+
     /// Follows every root of a stage. Recursion is as deep as the plan has steps.
     fn stage(&mut self, index: usize) {
         let program = self.program;
@@ -151,9 +179,7 @@ impl<R: Real> Replay<'_, R> {
             self.survive();
             return;
         };
-        if !stage.prelude.is_empty() {
-            run(&program.tape, &stage.prelude, &mut self.workspace.registers);
-        }
+        run(&program.tape, &stage.prelude, &mut self.workspace.registers);
         for (root, branch) in stage.roots.iter().enumerate() {
             if self.workspace.branches > MOST_BRANCHES {
                 self.workspace.decided = false;
@@ -163,6 +189,7 @@ impl<R: Real> Replay<'_, R> {
             self.workspace.path.truncate(index);
             self.workspace.path.push(root);
             branch.work.iter().for_each(|work| self.work(work));
+            run(&program.tape, &stage.tests_code, &mut self.workspace.registers);
             match self.judge(stage) {
                 None => self.stage(index + 1),
                 Some(cause) => self.die(stage, root, cause),
@@ -198,13 +225,10 @@ impl<R: Real> Replay<'_, R> {
         }
     }
 
-    /// Why the branch dies at this stage, if it does.
+    /// Why the branch dies at this stage, if it does; all that the stage says is computed.
     fn judge(&mut self, stage: &Stage) -> Option<Cause> {
         if stage.unknowns.iter().any(|(register, _)| !self.at(*register).is_real()) {
             return Some(Cause::NotReal);
-        }
-        if !stage.tests_code.is_empty() {
-            run(&self.program.tape, &stage.tests_code, &mut self.workspace.registers);
         }
         for test in &stage.tests {
             let difference = self.at(test.difference);

@@ -7,17 +7,16 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::expr::{Expr, Symbol};
 
-use super::real::Real;
+use super::Statement;
 use super::tape::{Instruction, Operation, Register, run};
 use super::workspace::{Constants, Workspace};
 use super::writer::Writer;
-use super::{Bounded, Statement};
 
 /// What must be zero where all equations hold, as a function of the symbols that no equation defines.
 #[derive(Debug)]
 pub(super) struct Residuals {
     tape: Vec<Instruction>,
-    constants: Constants<Bounded>,
+    constants: Constants<f64>,
     /// The symbols that are sought.
     pub(super) free: Vec<Symbol>,
     /// Their registers.
@@ -60,10 +59,9 @@ impl Residuals {
     /// Everything that is computed from values of the free symbols.
     pub(super) fn at(&self, place: &[f64]) -> Values {
         let mut workspace = Workspace::default();
-        let place: Vec<Bounded> = place.iter().map(|value| Bounded::point(*value)).collect();
         workspace.prepare(&self.constants, &self.inputs, place.iter());
         run(&self.tape, &(0..self.tape.len()), &mut workspace.registers);
-        Values(workspace.registers.iter().map(Real::rough).collect())
+        Values(workspace.registers)
     }
 
     /// The value of each symbol.

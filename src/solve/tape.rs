@@ -53,10 +53,10 @@ impl Instruction {
     /// Whether it takes no more than sums, products, quotients and square roots.
     pub(super) fn is_algebraic(&self) -> bool {
         match self.operation {
-            Operation::Add | Operation::Subtract | Operation::Multiply | Operation::Divide | Operation::Negate => true,
-            Operation::Power(_) | Operation::Root(2) | Operation::Select | Operation::Copy => true,
             Operation::Apply(function) => function == Function::Abs,
-            Operation::Root(_) | Operation::Raise | Operation::Angle => false,
+            Operation::Root(degree) => degree == 2,
+            Operation::Raise | Operation::Angle => false,
+            _ => true,
         }
     }
 
