@@ -4,8 +4,6 @@ use crate::expr::Math;
 use crate::expr::Operator;
 use crate::expr::Symbol;
 use crate::problem::NumberPart;
-use crate::problem::Sampler;
-use crate::problem::Variant;
 use crate::problem::Worked;
 use crate::quantity::Decimal;
 use crate::quantity::Dimension;
@@ -37,9 +35,8 @@ pub(super) fn limits(display: Display<'_>) -> Vec<Block> {
         .filter(|number| !number.whole && !display.is_free(number.symbol))
         .collect();
     let oblique = worked.problem.loaded().draft.scene.axes.rectangular().len() > 1;
-    let Ok(mut sampler) = Sampler::new(worked.problem, worked.variant.form()) else { return Vec::new() };
     let sentences = EXTREMES.iter().filter_map(|(value, words)| {
-        let there = with(&mut sampler, worked, e, &Decimal::from(*value))?;
+        let there = worked.at_limit(e, &Decimal::from(*value), &Unit::none())?;
         let there = Worked::new(worked.problem, &there)?;
         let results: Vec<Vec<Inline>> =
             numbers.iter().map(|number| vec![Inline::Math(result(display, there, number))]).collect();
@@ -65,15 +62,6 @@ fn coefficient(worked: Worked<'_>) -> Option<Symbol> {
     let inner = !value.is_zero() && value.compare(&Decimal::from(1)).is_lt();
     let plain = worked.problem.model().symbols.entry(symbol).dimension == Dimension::NONE;
     (inner && plain && worked.form.reveal.is_empty()).then_some(symbol)
-}
-
-/// The same variant with another value for one of its givens.
-fn with(sampler: &mut Sampler<'_>, worked: Worked<'_>, symbol: Symbol, value: &Decimal) -> Option<Variant> {
-    let told = worked.variant.all_given().iter().cloned();
-    let values: Vec<(Symbol, Decimal, Unit)> = told
-        .map(|(own, old, unit)| if own == symbol { (own, value.clone(), unit) } else { (own, old, unit) })
-        .collect();
-    sampler.at_limit(&values)
 }
 
 fn result(display: Display<'_>, there: Worked<'_>, number: &NumberPart) -> Math {

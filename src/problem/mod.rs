@@ -26,6 +26,7 @@ mod impact_kind;
 mod input;
 mod kept;
 mod known;
+mod limit;
 mod literal;
 mod load;
 mod mentions;

@@ -168,6 +168,15 @@ fn between(limit: Option<(f64, bool)>, boundary: f64, away: f64) -> f64 {
 }
 
 impl Worked<'_> {
+    /// Whether every range that is asked has one boundary, with a side on which it holds.
+    pub(super) fn has_intervals(&self) -> bool {
+        let mut ranges = self.form.parts.iter().filter_map(|part| match &part.kind {
+            PartKind::Range(range) => Some(range),
+            _ => None,
+        });
+        ranges.all(|range| self.interval(range).is_some())
+    }
+
     /// The values for which the claim holds; `None` where it holds on both sides of the boundary, or on neither.
     #[must_use]
     pub fn interval(&self, range: &RangePart) -> Option<Interval> {

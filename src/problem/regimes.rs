@@ -171,7 +171,7 @@ pub(super) struct Scratch {
 impl Scratch {
     /// Solves from the inputs; gives the number of admissible solutions.
     pub(super) fn run(&mut self, regimes: &Regimes, inputs: &[Input], domains: &[Option<Domain>]) -> usize {
-        if !self.take(regimes, inputs) {
+        if !self.take(regimes, |symbol| inputs.get(symbol.index()).and_then(Input::bounded)) {
             return 0;
         }
         let exact = || {
@@ -187,8 +187,8 @@ impl Scratch {
     }
 
     /// The same for a limiting case, in which conditions may hold with nothing to spare, in floating point alone.
-    pub(super) fn run_limit(&mut self, regimes: &Regimes, inputs: &[Input]) -> usize {
-        if !self.take(regimes, inputs) {
+    pub(super) fn run_limit(&mut self, regimes: &Regimes, input: impl Fn(&Symbol) -> Option<Bounded>) -> usize {
+        if !self.take(regimes, input) {
             return 0;
         }
         self.taken = regimes.tree.solve_limit(&self.inputs, &mut self.workspace);
@@ -196,10 +196,9 @@ impl Scratch {
     }
 
     /// Takes the inputs of the programs; whether all are there.
-    fn take(&mut self, regimes: &Regimes, inputs: &[Input]) -> bool {
-        let value = |symbol: &Symbol| inputs.get(symbol.index()).and_then(Input::bounded);
+    fn take(&mut self, regimes: &Regimes, input: impl Fn(&Symbol) -> Option<Bounded>) -> bool {
         self.inputs.clear();
-        self.inputs.extend(regimes.inputs.iter().map_while(value));
+        self.inputs.extend(regimes.inputs.iter().map_while(input));
         self.inputs.len() == regimes.inputs.len()
     }
 

@@ -109,38 +109,22 @@ impl<'p> Sampler<'p> {
     /// # Errors
     /// [`NoVariant::Solutions`] where the values leave none, or several admissible solutions.
     pub fn with_values(&mut self, seed: u64, values: &[(Symbol, Decimal, Unit)]) -> Result<Variant, NoVariant> {
-        self.put(seed, values);
-        match self.solve() {
-            count if self.is_admissible(count) => Ok(self.keep_values(values)),
-            count => Err(NoVariant::Solutions { count, reason: self.why() }),
-        }
-    }
-
-    /// The same for a limiting case of what a form without revealed values tells, such as e = 0: conditions may hold there with
-    /// nothing to spare, and floating point has to do. `None` where it has no admissible solution.
-    #[must_use]
-    pub fn at_limit(&mut self, values: &[(Symbol, Decimal, Unit)]) -> Option<Variant> {
-        self.put(0, values);
-        let count = self.scratch.run_limit(&self.form.solver, &self.inputs);
-        self.is_admissible(count).then(|| self.keep_values(values))
-    }
-
-    fn put(&mut self, seed: u64, values: &[(Symbol, Decimal, Unit)]) {
         self.draw_attempt(seed, 0);
         for (symbol, value, unit) in values {
             if let Some(input) = self.inputs.get_mut(symbol.index()) {
                 *input = Input::of(value, unit);
             }
         }
-    }
-
-    fn keep_values(&self, values: &[(Symbol, Decimal, Unit)]) -> Variant {
-        let mut variant = self.keep(None);
-        for (symbol, value, unit) in values {
-            variant.given.retain(|(own, ..)| own != symbol);
-            variant.given.push((*symbol, value.clone(), unit.clone()));
+        let count = self.solve();
+        if !self.is_admissible(count) {
+            return Err(NoVariant::Solutions { count, reason: self.why() });
         }
-        variant
+        let mut variant = self.keep(None);
+        for own in values {
+            variant.given.retain(|(symbol, ..)| *symbol != own.0);
+            variant.given.push(own.clone());
+        }
+        Ok(variant)
     }
 
     /// Why the numbers solved last have no admissible solution.
@@ -198,16 +182,10 @@ impl<'p> Sampler<'p> {
 
     /// Whether every range that is asked has one boundary, with a side on which it holds.
     fn has_intervals(&self) -> bool {
-        if self.form.trials.is_empty() {
-            return true;
+        self.form.trials.is_empty() || {
+            let variant = self.keep(None);
+            Worked { problem: self.problem, form: self.form, variant: &variant }.has_intervals()
         }
-        let variant = self.keep(None);
-        let worked = Worked { problem: self.problem, form: self.form, variant: &variant };
-        let mut ranges = self.form.parts.iter().filter_map(|part| match &part.kind {
-            PartKind::Range(range) => Some(range),
-            _ => None,
-        });
-        ranges.all(|range| worked.interval(range).is_some())
     }
 
     /// A quantity in terms of which an answer is asked, and which is not certain to differ from zero.
