@@ -7,11 +7,14 @@ use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::quantity::Rational;
 
-use super::real::{Real, Sign};
+use super::real::Real;
 use super::tape::{Instruction, Register, run};
 use super::workspace::{Constants, Workspace};
 use super::writer::Writer;
 use super::{Closed, Plan, System};
+
+/// What is less below zero than this, in SI units, may be the rounding of a value that is nothing.
+const ROUNDED: f64 = 1e-9;
 
 /// Plans without any choice, on one tape.
 #[derive(Clone, Debug)]
@@ -128,7 +131,7 @@ impl BatchValues<'_> {
         let member = self.batch.members.get(place)?;
         let at = |register: Register| self.workspace.registers.get(register as usize);
         let can_be = |(register, positive): &(Register, bool)| {
-            at(*register).is_some_and(|own| own.is_real() && !(*positive && own.sign() == Sign::Negative))
+            at(*register).is_some_and(|own| own.is_real() && !(*positive && *own < -ROUNDED))
         };
         let (_, register) = member.wanted.iter().find(|(own, _)| *own == symbol)?;
         let value = *at(*register)?;
