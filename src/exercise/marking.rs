@@ -68,7 +68,6 @@ impl Marker {
         if marking.expected.is_empty() {
             marking.expected.extend(blanks.iter().map(|blank| blank.asked.clone()));
         }
-        let mut one_each = true;
         for (position, (part, blank)) in worked.form.parts.iter().zip(blanks.iter_mut()).enumerate() {
             let text = answers.iter().find(|(id, _)| *id == part.id).map_or("", |(_, text)| *text);
             let text = without_unit_quantity(worked, part, text);
@@ -77,7 +76,6 @@ impl Marker {
             let Some(expected) = marking.expected.get_mut(place) else { break };
             blank.fill(expected, worked, part);
             if let Some(roots) = several(worked, part) {
-                one_each = false;
                 let shared = shared_out(expected, &roots, text, worked, part, *mark);
                 for (expected, text) in &shared {
                     marking.readings.push(blank.read(text, &expected.kind, *mark));
@@ -104,7 +102,8 @@ impl Marker {
             marking.follow_through(&mut report, sitting.closed);
             marking.diagnose(&mut report, sitting.hints);
         }
-        if one_each {
+        // Where a part had several roots, the list is longer than what is to be filled next.
+        if marking.expected.len() == count {
             *filled = marking.expected;
         }
         report

@@ -59,9 +59,7 @@ pub fn number(expected: &ExpectedNumber, answer: &Answer) -> Option<f64> {
     let value = match unit(answer) {
         None => own,
         Some(unit) if *unit == expected.unit => own,
-        Some(unit) if unit.dimension() == expected.unit.dimension() => {
-            own * (unit.factor() * expected.unit.factor().power(-1)).to_f64()
-        }
+        Some(unit) if unit.dimension() == expected.unit.dimension() => own * unit.in_terms_of(&expected.unit).to_f64(),
         Some(_) => return None,
     };
     value.is_finite().then_some(value)
@@ -77,7 +75,7 @@ pub fn components(expected: &ExpectedVector, answer: &Answer) -> Option<Vec<f64>
     let (Answer::Vector(answer), Some(first)) = (answer, expected.components.first()) else { return None };
     let factor = match answer.unit.as_ref().filter(|unit| !unit.is_none()) {
         Some(unit) if unit.dimension() != first.unit.dimension() => return None,
-        Some(unit) if *unit != first.unit => (unit.factor() * first.unit.factor().power(-1)).to_f64(),
+        Some(unit) if *unit != first.unit => unit.in_terms_of(&first.unit).to_f64(),
         _ => 1.0,
     };
     let components: Vec<f64> = answer.components.iter().map(|own| own.to_f64() * factor).collect();

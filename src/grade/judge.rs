@@ -75,7 +75,7 @@ fn judge_number(expected: &ExpectedNumber, answer: &NumberAnswer) -> Judgement {
     if !same && unit.dimension() != expected.unit.dimension() {
         return other_dimension(answer, unit, &target);
     }
-    let ratio = if same { Factor::ONE } else { ratio(unit, &expected.unit) };
+    let ratio = if same { Factor::ONE } else { unit.in_terms_of(&expected.unit) };
     let converted = if ratio.is_one() { Some(directed.clone()) } else { directed.scaled(&ratio) };
     let Some(number) = converted else { return wrong(expected, answer) };
     let judged = compare(&target, answer, &number);
@@ -137,11 +137,6 @@ fn compare(target: &Target, answer: &NumberAnswer, number: &Number) -> Found {
     if answer.signed || answer.sense.is_some() || number.is_negative() { Found::SenseReversed } else { Found::Sense }
 }
 
-fn ratio(unit: &Unit, other: &Unit) -> Factor {
-    let other = other.factor();
-    if other.is_one() { unit.factor() } else { unit.factor() * other.power(-1) }
-}
-
 /// The judgement on a number, in the unit that is asked; whether it was converted from another.
 fn fitting(target: &Target, answer: &NumberAnswer, number: &Number, found: Found, converted: bool) -> Judgement {
     let expected = target.expected;
@@ -172,7 +167,7 @@ fn without_unit(target: &Target, answer: &NumberAnswer) -> Judgement {
     let is_pure = unit.dimension() == Unit::none().dimension();
     if is_pure
         && (!target.expected.cyclic || *unit == radians())
-        && let Some(number) = directed.scaled(&ratio(&Unit::none(), unit))
+        && let Some(number) = directed.scaled(&Unit::none().in_terms_of(unit))
     {
         let as_pure = compare(target, answer, &number);
         if as_pure != Found::Elsewhere {
@@ -196,7 +191,7 @@ fn other_dimension(answer: &NumberAnswer, unit: &Unit, target: &Target) -> Judge
     let asked = &target.expected.unit;
     let as_written = compare(target, answer, &directed);
     let in_base_units =
-        directed.scaled(&ratio(unit, asked)).map_or(Found::Elsewhere, |number| compare(target, answer, &number));
+        directed.scaled(&unit.in_terms_of(asked)).map_or(Found::Elsewhere, |number| compare(target, answer, &number));
     let found = if as_written == Found::Elsewhere { in_base_units } else { as_written };
     let message = Message::UnitWrongDimension {
         given: dimension_name(unit.dimension()).to_owned(),

@@ -15,9 +15,6 @@ const MAX_BITS: usize = 8192;
 /// How far double precision may have moved a number that passed through a few irrational functions, relative to it.
 const DOUBLE_SLACK: f64 = 1e-12;
 
-/// The most decimals of a number that is kept as its digits: doubles hold their powers of ten exactly.
-const MOST_DECIMALS: u32 = 22;
-
 /// A number, and whether it is exact or went through double precision (a root, a sine, pi).
 ///
 /// Every operation is bounded in time and memory and answers `None` where its result would be too large, or is not a number.
@@ -47,13 +44,9 @@ impl Eq for Number {}
 
 impl From<&Decimal> for Number {
     fn from(decimal: &Decimal) -> Self {
-        let digits = i64::try_from(decimal.unscaled()).ok().filter(|digits| digits.unsigned_abs() < 1 << 53);
-        let scale = u32::try_from(decimal.scale()).ok().filter(|scale| *scale <= MOST_DECIMALS);
-        match (digits, scale) {
-            (Some(digits), Some(scale)) => {
-                Self { value: Value::Decimal(digits, scale), near: decimal.to_f64(), exact: true }
-            }
-            _ => Self::exact(decimal.to_rational()),
+        match decimal.few_digits() {
+            Some((digits, scale)) => Self { value: Value::Decimal(digits, scale), near: decimal.to_f64(), exact: true },
+            None => Self::exact(decimal.to_rational()),
         }
     }
 }

@@ -41,8 +41,7 @@ impl Worked<'_> {
         }
         let there = Worked { variant: &variant, ..*self };
         let is_zero = |unit: Symbol| variant.value(unit).is_some_and(|value: Bounded| value.value.abs() <= value.error);
-        let admissible = solutions == 1 || solutions > 1 && self.form.question.roots.is_some();
-        let stands = admissible && !self.form.units().any(is_zero) && there.has_intervals();
+        let stands = self.form.accepts(solutions) && !self.form.units().any(is_zero) && there.has_intervals();
         stands.then_some(variant)
     }
 }

@@ -132,7 +132,7 @@ fn misread(problem: &Problem, form: &Form) -> Vec<(&'static Misconception, Vec<(
     let mut found = Vec::new();
     for row in MISREADINGS {
         let (Ok(given), Ok(taken)) = (Unit::parse(row.given), Unit::parse(row.taken)) else { continue };
-        let factor = (taken.factor() * given.factor().power(-1)).to_f64();
+        let factor = taken.in_terms_of(&given).to_f64();
         let told =
             form.told.iter().filter(|symbol| problem.unit_told(form, **symbol).is_some_and(|unit| unit == given));
         let read: Vec<(Symbol, f64)> = told.map(|symbol| (*symbol, factor)).collect();

@@ -87,6 +87,11 @@ impl Form {
         self.parts.iter().flat_map(|part| part.kind.wanted())
     }
 
+    /// Whether so many solutions are what it asks for: one, or any number where every one is asked for.
+    pub(super) fn accepts(&self, solutions: usize) -> bool {
+        solutions == 1 || solutions > 1 && self.question.roots.is_some()
+    }
+
     /// The quantities in terms of which answers are asked.
     pub fn units(&self) -> impl Iterator<Item = Symbol> {
         let numbers = self.parts.iter().flat_map(|part| part.kind.numbers());

@@ -175,9 +175,7 @@ impl<'p> Sampler<'p> {
 
     /// One solution, or any number of them where every one is asked for; and nothing is asked in terms of zero.
     fn is_admissible(&self, solutions: usize) -> bool {
-        (solutions == 1 || solutions > 1 && self.form.question.roots.is_some())
-            && self.zero_unit().is_none()
-            && self.has_intervals()
+        self.form.accepts(solutions) && self.zero_unit().is_none() && self.has_intervals()
     }
 
     /// Whether every range that is asked has one boundary, with a side on which it holds.

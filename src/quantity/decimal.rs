@@ -164,12 +164,19 @@ impl Decimal {
     #[must_use]
     pub fn to_f64(&self) -> f64 {
         // Digits and powers of ten that doubles hold exactly need one rounding only.
-        let digits = i64::try_from(&self.unscaled).ok().filter(|digits| digits.unsigned_abs() < 1 << 53);
-        if let (Some(digits), Ok(scale @ 0..=22)) = (digits, usize::try_from(self.scale)) {
+        match self.few_digits() {
             #[allow(clippy::cast_precision_loss, reason = "below 2^53")]
-            return digits as f64 / POWERS_OF_TEN[scale];
+            Some((digits, scale)) => digits as f64 / POWERS_OF_TEN[scale as usize],
+            None => nearest_double(&self.to_rational()),
         }
-        nearest_double(&self.to_rational())
+    }
+
+    /// The digits, and how many of them stand behind the point, where doubles hold the digits and that power of ten exactly.
+    #[must_use]
+    pub fn few_digits(&self) -> Option<(i64, u32)> {
+        let digits = i64::try_from(&self.unscaled).ok().filter(|digits| digits.unsigned_abs() < 1 << 53)?;
+        let scale = u32::try_from(self.scale).ok().filter(|scale| (*scale as usize) < POWERS_OF_TEN.len())?;
+        Some((digits, scale))
     }
 
     /// Whether the value is zero.

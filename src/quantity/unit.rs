@@ -179,6 +179,20 @@ impl Unit {
         sized.fold(Factor::ONE, |product, power| product * power.symbol.factor().power(power.exponent))
     }
 
+    /// How many of the other unit it is; both measure the same.
+    ///
+    /// ```
+    /// use momentous::quantity::Unit;
+    /// assert_eq!(Unit::parse("km/h")?.in_terms_of(&Unit::parse("m/s")?).to_f64(), 1.0 / 3.6);
+    /// # Ok::<(), momentous::quantity::UnitFault>(())
+    /// ```
+    #[must_use]
+    pub fn in_terms_of(&self, other: &Self) -> Factor {
+        let other = other.factor();
+        // Most units that are asked are coherent.
+        if other.is_one() { self.factor() } else { self.factor() * other.power(-1) }
+    }
+
     /// Whether it stands directly behind its number, without a space: `30°`, `5%`.
     #[must_use]
     pub fn is_attached(&self) -> bool {

@@ -13,7 +13,7 @@ use super::real::{Real, Sign};
 /// Lefevre, Louvet, Muller, Picot and Rideau, Accurate calculation of Euclidean norms using double-word arithmetic, 49 (2023);
 /// their bounds hold where nothing underflows. Other functions are left to exact arithmetic: nothing is known of them here.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Doubled {
+pub(super) struct Doubled {
     high: f64,
     low: f64,
     error: f64,
@@ -178,15 +178,10 @@ impl Real for Doubled {
     }
 
     fn apply(&self, function: Function) -> Self {
-        match (function, self.sign()) {
-            (_, Sign::NotReal) => Self::NOT_REAL,
-            (Function::Abs, _) => {
-                if self.high < 0.0 {
-                    self.neg()
-                } else {
-                    *self
-                }
-            }
+        match function {
+            _ if !self.is_real() => Self::NOT_REAL,
+            Function::Abs if self.high < 0.0 => self.neg(),
+            Function::Abs => *self,
             _ => Self::UNBOUNDED,
         }
     }

@@ -70,7 +70,6 @@ pub use audit::{Audit, audit};
 pub use ball::Ball;
 pub use batch::{Batch, BatchValues, BatchWriter};
 pub use bounded::Bounded;
-pub use doubled::Doubled;
 pub use evaluate::evaluate;
 pub use exact::Exact;
 pub use outcome::Outcome;

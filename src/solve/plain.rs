@@ -83,10 +83,6 @@ impl Real for f64 {
         Bounded { value: *self, error: Self::INFINITY }
     }
 
-    fn rough(&self) -> f64 {
-        *self
-    }
-
     fn is_unbounded(&self) -> bool {
         false
     }

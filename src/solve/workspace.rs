@@ -122,7 +122,7 @@ pub struct Death {
 #[derive(Clone, Debug, Default)]
 pub struct Workspaces {
     pub(super) fast: Workspace<super::Bounded>,
-    pub(super) doubled: Workspace<super::Doubled>,
+    pub(super) doubled: Workspace<super::doubled::Doubled>,
     pub(super) precise: Workspace<super::Precise>,
     pub(super) replayed: bool,
 }

@@ -47,7 +47,7 @@ pub(super) fn judge(expected: &ExpectedVector, answer: &VectorAnswer) -> Judgeme
 }
 
 fn converted(answer: &VectorAnswer, unit: &Unit, asked: &Unit) -> Option<Vec<Number>> {
-    let ratio = unit.factor() * asked.factor().power(-1);
+    let ratio = unit.in_terms_of(asked);
     answer.components.iter().map(|component| component.scaled(&ratio)).collect()
 }
 
