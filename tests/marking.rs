@@ -189,7 +189,7 @@ fn an_answer_that_cannot_be_read_says_where() {
 #[test]
 fn a_wrong_number_is_never_called_right() {
     let report = mark(&collision(), &[("v_A2", "-0.5"), ("v_B2", "4 J")]);
-    let messages: Vec<&str> = report.parts.iter().map(|part| part.message.as_str()).take(2).collect();
+    let messages: Vec<&str> = report.parts.iter().map(|part| part.message.as_ref()).take(2).collect();
     let dimension = "Not right. Look at the unit: this is an energy, the question asks for a velocity.";
     assert_eq!(messages, ["Not right. The unit is missing.", dimension]);
 }

@@ -22,7 +22,7 @@ impl Marking<'_> {
             let found = self.misjudged(place).or_else(|| self.diagnosis(self.suspects(place)?));
             let Some(diagnosis) = found else { continue };
             let told = diagnosis.hints.iter().take(hints + 1).map(String::as_str);
-            own.message = std::iter::once(own.message.as_str()).chain(told).collect::<Vec<_>>().join(" ");
+            own.message = std::iter::once(&*own.message).chain(told).collect::<Vec<_>>().join(" ").into();
             own.diagnosis = Some(diagnosis);
         }
     }

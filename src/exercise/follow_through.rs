@@ -59,7 +59,7 @@ impl Marking<'_> {
                     grade::Points(self.rubric.fraction(own.verdict) * found.fraction * Rational::from(own.out_of));
                 let by = found.by.iter().map(|law| law.name).collect();
                 let follows = Follows { from: found.from, by, unphysical: found.unphysical };
-                own.message = follows.to_string();
+                own.message = follows.to_string().into();
                 own.follows = Some(follows);
             } else if closed
                 && !relevant.is_empty()

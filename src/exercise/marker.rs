@@ -130,10 +130,10 @@ impl Blank {
         text: &str,
         asked: &grade::ExpectedKind,
         mark: grade::DecimalMark,
-    ) -> Option<Arc<Reading>> {
+    ) -> Option<Reading> {
         match asked {
             // What a formula may contain depends on the way in which the scene goes.
-            grade::ExpectedKind::Formula(_) => Reading::of(text, asked, mark).map(Arc::new),
+            grade::ExpectedKind::Formula(_) => Reading::of(text, asked, mark),
             asked => self.readings.read(text, asked, mark),
         }
     }

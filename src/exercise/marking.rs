@@ -2,7 +2,6 @@
 
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
-use std::sync::Arc;
 
 use crate::grade;
 use crate::grade::Expected;
@@ -36,7 +35,7 @@ pub(super) struct Marking<'a> {
     pub(super) worked: Worked<'a>,
     pub(super) rubric: &'a grade::Rubric,
     pub(super) expected: Vec<Expected>,
-    pub(super) readings: Vec<Option<Arc<Reading>>>,
+    pub(super) readings: Vec<Option<Reading>>,
     /// The position of the part to which each of what is expected belongs.
     pub(super) parts: Vec<usize>,
     /// What comes of the usual mistakes, once somebody asks.

@@ -53,7 +53,7 @@ pub fn weigh(attempts: &mut [Attempt], before: u32, rubric: &Rubric) {
 fn reduce(part: &mut PartReport, made: u32, hints: u32, rubric: &Rubric) {
     if !rubric.attempts.counts(made) {
         part.points = Points::default();
-        part.message = format!("{} {}", part.message, Message::NoAttemptLeft);
+        part.message = format!("{} {}", part.message, Message::NoAttemptLeft).into();
         return;
     }
     if made == 0 && hints == 0 || part.points == Points::default() {
@@ -67,7 +67,7 @@ fn reduce(part: &mut PartReport, made: u32, hints: u32, rubric: &Rubric) {
     let percent = (Rational::from(100) * (Rational::ONE - left)).to_f64().value();
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and 100")]
     let reduced = Message::Reduced(libm::round(percent) as u32);
-    part.message = format!("{} {reduced}", part.message);
+    part.message = format!("{} {reduced}", part.message).into();
 }
 
 /// The report on several attempts at one variant, the earliest first: of each part what counts.

@@ -8,6 +8,8 @@ mod interval;
 mod slip;
 mod vector;
 
+use std::borrow::Cow;
+
 use crate::quantity::Factor;
 use crate::quantity::Unit;
 use crate::quantity::dimension_name;
@@ -214,10 +216,10 @@ impl Judgement {
 
     /// What the student is told, in words.
     #[must_use]
-    pub fn told(&self) -> String {
+    pub fn told(&self) -> Cow<'static, str> {
         match self.messages.as_slice() {
             [one] => English.message(one),
-            all => all.iter().map(|one| English.message(one)).collect::<Vec<_>>().join(" "),
+            all => all.iter().map(|one| English.message(one)).collect::<Vec<_>>().join(" ").into(),
         }
     }
 

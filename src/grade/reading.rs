@@ -1,7 +1,6 @@
 //! Answers as they were read, and the memory of those that were read before.
 
 use std::collections::HashMap;
-use std::sync::Arc;
 
 use super::expected::ExpectedKind;
 use super::read::{Answer, DecimalMark, Endings, Unreadable, read};
@@ -25,8 +24,8 @@ pub struct Readings {
     /// Of answers to a number.
     endings: Endings,
     /// What was met lately, and what was met before that; what is not met again while one generation fills is forgotten.
-    young: HashMap<String, Arc<Reading>>,
-    old: HashMap<String, Arc<Reading>>,
+    young: HashMap<String, Reading>,
+    old: HashMap<String, Reading>,
 }
 
 impl Reading {
@@ -44,32 +43,32 @@ impl Reading {
 
 impl Readings {
     /// The same, from memory where it was read before. Every text must be one for the same part and the same mark.
-    pub fn read(&mut self, text: &str, asked: &ExpectedKind, mark: DecimalMark) -> Option<Arc<Reading>> {
+    pub fn read(&mut self, text: &str, asked: &ExpectedKind, mark: DecimalMark) -> Option<Reading> {
         if let Some((answer, told)) = self.endings.read(text, mark) {
-            return Some(Arc::new(Reading { answer, told }));
+            return Some(Reading { answer, told });
         }
         if let Some(reading) = self.find(text) {
             return Some(reading);
         }
-        let reading = Arc::new(Reading::of(text, asked, mark)?);
+        let reading = Reading::of(text, asked, mark)?;
         // In words a direction and its number are one.
         if matches!(asked, ExpectedKind::Number(own) if own.reference.is_none() || reading.answer.is_ok()) {
             self.endings.learn(text, mark, &reading.answer);
         }
-        self.put(text.to_owned(), Arc::clone(&reading));
+        self.put(text.to_owned(), reading.clone());
         Some(reading)
     }
 
-    fn find(&mut self, text: &str) -> Option<Arc<Reading>> {
+    fn find(&mut self, text: &str) -> Option<Reading> {
         if let Some(known) = self.young.get(text) {
-            return Some(Arc::clone(known));
+            return Some(known.clone());
         }
         let (text, reading) = self.old.remove_entry(text)?;
-        self.put(text, Arc::clone(&reading));
+        self.put(text, reading.clone());
         Some(reading)
     }
 
-    fn put(&mut self, text: String, reading: Arc<Reading>) {
+    fn put(&mut self, text: String, reading: Reading) {
         if self.young.len() >= MOST {
             self.old = std::mem::take(&mut self.young);
         }
@@ -85,7 +84,7 @@ mod tests {
 
     fn same(readings: &mut Readings, text: &str, asked: &ExpectedKind, mark: DecimalMark) {
         let known = readings.read(text, asked, mark);
-        assert_eq!(known.as_deref(), Reading::of(text, asked, mark).as_ref(), "{text}");
+        assert_eq!(known, Reading::of(text, asked, mark), "{text}");
     }
 
     #[test]

@@ -1,14 +1,15 @@
 //! The report on a set of answers: marks, and the reason for each.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::fmt;
-use std::sync::Arc;
 
 use serde::{Serialize, Serializer};
 
 use crate::quantity::Decimal;
 use crate::quantity::Rational;
 
+use super::catalogue::{Catalogue, English};
 use super::diagnose::Diagnosis;
 use super::expected::Expected;
 use super::follow::Follows;
@@ -56,7 +57,7 @@ pub struct PartReport {
     /// Where and why the answer cannot be read.
     pub fault: Option<InputFault>,
     /// What the student is told; it never holds the right value.
-    pub message: String,
+    pub message: Cow<'static, str>,
     /// Which usual mistake leads to a wrong answer, where one does.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub diagnosis: Option<Diagnosis>,
@@ -96,27 +97,26 @@ pub struct InputFault {
 #[must_use]
 pub fn grade(expected: &[Expected], answers: &BTreeMap<String, String>, mark: DecimalMark, rubric: &Rubric) -> Report {
     let text = |part: &Expected| answers.get(&part.id).map_or("", String::as_str);
-    let readings: Vec<_> =
-        expected.iter().map(|part| Reading::of(text(part), &part.kind, mark).map(Arc::new)).collect();
-    let mut report = grade_read(&mut expected.to_vec(), &readings, rubric, &mut |_, _| {});
+    let mut readings: Vec<_> = expected.iter().map(|part| Reading::of(text(part), &part.kind, mark)).collect();
+    let mut report = grade_read(&mut expected.to_vec(), &mut readings, rubric, &mut |_, _| {});
     let is_asked = |name: &&String| expected.iter().any(|part| part.id == **name);
     report.not_asked = answers.keys().filter(|name| !is_asked(name)).cloned().collect();
     report
 }
 
-/// Judges and reports answers that were read, one for each part or none.
+/// Judges and reports answers that were read, one for each part or none. What is told of each moves into the report.
 ///
 /// How far honest rounding leads, and how large such quantities are, costs more to know than all the rest, and can only turn
 /// a judgement in the student's favour. So `widen` puts them in, at its position, where an answer is not plainly right.
 pub fn grade_read(
     expected: &mut [Expected],
-    readings: &[Option<Arc<Reading>>],
+    readings: &mut [Option<Reading>],
     rubric: &Rubric,
     widen: &mut dyn FnMut(usize, &mut Expected),
 ) -> Report {
     let mut parts = Vec::with_capacity(expected.len());
-    for (position, (part, reading)) in expected.iter_mut().zip(readings).enumerate() {
-        parts.push(grade_part(part, reading.as_deref(), rubric, &mut |part| widen(position, part)));
+    for (position, (part, reading)) in expected.iter_mut().zip(readings.iter_mut()).enumerate() {
+        parts.push(grade_part(part, reading.as_mut(), rubric, &mut |part| widen(position, part)));
     }
     if parts.iter().filter(|part| !part.verdict.is_right()).count() > 1 {
         let not_right = parts.iter().zip(readings).enumerate().filter_map(|(position, (part, reading))| {
@@ -127,7 +127,7 @@ pub fn grade_read(
             if let Some(part) = parts.get_mut(position) {
                 part.verdict = Verdict::BodiesSwapped;
                 part.points = rubric.points(Verdict::BodiesSwapped, part.out_of);
-                part.message = Message::BodiesSwapped.to_string();
+                part.message = English.message(&Message::BodiesSwapped);
             }
         }
     }
@@ -140,7 +140,7 @@ pub fn grade_read(
 /// The report on a part.
 fn grade_part(
     expected: &mut Expected,
-    reading: Option<&Reading>,
+    reading: Option<&mut Reading>,
     rubric: &Rubric,
     widen: &mut dyn FnMut(&mut Expected),
 ) -> PartReport {
@@ -151,18 +151,18 @@ fn grade_part(
         out_of: expected.points,
         understood: None,
         fault: None,
-        message: String::new(),
+        message: Cow::Borrowed(""),
         diagnosis: None,
         follows: None,
         own_values: None,
         counts: true,
     };
-    match reading.map(|reading| (&reading.answer, &reading.told)) {
-        None => report.message = Message::Unanswered.to_string(),
+    match reading.map(|reading| (&reading.answer, std::mem::take(&mut reading.told))) {
+        None => report.message = English.message(&Message::Unanswered),
         Some((Err(fault), told)) => {
             report.verdict = Verdict::Unreadable;
             report.fault = Some(InputFault { character: fault.at + 1, code: fault.kind.code() });
-            report.message.clone_from(told);
+            report.message = told.into();
         }
         Some((Ok(answer), told)) => {
             let mut judgement = judge(expected, answer);
@@ -175,7 +175,7 @@ fn grade_part(
             if let Some(also) = judgement.also {
                 report.points.0 *= rubric.fraction(also);
             }
-            report.understood = Some(told.clone());
+            report.understood = Some(told);
             report.message = judgement.told();
         }
     }

@@ -306,7 +306,7 @@ mod tests {
             out_of: 1,
             understood: Some(format!("{id} {right}")),
             fault: None,
-            message: String::new(),
+            message: std::borrow::Cow::Borrowed(""),
             diagnosis: None,
             follows: None,
             own_values: None,

@@ -2,6 +2,7 @@
 
 use crate::fault::{Code, Fault};
 use crate::quantity::Decimal;
+use crate::quantity::unit_of_place;
 
 /// The most values that a given may have.
 const MOST_VALUES: i128 = 1 << 40;
@@ -143,12 +144,11 @@ impl Grid {
         /// Up to here whole numbers are doubles, and so are the powers of ten up to the 22nd.
         const EXACT: i64 = 1 << 53;
         let scaled = self.scaled(index);
-        if scaled.abs() > EXACT {
-            return Decimal::from_scaled(i128::from(scaled), self.scale).to_f64();
+        match i32::try_from(self.scale) {
+            #[allow(clippy::cast_precision_loss, reason = "whole numbers up to 2^53 are doubles")]
+            Ok(place) if scaled.abs() <= EXACT => scaled as f64 / unit_of_place(place),
+            _ => Decimal::from_scaled(i128::from(scaled), self.scale).to_f64(),
         }
-        #[allow(clippy::cast_precision_loss)] // exact: both are whole numbers below 2^53, or powers of ten up to 10^18
-        let (numerator, denominator) = (scaled as f64, 10_u64.pow(self.scale) as f64);
-        numerator / denominator
     }
 }
 

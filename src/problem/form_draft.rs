@@ -26,6 +26,7 @@ use super::planned::Form;
 use super::planned::Reveal;
 use super::range;
 use super::regimes::Regimes;
+use super::rounding::Sensitivities;
 
 /// A form whose names are symbols, but which is not planned yet.
 pub(super) struct FormDraft {
@@ -122,6 +123,7 @@ impl FormDraft {
             forward,
             solver,
             mistakes: Mistakes::default(),
+            sensitivities: Sensitivities::default(),
             followings: Followings::default(),
             kept: Kept::default(),
         })

@@ -100,7 +100,14 @@ impl Input {
 fn scaled(value: f64, factor: f64) -> Bounded {
     let product = value * factor;
     let coherent = factor.to_bits() == 1.0_f64.to_bits();
-    let exact = coherent && value.abs() < 9e15 && value.fract() == 0.0;
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_precision_loss,
+        clippy::float_cmp,
+        reason = "it asks for loss"
+    )]
+    let is_whole = value.abs() < 9e15 && value as i64 as f64 == value;
+    let exact = coherent && is_whole;
     let half_ulp = f64::EPSILON / 2.0;
     let roundings = if coherent { 1.0 } else { 3.1 };
     Bounded { value: product, error: if exact { 0.0 } else { product.abs() * half_ulp * roundings } }

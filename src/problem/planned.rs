@@ -23,6 +23,7 @@ use super::part::AskedUnit;
 use super::part::Part;
 use super::part::PartKind;
 use super::regimes::Regimes;
+use super::rounding::Sensitivities;
 use super::stream::Streams;
 
 /// A problem that can be drawn and solved; made only by [`super::compile`].
@@ -60,6 +61,8 @@ pub struct Form {
     pub(super) trials: Vec<(Symbol, Regimes)>,
     /// What comes of the usual mistakes; planned when a wrong answer first asks for it.
     pub(super) mistakes: Mistakes,
+    /// How answers move with the values on the way; worked out when a wrong answer first asks for it.
+    pub(super) sensitivities: Sensitivities,
     /// What follows from earlier answers; planned when a wrong answer first asks for it.
     pub(super) followings: Followings,
     /// The formulas of what is asked; composed when one is first wanted.

@@ -1,12 +1,15 @@
 //! How far honest rounding can move an answer, and the size against which a zero is judged.
 
+use std::sync::Arc;
+use std::sync::OnceLock;
+
 use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::quantity::Dimension;
 use crate::quantity::first_place;
 use crate::quantity::half_unit;
 use crate::quantity::unit_of_place;
-use crate::solve::Closed;
+use crate::solve::Sensitivity;
 
 use super::part::AskedUnit;
 use super::part::NumberPart;
@@ -27,50 +30,9 @@ pub struct Judged {
     pub scale: f64,
 }
 
-/// The slopes of one value with respect to others, by symbol, with memory for those of one formula.
-struct Slopes {
-    whole: Vec<Option<f64>>,
-    parts: Vec<f64>,
-    touched: Vec<Symbol>,
-}
-
-impl Slopes {
-    fn of(asked: Symbol, count: usize) -> Self {
-        let mut slopes = Self { whole: vec![None; count], parts: vec![0.0; count], touched: Vec::new() };
-        if let Some(own) = slopes.whole.get_mut(asked.index()) {
-            *own = Some(1.0);
-        }
-        slopes
-    }
-
-    /// The slope by a symbol; none where the value does not depend on it.
-    fn by(&self, symbol: Symbol) -> Option<f64> {
-        self.whole.get(symbol.index()).copied().flatten()
-    }
-
-    /// Adds a part of a formula's slope.
-    fn add(&mut self, symbol: Symbol, part: f64) {
-        let Some(sum) = self.parts.get_mut(symbol.index()) else { return };
-        *sum += part;
-        if !self.touched.contains(&symbol) {
-            self.touched.push(symbol);
-        }
-    }
-
-    /// Adds the slopes of a formula, as far as it has any there.
-    fn settle(&mut self) {
-        for symbol in self.touched.drain(..) {
-            let (Some(part), Some(whole)) = (self.parts.get_mut(symbol.index()), self.whole.get_mut(symbol.index()))
-            else {
-                continue;
-            };
-            let part = std::mem::take(part);
-            if part.is_finite() {
-                *whole = Some(whole.unwrap_or(0.0) + part);
-            }
-        }
-    }
-}
+/// How the answers of a form move with the values on the way, for each way in which its scene can go; empty until it is asked for.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Sensitivities(Arc<OnceLock<Vec<Sensitivity>>>);
 
 impl Worked<'_> {
     /// Allowance and scale of an answer.
@@ -94,23 +56,17 @@ impl Worked<'_> {
 
     /// `sum |dt/dx_i| (half a unit of x_i's last figure) + half a unit of t's`, over the values `x_i` on the way to t.
     fn allowance(&self, asked: Symbol, figures: usize) -> f64 {
-        let leaf = self.leaf();
-        let mut slopes = Slopes::of(asked, self.problem.model().symbols.len());
-        let value = |own| self.value(own);
+        let leaves = || self.form.solver.leaves().iter().map(|leaf| Sensitivity::of(leaf.answer_steps())).collect();
+        let Some(leaf) = self.form.sensitivities.0.get_or_init(leaves).get(self.variant.leaf()) else { return 0.0 };
         let mut total = 0.0;
-        // Backwards through the steps: the slope of t with respect to each value is the sum over the values made from it.
-        for (position, step) in leaf.answer_steps().iter().enumerate().rev() {
-            let choice = self.variant.roots().get(position).copied().unwrap_or(0);
-            let Some(root) = step.roots.get(choice).or(step.roots.first()) else { continue };
-            for (unknown, closed) in root.values.iter().rev() {
-                let Some(slope) = slopes.by(*unknown) else { continue };
-                total += slope.abs() * half_unit(NEXT_DECADE * self.value(*unknown), figures);
-                if let Closed::Formula(formula) = closed {
-                    formula.slopes(&value, slope, &mut |symbol, part| slopes.add(symbol, part));
-                    slopes.settle();
-                }
-            }
-        }
+        leaf.each(
+            asked,
+            |own| self.value(own),
+            self.variant.roots(),
+            |own, slope| {
+                total += slope.abs() * half_unit(NEXT_DECADE * self.value(own), figures);
+            },
+        );
         // Slopes change on the way, by about the share of the value that the rounding has.
         let share = (total / self.value(asked).abs()).min(MOST_BEND);
         total * (1.0 + share)

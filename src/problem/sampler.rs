@@ -265,7 +265,7 @@ impl<'p> Sampler<'p> {
         }
         let count = self.problem.model().symbols.len();
         let mut values = self.scratch.values(&self.form.solver, count);
-        for symbol in &self.form.told {
+        for symbol in self.form.solver.inputs() {
             let input = self.inputs.get(symbol.index()).and_then(Input::bounded);
             if let (Some(place), Some(input)) = (values.get_mut(symbol.index()), input) {
                 *place = Some(input);

@@ -30,6 +30,7 @@
 //! ```
 
 mod audit;
+mod backward;
 mod ball;
 mod basis;
 mod batch;
@@ -57,6 +58,7 @@ mod residuals;
 mod sample;
 mod scaling;
 mod search;
+mod sensitivity;
 mod structure;
 mod stuck;
 mod system;
@@ -80,6 +82,7 @@ pub use precise::Precise;
 pub use program::{Program, UnknownSymbol};
 pub use real::{Real, Sign};
 pub use scaling::may_grow;
+pub use sensitivity::Sensitivity;
 pub use stuck::{Reason, Stuck};
 pub use system::{Condition, Equation, Relation, Statement, System};
 pub use tree::{Tree, TreeWorkspace};

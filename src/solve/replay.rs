@@ -227,8 +227,13 @@ impl<R: Real> Replay<'_, R> {
 
     /// Why the branch dies at this stage, if it does; all that the stage says is computed.
     fn judge(&mut self, stage: &Stage) -> Option<Cause> {
-        if stage.unknowns.iter().any(|(register, _)| !self.at(*register).is_real()) {
-            return Some(Cause::NotReal);
+        let mut is_broken = false;
+        for (register, positive) in &stage.unknowns {
+            match self.at(*register).sign() {
+                Sign::NotReal => return Some(Cause::NotReal),
+                Sign::Negative => is_broken |= *positive,
+                Sign::Zero | Sign::Positive | Sign::Unsure => {}
+            }
         }
         for test in &stage.tests {
             let difference = self.at(test.difference);
@@ -245,8 +250,7 @@ impl<R: Real> Replay<'_, R> {
                 }
             }
         }
-        let broken = |(register, positive): &(Register, bool)| *positive && self.at(*register).sign() == Sign::Negative;
-        stage.unknowns.iter().any(broken).then_some(Cause::NotPositive)
+        is_broken.then_some(Cause::NotPositive)
     }
 
     /// What stands in a register: the compiler of the tape made it.

@@ -8,7 +8,8 @@ use nalgebra::{DMatrix, DVector};
 use crate::expr::{Expr, Symbol};
 
 use super::Statement;
-use super::tape::{Instruction, Operation, Register, run};
+use super::backward::run_back;
+use super::tape::{Instruction, Register, run};
 use super::workspace::{Constants, Workspace};
 use super::writer::Writer;
 
@@ -77,16 +78,13 @@ impl Residuals {
     }
 
     /// The derivatives of each residual, a row, in the free symbols: by one backward run of the tape for each.
-    /// (Reverse accumulation: Griewank and Walther, Evaluating Derivatives, chapter 3.)
     pub(super) fn slopes(&self, values: &Values) -> DMatrix<f64> {
         let mut slopes = DMatrix::zeros(self.zeros.len(), self.free.len());
         let mut shares = vec![0.0; values.0.len()];
         for (row, (register, end)) in self.zeros.iter().enumerate() {
             shares.fill(0.0);
             shares[*register as usize] = 1.0;
-            for instruction in self.tape[..*end].iter().rev() {
-                pass_back(instruction, &values.0, &mut shares);
-            }
+            run_back(&self.tape, &(0..*end), &values.0, &mut shares);
             for (column, register) in self.inputs.iter().enumerate() {
                 slopes[(row, column)] = shares[*register as usize];
             }
@@ -157,50 +155,5 @@ impl<'a> Definitions<'a> {
             free.push((symbol, register));
             writer.symbols.insert(symbol, register);
         }
-    }
-}
-
-/// Gives each operand of an instruction its part in the derivative by what the instruction computes.
-fn pass_back(instruction: &Instruction, values: &[f64], shares: &mut [f64]) {
-    let [a, b, c] = instruction.operands;
-    let (a, b, c, to) = (a as usize, b as usize, c as usize, instruction.to as usize);
-    let share = shares[to];
-    if share == 0.0 {
-        return;
-    }
-    match instruction.operation {
-        Operation::Add => {
-            shares[a] += share;
-            shares[b] += share;
-        }
-        Operation::Subtract => {
-            shares[a] += share;
-            shares[b] -= share;
-        }
-        Operation::Multiply => {
-            shares[a] += share * values[b];
-            shares[b] += share * values[a];
-        }
-        Operation::Divide => {
-            shares[a] += share / values[b];
-            shares[b] -= share * values[to] / values[b];
-        }
-        Operation::Negate => shares[a] -= share,
-        Operation::Power(exponent) => {
-            shares[a] += share * f64::from(exponent) * libm::pow(values[a], f64::from(exponent) - 1.0);
-        }
-        Operation::Root(degree) => shares[a] += share * values[to] / (f64::from(degree) * values[a]),
-        Operation::Raise => {
-            shares[a] += share * values[b] * libm::pow(values[a], values[b] - 1.0);
-            shares[b] += share * values[to] * libm::log(values[a]);
-        }
-        Operation::Apply(function) => shares[a] += share * function.slope_at(values[a]),
-        Operation::Angle => {
-            let square = values[a] * values[a] + values[b] * values[b];
-            shares[a] += share * values[b] / square;
-            shares[b] -= share * values[a] / square;
-        }
-        Operation::Select => shares[if values[a] <= 0.0 { b } else { c }] += share,
-        Operation::Copy => shares[a] += share,
     }
 }

@@ -1,5 +1,7 @@
 //! The words of marking in English.
 
+use std::borrow::Cow;
+
 use super::super::messages::Message;
 use super::super::read::Unreadable;
 use super::super::verdict::Verdict;
@@ -11,7 +13,7 @@ use super::english_input;
 pub struct English;
 
 impl Catalogue for English {
-    fn message(&self, message: &Message) -> String {
+    fn message(&self, message: &Message) -> Cow<'static, str> {
         let plain = match message {
             Message::Right => "Right.",
             Message::RightRounded => "Right within the rounding of intermediate values.",
@@ -42,9 +44,9 @@ impl Catalogue for English {
                 "Which component is along the line of impact, and which is across it?"
             }
             Message::Slip(verdict) => slip(*verdict),
-            other => return self.filled(other),
+            other => return self.filled(other).into(),
         };
-        plain.to_owned()
+        plain.into()
     }
 
     fn unreadable(&self, fault: &Unreadable) -> String {
