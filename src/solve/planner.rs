@@ -89,22 +89,23 @@ fn planned(
     }
     let whole = structure.clone();
     structure.prune(&determined, &wanted);
+    let sought = structure.narrow(&wanted);
 
     let mut closer = Closer { system, structure: &structure, asked: &remaining, attempts };
     let gradients = gradients(system, &structure);
-    let mut search = Search::new(&structure, &gradients, &wanted);
+    let mut search = Search::new(&structure, &gradients, &sought);
     let (mut obstacle, mut freedom) = (None, None);
     let (mut avoided, mut tried) = (Bits::empty(structure.rows.len()), BTreeSet::new());
     loop {
         let mut batch = search.next_batch();
         if batch.is_empty() {
             // What counting alone allows says at least why there is no plan, or is one where the search gave up.
-            match structure.sufficient(&wanted, &avoided) {
+            match structure.sufficient(&sought, &avoided) {
                 Some(rows) if tried.insert(rows.clone()) => batch.insert(rows),
                 _ => break,
             };
         }
-        for candidate in ranked(&structure, &wanted, batch) {
+        for candidate in ranked(&structure, &sought, batch) {
             match closer.close_all(&candidate) {
                 Ok(plan) => return Ok(plan),
                 Err((block, Refusal::Contradiction)) => {
