@@ -64,6 +64,10 @@ impl Rules<'_> {
                 .iter()
                 .try_fold(Quotient::one(), |product, factor| self.product(&product, &self.quotient(factor)?)),
             Expr::Power(pair) => self.power(&self.quotient(&pair.0)?, &self.quotient(&pair.1)?),
+            // The sine and the cosine of a plain angle have no other form.
+            Expr::Apply(Function::Sin | Function::Cos, angle) if matches!(angle.as_ref(), [Expr::Symbol(_)]) => {
+                Some(Quotient::atom(expr.clone()))
+            }
             Expr::Apply(function, arguments) => self.apply(*function, arguments),
             Expr::Piecewise(piecewise) => self.piecewise(piecewise),
         }

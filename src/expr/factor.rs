@@ -32,12 +32,15 @@ fn split(polynomial: &Polynomial, found: &mut Vec<(Polynomial, u32)>, work: &mut
 }
 
 fn proper_divisor(polynomial: &Polynomial, work: &mut Work) -> Option<(Polynomial, Polynomial)> {
-    let atoms = polynomial.atoms();
+    let atoms: Vec<_> = polynomial.atoms().into_iter().map(|atom| (atom, polynomial.spread(atom))).collect();
     let proper = |part: &Polynomial| part.len() > 1 && part != polynomial;
-    let free = atoms.iter().map(|atom| content_in(polynomial, atom, work)).find(proper);
+    // Where one power of an atom stands in a single term, only a monomial can divide what stands with every power.
+    let shareable = atoms.iter().filter(|(_, spread)| spread.values().all(|terms| *terms > 1));
+    let free = shareable.map(|(atom, _)| content_in(polynomial, atom, work)).find(proper);
     let divisor = free.or_else(|| {
-        let repeated = |atom: &&super::Expr| gcd(polynomial, &polynomial.derivative(atom), work);
-        atoms.iter().map(repeated).find(proper)
+        // A repeated factor makes every one of its atoms occur twice.
+        let repeatable = atoms.iter().filter(|(_, spread)| spread.keys().any(|power| *power > 1));
+        repeatable.map(|(atom, _)| gcd(polynomial, &polynomial.derivative(atom), work)).find(proper)
     })?;
     let rest = polynomial.divided(&divisor)?;
     rest.as_constant().is_none().then_some((divisor, rest))

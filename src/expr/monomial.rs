@@ -37,11 +37,11 @@ impl Monomial {
         self.0.iter().fold(0, |sum, (_, exponent)| sum.saturating_add(*exponent))
     }
 
-    /// The product with `other` to the power `sign` (1 or -1).
-    fn merge(&self, other: &Self, sign: i32) -> Self {
+    /// Each atom of either with what `exponent` makes of its two exponents, 0 where it does not occur.
+    fn merge(&self, other: &Self, exponent: impl Fn(i32, i32) -> i32) -> Self {
         let mut left = self.0.iter().peekable();
         let mut right = other.0.iter().peekable();
-        let mut merged = Vec::with_capacity(self.0.len() + other.0.len());
+        let mut merged = Vec::new();
         loop {
             let order = match (left.peek(), right.peek()) {
                 (None, None) => return Self(merged),
@@ -51,8 +51,8 @@ impl Monomial {
             };
             let from_left = if order.is_le() { left.next() } else { None };
             let from_right = if order.is_ge() { right.next() } else { None };
-            let exponent = |power: Option<&(Atom, i32)>| power.map_or(0, |power| power.1);
-            let exponent = exponent(from_left).saturating_add(exponent(from_right).saturating_mul(sign));
+            let power = |side: Option<&(Atom, i32)>| side.map_or(0, |power| power.1);
+            let exponent = exponent(power(from_left), power(from_right));
             if let Some((atom, _)) = from_left.or(from_right)
                 && exponent != 0
             {
@@ -63,12 +63,12 @@ impl Monomial {
 
     /// The product.
     pub(super) fn times(&self, other: &Self) -> Self {
-        self.merge(other, 1)
+        self.merge(other, i32::saturating_add)
     }
 
     /// The quotient, with negative exponents where `other` does not divide it.
     pub(super) fn over(&self, other: &Self) -> Self {
-        self.merge(other, -1)
+        self.merge(other, i32::saturating_sub)
     }
 
     /// Whether no exponent is negative.
@@ -78,14 +78,7 @@ impl Monomial {
 
     /// The greatest monomial that divides both.
     pub(super) fn common(&self, other: &Self) -> Self {
-        let atoms = self.powers().map(|(atom, _)| atom).chain(other.powers().map(|(atom, _)| atom));
-        let mut common: Vec<_> = atoms
-            .map(|atom| (atom.clone(), self.exponent(atom).min(other.exponent(atom))))
-            .filter(|(_, exponent)| *exponent != 0)
-            .collect();
-        common.sort();
-        common.dedup();
-        Self(common)
+        self.merge(other, i32::min)
     }
 
     /// The part whose atoms pass `test`, and the part whose atoms do not.

@@ -161,6 +161,15 @@ impl Polynomial {
         found
     }
 
+    /// In how many terms each power of one atom stands.
+    pub(super) fn spread(&self, atom: &Atom) -> BTreeMap<i32, usize> {
+        let mut found = BTreeMap::new();
+        for (monomial, _) in self.terms() {
+            *found.entry(monomial.exponent(atom)).or_default() += 1;
+        }
+        found
+    }
+
     /// The derivative with respect to one atom, all others held.
     pub(super) fn derivative(&self, atom: &Atom) -> Self {
         let mut derivative = Self::default();

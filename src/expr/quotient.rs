@@ -92,8 +92,16 @@ impl Quotient {
         (self.numerator.len() == 1 && coefficient.is_one() && powers.next().is_none()).then_some(first)
     }
 
+    /// Whether neither has a denominator, so that there is nothing to reduce.
+    fn are_whole(&self, other: &Self) -> bool {
+        self.denominator.is_one() && other.denominator.is_one()
+    }
+
     /// The sum; `None` where it would be too large.
     pub(super) fn plus(&self, other: &Self) -> Option<Self> {
+        if self.are_whole(other) {
+            return Some(self.numerator.plus(&other.numerator).into());
+        }
         if self.denominator == other.denominator {
             return Self::reduced(&self.numerator.plus(&other.numerator), &self.denominator);
         }
@@ -109,6 +117,9 @@ impl Quotient {
 
     /// The product; `None` where it would be too large.
     pub(super) fn times(&self, other: &Self) -> Option<Self> {
+        if self.are_whole(other) {
+            return self.numerator.times(&other.numerator).map(Self::from);
+        }
         let denominator = self.denominator.times(&other.denominator)?;
         Self::reduced(&self.numerator.times(&other.numerator)?, &denominator)
     }

@@ -14,13 +14,14 @@ type Form<'s> = &'s Map<String, Json>;
 /// so that a decimal stays as it was written. What is faulty is left out of the value.
 #[must_use]
 pub fn check(root: &Node, schema: &Json) -> (Value, Vec<Fault>) {
-    let mut checker = Checker { schema, faults: Vec::new() };
+    let mut checker = Checker { definitions: schema.get("$defs").and_then(Json::as_object), faults: Vec::new() };
     let value = checker.value(root, schema, &Path::root(), "the file");
     (value.unwrap_or_default(), checker.faults)
 }
 
 struct Checker<'s> {
-    schema: &'s Json,
+    /// What references of the schema name.
+    definitions: Option<Form<'s>>,
     faults: Vec<Fault>,
 }
 
@@ -64,8 +65,9 @@ impl<'s> Checker<'s> {
     /// All forms that a schema allows, references followed.
     fn forms(&self, schema: &'s Json, forms: &mut Vec<Form<'s>>) {
         let Json::Object(map) = schema else { return };
-        if let Some(target) = map.get("$ref").and_then(Json::as_str).and_then(|name| name.strip_prefix('#')) {
-            if let Some(target) = self.schema.pointer(target) {
+        if let Some(reference) = map.get("$ref").and_then(Json::as_str) {
+            let name = reference.strip_prefix("#/$defs/");
+            if let Some(target) = name.and_then(|name| self.definitions?.get(name)) {
                 self.forms(target, forms);
             }
             return;
@@ -148,7 +150,6 @@ impl<'s> Checker<'s> {
     fn mapping(&mut self, entries: &[Entry], objects: &[Form<'s>], path: &Path, what: &str) -> Option<Value> {
         let form = self.choose(entries, objects, path, what)?;
         let properties = form.get("properties").and_then(Json::as_object);
-        let names: Vec<&str> = properties.into_iter().flat_map(Map::keys).map(String::as_str).collect();
         let allowed_names = form.get("propertyNames").and_then(|names| names["enum"].as_array());
         let mut meant = Vec::new();
         let mut mapping = Mapping::new();
@@ -157,7 +158,7 @@ impl<'s> Checker<'s> {
             let others = others.filter(|_| allowed_names.is_none_or(|names| names.iter().any(|name| name == key)));
             let Some(schema) = properties.and_then(|properties| properties.get(key)).or(others) else {
                 let listed = allowed_names.into_iter().flatten().filter_map(Json::as_str);
-                let known: Vec<&str> = names.iter().copied().chain(listed).collect();
+                let known: Vec<&str> = known_keys(form).chain(listed).collect();
                 let free = known.iter().copied().filter(|name| entries.iter().all(|entry| entry.key != *name));
                 let free: Vec<&str> = free.collect();
                 meant.extend(did_you_mean(key, free.iter().copied()));
@@ -253,7 +254,9 @@ fn trap(text: &str, numbers_welcome: bool) -> Option<&'static str> {
     if truth(text).is_some() {
         return Some("true or false");
     }
-    (!numbers_welcome && serde_yaml::from_str::<Number>(text).is_ok()).then_some("a number")
+    // Every number begins so, and reading a document for each text is dear.
+    let may_be_number = text.starts_with(|first: char| first.is_ascii_digit() || "+-.".contains(first));
+    (!numbers_welcome && may_be_number && serde_yaml::from_str::<Number>(text).is_ok()).then_some("a number")
 }
 
 /// The truth value that YAML 1.1 or 1.2 sees in a word.

@@ -17,6 +17,7 @@ use crate::quantity::dimension_name;
 use crate::scene::Stage;
 use crate::solve::Condition;
 use crate::solve::Equation;
+use crate::solve::Planner;
 
 use super::any;
 use super::comparison::split_relation;
@@ -137,8 +138,9 @@ fn build(loaded: &Loaded, secret: Option<&[u8]>) -> Result<Built, Vec<Fault>> {
     let model = builder.finish()?;
     let mut faults = idle(loaded, &model, &known, &drafts, &require);
     let mut forms = Vec::new();
+    let mut planner = Planner::default();
     for form in drafts {
-        match form.plan(&model, &known, &require) {
+        match form.plan(&mut planner, &model, &known, &require) {
             Ok(form) => forms.push(Form { free: any::free(loaded, &model, &known, &form), ..form }),
             Err(found) => faults.extend(found),
         }

@@ -6,7 +6,6 @@ use crate::quantity::Dimension;
 use crate::quantity::Unit;
 
 use super::ask::Ask;
-use super::document::Document;
 use super::document::Kind;
 use super::document::Node;
 use super::given::Given;
@@ -30,8 +29,8 @@ fn of_given((name, given): (&str, &Given)) -> Option<(String, Dimension)> {
 
 /// Names that are asked, and that the file speaks of only within longer terms of its scene and its relations: the unit in
 /// which they are asked says what they are. A name that stands alone is told by its place.
-fn sought(loaded: &Loaded) -> impl Iterator<Item = (String, Dimension)> {
-    let Spoken { within, alone } = Spoken::of(loaded);
+fn sought(loaded: &Loaded) -> impl Iterator<Item = (String, Dimension)> + '_ {
+    let Spoken { within, alone } = &loaded.spoken;
     let asked = loaded.questions.iter().flat_map(|question| &question.ask);
     asked.filter_map(move |ask| match ask {
         Ask::Find(find)
@@ -45,18 +44,16 @@ fn sought(loaded: &Loaded) -> impl Iterator<Item = (String, Dimension)> {
 }
 
 /// The words of a file's scene and relations: those within longer texts, and those that stand alone.
-#[derive(Default)]
-struct Spoken {
+#[derive(Clone, Debug, Default)]
+pub(super) struct Spoken {
     within: BTreeSet<String>,
     alone: BTreeSet<String>,
 }
 
 impl Spoken {
-    fn of(loaded: &Loaded) -> Self {
+    pub(super) fn of(root: &Node) -> Self {
         let mut spoken = Self::default();
-        let root = Document::read(&loaded.source).root;
-        let Some(Kind::Mapping(entries)) = root.map(|root| root.kind) else { return spoken };
-        for entry in entries.iter().filter(|entry| entry.key == "scene" || entry.key == "relations") {
+        for entry in ["scene", "relations"].into_iter().filter_map(|key| root.entry(key)) {
             spoken.listen(&entry.value);
         }
         spoken

@@ -11,6 +11,7 @@ use crate::model::Model;
 use crate::model::Warning;
 use crate::solve::Condition;
 use crate::solve::Equation;
+use crate::solve::Planner;
 
 use super::compile::condition;
 use super::follow::Followings;
@@ -79,7 +80,13 @@ impl FormDraft {
 
     /// Plans the form: what it reveals from everything given, what it asks from what it tells. What stands under `where`
     /// holds for the whole scene, so it also picks the solution from which something is revealed.
-    pub(super) fn plan(self, model: &Model, known: &[Known], require: &[Condition]) -> Result<Form, Vec<Fault>> {
+    pub(super) fn plan(
+        self,
+        planner: &mut Planner,
+        model: &Model,
+        known: &[Known],
+        require: &[Condition],
+    ) -> Result<Form, Vec<Fault>> {
         let everything: BTreeSet<Symbol> = inputs(model, known);
         let mut told = everything.clone();
         for symbol in &self.wanted {
@@ -97,21 +104,23 @@ impl FormDraft {
             None
         } else {
             let at = self.question.path.key("reveal");
-            let planned = Regimes::plan(model, &[], &extra(&self.conditions), &everything, &revealed, &self.allowed);
+            let planned =
+                Regimes::plan(planner, model, &[], &extra(&self.conditions), &everything, &revealed, &self.allowed);
             Some(planned.map_err(|fault| vec![fault.at_path(at)])?)
         };
-        let trials = range::trials(model, &self.parts, &told, &self.allowed)
+        let trials = range::trials(planner, model, &self.parts, &told, &self.allowed)
             .map_err(|fault| vec![fault.at_path(path.clone())])?;
         let given = self.wanted.iter().find(|symbol| everything.contains(symbol));
-        let solver = Regimes::plan(model, &self.counts, &extra(&self.conditions), &told, &wanted, &self.allowed)
-            .map_err(|fault| match given.map(|symbol| &model.symbols.entry(*symbol).name) {
-                Some(name) => fault.help(format!(
-                    "`{name}` stands under `given`, and a form that asks for it must tell what it follows from: \
+        let solver =
+            Regimes::plan(planner, model, &self.counts, &extra(&self.conditions), &told, &wanted, &self.allowed)
+                .map_err(|fault| match given.map(|symbol| &model.symbols.entry(*symbol).name) {
+                    Some(name) => fault.help(format!(
+                        "`{name}` stands under `given`, and a form that asks for it must tell what it follows from: \
                      `reveal: [...]`"
-                )),
-                None => fault,
-            })
-            .map_err(|fault| vec![fault.at_path(path)])?;
+                    )),
+                    None => fault,
+                })
+                .map_err(|fault| vec![fault.at_path(path)])?;
         Ok(Form {
             trials,
             question: self.question,

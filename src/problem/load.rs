@@ -9,6 +9,7 @@ use sha2::{Digest, Sha256};
 use crate::fault::{Code, Fault, Faults, Path, Source};
 
 use super::check::check;
+use super::declared::Spoken;
 use super::document::Document;
 use super::draft::Draft;
 use super::entries::Entries;
@@ -33,6 +34,8 @@ pub struct Loaded {
     pub given: Entries<Given>,
     /// The forms in which the problem is asked, each complete; at least one.
     pub questions: Vec<Question>,
+    /// The words of its scene and relations.
+    pub(super) spoken: Spoken,
 }
 
 impl Loaded {
@@ -72,6 +75,7 @@ pub fn load(source: Source) -> Result<Loaded, Faults> {
                 return Ok(Loaded {
                     digest: digest(&source),
                     questions: Question::all(&draft),
+                    spoken: Spoken::of(&root),
                     source,
                     draft,
                     text,

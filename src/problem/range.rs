@@ -15,6 +15,7 @@ use crate::quantity::Unit;
 use crate::quantity::round_to_figures;
 use crate::solve::Bounded;
 use crate::solve::Equation;
+use crate::solve::Planner;
 use crate::solve::Relation;
 
 use super::ask::Answered;
@@ -114,6 +115,7 @@ pub(super) fn read(
 
 /// Plans that give the sides of each claim from a value of the quantity whose range is asked, by that quantity.
 pub(super) fn trials(
+    planner: &mut Planner,
     model: &Model,
     parts: &[Part],
     told: &BTreeSet<Symbol>,
@@ -125,7 +127,7 @@ pub(super) fn trials(
     });
     let trial = |range: &RangePart| {
         let symbol = range.number.symbol;
-        let alone = || Regimes::plan(model, &[], &[], told, &range.claim.quantities, allowed);
+        let mut alone = || Regimes::plan(planner, model, &[], &[], told, &range.claim.quantities, allowed);
         if !range.claim.symbols().contains(&symbol) && alone().is_ok() {
             let name = &model.symbols.entry(symbol).name;
             let message = format!("whether the condition holds does not depend on `{name}`");
@@ -133,7 +135,7 @@ pub(super) fn trials(
             return Err(Fault::new(Code::UnderDetermined, message).help(help));
         }
         let told = told.iter().copied().chain([symbol]).collect();
-        let planned = Regimes::plan(model, &[], &[], &told, &range.claim.quantities, allowed)?;
+        let planned = Regimes::plan(planner, model, &[], &[], &told, &range.claim.quantities, allowed)?;
         Ok((symbol, planned))
     };
     ranges.map(trial).collect()

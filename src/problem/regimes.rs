@@ -13,6 +13,7 @@ use crate::solve::Cause;
 use crate::solve::Condition;
 use crate::solve::Equation;
 use crate::solve::Outcome;
+use crate::solve::Planner;
 use crate::solve::Program;
 use crate::solve::Real;
 use crate::solve::Reason;
@@ -22,8 +23,6 @@ use crate::solve::System;
 use crate::solve::Tree;
 use crate::solve::TreeWorkspace;
 use crate::solve::Verify;
-use crate::solve::audit;
-use crate::solve::plan;
 
 use super::domain::Domain;
 use super::input::Input;
@@ -60,6 +59,7 @@ impl Regimes {
     /// question has no answer (when does it start to slide, where it does not) is left out: numbers that lead there are
     /// not drawn.
     pub(super) fn plan(
+        planner: &mut Planner,
         model: &Model,
         equations: &[Equation],
         conditions: &[Condition],
@@ -79,14 +79,14 @@ impl Regimes {
             system.equations.extend(equations.iter().cloned());
             system.conditions.extend(conditions.iter().cloned());
             system.conditions.retain(applies);
-            let planned = match plan(&system, told, wanted) {
+            let planned = match planner.plan(&system, told, wanted) {
                 Ok(planned) => planned,
                 Err(stuck) => {
                     stuck_at.get_or_insert_with(|| fault(model, &system, &stuck));
                     continue;
                 }
             };
-            let audit = audit(&system, told, &planned);
+            let audit = planner.audit(&system, told, &planned);
             let program = Program::compile(&system, &audit, &inputs, wanted, Verify::Redundant)
                 .map_err(|unknown| Fault::new(Code::Stuck, unknown.to_string()))?;
             programs.push(program);

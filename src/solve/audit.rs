@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::expr::Symbol;
 
-use super::tactics::{Block, close, isolate};
-use super::{Plan, Statement, Step, System, Tactic};
+use super::tactics::{Attempts, Block, close, isolate};
+use super::{Plan, Planner, Statement, Step, System, Tactic};
 
 /// A plan extended for judging.
 #[derive(Clone, Debug)]
@@ -22,6 +22,10 @@ pub struct Audit {
 /// again.
 #[must_use]
 pub fn audit(system: &System, known: &BTreeSet<Symbol>, plan: &Plan) -> Audit {
+    Planner::default().audit(system, known, plan)
+}
+
+pub(super) fn extended(system: &System, known: &BTreeSet<Symbol>, plan: &Plan, attempts: &mut Attempts) -> Audit {
     let mut found = known.clone();
     let mut used: BTreeSet<usize> = BTreeSet::new();
     for step in &plan.steps {
@@ -43,7 +47,7 @@ pub fn audit(system: &System, known: &BTreeSet<Symbol>, plan: &Plan) -> Audit {
                 continue;
             }
             let block = Block { system, equations: vec![*place], unknowns: vec![unknown] };
-            let Ok(step) = isolate(&block) else { continue };
+            let Ok(step) = isolate(&block, attempts) else { continue };
             if step.roots.len() != 1 {
                 continue;
             }
@@ -54,7 +58,7 @@ pub fn audit(system: &System, known: &BTreeSet<Symbol>, plan: &Plan) -> Audit {
         }
         // Two at once only where nothing follows alone: an impact of which neither velocity is known.
         if !progress {
-            let Some(step) = pair(system, &order, &symbols, &found, &used) else { break };
+            let Some(step) = pair(system, &order, &symbols, &found, &used, attempts) else { break };
             found.extend(&step.unknowns);
             used.extend(&step.equations);
             extended.steps.push(step);
@@ -75,6 +79,7 @@ fn pair(
     symbols: &[BTreeSet<Symbol>],
     found: &BTreeSet<Symbol>,
     used: &BTreeSet<usize>,
+    attempts: &mut Attempts,
 ) -> Option<Step> {
     let mut met: BTreeMap<Vec<Symbol>, Vec<usize>> = BTreeMap::new();
     for place in order.iter().filter(|place| !used.contains(place)) {
@@ -84,7 +89,8 @@ fn pair(
         }
         let others = met.entry(open.clone()).or_default();
         let with = |other: &usize| {
-            let step = close(&Block { system, equations: vec![*other, *place], unknowns: open.clone() }).ok()?;
+            let block = Block { system, equations: vec![*other, *place], unknowns: open.clone() };
+            let step = close(&block, attempts).ok()?;
             (step.tactic == Tactic::Linear && step.roots.len() == 1).then_some(step)
         };
         if let Some(step) = others.iter().find_map(with) {

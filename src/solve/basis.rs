@@ -22,20 +22,24 @@ impl Basis {
     /// Adds an equation; `false` where it says nothing new.
     pub(super) fn add(&mut self, gradient: &[f64]) -> bool {
         let width = gradient.len();
-        let mut rest = gradient.to_vec();
-        for (pivot, row) in self.pivots.iter().zip(self.entries.chunks_exact(width)) {
-            subtract(&mut rest, row, *pivot);
+        let end = self.entries.len();
+        self.entries.extend_from_slice(gradient);
+        let (rows, rest) = self.entries.split_at_mut(end);
+        for (pivot, row) in self.pivots.iter().zip(rows.chunks_exact(width)) {
+            subtract(rest, row, *pivot);
         }
         let largest = rest.iter().copied().enumerate().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
-        let Some((pivot, largest)) = largest.filter(|(_, entry)| entry.abs() > NEGLIGIBLE) else { return false };
-        for entry in &mut rest {
+        let Some((pivot, largest)) = largest.filter(|(_, entry)| entry.abs() > NEGLIGIBLE) else {
+            self.entries.truncate(end);
+            return false;
+        };
+        for entry in rest.iter_mut() {
             *entry /= largest;
         }
-        for row in self.entries.chunks_exact_mut(width) {
-            subtract(row, &rest, pivot);
+        for row in rows.chunks_exact_mut(width) {
+            subtract(row, rest, pivot);
         }
         self.pivots.push(pivot);
-        self.entries.extend(rest);
         true
     }
 

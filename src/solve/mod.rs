@@ -77,7 +77,7 @@ pub use exact::Exact;
 pub use outcome::Outcome;
 pub use pending::Verify;
 pub use plan::{Closed, Move, Plan, Root, Step, Tactic};
-pub use planner::plan;
+pub use planner::{Planner, plan};
 pub use precise::Precise;
 pub use program::{Program, UnknownSymbol};
 pub use real::{Real, Sign};

@@ -1,9 +1,10 @@
 //! The answer plan: the cheapest equations that determine what is wanted, in blocks, each closed by a tactic.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use crate::expr::Symbol;
 
+use super::audit::{Audit, extended};
 use super::bits::Bits;
 use super::blocks::blocks;
 use super::freedom::{Freedom, gradients};
@@ -11,8 +12,8 @@ use super::rank::dependent;
 use super::search::Search;
 use super::structure::Structure;
 use super::stuck::{Reason, Stuck, enough};
-use super::tactics::{Block, Refusal, close};
-use super::{Plan, Step, System};
+use super::tactics::{Attempts, Block, Refusal, close};
+use super::{Plan, System};
 
 /// Plans how to find `wanted` from `known`.
 ///
@@ -40,6 +41,38 @@ use super::{Plan, Step, System};
 /// assert_eq!(plan.steps.len(), 1);
 /// ```
 pub fn plan(system: &System, known: &BTreeSet<Symbol>, wanted: &[Symbol]) -> Result<Plan, Stuck> {
+    Planner::default().plan(system, known, wanted)
+}
+
+/// Plans again and again, and does no algebra twice: for systems in which the same symbols are positive.
+#[derive(Clone, Debug, Default)]
+pub struct Planner {
+    attempts: Attempts,
+}
+
+impl Planner {
+    /// The same as [`plan`].
+    ///
+    /// # Errors
+    ///
+    /// [`Stuck`], where no set of equations determines what is wanted, or none can be closed.
+    pub fn plan(&mut self, system: &System, known: &BTreeSet<Symbol>, wanted: &[Symbol]) -> Result<Plan, Stuck> {
+        planned(system, known, wanted, &mut self.attempts)
+    }
+
+    /// The same as [`super::audit`].
+    #[must_use]
+    pub fn audit(&mut self, system: &System, known: &BTreeSet<Symbol>, plan: &Plan) -> Audit {
+        extended(system, known, plan, &mut self.attempts)
+    }
+}
+
+fn planned(
+    system: &System,
+    known: &BTreeSet<Symbol>,
+    wanted: &[Symbol],
+    attempts: &mut Attempts,
+) -> Result<Plan, Stuck> {
     let remaining: Vec<Symbol> = wanted.iter().filter(|symbol| !known.contains(symbol)).copied().collect();
     let stuck = |reason| Stuck { known: known.clone(), remaining: remaining.clone(), reason };
     let mut structure = Structure::new(system, known);
@@ -56,22 +89,23 @@ pub fn plan(system: &System, known: &BTreeSet<Symbol>, wanted: &[Symbol]) -> Res
     }
     let whole = structure.clone();
     structure.prune(&determined, &wanted);
+    let sought = structure.narrow(&wanted);
 
-    let mut closer = Closer { system, structure: &structure, asked: &remaining, closed: BTreeMap::new() };
+    let mut closer = Closer { system, structure: &structure, asked: &remaining, attempts };
     let gradients = gradients(system, &structure);
-    let mut search = Search::new(&structure, &gradients, &wanted);
+    let mut search = Search::new(&structure, &gradients, &sought);
     let (mut obstacle, mut freedom) = (None, None);
     let (mut avoided, mut tried) = (Bits::empty(structure.rows.len()), BTreeSet::new());
     loop {
         let mut batch = search.next_batch();
         if batch.is_empty() {
             // What counting alone allows says at least why there is no plan, or is one where the search gave up.
-            match structure.sufficient(&wanted, &avoided) {
+            match structure.sufficient(&sought, &avoided) {
                 Some(rows) if tried.insert(rows.clone()) => batch.insert(rows),
                 _ => break,
             };
         }
-        for candidate in ranked(&structure, &wanted, batch) {
+        for candidate in ranked(&structure, &sought, batch) {
             match closer.close_all(&candidate) {
                 Ok(plan) => return Ok(plan),
                 Err((block, Refusal::Contradiction)) => {
@@ -124,12 +158,12 @@ fn ranked(structure: &Structure, wanted: &Bits, batch: BTreeSet<Vec<usize>>) -> 
     candidates.into_iter().map(|(_, _, _, blocks)| blocks).collect()
 }
 
-/// Closes blocks, and remembers how.
+/// Closes blocks.
 struct Closer<'a> {
     system: &'a System,
     structure: &'a Structure,
     asked: &'a [Symbol],
-    closed: BTreeMap<(Vec<usize>, Vec<Symbol>), Result<Step, Refusal>>,
+    attempts: &'a mut Attempts,
 }
 
 impl Closer<'_> {
@@ -145,9 +179,7 @@ impl Closer<'_> {
             let rank = |symbol: &Symbol| self.asked.iter().position(|asked| asked == symbol).unwrap_or(usize::MAX);
             unknowns.sort_by_key(rank);
             let block = Block { system: self.system, equations: self.equations(rows), unknowns };
-            let key = (block.equations.clone(), block.unknowns.clone());
-            let closed = self.closed.entry(key).or_insert_with(|| close(&block));
-            plan.steps.push(closed.clone().map_err(|refusal| (rows.clone(), refusal))?);
+            plan.steps.push(close(&block, self.attempts).map_err(|refusal| (rows.clone(), refusal))?);
         }
         Ok(plan)
     }

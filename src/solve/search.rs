@@ -1,7 +1,7 @@
 //! The cheapest sets of equations that determine what is wanted, best first.
 
 use std::cmp::Reverse;
-use std::collections::{BTreeSet, BinaryHeap, HashSet};
+use std::collections::{BTreeSet, BinaryHeap};
 
 use super::basis::Basis;
 use super::bits::Bits;
@@ -27,7 +27,7 @@ pub(super) struct Search<'a> {
     /// since any other row can be exchanged for it.
     direct: Vec<Bits>,
     heap: BinaryHeap<Reverse<(u64, Entry)>>,
-    seen: HashSet<Bits>,
+    seen: BTreeSet<Bits>,
     forbidden: Vec<Bits>,
     left: usize,
 }
@@ -73,7 +73,7 @@ impl<'a> Search<'a> {
             cheapest,
             direct,
             heap: BinaryHeap::new(),
-            seen: HashSet::new(),
+            seen: BTreeSet::new(),
             forbidden: Vec::new(),
             left: BUDGET,
         };

@@ -159,6 +159,21 @@ impl Structure {
             }
         }
     }
+
+    /// Drops the columns that no row contains and that are not wanted; gives the wanted ones by their new places.
+    pub(super) fn narrow(&mut self, wanted: &Bits) -> Bits {
+        let mut kept = wanted.clone();
+        self.rows.iter().for_each(|row| kept.join(&row.unknowns));
+        let places: BTreeMap<usize, usize> = kept.iter().zip(0..).collect();
+        let moved =
+            |columns: &Bits| Bits::of(places.len(), columns.iter().filter_map(|column| places.get(&column).copied()));
+        for row in &mut self.rows {
+            (row.unknowns, row.finds) = (moved(&row.unknowns), moved(&row.finds));
+            row.alone = row.alone.and_then(|column| places.get(&column).copied());
+        }
+        self.unknowns = kept.iter().map(|column| self.unknowns[column]).collect();
+        moved(wanted)
+    }
 }
 
 impl Equation {

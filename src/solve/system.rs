@@ -37,7 +37,7 @@ pub struct Equation {
 }
 
 /// What an equation states.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Statement {
     /// Two sides are equal.
     Equal {

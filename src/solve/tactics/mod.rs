@@ -1,5 +1,6 @@
 //! The tactics that close a block of equations, one file each.
 
+mod attempts;
 mod bracketed;
 mod count;
 mod elimination;
@@ -14,6 +15,8 @@ mod tidy;
 use crate::expr::{Expr, Symbol};
 
 use super::{Closed, Move, Root, Statement, Step, System, Tactic};
+
+pub(super) use attempts::Attempts;
 
 /// A tactic: what it makes of a block, or why it does not serve.
 type Try = fn(&Block) -> Result<Closing, Refusal>;
@@ -64,14 +67,19 @@ pub(super) enum Refusal {
 }
 
 /// The step made by the first tactic that closes the block.
-pub(super) fn close(block: &Block) -> Result<Step, Refusal> {
+pub(super) fn close(block: &Block, attempts: &mut Attempts) -> Result<Step, Refusal> {
     for (tactic, closes) in TACTICS {
-        match attempt(block, *tactic, *closes) {
+        match attempts.made(block, *tactic, || attempt(block, *tactic, *closes)) {
             Err(Refusal::NotApplicable) => {}
             decided => return decided,
         }
     }
     Err(Refusal::NotApplicable)
+}
+
+/// The step by which the unknown of a block of one is brought to one side.
+pub(super) fn isolate(block: &Block, attempts: &mut Attempts) -> Result<Step, Refusal> {
+    attempts.made(block, Tactic::Isolate, || attempt(block, Tactic::Isolate, isolate::close))
 }
 
 fn attempt(block: &Block, tactic: Tactic, closes: Try) -> Result<Step, Refusal> {
@@ -87,11 +95,6 @@ fn attempt(block: &Block, tactic: Tactic, closes: Try) -> Result<Step, Refusal> 
 
 fn is_nothing(value: &Closed) -> bool {
     matches!(value, Closed::Formula(term) if term.is_zero())
-}
-
-/// The step by which the unknown of a block of one is brought to one side.
-pub(super) fn isolate(block: &Block) -> Result<Step, Refusal> {
-    attempt(block, Tactic::Isolate, isolate::close)
 }
 
 impl Block<'_> {

@@ -1,0 +1,40 @@
+//! What each tactic made of each block: the forms of a problem, the ways in which its scene can go and the audits share most of
+//! their blocks, and algebra is dear.
+
+use std::collections::BTreeMap;
+
+use crate::expr::Symbol;
+
+use super::{Block, Refusal};
+use crate::solve::{Statement, Step, Tactic};
+
+/// A tactic, the positions of the equations on which it was tried, and their unknowns.
+type Tried = (Tactic, Vec<usize>, Vec<Symbol>);
+
+/// These equations, as they stood, and what came of it.
+type Made = (Vec<Statement>, Result<Step, Refusal>);
+
+/// What came of tactics on the blocks of systems in which the same symbols are positive.
+#[derive(Clone, Debug, Default)]
+pub struct Attempts(BTreeMap<Tried, Vec<Made>>);
+
+impl Attempts {
+    /// What came of a tactic on a block; found by `attempt` where it was not tried before on the same equations.
+    pub(super) fn made(
+        &mut self,
+        block: &Block,
+        tactic: Tactic,
+        attempt: impl FnOnce() -> Result<Step, Refusal>,
+    ) -> Result<Step, Refusal> {
+        let stated = block.equations.iter().filter_map(|place| block.system.equations.get(*place));
+        let stated = stated.map(|equation| &equation.statement);
+        let made = self.0.entry((tactic, block.equations.clone(), block.unknowns.clone())).or_default();
+        // What stands at a position can differ from system to system.
+        if let Some((_, outcome)) = made.iter().find(|(own, _)| own.iter().eq(stated.clone())) {
+            return outcome.clone();
+        }
+        let outcome = attempt();
+        made.push((stated.cloned().collect(), outcome.clone()));
+        outcome
+    }
+}
