@@ -69,7 +69,7 @@ fn sentence(display: Display<'_>, part: &Part) -> Vec<Inline> {
             ]
         }
         PartKind::Number(number) => {
-            let mut words = vec![Inline::Text(format!("{}: ", capitalised(&part.label)))];
+            let mut words = vec![Inline::Text(capitalised(&part.label) + ": ")];
             for (index, answer) in display.worked.answers(number).into_iter().enumerate() {
                 let mut equal = vec![display.name(number.symbol), Math::Operator(Operator::Equals)];
                 if index == 0 && is_converted(display, number) {
@@ -149,7 +149,7 @@ pub(super) fn shown(number: &NumberPart, value: f64) -> Math {
     if number.whole {
         return Math::Number(format!("{value:.0}"));
     }
-    Printed::new(value, number.figures).map_or(Math::Text("?".into()), |printed| number_math(&printed.plain()))
+    Printed::new(value, number.figures).map_or(Math::Text("?".into()), |printed| number_math(printed.plain()))
 }
 
 /// The same, for whoever displays other quantities besides.

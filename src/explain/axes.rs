@@ -147,7 +147,7 @@ fn used(worked: Worked<'_>) -> BTreeSet<Symbol> {
 fn value(display: Display<'_>, (symbol, value, unit): &(Symbol, Decimal, Unit)) -> Math {
     let mut parts = vec![display.name(*symbol), Math::Operator(Operator::Equals)];
     if unit != display.unit(*symbol) && !value.is_zero() {
-        parts.extend([with_unit(number_math(&shown_decimal(value)), unit), Math::Operator(Operator::Equals)]);
+        parts.extend([with_unit(number_math(shown_decimal(value)), unit), Math::Operator(Operator::Equals)]);
     }
     parts.push(display.quantity(*symbol));
     Math::Row(parts)

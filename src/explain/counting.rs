@@ -74,6 +74,6 @@ impl Trial<'_> {
             let known = || self.display.worked.variant.value(symbol).map_or(f64::NAN, |value| value.value);
             if symbol == self.unknown { self.number } else { known() }
         });
-        with_unit(number_math(&printed(value / unit.factor().to_f64(), FIGURES)), &unit)
+        with_unit(number_math(printed(value / unit.factor().to_f64(), FIGURES)), &unit)
     }
 }

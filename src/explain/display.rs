@@ -128,7 +128,7 @@ impl<'a> Display<'a> {
         }
         let number = self.number(symbol, figures);
         let kind = LeafKind::Number { negative: number.starts_with('-') };
-        let math = self.manner(symbol).measured.put(number_math(&number));
+        let math = self.manner(symbol).measured.put(number_math(number));
         let leaf = Leaf { math: math.shared(), kind };
         self.shown.0.borrow_mut().push((symbol, figures, leaf.clone()));
         leaf
@@ -261,7 +261,7 @@ impl<'a> Display<'a> {
         }
         // The last bits of a sum are not known: what may lie half-way between two printed numbers is rounded up.
         let value = self.value_of(expr) * (1.0 + 4.0 * f64::EPSILON) / unit.size;
-        unit.put(number_math(&printed(value, figures)))
+        unit.put(number_math(printed(value, figures)))
     }
 
     /// A number in the unit in which a part asks it; none where that is a quantity.
@@ -315,9 +315,9 @@ pub(super) fn with_unit(number: Math, unit: &Unit) -> Math {
 }
 
 /// A printed number as mathematics, powers of ten included.
-pub(super) fn number_math(text: &str) -> Math {
+pub(super) fn number_math(text: String) -> Math {
     if text.is_ascii() {
-        return Math::Number(text.to_owned());
+        return Math::Number(text);
     }
     match text.split_once(" × 10^") {
         Some((mantissa, exponent)) => {

@@ -16,7 +16,7 @@ pub(super) fn notes(display: Display<'_>) -> Vec<Block> {
     for number in worked.form.parts.iter().flat_map(|part| part.kind.numbers()) {
         let answer = worked.answer(number);
         let unit = number.plain_unit();
-        let shown = |value: String| Inline::Math(with_unit(number_math(&value), &unit));
+        let shown = |value: String| Inline::Math(with_unit(number_math(value), &unit));
         let name = Inline::Math(display.name(number.symbol));
         let mut words = vec![name, Inline::Text(" is ".into()), shown(answer.value.to_string())];
         if answer.error.is_finite() {

@@ -54,7 +54,7 @@ pub(super) fn sentence(display: Display<'_>, part: &Part, range: &RangePart) -> 
         Expr::Symbol(symbol) => display.unit(*symbol).clone(),
         term => display.unit_of(term),
     };
-    let left = with_unit(number_math(&printed(interval.trial.left / unit.factor().to_f64(), 3)), &unit);
+    let left = with_unit(number_math(printed(interval.trial.left / unit.factor().to_f64(), 3)), &unit);
     let sign = match claim.relation {
         Relation::Less => Operator::Less,
         Relation::AtMost => Operator::AtMost,

@@ -69,6 +69,6 @@ fn result(display: Display<'_>, there: Worked<'_>, number: &NumberPart) -> Math 
     // What is zero at the extreme is printed as such, not as the rounding error that stands for it.
     let value = if answer.value.abs() <= answer.error { 0.0 } else { answer.for_print() };
     let shown =
-        Printed::new(value, number.figures).map_or(Math::Text("?".into()), |printed| number_math(&printed.plain()));
+        Printed::new(value, number.figures).map_or(Math::Text("?".into()), |printed| number_math(printed.plain()));
     Math::relation(display.name(number.symbol), Operator::Equals, display.in_unit_of(number, shown))
 }

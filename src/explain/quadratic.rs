@@ -30,11 +30,11 @@ impl Coefficient {
     }
 
     fn size(&self) -> Math {
-        with_unit(number_math(&printed(self.value.abs(), self.figures)), &self.unit)
+        with_unit(number_math(printed(self.value.abs(), self.figures)), &self.unit)
     }
 
     fn signed(&self) -> Math {
-        with_unit(number_math(&printed(self.value, self.figures)), &self.unit)
+        with_unit(number_math(printed(self.value, self.figures)), &self.unit)
     }
 
     fn bracketed(&self) -> Math {
@@ -130,6 +130,6 @@ fn roots(display: Display<'_>, unknown: Symbol, [a, b, c]: [&Coefficient; 3], fi
     let product = c.value * c.unit.factor().to_f64() / (a.value * scale);
     // By Vieta: the product of the roots tells the other one without a difference of almost equal numbers.
     let other = if taken == 0.0 { sum } else { product / taken };
-    let shown = |value: f64| with_unit(number_math(&printed(value / unit.factor().to_f64(), figures)), unit);
+    let shown = |value: f64| with_unit(number_math(printed(value / unit.factor().to_f64(), figures)), unit);
     Some(Math::Row(vec![display.quantity_to(unknown, figures), Math::Text(" or ".into()), shown(other)]))
 }

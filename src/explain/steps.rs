@@ -193,7 +193,7 @@ impl Steps<'_> {
                     let unit = self.display.unit(*unknown);
                     let number =
                         super::display::printed(value.value / unit.factor().to_f64(), self.figures.intermediate);
-                    let number = super::display::with_unit(super::display::number_math(&number), unit);
+                    let number = super::display::with_unit(super::display::number_math(number), unit);
                     vec![Inline::Math(Math::relation(self.display.name(*unknown), Operator::Equals, number))]
                 })
                 .collect();

@@ -93,7 +93,7 @@ impl Math {
     /// `left relation right`.
     #[must_use]
     pub fn relation(left: Self, relation: Operator, right: Self) -> Self {
-        Self::chain([left, right], relation)
+        Self::Row(vec![left, Self::Operator(relation), right])
     }
 
     /// `a < b < c`.

@@ -1,7 +1,5 @@
 //! Typeset mathematics as LaTeX (with amsmath).
 
-use std::borrow::Borrow;
-
 use super::{Math, Operator};
 
 /// Letters and signs that LaTeX knows by name.
@@ -103,7 +101,7 @@ impl Math {
     }
 
     /// The same for parts side by side, at the end of a text.
-    pub(crate) fn put_row_latex<M: Borrow<Self>>(parts: &[M], out: &mut String) {
+    pub(crate) fn put_row_latex(parts: &[Self], out: &mut String) {
         write_row(parts, out);
     }
 
@@ -281,10 +279,10 @@ fn write_sign<'a>(text: &'a str, out: &mut String) -> &'a str {
     letters.as_str()
 }
 
-fn write_row<M: Borrow<Math>>(parts: &[M], out: &mut String) {
+fn write_row(parts: &[Math], out: &mut String) {
     let start = out.len();
     let mut before: Option<&Math> = None;
-    for part in parts.iter().map(M::borrow) {
+    for part in parts {
         let mark = match part.bare() {
             Math::Operator(_) => out.len(),
             _ => {

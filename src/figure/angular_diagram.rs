@@ -112,7 +112,7 @@ impl AngularDiagram {
         self.wording.drawing(assemble(&headings(), rows.collect(), &self.axes))
     }
 
-    fn state_panel(&self, name: &Math, state: &AngularState, radii: Scale, momenta: Scale) -> Vec<Shape> {
+    fn state_panel(&self, name: &Math, state: &AngularState, radii: Scale, momenta: Scale) -> Canvas {
         let mut canvas = Canvas::default();
         let radius = state.radius.vector().and_then(|vector| radii.arrow(vector)).unwrap_or_default();
         let mut body = Body::new(name, Form::Disc, radius);
@@ -138,12 +138,12 @@ impl AngularDiagram {
             }
         }
         canvas.label(&state.radius.label, Role::Length, Anchor::Along { from: Point::ORIGIN, to: end });
-        canvas.settle()
+        canvas.settled()
     }
 }
 
 /// The arc that stands for an angular impulse about a fixed point.
-pub(super) fn turn_panel(name: &Math, impulse: &AngularImpulse) -> Vec<Shape> {
+pub(super) fn turn_panel(name: &Math, impulse: &AngularImpulse) -> Canvas {
     let mut canvas = Canvas::default();
     draw_centre(&mut canvas, Point::ORIGIN, name, 0.0);
     let (text, direction) = match impulse.value {
@@ -160,7 +160,7 @@ pub(super) fn turn_panel(name: &Math, impulse: &AngularImpulse) -> Vec<Shape> {
     }
     let radius = if direction.is_some() { ARC_RADIUS } else { 6.0 };
     canvas.label(&text, Role::Impulse, Anchor::Around { at: Point::ORIGIN, radius, prefer: PI / 2.0 });
-    canvas.settle()
+    canvas.settled()
 }
 
 fn number(digits: &str) -> Math {

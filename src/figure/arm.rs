@@ -83,7 +83,7 @@ impl ArmDiagram {
         let panel = |arm: &Arm| {
             let mut canvas = Canvas::default();
             arm.draw_with(&mut canvas, &scales);
-            canvas.settle()
+            canvas.settled()
         };
         let row = Row {
             panels: vec![panel(&self.before), turn_panel(&self.before.centre, &self.impulse), panel(&self.after)],

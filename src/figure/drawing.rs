@@ -154,6 +154,22 @@ impl Drawing {
 }
 
 impl Shape {
+    /// The shape somewhere else.
+    pub(super) fn moved(self, by: Point) -> Self {
+        let all = |points: Vec<Point>| points.into_iter().map(|point| point + by).collect();
+        match self {
+            Self::Line { points, role, dashed } => Self::Line { points: all(points), role, dashed },
+            Self::Arrow { from, to, role } => Self::Arrow { from: from + by, to: to + by, role },
+            Self::Circle { centre, radius, role } => Self::Circle { centre: centre + by, radius, role },
+            Self::Rectangle { centre, size, angle, role } => Self::Rectangle { centre: centre + by, size, angle, role },
+            Self::Arc { centre, radius, from, to, arrow, role } => {
+                Self::Arc { centre: centre + by, radius, from, to, arrow, role }
+            }
+            Self::Area { points, role } => Self::Area { points: all(points), role },
+            Self::Label { at, text, role } => Self::Label { at: at + by, text, role },
+        }
+    }
+
     /// What it means.
     fn role(&self) -> Role {
         match self {

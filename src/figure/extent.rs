@@ -16,7 +16,7 @@ const FULL_HEIGHT: f64 = 0.69;
 const HANG: f64 = 0.22;
 
 /// A box with sides along the axes.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Extent {
     /// Its lower left corner.
     pub low: Point,
@@ -143,7 +143,13 @@ impl Extent {
                     Point::new(centre.x.max(self.low.x).min(self.high.x), centre.y.max(self.low.y).min(self.high.y));
                 (nearest - *centre).length() < *radius
             }
-            Shape::Rectangle { centre, size, angle: 0.0, .. } if !self.meets(Self::level(*centre, *size)) => false,
+            Shape::Rectangle { centre, size, angle: 0.0, .. } => {
+                let outline = Self::level(*centre, *size);
+                if outline.joined(self) == outline {
+                    return Contact::Inside;
+                }
+                self.meets(outline)
+            }
             Shape::Rectangle { centre, size, angle, .. } => {
                 let within = |corner: &Point| {
                     let own = (*corner - *centre).rotated(-angle);
@@ -189,7 +195,7 @@ pub fn extent(shape: &Shape) -> Extent {
 /// The box around all shapes.
 #[must_use]
 pub fn bounds(shapes: &[Shape]) -> Extent {
-    shapes.iter().map(extent).reduce(Extent::joined).unwrap_or(Extent { low: Point::ORIGIN, high: Point::ORIGIN })
+    shapes.iter().map(extent).reduce(Extent::joined).unwrap_or_default()
 }
 
 /// The estimated box of a label centred on `at`.

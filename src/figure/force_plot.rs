@@ -115,7 +115,7 @@ impl ForcePlot {
             let at = middle_of_area(&curve, zero);
             canvas.label(label, Role::Impulse, Anchor::Around { at, radius: -8.0, prefer: 0.0 });
         }
-        self.wording.drawing(canvas.settle())
+        self.wording.drawing(canvas)
     }
 
     /// Ticks stand at the left and at the bottom of the plot, clear of a curve that goes below zero.

@@ -3,9 +3,8 @@
 use crate::expr::Math;
 use crate::expr::Operator;
 
-use super::{Drawing, Point, Shape};
-
-use super::extent::bounds;
+use super::place::Canvas;
+use super::{Drawing, Point};
 
 /// Free space around a figure, so that line widths and fonts wider than estimated are not cut.
 pub(super) const MARGIN: f64 = 6.0;
@@ -22,11 +21,12 @@ pub struct Wording {
 }
 
 impl Wording {
-    /// The finished drawing of `shapes`, just large enough.
-    pub(super) fn drawing(&self, shapes: Vec<Shape>) -> Drawing {
-        let frame = bounds(&shapes).grown(MARGIN);
+    /// The finished drawing, just large enough.
+    pub(super) fn drawing(&self, canvas: Canvas) -> Drawing {
+        let canvas = canvas.settled();
+        let frame = canvas.frame().grown(MARGIN);
         let Self { title, description, caption } = self.clone();
-        Drawing { title, description, caption, low: frame.low, high: frame.high, shapes }
+        Drawing { title, description, caption, low: frame.low, high: frame.high, shapes: canvas.into_shapes() }
     }
 }
 

@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use crate::expr::Math;
 
-use super::extent::{Extent, bounds};
+use super::extent::Extent;
 use super::input::{AxisMark, LabelledVector, Wording};
 use super::panels::draw_axes;
 use super::place::{Anchor, Canvas};
@@ -76,11 +76,9 @@ impl MassCentre {
         if let Some(centre) = &self.centre {
             draw_velocity(&mut canvas, centre, placed(centre), MARK, scale);
         }
-        let shapes = canvas.settle();
-        let (frame, mut canvas) = (bounds(&shapes), Canvas::default());
-        canvas.draw_all(shapes);
-        draw_axes(&mut canvas, frame, &self.axes);
-        self.wording.drawing(canvas.settle())
+        let mut canvas = canvas.settled();
+        draw_axes(&mut canvas, &self.axes);
+        self.wording.drawing(canvas)
     }
 }
 

@@ -11,7 +11,7 @@ use super::panels::{Row, assemble};
 use super::place::Canvas;
 use super::scale::Scale;
 use super::surface::draw_surface;
-use super::{Drawing, Point, Role, Shape};
+use super::{Drawing, Point, Role};
 
 /// Lengths of the longest arrow, tried in this order until the figure is not too wide.
 const LONGEST: [f64; 4] = [76.0, 62.0, 48.0, 38.0];
@@ -112,12 +112,12 @@ impl MomentumDiagram {
 
     fn balance(&self, of: Quantity) -> Drawing {
         let [longest @ .., shortest] = LONGEST;
-        let drawing = |longest: f64| self.wording.drawing(self.shapes(of, longest));
+        let drawing = |longest: f64| self.wording.drawing(self.canvas(of, longest));
         let fits = |drawing: &Drawing| drawing.high.x - drawing.low.x <= WIDEST;
         longest.into_iter().map(drawing).find(fits).unwrap_or_else(|| drawing(shortest))
     }
 
-    fn shapes(&self, of: Quantity, longest: f64) -> Vec<Shape> {
+    fn canvas(&self, of: Quantity, longest: f64) -> Canvas {
         let scale = Scale::fitting(self.bodies.iter().flat_map(BodyMomentum::vectors), longest);
         let rows = self.bodies.iter().map(|body| body.row(scale)).collect();
         let several = self.bodies.iter().any(|body| body.impulses.len() > 1);
@@ -148,14 +148,14 @@ impl BodyMomentum {
         Body::new(&self.name, self.form, Point::ORIGIN).turned(turn)
     }
 
-    fn momentum_panel(&self, momentum: &LabelledVector, scale: Scale) -> Vec<Shape> {
+    fn momentum_panel(&self, momentum: &LabelledVector, scale: Scale) -> Canvas {
         let (mut canvas, mut body) = (Canvas::default(), self.body());
         body.draw(&mut canvas);
         draw_vector(&mut canvas, &mut body, momentum, scale, Role::Momentum, None);
-        canvas.settle()
+        canvas.settled()
     }
 
-    fn impulse_panel(&self, scale: Scale) -> Vec<Shape> {
+    fn impulse_panel(&self, scale: Scale) -> Canvas {
         let (mut canvas, mut body) = (Canvas::default(), self.body());
         body.draw(&mut canvas);
         let normal = self.surface.filter(|angle| angle.is_finite()).map(|angle| Point::polar(1.0, angle));
@@ -173,7 +173,7 @@ impl BodyMomentum {
         for impulse in &self.impulses {
             draw_vector(&mut canvas, &mut body, impulse, scale, Role::Impulse, normal);
         }
-        canvas.settle()
+        canvas.settled()
     }
 
     /// Dashed, from the far side of the body to a little beyond the longest impulse along it.

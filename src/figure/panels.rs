@@ -5,10 +5,10 @@ use std::sync::LazyLock;
 use crate::expr::Math;
 use crate::expr::Operator;
 
-use super::extent::{Extent, Measure, bounds};
+use super::extent::{Extent, Measure};
 use super::input::AxisMark;
 use super::place::{Anchor, Canvas, on_baseline};
-use super::{Point, Role, Shape};
+use super::{Point, Role};
 
 /// Room for a sign between two panels.
 const SIGN_ROOM: f64 = 24.0;
@@ -20,7 +20,7 @@ const AXES_GAP: f64 = 14.0;
 
 /// One equation of pictures: each panel drawn about its own origin.
 pub(super) struct Row {
-    pub panels: Vec<Vec<Shape>>,
+    pub panels: Vec<Canvas>,
 }
 
 /// What stands between the panels: before + impulse = after.
@@ -28,10 +28,8 @@ static SIGNS: LazyLock<[Math; 2]> =
     LazyLock::new(|| [Operator::Plus, Operator::Equals].map(|sign| Math::Operator(sign).shared()));
 
 /// Rows in columns: headings above, signs between, axes at the lower left.
-pub(super) fn assemble(headings: &[Math], rows: Vec<Row>, axes: &[AxisMark]) -> Vec<Shape> {
-    // Measuring is dear, so it is done once.
-    let frames: Vec<Vec<Extent>> =
-        rows.iter().map(|row| row.panels.iter().map(|panel| bounds(panel)).collect()).collect();
+pub(super) fn assemble(headings: &[Math], rows: Vec<Row>, axes: &[AxisMark]) -> Canvas {
+    let frames: Vec<Vec<Extent>> = rows.iter().map(|row| row.panels.iter().map(Canvas::frame).collect()).collect();
     let widths = column_widths(headings, &frames);
     let centres = column_centres(&widths);
     let mut canvas = Canvas::default();
@@ -40,8 +38,7 @@ pub(super) fn assemble(headings: &[Math], rows: Vec<Row>, axes: &[AxisMark]) -> 
     }
     let mut top = if headings.is_empty() { 0.0 } else { -HEADING_GAP };
     for (row, frames) in rows.into_iter().zip(&frames) {
-        let frame = frames.iter().copied().reduce(Extent::joined);
-        let frame = frame.unwrap_or(Extent { low: Point::ORIGIN, high: Point::ORIGIN });
+        let frame = frames.iter().copied().reduce(Extent::joined).unwrap_or_default();
         let level = top - frame.high.y;
         for (index, sign) in SIGNS.iter().enumerate() {
             if let (Some(left), Some(right)) = (centres.get(index), centres.get(index + 1)) {
@@ -52,17 +49,16 @@ pub(super) fn assemble(headings: &[Math], rows: Vec<Row>, axes: &[AxisMark]) -> 
         }
         for ((panel, frame), centre) in row.panels.into_iter().zip(frames).zip(&centres) {
             let shift = Point::new(centre - frame.centre().x, level);
-            canvas.draw_all(panel.into_iter().map(|shape| shifted(shape, shift)));
+            canvas.draw_moved(panel, shift);
         }
         top = level + frame.low.y - ROW_GAP;
     }
-    let frame = bounds(canvas.shapes());
-    draw_axes(&mut canvas, frame, axes);
-    canvas.settle()
+    draw_axes(&mut canvas, axes);
+    canvas
 }
 
-/// Axes below the left end of what takes the room `taken`.
-pub(super) fn draw_axes(canvas: &mut Canvas, taken: Extent, axes: &[AxisMark]) {
+/// Axes below the left end of all that has its place.
+pub(super) fn draw_axes(canvas: &mut Canvas, axes: &[AxisMark]) {
     if axes.is_empty() {
         return;
     }
@@ -72,10 +68,10 @@ pub(super) fn draw_axes(canvas: &mut Canvas, taken: Extent, axes: &[AxisMark]) {
         own.arrow(Point::ORIGIN, tip, Role::Axis);
         own.label(&axis.name, Role::Axis, Anchor::Around { at: tip, radius: 0.0, prefer: axis.angle });
     }
-    let own = own.settle();
-    let frame = bounds(&own);
+    let own = own.settled();
+    let (taken, frame) = (canvas.frame(), own.frame());
     let shift = Point::new(taken.low.x - frame.low.x, taken.low.y - AXES_GAP - frame.high.y);
-    canvas.draw_all(own.into_iter().map(|shape| shifted(shape, shift)));
+    canvas.draw_moved(own, shift);
 }
 
 /// Widths that hold the headings, and in each row the panels with those frames.
@@ -94,20 +90,4 @@ fn column_centres(widths: &[f64]) -> Vec<f64> {
         left += width + SIGN_ROOM;
     }
     centres
-}
-
-/// The shape, moved.
-pub(super) fn shifted(shape: Shape, by: Point) -> Shape {
-    let all = |points: Vec<Point>| points.into_iter().map(|point| point + by).collect();
-    match shape {
-        Shape::Line { points, role, dashed } => Shape::Line { points: all(points), role, dashed },
-        Shape::Arrow { from, to, role } => Shape::Arrow { from: from + by, to: to + by, role },
-        Shape::Circle { centre, radius, role } => Shape::Circle { centre: centre + by, radius, role },
-        Shape::Rectangle { centre, size, angle, role } => Shape::Rectangle { centre: centre + by, size, angle, role },
-        Shape::Arc { centre, radius, from, to, arrow, role } => {
-            Shape::Arc { centre: centre + by, radius, from, to, arrow, role }
-        }
-        Shape::Area { points, role } => Shape::Area { points: all(points), role },
-        Shape::Label { at, text, role } => Shape::Label { at: at + by, text, role },
-    }
 }

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use crate::expr::Math;
 
-use super::extent::{Contact, Extent, Measure, label_extent};
+use super::extent::{Contact, Extent, Measure, extent, label_extent};
 use super::{Drawing, Point, Role, Shape};
 
 /// Clear space between a label and what it belongs to.
@@ -48,16 +48,22 @@ pub(super) enum Anchor {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Canvas {
     shapes: Vec<Shape>,
+    /// The box of each shape, which is compared with many places: measuring is dear.
+    frames: Vec<Extent>,
     wishes: Vec<(Math, Role, Anchor)>,
 }
 
 impl Canvas {
     pub(super) fn draw(&mut self, shape: Shape) {
+        self.frames.push(extent(&shape));
         self.shapes.push(shape);
     }
 
-    pub(super) fn draw_all(&mut self, shapes: impl IntoIterator<Item = Shape>) {
-        self.shapes.extend(shapes);
+    /// The shapes of another canvas, moved.
+    pub(super) fn draw_moved(&mut self, other: Self, by: Point) {
+        for shape in other.shapes {
+            self.draw(shape.moved(by));
+        }
     }
 
     pub(super) fn line(&mut self, points: impl IntoIterator<Item = Point>, role: Role, dashed: bool) {
@@ -83,76 +89,72 @@ impl Canvas {
         &self.shapes
     }
 
-    /// All shapes, every label at its place.
-    pub(super) fn settle(self) -> Vec<Shape> {
-        let mut shapes = self.shapes;
-        if self.wishes.is_empty() {
-            return shapes;
-        }
-        // Measuring a label is dear, and each is compared with many places: it is done once.
-        let mut boxes: Vec<Option<Extent>> = shapes.iter().map(label_box).collect();
-        for (text, role, anchor) in self.wishes {
-            let own = label_extent(Point::ORIGIN, &text);
-            let at = place(own, anchor, &shapes, &boxes);
-            boxes.push(Some(own.moved(at)));
-            shapes.push(Shape::Label { at, text, role });
-        }
-        shapes
+    /// The box around all shapes.
+    pub(super) fn frame(&self) -> Extent {
+        self.frames.iter().copied().reduce(Extent::joined).unwrap_or_default()
     }
-}
 
-/// The box of a label; none of other shapes.
-fn label_box(shape: &Shape) -> Option<Extent> {
-    match shape {
-        Shape::Label { at, text, .. } => Some(label_extent(*at, text)),
-        _ => None,
+    /// The same with every label at its place.
+    pub(super) fn settled(mut self) -> Self {
+        for (text, role, anchor) in std::mem::take(&mut self.wishes) {
+            let at = self.place(label_extent(Point::ORIGIN, &text), anchor);
+            self.draw(Shape::Label { at, text, role });
+        }
+        self
     }
-}
 
-/// The first candidate for a label of that size that is free, or else the last one. `boxes` are those of the shapes that
-/// are labels.
-fn place(label: Extent, anchor: Anchor, shapes: &[Shape], boxes: &[Option<Extent>]) -> Point {
-    let near = || (0..).map_while(|index| near_place(anchor, label.size(), index));
-    let start = near().next().unwrap_or_default();
-    let rings = (1..=RINGS).flat_map(|ring| {
-        let radius = RING_STEP * f64::from(ring);
-        (0..RING_PLACES).map(move |turn| {
-            let angle = TAU * (f64::from(turn) / f64::from(RING_PLACES) + 0.25);
-            start + Point::polar(radius, angle)
-        })
-    });
-    let is_free = |at: &Point| {
-        let own = label.moved(*at).grown(CLEARANCE);
-        !shapes.iter().zip(boxes).any(|(shape, label)| match label {
-            Some(label) => own.meets(*label),
-            None => is_blocked(own, shape),
-        })
-    };
-    let foreign: Vec<&Shape> = shapes.iter().filter(|shape| is_foreign(anchor, shape)).collect();
-    let is_clear = |at: &Point, distance: f64| {
-        let own = label.moved(*at).grown(distance);
-        is_free(at) && foreign.iter().all(|shape| own.contact(shape) == Contact::Clear)
-    };
-    // Beside a short slanting arrow a wide label lies far off; about its end it does not.
-    let short = is_short(anchor, label.size());
-    let ends = if short || !foreign.is_empty() { end_places(anchor, label.size()) } else { Vec::new() };
-    let (first, second) = if short { (&ends[..], None) } else { (&[][..], ends.first()) };
-    let near_and_end = || first.iter().copied().chain(near()).chain(second.copied());
-    let clear = |distance: f64| near_and_end().find(|at| is_clear(at, distance));
-    // Where no other arrow is near, any place beside its own will do.
-    let best = if foreign.is_empty() { None } else { DISTANCES.into_iter().find_map(clear) };
-    best.or_else(|| first.iter().copied().chain(near()).chain(rings).find(is_free)).unwrap_or(start)
-}
+    /// All shapes that have their places.
+    pub(super) fn into_shapes(self) -> Vec<Shape> {
+        self.shapes
+    }
 
-/// Whether a label that belongs to an arrow could be taken for that of this shape, another arrow near to it.
-fn is_foreign(anchor: Anchor, shape: &Shape) -> bool {
-    match (anchor, shape) {
+    /// The first place for a label of that size that is free, or else the first of all.
+    fn place(&self, label: Extent, anchor: Anchor) -> Point {
+        let near = || (0..).map_while(|index| near_place(anchor, label.size(), index));
+        let start = near().next().unwrap_or_default();
+        let rings = (1..=RINGS).flat_map(|ring| {
+            let radius = RING_STEP * f64::from(ring);
+            (0..RING_PLACES).map(move |turn| {
+                let angle = TAU * (f64::from(turn) / f64::from(RING_PLACES) + 0.25);
+                start + Point::polar(radius, angle)
+            })
+        });
+        let is_free = |at: &Point| {
+            let own = label.moved(*at).grown(CLEARANCE);
+            !self.near(own).any(|shape| is_blocked(own, shape))
+        };
+        let foreign = self.foreign(anchor);
+        let is_clear = |at: &Point, distance: f64| {
+            let own = label.moved(*at).grown(distance);
+            is_free(at) && foreign.iter().all(|shape| own.contact(shape) == Contact::Clear)
+        };
+        // Beside a short slanting arrow a wide label lies far off; about its end it does not.
+        let short = is_short(anchor, label.size());
+        let ends = if short || !foreign.is_empty() { end_places(anchor, label.size()) } else { Vec::new() };
+        let (first, second) = if short { (&ends[..], None) } else { (&[][..], ends.first()) };
+        let near_and_end = || first.iter().copied().chain(near()).chain(second.copied());
+        let clear = |distance: f64| near_and_end().find(|at| is_clear(at, distance));
+        // Where no other arrow is near, any place beside its own will do.
+        let best = if foreign.is_empty() { None } else { DISTANCES.into_iter().find_map(clear) };
+        best.or_else(|| first.iter().copied().chain(near()).chain(rings).find(is_free)).unwrap_or(start)
+    }
+
+    /// The shapes whose boxes meet this one: no other can touch what lies in it.
+    fn near(&self, own: Extent) -> impl Iterator<Item = &Shape> {
+        let both = self.shapes.iter().zip(&self.frames);
+        both.filter(move |(_, frame)| own.meets(**frame)).map(|(shape, _)| shape)
+    }
+
+    /// Other arrows so near to an arrow that its label could be taken for theirs.
+    fn foreign(&self, anchor: Anchor) -> Vec<&Shape> {
         // An arrow's label lies along it from its tail, or towards its tail.
-        (Anchor::Along { from: start, to: end }, Shape::Arrow { from, role, .. }) if *role != Role::Guide => {
-            let near = Extent::around([start, end]).grown(NEARBY);
-            *from != start && *from != end && near.contact(shape) != Contact::Clear
-        }
-        _ => false,
+        let Anchor::Along { from: start, to: end } = anchor else { return Vec::new() };
+        let room = Extent::around([start, end]).grown(NEARBY);
+        let is_other = |shape: &&Shape| match shape {
+            Shape::Arrow { from, role, .. } => *role != Role::Guide && *from != start && *from != end,
+            _ => false,
+        };
+        self.near(room).filter(is_other).filter(|shape| room.contact(shape) != Contact::Clear).collect()
     }
 }
 
@@ -277,7 +279,7 @@ mod tests {
         canvas.arrow(from, to, Role::Velocity);
         canvas.line([Point::new(0.0, 8.0), Point::new(60.0, 8.0)], Role::Surface, false);
         canvas.label(&Math::Identifier("v".into()), Role::Velocity, Anchor::Along { from, to });
-        let shapes = canvas.settle();
+        let shapes = canvas.settled().into_shapes();
         assert!(matches!(shapes.last(), Some(Shape::Label { at, .. }) if at.y < 0.0));
     }
 }

@@ -7,7 +7,7 @@ use crate::expr::Math;
 use crate::expr::Operator;
 
 /// The parts of a row one by one, for a writer that would put a row within it into an element of its own.
-pub(super) fn spread<'a>(items: &'a [Cow<'_, Math>]) -> Vec<&'a Math> {
+pub(super) fn spread(items: &[Math]) -> Vec<&Math> {
     let mut parts = Vec::with_capacity(USUAL_LENGTH);
     for item in items {
         item.spread(&mut |part| parts.push(part));
@@ -33,7 +33,8 @@ impl<'a> Item<'a> {
 /// One row of a displayed equation; rows are aligned where the right side begins.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Row<'a> {
-    items: Vec<Cow<'a, Math>>,
+    /// Those of the line itself where it need not be broken.
+    items: Cow<'a, [Math]>,
     /// How many of the items stand before the alignment.
     aligned: usize,
     /// How wide they are before and behind it.
@@ -43,21 +44,21 @@ pub(super) struct Row<'a> {
 impl<'a> Row<'a> {
     fn new(left: Vec<Item<'a>>, right: Vec<Item<'a>>) -> Self {
         let (aligned, widths) = (left.len(), [width(&left), width(&right)]);
-        Self { items: left.into_iter().chain(right).map(|item| item.math).collect(), aligned, widths }
+        Self { items: left.into_iter().chain(right).map(|item| item.math.into_owned()).collect(), aligned, widths }
     }
 
     /// What stands before the alignment; empty where the row continues the one above.
-    pub fn left(&self) -> &[Cow<'a, Math>] {
+    pub fn left(&self) -> &[Math] {
         &self.items[..self.aligned]
     }
 
     /// A relation and what follows it, or a continuation.
-    pub fn right(&self) -> &[Cow<'a, Math>] {
+    pub fn right(&self) -> &[Math] {
         &self.items[self.aligned..]
     }
 
     /// The whole row, where there is nothing to align it with.
-    pub fn whole(&self) -> &[Cow<'a, Math>] {
+    pub fn whole(&self) -> &[Math] {
         &self.items
     }
 }
@@ -113,7 +114,7 @@ fn unbroken(line: &Math) -> Option<Row<'_>> {
     let (left, right) = parts.split_at(aligned);
     let widths = [left, right].map(spread_width);
     let fits = widths[1] <= WIDEST - widths[0];
-    fits.then(|| Row { items: parts.iter().map(Cow::Borrowed).collect(), aligned, widths })
+    fits.then_some(Row { items: Cow::Borrowed(parts), aligned, widths })
 }
 
 /// Whether every row among the parts stands between signs, and relates nothing.
@@ -241,17 +242,13 @@ mod tests {
         Math::Identifier(name.into())
     }
 
-    fn written(items: &[Cow<'_, Math>]) -> Vec<Math> {
-        items.iter().map(|item| item.clone().into_owned()).collect()
-    }
-
     #[test]
     fn a_short_chain_stays_on_one_row() {
         let line = Math::relation(identifier("p"), Operator::Equals, identifier("q"));
         let lines = [line];
         let rows = rows(&lines);
         assert_eq!(rows.len(), 1);
-        assert_eq!(written(rows[0].left()), [identifier("p")]);
+        assert_eq!(rows[0].left(), [identifier("p")]);
     }
 
     #[test]
@@ -266,10 +263,10 @@ mod tests {
         ]);
         let rows = rows(std::slice::from_ref(&line));
         assert_eq!(rows.len(), 2);
-        assert_eq!(written(rows[1].left()), []);
-        assert_eq!(written(rows[1].right()), [Math::Operator(Operator::Equals), long]);
-        let again: Vec<Cow<Math>> = rows.into_iter().flat_map(|row| row.items).collect();
-        assert_eq!(again, flattened(&line).into_iter().map(|item| item.math).collect::<Vec<_>>());
+        assert_eq!(rows[1].left(), []);
+        assert_eq!(rows[1].right(), [Math::Operator(Operator::Equals), long]);
+        let again: Vec<Math> = rows.into_iter().flat_map(|row| row.items.into_owned()).collect();
+        assert_eq!(again, flattened(&line).into_iter().map(|item| item.math.into_owned()).collect::<Vec<_>>());
     }
 
     #[test]
@@ -281,8 +278,8 @@ mod tests {
         let lines = [line];
         let rows = rows(&lines);
         assert_eq!(rows.len(), 2);
-        assert_eq!(written(rows[0].right()).last(), Some(&term));
-        assert_eq!(written(rows[1].right()).last(), Some(&Math::Text("]".into())));
+        assert_eq!(rows[0].right().last(), Some(&term));
+        assert_eq!(rows[1].right().last(), Some(&Math::Text("]".into())));
         assert!(excess(&rows) <= 1.0);
     }
 
@@ -303,6 +300,6 @@ mod tests {
         let lines = [line];
         let rows = rows(&lines);
         assert_eq!(rows.len(), 3);
-        assert_eq!(written(rows[0].right()), [Math::Operator(Operator::Equals), minus, term]);
+        assert_eq!(rows[0].right(), [Math::Operator(Operator::Equals), minus, term]);
     }
 }

@@ -32,7 +32,9 @@ const FIGURES: usize = 3;
 
 /// A sentence with a full stop, or nothing.
 fn sentence(words: &str) -> String {
-    if words.is_empty() { String::new() } else { format!("{}.", capitalised(words)) }
+    let mut sentence = capitalised(words);
+    sentence.push_str(if words.is_empty() { "" } else { "." });
+    sentence
 }
 
 /// Sentences one after another.
@@ -93,7 +95,8 @@ impl Speak<'_> {
         let impulses = if impulses.is_empty() { "none".to_owned() } else { list(&impulses) };
         let noun = if balance.impulses.len() > 1 { "impulses" } else { "impulse" };
         let (before, after) = (self.vector(&balance.before), self.vector(&balance.after));
-        format!("for {name}, momentum before: {before}; {noun}: {impulses}; momentum after: {after}")
+        ["for ", name, ", momentum before: ", &before, "; ", noun, ": ", &impulses, "; momentum after: ", &after]
+            .concat()
     }
 
     /// `m_A v_A1, 8.00 kg m/s to the right`.
@@ -115,7 +118,7 @@ impl Speak<'_> {
         match self.unit {
             Some((one, unit)) => {
                 let number = printed(size(value) / one, FIGURES);
-                format!("{name}, {number} {unit} {direction}")
+                [&name, ", ", &number, " ", unit, " ", &direction].concat()
             }
             None => format!("{name}, {direction}"),
         }

@@ -33,12 +33,11 @@ pub use ride::{Face, Ride};
 pub use space::Space;
 pub use swing::{Swing, SwingEnd};
 
+use super::Drawing;
 use super::arm::Arm;
-use super::extent::bounds;
 use super::input::{AxisMark, Wording};
 use super::panels::draw_axes;
 use super::place::Canvas;
-use super::{Drawing, Shape};
 
 /// What the figure on a problem sheet shows.
 #[derive(Clone, Debug, PartialEq)]
@@ -115,12 +114,9 @@ impl Situation {
             Layout::Conical(conical) => conical.draw(&mut canvas),
             Layout::Space(space) => space.draw(&mut canvas),
         }
-        let shapes: Vec<Shape> = canvas.settle();
         // The axes go below everything, labels included.
-        let mut canvas = Canvas::default();
-        let frame = bounds(&shapes);
-        canvas.draw_all(shapes);
-        draw_axes(&mut canvas, frame, &self.axes);
-        self.wording.drawing(canvas.settle())
+        let mut canvas = canvas.settled();
+        draw_axes(&mut canvas, &self.axes);
+        self.wording.drawing(canvas)
     }
 }
