@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::expr::Symbol;
 
 use super::tactics::{Attempts, Block, close, isolate};
-use super::{Plan, Planner, Statement, Step, System, Tactic};
+use super::{Plan, Statement, Step, System, Tactic};
 
 /// A plan extended for judging.
 #[derive(Clone, Debug)]
@@ -22,9 +22,10 @@ pub struct Audit {
 /// again.
 #[must_use]
 pub fn audit(system: &System, known: &BTreeSet<Symbol>, plan: &Plan) -> Audit {
-    Planner::default().audit(system, known, plan)
+    extended(system, known, plan, &mut Attempts::default())
 }
 
+/// The same with a memory of what tactics made of blocks.
 pub(super) fn extended(system: &System, known: &BTreeSet<Symbol>, plan: &Plan, attempts: &mut Attempts) -> Audit {
     let mut found = known.clone();
     let mut used: BTreeSet<usize> = BTreeSet::new();
