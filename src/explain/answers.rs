@@ -69,7 +69,7 @@ fn sentence(display: Display<'_>, part: &Part) -> Vec<Inline> {
             ]
         }
         PartKind::Number(number) => {
-            let mut words = vec![Inline::Text(capitalised(&part.label) + ": ")];
+            let mut words = vec![Inline::Text(format!("{}: ", capitalised(&part.label)))];
             for (index, answer) in display.worked.answers(number).into_iter().enumerate() {
                 let mut equal = vec![display.name(number.symbol), Math::Operator(Operator::Equals)];
                 if index == 0 && is_converted(display, number) {

@@ -5,10 +5,7 @@ use super::Inline;
 /// The sentence with its first letter large.
 pub(super) fn capitalised(text: &str) -> String {
     let mut letters = text.chars();
-    let mut out = String::with_capacity(text.len() + 1); // a full stop often follows
-    out.extend(letters.next().into_iter().flat_map(char::to_uppercase));
-    out.push_str(letters.as_str());
-    out
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().collect::<String>() + letters.as_str())
 }
 
 /// The form of a verb for one body, or for two that stay together.

@@ -220,13 +220,6 @@ impl From<i64> for Decimal {
 /// Without a power of ten: `.5` prints as `0.5`, `1.2e3` as `1200`, and zero never has a sign.
 impl fmt::Display for Decimal {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.put(out)
-    }
-}
-
-impl Decimal {
-    /// As it was written, without the detour of a formatter where the text is all that is wanted.
-    pub(super) fn put(&self, out: &mut impl fmt::Write) -> fmt::Result {
         if self.is_negative() {
             out.write_str("-")?;
         }
@@ -242,14 +235,15 @@ impl Decimal {
             }
         };
         let places = self.scale.unsigned_abs() as usize;
+        let zeros = |out: &mut fmt::Formatter<'_>, count: usize| (0..count).try_for_each(|_| out.write_str("0"));
         if self.scale <= 0 {
             out.write_str(digits)?;
-            return out.write_str(&"0".repeat(if self.is_zero() { 0 } else { places }));
+            return zeros(out, if self.is_zero() { 0 } else { places });
         }
         let (whole, fraction) = digits.split_at(digits.len().saturating_sub(places));
         out.write_str(if whole.is_empty() { "0" } else { whole })?;
         out.write_str(".")?;
-        out.write_str(&"0".repeat(places.saturating_sub(fraction.len())))?;
+        zeros(out, places.saturating_sub(fraction.len()))?;
         out.write_str(fraction)
     }
 }

@@ -10,9 +10,6 @@ use dashu::base::{Abs, BitTest, Sign};
 use super::decimal::power_of_ten;
 use super::{Decimal, Integer, Rational};
 
-/// The room that most numbers take, in bytes.
-const USUAL_LENGTH: usize = 8;
-
 /// The most figures that are printed.
 const MAX_FIGURES: usize = 40;
 
@@ -58,10 +55,7 @@ impl Printed {
     /// The number before the power of ten: `-2.30`, with an ASCII hyphen for its sign.
     #[must_use]
     pub fn mantissa(&self) -> String {
-        let mut text = String::with_capacity(USUAL_LENGTH);
-        // Writing to a text does not fail.
-        let _ = self.mantissa.put(&mut text);
-        text
+        self.mantissa.to_string()
     }
 
     /// The power of ten, where there is one.
@@ -199,7 +193,7 @@ fn bits(value: &u128) -> i64 {
 
 /// A power of ten that leaves room for the product with any 64 bits, and its double.
 fn short_power(places: i32) -> Option<u128> {
-    (places.unsigned_abs() <= 18).then(|| u128::from(10_u64.pow(places.unsigned_abs())))
+    (places.unsigned_abs() <= 18).then(|| 10_u128.pow(places.unsigned_abs()))
 }
 
 #[cfg(test)]

@@ -56,7 +56,15 @@ impl Instruction {
             Operation::Apply(function) => function == Function::Abs,
             Operation::Root(degree) => degree == 2,
             Operation::Raise | Operation::Angle => false,
-            _ => true,
+            // Each by name, so that a new operation must be put on one side or the other.
+            Operation::Add
+            | Operation::Subtract
+            | Operation::Multiply
+            | Operation::Divide
+            | Operation::Negate
+            | Operation::Power(_)
+            | Operation::Select
+            | Operation::Copy => true,
         }
     }
 

@@ -32,9 +32,7 @@ const FIGURES: usize = 3;
 
 /// A sentence with a full stop, or nothing.
 fn sentence(words: &str) -> String {
-    let mut sentence = capitalised(words);
-    sentence.push_str(if words.is_empty() { "" } else { "." });
-    sentence
+    if words.is_empty() { String::new() } else { format!("{}.", capitalised(words)) }
 }
 
 /// Sentences one after another.
@@ -95,8 +93,7 @@ impl Speak<'_> {
         let impulses = if impulses.is_empty() { "none".to_owned() } else { list(&impulses) };
         let noun = if balance.impulses.len() > 1 { "impulses" } else { "impulse" };
         let (before, after) = (self.vector(&balance.before), self.vector(&balance.after));
-        ["for ", name, ", momentum before: ", &before, "; ", noun, ": ", &impulses, "; momentum after: ", &after]
-            .concat()
+        format!("for {name}, momentum before: {before}; {noun}: {impulses}; momentum after: {after}")
     }
 
     /// `m_A v_A1, 8.00 kg m/s to the right`.
@@ -118,7 +115,7 @@ impl Speak<'_> {
         match self.unit {
             Some((one, unit)) => {
                 let number = printed(size(value) / one, FIGURES);
-                [&name, ", ", &number, " ", unit, " ", &direction].concat()
+                format!("{name}, {number} {unit} {direction}")
             }
             None => format!("{name}, {direction}"),
         }
