@@ -19,6 +19,11 @@ impl Basis {
         self.pivots.len()
     }
 
+    /// How many numbers it holds.
+    pub(super) fn size(&self) -> usize {
+        self.entries.len()
+    }
+
     /// Adds an equation; `false` where it says nothing new.
     pub(super) fn add(&mut self, gradient: &[f64]) -> bool {
         let width = gradient.len();
@@ -28,11 +33,16 @@ impl Basis {
         for (pivot, row) in self.pivots.iter().zip(rows.chunks_exact(width)) {
             subtract(rest, row, *pivot);
         }
-        let largest = rest.iter().copied().enumerate().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
-        let Some((pivot, largest)) = largest.filter(|(_, entry)| entry.abs() > NEGLIGIBLE) else {
+        let (mut pivot, mut largest) = (0, 0.0_f64);
+        for (column, entry) in rest.iter().enumerate() {
+            if entry.abs() >= largest.abs() {
+                (pivot, largest) = (column, *entry);
+            }
+        }
+        if largest.abs() <= NEGLIGIBLE {
             self.entries.truncate(end);
             return false;
-        };
+        }
         for entry in rest.iter_mut() {
             *entry /= largest;
         }

@@ -17,12 +17,16 @@ impl Bits {
         Self { near: [0; NEAR], far: vec![0; capacity.div_ceil(64).saturating_sub(NEAR)] }
     }
 
-    fn words(&self) -> impl Iterator<Item = &u64> {
-        self.near.iter().chain(&self.far)
+    /// The set whose words are made of those of both.
+    fn zip(&mut self, other: &Self, word: impl Fn(u64, u64) -> u64) {
+        self.near.iter_mut().zip(&other.near).for_each(|(own, other)| *own = word(*own, *other));
+        self.far.iter_mut().zip(&other.far).for_each(|(own, other)| *own = word(*own, *other));
     }
 
-    fn words_mut(&mut self) -> impl Iterator<Item = &mut u64> {
-        self.near.iter_mut().chain(&mut self.far)
+    /// Whether some word of this set and that of the other pass the test.
+    fn any(&self, other: &Self, test: impl Fn(u64, u64) -> bool) -> bool {
+        let pass = |(own, other): (&u64, &u64)| test(*own, *other);
+        self.near.iter().zip(&other.near).any(pass) || self.far.iter().zip(&other.far).any(pass)
     }
 
     fn word_mut(&mut self, place: usize) -> Option<&mut u64> {
@@ -54,7 +58,7 @@ impl Bits {
 
     /// The indexes, ascending.
     pub(super) fn iter(&self) -> impl Iterator<Item = usize> + '_ {
-        self.words().enumerate().flat_map(|(place, word)| {
+        self.near.iter().chain(&self.far).enumerate().flat_map(|(place, word)| {
             let mut rest = *word;
             std::iter::from_fn(move || {
                 let bit = (rest != 0).then(|| rest.trailing_zeros() as usize)?;
@@ -66,32 +70,32 @@ impl Bits {
 
     /// Everything of the other set is put in.
     pub(super) fn join(&mut self, other: &Self) {
-        self.words_mut().zip(other.words()).for_each(|(own, other)| *own |= other);
+        self.zip(other, |own, other| own | other);
     }
 
     /// Everything of the other set is taken out.
     pub(super) fn subtract(&mut self, other: &Self) {
-        self.words_mut().zip(other.words()).for_each(|(own, other)| *own &= !other);
+        self.zip(other, |own, other| own & !other);
     }
 
     /// Whether the sets share an index.
     pub(super) fn meets(&self, other: &Self) -> bool {
-        self.words().zip(other.words()).any(|(own, other)| own & other != 0)
+        self.any(other, |own, other| own & other != 0)
     }
 
     /// Whether everything of the other set is in this one.
     pub(super) fn covers(&self, other: &Self) -> bool {
-        self.words().zip(other.words()).all(|(own, other)| other & !own == 0)
+        !self.any(other, |own, other| other & !own != 0)
     }
 
     /// Whether nothing is in the set.
     pub(super) fn is_empty(&self) -> bool {
-        self.words().all(|word| *word == 0)
+        self.near == [0; NEAR] && self.far.iter().all(|word| *word == 0)
     }
 
     /// How many indexes are in the set.
     pub(super) fn len(&self) -> usize {
-        self.words().map(|word| word.count_ones() as usize).sum()
+        self.near.iter().chain(&self.far).map(|word| word.count_ones() as usize).sum()
     }
 
     /// As many indexes as there is room for.

@@ -74,6 +74,9 @@ fn planned(
     attempts: &mut Attempts,
 ) -> Result<Plan, Stuck> {
     let remaining: Vec<Symbol> = wanted.iter().filter(|symbol| !known.contains(symbol)).copied().collect();
+    if remaining.is_empty() {
+        return Ok(Plan::default());
+    }
     let stuck = |reason| Stuck { known: known.clone(), remaining: remaining.clone(), reason };
     let mut structure = Structure::new(system, known);
     let columns: Option<Vec<usize>> = remaining.iter().map(|symbol| structure.column(*symbol)).collect();

@@ -1,7 +1,7 @@
 //! The cheapest sets of equations that determine what is wanted, best first.
 
-use std::cmp::Reverse;
-use std::collections::{BTreeSet, BinaryHeap};
+use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
 
 use super::basis::Basis;
 use super::bits::Bits;
@@ -10,9 +10,14 @@ use super::structure::Structure;
 /// How many sets are looked at before the search gives up. Far more than the bank needs; it bounds a hostile file.
 const BUDGET: usize = 40_000;
 
+/// How many numbers are kept of what was found on the way. Far more than the bank needs; beyond, they are found again.
+const ROOM: usize = 4_000_000;
+
 /// A best-first search (A*) over sets of unknowns that are to be found together. It begins with what is wanted. As long as
 /// the equations that contain no other unknowns leave something open, one more equation must speak of what they leave
 /// open, and brings its own unknowns. Where they leave nothing open, each choice of independent ones is a set to try.
+///
+/// Of the equations that could come next, each is tried without those before it: a set is come to in one way only.
 ///
 /// What is independent, and what is left open, is judged by derivatives at sampled values: two equations that say the same
 /// do not count twice. The estimate of what a set of unknowns costs never exceeds the true cost, since each unknown
@@ -26,21 +31,42 @@ pub(super) struct Search<'a> {
     /// For each column the rows that give it directly as cheaply as any: a set that contains the column takes one of them,
     /// since any other row can be exchanged for it.
     direct: Vec<Bits>,
-    heap: BinaryHeap<Reverse<(u64, Entry)>>,
-    seen: BTreeSet<Bits>,
+    /// What is yet to be looked at, by its estimate, and by when it was come to.
+    open: BTreeMap<(u64, usize), Entry>,
+    /// How often something was put there.
+    come: usize,
     forbidden: Vec<Bits>,
     left: usize,
+    /// How many more numbers may be kept with what is yet to be looked at.
+    room: usize,
 }
 
 /// What the search has yet to look at.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Debug)]
 enum Entry {
     /// Rows that determine their unknowns.
     Rows(Bits),
     /// Unknowns, to be widened.
-    Columns(Bits),
+    Columns(Within),
     /// Unknowns that the rows within determine, to be given rows of that cost.
     Determined(Bits),
+}
+
+/// Unknowns that are to be found together.
+#[derive(Clone, Debug)]
+struct Within {
+    columns: Bits,
+    /// Rows that are not to come within: what they lead to is looked at elsewhere.
+    without: Bits,
+    /// What a narrower set of columns says, where that was kept.
+    narrower: Option<Rc<Said>>,
+}
+
+/// What rows say that lie within some columns.
+#[derive(Clone, Debug)]
+struct Said {
+    rows: Bits,
+    basis: Basis,
 }
 
 /// Rows that are chosen.
@@ -72,12 +98,13 @@ impl<'a> Search<'a> {
             gradients,
             cheapest,
             direct,
-            heap: BinaryHeap::new(),
-            seen: BTreeSet::new(),
+            open: BTreeMap::new(),
+            come: 0,
             forbidden: Vec::new(),
             left: BUDGET,
+            room: ROOM,
         };
-        search.push(wanted.clone());
+        search.widen(Within { columns: wanted.clone(), without: Bits::empty(structure.rows.len()), narrower: None });
         search
     }
 
@@ -90,13 +117,13 @@ impl<'a> Search<'a> {
     pub(super) fn next_batch(&mut self) -> BTreeSet<Vec<usize>> {
         let mut batch = BTreeSet::new();
         let mut cost = None;
-        while let Some(Reverse((estimate, entry))) = self.heap.pop() {
+        while let Some(first) = self.open.first_entry() {
+            let (estimate, _) = *first.key();
             if cost.is_some_and(|cost| estimate > cost) {
-                self.heap.push(Reverse((estimate, entry)));
                 break;
             }
-            match entry {
-                Entry::Columns(columns) => self.expand(estimate, columns),
+            match first.remove() {
+                Entry::Columns(within) => self.expand(estimate, within),
                 Entry::Determined(columns) => self.choose(estimate, columns),
                 Entry::Rows(rows) if self.forbidden.iter().any(|forbidden| rows.covers(forbidden)) => {}
                 Entry::Rows(rows) => {
@@ -109,32 +136,83 @@ impl<'a> Search<'a> {
     }
 
     /// Widens a set of columns by the unknowns of each row of which one must be taken.
-    fn expand(&mut self, estimate: u64, columns: Bits) {
-        let mut basis = Basis::default();
+    fn expand(&mut self, estimate: u64, within: Within) {
+        let Within { mut columns, mut without, narrower } = within;
+        let none = || Said { rows: Bits::empty(self.structure.rows.len()), basis: Basis::default() };
+        let mut said = narrower.map_or_else(none, Rc::unwrap_or_clone);
+        let unknowns = |row: usize| &self.structure.rows[row].unknowns;
+        let mut widened = false;
+        let (next, determined) = loop {
+            let beyond = self.beyond(&columns, &without, &mut said);
+            // Of the ways in which the columns can still change together, some row must stop each: the one with the fewest
+            // rows is followed. Where they cannot change, what is dearer may still come with any row.
+            let stops = |change: Bits| -> Vec<usize> {
+                beyond.iter().copied().filter(|row| unknowns(*row).meets(&change)).collect()
+            };
+            match said.basis.changes(&columns).into_iter().map(stops).min_by_key(Vec::len) {
+                None => break (beyond, true),
+                Some(next) => match next[..] {
+                    // Nothing is to be chosen.
+                    [only] => columns.join(unknowns(only)),
+                    _ => break (next, false),
+                },
+            }
+            widened = true;
+        };
+        let narrower = self.keep(said);
+        if widened {
+            self.widen(Within { columns, without, narrower });
+            return;
+        }
+        let mut next: Vec<(u64, usize, Bits)> = next
+            .into_iter()
+            .map(|row| {
+                let mut more = columns.clone();
+                more.join(unknowns(row));
+                (self.estimate(&more), row, more)
+            })
+            .collect();
+        next.sort();
+        for (_, row, more) in next {
+            self.widen(Within { columns: more, without: without.clone(), narrower: narrower.clone() });
+            without.insert(row);
+        }
+        if determined {
+            self.put(estimate, Entry::Determined(columns));
+        }
+    }
+
+    /// The rows that contain some of the columns and others, and may come within. What lies within is added to what is said.
+    fn beyond(&self, columns: &Bits, without: &Bits, said: &mut Said) -> Vec<usize> {
         let mut beyond = Vec::new();
         for (place, row) in self.structure.rows.iter().enumerate() {
             if columns.covers(&row.unknowns) {
-                basis.add(&self.gradients[place]);
+                if !said.rows.contains(place) {
+                    said.rows.insert(place);
+                    said.basis.add(&self.gradients[place]);
+                }
             } else if columns.meets(&row.unknowns) {
-                beyond.push(place);
+                let mut more = columns.clone();
+                more.join(&row.unknowns);
+                if !self.has_any(&more, without) {
+                    beyond.push(place);
+                }
             }
         }
-        // Of the ways in which the columns can still change together, some row must stop each: the one with the fewest
-        // rows is followed. Where they cannot change, what is dearer may still come with any row.
-        let stops = |change: &Bits| {
-            beyond.iter().copied().filter(|row| self.structure.rows[*row].unknowns.meets(change)).collect::<Vec<_>>()
-        };
-        let changes = basis.changes(&columns);
-        let next = changes.iter().map(stops).min_by_key(Vec::len);
-        let determined = next.is_none();
-        for row in next.unwrap_or(beyond) {
-            let mut more = columns.clone();
-            more.join(&self.structure.rows[row].unknowns);
-            self.push(more);
-        }
-        if determined {
-            self.heap.push(Reverse((estimate, Entry::Determined(columns))));
-        }
+        beyond
+    }
+
+    /// Whether any of these rows lies within the columns.
+    fn has_any(&self, columns: &Bits, rows: &Bits) -> bool {
+        rows.iter().any(|row| columns.covers(&self.structure.rows[row].unknowns))
+    }
+
+    /// Shares what rows say with the wider sets, as long as there is room.
+    fn keep(&mut self, said: Said) -> Option<Rc<Said>> {
+        let size = said.basis.size();
+        let fits = size <= self.room;
+        self.room -= if fits { size } else { 0 };
+        fits.then(|| Rc::new(said))
     }
 
     /// Puts every choice of independent rows that determine the columns at this cost on the list, with one that is
@@ -169,7 +247,7 @@ impl<'a> Search<'a> {
             self.left -= 1;
             if way.basis.len() == width {
                 if cost == most {
-                    self.heap.push(Reverse((cost, Entry::Rows(way.rows))));
+                    self.put(cost, Entry::Rows(way.rows));
                 }
                 continue;
             }
@@ -186,7 +264,7 @@ impl<'a> Search<'a> {
             }
         }
         if let Some(next) = next {
-            self.heap.push(Reverse((next, Entry::Determined(columns))));
+            self.put(next, Entry::Determined(columns));
         }
     }
 
@@ -199,11 +277,21 @@ impl<'a> Search<'a> {
         more.basis.add(&self.gradients[row]).then_some(more)
     }
 
-    fn push(&mut self, columns: Bits) {
-        if self.left > 0 && self.seen.insert(columns.clone()) {
+    /// Puts columns on the list, unless they bring what is not to come.
+    fn widen(&mut self, within: Within) {
+        if self.left > 0 && !self.has_any(&within.columns, &within.without) {
             self.left -= 1;
-            let estimate = columns.iter().map(|column| self.cheapest[column]).sum();
-            self.heap.push(Reverse((estimate, Entry::Columns(columns))));
+            self.put(self.estimate(&within.columns), Entry::Columns(within));
         }
+    }
+
+    fn put(&mut self, estimate: u64, entry: Entry) {
+        self.come += 1;
+        self.open.insert((estimate, self.come), entry);
+    }
+
+    /// What finding these columns costs at least.
+    fn estimate(&self, columns: &Bits) -> u64 {
+        columns.iter().map(|column| self.cheapest[column]).sum()
     }
 }
