@@ -59,10 +59,8 @@ impl Rules<'_> {
         match expr {
             Expr::Number(value) => Some(Quotient::constant(value.clone())),
             Expr::Pi | Expr::Symbol(_) => Some(Quotient::atom(expr.clone())),
-            Expr::Sum(terms) => terms.iter().try_fold(Quotient::zero(), |sum, term| sum.plus(&self.quotient(term)?)),
-            Expr::Product(factors) => factors
-                .iter()
-                .try_fold(Quotient::one(), |product, factor| self.product(&product, &self.quotient(factor)?)),
+            Expr::Sum(terms) => Quotient::sum(terms.iter().map(|term| self.quotient(term))),
+            Expr::Product(factors) => self.product_of(factors),
             Expr::Power(pair) => self.power(&self.quotient(&pair.0)?, &self.quotient(&pair.1)?),
             // The sine and the cosine of a plain angle have no other form.
             Expr::Apply(Function::Sin | Function::Cos, angle) if matches!(angle.as_ref(), [Expr::Symbol(_)]) => {
@@ -70,6 +68,37 @@ impl Rules<'_> {
             }
             Expr::Apply(function, arguments) => self.apply(*function, arguments),
             Expr::Piecewise(piecewise) => self.piecewise(piecewise),
+        }
+    }
+
+    /// The product of factors: those that no rule looks into are counted, all others multiplied one by one.
+    fn product_of(&self, factors: &[Expr]) -> Option<Quotient> {
+        let (mut number, mut powers, mut others) = (Rational::ONE, Vec::new(), Vec::new());
+        for factor in factors {
+            match (factor, self.plain_power(factor)) {
+                (Expr::Number(value), _) => number *= value,
+                (_, Some((atom, power))) => powers.push((atom.clone(), power)),
+                _ => others.push(factor),
+            }
+        }
+        let single = Quotient::term(number, &Monomial::product(powers));
+        others.into_iter().try_fold(single, |product, factor| self.product(&product, &self.quotient(factor)?))
+    }
+
+    /// The atom and the power, where the factor is a whole power of an atom that has no simpler form.
+    fn plain_power<'e>(&self, factor: &'e Expr) -> Option<(&'e Atom, i32)> {
+        match factor {
+            Expr::Pi | Expr::Symbol(_) => Some((factor, 1)),
+            Expr::Apply(function, angle) if matches!(angle.as_ref(), [Expr::Symbol(_)]) => {
+                let plain = *function == Function::Cos || *function == Function::Sin && !self.pythagoras;
+                plain.then_some((factor, 1))
+            }
+            Expr::Power(pair) => {
+                let exponent = pair.1.as_number().filter(|exponent| exponent.is_int())?;
+                let (atom, inner) = self.plain_power(&pair.0).filter(|(_, inner)| *inner == 1)?;
+                Some((atom, inner * i32::try_from(exponent.numerator().clone()).ok()?))
+            }
+            _ => None,
         }
     }
 
@@ -101,7 +130,8 @@ impl Rules<'_> {
         self.settled(&base.power(exponent)?)
     }
 
-    fn settled(&self, form: &Quotient) -> Option<Quotient> {
+    /// The same, with powers of atoms that have a simpler form replaced.
+    pub(super) fn settled(&self, form: &Quotient) -> Option<Quotient> {
         let (above, below) = (self.lowered(&form.numerator)?, self.lowered(&form.denominator)?);
         match (above, below) {
             (None, None) => Some(form.clone()),

@@ -17,6 +17,18 @@ impl Monomial {
         Self(if exponent == 0 { Vec::new() } else { vec![(atom, exponent)] })
     }
 
+    /// The product of powers of atoms, each of which may come again.
+    pub(super) fn product(mut powers: Vec<(Atom, i32)>) -> Self {
+        powers.sort_by(|a, b| a.0.cmp(&b.0));
+        powers.dedup_by(|later, earlier| {
+            let again = later.0 == earlier.0;
+            earlier.1 = if again { earlier.1.saturating_add(later.1) } else { earlier.1 };
+            again
+        });
+        powers.retain(|(_, exponent)| *exponent != 0);
+        Self(powers)
+    }
+
     /// Whether it is 1.
     pub(super) fn is_one(&self) -> bool {
         self.0.is_empty()
@@ -39,9 +51,9 @@ impl Monomial {
 
     /// Each atom of either with what `exponent` makes of its two exponents, 0 where it does not occur.
     fn merge(&self, other: &Self, exponent: impl Fn(i32, i32) -> i32) -> Self {
+        let mut merged = Vec::with_capacity(self.0.len() + other.0.len());
         let mut left = self.0.iter().peekable();
         let mut right = other.0.iter().peekable();
-        let mut merged = Vec::new();
         loop {
             let order = match (left.peek(), right.peek()) {
                 (None, None) => return Self(merged),

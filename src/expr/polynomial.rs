@@ -105,10 +105,21 @@ impl Polynomial {
         sum
     }
 
+    /// Adds another.
+    pub(super) fn add(&mut self, other: Self) {
+        for (monomial, coefficient) in other.0 {
+            self.add_term(monomial, coefficient);
+        }
+    }
+
     /// The product with a term.
     pub(super) fn scaled(&self, factor: &Rational, by: &Monomial) -> Self {
         if factor.is_zero() {
             return Self::default();
+        }
+        if by.is_one() {
+            let value = |value: &Rational| if factor.is_one() { value.clone() } else { value * factor };
+            return Self(self.terms().map(|(own, own_value)| (own.clone(), value(own_value))).collect());
         }
         Self(self.terms().map(|(own, value)| (own.times(by), value * factor)).collect())
     }

@@ -42,6 +42,15 @@ impl Quotient {
         Polynomial::atom(atom).into()
     }
 
+    /// A number times powers of atoms.
+    pub(super) fn term(number: Rational, monomial: &Monomial) -> Self {
+        if number.is_zero() {
+            return Self::zero();
+        }
+        let (above, below) = above_and_below(monomial);
+        Self { numerator: Polynomial::term(number, above), denominator: Polynomial::term(Rational::ONE, below) }
+    }
+
     /// The quotient in lowest terms; `None` where the denominator is zero.
     pub(super) fn reduced(numerator: &Polynomial, denominator: &Polynomial) -> Option<Self> {
         if denominator.is_zero() {
@@ -53,25 +62,27 @@ impl Quotient {
         if denominator.is_one() {
             return Some(numerator.clone().into());
         }
-        let (above, above_monomial, mut numerator) = numerator.primitive();
-        let (below, below_monomial, mut denominator) = denominator.primitive();
-        let divisor = gcd(&numerator, &denominator, &mut Work::default());
-        if divisor.len() > 1
-            && let (Some(above), Some(below)) = (numerator.divided(&divisor), denominator.divided(&divisor))
-        {
-            (numerator, denominator) = (above, below);
+        let (mut above, mut below) = (numerator.primitive(), denominator.primitive());
+        // Of a single term no sum is a factor.
+        if numerator.len() > 1 && denominator.len() > 1 {
+            let divisor = gcd(&above.2, &below.2, &mut Work::default());
+            if divisor.len() > 1
+                && let (Some(numerator), Some(denominator)) = (above.2.divided(&divisor), below.2.divided(&divisor))
+            {
+                (above.2, below.2) = (numerator, denominator);
+            }
         }
-        let sign = if denominator.is_negative() { Rational::NEG_ONE } else { Rational::ONE };
-        let monomial = above_monomial.over(&below_monomial);
-        let below_part: Vec<_> = monomial.powers().filter(|(atom, power)| *power < 0 && !is_unit(atom)).collect();
-        let below_part = below_part
-            .into_iter()
-            .fold(Monomial::default(), |part, (atom, power)| part.times(&Monomial::atom(atom.clone(), -power)));
-        let above_part = monomial.times(&below_part);
-        Some(Self {
-            numerator: numerator.scaled(&(above / below * &sign), &above_part),
-            denominator: denominator.scaled(&sign, &below_part),
-        })
+        Some(Self::written(above, below))
+    }
+
+    /// The quotient of two polynomials, each as content and primitive part, that share no sum as a factor.
+    fn written(above: (Rational, Monomial, Polynomial), below: (Rational, Monomial, Polynomial)) -> Self {
+        let sign = if below.2.is_negative() { Rational::NEG_ONE } else { Rational::ONE };
+        let (above_part, below_part) = above_and_below(&above.1.over(&below.1));
+        Self {
+            numerator: above.2.scaled(&(above.0 / below.0 * &sign), &above_part),
+            denominator: below.2.scaled(&sign, &below_part),
+        }
     }
 
     /// Its value, where it is a number.
@@ -97,6 +108,29 @@ impl Quotient {
         self.denominator.is_one() && other.denominator.is_one()
     }
 
+    /// The sum of some; `None` where one is missing, or it would be too large.
+    pub(super) fn sum(terms: impl Iterator<Item = Option<Self>>) -> Option<Self> {
+        let mut parts: Vec<(Self, bool)> = Vec::new();
+        for term in terms {
+            let term = term?;
+            match parts.iter_mut().find(|(part, _)| part.denominator == term.denominator) {
+                Some((part, joined)) => {
+                    part.numerator.add(term.numerator);
+                    *joined = true;
+                }
+                None => parts.push((term, false)),
+            }
+        }
+        let lowest = parts.into_iter().map(|(part, joined)| {
+            if joined && !part.denominator.is_one() {
+                Self::reduced(&part.numerator, &part.denominator)
+            } else {
+                Some(part)
+            }
+        });
+        lowest.reduce(|sum, part| sum?.plus(&part?)).unwrap_or_else(|| Some(Self::zero()))
+    }
+
     /// The sum; `None` where it would be too large.
     pub(super) fn plus(&self, other: &Self) -> Option<Self> {
         if self.are_whole(other) {
@@ -120,8 +154,12 @@ impl Quotient {
         if self.are_whole(other) {
             return self.numerator.times(&other.numerator).map(Self::from);
         }
-        let denominator = self.denominator.times(&other.denominator)?;
-        Self::reduced(&self.numerator.times(&other.numerator)?, &denominator)
+        // Each is in lowest terms, so that only one's numerator and the other's denominator share factors.
+        let left = Self::reduced(&self.numerator, &other.denominator)?;
+        let right = Self::reduced(&other.numerator, &self.denominator)?;
+        let (numerator, denominator) =
+            (left.numerator.times(&right.numerator)?, left.denominator.times(&right.denominator)?);
+        Some(if numerator.is_zero() { Self::zero() } else { Self { numerator, denominator } })
     }
 
     /// The product with a number.
@@ -132,7 +170,7 @@ impl Quotient {
 
     /// The inverse; `None` for zero.
     pub(super) fn inverse(&self) -> Option<Self> {
-        Self::reduced(&self.denominator, &self.numerator)
+        (!self.numerator.is_zero()).then(|| Self::written(self.denominator.primitive(), self.numerator.primitive()))
     }
 
     /// An integer power; `None` where it would be too large, or divide by zero.
@@ -141,6 +179,17 @@ impl Quotient {
         let power = Self { numerator: self.numerator.power(size)?, denominator: self.denominator.power(size)? };
         if exponent < 0 { power.inverse() } else { Some(power) }
     }
+}
+
+/// What stands above and below the bar, both without negative powers but those of atoms that are never zero.
+fn above_and_below(monomial: &Monomial) -> (Monomial, Monomial) {
+    let inverse = |(atom, power): (&Atom, i32)| power < 0 && !is_unit(atom);
+    if !monomial.powers().any(inverse) {
+        return (monomial.clone(), Monomial::default());
+    }
+    let below = monomial.powers().filter(|power| inverse(*power)).map(|(atom, power)| (atom.clone(), -power));
+    let below = Monomial::product(below.collect());
+    (monomial.times(&below), below)
 }
 
 /// Whether an atom is never zero, so that its negative powers may stay in a numerator.

@@ -75,7 +75,7 @@ fn readable_form(expr: &Expr, positive: &dyn Fn(Symbol) -> bool) -> Option<Quoti
         return Some(form);
     }
     let length = |form: &Quotient| form.numerator.len() + form.denominator.len();
-    let other = Rules { pythagoras: true, ..rules }.quotient(expr);
+    let other = Rules { pythagoras: true, ..rules }.settled(&form);
     Some(other.filter(|other| length(other) < length(&form)).unwrap_or(form))
 }
 
