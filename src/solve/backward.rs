@@ -1,12 +1,12 @@
 //! A tape run backwards, for the derivatives of what it computed.
 //! (Reverse accumulation: Griewank and Walther, Evaluating Derivatives, chapter 3.)
 
-use super::tape::{Instruction, Operation, Stretch};
+use super::tape::{Instruction, Operation};
 
-/// Runs a stretch of the tape backwards. Before, a register's share is the derivative by it of some number, as far as what comes
-/// after the stretch tells; after, what the stretch makes of the register is in it too. Values are those of the run forwards.
-pub(super) fn run_back(tape: &[Instruction], stretch: &Stretch, values: &[f64], shares: &mut [f64]) {
-    for instruction in tape[stretch.clone()].iter().rev() {
+/// Runs instructions backwards, as they come: the last one first. Before, a register's share is the derivative by it of some number,
+/// as far as what comes after them tells; after, what they make of the register is in it too. Values are those of the run forwards.
+pub(super) fn run_back<'t>(backwards: impl Iterator<Item = &'t Instruction>, values: &[f64], shares: &mut [f64]) {
+    for instruction in backwards {
         pass_back(instruction, values, shares);
     }
 }

@@ -2,7 +2,7 @@
 //! do not determine twice as much, whatever counting says.
 
 use super::System;
-use super::sample::{Sample, generic, residual};
+use super::sample::{Sample, Samples, generic, residual};
 use super::structure::{Row, Structure};
 
 /// Entries below this count as zero; the entries of a sampled Jacobian are near one.
@@ -16,7 +16,7 @@ impl Freedom {
     /// The null space of the system's Jacobian.
     pub(super) fn new(system: &System, structure: &Structure) -> Self {
         let width = structure.unknowns.len();
-        let mut rows = gradients(system, structure);
+        let mut rows = gradients(system, structure, &mut Samples::default());
         let mut pivots: Vec<usize> = Vec::new();
         for place in 0..rows.len() {
             let entries = (place..rows.len()).flat_map(|row| (0..width).map(move |column| (row, column)));
@@ -70,8 +70,8 @@ fn reduced(mut vector: Vec<f64>, basis: &[Vec<f64>]) -> Vec<f64> {
 }
 
 /// The derivatives of every equation, each in every unknown, where all of them hold.
-pub(super) fn gradients(system: &System, structure: &Structure) -> Vec<Vec<f64>> {
-    let sample = &Sample::of(system, structure);
+pub(super) fn gradients(system: &System, structure: &Structure, samples: &mut Samples) -> Vec<Vec<f64>> {
+    let sample = &samples.of(system, structure);
     structure.rows.iter().map(|row| gradient(system, structure, row, sample)).collect()
 }
 

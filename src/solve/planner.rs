@@ -9,6 +9,7 @@ use super::bits::Bits;
 use super::blocks::blocks;
 use super::freedom::{Freedom, gradients};
 use super::rank::dependent;
+use super::sample::Samples;
 use super::search::Search;
 use super::structure::Structure;
 use super::stuck::{Reason, Stuck, enough};
@@ -48,6 +49,7 @@ pub fn plan(system: &System, known: &BTreeSet<Symbol>, wanted: &[Symbol]) -> Res
 #[derive(Clone, Debug, Default)]
 pub struct Planner {
     attempts: Attempts,
+    samples: Samples,
 }
 
 impl Planner {
@@ -57,7 +59,7 @@ impl Planner {
     ///
     /// [`Stuck`], where no set of equations determines what is wanted, or none can be closed.
     pub fn plan(&mut self, system: &System, known: &BTreeSet<Symbol>, wanted: &[Symbol]) -> Result<Plan, Stuck> {
-        planned(system, known, wanted, &mut self.attempts)
+        planned(system, known, wanted, self)
     }
 
     /// The same as [`super::audit`].
@@ -67,12 +69,7 @@ impl Planner {
     }
 }
 
-fn planned(
-    system: &System,
-    known: &BTreeSet<Symbol>,
-    wanted: &[Symbol],
-    attempts: &mut Attempts,
-) -> Result<Plan, Stuck> {
+fn planned(system: &System, known: &BTreeSet<Symbol>, wanted: &[Symbol], memory: &mut Planner) -> Result<Plan, Stuck> {
     let remaining: Vec<Symbol> = wanted.iter().filter(|symbol| !known.contains(symbol)).copied().collect();
     if remaining.is_empty() {
         return Ok(Plan::default());
@@ -94,8 +91,8 @@ fn planned(
     structure.prune(&determined, &wanted);
     let sought = structure.narrow(&wanted);
 
-    let mut closer = Closer { system, structure: &structure, asked: &remaining, attempts };
-    let gradients = gradients(system, &structure);
+    let gradients = gradients(system, &structure, &mut memory.samples);
+    let mut closer = Closer { system, structure: &structure, asked: &remaining, attempts: &mut memory.attempts };
     let mut search = Search::new(&structure, &gradients, &sought);
     let (mut obstacle, mut freedom) = (None, None);
     let (mut avoided, mut tried) = (Bits::empty(structure.rows.len()), BTreeSet::new());

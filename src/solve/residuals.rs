@@ -24,8 +24,7 @@ pub(super) struct Residuals {
     inputs: Vec<Register>,
     /// Every symbol.
     symbols: BTreeMap<Symbol, Register>,
-    /// What must be zero, and how far the tape must be run for it.
-    zeros: Vec<(Register, usize)>,
+    zeros: Vec<Zero>,
 }
 
 impl Residuals {
@@ -44,16 +43,16 @@ impl Residuals {
         let open = sides.iter().enumerate().filter(|(place, _)| !definitions.used.contains(place));
         let zeros = open.filter_map(|(_, sides)| {
             let [left, right] = sides.as_ref()?;
-            Some((writer.difference(left, right)?, writer.tape.len()))
+            writer.difference(left, right)
         });
-        let zeros = zeros.collect();
+        let zeros: Vec<Register> = zeros.collect();
         Self {
             constants: Constants::new(&writer),
             free: free.iter().map(|(symbol, _)| *symbol).collect(),
             inputs: free.into_iter().map(|(_, register)| register).collect(),
+            zeros: zeros.into_iter().map(|register| Zero::of(register, &writer)).collect(),
             tape: writer.tape,
             symbols: writer.symbols,
-            zeros,
         }
     }
 
@@ -72,24 +71,45 @@ impl Residuals {
 
     /// How far off zero each residual is; none where one has no value.
     pub(super) fn off(&self, values: &Values) -> Option<DVector<f64>> {
-        let off =
-            DVector::from_iterator(self.zeros.len(), self.zeros.iter().map(|(register, _)| values.get(*register)));
+        let off = DVector::from_iterator(self.zeros.len(), self.zeros.iter().map(|zero| values.get(zero.register)));
         off.iter().all(|own| own.is_finite()).then_some(off)
     }
 
-    /// The derivatives of each residual, a row, in the free symbols: by one backward run of the tape for each.
+    /// The derivatives of each residual, a column, in the free symbols: by one backward run of the tape for each.
     pub(super) fn slopes(&self, values: &Values) -> DMatrix<f64> {
-        let mut slopes = DMatrix::zeros(self.zeros.len(), self.free.len());
+        let mut slopes = DMatrix::zeros(self.free.len(), self.zeros.len());
         let mut shares = vec![0.0; values.0.len()];
-        for (row, (register, end)) in self.zeros.iter().enumerate() {
+        for (zero, mut column) in self.zeros.iter().zip(slopes.column_iter_mut()) {
             shares.fill(0.0);
-            shares[*register as usize] = 1.0;
-            run_back(&self.tape, &(0..*end), &values.0, &mut shares);
-            for (column, register) in self.inputs.iter().enumerate() {
-                slopes[(row, column)] = shares[*register as usize];
-            }
+            shares[zero.register as usize] = 1.0;
+            run_back(zero.made_by.iter().filter_map(|place| self.tape.get(*place)), &values.0, &mut shares);
+            column.iter_mut().zip(&self.inputs).for_each(|(slope, input)| *slope = shares[*input as usize]);
         }
         slopes
+    }
+}
+
+/// What must be zero.
+#[derive(Debug)]
+struct Zero {
+    register: Register,
+    /// The places on the tape of what it is computed by, the last one first.
+    made_by: Vec<usize>,
+}
+
+impl Zero {
+    fn of(register: Register, writer: &Writer) -> Self {
+        let mut needed = vec![false; writer.registers as usize];
+        needed[register as usize] = true;
+        let serves = |(place, instruction): (usize, &Instruction)| {
+            let serves = needed[instruction.to as usize];
+            if serves {
+                instruction.operands.iter().for_each(|operand| needed[*operand as usize] = true);
+            }
+            serves.then_some(place)
+        };
+        let made_by = writer.tape.iter().enumerate().rev().filter_map(serves).collect();
+        Self { register, made_by }
     }
 }
 

@@ -2,6 +2,7 @@
 //! are not: with `v_x = v cos(theta)` and `v_y = v sin(theta)`, `v^2 = v_x^2 + v_y^2` says nothing new, but its derivatives
 //! show that only where the first two hold.
 
+use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::DVector;
@@ -19,7 +20,10 @@ const STARTS: u32 = 8;
 const COMPARED: usize = 2;
 
 /// How many steps are taken from a start.
-const STEPS: usize = 30;
+const STEPS: usize = 20;
+
+/// A positive value is not made larger or smaller than by this factor in one step, as a logarithm.
+const FARTHEST: f64 = 2.0;
 
 /// Sides that differ by less are equal; the values are near one.
 const EQUAL: f64 = 1e-10;
@@ -30,24 +34,38 @@ const NOTHING: f64 = 0.02;
 /// What keeps a step short: at first, and at least, since of equations that say the same twice no step is the shortest.
 const DAMPING: (f64, f64) = (1e-2, 1e-10);
 
+/// Places at which systems hold in which the same symbols are positive, each found once.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Samples(Vec<(Vec<Statement>, Sample)>);
+
+impl Samples {
+    /// The place for the rows of a system.
+    pub(super) fn of(&mut self, system: &System, structure: &Structure) -> Sample {
+        let stated = stated(system, structure);
+        let known = self.0.iter().find(|(own, _)| own.iter().eq(stated.iter().map(AsRef::as_ref)));
+        if let Some((_, sample)) = known {
+            return sample.clone();
+        }
+        let sample = Sample::of(system, &stated);
+        self.0.push((stated.into_iter().map(Cow::into_owned).collect(), sample.clone()));
+        sample
+    }
+}
+
 /// A value for each symbol of a system.
 #[derive(Clone, Debug)]
 pub(super) struct Sample(BTreeMap<Symbol, f64>);
 
 impl Sample {
-    /// Values at which every equation among the rows holds, with as few zeros as can be; where none are found, as with
+    /// Values at which all of this holds, with as few zeros as can be; where none are found, as with
     /// equations that contradict each other, values in no relation to each other.
-    pub(super) fn of(system: &System, structure: &Structure) -> Self {
-        let stated = structure.rows.iter().filter_map(|row| system.equations.get(row.equation));
-        let stated: Vec<&Statement> = stated.map(|equation| &equation.statement).collect();
-        let fixed =
-            |(symbol, value): (&Symbol, &Expr)| Statement::Equal { left: (*symbol).into(), right: value.clone() };
-        let fixed: Vec<Statement> = system.fixed.iter().map(fixed).collect();
-        let residuals = Residuals::of(&fixed.iter().chain(stated.iter().copied()).collect::<Vec<_>>());
+    fn of(system: &System, stated: &[Cow<Statement>]) -> Self {
+        let residuals = Residuals::of(&stated.iter().map(AsRef::as_ref).collect::<Vec<_>>());
         let told = stated.iter().filter(|own| is_zero(own)).count();
         let is_allowed = |found: &Self| system.positive.iter().all(|symbol| found.value(*symbol) > NOTHING);
         let start = |salt| residuals.free.iter().map(|symbol| begin(system, *symbol, salt)).collect();
-        let settled = (0..STARTS).filter_map(|salt| settled(&residuals, start(salt)));
+        let positive: Vec<bool> = residuals.free.iter().map(|symbol| system.positive.contains(symbol)).collect();
+        let settled = (0..STARTS).filter_map(|salt| settled(&residuals, &positive, start(salt)));
         let mut fewest: Option<Self> = None;
         for found in settled.map(|values| Self::read(residuals.symbols(&values))).filter(is_allowed).take(COMPARED) {
             if fewest.as_ref().is_none_or(|least| found.zeros() < least.zeros()) {
@@ -83,15 +101,16 @@ impl Sample {
     }
 }
 
-/// A value in no relation to that of any other symbol.
+/// A value in no relation to that of any other symbol. At every other start all are positive, as most quantities of a scene are.
 fn begin(system: &System, symbol: Symbol, salt: u32) -> f64 {
     let size = generic(symbol.index(), salt);
-    let negative = generic(symbol.index(), salt + STARTS) < 1.0 && !system.positive.contains(&symbol);
-    if negative { -size } else { size }
+    let any = salt % 2 == 1 && !system.positive.contains(&symbol);
+    if any && generic(symbol.index(), salt + STARTS) < 1.0 { -size } else { size }
 }
 
-/// Moved to where all residuals are zero, by damped steps (Levenberg and Marquardt's).
-fn settled(residuals: &Residuals, start: Vec<f64>) -> Option<Values> {
+/// Moved to where all residuals are zero, by damped steps (Levenberg and Marquardt's). Values that are `positive` take theirs in
+/// their logarithms, and so stay positive.
+fn settled(residuals: &Residuals, positive: &[bool], start: Vec<f64>) -> Option<Values> {
     let mut damping = DAMPING.0;
     let mut place = DVector::from_vec(start);
     let mut values = residuals.at(place.as_slice());
@@ -100,12 +119,19 @@ fn settled(residuals: &Residuals, start: Vec<f64>) -> Option<Values> {
         if off.amax() < EQUAL {
             return Some(values);
         }
-        let slopes = residuals.slopes(&values);
-        let mut products = &slopes * slopes.transpose();
+        let mut slopes = residuals.slopes(&values);
+        for (row, value) in place.iter().enumerate().filter(|(row, _)| positive[*row]) {
+            slopes.row_mut(row).scale_mut(*value);
+        }
+        let mut products = slopes.tr_mul(&slopes);
         for place in 0..off.len() {
             products[(place, place)] += damping;
         }
-        let moved = &place - slopes.tr_mul(&products.cholesky()?.solve(&off));
+        let step = &slopes * products.cholesky()?.solve(&off);
+        let moved = DVector::from_fn(place.len(), |row, _| {
+            let (own, step) = (place[row], step[row]);
+            if positive[row] { own * libm::exp(-step.clamp(-FARTHEST, FARTHEST)) } else { own - step }
+        });
         let there = residuals.at(moved.as_slice());
         match residuals.off(&there).filter(|after| after.norm_squared() < off.norm_squared()) {
             Some(after) => {
@@ -116,6 +142,16 @@ fn settled(residuals: &Residuals, start: Vec<f64>) -> Option<Values> {
         }
     }
     None
+}
+
+/// What the rows state, after what is fixed.
+fn stated<'s>(system: &'s System, structure: &Structure) -> Vec<Cow<'s, Statement>> {
+    let fixed = system
+        .fixed
+        .iter()
+        .map(|(symbol, value)| Cow::Owned(Statement::Equal { left: (*symbol).into(), right: value.clone() }));
+    let rows = structure.rows.iter().filter_map(|row| system.equations.get(row.equation));
+    fixed.chain(rows.map(|equation| Cow::Borrowed(&equation.statement))).collect()
 }
 
 /// Whether an equation says no more than that a symbol is zero.
@@ -176,7 +212,7 @@ mod tests {
     }
 
     fn sample(system: &System) -> Sample {
-        Sample::of(system, &Structure::new(system, &BTreeSet::new()))
+        Samples::default().of(system, &Structure::new(system, &BTreeSet::new()))
     }
 
     #[test]

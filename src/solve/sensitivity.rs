@@ -133,7 +133,7 @@ impl Sensitivity {
                     let Some((stretch, result, parts)) = &made.by else { continue };
                     run(&self.tape, stretch, &mut workspace.registers);
                     shares[*result as usize] = slope;
-                    run_back(&self.tape, stretch, &workspace.registers, shares);
+                    run_back(self.tape[stretch.clone()].iter().rev(), &workspace.registers, shares);
                     for part in parts {
                         let share = std::mem::take(&mut shares[self.registers[*part] as usize]);
                         slopes[*part] += if share.is_finite() { share } else { 0.0 };

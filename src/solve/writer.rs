@@ -22,11 +22,16 @@ pub(super) struct Writer {
     pub(super) symbols: BTreeMap<Symbol, Register>,
     /// How many registers there are.
     pub(super) registers: Register,
-    computed: BTreeMap<(Operation, [Register; 3]), Register>,
+    computed: BTreeMap<Computation, Register>,
+    /// What is computed, in the order in which it was written.
+    history: Vec<Computation>,
 }
 
-/// What had been computed at some point of the tape.
-pub(super) struct Mark(BTreeMap<(Operation, [Register; 3]), Register>);
+type Computation = (Operation, [Register; 3]);
+
+/// How much had been computed at some point of the tape.
+#[derive(Clone, Copy)]
+pub(super) struct Mark(usize);
 
 impl Writer {
     /// A register that nothing else uses.
@@ -37,12 +42,14 @@ impl Writer {
 
     /// Remembers what is computed so far.
     pub(super) fn mark(&self) -> Mark {
-        Mark(self.computed.clone())
+        Mark(self.history.len())
     }
 
     /// Forgets what was computed since: it is not computed on every way through the tape.
     pub(super) fn forget(&mut self, mark: Mark) {
-        self.computed = mark.0;
+        for computation in self.history.drain(mark.0.min(self.history.len())..) {
+            self.computed.remove(&computation);
+        }
     }
 
     /// The instructions that `write` writes.
@@ -109,6 +116,7 @@ impl Writer {
         let to = self.register();
         self.tape.push(Instruction { operation, operands, to });
         self.computed.insert((operation, operands), to);
+        self.history.push((operation, operands));
         to
     }
 
