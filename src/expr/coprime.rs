@@ -95,8 +95,10 @@ fn residue(value: &Integer) -> Option<u64> {
 }
 
 fn times(left: u64, right: u64) -> u64 {
-    let product = u128::from(left) * u128::from(right) % u128::from(PRIME);
-    u64::try_from(product).unwrap_or(0)
+    let product = u128::from(left) * u128::from(right);
+    // The prime is a power of two less one: what lies above its bits counts once more below.
+    let parts = [product & u128::from(PRIME), product >> 61].map(|part| u64::try_from(part).unwrap_or(0));
+    parts.iter().sum::<u64>() % PRIME
 }
 
 fn raised(base: u64, power: u32) -> u64 {

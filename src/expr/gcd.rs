@@ -54,8 +54,8 @@ pub(super) fn content_in(polynomial: &Polynomial, atom: &Atom, work: &mut Work) 
 
 fn normal(polynomial: &Polynomial) -> Polynomial {
     let (number, _) = polynomial.content();
-    let sign = if polynomial.is_negative() { -number } else { number };
-    polynomial.over(&sign, &Monomial::default())
+    let whole = polynomial.over(&number, &Monomial::default());
+    if whole.is_negative() { whole.negated() } else { whole }
 }
 
 fn content(polynomial: &Polynomial, atom: &Atom, work: &mut Work) -> Option<Polynomial> {

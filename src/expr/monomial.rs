@@ -83,6 +83,12 @@ impl Monomial {
         self.merge(other, i32::saturating_sub)
     }
 
+    /// Whether `other` over it has no negative exponents.
+    pub(super) fn divides(&self, other: &Self) -> bool {
+        self.powers().all(|(atom, power)| other.exponent(atom) >= power)
+            && other.powers().all(|(atom, power)| power >= self.exponent(atom))
+    }
+
     /// Whether no exponent is negative.
     pub(super) fn is_whole(&self) -> bool {
         self.powers().all(|(_, exponent)| exponent > 0)

@@ -118,15 +118,14 @@ impl Polynomial {
             return Self::default();
         }
         if by.is_one() {
-            let value = |value: &Rational| if factor.is_one() { value.clone() } else { value * factor };
-            return Self(self.terms().map(|(own, own_value)| (own.clone(), value(own_value))).collect());
+            return Self(self.terms().map(|(own, value)| (own.clone(), product(value, factor))).collect());
         }
-        Self(self.terms().map(|(own, value)| (own.times(by), value * factor)).collect())
+        Self(self.terms().map(|(own, value)| (own.times(by), product(value, factor))).collect())
     }
 
     /// The negative.
     pub(super) fn negated(&self) -> Self {
-        self.scaled(&Rational::NEG_ONE, &Monomial::default())
+        Self(self.terms().map(|(own, value)| (own.clone(), -value.clone())).collect())
     }
 
     /// The product; `None` where it would be too large.
@@ -137,7 +136,7 @@ impl Polynomial {
         let mut product = Self::default();
         for (monomial, coefficient) in self.terms() {
             for (by, factor) in other.terms() {
-                product.add_term(monomial.times(by), coefficient * factor);
+                product.add_term(monomial.times(by), self::product(coefficient, factor));
             }
         }
         (product.len() <= MAX_TERMS).then_some(product)
@@ -200,10 +199,16 @@ impl Polynomial {
         let mut denominator = value.denominator().clone();
         let mut common = first.clone();
         for (monomial, value) in terms {
-            numerator = numerator.gcd(value.numerator().unsigned_abs_value());
-            let shared = (&denominator).gcd(value.denominator());
-            denominator = denominator / shared * value.denominator();
-            common = common.common(monomial);
+            if !numerator.is_one() {
+                numerator = numerator.gcd(value.numerator().unsigned_abs_value());
+            }
+            if !value.denominator().is_one() {
+                let shared = (&denominator).gcd(value.denominator());
+                denominator = denominator / shared * value.denominator();
+            }
+            if !common.is_one() {
+                common = common.common(monomial);
+            }
         }
         (Rational::from_parts(numerator.into(), denominator), common)
     }
@@ -213,14 +218,17 @@ impl Polynomial {
         if number.is_zero() {
             return Self::default();
         }
-        Self(self.terms().map(|(own, value)| (own.over(by), value / number)).collect())
+        if number.is_one() && by.is_one() {
+            return self.clone();
+        }
+        let value = |value: &Rational| if number.is_one() { value.clone() } else { value / number };
+        Self(self.terms().map(|(own, own_value)| (own.over(by), value(own_value))).collect())
     }
 
     /// Content and primitive part; the sign stays with the latter.
     pub(super) fn primitive(&self) -> (Rational, Monomial, Self) {
         let (number, monomial) = self.content();
-        let whole = number.is_one() && monomial.is_one();
-        let rest = if whole { self.clone() } else { self.over(&number, &monomial) };
+        let rest = self.over(&number, &monomial);
         (number, monomial, rest)
     }
 
@@ -246,6 +254,17 @@ impl Polynomial {
             quotient.add_term(by_monomial, factor);
         }
         Some(quotient)
+    }
+}
+
+/// The product of two numbers; most are one.
+fn product(left: &Rational, right: &Rational) -> Rational {
+    if left.is_one() {
+        right.clone()
+    } else if right.is_one() {
+        left.clone()
+    } else {
+        left * right
     }
 }
 

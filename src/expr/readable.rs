@@ -100,14 +100,14 @@ fn sum(polynomial: &Polynomial) -> Expr {
     let mut terms: Vec<(bool, Expr)> = Vec::new();
     let mut grouped = false;
     for (monomial, value) in reading_order(polynomial) {
-        let member = group.as_ref().filter(|common| monomial.over(common).is_whole());
+        let member = group.as_ref().filter(|common| common.divides(monomial));
         match member {
             None => terms.push((*value < Rational::ZERO, term(value, monomial))),
             Some(_) if grouped => {}
             Some(common) => {
                 grouped = true;
                 let negative = *value < Rational::ZERO;
-                let inner = polynomial.terms().filter(|(monomial, _)| monomial.over(common).is_whole()).fold(
+                let inner = polynomial.terms().filter(|(monomial, _)| common.divides(monomial)).fold(
                     Polynomial::default(),
                     |sum, (monomial, value)| {
                         let value = if negative { -value.clone() } else { value.clone() };
@@ -139,9 +139,9 @@ fn common_group(polynomial: &Polynomial) -> Option<Monomial> {
     for (index, first) in terms.iter().enumerate() {
         for second in terms.iter().skip(index + 1) {
             let (common, _) = first.common(second).partition(|atom| matches!(atom, Expr::Symbol(_)));
-            let members: Vec<_> = terms.iter().filter(|term| term.over(&common).is_whole()).collect();
-            let others = i32::try_from(members.len()).unwrap_or(i32::MAX) - 1;
-            let worth = [common.degree() * others, common.degree(), members.iter().map(|term| term.degree()).sum()];
+            let members = || terms.iter().filter(|term| common.divides(term));
+            let others = i32::try_from(members().count()).unwrap_or(i32::MAX) - 1;
+            let worth = [common.degree() * others, common.degree(), members().map(|term| term.degree()).sum()];
             if worth[0] >= 2 && best.as_ref().is_none_or(|(most, _)| worth > *most) {
                 best = Some((worth, common));
             }

@@ -78,6 +78,11 @@ impl Bits {
         self.zip(other, |own, other| own & !other);
     }
 
+    /// Everything that is not in the other set is taken out.
+    pub(super) fn keep(&mut self, other: &Self) {
+        self.zip(other, |own, other| own & other);
+    }
+
     /// Whether the sets share an index.
     pub(super) fn meets(&self, other: &Self) -> bool {
         self.any(other, |own, other| own & other != 0)

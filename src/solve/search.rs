@@ -31,6 +31,8 @@ pub(super) struct Search<'a> {
     /// For each column the rows that give it directly as cheaply as any: a set that contains the column takes one of them,
     /// since any other row can be exchanged for it.
     direct: Vec<Bits>,
+    /// For each column the rows that contain it.
+    containing: Vec<Bits>,
     /// What is yet to be looked at, by its estimate, and by when it was come to.
     open: BTreeMap<(u64, usize), Entry>,
     /// How often something was put there.
@@ -93,11 +95,16 @@ impl<'a> Search<'a> {
             Bits::of(structure.rows.len(), finding(column).filter(|row| any && alone(row)))
         });
         let direct = direct.collect();
+        let mut containing = vec![Bits::empty(structure.rows.len()); structure.unknowns.len()];
+        for (place, row) in structure.rows.iter().enumerate() {
+            row.unknowns.iter().for_each(|column| containing[column].insert(place));
+        }
         let mut search = Self {
             structure,
             gradients,
             cheapest,
             direct,
+            containing,
             open: BTreeMap::new(),
             come: 0,
             forbidden: Vec::new(),
@@ -142,20 +149,20 @@ impl<'a> Search<'a> {
         let mut said = narrower.map_or_else(none, Rc::unwrap_or_clone);
         let unknowns = |row: usize| &self.structure.rows[row].unknowns;
         let mut widened = false;
-        let (next, determined) = loop {
+        let (determined, next) = loop {
             let beyond = self.beyond(&columns, &without, &mut said);
             // Of the ways in which the columns can still change together, some row must stop each: the one with the fewest
             // rows is followed. Where they cannot change, what is dearer may still come with any row.
-            let stops = |change: Bits| -> Vec<usize> {
-                beyond.iter().copied().filter(|row| unknowns(*row).meets(&change)).collect()
+            let stops = |change: Bits| {
+                let mut stops = self.containing(&change);
+                stops.keep(&beyond);
+                stops
             };
-            match said.basis.changes(&columns).into_iter().map(stops).min_by_key(Vec::len) {
-                None => break (beyond, true),
-                Some(next) => match next[..] {
-                    // Nothing is to be chosen.
-                    [only] => columns.join(unknowns(only)),
-                    _ => break (next, false),
-                },
+            let next = said.basis.changes(&columns).into_iter().map(stops).min_by_key(Bits::len);
+            match &next {
+                // Of one there is nothing to choose.
+                Some(only) if only.len() == 1 => only.iter().for_each(|row| columns.join(unknowns(row))),
+                _ => break (next.is_none(), next.unwrap_or(beyond)),
             }
             widened = true;
         };
@@ -165,7 +172,7 @@ impl<'a> Search<'a> {
             return;
         }
         let mut next: Vec<(u64, usize, Bits)> = next
-            .into_iter()
+            .iter()
             .map(|row| {
                 let mut more = columns.clone();
                 more.join(unknowns(row));
@@ -183,23 +190,33 @@ impl<'a> Search<'a> {
     }
 
     /// The rows that contain some of the columns and others, and may come within. What lies within is added to what is said.
-    fn beyond(&self, columns: &Bits, without: &Bits, said: &mut Said) -> Vec<usize> {
-        let mut beyond = Vec::new();
-        for (place, row) in self.structure.rows.iter().enumerate() {
-            if columns.covers(&row.unknowns) {
-                if !said.rows.contains(place) {
-                    said.rows.insert(place);
-                    said.basis.add(&self.gradients[place]);
+    fn beyond(&self, columns: &Bits, without: &Bits, said: &mut Said) -> Bits {
+        let missing = |row: usize| {
+            let mut missing = self.structure.rows[row].unknowns.clone();
+            missing.subtract(columns);
+            missing
+        };
+        let never: Vec<Bits> = without.iter().map(missing).collect();
+        let mut beyond = Bits::empty(self.structure.rows.len());
+        for place in self.containing(columns).iter() {
+            let unknowns = &self.structure.rows[place].unknowns;
+            if !columns.covers(unknowns) {
+                if !never.iter().any(|never| unknowns.covers(never)) {
+                    beyond.insert(place);
                 }
-            } else if columns.meets(&row.unknowns) {
-                let mut more = columns.clone();
-                more.join(&row.unknowns);
-                if !self.has_any(&more, without) {
-                    beyond.push(place);
-                }
+            } else if !said.rows.contains(place) {
+                said.rows.insert(place);
+                said.basis.add(&self.gradients[place]);
             }
         }
         beyond
+    }
+
+    /// The rows that contain any of these columns.
+    fn containing(&self, columns: &Bits) -> Bits {
+        let mut rows = Bits::empty(self.structure.rows.len());
+        columns.iter().for_each(|column| rows.join(&self.containing[column]));
+        rows
     }
 
     /// Whether any of these rows lies within the columns.
