@@ -1,5 +1,6 @@
 //! Polynomials with rational coefficients in any number of atoms, bounded in size.
 
+use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 
 use dashu::base::{Gcd, Sign};
@@ -13,9 +14,10 @@ const MAX_PAIRS: usize = 20_000;
 /// Polynomials with more terms than this are not kept.
 const MAX_TERMS: usize = 2_000;
 
-/// A sum of monomials with their coefficients, none of them zero.
+/// A sum of distinct monomials in increasing lexicographic order, with their coefficients, none of them zero. The order stays when
+/// all are multiplied by one monomial.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
-pub(super) struct Polynomial(BTreeMap<Monomial, Rational>);
+pub(super) struct Polynomial(Vec<(Monomial, Rational)>);
 
 impl Polynomial {
     /// A number.
@@ -35,31 +37,26 @@ impl Polynomial {
 
     /// One monomial with its coefficient.
     pub(super) fn term(coefficient: Rational, monomial: Monomial) -> Self {
-        let mut single = Self::default();
-        single.add_term(monomial, coefficient);
-        single
+        Self(if coefficient.is_zero() { Vec::new() } else { vec![(monomial, coefficient)] })
     }
 
-    fn add_term(&mut self, monomial: Monomial, coefficient: Rational) {
-        if coefficient.is_zero() {
-            return;
-        }
-        match self.0.entry(monomial) {
-            std::collections::btree_map::Entry::Vacant(free) => {
-                free.insert(coefficient);
+    /// The sum of terms in any order.
+    fn sum(mut terms: Vec<(Monomial, Rational)>) -> Self {
+        terms.sort_by(|a, b| a.0.cmp(&b.0));
+        terms.dedup_by(|later, earlier| {
+            let alike = later.0 == earlier.0;
+            if alike {
+                earlier.1 += std::mem::take(&mut later.1);
             }
-            std::collections::btree_map::Entry::Occupied(mut taken) => {
-                *taken.get_mut() += coefficient;
-                if taken.get().is_zero() {
-                    taken.remove();
-                }
-            }
-        }
+            alike
+        });
+        terms.retain(|(_, value)| !value.is_zero());
+        Self(terms)
     }
 
     /// The terms, in increasing lexicographic order.
     pub(super) fn terms(&self) -> impl DoubleEndedIterator<Item = (&Monomial, &Rational)> {
-        self.0.iter()
+        self.0.iter().map(|(monomial, value)| (monomial, value))
     }
 
     /// How many terms there are.
@@ -74,42 +71,58 @@ impl Polynomial {
 
     /// Whether it is one.
     pub(super) fn is_one(&self) -> bool {
-        let only = self.0.first_key_value().filter(|_| self.len() == 1);
-        only.is_some_and(|(monomial, value)| monomial.is_one() && value.is_one())
+        matches!(&self.0[..], [(monomial, value)] if monomial.is_one() && value.is_one())
     }
 
     /// Its value, where it is a number.
     pub(super) fn as_constant(&self) -> Option<Rational> {
-        match self.0.first_key_value() {
-            None => Some(Rational::ZERO),
-            Some((monomial, value)) => (self.len() == 1 && monomial.is_one()).then(|| value.clone()),
+        match &self.0[..] {
+            [] => Some(Rational::ZERO),
+            [(monomial, value)] if monomial.is_one() => Some(value.clone()),
+            _ => None,
         }
     }
 
     /// The greatest term in lexicographic order.
     pub(super) fn leading(&self) -> Option<(&Monomial, &Rational)> {
-        self.0.last_key_value()
+        self.0.last().map(|(monomial, value)| (monomial, value))
     }
 
     /// Every atom that occurs.
     pub(super) fn atoms(&self) -> BTreeSet<&Atom> {
-        self.0.keys().flat_map(Monomial::powers).map(|(atom, _)| atom).collect()
+        self.0.iter().flat_map(|(monomial, _)| monomial.powers()).map(|(atom, _)| atom).collect()
     }
 
     /// The sum.
     pub(super) fn plus(&self, other: &Self) -> Self {
         let mut sum = self.clone();
-        for (monomial, coefficient) in other.terms() {
-            sum.add_term(monomial.clone(), coefficient.clone());
-        }
+        sum.add(other.clone());
         sum
     }
 
     /// Adds another.
     pub(super) fn add(&mut self, other: Self) {
-        for (monomial, coefficient) in other.0 {
-            self.add_term(monomial, coefficient);
+        let mut sum = Vec::with_capacity(self.len() + other.len());
+        let mut own = std::mem::take(&mut self.0).into_iter().peekable();
+        let mut more = other.0.into_iter().peekable();
+        loop {
+            let order = match (own.peek(), more.peek()) {
+                (None, None) => break,
+                (Some(_), None) => Ordering::Less,
+                (None, Some(_)) => Ordering::Greater,
+                (Some((own, _)), Some((more, _))) => own.cmp(more),
+            };
+            match order {
+                Ordering::Less => sum.extend(own.next()),
+                Ordering::Greater => sum.extend(more.next()),
+                Ordering::Equal => {
+                    let both =
+                        own.next().zip(more.next()).map(|((monomial, value), (_, other))| (monomial, value + other));
+                    sum.extend(both.filter(|(_, value)| !value.is_zero()));
+                }
+            }
         }
+        self.0 = sum;
     }
 
     /// The product with a term.
@@ -133,12 +146,14 @@ impl Polynomial {
         if self.len() * other.len() > MAX_PAIRS {
             return None;
         }
-        let mut product = Self::default();
-        for (monomial, coefficient) in self.terms() {
-            for (by, factor) in other.terms() {
-                product.add_term(monomial.times(by), self::product(coefficient, factor));
+        let product = match (&self.0[..], &other.0[..]) {
+            ([(monomial, coefficient)], _) => other.scaled(coefficient, monomial),
+            (_, [(monomial, coefficient)]) => self.scaled(coefficient, monomial),
+            (terms, others) => {
+                let pairs = terms.iter().flat_map(|own| others.iter().map(move |other| (own, other)));
+                Self::sum(pairs.map(|(own, other)| (own.0.times(&other.0), product(&own.1, &other.1))).collect())
             }
-        }
+        };
         (product.len() <= MAX_TERMS).then_some(product)
     }
 
@@ -166,7 +181,7 @@ impl Polynomial {
         let mut found: BTreeMap<i32, Self> = BTreeMap::new();
         for (monomial, coefficient) in self.terms() {
             let (_, rest) = monomial.partition(|own| own == atom);
-            found.entry(monomial.exponent(atom)).or_default().add_term(rest, coefficient.clone());
+            found.entry(monomial.exponent(atom)).or_default().0.push((rest, coefficient.clone()));
         }
         found
     }
@@ -182,13 +197,12 @@ impl Polynomial {
 
     /// The derivative with respect to one atom, all others held.
     pub(super) fn derivative(&self, atom: &Atom) -> Self {
-        let mut derivative = Self::default();
-        for (monomial, coefficient) in self.terms() {
+        let by = Monomial::atom(atom.clone(), 1);
+        let lowered = self.terms().filter_map(|(monomial, coefficient)| {
             let exponent = monomial.exponent(atom);
-            let lowered = monomial.over(&Monomial::atom(atom.clone(), 1));
-            derivative.add_term(lowered, coefficient * Rational::from(exponent));
-        }
-        derivative
+            (exponent != 0).then(|| (monomial.over(&by), coefficient * Rational::from(exponent)))
+        });
+        Self(lowered.collect())
     }
 
     /// The positive number and the monomial that all terms have in common, so that whole coprime coefficients remain.
@@ -241,19 +255,18 @@ impl Polynomial {
     pub(super) fn divided(&self, by: &Self) -> Option<Self> {
         let (lead, divisor) = by.leading()?;
         let mut rest = self.clone();
-        let mut quotient = Self::default();
+        let mut quotient = Vec::new();
         while let Some((monomial, value)) = rest.leading() {
             let by_monomial = monomial.over(lead);
             if !by_monomial.is_whole() || (quotient.len() + 1) * by.len() > MAX_PAIRS {
                 return None;
             }
             let factor = value / divisor;
-            for (own, value) in by.terms() {
-                rest.add_term(own.times(&by_monomial), -(value * &factor));
-            }
-            quotient.add_term(by_monomial, factor);
+            rest.add(by.scaled(&-factor.clone(), &by_monomial));
+            quotient.push((by_monomial, factor));
         }
-        Some(quotient)
+        quotient.reverse();
+        Some(Self(quotient))
     }
 }
 

@@ -273,24 +273,25 @@ impl Expr {
     #[must_use]
     pub fn symbols(&self) -> BTreeSet<Symbol> {
         let mut found = BTreeSet::new();
-        self.collect_symbols(&mut found);
+        self.add_symbols(&mut found);
         found
     }
 
-    fn collect_symbols(&self, found: &mut BTreeSet<Symbol>) {
+    /// Adds every symbol that occurs.
+    pub fn add_symbols(&self, found: &mut BTreeSet<Symbol>) {
         match self {
             Self::Number(_) | Self::Pi => {}
             Self::Symbol(symbol) => {
                 found.insert(*symbol);
             }
             Self::Sum(parts) | Self::Product(parts) | Self::Apply(_, parts) => {
-                parts.iter().for_each(|part| part.collect_symbols(found));
+                parts.iter().for_each(|part| part.add_symbols(found));
             }
             Self::Power(pair) => {
-                pair.0.collect_symbols(found);
-                pair.1.collect_symbols(found);
+                pair.0.add_symbols(found);
+                pair.1.add_symbols(found);
             }
-            other @ Self::Piecewise(_) => other.children().into_iter().for_each(|part| part.collect_symbols(found)),
+            other @ Self::Piecewise(_) => other.children().into_iter().for_each(|part| part.add_symbols(found)),
         }
     }
 

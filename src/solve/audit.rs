@@ -34,7 +34,7 @@ pub(super) fn extended(system: &System, known: &BTreeSet<Symbol>, plan: &Plan, a
         used.extend(&step.equations);
     }
     let mut extended = plan.clone();
-    let symbols: Vec<BTreeSet<Symbol>> = system.equations.iter().map(super::Equation::symbols).collect();
+    let mut open = Open::of(system);
     let mut order: Vec<usize> = (0..system.equations.len()).collect();
     order.sort_by_key(|place| system.equations[*place].cost);
     // An equation with one unknown gives it or does not, whatever else is found.
@@ -42,8 +42,7 @@ pub(super) fn extended(system: &System, known: &BTreeSet<Symbol>, plan: &Plan, a
     loop {
         let mut progress = false;
         for place in &order {
-            let mut unknowns = symbols[*place].difference(&found).copied();
-            let (Some(unknown), None) = (unknowns.next(), unknowns.next()) else { continue };
+            let [unknown] = *open.without(&found, *place) else { continue };
             if !tried.insert(*place) {
                 continue;
             }
@@ -59,38 +58,54 @@ pub(super) fn extended(system: &System, known: &BTreeSet<Symbol>, plan: &Plan, a
         }
         // Two at once only where nothing follows alone: an impact of which neither velocity is known.
         if !progress {
-            let Some(step) = pair(system, &order, &symbols, &found, &used, attempts) else { break };
+            let Some(step) = pair(system, &order, &mut open, &found, &used, attempts) else { break };
             found.extend(&step.unknowns);
             used.extend(&step.equations);
             extended.steps.push(step);
         }
     }
-    let is_check = |place: &usize| {
+    let mut is_check = |place: &usize| {
         let equal = matches!(system.equations[*place].statement, Statement::Equal { .. });
-        equal && !used.contains(place) && symbols[*place].is_subset(&found)
+        equal && !used.contains(place) && open.without(&found, *place).is_empty()
     };
-    let checks = (0..system.equations.len()).filter(is_check).collect();
+    let checks = (0..system.equations.len()).filter(|place| is_check(place)).collect();
     Audit { plan: extended, answer_steps: plan.steps.len(), checks }
+}
+
+/// The symbols of each equation that were not found when it was last looked at.
+struct Open(Vec<Vec<Symbol>>);
+
+impl Open {
+    fn of(system: &System) -> Self {
+        Self(system.equations.iter().map(|equation| equation.symbols().into_iter().collect()).collect())
+    }
+
+    /// What an equation holds beyond what is found. What is found stays so.
+    fn without(&mut self, found: &BTreeSet<Symbol>, equation: usize) -> &[Symbol] {
+        let open = &mut self.0[equation];
+        open.retain(|symbol| !found.contains(symbol));
+        open
+    }
 }
 
 /// The cheapest two equations that hold the same two open symbols and give both.
 fn pair(
     system: &System,
     order: &[usize],
-    symbols: &[BTreeSet<Symbol>],
+    open: &mut Open,
     found: &BTreeSet<Symbol>,
     used: &BTreeSet<usize>,
     attempts: &mut Attempts,
 ) -> Option<Step> {
     let mut met: BTreeMap<Vec<Symbol>, Vec<usize>> = BTreeMap::new();
     for place in order.iter().filter(|place| !used.contains(place)) {
-        let open: Vec<Symbol> = symbols[*place].difference(found).copied().collect();
-        if open.len() != 2 {
+        let two = open.without(found, *place);
+        if two.len() != 2 {
             continue;
         }
-        let others = met.entry(open.clone()).or_default();
+        let others = met.entry(two.to_vec()).or_default();
         let with = |other: &usize| {
-            let block = Block { system, equations: vec![*other, *place], unknowns: open.clone() };
+            let block = Block { system, equations: vec![*other, *place], unknowns: two.to_vec() };
             let step = close(&block, attempts).ok()?;
             (step.tactic == Tactic::Linear && step.roots.len() == 1).then_some(step)
         };

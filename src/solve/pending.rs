@@ -37,7 +37,15 @@ pub(super) enum Tested {
 
 /// The conditions and equations that are still to be tested, each as soon as its symbols are found.
 pub(super) struct Pending<'a> {
-    waiting: Vec<(Tested, &'a Expr, &'a Expr)>,
+    waiting: Vec<Waiting<'a>>,
+}
+
+/// What is to be tested, and the symbols that were not found when it was last looked at.
+struct Waiting<'a> {
+    what: Tested,
+    left: &'a Expr,
+    right: &'a Expr,
+    open: Vec<Symbol>,
 }
 
 impl<'a> Pending<'a> {
@@ -63,15 +71,19 @@ impl<'a> Pending<'a> {
                     Statement::FirstInteger { .. } => None,
                 }
             });
-        Self { waiting: conditions.chain(equations).collect() }
+        let waiting = conditions.chain(equations).map(|(what, left, right)| {
+            let open = left.symbols().union(&right.symbols()).copied().collect();
+            Waiting { what, left, right, open }
+        });
+        Self { waiting: waiting.collect() }
     }
 
     /// Writes the tests whose symbols are found.
     pub(super) fn ready(&mut self, writer: &mut Writer) -> Vec<Test> {
         let mut tests = Vec::new();
-        self.waiting.retain(|(what, left, right)| {
-            let symbols: BTreeSet<Symbol> = left.symbols().union(&right.symbols()).copied().collect();
-            if !symbols.iter().all(|symbol| writer.symbols.contains_key(symbol)) {
+        self.waiting.retain_mut(|Waiting { what, left, right, open }| {
+            while open.pop_if(|symbol| writer.symbols.contains_key(symbol)).is_some() {}
+            if !open.is_empty() {
                 return true;
             }
             let difference = writer.difference(left, right);
@@ -84,7 +96,7 @@ impl<'a> Pending<'a> {
     /// The conditions that are left.
     pub(super) fn conditions(&self) -> Vec<usize> {
         let place = |tested: &Tested| if let Tested::Condition(place, _) = tested { Some(*place) } else { None };
-        self.waiting.iter().filter_map(|(tested, _, _)| place(tested)).collect()
+        self.waiting.iter().filter_map(|waiting| place(&waiting.what)).collect()
     }
 }
 

@@ -180,12 +180,11 @@ impl Equation {
     /// Every symbol that the equation contains.
     #[must_use]
     pub fn symbols(&self) -> BTreeSet<Symbol> {
-        match &self.statement {
-            Statement::Equal { left, right } => left.symbols().union(&right.symbols()).copied().collect(),
-            Statement::FirstInteger { unknown, left, right, .. } => {
-                left.symbols().union(&right.symbols()).copied().chain([*unknown]).collect()
-            }
-        }
+        let (Statement::Equal { left, right } | Statement::FirstInteger { left, right, .. }) = &self.statement;
+        let mut symbols: BTreeSet<Symbol> = self.counts().into_iter().collect();
+        left.add_symbols(&mut symbols);
+        right.add_symbols(&mut symbols);
+        symbols
     }
 
     /// The symbol that stands alone on one side and does not stand on the other; the left side's first.
