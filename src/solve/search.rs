@@ -28,6 +28,8 @@ pub(super) struct Search<'a> {
     gradients: &'a [Vec<f64>],
     /// For each column the cost of the cheapest row that finds it.
     cheapest: Vec<u64>,
+    /// What the cheapest row costs.
+    least: u64,
     /// For each column the rows that give it directly as cheaply as any: a set that contains the column takes one of them,
     /// since any other row can be exchanged for it.
     direct: Vec<Bits>,
@@ -102,6 +104,7 @@ impl<'a> Search<'a> {
         let mut search = Self {
             structure,
             gradients,
+            least: cheapest.iter().copied().min().unwrap_or(0),
             cheapest,
             direct,
             containing,
@@ -111,7 +114,8 @@ impl<'a> Search<'a> {
             left: BUDGET,
             room: ROOM,
         };
-        search.widen(Within { columns: wanted.clone(), without: Bits::empty(structure.rows.len()), narrower: None });
+        let wanted = Within { columns: wanted.clone(), without: Bits::empty(structure.rows.len()), narrower: None };
+        search.widen(search.estimate(&wanted.columns), wanted);
         search
     }
 
@@ -166,27 +170,37 @@ impl<'a> Search<'a> {
             }
             widened = true;
         };
+        let free = columns.len() - said.basis.len();
         let narrower = self.keep(said);
         if widened {
-            self.widen(Within { columns, without, narrower });
+            let estimate = self.estimate(&columns) + if determined { 0 } else { self.least };
+            self.widen(estimate, Within { columns, without, narrower });
             return;
         }
-        let mut next: Vec<(u64, usize, Bits)> = next
-            .iter()
-            .map(|row| {
-                let mut more = columns.clone();
-                more.join(unknowns(row));
-                (self.estimate(&more), row, more)
-            })
-            .collect();
-        next.sort();
-        for (_, row, more) in next {
-            self.widen(Within { columns: more, without: without.clone(), narrower: narrower.clone() });
+        let wider = |row: usize| {
+            let mut more = columns.clone();
+            more.join(unknowns(row));
+            (self.at_least(&columns, free, &more), row, more)
+        };
+        let mut next: Vec<(u64, usize, Bits)> = next.iter().map(wider).collect();
+        // The dearest first, so that those that are looked at first are without most others.
+        next.sort_by(|a, b| b.cmp(a));
+        for (estimate, row, columns) in next {
+            self.widen(estimate, Within { columns, without: without.clone(), narrower: narrower.clone() });
             without.insert(row);
         }
         if determined {
             self.put(estimate, Entry::Determined(columns));
         }
+    }
+
+    /// What finding `more` costs at least, once the rows within `columns` leave so many of these free: where too few rows come
+    /// within, one more column must.
+    fn at_least(&self, columns: &Bits, free: usize, more: &Bits) -> u64 {
+        let mut new = more.clone();
+        new.subtract(columns);
+        let come = self.containing(&new).iter().filter(|row| more.covers(&self.structure.rows[*row].unknowns)).count();
+        self.estimate(more) + if come < free + new.len() { self.least } else { 0 }
     }
 
     /// The rows that contain some of the columns and others, and may come within. What lies within is added to what is said.
@@ -295,10 +309,10 @@ impl<'a> Search<'a> {
     }
 
     /// Puts columns on the list, unless they bring what is not to come.
-    fn widen(&mut self, within: Within) {
+    fn widen(&mut self, estimate: u64, within: Within) {
         if self.left > 0 && !self.has_any(&within.columns, &within.without) {
             self.left -= 1;
-            self.put(self.estimate(&within.columns), Entry::Columns(within));
+            self.put(estimate, Entry::Columns(within));
         }
     }
 
