@@ -3,8 +3,6 @@
 //!
 //! Source: W. S. Brown, On Euclid's Algorithm and the Computation of Polynomial Greatest Common Divisors, J. ACM 18 (1971).
 
-use std::collections::BTreeMap;
-
 use dashu::Integer;
 
 use super::monomial::Atom;
@@ -14,16 +12,20 @@ use super::polynomial::Polynomial;
 const PRIME: u64 = (1 << 61) - 1;
 
 /// Images are not made of powers above this.
-const HIGHEST: i32 = 64;
+const HIGHEST: usize = 64;
 
 /// Whether two polynomials with whole coefficients and without a common monomial certainly have no factor in common but numbers.
 /// `false` decides nothing.
 pub(super) fn are_coprime(left: &Polynomial, right: &Polynomial) -> bool {
-    let (left_atoms, right_atoms) = (left.atoms(), right.atoms());
-    let places: BTreeMap<&Atom, usize> = left_atoms.union(&right_atoms).copied().zip(0..).collect();
-    let shared = left_atoms.intersection(&right_atoms);
-    let (Some(left), Some(right)) = (Residues::of(left, &places), Residues::of(right, &places)) else { return false };
-    shared.into_iter().all(|atom| match (left.image(places[atom]), right.image(places[atom])) {
+    let mut atoms: Vec<&Atom> = Vec::new();
+    for (atom, _) in left.terms().chain(right.terms()).flat_map(|(monomial, _)| monomial.powers()) {
+        if !atoms.contains(&atom) {
+            atoms.push(atom);
+        }
+    }
+    let (Some(left), Some(right)) = (Residues::of(left, &atoms), Residues::of(right, &atoms)) else { return false };
+    let mut shared = (0..atoms.len()).filter(|place| left.degree(*place) > 0 && right.degree(*place) > 0);
+    shared.all(|place| match (left.image(place), right.image(place)) {
         // The degree of a common factor shows in its image unless the leading coefficients of both vanish there.
         (Some(left), Some(right)) if left.last() != Some(&0) || right.last() != Some(&0) => {
             is_coprime_image(left, right)
@@ -32,29 +34,50 @@ pub(super) fn are_coprime(left: &Polynomial, right: &Polynomial) -> bool {
     })
 }
 
-/// A polynomial modulo the prime: the exponents of its atoms by their places, and the coefficient, term by term.
-struct Residues(Vec<(Vec<u32>, u64)>);
+/// A polynomial modulo the prime.
+struct Residues {
+    /// The coefficient of each term.
+    values: Vec<u64>,
+    /// The exponent of each atom, term by term.
+    exponents: Vec<usize>,
+    /// How many atoms there are.
+    atoms: usize,
+}
 
 impl Residues {
-    fn of(polynomial: &Polynomial, places: &BTreeMap<&Atom, usize>) -> Option<Self> {
-        let term = |(monomial, value): (&super::monomial::Monomial, &crate::quantity::Rational)| {
-            let mut exponents = vec![0; places.len()];
+    fn of(polynomial: &Polynomial, atoms: &[&Atom]) -> Option<Self> {
+        let mut values = Vec::with_capacity(polynomial.len());
+        let mut exponents = vec![0; polynomial.len() * atoms.len()];
+        for ((monomial, value), own) in polynomial.terms().zip(exponents.chunks_exact_mut(atoms.len().max(1))) {
             for (atom, power) in monomial.powers() {
-                *exponents.get_mut(*places.get(atom)?)? = u32::try_from(power).ok().filter(|_| power <= HIGHEST)?;
+                let place = atoms.iter().position(|other| *other == atom)?;
+                *own.get_mut(place)? = usize::try_from(power).ok().filter(|power| *power <= HIGHEST)?;
             }
-            Some((exponents, residue(value.numerator()).filter(|_| value.is_int())?))
-        };
-        polynomial.terms().map(term).collect::<Option<_>>().map(Self)
+            values.push(residue(value.numerator()).filter(|_| value.is_int())?);
+        }
+        Some(Self { values, exponents, atoms: atoms.len() })
+    }
+
+    /// The exponents of the atoms in each term.
+    fn terms(&self) -> impl Iterator<Item = &[usize]> {
+        self.exponents.chunks_exact(self.atoms.max(1))
+    }
+
+    /// The highest exponent of the atom at a place.
+    fn degree(&self, place: usize) -> usize {
+        self.terms().filter_map(|exponents| exponents.get(place)).copied().max().unwrap_or(0)
     }
 
     /// The coefficients in the atom at a place, with numbers in no relation to each other for all others.
     fn image(&self, place: usize) -> Option<Vec<u64>> {
-        let degree = self.0.iter().filter_map(|(exponents, _)| exponents.get(place)).max()?;
-        let mut image = vec![0; usize::try_from(*degree).ok()? + 1];
-        for (exponents, value) in &self.0 {
-            let others = exponents.iter().zip(1_u64..).enumerate().filter(|(other, _)| *other != place);
-            let value = others.fold(*value, |value, (_, (power, number))| times(value, raised(point(number), *power)));
-            let own = image.get_mut(usize::try_from(*exponents.get(place)?).ok()?)?;
+        let mut image = vec![0; self.degree(place) + 1];
+        let points: Vec<u64> = (1_u64..).take(self.atoms).map(point).collect();
+        for (exponents, value) in self.terms().zip(&self.values) {
+            let others = exponents.iter().zip(&points).enumerate().filter(|(other, _)| *other != place);
+            let value = others.fold(*value, |value, (_, (power, point))| {
+                (0..*power).fold(value, |product, _| times(product, *point))
+            });
+            let own = image.get_mut(*exponents.get(place)?)?;
             *own = (*own + value) % PRIME;
         }
         Some(image)
@@ -99,10 +122,6 @@ fn times(left: u64, right: u64) -> u64 {
     // The prime is a power of two less one: what lies above its bits counts once more below.
     let parts = [product & u128::from(PRIME), product >> 61].map(|part| u64::try_from(part).unwrap_or(0));
     parts.iter().sum::<u64>() % PRIME
-}
-
-fn raised(base: u64, power: u32) -> u64 {
-    (0..power).fold(1, |product, _| times(product, base))
 }
 
 /// A fixed number for the atom that is counted so.

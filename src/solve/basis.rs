@@ -11,6 +11,8 @@ pub(super) struct Basis {
     pivots: Vec<usize>,
     /// The derivatives, one after the other.
     entries: Vec<f64>,
+    /// How many columns there are.
+    width: usize,
 }
 
 impl Basis {
@@ -27,6 +29,7 @@ impl Basis {
     /// Adds an equation; `false` where it says nothing new.
     pub(super) fn add(&mut self, gradient: &[f64]) -> bool {
         let width = gradient.len();
+        self.width = width;
         let end = self.entries.len();
         self.entries.extend_from_slice(gradient);
         let (rows, rest) = self.entries.split_at_mut(end);
@@ -53,22 +56,17 @@ impl Basis {
         true
     }
 
-    /// The ways in which these columns can change while every equation holds and no other column changes: each as the
-    /// columns that change together. Together they make up every such change.
-    pub(super) fn changes(&self, columns: &Bits) -> Vec<Bits> {
-        let free = columns.iter().filter(|column| !self.pivots.contains(column));
-        let change = |column: usize| {
-            let mut together = Bits::empty(columns.capacity());
-            together.insert(column);
-            let width = self.entries.len() / self.pivots.len().max(1);
-            for (pivot, row) in self.pivots.iter().zip(self.entries.chunks_exact(width.max(1))) {
-                if row[column].abs() > NEGLIGIBLE {
-                    together.insert(*pivot);
-                }
-            }
-            together
-        };
-        free.map(change).collect()
+    /// The columns among these that can change while every equation holds and no column but these and the pivots changes: every
+    /// change is made up of one for each of them.
+    pub(super) fn free(&self, columns: &Bits) -> impl Iterator<Item = usize> {
+        columns.iter().filter(|column| !self.pivots.contains(column))
+    }
+
+    /// What changes together with a free column, itself first.
+    pub(super) fn together(&self, free: usize) -> impl Iterator<Item = usize> {
+        let rows = self.pivots.iter().zip(self.entries.chunks_exact(self.width.max(1)));
+        let moves = rows.filter(move |(_, row)| row.get(free).is_some_and(|entry| entry.abs() > NEGLIGIBLE));
+        std::iter::once(free).chain(moves.map(|(pivot, _)| *pivot))
     }
 }
 

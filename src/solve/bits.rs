@@ -102,9 +102,4 @@ impl Bits {
     pub(super) fn len(&self) -> usize {
         self.near.iter().chain(&self.far).map(|word| word.count_ones() as usize).sum()
     }
-
-    /// As many indexes as there is room for.
-    pub(super) fn capacity(&self) -> usize {
-        64 * (NEAR + self.far.len())
-    }
 }

@@ -157,12 +157,12 @@ impl<'a> Search<'a> {
             let beyond = self.beyond(&columns, &without, &mut said);
             // Of the ways in which the columns can still change together, some row must stop each: the one with the fewest
             // rows is followed. Where they cannot change, what is dearer may still come with any row.
-            let stops = |change: Bits| {
-                let mut stops = self.containing(&change);
+            let stops = |free: usize| {
+                let mut stops = self.containing(said.basis.together(free));
                 stops.keep(&beyond);
                 stops
             };
-            let next = said.basis.changes(&columns).into_iter().map(stops).min_by_key(Bits::len);
+            let next = said.basis.free(&columns).map(stops).min_by_key(Bits::len);
             match &next {
                 // Of one there is nothing to choose.
                 Some(only) if only.len() == 1 => only.iter().for_each(|row| columns.join(unknowns(row))),
@@ -199,7 +199,8 @@ impl<'a> Search<'a> {
     fn at_least(&self, columns: &Bits, free: usize, more: &Bits) -> u64 {
         let mut new = more.clone();
         new.subtract(columns);
-        let come = self.containing(&new).iter().filter(|row| more.covers(&self.structure.rows[*row].unknowns)).count();
+        let come =
+            self.containing(new.iter()).iter().filter(|row| more.covers(&self.structure.rows[*row].unknowns)).count();
         self.estimate(more) + if come < free + new.len() { self.least } else { 0 }
     }
 
@@ -212,7 +213,7 @@ impl<'a> Search<'a> {
         };
         let never: Vec<Bits> = without.iter().map(missing).collect();
         let mut beyond = Bits::empty(self.structure.rows.len());
-        for place in self.containing(columns).iter() {
+        for place in self.containing(columns.iter()).iter() {
             let unknowns = &self.structure.rows[place].unknowns;
             if !columns.covers(unknowns) {
                 if !never.iter().any(|never| unknowns.covers(never)) {
@@ -227,9 +228,9 @@ impl<'a> Search<'a> {
     }
 
     /// The rows that contain any of these columns.
-    fn containing(&self, columns: &Bits) -> Bits {
+    fn containing(&self, columns: impl Iterator<Item = usize>) -> Bits {
         let mut rows = Bits::empty(self.structure.rows.len());
-        columns.iter().for_each(|column| rows.join(&self.containing[column]));
+        columns.for_each(|column| rows.join(&self.containing[column]));
         rows
     }
 
