@@ -5,9 +5,9 @@ use super::bits::Bits;
 /// What is left of a derivative below this counts as nothing; the largest entry of an equation's derivatives is near one.
 const NEGLIGIBLE: f64 = 1e-7;
 
-/// Independent derivatives in reduced form: each has a column of its own, in which it is 1 and all others are 0.
+/// Independent derivatives: each has a pivot, a column in which it is 1 and all later ones are 0.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Basis {
+pub(super) struct Span {
     pivots: Vec<usize>,
     /// The derivatives, one after the other.
     entries: Vec<f64>,
@@ -15,25 +15,19 @@ pub(super) struct Basis {
     width: usize,
 }
 
-impl Basis {
+impl Span {
     /// How many equations are in it.
     pub(super) fn len(&self) -> usize {
         self.pivots.len()
     }
 
-    /// How many numbers it holds.
-    pub(super) fn size(&self) -> usize {
-        self.entries.len()
-    }
-
     /// Adds an equation; `false` where it says nothing new.
     pub(super) fn add(&mut self, gradient: &[f64]) -> bool {
-        let width = gradient.len();
-        self.width = width;
+        self.width = gradient.len();
         let end = self.entries.len();
         self.entries.extend_from_slice(gradient);
         let (rows, rest) = self.entries.split_at_mut(end);
-        for (pivot, row) in self.pivots.iter().zip(rows.chunks_exact(width)) {
+        for (pivot, row) in self.pivots.iter().zip(rows.chunks_exact(self.width)) {
             subtract(rest, row, *pivot);
         }
         let (mut pivot, mut largest) = (0, 0.0_f64);
@@ -49,22 +43,46 @@ impl Basis {
         for entry in rest.iter_mut() {
             *entry /= largest;
         }
-        for row in rows.chunks_exact_mut(width) {
-            subtract(row, rest, pivot);
-        }
         self.pivots.push(pivot);
         true
+    }
+}
+
+/// The same in reduced form: in the pivot of each, all others are 0.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Basis(Span);
+
+impl Basis {
+    /// How many equations are in it.
+    pub(super) fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    /// How many numbers it holds.
+    pub(super) fn size(&self) -> usize {
+        self.0.entries.len()
+    }
+
+    /// Adds an equation; `false` where it says nothing new.
+    pub(super) fn add(&mut self, gradient: &[f64]) -> bool {
+        let end = self.0.entries.len();
+        let is_new = self.0.add(gradient);
+        let (rows, rest) = self.0.entries.split_at_mut(end);
+        if let Some(pivot) = self.0.pivots.last().filter(|_| is_new) {
+            rows.chunks_exact_mut(self.0.width).for_each(|row| subtract(row, rest, *pivot));
+        }
+        is_new
     }
 
     /// The columns among these that can change while every equation holds and no column but these and the pivots changes: every
     /// change is made up of one for each of them.
     pub(super) fn free(&self, columns: &Bits) -> impl Iterator<Item = usize> {
-        columns.iter().filter(|column| !self.pivots.contains(column))
+        columns.iter().filter(|column| !self.0.pivots.contains(column))
     }
 
     /// What changes together with a free column, itself first.
     pub(super) fn together(&self, free: usize) -> impl Iterator<Item = usize> {
-        let rows = self.pivots.iter().zip(self.entries.chunks_exact(self.width.max(1)));
+        let rows = self.0.pivots.iter().zip(self.0.entries.chunks_exact(self.0.width.max(1)));
         let moves = rows.filter(move |(_, row)| row.get(free).is_some_and(|entry| entry.abs() > NEGLIGIBLE));
         std::iter::once(free).chain(moves.map(|(pivot, _)| *pivot))
     }

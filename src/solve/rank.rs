@@ -4,7 +4,7 @@ use nalgebra::DMatrix;
 
 use crate::expr::Expr;
 
-use super::basis::Basis;
+use super::basis::Span;
 use super::bits::Bits;
 use super::sample::generic;
 use super::structure::Structure;
@@ -26,8 +26,8 @@ pub(super) fn singular(matrix: &[Vec<Expr>]) -> bool {
 /// The rows of the block, where they depend on each other whatever else is known: a set that no plan can use together.
 /// `gradients` are the derivatives of each row of the structure in every unknown.
 pub(super) fn dependent(structure: &Structure, gradients: &[Vec<f64>], rows: &[usize]) -> Option<Bits> {
-    let mut basis = Basis::default();
-    let independent = rows.iter().all(|row| basis.add(&gradients[*row]));
+    let mut span = Span::default();
+    let independent = rows.iter().all(|row| span.add(&gradients[*row]));
     (!independent).then(|| Bits::of(structure.rows.len(), rows.iter().copied()))
 }
 

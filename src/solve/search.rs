@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
-use super::basis::Basis;
+use super::basis::{Basis, Span};
 use super::bits::Bits;
 use super::structure::Structure;
 
@@ -80,7 +80,7 @@ struct Way {
     place: usize,
     cost: u64,
     rows: Bits,
-    basis: Basis,
+    span: Span,
 }
 
 impl<'a> Search<'a> {
@@ -251,7 +251,7 @@ impl<'a> Search<'a> {
     /// direct wherever there is one; and the columns again, where there are choices that cost more.
     fn choose(&mut self, most: u64, columns: Bits) {
         let mut ways =
-            vec![Way { place: 0, cost: 0, rows: Bits::empty(self.structure.rows.len()), basis: Basis::default() }];
+            vec![Way { place: 0, cost: 0, rows: Bits::empty(self.structure.rows.len()), span: Span::default() }];
         for direct in columns.iter().map(|column| &self.direct[column]).filter(|direct| !direct.is_empty()) {
             let mut more = Vec::new();
             for way in &ways {
@@ -268,7 +268,7 @@ impl<'a> Search<'a> {
         let width = columns.len();
         let mut next: Option<u64> = None;
         while let Some(way) = ways.pop() {
-            let cost = way.cost + least * (width - way.basis.len()) as u64;
+            let cost = way.cost + least * (width - way.span.len()) as u64;
             if cost > most {
                 next = Some(next.map_or(cost, |next| next.min(cost)));
                 continue;
@@ -277,27 +277,29 @@ impl<'a> Search<'a> {
                 return;
             }
             self.left -= 1;
-            if way.basis.len() == width {
+            if way.span.len() == width {
                 if cost == most {
                     self.put(cost, Entry::Rows(way.rows));
                 }
                 continue;
             }
             let Some(row) = inside.get(way.place) else { continue };
-            ways.extend(self.with(&way, *row));
-            // Without the row, those that come after it must be enough.
-            let mut rest = way.basis.clone();
-            let enough = inside.iter().skip(way.place + 1).any(|later| {
-                rest.add(&self.gradients[*later]);
-                rest.len() == width
-            });
-            if enough {
+            let with = self.with(&way, *row);
+            if with.is_none() || self.are_enough(&way, inside.iter().skip(way.place + 1), width) {
                 ways.push(Way { place: way.place + 1, ..way });
             }
+            ways.extend(with);
         }
         if let Some(next) = next {
             self.put(next, Entry::Determined(columns));
         }
+    }
+
+    /// Whether the rows that are chosen say as much with these as columns need of so great a number.
+    fn are_enough<'r>(&self, way: &Way, rows: impl ExactSizeIterator<Item = &'r usize>, width: usize) -> bool {
+        let mut span = way.span.clone();
+        span.len() + rows.len() >= width
+            && rows.into_iter().any(|row| span.add(&self.gradients[*row]) && span.len() == width)
     }
 
     /// A choice with one more row, where that says something new.
@@ -306,7 +308,7 @@ impl<'a> Search<'a> {
         more.place += 1;
         more.cost += u64::from(self.structure.rows[row].cost);
         more.rows.insert(row);
-        more.basis.add(&self.gradients[row]).then_some(more)
+        more.span.add(&self.gradients[row]).then_some(more)
     }
 
     /// Puts columns on the list, unless they bring what is not to come.
