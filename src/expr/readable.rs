@@ -139,6 +139,11 @@ fn common_group(polynomial: &Polynomial) -> Option<Monomial> {
     for (index, first) in terms.iter().enumerate() {
         for second in terms.iter().skip(index + 1) {
             let (common, _) = first.common(second).partition(|atom| matches!(atom, Expr::Symbol(_)));
+            // At most all others share it, too.
+            let most = common.degree() * i32::try_from(terms.len() - 1).unwrap_or(i32::MAX);
+            if most < best.as_ref().map_or(2, |(worth, _)| worth[0]) {
+                continue;
+            }
             let members = || terms.iter().filter(|term| common.divides(term));
             let others = i32::try_from(members().count()).unwrap_or(i32::MAX) - 1;
             let worth = [common.degree() * others, common.degree(), members().map(|term| term.degree()).sum()];

@@ -18,12 +18,14 @@ impl Bits {
     }
 
     /// The set whose words are made of those of both.
+    #[inline]
     fn zip(&mut self, other: &Self, word: impl Fn(u64, u64) -> u64) {
         self.near.iter_mut().zip(&other.near).for_each(|(own, other)| *own = word(*own, *other));
         self.far.iter_mut().zip(&other.far).for_each(|(own, other)| *own = word(*own, *other));
     }
 
     /// Whether some word of this set and that of the other pass the test.
+    #[inline]
     fn any(&self, other: &Self, test: impl Fn(u64, u64) -> bool) -> bool {
         let pass = |(own, other): (&u64, &u64)| test(*own, *other);
         self.near.iter().zip(&other.near).any(pass) || self.far.iter().zip(&other.far).any(pass)
@@ -69,26 +71,31 @@ impl Bits {
     }
 
     /// Everything of the other set is put in.
+    #[inline]
     pub(super) fn join(&mut self, other: &Self) {
         self.zip(other, |own, other| own | other);
     }
 
     /// Everything of the other set is taken out.
+    #[inline]
     pub(super) fn subtract(&mut self, other: &Self) {
         self.zip(other, |own, other| own & !other);
     }
 
     /// Everything that is not in the other set is taken out.
+    #[inline]
     pub(super) fn keep(&mut self, other: &Self) {
         self.zip(other, |own, other| own & other);
     }
 
     /// Whether the sets share an index.
+    #[inline]
     pub(super) fn meets(&self, other: &Self) -> bool {
         self.any(other, |own, other| own & other != 0)
     }
 
     /// Whether everything of the other set is in this one.
+    #[inline]
     pub(super) fn covers(&self, other: &Self) -> bool {
         !self.any(other, |own, other| other & !own != 0)
     }

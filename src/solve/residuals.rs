@@ -108,7 +108,8 @@ impl Zero {
             }
             serves.then_some(place)
         };
-        let made_by = writer.tape.iter().enumerate().rev().filter_map(serves).collect();
+        let made_by = writer.tape.iter().enumerate().rev().skip_while(|(_, own)| own.to != register).filter_map(serves);
+        let made_by = made_by.collect();
         Self { register, made_by }
     }
 }
