@@ -150,20 +150,22 @@ impl Rules<'_> {
         if !polynomial.terms().any(|(monomial, _)| monomial.powers().any(applies)) {
             return Some(None);
         }
-        let mut sum = Quotient::zero();
-        for (monomial, coefficient) in polynomial.terms() {
-            let mut product = Quotient::constant(coefficient.clone());
+        let sum = Quotient::sum(polynomial.terms().map(|(monomial, coefficient)| {
+            let (mut left, mut replaced) = (Vec::new(), Vec::new());
             for (atom, power) in monomial.powers() {
-                let (replaced, left) = match self.lower(atom, power) {
-                    Some((base, times, left)) => (self.quotient(&base)?.power(times)?, left),
-                    None => (Quotient::one(), power),
+                let (stays, lower) = match self.lower(atom, power) {
+                    Some((base, times, stays)) => (stays, Some((base, times))),
+                    None => (power, None),
                 };
-                let rest = Polynomial::term(Rational::ONE, Monomial::atom(atom.clone(), left));
-                product = product.times(&replaced)?.times(&rest.into())?;
+                left.push((atom.clone(), stays));
+                replaced.extend(lower);
             }
-            sum = sum.plus(&product)?;
-        }
-        self.settled(&sum).map(Some)
+            let rest = Quotient::term(coefficient.clone(), &Monomial::product(left));
+            let times =
+                |product: Quotient, (base, times): (Expr, i32)| product.times(&self.quotient(&base)?.power(times)?);
+            replaced.into_iter().try_fold(rest, times)
+        }));
+        self.settled(&sum?).map(Some)
     }
 
     /// What a power of an atom is in simpler terms: (base, its exponent, exponent of the atom that is left).

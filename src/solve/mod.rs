@@ -38,6 +38,7 @@ mod bits;
 mod blocks;
 mod bounded;
 mod bracketing;
+mod choice;
 mod counting;
 mod doubled;
 mod evaluate;

@@ -3,8 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
-use super::basis::{Basis, Span};
+use super::basis::Basis;
 use super::bits::Bits;
+use super::choice::Choice;
 use super::structure::Structure;
 
 /// How many sets are looked at before the search gives up. Far more than the bank needs; it bounds a hostile file.
@@ -30,9 +31,7 @@ pub(super) struct Search<'a> {
     cheapest: Vec<u64>,
     /// What the cheapest row costs.
     least: u64,
-    /// For each column the rows that give it directly as cheaply as any: a set that contains the column takes one of them,
-    /// since any other row can be exchanged for it.
-    direct: Vec<Bits>,
+    choice: Choice<'a>,
     /// For each column the rows that contain it.
     containing: Vec<Bits>,
     /// What is yet to be looked at, by its estimate, and by when it was come to.
@@ -73,16 +72,6 @@ struct Said {
     basis: Basis,
 }
 
-/// Rows that are chosen.
-#[derive(Clone, Debug)]
-struct Way {
-    /// The place of the row that is chosen or left out next.
-    place: usize,
-    cost: u64,
-    rows: Bits,
-    span: Span,
-}
-
 impl<'a> Search<'a> {
     /// A search for sets that determine the columns `wanted`; `gradients` are the derivatives of each row.
     pub(super) fn new(structure: &'a Structure, gradients: &'a [Vec<f64>], wanted: &Bits) -> Self {
@@ -90,13 +79,7 @@ impl<'a> Search<'a> {
         let cost = |row: &usize| u64::from(structure.rows[*row].cost);
         let finding = |column| (0..structure.rows.len()).filter(move |row| structure.rows[*row].finds.contains(column));
         let cheapest: Vec<u64> =
-            columns.clone().map(|column| finding(column).map(|row| cost(&row)).min().unwrap_or(0)).collect();
-        let direct = columns.map(|column| {
-            let alone = |row: &usize| structure.rows[*row].unknowns.len() == 1;
-            let any = finding(column).any(|row| alone(&row) && cost(&row) == cheapest[column]);
-            Bits::of(structure.rows.len(), finding(column).filter(|row| any && alone(row)))
-        });
-        let direct = direct.collect();
+            columns.map(|column| finding(column).map(|row| cost(&row)).min().unwrap_or(0)).collect();
         let mut containing = vec![Bits::empty(structure.rows.len()); structure.unknowns.len()];
         for (place, row) in structure.rows.iter().enumerate() {
             row.unknowns.iter().for_each(|column| containing[column].insert(place));
@@ -105,8 +88,8 @@ impl<'a> Search<'a> {
             structure,
             gradients,
             least: cheapest.iter().copied().min().unwrap_or(0),
+            choice: Choice::new(structure, gradients, &cheapest),
             cheapest,
-            direct,
             containing,
             open: BTreeMap::new(),
             come: 0,
@@ -247,68 +230,16 @@ impl<'a> Search<'a> {
         fits.then(|| Rc::new(said))
     }
 
-    /// Puts every choice of independent rows that determine the columns at this cost on the list, with one that is
-    /// direct wherever there is one; and the columns again, where there are choices that cost more.
+    /// Puts every choice of rows that determine the columns at this cost on the list; and the columns again, where there are
+    /// choices that cost more.
     fn choose(&mut self, most: u64, columns: Bits) {
-        let mut ways =
-            vec![Way { place: 0, cost: 0, rows: Bits::empty(self.structure.rows.len()), span: Span::default() }];
-        for direct in columns.iter().map(|column| &self.direct[column]).filter(|direct| !direct.is_empty()) {
-            let mut more = Vec::new();
-            for way in &ways {
-                more.extend(direct.iter().filter_map(|row| Some(Way { place: 0, ..self.with(way, row)? })));
-            }
-            ways = more;
-        }
-        let serves = |row: &usize| {
-            let row = &self.structure.rows[*row];
-            columns.covers(&row.unknowns) && row.finds.iter().any(|column| self.direct[column].is_empty())
-        };
-        let inside: Vec<usize> = (0..self.structure.rows.len()).filter(serves).collect();
-        let least = inside.iter().map(|row| u64::from(self.structure.rows[*row].cost)).min().unwrap_or(0);
-        let width = columns.len();
-        let mut next: Option<u64> = None;
-        while let Some(way) = ways.pop() {
-            let cost = way.cost + least * (width - way.span.len()) as u64;
-            if cost > most {
-                next = Some(next.map_or(cost, |next| next.min(cost)));
-                continue;
-            }
-            if self.left == 0 {
-                return;
-            }
-            self.left -= 1;
-            if way.span.len() == width {
-                if cost == most {
-                    self.put(cost, Entry::Rows(way.rows));
-                }
-                continue;
-            }
-            let Some(row) = inside.get(way.place) else { continue };
-            let with = self.with(&way, *row);
-            if with.is_none() || self.are_enough(&way, inside.iter().skip(way.place + 1), width) {
-                ways.push(Way { place: way.place + 1, ..way });
-            }
-            ways.extend(with);
+        let (found, next) = self.choice.rows(&columns, most, &mut self.left);
+        for rows in found {
+            self.put(most, Entry::Rows(rows));
         }
         if let Some(next) = next {
             self.put(next, Entry::Determined(columns));
         }
-    }
-
-    /// Whether the rows that are chosen say as much with these as columns need of so great a number.
-    fn are_enough<'r>(&self, way: &Way, rows: impl ExactSizeIterator<Item = &'r usize>, width: usize) -> bool {
-        let mut span = way.span.clone();
-        span.len() + rows.len() >= width
-            && rows.into_iter().any(|row| span.add(&self.gradients[*row]) && span.len() == width)
-    }
-
-    /// A choice with one more row, where that says something new.
-    fn with(&self, way: &Way, row: usize) -> Option<Way> {
-        let mut more = way.clone();
-        more.place += 1;
-        more.cost += u64::from(self.structure.rows[row].cost);
-        more.rows.insert(row);
-        more.span.add(&self.gradients[row]).then_some(more)
     }
 
     /// Puts columns on the list, unless they bring what is not to come.
