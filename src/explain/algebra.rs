@@ -119,5 +119,5 @@ fn without_outer_minus(expr: Expr) -> Expr {
 
 /// Whether a term holds the angle of a point.
 pub(super) fn has_angle_of_point(expr: &Expr) -> bool {
-    matches!(expr, Expr::Apply(Function::Atan2, _)) || expr.children().into_iter().any(has_angle_of_point)
+    matches!(expr, Expr::Apply(Function::Atan2, _)) || expr.children().any(has_angle_of_point)
 }

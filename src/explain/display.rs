@@ -229,7 +229,7 @@ impl<'a> Display<'a> {
     /// The condition under which the piece that holds for this variant does so; `None` for a term without pieces.
     pub(super) fn piece_that_holds(self, expr: &Expr) -> Option<Math> {
         let Expr::Piecewise(piecewise) = expr else {
-            return expr.children().into_iter().find_map(|part| self.piece_that_holds(part));
+            return expr.children().find_map(|part| self.piece_that_holds(part));
         };
         let at = self.value_of(&piecewise.variable);
         let mut passed: Option<&Expr> = None;
@@ -294,7 +294,7 @@ impl<'a> Display<'a> {
 
 /// Whether a part of a term is given piece by piece.
 pub(super) fn has_pieces(expr: &Expr) -> bool {
-    matches!(expr, Expr::Piecewise(_)) || expr.children().into_iter().any(has_pieces)
+    matches!(expr, Expr::Piecewise(_)) || expr.children().any(has_pieces)
 }
 
 /// A given in another unit, where the conversion is exact and short: 360 g is 0.36 kg.

@@ -59,10 +59,16 @@ fn normal(polynomial: &Polynomial) -> Polynomial {
 }
 
 fn content(polynomial: &Polynomial, atom: &Atom, work: &mut Work) -> Option<Polynomial> {
-    let mut found = Polynomial::default();
-    for part in polynomial.coefficients(atom).values() {
+    let parts = polynomial.coefficients(atom);
+    let mut others = parts.values();
+    let Some(first) = others.next() else { return Some(Polynomial::default()) };
+    if parts.len() == 1 {
+        return Some(normal(first));
+    }
+    let mut found = first.clone();
+    for part in others {
         found = search(&found, part, work)?;
-        if found.as_constant().is_some_and(|value| value.is_one()) {
+        if found.is_one() {
             break;
         }
     }

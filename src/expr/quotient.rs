@@ -77,11 +77,17 @@ impl Quotient {
 
     /// The quotient of two polynomials, each as content and primitive part, that share no sum as a factor.
     fn written(above: (Rational, Monomial, Polynomial), below: (Rational, Monomial, Polynomial)) -> Self {
-        let sign = if below.2.is_negative() { Rational::NEG_ONE } else { Rational::ONE };
         let (above_part, below_part) = above_and_below(&above.1.over(&below.1));
+        let number = if below.0.is_one() { above.0 } else { above.0 / below.0 };
+        if below.2.is_negative() {
+            return Self {
+                numerator: above.2.scaled(&-number, &above_part),
+                denominator: below.2.scaled(&Rational::NEG_ONE, &below_part),
+            };
+        }
         Self {
-            numerator: above.2.scaled(&(above.0 / below.0 * &sign), &above_part),
-            denominator: below.2.scaled(&sign, &below_part),
+            numerator: above.2.scaled(&number, &above_part),
+            denominator: below.2.scaled(&Rational::ONE, &below_part),
         }
     }
 

@@ -20,7 +20,9 @@ impl Quotient {
         }
         let (mut number, monomial, above) = self.numerator.primitive();
         let (below_number, below_monomial, below) = self.denominator.primitive();
-        number /= below_number;
+        if !below_number.is_one() {
+            number /= below_number;
+        }
         let mut above = factors(&above);
         let mut below = factors(&below);
         let monomial = place_exponentials(&monomial, &mut above, &mut below);

@@ -29,7 +29,7 @@ impl Expr {
     /// How many numbers, symbols and operations the term has.
     #[must_use]
     pub fn size(&self) -> usize {
-        1 + self.children().into_iter().map(Self::size).sum::<usize>()
+        1 + self.children().map(Self::size).sum::<usize>()
     }
 
     /// The coefficients of the powers 0, 1, 2, ... of `symbol` in the numerator, once denominators are cleared.
@@ -80,7 +80,7 @@ fn readable_form(expr: &Expr, positive: &dyn Fn(Symbol) -> bool) -> Option<Quoti
 }
 
 fn has_sine(expr: &Expr) -> bool {
-    matches!(expr, Expr::Apply(Function::Sin | Function::Tan, _)) || expr.children().into_iter().any(has_sine)
+    matches!(expr, Expr::Apply(Function::Sin | Function::Tan, _)) || expr.children().any(has_sine)
 }
 
 /// For each symbol the terms of its coefficient, and the terms of the rest.

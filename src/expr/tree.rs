@@ -238,17 +238,18 @@ impl Expr {
     }
 
     /// The parts directly below this term.
-    #[must_use]
-    pub fn children(&self) -> Vec<&Self> {
-        match self {
-            Self::Number(_) | Self::Pi | Self::Symbol(_) => Vec::new(),
-            Self::Sum(parts) | Self::Product(parts) | Self::Apply(_, parts) => parts.iter().collect(),
-            Self::Power(pair) => vec![&pair.0, &pair.1],
-            Self::Piecewise(piecewise) => {
-                let pieces = piecewise.pieces.iter().flat_map(|(until, value)| until.iter().chain([value]));
-                std::iter::once(&piecewise.variable).chain(pieces).collect()
-            }
-        }
+    pub fn children(&self) -> impl Iterator<Item = &Self> {
+        let parts: &[Self] = match self {
+            Self::Sum(parts) | Self::Product(parts) | Self::Apply(_, parts) => parts,
+            _ => &[],
+        };
+        let pair = if let Self::Power(pair) = self { Some([&pair.0, &pair.1]) } else { None };
+        let piecewise = if let Self::Piecewise(piecewise) = self { Some(piecewise) } else { None };
+        let pieces = piecewise.into_iter().flat_map(|piecewise| {
+            let pieces = piecewise.pieces.iter().flat_map(|(until, value)| until.iter().chain([value]));
+            std::iter::once(&piecewise.variable).chain(pieces)
+        });
+        parts.iter().chain(pair.into_iter().flatten()).chain(pieces)
     }
 
     /// The same term with each part directly below it replaced; rebuilt through the constructors.
@@ -291,14 +292,14 @@ impl Expr {
                 pair.0.add_symbols(found);
                 pair.1.add_symbols(found);
             }
-            other @ Self::Piecewise(_) => other.children().into_iter().for_each(|part| part.add_symbols(found)),
+            other @ Self::Piecewise(_) => other.children().for_each(|part| part.add_symbols(found)),
         }
     }
 
     /// Whether `symbol` occurs.
     #[must_use]
     pub fn contains(&self, symbol: Symbol) -> bool {
-        matches!(self, Self::Symbol(own) if *own == symbol) || self.children().iter().any(|part| part.contains(symbol))
+        matches!(self, Self::Symbol(own) if *own == symbol) || self.children().any(|part| part.contains(symbol))
     }
 
     /// The term with every symbol for which `value` has a term replaced by it.

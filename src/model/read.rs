@@ -176,7 +176,7 @@ fn is_beyond_numbers(expr: &Expr) -> bool {
         let size = expr.evaluate(&|_| 0.0).abs();
         return expr.as_number().is_none() && (size.is_nan() || size >= 1e300);
     }
-    expr.children().into_iter().any(is_beyond_numbers)
+    expr.children().any(is_beyond_numbers)
 }
 
 pub(super) fn is_bare_name(text: &str) -> bool {

@@ -124,7 +124,7 @@ fn is_positive(term: &Expr, positive: &dyn Fn(Symbol) -> bool) -> bool {
 }
 
 fn has_pieces(formula: &Expr) -> bool {
-    matches!(formula, Expr::Piecewise(_)) || formula.children().into_iter().any(has_pieces)
+    matches!(formula, Expr::Piecewise(_)) || formula.children().any(has_pieces)
 }
 
 /// Fixed values that are nothing: they leave a formula altogether.

@@ -109,5 +109,5 @@ fn may_add_roots(expr: &Expr, unknowns: &[Symbol]) -> bool {
         Expr::Apply(Function::Abs | Function::Asin | Function::Acos | Function::Atan2, _) | Expr::Piecewise(_) => true,
         _ => false,
     };
-    involved && (adds || expr.children().into_iter().any(|part| may_add_roots(part, unknowns)))
+    involved && (adds || expr.children().any(|part| may_add_roots(part, unknowns)))
 }

@@ -238,6 +238,15 @@ mod tests {
     }
 
     #[test]
+    fn what_is_positive_stays_so() {
+        let mut fall = system(&[["v", "g*t"], ["h", "g*t^2/2"], ["w", "-2*v"]]);
+        fall.positive = fall.equations.iter().take(2).flat_map(|own| symbols(&own.statement)).collect();
+        let sample = sample(&fall);
+        assert!(fall.positive.iter().all(|symbol| sample.value(*symbol) > NOTHING), "{sample:?}");
+        assert!(sample.0.values().any(|value| *value < 0.0), "{sample:?}");
+    }
+
+    #[test]
     fn a_contradiction_leaves_values_in_no_relation() {
         let never = system(&[["x", "1 + x^2"]]);
         assert_eq!(sample(&never).0.into_values().collect::<Vec<_>>(), [generic(0, 0)]);

@@ -232,6 +232,34 @@ proptest::proptest! {
         let cost = |plan: Plan| equations(&plan).concat().into_iter().map(|place| rows[place].1).sum::<u32>();
         proptest::prop_assert_eq!(plan.ok().map(cost), cheapest);
     }
+
+    /// The same where equations with few numbers in them say much the same again, so that counting unknowns is not enough.
+    #[test]
+    fn plans_are_cheapest_where_equations_follow_from_others(
+        rows in proptest::collection::vec((proptest::array::uniform5(0_i32..3), 1_u32..4), 2..9),
+    ) {
+        let rows: Vec<_> = rows.into_iter().filter(|(factors, _)| factors.iter().any(|factor| *factor != 0)).collect();
+        let mut world = World::default();
+        for (factors, cost) in &rows {
+            let written = factors.iter().enumerate().filter(|(_, factor)| **factor != 0);
+            let terms: Vec<String> = written.map(|(column, factor)| format!("{factor}*x_{column}")).collect();
+            let value = factors.iter().zip([2, 3, 5, 7, 11]).map(|(factor, value)| factor * value).sum::<i32>();
+            world.equation(&format!("{cost}: {} = {value}", terms.join(" + ")));
+        }
+        let sets = (1_u32..1 << rows.len()).filter_map(|set| {
+            let chosen: Vec<_> = (0..rows.len()).filter(|place| set & (1 << place) != 0).map(|place| &rows[place]).collect();
+            let columns: Vec<usize> = (0..5).filter(|column| chosen.iter().any(|(factors, _)| factors[*column] != 0)).collect();
+            let square = columns.first() == Some(&0) && columns.len() == chosen.len();
+            let matrix = nalgebra::DMatrix::from_fn(chosen.len(), columns.len(), |row, column| {
+                f64::from(chosen[row].0[columns[column]])
+            });
+            (square && matrix.rank(1e-9) == chosen.len()).then(|| chosen.iter().map(|(_, cost)| cost).sum::<u32>())
+        });
+        let cheapest = sets.min();
+        let plan = world.plan("", "x_0");
+        let cost = |plan: Plan| equations(&plan).concat().into_iter().map(|place| rows[place].1).sum::<u32>();
+        proptest::prop_assert_eq!(plan.ok().map(cost), cheapest);
+    }
 }
 
 #[test]

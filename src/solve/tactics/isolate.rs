@@ -99,7 +99,7 @@ fn in_one_piece(residual: &Expr, unknown: Symbol) -> Option<Expr> {
 fn piecewise_in(term: &Expr, unknown: Symbol) -> Option<&Expr> {
     match term {
         Expr::Piecewise(_) => term.contains(unknown).then_some(term),
-        other => other.children().into_iter().find_map(|part| piecewise_in(part, unknown)),
+        other => other.children().find_map(|part| piecewise_in(part, unknown)),
     }
 }
 

@@ -88,7 +88,7 @@ pub(super) fn times(expr: &Expr, factor: &Expr) -> Expr {
 
 /// How much ink a term takes.
 pub(super) fn size(expr: &Expr) -> usize {
-    1 + expr.children().into_iter().map(size).sum::<usize>()
+    1 + expr.children().map(size).sum::<usize>()
 }
 
 /// The simplified form where it is shorter, else the term as it stands.
@@ -107,6 +107,6 @@ pub(super) fn cancelled(expr: Expr) -> Expr {
 pub(super) fn occurrences(expr: &Expr, symbol: Symbol) -> usize {
     match expr {
         Expr::Symbol(own) => usize::from(*own == symbol),
-        other => other.children().into_iter().map(|part| occurrences(part, symbol)).sum(),
+        other => other.children().map(|part| occurrences(part, symbol)).sum(),
     }
 }
