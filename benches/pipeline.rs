@@ -34,7 +34,7 @@ const PROBLEMS: [&str; 4] =
 const SLOWEST: [&str; 5] = [
     "conservation/firework-burst",
     "impact/ball-on-wedge",
-    "conservation/crate-off-trolley-ramp",
+    "angular-momentum/roundabout",
     "conservation/cannon-on-carriage",
     "impact/croquet-glance",
 ];
