@@ -95,8 +95,8 @@ impl Rules<'_> {
             }
             Expr::Power(pair) => {
                 let exponent = pair.1.as_number().filter(|exponent| exponent.is_int())?;
-                let (atom, inner) = self.plain_power(&pair.0).filter(|(_, inner)| *inner == 1)?;
-                Some((atom, inner * i32::try_from(exponent.numerator().clone()).ok()?))
+                let (atom, _) = self.plain_power(&pair.0).filter(|(_, inner)| *inner == 1)?;
+                Some((atom, i32::try_from(exponent.numerator().clone()).ok()?))
             }
             _ => None,
         }

@@ -79,16 +79,8 @@ impl Quotient {
     fn written(above: (Rational, Monomial, Polynomial), below: (Rational, Monomial, Polynomial)) -> Self {
         let (above_part, below_part) = above_and_below(&above.1.over(&below.1));
         let number = if below.0.is_one() { above.0 } else { above.0 / below.0 };
-        if below.2.is_negative() {
-            return Self {
-                numerator: above.2.scaled(&-number, &above_part),
-                denominator: below.2.scaled(&Rational::NEG_ONE, &below_part),
-            };
-        }
-        Self {
-            numerator: above.2.scaled(&number, &above_part),
-            denominator: below.2.scaled(&Rational::ONE, &below_part),
-        }
+        let (number, sign) = if below.2.is_negative() { (-number, Rational::NEG_ONE) } else { (number, Rational::ONE) };
+        Self { numerator: above.2.scaled(&number, &above_part), denominator: below.2.scaled(&sign, &below_part) }
     }
 
     /// Its value, where it is a number.
@@ -189,16 +181,31 @@ impl Quotient {
 
 /// What stands above and below the bar, both without negative powers but those of atoms that are never zero.
 fn above_and_below(monomial: &Monomial) -> (Monomial, Monomial) {
-    let inverse = |(atom, power): (&Atom, i32)| power < 0 && !is_unit(atom);
-    if !monomial.powers().any(inverse) {
-        return (monomial.clone(), Monomial::default());
+    let (mut above, mut below) = (Vec::new(), Vec::new());
+    for (atom, power) in monomial.powers() {
+        if power < 0 && !is_unit(atom) {
+            below.push((atom.clone(), power.saturating_neg()));
+        } else {
+            above.push((atom.clone(), power));
+        }
     }
-    let below = monomial.powers().filter(|power| inverse(*power)).map(|(atom, power)| (atom.clone(), -power));
-    let below = Monomial::product(below.collect());
-    (monomial.times(&below), below)
+    (Monomial::product(above), Monomial::product(below))
 }
 
 /// Whether an atom is never zero, so that its negative powers may stay in a numerator.
 pub(super) fn is_unit(atom: &Atom) -> bool {
     matches!(atom, Atom::Apply(super::Function::Exp, _))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::AnyName;
+
+    #[test]
+    fn the_greatest_powers_keep_their_value() {
+        for text in ["x^(-2147483648)", "x^(-2147483648)/x", "x^2147483647*x", "1/x^2147483647/x^2"] {
+            let simple = AnyName::default().term(text).simplify();
+            assert!((simple.evaluate(&|_| 1.0) - 1.0).abs() < f64::EPSILON, "{text}: {simple:?}");
+        }
+    }
 }

@@ -72,8 +72,9 @@ impl<'a> Pending<'a> {
                 }
             });
         let waiting = conditions.chain(equations).map(|(what, left, right)| {
-            let open = left.symbols().union(&right.symbols()).copied().collect();
-            Waiting { what, left, right, open }
+            let mut open = left.symbols();
+            right.add_symbols(&mut open);
+            Waiting { what, left, right, open: open.into_iter().collect() }
         });
         Self { waiting: waiting.collect() }
     }
