@@ -53,21 +53,26 @@ pub fn equal_where(left: &Expr, right: &Expr, positive: &dyn Fn(Symbol) -> bool)
     left == right || !differ(left, right) && (proves(plain) || proves(Rules { expand: true, ..plain }))
 }
 
+/// Whether a term has no other form: a symbol, and the sine and the cosine of one.
+pub(super) fn is_plain(expr: &Expr) -> bool {
+    match expr {
+        Expr::Pi | Expr::Symbol(_) => true,
+        Expr::Apply(Function::Sin | Function::Cos, angle) => matches!(angle.as_ref(), [Expr::Symbol(_)]),
+        _ => false,
+    }
+}
+
 impl Rules<'_> {
     /// The canonical form; `None` where it would be too large, or where the term divides by zero.
     pub(super) fn quotient(&self, expr: &Expr) -> Option<Quotient> {
         match expr {
             Expr::Number(value) => Some(Quotient::constant(value.clone())),
-            Expr::Pi | Expr::Symbol(_) => Some(Quotient::atom(expr.clone())),
             Expr::Sum(terms) => Quotient::sum(terms.iter().map(|term| self.quotient(term))),
             Expr::Product(factors) => self.product_of(factors),
             Expr::Power(pair) => self.power(&self.quotient(&pair.0)?, &self.quotient(&pair.1)?),
-            // The sine and the cosine of a plain angle have no other form.
-            Expr::Apply(Function::Sin | Function::Cos, angle) if matches!(angle.as_ref(), [Expr::Symbol(_)]) => {
-                Some(Quotient::atom(expr.clone()))
-            }
-            Expr::Apply(function, arguments) => self.apply(*function, arguments),
+            Expr::Apply(function, arguments) if !is_plain(expr) => self.apply(*function, arguments),
             Expr::Piecewise(piecewise) => self.piecewise(piecewise),
+            Expr::Pi | Expr::Symbol(_) | Expr::Apply(..) => Some(Quotient::atom(expr.clone())),
         }
     }
 

@@ -33,6 +33,10 @@ fn split(polynomial: &Polynomial, found: &mut Vec<(Polynomial, u32)>, work: &mut
 
 fn proper_divisor(polynomial: &Polynomial, work: &mut Work) -> Option<(Polynomial, Polynomial)> {
     let atoms: Vec<_> = polynomial.atoms().into_iter().map(|atom| (atom, polynomial.spread(atom))).collect();
+    // A sum `a x + b` whose `a` and `b` have nothing in common is no product; they have not where one of them is a single term.
+    if atoms.iter().any(|(_, spread)| spread.keys().eq(&[0, 1]) && spread.values().any(|terms| *terms == 1)) {
+        return None;
+    }
     let proper = |part: &Polynomial| part.len() > 1 && part != polynomial;
     // Where one power of an atom stands in a single term, only a monomial can divide what stands with every power.
     let shareable = atoms.iter().filter(|(_, spread)| spread.values().all(|terms| *terms > 1));

@@ -140,15 +140,18 @@ fn common_group(polynomial: &Polynomial) -> Option<Monomial> {
     let mut best: Option<([i32; 3], Monomial)> = None;
     for (index, first) in terms.iter().enumerate() {
         for second in terms.iter().skip(index + 1) {
-            let (common, _) = first.common(second).partition(|atom| matches!(atom, Expr::Symbol(_)));
+            let symbols = first.powers().filter(|(atom, _)| matches!(atom, Expr::Symbol(_)));
+            let degree = symbols.map(|(atom, power)| power.min(second.exponent(atom))).fold(0, i32::saturating_add);
             // At most all others share it, too.
-            let most = common.degree() * i32::try_from(terms.len() - 1).unwrap_or(i32::MAX);
+            let most = degree.saturating_mul(i32::try_from(terms.len() - 1).unwrap_or(i32::MAX));
             if most < best.as_ref().map_or(2, |(worth, _)| worth[0]) {
                 continue;
             }
+            let (common, _) = first.common(second).partition(|atom| matches!(atom, Expr::Symbol(_)));
             let members = || terms.iter().filter(|term| common.divides(term));
             let others = i32::try_from(members().count()).unwrap_or(i32::MAX) - 1;
-            let worth = [common.degree() * others, common.degree(), members().map(|term| term.degree()).sum()];
+            let degrees = members().map(|term| term.degree()).fold(0, i32::saturating_add);
+            let worth = [degree.saturating_mul(others), degree, degrees];
             if worth[0] >= 2 && best.as_ref().is_none_or(|(most, _)| worth > *most) {
                 best = Some((worth, common));
             }

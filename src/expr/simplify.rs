@@ -1,6 +1,6 @@
 //! Terms brought into readable form, and read as polynomials in chosen symbols.
 
-use super::canonical::{Rules, none_positive};
+use super::canonical::{Rules, is_plain, none_positive};
 use super::curvature::is_curved;
 use super::quotient::Quotient;
 use super::{Expr, Function, Symbol, equal};
@@ -22,6 +22,9 @@ impl Expr {
     /// The same, with the symbols for which `positive` holds known to be positive: then `sqrt(b^2)` is `b`.
     #[must_use]
     pub fn simplify_where(&self, positive: &dyn Fn(Symbol) -> bool) -> Self {
+        if is_plain(self) {
+            return self.clone();
+        }
         let simple = readable_form(self, positive).map(|form| form.to_expr());
         simple.filter(|simple| simple.size() <= 2 * self.size() + 8).unwrap_or_else(|| self.clone())
     }

@@ -239,17 +239,14 @@ impl Expr {
 
     /// The parts directly below this term.
     pub fn children(&self) -> impl Iterator<Item = &Self> {
-        let parts: &[Self] = match self {
-            Self::Sum(parts) | Self::Product(parts) | Self::Apply(_, parts) => parts,
-            _ => &[],
+        let (parts, last, pieces) = match self {
+            Self::Number(_) | Self::Pi | Self::Symbol(_) => (&[][..], None, &[][..]),
+            Self::Sum(parts) | Self::Product(parts) | Self::Apply(_, parts) => (parts.as_ref(), None, &[][..]),
+            Self::Power(pair) => (std::slice::from_ref(&pair.0), Some(&pair.1), &[][..]),
+            Self::Piecewise(own) => (std::slice::from_ref(&own.variable), None, own.pieces.as_slice()),
         };
-        let pair = if let Self::Power(pair) = self { Some([&pair.0, &pair.1]) } else { None };
-        let piecewise = if let Self::Piecewise(piecewise) = self { Some(piecewise) } else { None };
-        let pieces = piecewise.into_iter().flat_map(|piecewise| {
-            let pieces = piecewise.pieces.iter().flat_map(|(until, value)| until.iter().chain([value]));
-            std::iter::once(&piecewise.variable).chain(pieces)
-        });
-        parts.iter().chain(pair.into_iter().flatten()).chain(pieces)
+        let pieces = pieces.iter().flat_map(|(until, value)| until.iter().chain([value]));
+        parts.iter().chain(last).chain(pieces)
     }
 
     /// The same term with each part directly below it replaced; rebuilt through the constructors.
@@ -296,10 +293,19 @@ impl Expr {
         }
     }
 
+    /// Whether every symbol that occurs passes the test.
+    #[must_use]
+    pub fn all_symbols(&self, test: &impl Fn(Symbol) -> bool) -> bool {
+        match self {
+            Self::Symbol(symbol) => test(*symbol),
+            other => other.children().all(|part| part.all_symbols(test)),
+        }
+    }
+
     /// Whether `symbol` occurs.
     #[must_use]
     pub fn contains(&self, symbol: Symbol) -> bool {
-        matches!(self, Self::Symbol(own) if *own == symbol) || self.children().any(|part| part.contains(symbol))
+        !self.all_symbols(&|own| own != symbol)
     }
 
     /// The term with every symbol for which `value` has a term replaced by it.
