@@ -274,16 +274,21 @@ impl<'s> Builder<'s> {
     /// A velocity component at an instant; under the instant since which the body has it.
     pub(super) fn velocity(&mut self, body: &str, instant: usize, axis: Axis) -> Expr {
         let since = self.timeline.since(body, instant).unwrap_or(instant);
-        let owner = self.called(body);
-        let when = self.when(since);
         if self.axes.len() == 1 {
-            return self
-                .symbol(format!("v_{body}{since}"), Dimension::VELOCITY, format!("the velocity of {owner} {when}"))
-                .into();
+            return self.velocity_named(format!("v_{body}{since}"), body, since, "").into();
         }
         let letter = axis.letter();
-        let meaning = format!("the {letter}-component of the velocity of {owner} {when}");
-        self.symbol(format!("v_{body}{since}.{letter}"), Dimension::VELOCITY, meaning).into()
+        let name = format!("v_{body}{since}.{letter}");
+        self.velocity_named(name, body, since, &format!("{letter}-component of the ")).into()
+    }
+
+    /// The symbol of that name for the velocity of a body since an instant, or for a part of it.
+    pub(super) fn velocity_named(&mut self, name: String, body: &str, since: usize, part: &str) -> Symbol {
+        if let Some(known) = self.symbols.find(&name).filter(|known| self.symbols.is_described(*known)) {
+            return known;
+        }
+        let meaning = format!("the {part}velocity of {} {}", self.called(body), self.when(since));
+        self.symbol(name, Dimension::VELOCITY, meaning)
     }
 
     /// All velocity components at an instant, in the order of the axes.

@@ -207,9 +207,8 @@ impl Builder<'_> {
     /// Where the normal lies along an axis the scene's own components serve; otherwise components n and t are made.
     pub(super) fn split(&mut self, body: &str, instant: usize, stage: usize, frame: &Frame) -> Split {
         let velocities = self.velocities(body, instant);
-        let components = self.components(&frame.normal);
         let [x, y] = &velocities[..] else {
-            let along = velocities.into_iter().zip(components).map(|(v, c)| v * c);
+            let along = velocities.into_iter().zip(self.components(&frame.normal)).map(|(v, c)| v * c);
             return Split { along: Expr::sum(along), across: None };
         };
         if frame.normal.turn.is_zero() {
@@ -220,11 +219,9 @@ impl Builder<'_> {
         }
         let since = self.timeline.since(body, instant).unwrap_or(instant);
         let suffix = self.frame_suffix(stage);
-        let (owner, when) = (self.called(body), self.when(since));
         let [along, across] = ["n", "t"].map(|letter| {
-            let meaning = format!("the {letter}-component of the velocity of {owner} {when}");
             let name = format!("v_{body}{since}.{letter}{suffix}");
-            Expr::Symbol(self.symbol(name, Dimension::VELOCITY, meaning))
+            Expr::Symbol(self.velocity_named(name, body, since, &format!("{letter}-component of the ")))
         });
         self.turn_velocity(stage, frame, [x.clone(), y.clone()], [&along, &across]);
         Split { along, across: Some(across) }
