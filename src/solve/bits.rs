@@ -35,6 +35,11 @@ impl Bits {
         if place < NEAR { self.near.get_mut(place) } else { self.far.get_mut(place - NEAR) }
     }
 
+    #[inline]
+    fn word(&self, place: usize) -> Option<u64> {
+        if place < NEAR { self.near.get(place) } else { self.far.get(place - NEAR) }.copied()
+    }
+
     /// The set of these indexes, each below `capacity`.
     pub(super) fn of(capacity: usize, indexes: impl IntoIterator<Item = usize>) -> Self {
         let mut set = Self::empty(capacity);
@@ -53,20 +58,21 @@ impl Bits {
 
     /// Whether the index is in the set.
     pub(super) fn contains(&self, index: usize) -> bool {
-        let place = index / 64;
-        let word = if place < NEAR { self.near.get(place) } else { self.far.get(place - NEAR) };
-        word.is_some_and(|word| word & (1 << (index % 64)) != 0)
+        self.word(index / 64).is_some_and(|word| word & (1 << (index % 64)) != 0)
     }
 
     /// The indexes, ascending.
+    #[inline]
     pub(super) fn iter(&self) -> impl Iterator<Item = usize> + '_ {
-        self.near.iter().chain(&self.far).enumerate().flat_map(|(place, word)| {
-            let mut rest = *word;
-            std::iter::from_fn(move || {
-                let bit = (rest != 0).then(|| rest.trailing_zeros() as usize)?;
-                rest &= rest - 1;
-                Some(place * 64 + bit)
-            })
+        let (mut place, mut rest) = (0, self.near[0]);
+        std::iter::from_fn(move || {
+            while rest == 0 {
+                place += 1;
+                rest = self.word(place)?;
+            }
+            let bit = rest.trailing_zeros() as usize;
+            rest &= rest - 1;
+            Some(place * 64 + bit)
         })
     }
 
@@ -107,6 +113,7 @@ impl Bits {
 
     /// How many indexes are in the set.
     pub(super) fn len(&self) -> usize {
-        self.near.iter().chain(&self.far).map(|word| word.count_ones() as usize).sum()
+        let count = |words: &[u64]| words.iter().map(|word| word.count_ones() as usize).sum::<usize>();
+        count(&self.near) + count(&self.far)
     }
 }

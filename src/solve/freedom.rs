@@ -2,7 +2,7 @@
 //! do not determine twice as much, whatever counting says.
 
 use super::System;
-use super::sample::{Sample, Samples, generic, residual};
+use super::sample::{Sample, Samples, generic};
 use super::structure::{Row, Structure};
 
 /// Entries below this count as zero; the entries of a sampled Jacobian are near one.
@@ -78,12 +78,12 @@ pub(super) fn gradients(system: &System, structure: &Structure, samples: &mut Sa
 /// The derivatives of one equation. A count, and an equation without a value there, are taken to depend on all that they contain.
 fn gradient(system: &System, structure: &Structure, row: &Row, sample: &Sample) -> Vec<f64> {
     let mut found = vec![0.0; structure.unknowns.len()];
-    let stated = system.equations.get(row.equation).and_then(|equation| residual(&equation.statement));
-    for (symbol, slope) in stated.iter().flat_map(|term| sample.slopes(term)) {
+    let mut add = |symbol, slope| {
         if let Some(column) = structure.column(symbol) {
             found[column] += slope;
         }
-    }
+    };
+    let stated = system.equations.get(row.equation).and_then(|equation| sample.slopes(&equation.statement, &mut add));
     if stated.is_none() || !found.iter().all(|entry| entry.is_finite()) {
         row.unknowns.iter().for_each(|column| found[column] = generic(structure.unknowns[column].index(), 7));
     }

@@ -153,16 +153,12 @@ impl Program {
 }
 
 /// Writes a step. What does not depend on the root chosen is computed once, before the roots.
-fn write_step(writer: &mut Writer, system: &System, place: usize, step: &Step) -> Option<Stage> {
+fn write_step<'s>(writer: &mut Writer, system: &System, place: usize, step: &'s Step) -> Option<Stage> {
     let (mut prelude, hoisted) = writer.stretch(|writer| {
-        let known = |value: &Closed| matches!(value, Closed::Formula(expr) if expr.symbols().iter().all(|symbol| writer.symbols.contains_key(symbol)));
-        let ready: Vec<&Expr> = step
-            .roots
-            .iter()
-            .flat_map(|root| &root.values)
-            .filter(|(_, value)| known(value))
-            .filter_map(|(_, value)| if let Closed::Formula(expr) = value { Some(expr) } else { None })
-            .collect();
+        let formula = |value: &'s Closed| if let Closed::Formula(expr) = value { Some(expr) } else { None };
+        let known = |expr: &&Expr| expr.all_symbols(&|symbol| writer.symbols.contains_key(&symbol));
+        let values = step.roots.iter().flat_map(|root| &root.values);
+        let ready: Vec<&Expr> = values.filter_map(|(_, value)| formula(value)).filter(known).collect();
         ready.into_iter().try_for_each(|expr| writer.expr(expr).map(drop))
     });
     hoisted?;

@@ -3,7 +3,7 @@
 //! show that only where the first two hold.
 
 use std::borrow::Cow;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use nalgebra::DVector;
 
@@ -52,9 +52,9 @@ impl Samples {
     }
 }
 
-/// A value for each symbol of a system.
+/// A value for each symbol of a system, by the position of the symbol in its table; 1 for any other.
 #[derive(Clone, Debug)]
-pub(super) struct Sample(BTreeMap<Symbol, f64>);
+pub(super) struct Sample(Vec<f64>);
 
 impl Sample {
     /// Values at which all of this holds, with as few zeros as can be; where none are found, as with
@@ -81,23 +81,32 @@ impl Sample {
     }
 
     fn read(values: impl Iterator<Item = (Symbol, f64)>) -> Self {
-        Self(values.collect())
+        let mut all = Vec::new();
+        for (symbol, value) in values {
+            let place = symbol.index();
+            all.resize(all.len().max(place + 1), 1.0);
+            all[place] = value;
+        }
+        Self(all)
     }
 
     /// The value of a symbol.
     pub(super) fn value(&self, symbol: Symbol) -> f64 {
-        self.0.get(&symbol).copied().unwrap_or(1.0)
+        self.0.get(symbol.index()).copied().unwrap_or(1.0)
     }
 
     fn zeros(&self) -> usize {
-        self.0.values().filter(|value| value.abs() < NOTHING).count()
+        self.0.iter().filter(|value| value.abs() < NOTHING).count()
     }
 
-    /// The derivatives of a term, in parts: one for each place at which a symbol stands.
-    pub(super) fn slopes(&self, term: &Expr) -> Vec<(Symbol, f64)> {
-        let mut slopes = Vec::new();
-        term.slopes(&|symbol| self.value(symbol), 1.0, &mut |symbol, slope| slopes.push((symbol, slope)));
-        slopes
+    /// Gives `add` the derivatives of left side minus right side, in parts: one for each place at which a symbol stands. `None` for a
+    /// count, which has none.
+    pub(super) fn slopes(&self, statement: &Statement, add: &mut dyn FnMut(Symbol, f64)) -> Option<()> {
+        let Statement::Equal { left, right } = statement else { return None };
+        for (side, sign) in [(left, 1.0), (right, -1.0)] {
+            side.slopes(&|symbol| self.value(symbol), sign, add);
+        }
+        Some(())
     }
 }
 
@@ -160,14 +169,9 @@ fn is_zero(statement: &Statement) -> bool {
 }
 
 fn symbols(statement: &Statement) -> BTreeSet<Symbol> {
-    residual(statement).map(|term| term.symbols()).unwrap_or_default()
-}
-
-/// Left side minus right side; none for a count.
-pub(super) fn residual(statement: &Statement) -> Option<Expr> {
     match statement {
-        Statement::Equal { left, right } => Some(left.clone() - right.clone()),
-        Statement::FirstInteger { .. } => None,
+        Statement::Equal { left, right } => left.symbols().union(&right.symbols()).copied().collect(),
+        Statement::FirstInteger { .. } => BTreeSet::new(),
     }
 }
 
@@ -220,13 +224,13 @@ mod tests {
         let polar = system(&[["x", "v*cos(a)"], ["y", "v*sin(a)"], ["v^2", "x^2 + y^2"]]);
         let sample = sample(&polar);
         let mut basis = Basis::default();
-        let terms = polar.equations.iter().filter_map(|own| residual(&own.statement));
-        let gradient = |term: Expr| {
+        let gradient = |own: &Equation| {
             let mut gradient = vec![0.0; 4];
-            sample.slopes(&term).into_iter().for_each(|(symbol, slope)| gradient[symbol.index()] += slope);
+            let stated = sample.slopes(&own.statement, &mut |symbol, slope| gradient[symbol.index()] += slope);
+            assert_eq!(stated, Some(()));
             gradient
         };
-        let new: Vec<bool> = terms.map(|term| basis.add(&gradient(term))).collect();
+        let new: Vec<bool> = polar.equations.iter().map(|own| basis.add(&gradient(own))).collect();
         assert_eq!(new, [true, true, false]);
     }
 
@@ -243,12 +247,12 @@ mod tests {
         fall.positive = fall.equations.iter().take(2).flat_map(|own| symbols(&own.statement)).collect();
         let sample = sample(&fall);
         assert!(fall.positive.iter().all(|symbol| sample.value(*symbol) > NOTHING), "{sample:?}");
-        assert!(sample.0.values().any(|value| *value < 0.0), "{sample:?}");
+        assert!(sample.0.iter().any(|value| *value < 0.0), "{sample:?}");
     }
 
     #[test]
     fn a_contradiction_leaves_values_in_no_relation() {
         let never = system(&[["x", "1 + x^2"]]);
-        assert_eq!(sample(&never).0.into_values().collect::<Vec<_>>(), [generic(0, 0)]);
+        assert_eq!(sample(&never).0, [generic(0, 0)]);
     }
 }

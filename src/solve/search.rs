@@ -160,10 +160,13 @@ impl<'a> Search<'a> {
             self.widen(estimate, Within { columns, without, narrower });
             return;
         }
+        let own = self.estimate(&columns);
         let wider = |row: usize| {
+            let mut new = unknowns(row).clone();
+            new.subtract(&columns);
             let mut more = columns.clone();
-            more.join(unknowns(row));
-            (self.at_least(&columns, free, &more), row, more)
+            more.join(&new);
+            (own + self.at_least(free, &new, &more), row, more)
         };
         let mut next: Vec<(u64, usize, Bits)> = next.iter().map(wider).collect();
         // The dearest first, so that those that are looked at first are without most others.
@@ -177,14 +180,13 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// What finding `more` costs at least, once the rows within `columns` leave so many of these free: where too few rows come
-    /// within, one more column must.
-    fn at_least(&self, columns: &Bits, free: usize, more: &Bits) -> u64 {
-        let mut new = more.clone();
-        new.subtract(columns);
-        let come =
-            self.containing(new.iter()).iter().filter(|row| more.covers(&self.structure.rows[*row].unknowns)).count();
-        self.estimate(more) + if come < free + new.len() { self.least } else { 0 }
+    /// What finding `new` columns costs at least, where narrower columns leave so many of theirs free, and all together are `more`:
+    /// where too few rows come within, one more column must.
+    fn at_least(&self, free: usize, new: &Bits, more: &Bits) -> u64 {
+        let needed = free + new.len();
+        let come = self.containing(new.iter());
+        let come = come.iter().filter(|row| more.covers(&self.structure.rows[*row].unknowns)).take(needed).count();
+        self.estimate(new) + if come < needed { self.least } else { 0 }
     }
 
     /// The rows that contain some of the columns and others, and may come within. What lies within is added to what is said.

@@ -13,7 +13,7 @@ pub(super) type Register = u32;
 pub(super) type Stretch = Range<usize>;
 
 /// What an instruction does with its operands a, b and c.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Operation {
     /// a + b
     Add,
@@ -42,7 +42,7 @@ pub(super) enum Operation {
 }
 
 /// One instruction; operands that it does not need are register 0.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Instruction {
     pub(super) operation: Operation,
     pub(super) operands: [Register; 3],

@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use rustc_hash::FxHashMap;
+
 use crate::expr::Expr;
 use crate::expr::Function;
 use crate::expr::Piecewise;
@@ -22,7 +24,7 @@ pub(super) struct Writer {
     pub(super) symbols: BTreeMap<Symbol, Register>,
     /// How many registers there are.
     pub(super) registers: Register,
-    computed: BTreeMap<Computation, Register>,
+    computed: FxHashMap<Computation, Register>,
     /// What is computed, in the order in which it was written.
     history: Vec<Computation>,
 }
@@ -121,23 +123,37 @@ impl Writer {
     }
 
     fn sum(&mut self, terms: &[Expr]) -> Option<Register> {
-        let minus = |term: &Expr| signed(term).filter(|(negative, _)| *negative).map(|(_, size)| size);
-        let first = terms.iter().position(|term| minus(term).is_none()).unwrap_or(0);
+        let first = terms.iter().position(|term| Size::after_minus(term).is_none()).unwrap_or(0);
         let mut total = self.expr(terms.get(first)?)?;
         for (_, term) in terms.iter().enumerate().filter(|(place, _)| *place != first) {
-            let minus = minus(term);
-            let value = self.expr(minus.as_ref().unwrap_or(term))?;
-            let operation = if minus.is_some() { Operation::Subtract } else { Operation::Add };
+            let (operation, value) = match Size::after_minus(term) {
+                Some(size) => (Operation::Subtract, self.size(&size)?),
+                None => (Operation::Add, self.expr(term)?),
+            };
             total = self.compute(operation, [total, value, 0]);
         }
         Some(total)
     }
 
     fn product(&mut self, factors: &[Expr]) -> Option<Register> {
-        if let Some((true, size)) = signed(&Expr::Product(factors.into())) {
-            let size = self.expr(&size)?;
-            return Some(self.compute(Operation::Negate, [size, 0, 0]));
+        match Size::of(factors) {
+            Some(size) => {
+                let size = self.size(&size)?;
+                Some(self.compute(Operation::Negate, [size, 0, 0]))
+            }
+            None => self.fraction(factors.iter()),
         }
+    }
+
+    fn size(&mut self, size: &Size) -> Option<Register> {
+        match (&size.number, size.factors) {
+            (None, [only]) => self.expr(only),
+            (number, factors) => self.fraction(number.iter().chain(factors)),
+        }
+    }
+
+    /// The product of the factors, those with a negative exponent below the bar.
+    fn fraction<'e>(&mut self, factors: impl Iterator<Item = &'e Expr>) -> Option<Register> {
         let inverse = |factor: &Expr| match factor {
             Expr::Power(pair) => {
                 let exponent = pair.1.as_number().filter(|exponent| **exponent < Rational::ZERO)?;
@@ -200,13 +216,24 @@ impl Writer {
     }
 }
 
-/// Whether a term is written with a minus, and what follows the minus.
-fn signed(term: &Expr) -> Option<(bool, Expr)> {
-    let Expr::Product(factors) = term else { return None };
-    let number = factors.first()?.as_number()?;
-    if *number >= Rational::ZERO {
-        return Some((false, term.clone()));
+/// What follows the minus of a product that is written with one.
+struct Size<'e> {
+    /// The number, unless it is 1.
+    number: Option<Expr>,
+    /// The other factors.
+    factors: &'e [Expr],
+}
+
+impl<'e> Size<'e> {
+    /// What follows the minus of a term.
+    fn after_minus(term: &'e Expr) -> Option<Self> {
+        if let Expr::Product(factors) = term { Self::of(factors) } else { None }
     }
-    let size = Expr::Number(-number.clone());
-    Some((true, Expr::product([size].into_iter().chain(factors.iter().skip(1).cloned()))))
+
+    /// What follows the minus of a product.
+    fn of(factors: &'e [Expr]) -> Option<Self> {
+        let (first, factors) = factors.split_first()?;
+        let size = -first.as_number().filter(|number| **number < Rational::ZERO)?.clone();
+        Some(Self { number: (!size.is_one()).then_some(Expr::Number(size)), factors })
+    }
 }

@@ -99,8 +99,19 @@ pub(super) fn shorter(expr: Expr) -> Expr {
 
 /// The term itself, or a shorter form where it writes some symbol twice, so that something may cancel.
 pub(super) fn cancelled(expr: Expr) -> Expr {
-    let twice = expr.symbols().into_iter().any(|symbol| occurrences(&expr, symbol) > 1);
-    if twice { shorter(expr) } else { expr }
+    if repeats(&expr, &mut Vec::new()) { shorter(expr) } else { expr }
+}
+
+/// Whether some symbol is written twice, or was met before.
+fn repeats(expr: &Expr, met: &mut Vec<Symbol>) -> bool {
+    match expr {
+        Expr::Symbol(symbol) => {
+            let again = met.contains(symbol);
+            met.push(*symbol);
+            again
+        }
+        other => other.children().any(|part| repeats(part, met)),
+    }
 }
 
 /// How often a symbol is written in a term.
