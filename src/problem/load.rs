@@ -16,7 +16,7 @@ use super::entries::Entries;
 use super::form::Question;
 use super::given::{Given, GivenEntry};
 use super::position::Index;
-use super::schema::json_schema;
+use super::schema::SHAPES;
 use super::text::Text;
 
 /// A problem file that holds together by itself: keys, kinds of value, givens and placeholders are right.
@@ -61,7 +61,7 @@ impl Loaded {
 pub fn load(source: Source) -> Result<Loaded, Faults> {
     let Document { root, mut faults } = Document::read(&source);
     let Some(root) = root else { return Err(Index::new(&source, None).locate_all(faults)) };
-    let (value, of_form) = check(&root, json_schema());
+    let (value, of_form) = check(&root, &SHAPES);
     faults.extend(of_form);
     faults.extend(id_fault(&value));
     faults.extend(forms_faults(&value));

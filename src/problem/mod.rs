@@ -47,6 +47,7 @@ mod sampler;
 mod say;
 mod schema;
 mod settings;
+mod shape;
 mod simulated;
 mod stream;
 mod text;
@@ -60,7 +61,6 @@ pub use ask::{
     Answered, Ask, AskedRoots, Classifiable, Classify, Conservable, Conserved, Count, Find, Holds, Impulsive, Order,
     Range, Turn, WhichRoot,
 };
-pub use check::check;
 pub use comparison::split_relation;
 pub use compile::{compile, compile_ad_hoc};
 pub use course::CourseSymbols;

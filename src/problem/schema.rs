@@ -10,11 +10,17 @@ use serde_json::Value;
 
 use super::draft::Draft;
 use super::settings::Course;
+use super::shape::Shapes;
 
 /// The schema, made once.
 static SCHEMA: LazyLock<Value> = LazyLock::new(|| schema_of::<Draft>("A problem for momentous"));
 
 static COURSE_SCHEMA: LazyLock<Value> = LazyLock::new(|| schema_of::<Course>("The settings of a course for momentous"));
+
+/// What the schema says, read once.
+pub(super) static SHAPES: LazyLock<Shapes<'static>> = LazyLock::new(|| Shapes::of(&SCHEMA));
+
+pub(super) static COURSE_SHAPES: LazyLock<Shapes<'static>> = LazyLock::new(|| Shapes::of(&COURSE_SCHEMA));
 
 fn schema_of<T: JsonSchema>(title: &str) -> Value {
     let settings = SchemaSettings::draft2020_12().with_transform(RecursiveTransform(without_null));

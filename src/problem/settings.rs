@@ -12,7 +12,7 @@ use super::document::Document;
 use super::load::Loaded;
 use super::load::typed;
 use super::position::Index;
-use super::schema::course_schema;
+use super::schema::COURSE_SHAPES;
 
 /// The settings of a course. They change how problems are printed and read, and never their numbers.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
@@ -39,7 +39,7 @@ impl Course {
     pub fn read(source: &Source) -> Result<Self, Faults> {
         let Document { root, mut faults } = Document::read(source);
         let Some(root) = root else { return Err(Index::new(source, None).locate_all(faults)) };
-        let (value, of_form) = check(&root, course_schema());
+        let (value, of_form) = check(&root, &COURSE_SHAPES);
         faults.extend(of_form);
         if faults.is_empty() {
             match typed::<Self>(value) {
