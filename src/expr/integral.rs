@@ -6,6 +6,8 @@ use super::{Expr, Function, Symbol};
 
 /// Integrals that need more steps than this, by parts or multiplied out, are given up.
 const MAX_STEPS: usize = 200;
+/// Terms that take more than this to write are not integrated: by parts, each step may write them out some times over.
+const MAX_SIZE: usize = 10_000;
 
 impl Expr {
     /// An antiderivative with respect to `symbol`; `None` where the rules find none.
@@ -25,6 +27,9 @@ impl Expr {
 
 pub(super) fn integrate(term: &Expr, symbol: Symbol, steps: &mut usize) -> Option<Expr> {
     *steps = steps.checked_sub(1)?;
+    if term.size() > MAX_SIZE {
+        return None;
+    }
     if !term.contains(symbol) {
         return Some(term.clone() * Expr::Symbol(symbol));
     }
@@ -212,4 +217,18 @@ fn by_inner_derivative(factors: &[Expr], symbol: Symbol) -> Option<Expr> {
         };
         Some(share * integral)
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::AnyName;
+
+    #[test]
+    fn what_would_fill_pages_is_given_up() {
+        for (text, found) in [("(t + t^3)^2*sin(a + 2*t)", true), ("((t + t^3)^3 + t)^3*sin(a + 2*t)", false)] {
+            let mut names = AnyName::default();
+            let (term, t) = (names.term(text), names.named("t"));
+            assert_eq!(term.integrate(t).is_some(), found, "{text}");
+        }
+    }
 }

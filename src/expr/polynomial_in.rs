@@ -5,6 +5,9 @@ use super::{Expr, Symbol};
 /// Powers above this are not multiplied out.
 const MAX_POWER: i32 = 16;
 
+/// Products whose coefficients together would take more than this to write are not multiplied out.
+const MAX_SIZE: usize = 10_000;
+
 /// The coefficients of the powers 0, 1, 2, ... of `symbol`; `None` where the term is not such a polynomial as it is written.
 pub(super) fn polynomial_in(term: &Expr, symbol: Symbol) -> Option<Vec<Expr>> {
     if !term.contains(symbol) {
@@ -34,6 +37,10 @@ pub(super) fn polynomial_in(term: &Expr, symbol: Symbol) -> Option<Vec<Expr>> {
 
 fn multiply(left: &[Expr], right: &[Expr]) -> Option<Vec<Expr>> {
     let length = (left.len() + right.len()).checked_sub(1).filter(|length| *length <= 64)?;
+    let size = |terms: &[Expr]| terms.iter().map(Expr::size).sum::<usize>();
+    if size(left) * right.len() + size(right) * left.len() > MAX_SIZE {
+        return None;
+    }
     let mut sums = vec![Vec::new(); length];
     for (low, first) in left.iter().enumerate() {
         for (high, second) in right.iter().enumerate() {
@@ -41,4 +48,26 @@ fn multiply(left: &[Expr], right: &[Expr]) -> Option<Vec<Expr>> {
         }
     }
     Some(sums.into_iter().map(Expr::sum).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::AnyName;
+    use super::*;
+
+    #[test]
+    fn what_would_fill_pages_is_not_multiplied_out() {
+        for (text, degree) in [("(a + b*t)^2*(t + 1)", Some(3)), ("((((a + b*t)^9 + t)^9 + t)^9 + t)^9", None)] {
+            let mut names = AnyName::default();
+            let (term, t) = (names.term(text), names.named("t"));
+            assert_eq!(polynomial_in(&term, t).map(|found| found.len() - 1), degree, "{text}");
+        }
+    }
+
+    #[test]
+    fn sums_of_sums_do_not_grow_without_end() {
+        let mut names = AnyName::default();
+        let term = names.term("((a + b*t)*(c + d*t)*(a + t))^5*((b + t)*(c - t) + (a - b*t)^3)^6*(a*t + b)^3");
+        assert!(polynomial_in(&term, names.named("t")).is_none());
+    }
 }

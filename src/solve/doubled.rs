@@ -125,9 +125,7 @@ impl Real for Doubled {
     }
 
     fn mul(&self, other: &Self) -> Self {
-        if self.is_nothing() && other.is_real() || other.is_nothing() && self.is_real() {
-            return Self::ZERO;
-        }
+        // Nothing times what is unbounded stays so: the other may be a quotient that has no value.
         if let Some(lost) = self.lost(other) {
             return lost;
         }
