@@ -123,29 +123,33 @@ impl Rules<'_> {
 
     /// The sum, with powers of atoms that have a simpler form replaced.
     pub(super) fn sum(&self, left: &Quotient, right: &Quotient) -> Option<Quotient> {
-        self.settled(&left.plus(right)?)
+        self.settled(left.plus(right)?)
     }
 
     /// The product, with powers of atoms that have a simpler form replaced.
     pub(super) fn product(&self, left: &Quotient, right: &Quotient) -> Option<Quotient> {
-        self.settled(&left.times(right)?)
+        self.settled(left.times(right)?)
     }
 
     fn whole_power(&self, base: &Quotient, exponent: i32) -> Option<Quotient> {
-        self.settled(&base.power(exponent)?)
+        self.settled(base.power(exponent)?)
     }
 
     /// The same, with powers of atoms that have a simpler form replaced.
-    pub(super) fn settled(&self, form: &Quotient) -> Option<Quotient> {
+    fn settled(&self, form: Quotient) -> Option<Quotient> {
+        self.lowered_form(&form)?.or(Some(form))
+    }
+
+    /// The form with `sqrt(x)^2 = x` and the like applied; the inner `None` where nothing applies.
+    #[allow(clippy::option_option, reason = "the outer says that a bound was reached, the inner that nothing changed")]
+    pub(super) fn lowered_form(&self, form: &Quotient) -> Option<Option<Quotient>> {
         let (above, below) = (self.lowered(&form.numerator)?, self.lowered(&form.denominator)?);
-        match (above, below) {
-            (None, None) => Some(form.clone()),
-            (above, below) => {
-                let above = above.unwrap_or_else(|| form.numerator.clone().into());
-                let below = below.unwrap_or_else(|| form.denominator.clone().into());
-                self.product(&above, &below.inverse()?)
-            }
+        if above.is_none() && below.is_none() {
+            return Some(None);
         }
+        let above = above.unwrap_or_else(|| form.numerator.clone().into());
+        let below = below.unwrap_or_else(|| form.denominator.clone().into());
+        self.product(&above, &below.inverse()?).map(Some)
     }
 
     /// The polynomial with `sqrt(x)^2 = x` and the like applied; the inner `None` where nothing applies.
@@ -170,7 +174,7 @@ impl Rules<'_> {
                 |product: Quotient, (base, times): (Expr, i32)| product.times(&self.quotient(&base)?.power(times)?);
             replaced.into_iter().try_fold(rest, times)
         }));
-        self.settled(&sum?).map(Some)
+        self.settled(sum?).map(Some)
     }
 
     /// What a power of an atom is in simpler terms: (base, its exponent, exponent of the atom that is left).

@@ -32,11 +32,10 @@ fn split(polynomial: &Polynomial, found: &mut Vec<(Polynomial, u32)>, work: &mut
 }
 
 fn proper_divisor(polynomial: &Polynomial, work: &mut Work) -> Option<(Polynomial, Polynomial)> {
-    let atoms: Vec<_> = polynomial.atoms().into_iter().map(|atom| (atom, polynomial.spread(atom))).collect();
-    // A sum `a x + b` whose `a` and `b` have nothing in common is no product; they have not where one of them is a single term.
-    if atoms.iter().any(|(_, spread)| spread.keys().eq(&[0, 1]) && spread.values().any(|terms| *terms == 1)) {
+    if is_no_product(polynomial) {
         return None;
     }
+    let atoms: Vec<_> = polynomial.atoms().into_iter().map(|atom| (atom, polynomial.spread(atom))).collect();
     let proper = |part: &Polynomial| part.len() > 1 && part != polynomial;
     // Where one power of an atom stands in a single term, only a monomial can divide what stands with every power.
     let shareable = atoms.iter().filter(|(_, spread)| spread.values().all(|terms| *terms > 1));
@@ -48,4 +47,16 @@ fn proper_divisor(polynomial: &Polynomial, work: &mut Work) -> Option<(Polynomia
     })?;
     let rest = polynomial.divided(&divisor)?;
     rest.as_constant().is_none().then_some((divisor, rest))
+}
+
+/// Whether it is seen at once that a sum is no product: it is `a x + b`, where `a` or `b` is a single term. As no monomial divides
+/// the sum, `a` and `b` then have nothing in common.
+fn is_no_product(polynomial: &Polynomial) -> bool {
+    let holding =
+        |atom| polynomial.terms().map(move |(monomial, _)| monomial.exponent(atom)).filter(|power| *power != 0);
+    let stands_alone = |atom| {
+        let terms = holding(atom).count();
+        (terms == 1 || terms + 1 == polynomial.len()) && holding(atom).all(|power| power == 1)
+    };
+    polynomial.terms().flat_map(|(monomial, _)| monomial.powers()).any(|(atom, power)| power == 1 && stands_alone(atom))
 }

@@ -78,7 +78,7 @@ fn readable_form(expr: &Expr, positive: &dyn Fn(Symbol) -> bool) -> Option<Quoti
         return Some(form);
     }
     let length = |form: &Quotient| form.numerator.len() + form.denominator.len();
-    let other = Rules { pythagoras: true, ..rules }.settled(&form);
+    let other = Rules { pythagoras: true, ..rules }.lowered_form(&form).flatten();
     Some(other.filter(|other| length(other) < length(&form)).unwrap_or(form))
 }
 

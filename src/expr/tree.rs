@@ -275,13 +275,11 @@ impl Expr {
         found
     }
 
-    /// Adds every symbol that occurs.
-    pub fn add_symbols(&self, found: &mut BTreeSet<Symbol>) {
+    /// Adds every symbol that occurs, as often as it does.
+    pub fn add_symbols(&self, found: &mut impl Extend<Symbol>) {
         match self {
             Self::Number(_) | Self::Pi => {}
-            Self::Symbol(symbol) => {
-                found.insert(*symbol);
-            }
+            Self::Symbol(symbol) => found.extend([*symbol]),
             Self::Sum(parts) | Self::Product(parts) | Self::Apply(_, parts) => {
                 parts.iter().for_each(|part| part.add_symbols(found));
             }

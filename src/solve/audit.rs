@@ -34,7 +34,7 @@ pub(super) fn extended(system: &System, known: &BTreeSet<Symbol>, plan: &Plan, a
         used.extend(&step.equations);
     }
     let mut extended = plan.clone();
-    let mut open = Open::of(system);
+    let mut open = Open::of(system, &found);
     let mut order: Vec<usize> = (0..system.equations.len()).collect();
     order.sort_by_key(|place| system.equations[*place].cost);
     // An equation with one unknown gives it or does not, whatever else is found.
@@ -76,8 +76,8 @@ pub(super) fn extended(system: &System, known: &BTreeSet<Symbol>, plan: &Plan, a
 struct Open(Vec<Vec<Symbol>>);
 
 impl Open {
-    fn of(system: &System) -> Self {
-        Self(system.equations.iter().map(|equation| equation.symbols().into_iter().collect()).collect())
+    fn of(system: &System, known: &BTreeSet<Symbol>) -> Self {
+        Self(system.equations.iter().map(|equation| equation.unknowns(known)).collect())
     }
 
     /// What an equation holds beyond what is found. What is found stays so.

@@ -1,13 +1,13 @@
 //! Many straight plans side by side on one tape: what they share is computed once, and nothing is judged on the way.
 
 use std::cell::RefCell;
-use std::collections::BTreeMap;
 
 use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::quantity::Rational;
 
 use super::real::Real;
+use super::symbol_registers::SymbolRegisters;
 use super::tape::{Instruction, Register, run};
 use super::workspace::{Constants, Workspace};
 use super::writer::Writer;
@@ -36,7 +36,7 @@ struct Member {
 #[derive(Debug)]
 pub struct BatchWriter {
     writer: Writer,
-    given: BTreeMap<Symbol, Register>,
+    given: SymbolRegisters,
     inputs: Vec<Register>,
     members: Vec<Member>,
 }
@@ -65,7 +65,8 @@ impl BatchWriter {
     pub fn new(inputs: &[Symbol]) -> Self {
         let mut writer = Writer::default();
         let inputs: Vec<(Symbol, Register)> = inputs.iter().map(|symbol| (*symbol, writer.register())).collect();
-        let given: BTreeMap<Symbol, Register> = inputs.iter().copied().collect();
+        let mut given = SymbolRegisters::default();
+        given.extend(inputs.iter().copied());
         Self { writer, given, inputs: inputs.into_iter().map(|(_, own)| own).collect(), members: Vec::new() }
     }
 
@@ -92,10 +93,10 @@ impl BatchWriter {
                 self.writer.symbols.insert(*symbol, register);
             }
             for symbol in &step.unknowns {
-                unknowns.push((*self.writer.symbols.get(symbol)?, system.positive.contains(symbol)));
+                unknowns.push((self.writer.symbols.get(*symbol)?, system.positive.contains(symbol)));
             }
         }
-        let wanted = wanted.iter().filter_map(|symbol| Some((*symbol, *self.writer.symbols.get(symbol)?)));
+        let wanted = wanted.iter().filter_map(|symbol| Some((*symbol, self.writer.symbols.get(*symbol)?)));
         self.members.push(Member { unknowns, wanted: wanted.collect() });
         Some(self.members.len() - 1)
     }

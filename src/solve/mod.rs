@@ -62,6 +62,7 @@ mod search;
 mod sensitivity;
 mod structure;
 mod stuck;
+mod symbol_registers;
 mod system;
 mod tactics;
 mod tape;

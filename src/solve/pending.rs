@@ -6,6 +6,7 @@ use crate::expr::Expr;
 use crate::expr::Function;
 use crate::expr::Symbol;
 
+use super::structure::ascending;
 use super::tape::Register;
 use super::writer::Writer;
 use super::{Audit, Relation, Statement, System};
@@ -71,10 +72,11 @@ impl<'a> Pending<'a> {
                     Statement::FirstInteger { .. } => None,
                 }
             });
-        let waiting = conditions.chain(equations).map(|(what, left, right)| {
-            let mut open = left.symbols();
-            right.add_symbols(&mut open);
-            Waiting { what, left, right, open: open.into_iter().collect() }
+        let waiting = conditions.chain(equations).map(|(what, left, right)| Waiting {
+            what,
+            left,
+            right,
+            open: ascending([left, right]),
         });
         Self { waiting: waiting.collect() }
     }
@@ -83,7 +85,7 @@ impl<'a> Pending<'a> {
     pub(super) fn ready(&mut self, writer: &mut Writer) -> Vec<Test> {
         let mut tests = Vec::new();
         self.waiting.retain_mut(|Waiting { what, left, right, open }| {
-            while open.pop_if(|symbol| writer.symbols.contains_key(symbol)).is_some() {}
+            while open.pop_if(|symbol| writer.symbols.holds(*symbol)).is_some() {}
             if !open.is_empty() {
                 return true;
             }

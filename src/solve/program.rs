@@ -91,7 +91,10 @@ impl Program {
             .iter()
             .map(|symbol| {
                 let register = writer.register();
-                *writer.symbols.entry(*symbol).or_insert(register)
+                if !writer.symbols.holds(*symbol) {
+                    writer.symbols.insert(*symbol, register);
+                }
+                writer.symbols.get(*symbol).unwrap_or(register)
             })
             .collect();
         let mut tests = Pending::new(system, audit, verify);
@@ -118,7 +121,7 @@ impl Program {
             is_computed: stages.iter().all(one_way),
             stages,
             inputs,
-            symbols: writer.symbols.iter().map(|(symbol, register)| (*symbol, *register)).collect(),
+            symbols: writer.symbols.iter().collect(),
             wanted: wanted.to_vec(),
             fast: Constants::new(&writer),
             doubled: writer.tape.iter().all(Instruction::is_algebraic).then(|| Constants::new(&writer)),
@@ -156,7 +159,7 @@ impl Program {
 fn write_step<'s>(writer: &mut Writer, system: &System, place: usize, step: &'s Step) -> Option<Stage> {
     let (mut prelude, hoisted) = writer.stretch(|writer| {
         let formula = |value: &'s Closed| if let Closed::Formula(expr) = value { Some(expr) } else { None };
-        let known = |expr: &&Expr| expr.all_symbols(&|symbol| writer.symbols.contains_key(&symbol));
+        let known = |expr: &&Expr| expr.all_symbols(&|symbol| writer.symbols.holds(symbol));
         let values = step.roots.iter().flat_map(|root| &root.values);
         let ready: Vec<&Expr> = values.filter_map(|(_, value)| formula(value)).filter(known).collect();
         ready.into_iter().try_for_each(|expr| writer.expr(expr).map(drop))
@@ -168,7 +171,7 @@ fn write_step<'s>(writer: &mut Writer, system: &System, place: usize, step: &'s 
         let branch = Branch { work: work? };
         prelude.end = prelude.end.max(code.start);
         let registers =
-            step.unknowns.iter().filter_map(|symbol| Some((*symbol, *writer.symbols.get(symbol)?))).collect();
+            step.unknowns.iter().filter_map(|symbol| Some((*symbol, writer.symbols.get(*symbol)?))).collect();
         return Some(stage(system, place, prelude, vec![branch], registers));
     } else {
         step.unknowns.iter().map(|symbol| (*symbol, writer.register())).collect()

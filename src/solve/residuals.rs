@@ -9,6 +9,8 @@ use crate::expr::{Expr, Symbol};
 
 use super::Statement;
 use super::backward::run_back;
+use super::structure::ascending;
+use super::symbol_registers::SymbolRegisters;
 use super::tape::{Instruction, Register, run};
 use super::workspace::{Constants, Workspace};
 use super::writer::Writer;
@@ -23,21 +25,21 @@ pub(super) struct Residuals {
     /// Their registers.
     inputs: Vec<Register>,
     /// Every symbol.
-    symbols: BTreeMap<Symbol, Register>,
+    symbols: SymbolRegisters,
     zeros: Vec<Zero>,
 }
 
 impl Residuals {
     /// The residuals of these equations; counts have none.
-    pub(super) fn of(stated: &[&Statement]) -> Self {
+    pub(super) fn of<'s>(stated: &[&'s Statement]) -> Self {
         let mut definitions = Definitions::of(stated);
         let (mut writer, mut free) = (Writer::default(), Vec::new());
-        let sides = |statement: &&Statement| match statement {
-            Statement::Equal { left, right } => Some([left.clone(), right.clone()]),
+        let sides = |statement: &&'s Statement| match statement {
+            Statement::Equal { left, right } => Some([left, right]),
             Statement::FirstInteger { .. } => None,
         };
-        let sides: Vec<Option<[Expr; 2]>> = stated.iter().map(sides).collect();
-        for symbol in sides.iter().flatten().flatten().flat_map(Expr::symbols).collect::<BTreeSet<_>>() {
+        let sides: Vec<Option<[&Expr; 2]>> = stated.iter().map(sides).collect();
+        for symbol in ascending(sides.iter().flatten().flatten().copied()) {
             definitions.write(symbol, &mut writer, &mut free);
         }
         let open = sides.iter().enumerate().filter(|(place, _)| !definitions.used.contains(place));
@@ -66,7 +68,7 @@ impl Residuals {
 
     /// The value of each symbol.
     pub(super) fn symbols<'a>(&'a self, values: &'a Values) -> impl Iterator<Item = (Symbol, f64)> + 'a {
-        self.symbols.iter().map(|(symbol, register)| (*symbol, values.get(*register)))
+        self.symbols.iter().map(|(symbol, register)| (symbol, values.get(register)))
     }
 
     /// How far off zero each residual is; none where one has no value.
@@ -154,16 +156,16 @@ impl<'a> Definitions<'a> {
     /// Gives a symbol its register, after those that it is defined by. Of symbols that define each other in a circle, one is free.
     /// Recursion is at most as deep as there are symbols.
     fn write(&mut self, symbol: Symbol, writer: &mut Writer, free: &mut Vec<(Symbol, Register)>) {
-        if writer.symbols.contains_key(&symbol) {
+        if writer.symbols.holds(symbol) {
             return;
         }
         if self.open.insert(symbol)
             && let Some((place, other)) = self.by_symbol.get(&symbol).copied()
         {
-            for part in other.symbols() {
+            for part in ascending([other]) {
                 self.write(part, writer, free);
             }
-            if !writer.symbols.contains_key(&symbol)
+            if !writer.symbols.holds(symbol)
                 && let Some(register) = writer.expr(other)
             {
                 self.used.insert(place);
@@ -171,7 +173,7 @@ impl<'a> Definitions<'a> {
                 return;
             }
         }
-        if !writer.symbols.contains_key(&symbol) {
+        if !writer.symbols.holds(symbol) {
             let register = writer.register();
             free.push((symbol, register));
             writer.symbols.insert(symbol, register);

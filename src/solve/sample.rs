@@ -3,9 +3,10 @@
 //! show that only where the first two hold.
 
 use std::borrow::Cow;
+use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 
 use crate::expr::{Expr, Symbol};
 
@@ -132,10 +133,12 @@ fn settled(residuals: &Residuals, positive: &[bool], start: Vec<f64>) -> Option<
         for (row, value) in place.iter().enumerate().filter(|(row, _)| positive[*row]) {
             slopes.row_mut(row).scale_mut(*value);
         }
-        let mut products = slopes.tr_mul(&slopes);
-        for place in 0..off.len() {
-            products[(place, place)] += damping;
-        }
+        // Only what stands on the diagonal and below it is looked at.
+        let products = DMatrix::from_fn(off.len(), off.len(), |row, column| match row.cmp(&column) {
+            Ordering::Less => 0.0,
+            Ordering::Equal => slopes.column(row).norm_squared() + damping,
+            Ordering::Greater => slopes.column(row).dot(&slopes.column(column)),
+        });
         let step = &slopes * products.cholesky()?.solve(&off);
         let moved = DVector::from_fn(place.len(), |row, _| {
             let (own, step) = (place[row], step[row]);

@@ -98,7 +98,7 @@ impl Sensitivity {
         Self {
             steps,
             constants: Constants::new(&writer),
-            registers: symbols.iter().filter_map(|symbol| writer.symbols.get(symbol).copied()).collect(),
+            registers: symbols.iter().filter_map(|symbol| writer.symbols.get(*symbol)).collect(),
             tape: writer.tape,
             symbols,
         }

@@ -35,9 +35,10 @@ pub(super) struct Row {
 impl Structure {
     /// The incidence of a system, once `known` is known.
     pub(super) fn new(system: &System, known: &BTreeSet<Symbol>) -> Self {
-        let contents: Vec<BTreeSet<Symbol>> =
-            system.equations.iter().map(|equation| equation.symbols().difference(known).copied().collect()).collect();
-        let unknowns: Vec<Symbol> = contents.iter().flatten().copied().collect::<BTreeSet<_>>().into_iter().collect();
+        let contents: Vec<Vec<Symbol>> = system.equations.iter().map(|equation| equation.unknowns(known)).collect();
+        let mut unknowns: Vec<Symbol> = contents.iter().flatten().copied().collect();
+        unknowns.sort_unstable();
+        unknowns.dedup();
         let columns: BTreeMap<Symbol, usize> = unknowns.iter().copied().zip(0..).collect();
         let bits = |symbols: &mut dyn Iterator<Item = &Symbol>| {
             Bits::of(unknowns.len(), symbols.filter_map(|symbol| columns.get(symbol).copied()))
@@ -176,6 +177,15 @@ impl Structure {
     }
 }
 
+/// Every symbol of some terms, ascending, each once.
+pub(super) fn ascending<'e>(terms: impl IntoIterator<Item = &'e Expr>) -> Vec<Symbol> {
+    let mut symbols = Vec::new();
+    terms.into_iter().for_each(|term| term.add_symbols(&mut symbols));
+    symbols.sort_unstable();
+    symbols.dedup();
+    symbols
+}
+
 impl Equation {
     /// Every symbol that the equation contains.
     #[must_use]
@@ -185,6 +195,15 @@ impl Equation {
         left.add_symbols(&mut symbols);
         right.add_symbols(&mut symbols);
         symbols
+    }
+
+    /// Every symbol that the equation contains and that is not known, ascending.
+    pub(super) fn unknowns(&self, known: &BTreeSet<Symbol>) -> Vec<Symbol> {
+        let (Statement::Equal { left, right } | Statement::FirstInteger { left, right, .. }) = &self.statement;
+        let count = self.counts().map(Expr::from);
+        let mut unknowns = ascending([left, right].into_iter().chain(&count));
+        unknowns.retain(|symbol| !known.contains(symbol));
+        unknowns
     }
 
     /// The symbol that stands alone on one side and does not stand on the other; the left side's first.

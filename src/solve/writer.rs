@@ -7,10 +7,10 @@ use rustc_hash::FxHashMap;
 use crate::expr::Expr;
 use crate::expr::Function;
 use crate::expr::Piecewise;
-use crate::expr::Symbol;
 use crate::quantity::Rational;
 
 use super::Exact;
+use super::symbol_registers::SymbolRegisters;
 use super::tape::{Instruction, Operation, Register, Stretch};
 
 /// Writes a tape. Constants and symbols have their registers; what is computed once is found again.
@@ -21,7 +21,7 @@ pub(super) struct Writer {
     /// The registers that hold numbers.
     pub(super) constants: BTreeMap<Exact, Register>,
     /// The registers that hold symbols.
-    pub(super) symbols: BTreeMap<Symbol, Register>,
+    pub(super) symbols: SymbolRegisters,
     /// How many registers there are.
     pub(super) registers: Register,
     computed: FxHashMap<Computation, Register>,
@@ -72,7 +72,7 @@ impl Writer {
         match expr {
             Expr::Number(value) => Some(self.constant(value.clone().into())),
             Expr::Pi => Some(self.constant(Exact { rational: Rational::ONE, pi_power: 1 })),
-            Expr::Symbol(symbol) => self.symbols.get(symbol).copied(),
+            Expr::Symbol(symbol) => self.symbols.get(*symbol),
             Expr::Sum(terms) => self.sum(terms),
             Expr::Product(factors) => self.product(factors),
             Expr::Power(pair) => self.power(&pair.0, &pair.1),
