@@ -136,28 +136,38 @@ fn common_group(polynomial: &Polynomial) -> Option<Monomial> {
     if polynomial.len() > MAX_GROUPED {
         return None;
     }
-    let terms: Vec<_> = polynomial.terms().map(|(monomial, _)| monomial).collect();
-    let mut best: Option<([i32; 3], Monomial)> = None;
-    for (index, first) in terms.iter().enumerate() {
-        for second in terms.iter().skip(index + 1) {
-            let symbols = first.powers().filter(|(atom, _)| matches!(atom, Expr::Symbol(_)));
-            let degree = symbols.map(|(atom, power)| power.min(second.exponent(atom))).fold(0, i32::saturating_add);
+    let mut symbols: Vec<&Atom> = Vec::new();
+    for (atom, _) in polynomial.terms().flat_map(|(monomial, _)| monomial.powers()) {
+        if matches!(atom, Expr::Symbol(_)) && !symbols.contains(&atom) {
+            symbols.push(atom);
+        }
+    }
+    let exponents = |monomial: &Monomial| symbols.iter().map(|symbol| monomial.exponent(symbol)).collect();
+    let terms: Vec<(Vec<i32>, i32)> =
+        polynomial.terms().map(|(monomial, _)| (exponents(monomial), monomial.degree())).collect();
+    let degree = |exponents: &[i32]| exponents.iter().copied().fold(0, i32::saturating_add);
+    let mut best: Option<([i32; 3], Vec<i32>)> = None;
+    for (index, (first, _)) in terms.iter().enumerate() {
+        for (second, _) in terms.iter().skip(index + 1) {
+            let common: Vec<i32> = first.iter().zip(second).map(|(a, b)| *a.min(b)).collect();
+            let own = degree(&common);
             // At most all others share it, too.
-            let most = degree.saturating_mul(i32::try_from(terms.len() - 1).unwrap_or(i32::MAX));
+            let most = own.saturating_mul(i32::try_from(terms.len() - 1).unwrap_or(i32::MAX));
             if most < best.as_ref().map_or(2, |(worth, _)| worth[0]) {
                 continue;
             }
-            let (common, _) = first.common(second).partition(|atom| matches!(atom, Expr::Symbol(_)));
-            let members = || terms.iter().filter(|term| common.divides(term));
+            let shares = |exponents: &[i32]| exponents.iter().zip(&common).all(|(own, common)| own >= common);
+            let members = || terms.iter().filter(|(exponents, _)| shares(exponents));
             let others = i32::try_from(members().count()).unwrap_or(i32::MAX) - 1;
-            let degrees = members().map(|term| term.degree()).fold(0, i32::saturating_add);
-            let worth = [degree.saturating_mul(others), degree, degrees];
+            let degrees = members().map(|(_, degree)| *degree).fold(0, i32::saturating_add);
+            let worth = [own.saturating_mul(others), own, degrees];
             if worth[0] >= 2 && best.as_ref().is_none_or(|(most, _)| worth > *most) {
                 best = Some((worth, common));
             }
         }
     }
-    best.map(|(_, common)| common)
+    let powers = |common: Vec<i32>| Monomial::product(symbols.into_iter().cloned().zip(common).collect());
+    best.map(|(_, common)| powers(common))
 }
 
 /// One term: the number, the atoms, roots and exponentials joined.

@@ -1,5 +1,6 @@
 //! From the text of a problem file to its draft, or to all its faults.
 
+use std::borrow::Borrow;
 use std::fmt::Write;
 
 use serde::de::DeserializeOwned;
@@ -66,26 +67,31 @@ pub fn load(source: Source) -> Result<Loaded, Faults> {
     faults.extend(id_fault(&value));
     faults.extend(forms_faults(&value));
     faults.extend(text_faults(&value));
-    let (given, of_given) = givens(&value);
-    faults.extend(of_given);
-    if faults.is_empty() {
-        match typed::<Draft>(value) {
-            Ok(draft) => {
-                let text = Text::read(&draft.text).unwrap_or_default();
-                return Ok(Loaded {
-                    digest: digest(&source),
-                    questions: Question::all(&draft),
-                    spoken: Spoken::of(&root),
-                    source,
-                    draft,
-                    text,
-                    given,
-                });
-            }
-            Err(fault) => faults.push(fault),
-        }
+    let refuse = |faults| Err(Index::new(&source, Some(root.clone())).locate_all(faults));
+    if !faults.is_empty() {
+        faults.extend(givens(written(&value)).1);
+        return refuse(faults);
     }
-    Err(Index::new(&source, Some(root)).locate_all(faults))
+    let draft = match typed::<Draft>(value) {
+        Ok(draft) => draft,
+        Err(fault) => {
+            let (value, _) = check(&root, &SHAPES);
+            return refuse(givens(written(&value)).1.into_iter().chain([fault]).collect());
+        }
+    };
+    let (given, of_given) = givens(draft.given.iter());
+    if !of_given.is_empty() {
+        return refuse(of_given);
+    }
+    Ok(Loaded {
+        digest: digest(&source),
+        questions: Question::all(&draft),
+        spoken: Spoken::of(&root),
+        text: Text::read(&draft.text).unwrap_or_default(),
+        source,
+        draft,
+        given,
+    })
 }
 
 /// The first 16 hexadecimal digits of SHA-256 of a file's bytes, each line end as a single line feed.
@@ -172,14 +178,17 @@ fn nothing_asked(ask: &Value, path: &Path) -> Option<Fault> {
     empty.then(|| fault.at_path(path.clone()))
 }
 
-/// What is known, as far as it can be read, and the faults of the rest. An entry of a wrong form is told of elsewhere.
-fn givens(value: &Value) -> (Entries<Given>, Vec<Fault>) {
-    let mut faults = Vec::new();
+/// The entries of what is known that have the form of one; the others are told of elsewhere.
+fn written(value: &Value) -> impl Iterator<Item = (&str, GivenEntry)> {
     let entries = value.get("given").and_then(Value::as_mapping).into_iter().flatten();
-    let read = |(name, entry): (&Value, &Value)| {
-        let name = name.as_str()?;
-        let entry: GivenEntry = typed(entry.clone()).ok()?;
-        let given = Given::read(&entry, &Path::root().key("given").key(name));
+    entries.filter_map(|(name, entry)| Some((name.as_str()?, typed(entry.clone()).ok()?)))
+}
+
+/// What is known, as far as it can be read, and the faults of the rest.
+fn givens<'e>(entries: impl Iterator<Item = (&'e str, impl Borrow<GivenEntry>)>) -> (Entries<Given>, Vec<Fault>) {
+    let mut faults = Vec::new();
+    let read = |(name, entry): (&str, _)| {
+        let given = Given::read(Borrow::borrow(&entry), &Path::root().key("given").key(name));
         given.map(|given| (name.to_owned(), given)).map_err(|found| faults.extend(found)).ok()
     };
     let given = entries.filter_map(read).collect();

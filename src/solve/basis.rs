@@ -6,13 +6,27 @@ use super::bits::Bits;
 const NEGLIGIBLE: f64 = 1e-7;
 
 /// Independent derivatives: each has a pivot, a column in which it is 1 and all later ones are 0.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub(super) struct Span {
     pivots: Vec<usize>,
     /// The derivatives, one after the other.
     entries: Vec<f64>,
     /// How many columns there are.
     width: usize,
+}
+
+/// How many more equations a copy has room for.
+const ROOM: usize = 4;
+
+impl Clone for Span {
+    /// A copy is made to be added to.
+    fn clone(&self) -> Self {
+        let (mut pivots, mut entries) =
+            (Vec::with_capacity(self.pivots.len() + ROOM), Vec::with_capacity(self.entries.len() + ROOM * self.width));
+        pivots.extend_from_slice(&self.pivots);
+        entries.extend_from_slice(&self.entries);
+        Self { pivots, entries, width: self.width }
+    }
 }
 
 impl Span {
@@ -30,16 +44,13 @@ impl Span {
         for (pivot, row) in self.pivots.iter().zip(rows.chunks_exact(self.width)) {
             subtract(rest, row, *pivot);
         }
-        let (mut pivot, mut largest) = (0, 0.0_f64);
-        for (column, entry) in rest.iter().enumerate() {
-            if entry.abs() >= largest.abs() {
-                (pivot, largest) = (column, *entry);
-            }
-        }
-        if largest.abs() <= NEGLIGIBLE {
+        let size = rest.iter().fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
+        let pivot = rest.iter().rposition(|entry| entry.abs() >= size).filter(|_| size > NEGLIGIBLE);
+        let Some(pivot) = pivot else {
             self.entries.truncate(end);
             return false;
-        }
+        };
+        let largest = rest[pivot];
         for entry in rest.iter_mut() {
             *entry /= largest;
         }

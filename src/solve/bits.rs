@@ -8,36 +8,41 @@ const NEAR: usize = 2;
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) struct Bits {
     near: [u64; NEAR],
-    far: Vec<u64>,
+    /// None where the capacity needs no more.
+    far: Option<Box<[u64]>>,
 }
 
 impl Bits {
     /// The empty set, for indexes below `capacity`.
     pub(super) fn empty(capacity: usize) -> Self {
-        Self { near: [0; NEAR], far: vec![0; capacity.div_ceil(64).saturating_sub(NEAR)] }
+        let beyond = capacity.div_ceil(64).saturating_sub(NEAR);
+        Self { near: [0; NEAR], far: (beyond > 0).then(|| vec![0; beyond].into()) }
     }
 
     /// The set whose words are made of those of both.
     #[inline]
     fn zip(&mut self, other: &Self, word: impl Fn(u64, u64) -> u64) {
         self.near.iter_mut().zip(&other.near).for_each(|(own, other)| *own = word(*own, *other));
-        self.far.iter_mut().zip(&other.far).for_each(|(own, other)| *own = word(*own, *other));
+        if let (Some(far), Some(other)) = (&mut self.far, &other.far) {
+            far.iter_mut().zip(other).for_each(|(own, other)| *own = word(*own, *other));
+        }
     }
 
     /// Whether some word of this set and that of the other pass the test.
     #[inline]
     fn any(&self, other: &Self, test: impl Fn(u64, u64) -> bool) -> bool {
         let pass = |(own, other): (&u64, &u64)| test(*own, *other);
-        self.near.iter().zip(&other.near).any(pass) || self.far.iter().zip(&other.far).any(pass)
+        let far = || self.far.iter().flatten().zip(other.far.iter().flatten()).any(pass);
+        self.near.iter().zip(&other.near).any(pass) || self.far.is_some() && far()
     }
 
     fn word_mut(&mut self, place: usize) -> Option<&mut u64> {
-        if place < NEAR { self.near.get_mut(place) } else { self.far.get_mut(place - NEAR) }
+        if place < NEAR { self.near.get_mut(place) } else { self.far.as_mut()?.get_mut(place - NEAR) }
     }
 
     #[inline]
     fn word(&self, place: usize) -> Option<u64> {
-        if place < NEAR { self.near.get(place) } else { self.far.get(place - NEAR) }.copied()
+        if place < NEAR { self.near.get(place) } else { self.far.as_ref()?.get(place - NEAR) }.copied()
     }
 
     /// The set of these indexes, each below `capacity`.
@@ -108,12 +113,12 @@ impl Bits {
 
     /// Whether nothing is in the set.
     pub(super) fn is_empty(&self) -> bool {
-        self.near == [0; NEAR] && self.far.iter().all(|word| *word == 0)
+        self.near == [0; NEAR] && self.far.iter().flatten().all(|word| *word == 0)
     }
 
     /// How many indexes are in the set.
     pub(super) fn len(&self) -> usize {
         let count = |words: &[u64]| words.iter().map(|word| word.count_ones() as usize).sum::<usize>();
-        count(&self.near) + count(&self.far)
+        count(&self.near) + self.far.as_deref().map_or(0, count)
     }
 }
