@@ -26,6 +26,7 @@ const BEYOND_A_SCHEMA: &[&str] = &[
     "direction_of_a_mass",
     "division_by_zero",
     "find_of_a_given",
+    "force_",
     "motion_of_a_coefficient",
     "number_beyond_all",
     "plastic_beside_restitution",

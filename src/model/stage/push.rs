@@ -300,7 +300,10 @@ impl Builder<'_> {
         let symbol = self.symbol(format!("I_F{number}{suffix}"), Dimension::MOMENTUM, meaning);
         let Some(value) = force.strength.definite(clock, start, end) else {
             let fault = Fault::new(Code::Stuck, format!("{} cannot be integrated over time", force.name));
-            self.faults.push(fault.help("use polynomials, sines, exponentials, pieces or points of a graph"));
+            let help = "use polynomials, sines, exponentials, pieces or points of a graph; powers within powers are multiplied \
+                        out only as far as they do not fill pages";
+            let path = Path::root().key("scene").key("stages").index(index);
+            self.faults.push(fault.help(help).at_path(path));
             return symbol.into();
         };
         let integral =
