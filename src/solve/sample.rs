@@ -4,14 +4,13 @@
 
 use std::borrow::Cow;
 use std::cmp::Ordering;
-use std::collections::BTreeSet;
 
 use nalgebra::{DMatrix, DVector};
 
 use crate::expr::{Expr, Symbol};
 
 use super::residuals::{Residuals, Values};
-use super::structure::Structure;
+use super::structure::{Structure, ascending};
 use super::{Statement, System};
 
 /// Places from which the search for one begins.
@@ -171,10 +170,10 @@ fn is_zero(statement: &Statement) -> bool {
     matches!(statement, Statement::Equal { left: Expr::Symbol(_), right } if right.is_zero())
 }
 
-fn symbols(statement: &Statement) -> BTreeSet<Symbol> {
+fn symbols(statement: &Statement) -> Vec<Symbol> {
     match statement {
-        Statement::Equal { left, right } => left.symbols().union(&right.symbols()).copied().collect(),
-        Statement::FirstInteger { .. } => BTreeSet::new(),
+        Statement::Equal { left, right } => ascending([left, right]),
+        Statement::FirstInteger { .. } => Vec::new(),
     }
 }
 
@@ -187,6 +186,8 @@ pub(super) fn generic(index: usize, salt: u32) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeSet;
+
     use super::super::Equation;
     use super::super::basis::Basis;
     use super::*;
