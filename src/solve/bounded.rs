@@ -168,10 +168,6 @@ impl Real for Bounded {
             return Self::with_share(value, spread + value.abs() * UNIT);
         }
         let underflow = self.magnitude() > 0.0 && other.magnitude() > 0.0;
-        let is_zero = |factor: &Self| factor.value == 0.0 && factor.error == 0.0;
-        if spread.is_nan() && (is_zero(self) || is_zero(other)) && value == 0.0 {
-            return Self::exactly(0.0);
-        }
         Self::with_share(value, spread + value.abs() * UNIT + if underflow { SPECK } else { 0.0 })
     }
 

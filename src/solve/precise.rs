@@ -162,8 +162,8 @@ impl Real for Precise {
     fn mul(&self, other: &Self) -> Self {
         match (self, other) {
             (Self::Rational(own), Self::Rational(other)) => Self::rational(own * other),
-            (zero @ Self::Rational(own), Self::Ball(_) | Self::Unbounded) if own.is_zero() => zero.clone(),
-            (Self::Ball(_) | Self::Unbounded, zero @ Self::Rational(other)) if other.is_zero() => zero.clone(),
+            (zero @ Self::Rational(own), Self::Ball(_)) if own.is_zero() => zero.clone(),
+            (Self::Ball(_), zero @ Self::Rational(other)) if other.is_zero() => zero.clone(),
             _ => self.balls(other, |own, other| {
                 let spread = own.size() * other.radius.clone() + other.size() * own.radius.clone();
                 Self::Ball(Ball::rounded(own.middle * other.middle, spread + own.radius * other.radius))

@@ -127,3 +127,24 @@ pub trait Real: Clone {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::doubled::Doubled;
+    use super::super::{Bounded, Precise};
+    use super::*;
+    use crate::quantity::Rational;
+
+    /// Nothing, times a quotient by what may be nothing.
+    fn nothing_times_a_quotient<R: Real>() -> Sign {
+        let pi = R::from_exact(&Exact { rational: Rational::ONE, pi_power: 1 });
+        R::integer(0).mul(&R::integer(1).div(&pi.sub(&pi))).sign()
+    }
+
+    #[test]
+    fn nothing_times_what_may_have_no_value_is_not_known_to_be_nothing() {
+        assert_eq!(nothing_times_a_quotient::<Bounded>(), Sign::Unsure);
+        assert_eq!(nothing_times_a_quotient::<Doubled>(), Sign::Unsure);
+        assert_eq!(nothing_times_a_quotient::<Precise>(), Sign::Unsure);
+    }
+}
