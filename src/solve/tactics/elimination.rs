@@ -5,7 +5,7 @@ use crate::expr::Symbol;
 
 use super::Refusal;
 use super::isolate::dropped_out;
-use super::tidy::{cancelled, factors, forward, is_negative, negative, over, size, times};
+use super::tidy::{cancelled, factors, forward, gathered, is_negative, negative, over, size, times};
 use crate::quantity::Rational;
 use crate::solve::Move;
 
@@ -129,9 +129,9 @@ impl Row {
 /// The product, kept as it is written unless one of the two is a number.
 fn product(factor: &Expr, term: &Expr) -> Expr {
     if factor.as_number().is_some() || factors(factor).len() == 1 {
-        times(term, factor)
+        gathered(&times(term, factor))
     } else {
-        Expr::product([factor.clone(), term.clone()])
+        gathered(&Expr::product([factor.clone(), term.clone()]))
     }
 }
 

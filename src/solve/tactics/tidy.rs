@@ -86,6 +86,20 @@ pub(super) fn times(expr: &Expr, factor: &Expr) -> Expr {
     }))
 }
 
+/// The same with a symbol that stands twice in a product written as a power: `m b^2`, not `m b b`.
+pub(super) fn gathered(expr: &Expr) -> Expr {
+    Expr::sum(terms(expr).iter().map(|term| {
+        let mut powers: Vec<(&Expr, i64)> = Vec::new();
+        for factor in factors(term) {
+            match powers.iter_mut().find(|(own, _)| matches!(own, Expr::Symbol(_)) && *own == factor) {
+                Some((_, times)) => *times += 1,
+                None => powers.push((factor, 1)),
+            }
+        }
+        Expr::product(powers.into_iter().map(|(factor, times)| factor.clone().powi(times)))
+    }))
+}
+
 /// How much ink a term takes.
 pub(super) fn size(expr: &Expr) -> usize {
     1 + expr.children().map(size).sum::<usize>()
