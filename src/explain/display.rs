@@ -163,7 +163,7 @@ impl<'a> Display<'a> {
 
     /// Whether a term has a value of its own.
     pub(super) fn has_value(self, expr: &Expr) -> bool {
-        expr.symbols().into_iter().all(|symbol| self.has_number(symbol))
+        expr.all_symbols(&|symbol| self.has_number(symbol))
     }
 
     /// Whether a quantity is shown by a number.

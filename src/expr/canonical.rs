@@ -53,7 +53,7 @@ pub fn equal_where(left: &Expr, right: &Expr, positive: &dyn Fn(Symbol) -> bool)
     left == right || !differ(left, right) && (proves(plain) || proves(Rules { expand: true, ..plain }))
 }
 
-/// Whether a term has no other form: a symbol, and the sine and the cosine of one.
+/// Whether a term has no other form: pi, a symbol, and the sine and the cosine of one.
 pub(super) fn is_plain(expr: &Expr) -> bool {
     match expr {
         Expr::Pi | Expr::Symbol(_) => true,

@@ -1,13 +1,11 @@
 //! Antiderivatives of what forces are made of: polynomials, powers of linear terms, sines and exponentials, pieces of these.
 //! What is not found is said so; nothing is guessed.
 
-use super::polynomial_in::polynomial_in;
+use super::polynomial_in::{MAX_SIZE, polynomial_in};
 use super::{Expr, Function, Symbol};
 
 /// Integrals that need more steps than this, by parts or multiplied out, are given up.
 const MAX_STEPS: usize = 200;
-/// Terms that take more than this to write are not integrated: by parts, each step may write them out some times over.
-const MAX_SIZE: usize = 10_000;
 
 impl Expr {
     /// An antiderivative with respect to `symbol`; `None` where the rules find none.
@@ -27,6 +25,7 @@ impl Expr {
 
 pub(super) fn integrate(term: &Expr, symbol: Symbol, steps: &mut usize) -> Option<Expr> {
     *steps = steps.checked_sub(1)?;
+    // By parts, each step may write a term out some times over.
     if term.size() > MAX_SIZE {
         return None;
     }

@@ -67,21 +67,21 @@ pub fn load(source: Source) -> Result<Loaded, Faults> {
     faults.extend(id_fault(&value));
     faults.extend(forms_faults(&value));
     faults.extend(text_faults(&value));
-    let refuse = |faults| Err(Index::new(&source, Some(root.clone())).locate_all(faults));
+    let refuse = |root, faults| Err(Index::new(&source, Some(root)).locate_all(faults));
     if !faults.is_empty() {
         faults.extend(givens(written(&value)).1);
-        return refuse(faults);
+        return refuse(root, faults);
     }
     let draft = match typed::<Draft>(value) {
         Ok(draft) => draft,
         Err(fault) => {
             let (value, _) = check(&root, &SHAPES);
-            return refuse(givens(written(&value)).1.into_iter().chain([fault]).collect());
+            return refuse(root, givens(written(&value)).1.into_iter().chain([fault]).collect());
         }
     };
     let (given, of_given) = givens(draft.given.iter());
     if !of_given.is_empty() {
-        return refuse(of_given);
+        return refuse(root, of_given);
     }
     Ok(Loaded {
         digest: digest(&source),

@@ -64,10 +64,8 @@ impl BatchWriter {
     #[must_use]
     pub fn new(inputs: &[Symbol]) -> Self {
         let mut writer = Writer::default();
-        let inputs: Vec<(Symbol, Register)> = inputs.iter().map(|symbol| (*symbol, writer.register())).collect();
-        let mut given = SymbolRegisters::default();
-        given.extend(inputs.iter().copied());
-        Self { writer, given, inputs: inputs.into_iter().map(|(_, own)| own).collect(), members: Vec::new() }
+        let inputs = inputs.iter().map(|symbol| writer.input(*symbol)).collect();
+        Self { given: writer.symbols.clone(), writer, inputs, members: Vec::new() }
     }
 
     /// Adds a plan and gives its place; some inputs are `misread`, so many times too large. `None` where it has a choice of roots,

@@ -87,16 +87,7 @@ impl Program {
         verify: Verify,
     ) -> Result<Self, UnknownSymbol> {
         let mut writer = Writer::default();
-        let inputs: Vec<Register> = inputs
-            .iter()
-            .map(|symbol| {
-                let register = writer.register();
-                if !writer.symbols.holds(*symbol) {
-                    writer.symbols.insert(*symbol, register);
-                }
-                writer.symbols.get(*symbol).unwrap_or(register)
-            })
-            .collect();
+        let inputs: Vec<Register> = inputs.iter().map(|symbol| writer.input(*symbol)).collect();
         let mut tests = Pending::new(system, audit, verify);
         let mut stages = vec![Stage {
             step: None,

@@ -174,9 +174,7 @@ impl<'a> Definitions<'a> {
             }
         }
         if !writer.symbols.holds(symbol) {
-            let register = writer.register();
-            free.push((symbol, register));
-            writer.symbols.insert(symbol, register);
+            free.push((symbol, writer.input(symbol)));
         }
     }
 }

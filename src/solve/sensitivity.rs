@@ -74,11 +74,8 @@ impl Sensitivity {
         let parts = made().filter_map(|(_, closed)| formula(closed)).flat_map(Expr::symbols);
         let symbols: BTreeSet<Symbol> = made().map(|(unknown, _)| *unknown).chain(parts).collect();
         let mut writer = Writer::default();
-        for symbol in &symbols {
-            let register = writer.register();
-            writer.symbols.insert(*symbol, register);
-        }
         let symbols: Vec<Symbol> = symbols.into_iter().collect();
+        let registers = symbols.iter().map(|symbol| writer.input(*symbol)).collect();
         let place = |symbol: &Symbol| symbols.binary_search(symbol).unwrap_or_default();
         let mut made = |(unknown, closed): &(Symbol, Closed)| {
             // What formulas share is computed for each: a slope that one of them has not would spoil the others'.
@@ -95,13 +92,7 @@ impl Sensitivity {
             step.roots.iter().map(|own| &own.values).map(root).collect()
         });
         let steps = steps.collect();
-        Self {
-            steps,
-            constants: Constants::new(&writer),
-            registers: symbols.iter().filter_map(|symbol| writer.symbols.get(*symbol)).collect(),
-            tape: writer.tape,
-            symbols,
-        }
+        Self { steps, constants: Constants::new(&writer), registers, tape: writer.tape, symbols }
     }
 
     /// Gives `each` the values on the way to `asked`, itself first, with the derivative of `asked` by it: the sum over all that is

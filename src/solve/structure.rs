@@ -36,9 +36,7 @@ impl Structure {
     /// The incidence of a system, once `known` is known.
     pub(super) fn new(system: &System, known: &BTreeSet<Symbol>) -> Self {
         let contents: Vec<Vec<Symbol>> = system.equations.iter().map(|equation| equation.unknowns(known)).collect();
-        let mut unknowns: Vec<Symbol> = contents.iter().flatten().copied().collect();
-        unknowns.sort_unstable();
-        unknowns.dedup();
+        let unknowns = distinct(contents.iter().flatten().copied().collect());
         let columns: BTreeMap<Symbol, usize> = unknowns.iter().copied().zip(0..).collect();
         let bits = |symbols: &mut dyn Iterator<Item = &Symbol>| {
             Bits::of(unknowns.len(), symbols.filter_map(|symbol| columns.get(symbol).copied()))
@@ -181,6 +179,11 @@ impl Structure {
 pub(super) fn ascending<'e>(terms: impl IntoIterator<Item = &'e Expr>) -> Vec<Symbol> {
     let mut symbols = Vec::new();
     terms.into_iter().for_each(|term| term.add_symbols(&mut symbols));
+    distinct(symbols)
+}
+
+/// Symbols ascending, each once.
+fn distinct(mut symbols: Vec<Symbol>) -> Vec<Symbol> {
     symbols.sort_unstable();
     symbols.dedup();
     symbols
@@ -190,11 +193,7 @@ impl Equation {
     /// Every symbol that the equation contains.
     #[must_use]
     pub fn symbols(&self) -> BTreeSet<Symbol> {
-        let (Statement::Equal { left, right } | Statement::FirstInteger { left, right, .. }) = &self.statement;
-        let mut symbols: BTreeSet<Symbol> = self.counts().into_iter().collect();
-        left.add_symbols(&mut symbols);
-        right.add_symbols(&mut symbols);
-        symbols
+        self.unknowns(&BTreeSet::new()).into_iter().collect()
     }
 
     /// Every symbol that the equation contains and that is not known, ascending.

@@ -7,6 +7,7 @@ use rustc_hash::FxHashMap;
 use crate::expr::Expr;
 use crate::expr::Function;
 use crate::expr::Piecewise;
+use crate::expr::Symbol;
 use crate::quantity::Rational;
 
 use super::Exact;
@@ -40,6 +41,15 @@ impl Writer {
     pub(super) fn register(&mut self) -> Register {
         self.registers += 1;
         self.registers - 1
+    }
+
+    /// The register of a symbol whose value comes from outside, made if need be.
+    pub(super) fn input(&mut self, symbol: Symbol) -> Register {
+        self.symbols.get(symbol).unwrap_or_else(|| {
+            let register = self.register();
+            self.symbols.insert(symbol, register);
+            register
+        })
     }
 
     /// Remembers what is computed so far.

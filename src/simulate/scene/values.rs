@@ -105,7 +105,7 @@ impl Values<'_> {
                 _ => 0.0,
             });
             coefficients.push(value / factorial);
-            let Some(clock) = clock.filter(|clock| expr.symbols().contains(clock)) else {
+            let Some(clock) = clock.filter(|clock| expr.contains(*clock)) else {
                 return coefficients.iter().all(|value| value.is_finite()).then_some(coefficients);
             };
             expr = expr.differentiate(clock);

@@ -5,7 +5,7 @@ use crate::expr::Symbol;
 
 use super::Refusal;
 use super::isolate::dropped_out;
-use super::tidy::{cancelled, factors, forward, gathered, is_negative, negative, over, size, times};
+use super::tidy::{cancelled, factors, forward, gathered, is_negative, negative, over, times};
 use crate::quantity::Rational;
 use crate::solve::Move;
 
@@ -60,7 +60,7 @@ pub(super) fn eliminate(equations: &[(usize, Expr)], unknowns: &[Symbol]) -> Res
             let factor = cancelled(over(&negative(&row.coefficients[column]), &pivot.coefficients[column]));
             row.add(&pivot, &factor, column);
             row.turn();
-            if row.coefficients.iter().chain([&row.rest]).any(|term| size(term) > LONGEST) {
+            if row.coefficients.iter().chain([&row.rest]).any(|term| term.size() > LONGEST) {
                 return Err(Refusal::NotApplicable);
             }
             moves.push(Move::Combine {
@@ -92,7 +92,7 @@ fn plainness(coefficient: &Expr) -> usize {
     match coefficient.as_number() {
         Some(value) if value.is_one() || *value == Rational::from(-1) => 0,
         Some(_) => 1,
-        None => 1 + size(coefficient),
+        None => 1 + coefficient.size(),
     }
 }
 
@@ -128,11 +128,8 @@ impl Row {
 
 /// The product, kept as it is written unless one of the two is a number.
 fn product(factor: &Expr, term: &Expr) -> Expr {
-    if factor.as_number().is_some() || factors(factor).len() == 1 {
-        gathered(&times(term, factor))
-    } else {
-        gathered(&Expr::product([factor.clone(), term.clone()]))
-    }
+    let each = factor.as_number().is_some() || factors(factor).len() == 1;
+    gathered(&if each { times(term, factor) } else { Expr::product([factor.clone(), term.clone()]) })
 }
 
 /// Zero where the coefficient is zero by algebra, so that it is seen to be.

@@ -100,15 +100,10 @@ pub(super) fn gathered(expr: &Expr) -> Expr {
     }))
 }
 
-/// How much ink a term takes.
-pub(super) fn size(expr: &Expr) -> usize {
-    1 + expr.children().map(size).sum::<usize>()
-}
-
 /// The simplified form where it is shorter, else the term as it stands.
 pub(super) fn shorter(expr: Expr) -> Expr {
     let simplified = expr.simplify();
-    if size(&simplified) < size(&expr) { simplified } else { expr }
+    if simplified.size() < expr.size() { simplified } else { expr }
 }
 
 /// The term itself, or a shorter form where it writes some symbol twice, so that something may cancel.

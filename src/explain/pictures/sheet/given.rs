@@ -69,8 +69,7 @@ impl Quantities<'_> {
 
     fn force(&self, compass: &Compass, force: &ActingForce) -> Option<Moving> {
         let clock = self.model().symbols.find("t").filter(|clock| force.strength.contains(*clock));
-        let told =
-            force.strength.symbols().into_iter().all(|symbol| Some(symbol) == clock || self.value(symbol).is_some());
+        let told = force.strength.all_symbols(&|symbol| Some(symbol) == clock || self.value(symbol).is_some());
         let [x, y] = self.direction(&force.direction).filter(|_| told)?;
         // A force that changes has no one length; its arrow shows where it points.
         let (label, size) = match clock {
