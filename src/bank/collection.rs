@@ -8,6 +8,7 @@ use std::path::PathBuf;
 use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Faults;
+use crate::fault::Input;
 use crate::fault::Source;
 use crate::fault::did_you_mean;
 
@@ -207,12 +208,7 @@ fn is_path(name: &str) -> bool {
 const LARGEST: u64 = 256 * 1024;
 
 pub(super) fn read(path: &Path) -> Result<Source, Faults> {
-    if fs::metadata(path).is_ok_and(|file| file.len() > LARGEST) {
-        let source = Source::new(&path.display().to_string(), "");
-        let fault = Fault::new(Code::Unreadable, "this file is too long for a problem");
-        return Err(Faults { source, list: vec![fault.help(format!("a problem has at most {LARGEST} bytes"))] });
-    }
-    let text = fs::read_to_string(path).map_err(|error| unreadable(path, &error))?;
+    let text = Input::open(path).and_then(|file| file.text(LARGEST)).map_err(|error| unreadable(path, &error))?;
     Ok(Source::new(&path.display().to_string(), &text))
 }
 

@@ -7,6 +7,7 @@ use clap::Args;
 
 use crate::bank::Bank;
 use crate::bank::load_in_course;
+use crate::fault::Input;
 use crate::fault::Source;
 use crate::fault::did_you_mean;
 use crate::problem::Problem;
@@ -18,6 +19,9 @@ use super::failure::Failure;
 pub(super) fn seed(text: &str) -> Result<u64, String> {
     text.trim().parse().map_err(|_| format!("a seed is a whole number from 0 to {}", u64::MAX))
 }
+
+/// The longest secret that is read, in bytes.
+const LONGEST_SECRET: u64 = 64 * 1024;
 
 /// A secret of the course.
 #[derive(Args, Clone, Debug, Default)]
@@ -31,7 +35,8 @@ impl Secret {
     /// The secret, without the line end that an editor leaves.
     pub(super) fn read(&self) -> Result<Option<Vec<u8>>, Failure> {
         let Some(path) = &self.secret else { return Ok(None) };
-        let bytes = std::fs::read(path).map_err(|error| Failure::file(path, "read", &error))?;
+        let bytes = Input::open(path).and_then(|file| file.bytes(LONGEST_SECRET));
+        let bytes = bytes.map_err(|error| Failure::file(path, "read", &error))?;
         let secret = bytes.trim_ascii_end();
         if secret.is_empty() {
             return Err(Failure::unusable(format!("{} holds no secret", path.display())));

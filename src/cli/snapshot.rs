@@ -11,6 +11,7 @@ use rayon::prelude::*;
 use similar::TextDiff;
 
 use crate::exercise::Exercise;
+use crate::fault::Input;
 use crate::problem::Problem;
 use crate::render::Format;
 use crate::render::Page;
@@ -38,6 +39,9 @@ const SEEDS: [u64; 3] = [1, 2, 3];
 
 /// Equal lines that stand around a change.
 const CONTEXT: usize = 3;
+
+/// The longest snapshot that is read, in bytes.
+const LARGEST: u64 = 1 << 24;
 
 /// Keep golden snapshots of problems, so that nothing changes unseen
 #[derive(Args, Debug)]
@@ -80,7 +84,9 @@ impl Snapshot {
         for name in names {
             let path = self.folder.join(&name);
             if path.is_file() {
-                let text = fs::read_to_string(&path).map_err(|error| Failure::file(&path, "read", &error))?;
+                let text = Input::open(&path)
+                    .and_then(|file| file.text(LARGEST))
+                    .map_err(|error| Failure::file(&path, "read", &error))?;
                 kept.insert(name, text.replace("\r\n", "\n"));
             }
         }

@@ -1,9 +1,12 @@
 //! Reading tables of comma-separated values as people's programs write them.
 
-use std::fs::File;
 use std::io::BufRead;
 use std::io::BufReader;
 use std::path::Path;
+
+use serde::de::DeserializeOwned;
+
+use crate::fault::Input;
 
 use super::failure::Failure;
 
@@ -11,7 +14,7 @@ use super::failure::Failure;
 pub(super) struct Table {
     /// The headings, without spaces around them and without the byte order mark that some programs write.
     pub headings: Vec<String>,
-    rows: csv::Reader<BufReader<File>>,
+    rows: csv::Reader<BufReader<Input>>,
     /// The row that was read last, in memory that the next one takes over.
     row: csv::StringRecord,
     line: u64,
@@ -30,7 +33,7 @@ impl Table {
 
     fn trimmed(path: &Path, trim: csv::Trim) -> Result<Self, Failure> {
         let unreadable = |error: &std::io::Error| Failure::file(path, "read", error);
-        let mut file = BufReader::new(File::open(path).map_err(|error| unreadable(&error))?);
+        let mut file = BufReader::new(Input::open(path).map_err(|error| unreadable(&error))?);
         let start = file.fill_buf().map_err(|error| unreadable(&error))?;
         let line = start.split(|byte| *byte == b'\n').next().unwrap_or_default();
         let delimiter = if line.contains(&b';') && !line.contains(&b',') { b';' } else { b',' };
@@ -62,6 +65,15 @@ impl Table {
             }
         }
     }
+}
+
+/// The longest table that is read as a whole, in bytes.
+const LARGEST: u64 = 1 << 26;
+
+/// Every row of a table whose columns are fields of a type.
+pub(super) fn typed<T: DeserializeOwned>(path: &Path) -> csv::Result<Vec<T>> {
+    let text = Input::open(path)?.text(LARGEST)?;
+    csv::Reader::from_reader(text.as_bytes()).deserialize().collect()
 }
 
 /// What is wrong with a row, without the place, which stands before it.

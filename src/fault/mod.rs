@@ -1,9 +1,11 @@
-//! What an author did wrong: what, where (file, line, column), and the way out.
+//! Files that are read, and what an author did wrong in them: what, where (file, line, column), and the way out.
 
+mod input;
 mod path;
 mod source;
 mod suggest;
 
+pub use input::Input;
 pub use path::{Path, Segment};
 pub use source::{Source, Span};
 pub use suggest::did_you_mean;

@@ -9,6 +9,7 @@ use tera::{Delimiters, Error, ErrorKind, Tera};
 use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Faults;
+use crate::fault::Input;
 use crate::fault::Source;
 use crate::fault::Span;
 
@@ -112,6 +113,9 @@ fn engine(format: Format) -> Tera {
     tera
 }
 
+/// The longest template that is read, in bytes.
+const LARGEST: u64 = 1 << 20;
+
 /// Adds the user's files of that format: each `.tera` file of its folder, and the style sheet.
 fn add_overrides(format: Format, folder: &Path, sources: &mut BTreeMap<String, Source>) -> Result<(), Faults> {
     let unreadable = |path: &Path, error: &std::io::Error| Faults {
@@ -130,7 +134,7 @@ fn add_overrides(format: Format, folder: &Path, sources: &mut BTreeMap<String, S
         if key != STYLE && path.extension().is_none_or(|extension| extension != "tera") {
             continue;
         }
-        let text = std::fs::read_to_string(&path).map_err(|error| unreadable(&path, &error))?;
+        let text = Input::open(&path).and_then(|file| file.text(LARGEST)).map_err(|error| unreadable(&path, &error))?;
         sources.insert(key, Source::new(&path.display().to_string(), &text));
     }
     Ok(())

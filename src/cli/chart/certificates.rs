@@ -11,6 +11,7 @@ use super::super::plot::Mark;
 use super::super::plot::Page;
 use super::super::plot::Panel;
 use super::super::plot::Spot;
+use super::super::table;
 
 /// A quantity that a problem asks for, over many seeds; all relative to its value.
 #[derive(Clone, Debug, Deserialize)]
@@ -23,8 +24,7 @@ pub(super) struct Row {
 /// Reads the table that `cargo test --test certificates` writes.
 pub(super) fn read(path: &Path) -> Result<Vec<Row>, Failure> {
     let said = |error: csv::Error| Failure::unusable(format!("{} cannot be read: {error}", path.display()));
-    let rows: Vec<Row> =
-        csv::Reader::from_path(path).map_err(said)?.deserialize().collect::<Result<_, _>>().map_err(said)?;
+    let rows: Vec<Row> = table::typed(path).map_err(said)?;
     if rows.is_empty() {
         return Err(Failure::unusable(format!("{} holds no quantities", path.display())));
     }

@@ -8,6 +8,7 @@ use serde::Serialize;
 use crate::simulate::Point;
 
 use super::super::failure::Failure;
+use super::super::table;
 
 /// One row: a method at one setting on one task.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
@@ -54,8 +55,7 @@ pub(super) fn write(rows: &[Row], out: impl std::io::Write) -> Result<(), Failur
 /// Reads what [`write`] wrote.
 pub(super) fn read(path: &Path) -> Result<Vec<Row>, Failure> {
     let said = |error: csv::Error| Failure::unusable(format!("{} cannot be read as points: {error}", path.display()));
-    let rows: Vec<Row> =
-        csv::Reader::from_path(path).map_err(said)?.deserialize().collect::<Result<_, _>>().map_err(said)?;
+    let rows: Vec<Row> = table::typed(path).map_err(said)?;
     if rows.is_empty() {
         return Err(Failure::unusable(format!("{} holds no points", path.display())));
     }

@@ -1,7 +1,5 @@
 //! Where submissions come from: a table, a file of JSON lines, or a folder of YAML files. One at a time, in order.
 
-use std::fs;
-use std::fs::File;
 use std::io::BufRead;
 use std::io::BufReader;
 use std::path::Path;
@@ -14,11 +12,12 @@ use serde_json::Value;
 use crate::bank::files_under;
 use crate::cli::failure::Failure;
 use crate::cli::table::Table;
+use crate::fault::Input;
 
 use super::submission::{Column, KEYS, Key, Place, Submission};
 
-/// A line of JSON that is longer than this is none of ours.
-const LONGEST_LINE: u64 = 1 << 20;
+/// The longest submission: a line of JSON or a file that is longer is none of ours.
+const LONGEST: u64 = 1 << 20;
 
 /// A submission, or what is wrong where one should be.
 pub(super) type Next = Result<Submission, (Place, String)>;
@@ -26,7 +25,7 @@ pub(super) type Next = Result<Submission, (Place, String)>;
 /// Submissions in the order of the input.
 pub(super) enum Source {
     Table(Box<Table>, Vec<Column>),
-    Lines(BufReader<File>, u64),
+    Lines(BufReader<Input>, u64),
     Folder(std::vec::IntoIter<PathBuf>),
 }
 
@@ -41,7 +40,7 @@ impl Source {
             return Ok(Self::Folder(files.into_iter()));
         }
         if is_json(path) {
-            let file = File::open(path).map_err(|error| Failure::file(path, "read", &error))?;
+            let file = Input::open(path).map_err(|error| Failure::file(path, "read", &error))?;
             return Ok(Self::Lines(BufReader::new(file), 0));
         }
         let table = Table::as_it_stands(path)?;
@@ -77,7 +76,7 @@ impl Iterator for Source {
             Self::Lines(file, line) => next_line(file, line),
             Self::Folder(files) => {
                 let path = files.next()?;
-                let text = fs::read_to_string(&path).map_err(|error| error.to_string());
+                let text = Input::open(&path).and_then(|file| file.text(LONGEST)).map_err(|error| error.to_string());
                 let value =
                     text.and_then(|text| serde_yaml::from_str::<Value>(&text).map_err(|error| error.to_string()));
                 Some(read(Place::File(path), value))
@@ -87,16 +86,16 @@ impl Iterator for Source {
 }
 
 /// The next line that is not empty.
-fn next_line(file: &mut BufReader<File>, line: &mut u64) -> Option<Next> {
+fn next_line(file: &mut BufReader<Input>, line: &mut u64) -> Option<Next> {
     loop {
         let mut text = Vec::new();
         *line += 1;
         let place = Place::Line(*line);
-        match std::io::Read::take(&mut *file, LONGEST_LINE).read_until(b'\n', &mut text) {
+        match std::io::Read::take(&mut *file, LONGEST).read_until(b'\n', &mut text) {
             Ok(0) => return None,
             Ok(_) if text.trim_ascii().is_empty() => {}
             Ok(_) => {
-                if text.last() != Some(&b'\n') && text.len() as u64 == LONGEST_LINE {
+                if text.last() != Some(&b'\n') && text.len() as u64 == LONGEST {
                     // Nobody wants the rest of it.
                     let _ = file.skip_until(b'\n');
                     return Some(Err((place, "the line is longer than a submission can be".to_owned())));
@@ -184,7 +183,7 @@ mod tests {
     fn all(name: &str, text: &str) -> Vec<Result<String, String>> {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join(name);
-        fs::write(&path, text).unwrap();
+        std::fs::write(&path, text).unwrap();
         let shown = |next: Next| match next {
             Ok(submission) => {
                 let answers: Vec<_> = submission.answers().map(|(part, answer)| format!("{part}={answer}")).collect();
