@@ -1,0 +1,135 @@
+//! Problems that readers wrote and the program got wrong: for each the exit code of `momentous check`, and the faults or the
+//! answers. A row whose comment says what is wanted tells what happens until then.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test says bluntly what it expects")]
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+
+use assert_cmd::Command;
+use serde_json::Value;
+
+/// What becomes of a file.
+enum Outcome {
+    /// Its promises hold (exit code 0), and these are its answers, each as `id = what the key prints`.
+    Holds(&'static [&'static str]),
+    /// A promise is broken (exit code 1), and the remark contains this.
+    Broken(&'static [&'static str]),
+    /// It does not load (exit code 2), and its faults contain this.
+    Refused(&'static [&'static str]),
+}
+
+use Outcome::{Broken, Holds, Refused};
+
+/// Each file with what becomes of it.
+const FOUND: &[(&str, Outcome)] = &[
+    // Wanted: refused, with the points of the scene.
+    ("about_nowhere", Holds(&["b = yes"])),
+    // Wanted: 18.3 degrees below the horizontal.
+    ("aiming", Refused(&["no way is known to solve"])),
+    // Wanted: refused as a direction, with the words of the axis.
+    ("backwards", Refused(&["`m` does not follow from what is given", "give also `backwards`"])),
+    // Wanted: v_A2 = 6 m/s.
+    ("given_by_given", Refused(&["the name `k` is not known"])),
+    // Wanted: v_C3 = 0.444 m/s, p_3 = 1 kg m/s.
+    ("interact_after_impact", Broken(&["`p_3 of all together` is 1 by the laws and 1.33"])),
+    // Wanted: perfectly plastic; not conserved.
+    ("kind_by_numbers", Holds(&["a = inelastic", "b = no"])),
+    // Wanted: refused, since the text does not print g.
+    ("moon", Holds(&["v_A2 = -2.85 m/s"])),
+    // Wanted: refused, since t_2 is a name of the scene.
+    ("name_collision", Broken(&["`t_2` is 0.75 by the laws and 2 by simulation"])),
+    // Wanted: r_K1 = 2.50e8 km.
+    ("orbit_circle", Refused(&["contradicts the energy of an elliptic orbit"])),
+    // Wanted: it loads.
+    ("printed_component", Refused(&["`J_A.x[kick]` is not the name of a quantity"])),
+    // Wanted: e < 0.917.
+    ("range_after_flight", Refused(&["within what is possible it holds always, or never"])),
+    // Wanted: 0.547 s or 1.49 s.
+    ("roots_all", Broken(&["`dt (2)` =  is marked unanswered"])),
+    // Wanted: r_ball2.x = 3.97 m.
+    ("shelf", Broken(&["`dt` is 1.32", "0.308"])),
+    // Wanted: v_A2 = 12.0 m/s.
+    ("slide_by_height", Broken(&["`N_A` is 78.48 by the laws"])),
+    ("small_beside_large", Holds(&["v_B2 = 0.0150 m/s", "T_B2 = 6.75 × 10^-4 J", "J_B = 0.0900 N s"])),
+    // Wanted: T_lost = 0 J; conserved.
+    ("strike_elastic", Broken(&["the answer to b is another one by simulation"])),
+    // Wanted: beta = -14.0 degrees, e = 0.5.
+    ("unknown_normal", Refused(&["no way is known to solve"])),
+    // Wanted: an author's fault, since e is 1.32.
+    ("wall_creates_energy", Holds(&["F_avg_A = 1340 N"])),
+    // Wanted: an author's fault, since weight gives half of the change of momentum.
+    ("weight_in_a_long_impact", Holds(&["speed_ball2 = 5.94 m/s", "F_avg_ball = 7.92 N", "c = no"])),
+];
+
+/// Answers to one of the files, and how many points they get.
+const MARKED: &[(&str, &[&str], &str)] = &[
+    ("small_beside_large", &["v_B2=0.0150 m/s", "T_B2=6.75e-4 J", "J_B=0.0900 N s"], "3/3"),
+    // Wanted: 0/3.
+    ("small_beside_large", &["v_B2=-0.25 m/s", "T_B2=0 J", "J_B=0 N s"], "3/3"),
+];
+
+fn path(name: &str) -> String {
+    format!("{}/tests/fixtures/found/{name}.yaml", env!("CARGO_MANIFEST_DIR"))
+}
+
+/// Exit code and output.
+fn run(arguments: &[&str]) -> (i32, String) {
+    let output = Command::cargo_bin("momentous").unwrap().args(arguments).output().unwrap();
+    (output.status.code().unwrap(), String::from_utf8(output.stdout).unwrap())
+}
+
+/// The answers of the key, each as `id = what is printed`.
+fn answers(file: &str) -> Vec<String> {
+    let (_, solved) = run(&["solve", file, "--format", "json"]);
+    let record: Value = serde_json::from_str(&solved).unwrap();
+    let answer = |part: &Value| {
+        let printed = part["printed"].as_str().or(part["value"].as_str()).unwrap();
+        format!("{} = {printed}", part["id"].as_str().unwrap())
+    };
+    record["ask"].as_array().unwrap().iter().map(answer).collect()
+}
+
+/// What does not become of a file as the table says.
+fn differing((name, outcome): &(&str, Outcome)) -> Option<String> {
+    let file = path(name);
+    let (code, said) = run(&["check", &file, "--seeds", "5"]);
+    let (expected, parts) = match outcome {
+        Holds(parts) => (0, parts),
+        Broken(parts) => (1, parts),
+        Refused(parts) => (2, parts),
+    };
+    let own = match outcome {
+        Holds(_) if code == 0 => answers(&file).join("\n"),
+        _ => said,
+    };
+    let missing: Vec<&&str> = parts.iter().filter(|part| !own.contains(**part)).collect();
+    (code != expected || !missing.is_empty()).then(|| format!("{name}: exit {code}, without {missing:?}\n{own}"))
+}
+
+#[test]
+fn each_file_ends_as_the_table_says() {
+    let differing: Vec<String> = FOUND.iter().filter_map(differing).collect();
+    assert!(differing.is_empty(), "\n{}", differing.join("\n"));
+}
+
+#[test]
+fn every_file_is_in_the_table() {
+    let files = fs::read_dir(Path::new(&path("any")).parent().unwrap()).unwrap();
+    let files: BTreeSet<String> =
+        files.map(|file| file.unwrap().path().file_stem().unwrap().to_str().unwrap().to_owned()).collect();
+    let rows: BTreeSet<String> = FOUND.iter().map(|(name, _)| (*name).to_owned()).collect();
+    assert_eq!(files, rows);
+}
+
+#[test]
+fn answers_get_the_points_that_the_table_says() {
+    for (name, answers, points) in MARKED {
+        let file = path(name);
+        let typed = answers.iter().flat_map(|answer| ["--answer", answer]);
+        let arguments: Vec<&str> = ["grade", "--seed", "1", "--problem", &file].into_iter().chain(typed).collect();
+        let (_, report) = run(&arguments);
+        assert!(report.contains(&format!("total: {points}")), "{name}: {answers:?}\n{report}");
+    }
+}
