@@ -6,6 +6,7 @@ mod drawer;
 mod follow_through;
 mod followed;
 mod formula;
+mod issued;
 mod marker;
 mod marking;
 mod record;
@@ -51,6 +52,7 @@ use crate::render::SheetPart;
 use crate::solve::Bounded;
 
 pub use attempts::Try;
+pub use issued::{Derivation, SeedSource, VariantRef};
 pub use marker::Marker;
 pub use marking::Sitting;
 

@@ -8,6 +8,7 @@ use serde_json::json;
 use crate::cli::failure::Failure;
 use crate::cli::output::file_stem;
 use crate::exercise::Exercise;
+use crate::exercise::SeedSource;
 use crate::problem::Problem;
 use crate::render::KeyRow;
 use crate::render::Sheet;
@@ -42,9 +43,16 @@ impl Job {
     }
 
     /// For each student every problem.
-    pub(super) fn for_students<'a>(asked: &'a [Asked], students: &'a [Student]) -> Box<dyn Iterator<Item = Self> + 'a> {
-        let of = |student: &'a Student| {
-            asked.iter().map(|asked| Self { asked: asked.clone(), seed: student.seed, student: Some(student.clone()) })
+    pub(super) fn for_students<'a>(
+        asked: &'a [Asked],
+        students: &'a [Student],
+        seeds: SeedSource<'a>,
+    ) -> Box<dyn Iterator<Item = Self> + 'a> {
+        let of = move |student: &'a Student| {
+            asked.iter().map(move |asked| {
+                let seed = student.variant((&asked.0, asked.1), seeds).seed;
+                Self { asked: asked.clone(), seed, student: Some(student.clone()) }
+            })
         };
         Box::new(students.iter().flat_map(of))
     }

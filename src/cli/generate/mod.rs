@@ -9,7 +9,9 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use crate::exercise::Derivation;
 use crate::exercise::Exercise;
+use crate::exercise::SeedSource;
 use crate::render::Figures;
 use crate::render::Format;
 use crate::render::Key;
@@ -70,6 +72,9 @@ pub(super) struct Generate {
     /// One sheet for each student of this table
     #[arg(long, value_name = "CSV", requires = "output")]
     roster: Option<PathBuf>,
+    /// How seeds of students are made: 2, or 1 to print sheets again that an earlier version of the program made
+    #[arg(long, value_name = "VERSION", default_value_t, requires = "roster")]
+    derivation: Derivation,
     /// Write to this file, or files into this folder, instead of printing
     #[arg(short, long, value_name = "FILE|FOLDER")]
     output: Option<PathBuf>,
@@ -86,14 +91,15 @@ impl Generate {
         }
         let secret = self.secret.read()?;
         let problems = open::problems(&self.problems, secret.as_deref())?;
-        let roster = self.roster.as_deref().map(|path| Roster::read(path, secret.as_deref())).transpose()?;
+        let roster = self.roster.as_deref().map(Roster::read).transpose()?;
         let destination = Destination::of(self.output.as_deref());
         let mut forms = Vec::new();
         for problem in &problems {
             forms.push((problem.clone(), open::form(problem, self.form.as_deref())?));
         }
+        let seeds = SeedSource { derivation: self.derivation, secret: secret.as_deref() };
         let jobs = match &roster {
-            Some(roster) => Job::for_students(&forms, &roster.students),
+            Some(roster) => Job::for_students(&forms, &roster.students, seeds),
             None => Job::for_seeds(&forms, self.seed, self.count)?,
         };
         let each = roster.as_ref().map_or(self.count, |roster| roster.students.len() as u64);
@@ -102,7 +108,7 @@ impl Generate {
             Some(format) => self.documents(jobs, format, &destination)?,
         }
         if let Some(roster) = &roster {
-            destination.write_seeds(&roster.seeds(&forms)?)?;
+            destination.write_seeds(&roster.seeds(&forms, seeds)?)?;
             if secret.is_none() {
                 eprintln_quietly(
                     "note: without --secret, a student who has this program can print his or her own solution",

@@ -1,19 +1,16 @@
-//! The students of a course, each with a seed of his or her own.
+//! The students of a course, and the table of who has which seed.
 
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use hmac::{Hmac, KeyInit, Mac};
-use sha2::Sha256;
-
 use crate::cli::failure::Failure;
 use crate::cli::output::file_stem;
 use crate::cli::table::Table;
+use crate::exercise::SeedSource;
+use crate::exercise::VariantRef;
+use crate::problem::Problem;
 
 use super::job::Asked;
-
-/// Seeds stay below 2^48, so that every program that reads JSON numbers as doubles reads them exactly.
-const SEED_BITS: u32 = 48;
 
 /// A student.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -22,8 +19,6 @@ pub(super) struct Student {
     pub id: String,
     /// What the student is called; the identity where the table has no names.
     pub name: String,
-    /// The seed.
-    pub seed: u64,
     /// The beginning of the names of the student's files.
     pub stem: String,
 }
@@ -35,8 +30,8 @@ pub(super) struct Roster {
 }
 
 impl Roster {
-    /// Reads the table. Seeds are made of identity and secret, so that a student keeps the seed when others come or go.
-    pub(super) fn read(path: &Path, secret: Option<&[u8]>) -> Result<Self, Failure> {
+    /// Reads the table.
+    pub(super) fn read(path: &Path) -> Result<Self, Failure> {
         let mut table = Table::open(path)?;
         let (id, name) = (table.column("id"), table.column("name"));
         let Some(identity) = id.or(name) else {
@@ -67,7 +62,7 @@ impl Roster {
                 *times += 1;
                 let stem = if *times == 1 { file_stem(&id) } else { format!("{}-{times}", file_stem(&id)) };
                 let name = name.map(cell).filter(|name| !name.is_empty()).unwrap_or_else(|| id.clone());
-                students.push(Student { seed: seed(&id, secret), id, name, stem });
+                students.push(Student { id, name, stem });
             }
         }
         if students.is_empty() && failures.is_empty() {
@@ -77,16 +72,16 @@ impl Roster {
     }
 
     /// The table of who has which seed.
-    pub(super) fn seeds(&self, asked: &[Asked]) -> Result<String, Failure> {
+    pub(super) fn seeds(&self, asked: &[Asked], seeds: SeedSource<'_>) -> Result<String, Failure> {
         let mut table = csv::Writer::from_writer(Vec::new());
         let failed = |error: csv::Error| Failure::unusable(format!("the table of seeds cannot be written: {error}"));
-        table.write_record(["student", "name", "problem", "digest", "form", "seed"]).map_err(failed)?;
+        table.write_record(["student", "name", "problem", "digest", "form", "seed", "derivation"]).map_err(failed)?;
         for student in &self.students {
             for (problem, form) in asked {
-                let form =
-                    problem.forms().get(*form).and_then(|form| form.question.name.as_deref()).unwrap_or_default();
-                let digest = problem.loaded().digest.as_str();
-                let row = [&student.id, &student.name, problem.id(), digest, form, &student.seed.to_string()];
+                let variant = student.variant((problem, *form), seeds);
+                let (seed, derivation) = (variant.seed.to_string(), seeds.derivation.to_string());
+                let digest = &problem.loaded().digest;
+                let row = [&student.id, &student.name, variant.problem, digest, variant.form, &seed, &derivation];
                 table.write_record(row).map_err(failed)?;
             }
         }
@@ -96,21 +91,16 @@ impl Roster {
 }
 
 impl Student {
+    /// The variant that the student gets; it stays the same when others come or go.
+    pub(super) fn variant<'a>(&self, (problem, form): (&'a Problem, usize), seeds: SeedSource<'_>) -> VariantRef<'a> {
+        let form = problem.forms().get(form).and_then(|form| form.question.name.as_deref());
+        seeds.variant(&self.id, problem.id(), form.unwrap_or_default())
+    }
+
     /// Name and identity, as a sheet shows them.
     pub(super) fn shown(&self) -> String {
         if self.name == self.id { self.id.clone() } else { format!("{} ({})", self.name, self.id) }
     }
-}
-
-/// The seed of a student: the first bits of HMAC-SHA-256 of the identity, keyed by the secret.
-fn seed(id: &str, secret: Option<&[u8]>) -> u64 {
-    // HMAC takes a key of any length; the fallback is never used.
-    let Ok(mut mac) = Hmac::<Sha256>::new_from_slice(secret.unwrap_or_default()) else { return 0 };
-    mac.update(b"momentous student\0");
-    mac.update(id.as_bytes());
-    let digest = mac.finalize().into_bytes();
-    let word = digest.iter().take(8).fold(0_u64, |word, byte| word << 8 | u64::from(*byte));
-    word >> (u64::BITS - SEED_BITS)
 }
 
 #[cfg(test)]
@@ -121,26 +111,16 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("class.csv");
         std::fs::write(&path, text).unwrap();
-        let read = Roster::read(&path, Some(b"secret"));
+        let read = Roster::read(&path);
         let place = format!("{}:", path.display());
         read.map(|roster| roster.students).map_err(|failure| failure.to_string().replace(&place, "class.csv:"))
     }
 
     #[test]
-    fn seeds_are_fixed_for_ever_and_fit_a_double() {
-        // By Python: hmac.new(secret, b"momentous student\0" + id, "sha256"), the first 48 bits.
-        assert_eq!(seed("s17", None), SEED_OPEN);
-        assert_eq!(seed("s17", Some(b"course 2026")), SEED_SECRET);
-    }
-
-    const SEED_OPEN: u64 = 3_788_136_342_373;
-    const SEED_SECRET: u64 = 258_417_333_666_985;
-
-    #[test]
-    fn a_student_keeps_the_seed_when_others_come() {
+    fn a_table_may_have_other_columns_marks_and_orders() {
         let alone = roster("id\nb\n").unwrap();
         let both = roster("\u{feff}Name;ID\nAda;a\nBob;b\n").unwrap();
-        assert_eq!(alone[0].seed, both[1].seed);
+        assert_eq!(alone[0].id, both[1].id);
         assert_eq!((both[1].shown(), alone[0].shown()), ("Bob (b)".into(), "b".into()));
     }
 
