@@ -71,7 +71,7 @@ fn form_audit(problem: &Arc<Problem>, position: usize, seeds: Seeds, idle: &Outc
         Promise::Varies => answers::varies(&columns, variants),
         Promise::NotZero => answers::not_zero(&columns),
         Promise::NotGiven => answers::not_given(&columns),
-        Promise::Reproduces => repeat::reproduces(problem, position, drawn),
+        Promise::FromTheSheet => repeat::from_the_sheet(problem, position, drawn),
         Promise::KeyMarks => repeat::key_marks(problem, position, drawn),
         Promise::Sharp => repeat::sharp(problem, position, drawn),
         Promise::Requires => idle.clone(),

@@ -22,7 +22,7 @@ pub enum Promise {
     /// Answers are not among the givens.
     NotGiven,
     /// The numbers on the sheet lead to the answers of the key.
-    Reproduces,
+    FromTheSheet,
     /// No condition is there for nothing.
     Requires,
     /// What the key prints reaches full marks.
@@ -50,7 +50,11 @@ const SAID: &[(Promise, &str, &str)] = &[
     (Promise::Varies, "varies", "no answer is the same for every seed"),
     (Promise::NotZero, "not-zero", "answers are not zero by accident"),
     (Promise::NotGiven, "not-given", "answers do not equal a given in most draws"),
-    (Promise::Reproduces, "reproduces", "the printed givens reproduce the printed answers"),
+    (
+        Promise::FromTheSheet,
+        "from-the-sheet",
+        "the problem solved with nothing but its printed numbers gives every printed answer",
+    ),
     (Promise::Requires, "requires", "every `require` rejects some draws"),
     (Promise::KeyMarks, "key-marks", "the answers of the key reach full marks"),
     (Promise::Sharp, "sharp", "honest rounding moves no answer by more than 5 %"),

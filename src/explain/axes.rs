@@ -9,6 +9,7 @@ use crate::model::Frame;
 use crate::problem::PartKind;
 use crate::problem::Worked;
 use crate::quantity::Decimal;
+use crate::quantity::Printed;
 use crate::quantity::Unit;
 use crate::scene::Scene;
 use crate::scene::Stage;
@@ -21,7 +22,6 @@ use super::Inline;
 use super::display::Display;
 use super::display::number_math;
 use super::display::printed;
-use super::display::shown_decimal;
 use super::display::with_unit;
 use super::wording::capitalised;
 use super::wording::join;
@@ -147,7 +147,7 @@ fn used(worked: Worked<'_>) -> BTreeSet<Symbol> {
 fn value(display: Display<'_>, (symbol, value, unit): &(Symbol, Decimal, Unit)) -> Math {
     let mut parts = vec![display.name(*symbol), Math::Operator(Operator::Equals)];
     if unit != display.unit(*symbol) && !value.is_zero() {
-        parts.extend([with_unit(number_math(shown_decimal(value)), unit), Math::Operator(Operator::Equals)]);
+        parts.extend([with_unit(number_math(Printed::written(value).plain()), unit), Math::Operator(Operator::Equals)]);
     }
     parts.push(display.quantity(*symbol));
     Math::Row(parts)

@@ -13,7 +13,6 @@ use crate::expr::Symbol;
 use crate::problem::AskedUnit;
 use crate::problem::NumberPart;
 use crate::problem::Worked;
-use crate::problem::trimmed;
 use crate::quantity::Decimal;
 use crate::quantity::Dimension;
 use crate::quantity::Printed;
@@ -34,7 +33,7 @@ const INTERMEDIATE: usize = 4;
 const DUST: f64 = 1e-13;
 
 /// The most digits of a given that was converted to another unit.
-const MOST_DIGITS: usize = 6;
+const MOST_DIGITS: usize = 8;
 
 /// Units of the same size as a product of base units in which quantities are usually printed, by the beginnings of names.
 const USUAL: [(&str, &str); 4] = [("J_", "N s"), ("I_", "N s"), ("M_", "N m"), ("omega", "rad/s")];
@@ -82,7 +81,6 @@ impl<'a> Display<'a> {
                 name: (!is_literal).then(|| problem.math_of(symbol)),
                 senses: problem.senses(symbol),
                 is_whole: numbers.any(|number| number.whole && number.symbol == symbol),
-                is_known: problem.known().iter().any(|known| known.symbol == symbol),
             }
         })
     }
@@ -140,7 +138,7 @@ impl<'a> Display<'a> {
         let mut told = self.worked.variant.all_given().iter();
         if let Some((_, value, given)) = told.find(|(own, ..)| *own == symbol) {
             if *given == manner.measured.unit {
-                return shown_decimal(&if manner.is_known { trimmed(value) } else { value.clone() });
+                return Printed::written(value).plain();
             }
             if !manner.is_whole
                 && let Some(exact) = converted(value, given, &manner.measured.unit)
@@ -297,13 +295,14 @@ pub(super) fn has_pieces(expr: &Expr) -> bool {
     matches!(expr, Expr::Piecewise(_)) || expr.children().any(has_pieces)
 }
 
-/// A given in another unit, where the conversion is exact and short: 360 g is 0.36 kg.
+/// A given in another unit, where the conversion is exact and short: 360 g is 0.36 kg, and 36.0 km/h is 10.0 m/s.
 fn converted(value: &Decimal, given: &Unit, unit: &Unit) -> Option<String> {
     let (from, to) = (given.factor(), unit.factor());
     let exact = value.to_rational() * from.rational / to.rational;
-    let rounded = Printed::exact(&exact, MOST_DIGITS);
-    let whole = from.pi == to.pi && rounded.to_decimal().to_rational() == exact && rounded.power_of_ten().is_none();
-    whole.then(|| trim(&rounded.plain()))
+    let figures = (value.least_figures()..=MOST_DIGITS).filter(|_| from.pi == to.pi);
+    let printed = figures.map(|figures| Printed::exact(&exact, figures));
+    let mut fitting = printed.filter(|printed| printed.to_decimal().to_rational() == exact);
+    fitting.next().map(|printed| printed.plain())
 }
 
 /// A number followed by its unit.
@@ -331,20 +330,6 @@ pub(super) fn number_math(text: String) -> Math {
 /// A value to so many figures, as plain text.
 pub(super) fn printed(value: f64, figures: usize) -> String {
     Printed::new(value, figures).map_or_else(|| "?".into(), |printed| printed.plain())
-}
-
-/// A decimal without zeros at its end.
-fn trim(text: &str) -> String {
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text.to_owned() }
-}
-
-/// A given's decimal: plain where that is short, with a power of ten otherwise.
-pub(super) fn shown_decimal(value: &Decimal) -> String {
-    let plain = value.to_string();
-    if plain.len() <= 8 {
-        return plain;
-    }
-    Printed::exact(&value.to_rational(), value.figures().clamp(1, 6)).plain()
 }
 
 fn is_angle(name: &str) -> bool {

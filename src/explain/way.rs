@@ -69,8 +69,6 @@ pub(super) struct Manner {
     pub senses: Option<Senses>,
     /// Whether it is found by counting.
     pub is_whole: bool,
-    /// Whether its value is among what is known before anything is solved.
-    pub is_known: bool,
 }
 
 impl Memory {

@@ -80,6 +80,14 @@ pub enum Given {
 }
 
 impl Given {
+    /// The text of a plain number that is written as a calculation: `1/3`.
+    #[must_use]
+    pub fn constant(&self) -> Option<&str> {
+        let Self::Expression(text) = self else { return None };
+        let is_number = |letter: char| letter.is_ascii_digit() || " .+-*/()".contains(letter);
+        Some(text.trim()).filter(|text| text.chars().all(is_number))
+    }
+
     /// Reads an entry that stands at a path.
     ///
     /// # Errors

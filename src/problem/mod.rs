@@ -88,7 +88,7 @@ pub use regimes::{Dead, Leaf, Regimes};
 pub use rounding::Judged;
 pub use rubric::{Keep, OtherUnits, Rubric, Writing};
 pub use sampler::Sampler;
-pub use say::{quantity as say_quantity, trimmed};
+pub use say::quantity as say_quantity;
 pub use schema::{course_schema, json_schema};
 pub use settings::Course;
 pub use simulated::Simulated;

@@ -69,6 +69,28 @@ pub(super) fn fill(text: &Text, problem: &Problem, variant: &Variant) -> String 
     filled
 }
 
+impl Variant {
+    /// The numbers that the story and the question of its form print, each once by the name of its quantity, as they would be
+    /// typed: what is written as a calculation is left out.
+    #[must_use]
+    pub fn printed_numbers(&self, problem: &Problem) -> Vec<(String, String)> {
+        let question = problem.forms().get(self.form()).map(|form| &form.question.text);
+        let mut numbers: Vec<(String, String)> = Vec::new();
+        for placeholder in [&problem.loaded().text].into_iter().chain(question).flat_map(Text::placeholders) {
+            let name = &placeholder.name;
+            let tells = placeholder.filter.tells_size() || placeholder.filter == Filter::Motion;
+            let Some(symbol) = problem.model().symbol_of(name).filter(|_| tells) else { continue };
+            let speaker = Speaker { problem, variant: self, symbol, name };
+            if speaker.constant().is_none() && numbers.iter().all(|(own, _)| own != name) {
+                let (value, unit) = self.told(problem, symbol);
+                let typed = Printed::written(&value).plain().replace(" × 10^", "e");
+                numbers.push((name.clone(), format!("{typed} {unit}").trim_end().to_owned()));
+            }
+        }
+        numbers
+    }
+}
+
 /// Says one quantity.
 struct Speaker<'a> {
     problem: &'a Problem,
@@ -79,9 +101,13 @@ struct Speaker<'a> {
 
 impl Speaker<'_> {
     fn say(&self, filter: Filter, before: &str) -> String {
+        if let (Some(constant), true) = (self.constant(), filter.tells_size()) {
+            return match filter {
+                Filter::Named => format!("{} = {constant}", self.in_symbols()),
+                _ => constant,
+            };
+        }
         let (value, unit) = self.variant.told(self.problem, self.symbol);
-        // The zeros of a rounded value are figures; those of a drawn one come from its step and are left out.
-        let value = if self.is_rounded() { value } else { trimmed(&value) };
         match filter {
             Filter::Quantity => quantity(&value, &unit),
             Filter::Value => number(&value),
@@ -98,8 +124,10 @@ impl Speaker<'_> {
         format!("${}$", self.problem.math_of(self.symbol).latex())
     }
 
-    fn is_rounded(&self) -> bool {
-        !self.problem.known().iter().any(|known| known.symbol == self.symbol)
+    /// A number that is given as a calculation, as `1/3`: it is printed as it is written, since its decimals would be rounded.
+    fn constant(&self) -> Option<String> {
+        let constant = self.problem.loaded().given.get(self.name)?.constant()?;
+        Some(constant.replace('-', "\u{2212}"))
     }
 
     fn senses(&self) -> Option<Senses> {
@@ -177,19 +205,7 @@ fn has_verb_of_motion(before: &str) -> bool {
 /// A number as it stands in a sentence, with a true minus sign.
 #[must_use]
 pub fn number(value: &Decimal) -> String {
-    let plain = value.to_string();
-    let long = plain.len() > 9;
-    let plain =
-        if long { Printed::exact(&value.to_rational(), value.least_figures().clamp(1, 12)).plain() } else { plain };
-    plain.replace('-', "\u{2212}")
-}
-
-/// A decimal without a fraction of zeros: 2.0 is 2, and 0.70 stays as it is.
-#[must_use]
-pub fn trimmed(value: &Decimal) -> Decimal {
-    let text = value.to_string();
-    let whole = text.split_once('.').filter(|(_, fraction)| fraction.bytes().all(|digit| digit == b'0'));
-    whole.and_then(|(whole, _)| Decimal::parse(whole).ok()).unwrap_or_else(|| value.clone())
+    Printed::written(value).plain().replace('-', "\u{2212}")
 }
 
 /// A value with its unit as it stands in a sentence; a no-break space keeps them together.
@@ -219,9 +235,9 @@ mod tests {
 
     #[test]
     fn numbers_read_as_in_print() {
-        let said =
-            |text: &str, unit: &str| quantity(&trimmed(&Decimal::parse(text).unwrap()), &Unit::parse(unit).unwrap());
-        assert_eq!(said("2.0", "kg"), "2\u{a0}kg");
+        let said = |text: &str, unit: &str| quantity(&Decimal::parse(text).unwrap(), &Unit::parse(unit).unwrap());
+        assert_eq!(said("2.0", "kg"), "2.0\u{a0}kg");
+        assert_eq!(said("0.0", "m"), "0\u{a0}m");
         assert_eq!(said("-0.70", ""), "\u{2212}0.70");
         assert_eq!(said("30", "deg"), "30°");
     }

@@ -63,6 +63,12 @@ impl Filter {
         matches!(self, Self::Symbol | Self::Named)
     }
 
+    /// Whether the reader learns how large the quantity is, without a word on its direction.
+    #[must_use]
+    pub(super) fn tells_size(self) -> bool {
+        matches!(self, Self::Quantity | Self::Value | Self::Magnitude | Self::Named)
+    }
+
     /// Whether the reader learns a number.
     #[must_use]
     pub fn tells(self) -> bool {

@@ -13,6 +13,9 @@ use super::{Decimal, Integer, Rational};
 /// The most figures that are printed.
 const MAX_FIGURES: usize = 40;
 
+/// A written number of more characters is printed with a power of ten where that is shorter.
+const LONG: usize = 9;
+
 /// A number rounded for display: its digits, and a power of ten where it is very large or very small.
 ///
 /// It is rounded from the exact value, half away from zero. Between 0.001 and 1 000 000 it is printed without a power of ten.
@@ -39,6 +42,24 @@ impl Printed {
     #[must_use]
     pub fn exact(value: &Rational, figures: usize) -> Self {
         Self::of_rounded(round_rational(value, figures))
+    }
+
+    /// A number that somebody wrote, exactly and with its figures: `12.0` stays `12.0`; zero is a bare `0`.
+    ///
+    /// ```
+    /// use momentous::quantity::{Decimal, Printed};
+    /// let printed = |text: &str| Printed::written(&Decimal::parse(text).unwrap()).plain();
+    /// assert_eq!(["12.0", "0.00", "1.5e10"].map(printed), ["12.0", "0", "1.5 × 10^10"]);
+    /// ```
+    #[must_use]
+    pub fn written(value: &Decimal) -> Self {
+        if value.is_zero() {
+            return Self { mantissa: Decimal::from(0), power_of_ten: None };
+        }
+        if value.to_string().len() > LONG {
+            return Self::exact(&value.to_rational(), value.least_figures());
+        }
+        Self { mantissa: value.clone(), power_of_ten: None }
     }
 
     fn of_rounded(rounded: Decimal) -> Self {
