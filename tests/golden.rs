@@ -103,7 +103,7 @@ fn students_have_the_seeds_that_they_always_had() {
         let arguments = ["generate", "carts.yaml", "--form", "forward", "--roster", "class.csv", "-o", "sheets/"];
         let mut command = Command::cargo_bin("momentous").unwrap();
         command.current_dir(room.path()).args(arguments).args(secret).assert().success();
-        found.push_str(&fs::read_to_string(at("sheets/seeds.csv")).unwrap());
+        found.push_str(&fs::read_to_string(at("sheets-teacher/seeds.csv")).unwrap());
     }
     assert_eq!(found, fs::read_to_string(folder().join("seeds.csv")).unwrap());
 }

@@ -10,6 +10,7 @@ use crate::fault::Faults;
 use crate::problem::NoVariant;
 
 use super::exit::Exit;
+use super::terminal::visible;
 
 /// Why a command could not do its work.
 #[derive(Debug)]
@@ -56,11 +57,15 @@ impl Failure {
     pub(super) fn report(&self) -> Exit {
         let message = self.message.trim_end();
         if !message.is_empty() {
-            // Where standard error is closed there is nobody left to tell.
-            let _ = writeln!(io::stderr(), "{message}");
+            tell(message);
         }
         self.exit
     }
+}
+
+/// Says something on standard error, whatever signs are in it; where that is closed there is nobody left to tell.
+pub(super) fn tell(text: &str) {
+    let _ = writeln!(io::stderr(), "{}", visible(text));
 }
 
 impl fmt::Display for Failure {

@@ -14,6 +14,7 @@ mod new;
 mod open;
 mod output;
 mod pages;
+mod pending;
 mod plot;
 mod progress;
 mod schema;
@@ -22,6 +23,7 @@ mod snapshot;
 mod solve;
 mod style;
 mod table;
+mod terminal;
 mod witnessed;
 
 use std::ffi::OsString;
@@ -89,9 +91,13 @@ where
     let outcome = match Cli::try_parse_from(arguments) {
         Ok(cli) => cli.command.run(),
         Err(error) => {
+            if error.use_stderr() {
+                failure::tell(error.render().to_string().trim_end());
+                return Exit::Unusable;
+            }
             // Where even the terminal is gone there is nobody left to tell.
             let _ = error.print();
-            return if error.use_stderr() { Exit::Unusable } else { Exit::Fine };
+            return Exit::Fine;
         }
     };
     outcome.unwrap_or_else(|failure| failure.report())

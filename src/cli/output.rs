@@ -4,12 +4,16 @@ use std::fs;
 use std::fs::File;
 use std::io;
 use std::io::BufWriter;
+use std::io::IsTerminal;
 use std::io::StdoutLock;
 use std::io::Write;
 use std::path::Path;
 use std::path::PathBuf;
 
 use super::failure::Failure;
+use super::pending::Pending;
+use super::pending::Readers;
+use super::terminal::Terminal;
 
 /// How many links one after the other are followed, as the kernel does.
 const LINKS: usize = 40;
@@ -18,25 +22,26 @@ const LINKS: usize = 40;
 #[derive(Debug)]
 pub(super) enum Output {
     Stdout(BufWriter<StdoutLock<'static>>),
+    /// Standard output where somebody looks.
+    Terminal(Terminal<BufWriter<StdoutLock<'static>>>),
     /// What is there and is no regular file: a device, a pipe. It is written to; it is never replaced.
     Device(BufWriter<File>, PathBuf),
     File(Box<Pending>),
 }
 
-/// A file on its way; what is left of it goes when it is dropped.
-#[derive(Debug)]
-pub(super) struct Pending {
-    writer: Option<BufWriter<File>>,
-    temporary: PathBuf,
-    path: PathBuf,
-}
-
 impl Output {
     /// Standard output where no path is given.
     pub(super) fn to(path: Option<&Path>) -> Result<Self, Failure> {
-        let Some(path) = path.filter(|path| *path != "/dev/stdout") else {
-            return Ok(Self::Stdout(BufWriter::new(io::stdout().lock())));
-        };
+        match path.filter(|path| *path != "/dev/stdout") {
+            Some(path) => Self::at(path, Readers::AsBefore),
+            None if io::stdout().is_terminal() => {
+                Ok(Self::Terminal(Terminal::new(BufWriter::new(io::stdout().lock()))))
+            }
+            None => Ok(Self::Stdout(BufWriter::new(io::stdout().lock()))),
+        }
+    }
+
+    fn at(path: &Path, readers: Readers) -> Result<Self, Failure> {
         let written = |error: io::Error| Failure::file(path, "written", &error);
         match fs::metadata(path) {
             Ok(found) if found.is_dir() => {
@@ -46,7 +51,10 @@ impl Output {
                 let device = File::options().write(true).open(path).map_err(written)?;
                 Ok(Self::Device(BufWriter::new(device), path.to_owned()))
             }
-            found => Ok(Self::File(Box::new(Pending::at(behind_links(path), found.ok()).map_err(written)?))),
+            found => {
+                let pending = Pending::at(behind_links(path), found.ok().as_ref(), readers);
+                Ok(Self::File(Box::new(pending.map_err(written)?)))
+            }
         }
     }
 
@@ -57,14 +65,22 @@ impl Output {
         output.finish()
     }
 
+    /// Writes a whole file that only its owner may read, whoever could read the one that was there.
+    pub(super) fn private(path: &Path, text: &str) -> Result<(), Failure> {
+        let mut output = Self::at(path, Readers::Owner)?;
+        output.write_all(text.as_bytes())?;
+        output.finish()
+    }
+
     /// Lets the result appear.
     pub(super) fn finish(self) -> Result<(), Failure> {
         match self {
             Self::Stdout(mut stdout) => Ok(stdout.flush()?),
+            Self::Terminal(mut terminal) => Ok(terminal.flush()?),
             Self::Device(mut device, path) => device.flush().map_err(|error| Failure::file(&path, "written", &error)),
             Self::File(mut pending) => {
                 let done = pending.complete();
-                done.map_err(|error| Failure::file(&pending.path, "written", &error))
+                done.map_err(|error| Failure::file(pending.path(), "written", &error))
             }
         }
     }
@@ -85,56 +101,22 @@ fn behind_links(path: &Path) -> PathBuf {
     path
 }
 
-impl Pending {
-    /// Begins a file in the place of the one that was found there, which only those may read who could read that one.
-    fn at(path: PathBuf, found: Option<fs::Metadata>) -> io::Result<Self> {
-        let name = path.file_name().ok_or_else(|| io::Error::other("it names no file"))?;
-        if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
-            fs::create_dir_all(folder)?;
-        }
-        let temporary = path.with_file_name(format!(".{}.{}.tmp", name.to_string_lossy(), std::process::id()));
-        let file = File::create(&temporary)?;
-        let pending = Self { writer: Some(BufWriter::new(file)), temporary, path };
-        if let Some(found) = found {
-            fs::set_permissions(&pending.temporary, found.permissions())?;
-        }
-        Ok(pending)
-    }
-
-    fn complete(&mut self) -> io::Result<()> {
-        if let Some(writer) = self.writer.take() {
-            writer.into_inner().map_err(io::IntoInnerError::into_error)?.sync_all()?;
-            fs::rename(&self.temporary, &self.path)?;
-        }
-        Ok(())
-    }
-}
-
-impl Drop for Pending {
-    fn drop(&mut self) {
-        // After it was renamed there is nothing left to remove, and nothing to tell.
-        self.writer = None;
-        let _ = fs::remove_file(&self.temporary);
-    }
-}
-
 impl Write for Output {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         match self {
             Self::Stdout(stdout) => stdout.write(bytes),
+            Self::Terminal(terminal) => terminal.write(bytes),
             Self::Device(device, _) => device.write(bytes),
-            Self::File(pending) => match &mut pending.writer {
-                Some(writer) => writer.write(bytes),
-                None => Err(io::Error::other("the file is finished")),
-            },
+            Self::File(pending) => pending.write(bytes),
         }
     }
 
     fn flush(&mut self) -> io::Result<()> {
         match self {
             Self::Stdout(stdout) => stdout.flush(),
+            Self::Terminal(terminal) => terminal.flush(),
             Self::Device(device, _) => device.flush(),
-            Self::File(pending) => pending.writer.as_mut().map_or(Ok(()), Write::flush),
+            Self::File(pending) => pending.flush(),
         }
     }
 }
@@ -219,6 +201,19 @@ mod tests {
         Output::whole(Some(&link), "lost").unwrap();
         assert!(is_device(&link) && link.is_symlink());
         assert!(fs::metadata("/dev/null").unwrap().file_type().is_char_device());
+    }
+
+    #[test]
+    fn two_at_once_to_one_name_do_not_mix() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("both.md");
+        let [mut first, mut second] = [(); 2].map(|()| Output::to(Some(&path)).unwrap());
+        first.write_all(b"first").unwrap();
+        second.write_all(b"the second").unwrap();
+        second.finish().unwrap();
+        assert_eq!(fs::read_to_string(&path).unwrap(), "the second");
+        first.finish().unwrap();
+        assert_eq!(fs::read_to_string(&path).unwrap(), "first");
     }
 
     #[test]

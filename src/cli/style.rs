@@ -2,6 +2,15 @@
 
 use std::io::IsTerminal;
 
+/// The beginnings of colours, and what ends them.
+pub(super) const CODES: [&str; 5] = [STRONG, GOOD, BAD, NOTE, END];
+
+const STRONG: &str = "\u{1b}[1m";
+const GOOD: &str = "\u{1b}[32m";
+const BAD: &str = "\u{1b}[1;31m";
+const NOTE: &str = "\u{1b}[33m";
+const END: &str = "\u{1b}[0m";
+
 /// Writes words strongly where somebody looks, plainly into files and pipes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Style {
@@ -17,25 +26,25 @@ impl Style {
 
     /// A heading.
     pub(super) fn strong(self, text: &str) -> String {
-        self.wrap("1", text)
+        self.wrap(STRONG, text)
     }
 
     /// Something that is right.
     pub(super) fn good(self, text: &str) -> String {
-        self.wrap("32", text)
+        self.wrap(GOOD, text)
     }
 
     /// Something that is wrong.
     pub(super) fn bad(self, text: &str) -> String {
-        self.wrap("1;31", text)
+        self.wrap(BAD, text)
     }
 
     /// Something to know.
     pub(super) fn note(self, text: &str) -> String {
-        self.wrap("33", text)
+        self.wrap(NOTE, text)
     }
 
     fn wrap(self, code: &str, text: &str) -> String {
-        if self.on { format!("\u{1b}[{code}m{text}\u{1b}[0m") } else { text.to_owned() }
+        if self.on { format!("{code}{text}{END}") } else { text.to_owned() }
     }
 }

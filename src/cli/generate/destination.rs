@@ -1,5 +1,6 @@
 //! Where documents go.
 
+use std::ffi::OsStr;
 use std::path::Path;
 use std::path::PathBuf;
 
@@ -7,8 +8,8 @@ use crate::cli::failure::Failure;
 use crate::cli::output::Output;
 use crate::cli::output::is_device;
 
-/// The file in a folder that says who has which seed.
-const SEEDS: &str = "seeds.csv";
+/// The file that says who has which seed.
+pub(super) const SEEDS: &str = "seeds.csv";
 
 /// Where documents go.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -41,22 +42,41 @@ impl Destination {
         }
     }
 
-    /// Writes the table of seeds into the folder, or beside the file.
-    pub(super) fn write_seeds(&self, table: &str) -> Result<(), Failure> {
-        let path = match self {
-            Self::Folder(folder) => folder.join(SEEDS),
-            Self::File(file) if is_device(file) => {
-                let place = file.display();
-                return Err(Failure::unusable(format!("{place} has no folder for {SEEDS}; name a folder, or a file")));
+    /// The folder for what is the teacher's alone: beside `sheets` or `sheets.html` it is `sheets-teacher`, so that the
+    /// students' folder can be handed out as it is.
+    pub(super) fn for_teacher(&self) -> Result<PathBuf, Failure> {
+        let beside = |path: &Path, name: Option<&OsStr>| match name.map(OsStr::to_owned) {
+            None => path.join("teacher"),
+            Some(mut name) => {
+                name.push("-teacher");
+                path.with_file_name(name)
             }
-            Self::File(file) => {
-                let stem = file.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
-                file.with_file_name(format!("{stem}-{SEEDS}"))
-            }
-            Self::Stdout => return Output::whole(None, table),
         };
-        Output::whole(Some(&path), table)
+        match self {
+            Self::Folder(folder) => Ok(beside(folder, folder.file_name())),
+            Self::File(file) if !is_device(file) => Ok(beside(file, file.file_stem())),
+            Self::File(file) => {
+                let place = file.display();
+                Err(Failure::unusable(format!("{place} has no folder for {SEEDS}; name a folder, or a file")))
+            }
+            Self::Stdout => Err(Failure::unusable(format!("there is no folder for {SEEDS}; name one with -o"))),
+        }
     }
+
+    /// Writes a file that is the teacher's alone.
+    pub(super) fn write_for_teacher(&self, name: &str, text: &str) -> Result<(), Failure> {
+        let folder = self.for_teacher()?;
+        make_private(&folder).map_err(|error| Failure::file(&folder, "made", &error))?;
+        Output::private(&folder.join(name), text)
+    }
+}
+
+/// Makes a folder that only its owner may enter; one that is there stays as it is.
+fn make_private(folder: &Path) -> std::io::Result<()> {
+    let mut builder = std::fs::DirBuilder::new();
+    #[cfg(unix)]
+    std::os::unix::fs::DirBuilderExt::mode(&mut builder, 0o700);
+    builder.recursive(true).create(folder)
 }
 
 #[cfg(test)]
@@ -68,5 +88,13 @@ mod tests {
         assert_eq!(Destination::of(Some(Path::new("a/"))), Destination::Folder("a/".into()));
         assert_eq!(Destination::of(Some(Path::new("src"))), Destination::Folder("src".into()));
         assert_eq!(Destination::of(Some(Path::new("a.md"))), Destination::File("a.md".into()));
+    }
+
+    #[test]
+    fn the_teachers_folder_is_not_inside_the_students() {
+        let of = |path: &str| Destination::of(Some(Path::new(path))).for_teacher().unwrap();
+        assert_eq!(of("a/sheets/"), Path::new("a/sheets-teacher"));
+        assert_eq!(of("all.html"), Path::new("all-teacher"));
+        assert_eq!(of("./"), Path::new("./teacher"));
     }
 }

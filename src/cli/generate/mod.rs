@@ -20,6 +20,7 @@ use crate::render::Page;
 
 use super::exit::Exit;
 use super::failure::Failure;
+use super::failure::tell;
 use super::format::Paper;
 use super::open;
 use super::open::Secret;
@@ -28,6 +29,7 @@ use super::pages;
 use super::pages::Shown;
 
 use destination::Destination;
+use destination::SEEDS;
 use job::Job;
 use roster::Roster;
 
@@ -41,8 +43,9 @@ Examples:
   momentous generate impact/two-carts --count 100000 --format json > variants.jsonl
 
 A roster is a CSV file with a column `id`, or `name`, or both. Each student gets numbers of his or her own, and
-seeds.csv says who has which seed. A folder named by -o ends with a slash, or is there already. The same problem, seed
-and form give the same numbers on every computer.";
+seeds.csv says who has which seed. A folder named by -o ends with a slash, or is there already. The key and seeds.csv
+go beside it, into a folder of their own for the teacher: sheets-teacher/. The same problem, seed and form give the
+same numbers on every computer.";
 
 /// Make problem sheets, with solutions and a key where they are wanted
 #[derive(Args, Debug)]
@@ -93,6 +96,9 @@ impl Generate {
         let problems = open::problems(&self.problems, secret.as_deref())?;
         let roster = self.roster.as_deref().map(Roster::read).transpose()?;
         let destination = Destination::of(self.output.as_deref());
+        if roster.is_some() {
+            destination.for_teacher()?;
+        }
         let mut forms = Vec::new();
         for problem in &problems {
             forms.push((problem.clone(), open::form(problem, self.form.as_deref())?));
@@ -108,11 +114,9 @@ impl Generate {
             Some(format) => self.documents(jobs, format, &destination)?,
         }
         if let Some(roster) = &roster {
-            destination.write_seeds(&roster.seeds(&forms, seeds)?)?;
+            destination.write_for_teacher(SEEDS, &roster.seeds(&forms, seeds)?)?;
             if secret.is_none() {
-                eprintln_quietly(
-                    "note: without --secret, a student who has this program can print his or her own solution",
-                );
+                tell("note: without --secret, a student who has this program can print his or her own solution");
             }
         }
         Ok(Exit::Fine)
@@ -153,9 +157,9 @@ impl Generate {
         }
         let key = Page::Key(Key { title: "Answers".to_owned(), rows });
         match destination {
-            Destination::Folder(folder) if self.key => {
+            Destination::Folder(_) if self.key => {
                 let text = renderer.render(&[key], format)?.text;
-                Output::whole(Some(&folder.join(format!("key.{}", format.extension()))), &text)
+                destination.write_for_teacher(&format!("key.{}", format.extension()), &text)
             }
             Destination::Folder(_) => Ok(()),
             Destination::File(_) | Destination::Stdout => {
@@ -170,10 +174,4 @@ impl Generate {
         let solution = self.solution.then(|| self.shown.markdown(renderer, exercise)).transpose()?;
         Ok(job.record(exercise, solution).to_string())
     }
-}
-
-/// Says something on standard error; where that is closed, nobody is there to be told.
-fn eprintln_quietly(text: &str) {
-    use std::io::Write;
-    let _ = writeln!(std::io::stderr(), "{text}");
 }
