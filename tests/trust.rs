@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test says bluntly what it expects")]
 
+#[path = "trust/check.rs"]
+mod check;
 #[path = "trust/files.rs"]
 mod files;
 #[path = "cli/room.rs"]

@@ -12,6 +12,7 @@ use momentous::bank::Promise;
 use momentous::bank::Seeds;
 use momentous::bank::audit;
 use momentous::bank::files_under;
+use momentous::render::Renderer;
 
 /// Seeds for each form; the first says whether wrong answers are found out, the others that right ones are not.
 const SEEDS: u64 = 2;
@@ -23,17 +24,19 @@ fn first(seeds: u64) -> Seeds {
 
 fn audits() -> Vec<Audit> {
     let bank = Bank::in_folder(Path::new("problem_bank")).unwrap();
-    bank.select(&[]).unwrap().iter().map(|source| audit(source, first(SEEDS))).collect()
+    let renderer = Renderer::new(None).unwrap();
+    bank.select(&[]).unwrap().iter().map(|source| audit(source, first(SEEDS), &renderer)).collect()
 }
 
 /// Published problems, which were collected for their answers and not for what can be simulated.
 #[test]
 fn what_books_ask_is_not_contradicted() {
     let bank = Bank::in_folder(Path::new("problem_bank")).unwrap();
+    let renderer = Renderer::new(None).unwrap();
     let (mut contradicted, mut witnessed, mut forms) = (Vec::new(), 0, 0);
     for path in files_under(Path::new("tests/reference")).unwrap() {
         let Ok(source) = bank.open(&path.to_string_lossy()) else { continue };
-        for form in audit(&source, first(1)).forms {
+        for form in audit(&source, first(1), &renderer).forms {
             forms += 1;
             witnessed += usize::from(form.simulation.is_whole());
             if matches!(form.outcome(Promise::Simulation), Some(Outcome::Broken(_))) {

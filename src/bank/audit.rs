@@ -7,10 +7,12 @@ use crate::problem::NoVariant;
 use crate::problem::Problem;
 use crate::problem::compile;
 use crate::problem::digest;
+use crate::render::Renderer;
 
 use super::answers;
 use super::answers::noted;
 use super::course::load_in_course;
+use super::printed;
 use super::promise::Finding;
 use super::promise::Outcome;
 use super::promise::Promise;
@@ -33,9 +35,9 @@ pub struct Seeds {
     pub simulated: u64,
 }
 
-/// Looks at every promise over the seeds, form by form. The outcome does not depend on how many threads work.
+/// Looks at every promise over the seeds, form by form; the renderer prints what a user would print. The outcome does not depend on how many threads work.
 #[must_use]
-pub fn audit(source: &Source, seeds: Seeds) -> Audit {
+pub fn audit(source: &Source, seeds: Seeds, renderer: &Renderer) -> Audit {
     let of = |problem: Option<String>, faults: Option<String>, forms: Vec<FormAudit>| Audit {
         problem,
         file: source.name.to_string(),
@@ -48,14 +50,21 @@ pub fn audit(source: &Source, seeds: Seeds) -> Audit {
         Ok(problem) => {
             let problem = Arc::new(problem);
             let idle = idle_requires(&problem, seeds.drawn);
-            let forms =
-                (0..problem.forms().len()).filter_map(|form| form_audit(&problem, form, seeds, &idle).ok()).collect();
+            let forms = (0..problem.forms().len())
+                .filter_map(|form| form_audit(&problem, form, seeds, renderer, &idle).ok())
+                .collect();
             of(Some(problem.id().to_owned()), None, forms)
         }
     }
 }
 
-fn form_audit(problem: &Arc<Problem>, position: usize, seeds: Seeds, idle: &Outcome) -> Result<FormAudit, NoVariant> {
+fn form_audit(
+    problem: &Arc<Problem>,
+    position: usize,
+    seeds: Seeds,
+    renderer: &Renderer,
+    idle: &Outcome,
+) -> Result<FormAudit, NoVariant> {
     let form = problem.forms().get(position).ok_or(NoVariant::NoForm)?;
     let drawn = seeds.drawn;
     let samples = Samples::draw(problem, position, drawn)?;
@@ -65,6 +74,7 @@ fn form_audit(problem: &Arc<Problem>, position: usize, seeds: Seeds, idle: &Outc
     let look = |promise: Promise| match promise {
         // It is compiled, or there would be no form to look at.
         Promise::Compiles => Outcome::Kept,
+        Promise::Prints => printed::prints(problem, position, drawn, renderer),
         Promise::Draws => draws(&samples),
         Promise::Determined => determined(&samples),
         Promise::Certified => answers::certified(&columns),

@@ -6,6 +6,7 @@ mod collection;
 mod course;
 mod diagnosis;
 mod entry;
+mod printed;
 mod promise;
 mod repeat;
 mod report;

@@ -9,6 +9,8 @@ use serde::ser::SerializeMap;
 pub enum Promise {
     /// Names, dimensions and ranges are right, and what is asked follows from what is told.
     Compiles,
+    /// Texts, hints, solution and key can be written in every format.
+    Prints,
     /// Every seed draws within a bounded number of tries.
     Draws,
     /// What is asked has exactly one solution that nothing forbids.
@@ -44,6 +46,7 @@ const SAID: &[(Promise, &str, &str)] = &[
         "compiles",
         "names, dimensions, ranges and texts are right, and what is asked follows from what is told",
     ),
+    (Promise::Prints, "prints", "texts, hints, solution and key can be written in every format"),
     (Promise::Draws, "draws", "every seed draws within a bounded number of tries"),
     (Promise::Determined, "determined", "what is asked has exactly one solution, and nothing in it is unphysical"),
     (Promise::Certified, "certified", "the error of every answer is bounded, and small"),

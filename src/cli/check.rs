@@ -19,6 +19,7 @@ use super::exit::Exit;
 use super::failure::Failure;
 use super::format::Listing;
 use super::output::Output;
+use super::pages;
 use super::progress;
 use super::style::Style;
 use super::witnessed;
@@ -63,9 +64,10 @@ impl Check {
 
     pub(super) fn run(&self) -> Result<Exit, Failure> {
         let sources = Bank::here()?.select(&self.problems)?;
+        let renderer = pages::renderer()?;
         let bar = progress::bar(sources.len() as u64, false);
         let look = |source| {
-            let audit = audit(source, Seeds { drawn: self.seeds, simulated: self.simulated() });
+            let audit = audit(source, Seeds { drawn: self.seeds, simulated: self.simulated() }, &renderer);
             bar.inc(1);
             audit
         };

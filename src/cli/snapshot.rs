@@ -160,6 +160,7 @@ fn snapshots(problem: &Arc<Problem>, renderer: &Renderer) -> Result<Vec<(String,
         for seed in SEEDS {
             let exercise = Exercise::draw(problem, position, seed);
             let exercise = exercise.map_err(|reason| Failure::no_variant(problem.id(), seed, &reason))?;
+            exercise.printable()?;
             let name = file_name(problem.id(), form.question.name.as_deref(), seed);
             let pages = [Page::Sheet(exercise.sheet()), Page::Solution(Shown::default().solution(&exercise))];
             let document = renderer.render(&pages, Format::Markdown)?;

@@ -9,6 +9,7 @@ mod formula;
 mod issued;
 mod marker;
 mod marking;
+mod printable;
 mod record;
 mod rules;
 mod students;

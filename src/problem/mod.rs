@@ -33,6 +33,7 @@ mod mentions;
 mod misjudged;
 mod mistakes;
 mod no_variant;
+mod origin;
 mod part;
 mod parts;
 mod planned;

@@ -53,7 +53,13 @@ const CLAUSE_STARTS: &[&str] = &["and", "but", "while", "whereas", "when", "so"]
 
 /// The text with every placeholder said for this variant.
 pub(super) fn fill(text: &Text, problem: &Problem, variant: &Variant) -> String {
+    fill_and_mark(text, problem, variant).0
+}
+
+/// The same, with the place at which each piece of the text ends in it.
+pub(super) fn fill_and_mark(text: &Text, problem: &Problem, variant: &Variant) -> (String, Vec<usize>) {
     let mut filled = String::new();
+    let mut ends = Vec::with_capacity(text.pieces().len());
     for piece in text.pieces() {
         match piece {
             Piece::Text(words) => filled.push_str(words),
@@ -65,8 +71,9 @@ pub(super) fn fill(text: &Text, problem: &Problem, variant: &Variant) -> String 
                 filled.push_str(&said.unwrap_or_else(|| placeholder.name.clone()));
             }
         }
+        ends.push(filled.len());
     }
-    filled
+    (filled, ends)
 }
 
 impl Variant {

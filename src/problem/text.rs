@@ -33,6 +33,8 @@ pub struct Placeholder {
     pub filter: Filter,
     /// The bytes of the name in the text, for faults.
     pub span: Span,
+    /// The bytes of the whole in the text, braces included.
+    pub whole: Span,
 }
 
 /// How a quantity is said in a text.
@@ -172,7 +174,8 @@ fn placeholder(inside: &str, offset: usize) -> Result<Placeholder, Wrong> {
             find_filter(word.trim()).map_err(|(message, help)| (message, help, trimmed(word, start)))?
         }
     };
-    Ok(Placeholder { name, filter, span })
+    let whole = Span { start: offset - 2, end: offset + inside.len() + 2 };
+    Ok(Placeholder { name, filter, span, whole })
 }
 
 fn find_filter(word: &str) -> Result<Filter, (String, String)> {

@@ -12,6 +12,9 @@ use crate::fault::Faults;
 use crate::fault::Source;
 use crate::fault::Span;
 
+use super::depth::DEEPEST as DEEPEST_MATH;
+use super::depth::too_deep;
+
 /// How deep lists and quotations may nest: LaTeX knows no deeper.
 const DEEPEST: usize = 4;
 
@@ -45,6 +48,12 @@ pub(super) enum Piece<'a> {
         /// Whether it is displayed.
         display: bool,
     },
+}
+
+/// Every fault of an author's Markdown, with its place in that text.
+#[must_use]
+pub fn text_faults(text: &str) -> Vec<Fault> {
+    Authored::check("", text).err().map_or_else(Vec::new, |faults| faults.list)
 }
 
 impl<'a> Authored<'a> {
@@ -124,6 +133,10 @@ fn math(
     if let Some(place) = unescaped_percent(tex) {
         let fault = Fault::new(Code::Text, "a bare % starts a comment in LaTeX, and would hide the rest");
         return Err(fault.help(r"write \%").at_maybe(at(place..place + 1)));
+    }
+    if let Some(place) = too_deep(tex) {
+        let fault = Fault::new(Code::Text, format!("this mathematics nests deeper than {DEEPEST_MATH} levels"));
+        return Err(fault.help("give an inner part a name of its own").at_maybe(at(place..place + 1)));
     }
     let result = converter.convert_with_local_state(tex, display).map_err(|error| {
         let message = error.error_message();

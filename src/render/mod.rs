@@ -4,6 +4,7 @@
 //! What reaches them is already in the tongue of the format: escaped text, typeset mathematics, drawn figures.
 
 mod authored;
+mod depth;
 mod document;
 mod equation;
 mod fade;
@@ -17,6 +18,7 @@ mod templates;
 mod view;
 mod writer;
 
+pub use authored::text_faults;
 pub use document::{BesideFile, Document, Figures, Format};
 pub use fade::fade;
 pub use page::{Identity, Key, KeyRow, Page, Sheet, SheetPart, Solution};

@@ -6,6 +6,7 @@ use momentous::bank::{Outcome, Promise, Seeds, audit};
 use momentous::exercise::Exercise;
 use momentous::fault::Source;
 use momentous::problem::{compile, load};
+use momentous::render::Renderer;
 
 /// A cart that meets a post and comes back, with these givens.
 fn problem(given: &str, asked: &str) -> Source {
@@ -56,7 +57,7 @@ fn fixed_values_print_as_they_are_written() {
 
 /// What the audit says of the promise that the sheet leads to the key.
 fn from_the_sheet(given: &str, asked: &str) -> Outcome {
-    let audit = audit(&problem(given, asked), Seeds { drawn: 20, simulated: 1 });
+    let audit = audit(&problem(given, asked), Seeds { drawn: 20, simulated: 1 }, &Renderer::new(None).unwrap());
     assert_eq!(audit.faults, None);
     let finding = audit.forms[0].promises.iter().find(|finding| finding.promise == Promise::FromTheSheet);
     finding.unwrap().outcome.clone()

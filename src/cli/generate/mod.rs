@@ -134,6 +134,7 @@ impl Generate {
         let mut rows: Vec<KeyRow> = Vec::new();
         for job in jobs {
             let exercise = job.exercise()?;
+            exercise.printable()?;
             let sheet = Page::Sheet(job.sheet(&exercise));
             let solution = self.solution.then(|| Page::Solution(self.shown.solution(&exercise)));
             if self.key {

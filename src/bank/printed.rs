@@ -1,0 +1,49 @@
+//! Whether all that can be asked to be printed of a form can be.
+
+use std::sync::Arc;
+
+use crate::exercise::Drawer;
+use crate::exercise::Exercise;
+use crate::explain::Audience;
+use crate::fault::Faults;
+use crate::problem::Problem;
+use crate::render::Format;
+use crate::render::Key;
+use crate::render::Page;
+use crate::render::Renderer;
+use crate::render::Solution;
+
+use super::promise::Outcome;
+
+/// Seeds whose documents are written whole, in every format. The author's texts are read with all seeds; what else stands in
+/// a document is escaped by the writer, and no number in it can be at fault.
+const WRITTEN: u64 = 4;
+
+/// The texts of every seed can be printed, and the documents of the first seeds in every format.
+pub(super) fn prints(problem: &Arc<Problem>, form: usize, seeds: u64, renderer: &Renderer) -> Outcome {
+    let Ok(mut drawer) = Drawer::new(problem, form) else { return Outcome::NotChecked("there is no such form") };
+    for seed in 1..=seeds {
+        // What draws nothing is told elsewhere.
+        let Ok(exercise) = drawer.draw(seed) else { continue };
+        let read = exercise.printable();
+        let written = read.and_then(|()| if seed <= WRITTEN { write(&exercise, renderer) } else { Ok(()) });
+        if let Err(faults) = written {
+            return Outcome::Broken(format!("with seed {seed}\n{faults}"));
+        }
+    }
+    Outcome::Kept
+}
+
+fn write(exercise: &Exercise, renderer: &Renderer) -> Result<(), Faults> {
+    let solution = |audience| {
+        let (outline, identity) = (exercise.outline(audience), exercise.identity());
+        Page::Solution(Solution { outline, identity, audience, faded: None })
+    };
+    let pages = [
+        Page::Sheet(exercise.sheet()),
+        solution(Audience::Everyone),
+        solution(Audience::Instructor),
+        Page::Key(Key { title: String::new(), rows: exercise.key() }),
+    ];
+    Format::ALL.into_iter().try_for_each(|format| renderer.render(&pages, format).map(|_| ()))
+}

@@ -1,0 +1,47 @@
+//! Whether an author's texts can be printed, told at their places in the problem file.
+
+use crate::fault::Fault;
+use crate::fault::Faults;
+use crate::fault::Path;
+use crate::fault::Span;
+use crate::render::text_faults;
+
+use super::Exercise;
+
+impl Exercise {
+    /// Reads the text and the hints as every format does that prints them.
+    ///
+    /// ```
+    /// use std::sync::Arc;
+    /// use momentous::bank::Bank;
+    /// use momentous::exercise::Exercise;
+    /// use momentous::fault::Source;
+    /// use momentous::problem::{compile, load};
+    ///
+    /// let file = Bank::built_in().find("impact/two-carts")?.text.replace("They collide.", "They $\\collide$.");
+    /// let problem = Arc::new(compile(load(Source::new("carts.yaml", &file))?, None)?);
+    /// let faults = Exercise::draw(&problem, 0, 1)?.printable().unwrap_err();
+    /// let place = faults.list[0].span.map(|span| &file[span.start..span.end]);
+    /// assert_eq!(place, Some("\\collide"));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Every fault of these texts, with its place in the file.
+    pub fn printable(&self) -> Result<(), Faults> {
+        let (problem, variant) = (&*self.problem, &self.variant);
+        let mut faults: Vec<Fault> = Vec::new();
+        let mut read = |text: &str, origin: &dyn Fn(Span) -> (Path, Span)| {
+            for fault in text_faults(text) {
+                let whole = Span { start: 0, end: text.len() };
+                let (path, within) = origin(fault.span.unwrap_or(whole));
+                faults.push(Fault { span: None, ..fault }.at_path(path).within(within));
+            }
+        };
+        read(&variant.text(problem), &|place| variant.origin_in_text(problem, place));
+        for (position, hint) in variant.hints(problem).iter().enumerate() {
+            read(hint, &|place| variant.origin_in_hint(problem, position, place));
+        }
+        if faults.is_empty() { Ok(()) } else { Err(problem.loaded().locate(faults)) }
+    }
+}
