@@ -7,7 +7,7 @@ use serde::ser::SerializeMap;
 /// One promise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Promise {
-    /// Names, dimensions and ranges are right, and what is asked follows from what is told.
+    /// Names, dimensions and ranges are right, and what is asked follows from the givens.
     Compiles,
     /// Texts, hints, solution and key can be written in every format.
     Prints,
@@ -44,7 +44,7 @@ const SAID: &[(Promise, &str, &str)] = &[
     (
         Promise::Compiles,
         "compiles",
-        "names, dimensions, ranges and texts are right, and what is asked follows from what is told",
+        "names, dimensions, ranges and texts are right, and what is asked follows from the givens",
     ),
     (Promise::Prints, "prints", "texts, hints, solution and key can be written in every format"),
     (Promise::Draws, "draws", "every seed draws within a bounded number of tries"),
@@ -60,9 +60,9 @@ const SAID: &[(Promise, &str, &str)] = &[
     ),
     (Promise::Requires, "requires", "every `require` rejects some draws"),
     (Promise::KeyMarks, "key-marks", "the answers of the key reach full marks"),
-    (Promise::Sharp, "sharp", "honest rounding moves no answer by more than 5 %"),
+    (Promise::Sharp, "sharp", "rounding intermediate results moves no answer by more than 5 %"),
     (Promise::Simulation, "simulation", "an independent simulation agrees"),
-    (Promise::WrongForms, "wrong-forms", "the usual wrong forms can be told from the truth"),
+    (Promise::WrongForms, "wrong-forms", "the usual wrong forms can be distinguished from the right answer"),
     (Promise::Rounding, "rounding", "parts rounded as a student rounds reach full marks"),
 ];
 

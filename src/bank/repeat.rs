@@ -98,7 +98,8 @@ pub(super) fn sharp(problem: &Arc<Problem>, form: usize, seeds: u64) -> Outcome 
         }
     }
     let said = blurred.iter().map(|(id, times)| {
-        format!("honest rounding moves `{id}` by more than {} % with {times} of {drawn} seeds", 100.0 * SHARP)
+        let percent = 100.0 * SHARP;
+        format!("rounding intermediate results shifts `{id}` by more than {percent} % for {times} of {drawn} seeds")
     });
     noted(&said.collect::<Vec<_>>())
 }

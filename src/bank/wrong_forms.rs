@@ -43,7 +43,7 @@ pub(super) fn told_apart(problem: &Arc<Problem>, form: usize, seeds: u64) -> Out
         .map(|((one, other), share)| format!("{one} and {other} ({share} %)"));
     let remarks = [
         ("give the right answers on a share of the seeds", hidden.collect::<Vec<_>>()),
-        ("cannot be told from each other", alike.collect()),
+        ("cannot be distinguished", alike.collect()),
     ];
     let remarks = remarks.iter().filter(|(_, found)| !found.is_empty());
     let said: Vec<String> =

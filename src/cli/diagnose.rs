@@ -29,7 +29,7 @@ Examples:
 For each form, part and seed one student makes one usual mistake and rounds the result to the figures that are asked; two
 more do everything right. It exits with 1 where one of those who did everything right loses a mark.";
 
-/// Try how well usual mistakes are told apart, on simulated students
+/// Measure how well common mistakes are distinguished, using simulated students
 #[derive(Args, Debug)]
 #[command(after_help = HELP)]
 pub(super) struct Diagnose {

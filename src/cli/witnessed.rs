@@ -21,7 +21,7 @@ pub(super) fn write_form(output: &mut Output, simulated: &Simulated) -> Result<(
         ways.join(", "),
     )?;
     if !witnessed.is_empty() {
-        writeln!(output, "    found out if it were wrong by 0.1 %: {}", witnessed.join(", "))?;
+        writeln!(output, "    a 0.1 % error would be detected in: {}", witnessed.join(", "))?;
     }
     if !unseen.is_empty() {
         writeln!(output, "    not found out: {}", unseen.join(", "))?;

@@ -63,7 +63,7 @@ pub(super) fn by_calculation(display: Display<'_>, unknown: Symbol) -> Block {
     Block::Paragraph(vec![
         Inline::Text("No formula gives ".into()),
         Inline::Math(display.name(unknown)),
-        Inline::Text(", so it is found by calculation between bounds.".into()),
+        Inline::Text(", so it is found numerically.".into()),
     ])
 }
 

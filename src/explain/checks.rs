@@ -37,8 +37,8 @@ const MOST: usize = 4;
 /// Laws whose two sides are shown to agree, by their ids, with what the two sides are.
 const BALANCES: &[(&str, &str)] = &[
     (momentum::CONSERVATION.id, "Momentum before and after:"),
-    (momentum::IMPULSE_MOMENTUM.id, "Momentum before with the impulse, and momentum after:"),
-    (mass_centre::MOTION.id, "Momentum before with the impulse, and momentum after:"),
+    (momentum::IMPULSE_MOMENTUM.id, "Initial momentum plus impulse, and final momentum:"),
+    (mass_centre::MOTION.id, "Initial momentum plus impulse, and final momentum:"),
     (restitution::RESTITUTION.id, "Velocity of separation, and e times the velocity of approach:"),
     (restitution::RESTITUTION_SURFACE.id, "Velocity away from the surface, and e times the velocity towards it:"),
     (angular::ANGULAR_MOMENTUM.id, "Angular momentum, and the moment of the momentum:"),

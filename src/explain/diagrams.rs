@@ -4,6 +4,7 @@ use crate::model::Agent;
 use crate::model::ForceKind;
 use crate::model::Impulse;
 use crate::model::Model;
+use crate::model::Omitted;
 use crate::problem::Worked;
 use crate::scene::Scene;
 use crate::scene::Stage;
@@ -33,13 +34,14 @@ fn sentences(worked: Worked<'_>) -> Vec<Block> {
     let model = worked.problem.model();
     let acting = scene.stages.iter().enumerate().filter_map(|(index, stage)| acting(model, scene, index, stage));
     let mut blocks: Vec<Block> = acting.map(|sentence| text(&sentence)).collect();
-    let left_out: Vec<Vec<Inline>> = model
-        .omissions
-        .iter()
-        .map(|omission| vec![Inline::Text(format!("{}, because {}.", capitalised(&omission.what), omission.why))])
-        .collect();
-    if !left_out.is_empty() {
-        blocks.extend([text("Left out:"), Block::List(left_out)]);
+    for (heading, kind) in [("Neglected:", Omitted::Neglected), ("Not needed:", Omitted::NotNeeded)] {
+        let of_kind = model.omissions.iter().filter(|omission| omission.kind == kind);
+        let items: Vec<Vec<Inline>> = of_kind
+            .map(|omission| vec![Inline::Text(format!("{}, because {}.", capitalised(&omission.what), omission.why))])
+            .collect();
+        if !items.is_empty() {
+            blocks.extend([text(heading), Block::List(items)]);
+        }
     }
     blocks.into_iter().map(Block::shared).collect()
 }
@@ -66,14 +68,18 @@ fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) -> Option<S
                 .iter()
                 .filter(|impulse| impulse.by == Agent::Guide)
                 .map(|impulse| {
-                    format!("{} gives {} an impulse at right angles to its way", impulse.called, name(&impulse.on))
+                    format!(
+                        "{} receives an impulse perpendicular to its path from {}",
+                        name(&impulse.on),
+                        impulse.called
+                    )
                 })
                 .collect();
             let also = if guides.is_empty() { "nothing else is impulsive".to_owned() } else { list(&guides) };
             format!("During {phrase}, {bodies} give each other {equal}; {also}.")
         }
         (Stage::SlideOff(slide), _) => during(format!(
-            "{} and {} are acted on by their weights and by the support, none of which has a part along the way of {}",
+            "{} and {} are acted on by their weights and by the support, none of which has a component along the motion of {}",
             name(&slide.body),
             name(&slide.on),
             name(&slide.on)

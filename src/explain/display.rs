@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use crate::expr::Expr;
+use crate::expr::Function;
 use crate::expr::Leaf;
 use crate::expr::LeafKind;
 use crate::expr::Math;
@@ -282,6 +283,17 @@ impl<'a> Display<'a> {
             Expr::Sum(terms) if whole.abs() < DUST * terms.iter().map(|term| value(term).abs()).sum::<f64>() => 0.0,
             _ => whole,
         }
+    }
+
+    /// Whether a term holds the angle of a point that a calculator's arctangent does not give for this variant: its
+    /// denominator is negative or zero.
+    pub(super) fn is_outside_arctangent(self, expr: &Expr) -> bool {
+        let denominator = match expr {
+            Expr::Apply(Function::Atan2, _) => expr.children().nth(1),
+            _ => None,
+        };
+        denominator.is_some_and(|x| self.value_of(x) <= 0.0)
+            || expr.children().any(|part| self.is_outside_arctangent(part))
     }
 
     /// `left = right`, in symbols.

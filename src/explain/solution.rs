@@ -140,13 +140,13 @@ fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
         }
         Stage::Central(central) => format!("{} moves under the central force", name(&central.body)),
         Stage::Fall(fall) => format!("{} falls", name(&fall.body)),
-        Stage::Motion(motion) => format!("{} moves as told", name(&motion.body)),
+        Stage::Motion(motion) => format!("{} moves as given", name(&motion.body)),
         Stage::Bounces(bounces) => format!("{} bounces", name(&bounces.body)),
         Stage::SlideOff(slide) => format!("{} slides down {}", name(&slide.body), name(&slide.on)),
         Stage::Walk(walk) => format!("{} walks along {}", name(&walk.body), name(&walk.on)),
         Stage::Stream(stream) => format!("{} acts on {}", stream.by, name(&stream.body)),
         Stage::Thrust(thrust) => format!("{} burns its fuel", name(&thrust.body)),
-        Stage::Drift(_) => "nothing acts, and all go on evenly".to_owned(),
+        Stage::Drift(_) => "no net force acts; every body keeps its velocity".to_owned(),
         Stage::Flight(flight) => {
             let bodies: Vec<String> = flight.flying().map(|body| scene.called(body)).collect();
             format!("{} {} freely", list(&bodies), if bodies.len() > 1 { "move" } else { "moves" })

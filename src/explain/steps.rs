@@ -113,10 +113,11 @@ impl Steps<'_> {
         };
         blocks.push(self.value(unknown, formula));
         blocks.extend(self.put_together(unknown, formula));
-        if !self.angle_explained && formula.is_some_and(|formula| formula.has_angle) {
+        let wants_quadrant = |formula: &Term| formula.has_angle && self.display.is_outside_arctangent(&formula.expr);
+        if !self.angle_explained && formula.is_some_and(wants_quadrant) {
             self.angle_explained = true;
             blocks.push(text(
-                "The angle lies in the quadrant that the signs of numerator and denominator tell as those of a vector's components: where the denominator is negative, it is half a turn from the arctangent that a calculator gives.",
+                "Choose the quadrant from the signs of the components: if the denominator is negative, add 180° to the calculator's arctangent; if it is zero, the angle is ±90°.",
             ));
         }
     }
@@ -148,7 +149,7 @@ impl Steps<'_> {
         let multiple = part.in_terms_of.and_then(|_| printed_formula(worked, part));
         let multiple = multiple.filter(|math| *math != self.display.symbolic(&whole));
         lines.extend(multiple.map(|math| Math::Row(vec![Math::Operator(Operator::Equals), math])));
-        vec![text("With what was found and given before:"), Block::Equation { lines, number: None }]
+        vec![text("Substituting the earlier results:"), Block::Equation { lines, number: None }]
     }
 
     fn in_givens(&self, unknown: Symbol) -> Option<Expr> {

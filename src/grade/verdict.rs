@@ -71,7 +71,7 @@ const TABLE: &[(Verdict, &str, &str, Worth)] = &[
     (
         Verdict::RightRounded,
         "right_rounded",
-        "right: outside the tolerance, but no further than honest rounding of intermediate values can lead",
+        "right: outside the tolerance, but no further than rounding intermediate values can lead",
         All,
     ),
     (
@@ -83,7 +83,7 @@ const TABLE: &[(Verdict, &str, &str, Worth)] = &[
     (
         Verdict::RightAgrees,
         "right_agrees",
-        "a formula that agrees with the right one at 20 points to 256 bits, but was not proven equal",
+        "a formula that agrees numerically with the expected one, but was not proven equal",
         All,
     ),
     (Verdict::FiguresFew, "figures_few", "the right value, written with fewer figures than are required", Part(3, 4)),

@@ -64,7 +64,7 @@ pub const BOUNCE_FLIGHT: Law = Law {
 pub const BOUNCE_PLACE: Law = Law {
     id: "bounce-place",
     name: "the motion along the floor",
-    statement: "A smooth floor does not change the velocity along it. So a body moves along a level floor evenly through all bounces, and along a slope with the part of g that acts along it.",
+    statement: "A smooth floor does not change the velocity along it. So a body keeps its velocity along a level floor through all bounces, and along a slope with the part of g that acts along it.",
     signs: "Along the axis of the floor positive.",
     when: "A fixed smooth floor; air resistance is left out.",
     source: "No impulse of a smooth floor along itself, and the kinematics of a constant acceleration.",

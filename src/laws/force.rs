@@ -54,7 +54,7 @@ pub const NORMAL_FORCE: Law = Law {
 pub const BALANCE: Law = Law {
     id: "balance-of-forces",
     name: "the balance of forces",
-    statement: "The forces on a body that is at rest or moves evenly add up to zero.",
+    statement: "The forces on a body that is at rest or moves at constant velocity add up to zero.",
     signs: "Positive along the axis.",
     when: "The velocity of the body does not change.",
     source: "Newton's second law, where nothing accelerates.",

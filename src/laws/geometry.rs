@@ -44,7 +44,7 @@ pub const DIRECTION: Law = Law {
     id: "direction",
     name: "trigonometry",
     statement: "The tangent of the angle between a vector and an axis is its component across the axis over that along it.",
-    signs: "Angles are counted counter-clockwise; the signs of both components tell the quadrant.",
+    signs: "Angles are counted counter-clockwise; the signs of both components give the quadrant.",
     when: "Always, along perpendicular axes.",
     source: "Trigonometry.",
     wrong: wrong::geometry::DIRECTION,

@@ -45,7 +45,7 @@ pub const RELATIVE: Law = Law {
     name: "the definition of relative velocity",
     statement: "The velocity of one body relative to another is its own velocity less that of the other.",
     signs: "Along the axis positive, for the velocities and for the relative velocity.",
-    when: "Always; of the other body's velocity, that of the instant of which the relative velocity is told.",
+    when: "Always; of the other body's velocity, the one at the instant for which the relative velocity is given.",
     source: "Kinematics.",
     wrong: wrong::separation::RELATIVE,
 };

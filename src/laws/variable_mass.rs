@@ -23,7 +23,7 @@ pub const STREAM: Law = Law {
     id: "force-of-a-stream",
     name: "the principle of impulse and momentum for a steady stream",
     statement: "The force of a stream on a body is the mass flow times the change of the stream's velocity, from before the body to after it.",
-    signs: "Components along the axes; the velocities are relative to the body, which moves evenly.",
+    signs: "Components along the axes; the velocities are relative to the body, which moves at constant velocity.",
     when: "The stream is steady, so that the momentum of what is just passing stays the same.",
     source: "The principle of impulse and momentum for what arrives in a short time, and the third law.",
     wrong: wrong::variable_mass::STREAM,

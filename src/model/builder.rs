@@ -31,6 +31,7 @@ use super::Impulse;
 use super::Instance;
 use super::Integral;
 use super::Omission;
+use super::Omitted;
 use super::Reason;
 use super::Slope;
 use super::Warning;
@@ -214,9 +215,18 @@ impl<'s> Builder<'s> {
         Condition { left, relation, right, tag }
     }
 
-    /// Says what is left out, once.
-    pub(super) fn omit(&mut self, what: impl Into<String>, why: impl Into<String>) {
-        let omission = Omission { what: what.into(), why: why.into() };
+    /// Says, once, what is small or idealised away.
+    pub(super) fn neglect(&mut self, what: impl Into<String>, why: impl Into<String>) {
+        self.omit(Omitted::Neglected, what.into(), why.into());
+    }
+
+    /// Says, once, what acts or happens but has no part in what is asked.
+    pub(super) fn not_needed(&mut self, what: impl Into<String>, why: impl Into<String>) {
+        self.omit(Omitted::NotNeeded, what.into(), why.into());
+    }
+
+    fn omit(&mut self, kind: Omitted, what: String, why: String) {
+        let omission = Omission { kind, what, why };
         if !self.omissions.contains(&omission) {
             self.omissions.push(omission);
         }

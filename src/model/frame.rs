@@ -116,7 +116,7 @@ impl Builder<'_> {
 
     /// In three dimensions one angle does not tell a direction.
     fn not_in_space(&mut self, text: &str, path: &Path) {
-        let fault = Fault::new(Code::Value, format!("`{text}` does not tell a direction in three dimensions"));
+        let fault = Fault::new(Code::Value, format!("`{text}` does not give a direction in three dimensions"));
         let help = "write an axis with its sign, such as `+z`, or give the components: `value: { x: 3 N, z: 4 N }`";
         self.faults.push(fault.help(help).at_path(path.clone()));
     }

@@ -63,7 +63,7 @@ impl Builder<'_> {
             components: Vec::new(),
             impulsive: false,
         });
-        self.omit("air resistance", "the problem does not mention any");
+        self.neglect("air resistance", "the problem does not mention any");
         let begins = friction.at_rest.as_ref().map(|_| self.begins(index, &name));
         let acts = Acts { stage: index, on: body, during: [begins.as_ref().unwrap_or(&pushed.start), &pushed.end] };
         for force in &pushed.acting {

@@ -30,9 +30,20 @@ pub struct Integral {
     pub high: Expr,
 }
 
+/// In which sense something is left out of the model.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Omitted {
+    /// It is small, or idealised away: air resistance, the mass of a string.
+    Neglected,
+    /// It acts, but across the motion, within the system or on the support: its equation is not needed.
+    NotNeeded,
+}
+
 /// Something that is left out of the model on purpose.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Omission {
+    /// Whether it is neglected, or has no part in what is asked.
+    pub kind: Omitted,
     /// What is left out: `weight`.
     pub what: String,
     /// Why that is right: `it is not impulsive: during the short contact its impulse is negligible`.

@@ -26,7 +26,7 @@ pub use acting::{ActingForce, Flowing, ForceKind, Slope};
 pub use alternative::Alternative;
 pub use builder::Builder;
 pub use frame::{Direction, Frame};
-pub use instance::{Agent, Impulse, Instance, Integral, Omission, Reason, Warning};
+pub use instance::{Agent, Impulse, Instance, Integral, Omission, Omitted, Reason, Warning};
 pub use mistaken::Mistaken;
 pub use name::{Instant, Name, component_name};
 pub use timeline::Timeline;

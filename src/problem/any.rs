@@ -66,7 +66,7 @@ pub(super) fn check(known: &[Known], form: &Form) -> Vec<Fault> {
                         let message =
                             format!("it cannot be proven that `{}` does not depend on `{}`", part.id, known.name);
                         let help =
-                            "tell its value, or ask for the answer in terms of it: `unit: v_A1`, or `as: formula`";
+                            "give its value, or ask for the answer in terms of it: `unit: v_A1`, or `as: formula`";
                         let fault = Fault::new(Code::UnderDetermined, message).help(help);
                         faults.push(fault.at_path(Path::root().key("given").key(known.name.as_str())));
                     }

@@ -31,9 +31,9 @@ pub(super) fn check(loaded: &Loaded, model: &Model, forms: &[Form]) -> Vec<Fault
                     format!("the feedback prints `{}`, which a form asks", placeholder.name)
                 }
                 Some(symbol) if forms.iter().all(|form| form.told.contains(&symbol)) => continue,
-                _ => format!("the feedback prints `{}`, which not every form tells", placeholder.name),
+                _ => format!("the feedback prints `{}`, which not every form gives", placeholder.name),
             };
-            let help = "feedback may print only what every form tells";
+            let help = "feedback may print only what every form gives";
             faults.push(Fault::new(Code::Text, message).help(help).at_path(path.clone()).within(placeholder.span));
         }
     }

@@ -48,7 +48,8 @@ impl FormDraft {
         for (index, name) in question.reveal.iter().enumerate() {
             match builder.mention(name) {
                 Some(symbol) if read.wanted.contains(&symbol) => {
-                    let fault = Fault::new(Code::Duplicate, format!("`{name}` is asked, so it cannot be told as well"));
+                    let fault =
+                        Fault::new(Code::Duplicate, format!("`{name}` is asked, so it cannot be given as well"));
                     let help = "remove it from `reveal`, or ask for something else";
                     builder.fault(fault.help(help).at_path(question.path.key("reveal").index(index)));
                 }

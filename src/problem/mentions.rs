@@ -27,7 +27,7 @@ pub(super) fn mention_in_texts(loaded: &Loaded, builder: &mut Builder<'_>) {
                 if let [Some(_), Some(_)] = parts.each_ref().map(|part| builder.mention(part)) {
                     let [x, y] = parts;
                     fault = fault
-                        .help(format!("a text tells a vector by its components: `{{{{ {x} }}}}` and `{{{{ {y} }}}}`"));
+                        .help(format!("a text gives a vector by its components: `{{{{ {x} }}}}` and `{{{{ {y} }}}}`"));
                 }
                 let fault = fault.at_path(path.clone()).within(placeholder.span);
                 builder.fault(fault);

@@ -47,7 +47,7 @@ pub enum Rejection {
         reason: Box<Rejection>,
     },
     /// They make a quantity zero in terms of which an answer is asked.
-    #[error("`{0}` is zero, and nothing can be told in terms of it")]
+    #[error("`{0}` is zero, so nothing can be given in terms of it")]
     ZeroUnit(String),
     /// They leave several solutions.
     #[error("there are {0} solutions; pick one with `where`, or ask for all with `roots: all`")]

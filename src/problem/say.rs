@@ -50,6 +50,10 @@ const VERBS_OF_MOTION: &[(&str, &[&str])] = &[
 const CLAUSE_ENDS: &[char] = &['.', ';', ':', '!', '?', '\n'];
 /// Words that begin a new clause behind a comma.
 const CLAUSE_STARTS: &[&str] = &["and", "but", "while", "whereas", "when", "so"];
+/// Words that begin a clause with a verb of its own wherever they stand.
+const SUBORDINATORS: &[&str] = &["which", "who", "while", "whereas", "when", "until"];
+/// Words straight after which a verb must follow.
+const CONJUNCTIONS: &[&str] = &["and", "but", "or", "then"];
 
 /// The text with every placeholder said for this variant.
 pub(super) fn fill(text: &Text, problem: &Problem, variant: &Variant) -> String {
@@ -206,7 +210,12 @@ fn has_verb_of_motion(before: &str) -> bool {
         let word = word.to_lowercase();
         VERBS_OF_MOTION.iter().any(|(stem, ends)| word.strip_prefix(stem).is_some_and(|end| ends.contains(&end)))
     };
-    clause.split(|letter: char| !letter.is_alphabetic()).any(is_verb)
+    let words = clause.split(|letter: char| !letter.is_alphabetic()).filter(|word| !word.is_empty());
+    let mut last_first = words.rev().peekable();
+    if last_first.peek().is_some_and(|last| CONJUNCTIONS.contains(last)) {
+        return false;
+    }
+    last_first.take_while(|word| !SUBORDINATORS.contains(word)).any(is_verb)
 }
 
 /// A number as it stands in a sentence, with a true minus sign.
@@ -237,6 +246,11 @@ mod tests {
         assert!(!has_verb_of_motion("They collide. Afterwards cart A "));
         assert!(!has_verb_of_motion("Car A moves at 2 m/s to the right, and in front of it car B "));
         assert!(!has_verb_of_motion("A goods wagon B "));
+        assert!(!has_verb_of_motion("Cart A moves at 2 m/s ahead and hits cart B, which "));
+        assert!(!has_verb_of_motion("Cart A moves at 2 m/s ahead towards cart B which "));
+        assert!(!has_verb_of_motion("At the end it leaves the spring and "));
+        assert!(has_verb_of_motion("Cart A hits cart B, which rolls "));
+        assert!(has_verb_of_motion("It leaves the strings "));
         assert!(!has_verb_of_motion("At the end of the push it "));
     }
 

@@ -38,8 +38,8 @@ pub(super) fn check(loaded: &Loaded, model: &Model, known: &[Known], form: &Form
                 let help = "leave it out of the text of this form, or ask for something else";
                 faults.push(fault.help(help).at_path(path.clone()).within(placeholder.span));
             } else if !form.told.contains(&symbol) && !solved_from_given(form, symbol) {
-                let message = format!("the text prints `{}`, which this form does not tell", placeholder.name);
-                let help = format!("write `reveal: [{}]` to have it solved first and then told", placeholder.name);
+                let message = format!("the text prints `{}`, which this form does not give", placeholder.name);
+                let help = format!("write `reveal: [{}]` to have it solved first and then given", placeholder.name);
                 faults.push(Fault::new(Code::Text, message).help(help).at_path(path.clone()).within(placeholder.span));
             }
         }

@@ -73,7 +73,7 @@ pub(super) struct Grade {
     /// The answer to a part
     #[arg(long, value_name = "NAME=TEXT", value_parser = assignment)]
     answer: Vec<(String, String)>,
-    /// Say so many further hints about wrong answers
+    /// Show N further hints about wrong answers
     #[arg(long, value_name = "N", default_value_t = 0, conflicts_with = "submissions")]
     hints: usize,
     /// No attempts are left: show what would have followed from the student's own wrong answers

@@ -48,7 +48,7 @@ impl Film {
     /// What a reader must know: of the motion, and of momenta and energies.
     pub(super) fn cautions(&self) -> Vec<String> {
         let bodies = self.unweighed.join(" and ");
-        let unweighed = format!("The mass of {bodies} is not told: impulses and energies are for 1 kg.");
+        let unweighed = format!("The mass of {bodies} is not given: impulses and energies are for 1 kg.");
         let notes = self.notes.iter().map(|note| (*note).to_owned());
         notes.chain((!bodies.is_empty()).then_some(unweighed)).collect()
     }

@@ -17,14 +17,14 @@ impl Catalogue for English {
         let plain = match message {
             Message::Right => "Right.",
             Message::RightRounded => "Right within the rounding of intermediate values.",
-            Message::Agrees => {
-                "Right: it agrees with the right formula at 20 points of the problem's range, to 256 bits. That is no proof."
-            }
+            Message::Agrees => "Right: it agrees numerically with the expected formula (not proven).",
             Message::NegativeMagnitude => "This quantity is a magnitude: it is written without a minus sign.",
             Message::PoundsAsMass => "Pounds and the like are read as a mass here (`lbm`); elsewhere they are forces.",
             Message::ZeroWithoutUnit => "A zero, too, is written with its unit.",
-            Message::LastFigure => "Close, but the last figure is not right. Carry one more through the steps.",
-            Message::RoundingSlip => "Nearly: where did you round? Keep a figure more until the end.",
+            Message::LastFigure => {
+                "Close, but the last figure is not right. Keep one more significant figure in intermediate steps."
+            }
+            Message::RoundingSlip => "Nearly: where did you round? Keep one more significant figure until the end.",
             Message::Sense(None) => "The magnitude is right. What is its sign?",
             Message::SenseReversed => "The magnitude is right. Look at the direction again.",
             Message::NumberRight => "The number is right.",

@@ -7,8 +7,8 @@ pub(super) fn sentence(kind: &UnreadableKind) -> String {
     let plain = match kind {
         UnreadableKind::NotANumber => "a number must stand here, like `3.1`, `-0.4`, `1.2e3` or `3/4`.",
         UnreadableKind::NameBefore => "write the value alone, without a name and `=` before it.",
-        UnreadableKind::Underscore => "an underscore does not belong into a number.",
-        UnreadableKind::Marks => "these points and commas make no number.",
+        UnreadableKind::Underscore => "an underscore is not allowed in a number.",
+        UnreadableKind::Marks => "this combination of points and commas is not a number.",
         UnreadableKind::SecondNumber => "a second number stands here: write one value.",
         UnreadableKind::MixedOrGrouped => {
             "this can be a whole number and a fraction, or one grouped number: write it without the space, or as a decimal."
@@ -34,10 +34,10 @@ pub(super) fn sentence(kind: &UnreadableKind) -> String {
         UnreadableKind::NotAnInterval => {
             "write an interval or a condition, like `0 < e <= 0.5`, `e >= 0.3` or `(0, 0.5]`."
         }
-        UnreadableKind::EmptyInterval => "nothing lies in this interval: its ends are exchanged.",
+        UnreadableKind::EmptyInterval => "the lower end is above the upper end: nothing lies in this interval.",
         UnreadableKind::NotEuler => "`e` is not given here, and it never means 2.718: write `exp(1)` for that.",
         UnreadableKind::TooManyParts => "this formula has too many parts.",
-        UnreadableKind::NotAFormula => "this does not belong into a formula.",
+        UnreadableKind::NotAFormula => "this is not allowed in a formula.",
         UnreadableKind::NoTerm => "a name, a number or a bracket must stand here.",
         UnreadableKind::NamedPower => "an exponent is a plain number.",
         other => return filled(other),

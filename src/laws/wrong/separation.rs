@@ -15,8 +15,8 @@ use super::rewrite::terms;
 pub const ABSOLUTE: Misconception = Misconception {
     id: "relative-velocity-as-absolute",
     does: "takes a relative velocity for a velocity over the ground",
-    ask: "Relative to what is this velocity told, and does that move too?",
-    hint: "Momentum is counted with velocities over the ground: add the velocity of the body from which it is told.",
+    ask: "Relative to what is this velocity given, and does that move too?",
+    hint: "Momentum is counted with velocities over the ground: add the velocity of the body to which it is relative.",
 };
 /// The difference taken the wrong way round.
 pub const REVERSED: Misconception = Misconception {

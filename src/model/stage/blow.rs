@@ -55,7 +55,7 @@ impl Builder<'_> {
             impulsive: true,
         });
         if self.scene.plane == Plane::Vertical {
-            self.omit(
+            self.neglect(
                 "weight during the blow",
                 "it is not impulsive: its impulse in so short a time is negligible beside that of the blow",
             );

@@ -32,8 +32,8 @@ impl Builder<'_> {
             components: Vec::new(),
             impulsive: true,
         });
-        self.omit("air resistance", "the problem does not mention any");
-        self.omit("the duration of each contact", "it is short beside the time in the air");
+        self.neglect("air resistance", "the problem does not mention any");
+        self.neglect("the duration of each contact", "it is short beside the time in the air");
     }
 
     /// Whether the height of a drop says how the body arrives: of the fall just before, or `h_0`.

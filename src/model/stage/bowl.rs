@@ -43,7 +43,7 @@ impl Builder<'_> {
             components: Vec::new(),
             impulsive: false,
         });
-        self.omit("friction", "the wall is smooth");
+        self.neglect("friction", "the wall is smooth");
     }
 
     /// The speed at one end, by its horizontal part and that along the wall.

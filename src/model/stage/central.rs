@@ -40,7 +40,7 @@ impl Builder<'_> {
             self.central_spring(index, stage, spring, path);
         } else if stage.gravity.is_none() {
             let why = "the force's moment about the centre is zero, whatever its strength";
-            self.omit("the radial motion in between", why);
+            self.not_needed("the radial motion in between", why);
         }
         self.orbit(index, stage, path);
     }
@@ -71,7 +71,7 @@ impl Builder<'_> {
         let [start, end] = energies;
         let because = format!("only the spring does work on {name}");
         self.law(&energy::CONSERVATION, Some(index), because, (start, end));
-        self.omit("the mass of the spring", "it is light");
+        self.neglect("the mass of the spring", "it is light");
     }
 
     /// How a point is called in a sentence.

@@ -31,8 +31,8 @@ impl Builder<'_> {
             components: Vec::new(),
             impulsive: false,
         });
-        self.omit("the mass of the cord", "it is light");
-        self.omit(
+        self.neglect("the mass of the cord", "it is light");
+        self.not_needed(
             format!("the motion of {name} while the cord is drawn in"),
             "only the steady circles are asked about",
         );

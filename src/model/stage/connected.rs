@@ -108,11 +108,11 @@ impl Builder<'_> {
             self.require(Warning::Reverses, speed.clone(), Relation::AtLeast, Expr::zero(), reason);
         }
         self.require(Warning::GoesSlack, tension, Relation::AtLeast, Expr::zero(), "the string would go slack");
-        self.omit(
+        self.neglect(
             format!("the mass and the friction of {pulley}"),
             "it is light and smooth, so that the tension is the same on both sides",
         );
-        self.omit("the mass of the string", "it is light, and does not stretch");
+        self.neglect("the mass of the string", "it is light, and does not stretch");
     }
 
     /// A body on its side of the pulley: `forwards` is down (1) or up (-1) for one that hangs.

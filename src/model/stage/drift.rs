@@ -27,7 +27,7 @@ impl Builder<'_> {
         for body in &bodies {
             for (position, axis) in axes.iter().enumerate() {
                 if self.downwards(position).is_some() {
-                    let fault = Fault::new(Code::Value, "bodies do not go on evenly where weight acts");
+                    let fault = Fault::new(Code::Value, "bodies do not keep their velocity where weight acts");
                     self.faults.push(fault.help("use `flight`, or leave `plane: vertical` out").at_path(path.clone()));
                     return;
                 }
@@ -46,6 +46,6 @@ impl Builder<'_> {
             // Put in, the time follows from one equation even where a body stands still.
             self.end_of_flight(index, &bodies, until, &|place| moved.get(&place).cloned(), &path.key("until"));
         }
-        self.omit("friction and air resistance", "the problem does not mention any");
+        self.neglect("friction and air resistance", "the problem does not mention any");
     }
 }

@@ -59,6 +59,6 @@ impl Builder<'_> {
             components,
             impulsive: false,
         });
-        self.omit("air resistance", "the problem does not mention any");
+        self.neglect("air resistance", "the problem does not mention any");
     }
 }

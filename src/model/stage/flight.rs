@@ -34,8 +34,8 @@ impl Builder<'_> {
             self.end_of_flight(index, &bodies, until, &|_| None, &path.key("until"));
         }
         match self.scene.plane {
-            Plane::Vertical => self.omit("air resistance", "the problem does not mention any"),
-            Plane::Horizontal => self.omit("friction", "the problem does not mention any"),
+            Plane::Vertical => self.neglect("air resistance", "the problem does not mention any"),
+            Plane::Horizontal => self.neglect("friction", "the problem does not mention any"),
         }
     }
 

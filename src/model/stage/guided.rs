@@ -84,7 +84,7 @@ impl Builder<'_> {
                 self.impulse_on_free(contact, body, other);
             }
         }
-        self.omit("the forces between the bodies", "their impulses cancel in pairs within the system");
+        self.not_needed("the forces between the bodies", "their impulses cancel in pairs within the system");
     }
 
     /// The impulse on the body that is free, which changes its momentum along every axis, and the opposite one on the other.

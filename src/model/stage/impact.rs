@@ -31,7 +31,7 @@ impl Builder<'_> {
     pub(in crate::model) fn impact(&mut self, index: usize, stage: &Impact, path: &Path) {
         let contact = Contact { index, stage, path };
         if self.scene.plane == Plane::Vertical {
-            self.omit(
+            self.neglect(
                 "weight during the impact",
                 "it is not impulsive: its impulse during the short contact is negligible",
             );
@@ -69,7 +69,7 @@ impl Builder<'_> {
         let after: Vec<&str> = stage.becomes.as_deref().map_or_else(|| bodies.clone(), |union| vec![union]);
         let [start, end] = [(bodies, contact.index + 1), (after, contact.index + 2)]
             .map(|(own, instant)| Expr::sum(own.iter().map(|body| self.kinetic_of(body, instant)).collect::<Vec<_>>()));
-        let because = if of_energy { "no kinetic energy is lost" } else { "the loss of kinetic energy is told" };
+        let because = if of_energy { "no kinetic energy is lost" } else { "the loss of kinetic energy is given" };
         self.law(&energy::LOSS, Some(contact.index), because, (start - loss, end));
     }
 
@@ -136,9 +136,9 @@ impl Builder<'_> {
             );
         }
         if self.weight_acts_across() {
-            self.omit(
-                "weight and whatever supports the bodies",
-                "they act across the motion, and nothing impulsive presses on the support",
+            self.not_needed(
+                "weight and any support of the bodies",
+                "they have no component along the motion, and nothing impulsive presses on a support",
             );
         }
     }
@@ -188,7 +188,7 @@ impl Builder<'_> {
         let because =
             format!("the contact is smooth and gives {} no impulse across the line of impact", self.called(body));
         self.law(&momentum::NO_IMPULSE, Some(index), because, (end.clone(), start.clone()));
-        self.omit("friction between the bodies", "they are smooth");
+        self.neglect("friction between the bodies", "they are smooth");
     }
 
     /// An impact in the plane whose line is not stated: momentum along each axis, and what the problem gives besides.
@@ -196,9 +196,9 @@ impl Builder<'_> {
         let (name_a, name_b) = (self.called(first), self.called(second));
         self.exchange(contact, [first, second], [first, second]);
         if self.weight_acts_across() {
-            self.omit("weight and whatever supports the bodies", "they act across the plane of motion and cancel");
+            self.not_needed("weight and the support of the bodies", "they act across the plane of motion and cancel");
         }
-        self.omit(
+        self.not_needed(
             "the impulse between the bodies",
             format!("within the system it cancels: on {name_a} and on {name_b} it is equal and opposite"),
         );
@@ -289,9 +289,9 @@ impl Builder<'_> {
             let [a, b] = [first, second].map(|body| self.velocity(body, index + 1, axes[0]));
             self.require(Warning::NoImpact, a, Relation::Differs, b, format!("{name_a} would not meet {name_b}"));
         }
-        self.omit("the forces between the bodies", "their impulses cancel in pairs within the system");
+        self.not_needed("the forces between the bodies", "their impulses cancel in pairs within the system");
         if self.scene.plane == Plane::Horizontal {
-            self.omit(
+            self.neglect(
                 "friction and other resistance from outside",
                 "they are not impulsive: their impulse during the short impact is negligible",
             );

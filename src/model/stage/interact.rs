@@ -43,12 +43,12 @@ impl Builder<'_> {
         };
         if let Some(loss) = loss {
             let because =
-                if stage.elastic { "no kinetic energy is lost" } else { "the loss of kinetic energy is told" };
+                if stage.elastic { "no kinetic energy is lost" } else { "the loss of kinetic energy is given" };
             let [start, end] = [index + 1, index + 2].map(|instant| {
                 Expr::sum(bodies.iter().map(|body| self.kinetic_term(body, instant)).collect::<Vec<_>>())
             });
             self.law(&energy::LOSS, Some(index), because, (start - loss, end));
         }
-        self.omit("the forces between the bodies", "within the system they cancel in pairs");
+        self.not_needed("the forces between the bodies", "within the system they cancel in pairs");
     }
 }

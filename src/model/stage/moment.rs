@@ -44,7 +44,10 @@ impl Builder<'_> {
             self.law(law, Some(index), because, (Expr::sum([before].into_iter().chain(gained)), after));
         }
         if self.weight_acts_across() {
-            self.omit("weight and all else that acts across the motion", "it has no part in the turning");
+            self.not_needed(
+                "weight and everything else that acts across the motion",
+                "it has no moment about the axis",
+            );
         }
     }
 }

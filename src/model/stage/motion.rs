@@ -98,8 +98,8 @@ impl Builder<'_> {
             }
             (told, _) => {
                 let message = match told {
-                    Some(_) => format!("the motion{along} is told twice, by its velocity and by its place"),
-                    None => format!("the motion{along} is not told"),
+                    Some(_) => format!("the motion{along} is given twice, by its velocity and by its place"),
+                    None => format!("the motion{along} is not given"),
                 };
                 let help = match number {
                     1 => "write `velocity` or `position`: `velocity: b*t`",
@@ -126,12 +126,12 @@ impl Builder<'_> {
             let when = self.when(instant);
             if let Some(place) = &course.place {
                 let own = self.place(body, instant, course.axis);
-                let because = format!("the place of {name} is told at all times");
+                let because = format!("the position of {name} is given as a function of time");
                 self.law(&motion::PLACE, Some(index), because, (own, at(place, end)));
             }
             let because = match &course.place {
                 Some(_) => format!("the velocity of {name} is the rate of change of its place"),
-                None => format!("the velocity of {name} is told all the way"),
+                None => format!("the velocity of {name} is given as a function of time"),
             };
             let velocity = self.velocity(body, instant, course.axis);
             self.law(&motion::VELOCITY, Some(index), because, (velocity, at(&course.velocity, end)));
@@ -160,12 +160,12 @@ impl Builder<'_> {
         let (low, high) = (low.clone(), high.clone());
         let integral = Integral { integrand, variable: course.variable, low, high };
         if course.by_place {
-            let because = format!("the velocity of {name} is told at every place");
+            let because = format!("the velocity of {name} is given as a function of position");
             self.integral(&motion::TIME_OF_WAY, index, because, (lasts.clone(), value.simplify()), integral);
         } else {
             let ends = [index + 1, index + 2].map(|instant| self.place(&stage.body, instant, course.axis));
             let [from, to] = ends;
-            let because = format!("the velocity of {name} is told at all times");
+            let because = format!("the velocity of {name} is given as a function of time");
             self.integral(&motion::DISPLACEMENT, index, because, (to - from, value.simplify()), integral);
         }
     }

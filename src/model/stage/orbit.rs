@@ -45,7 +45,7 @@ impl Builder<'_> {
             Some(Orbit::Parabola) => self.parabola(&round, energies),
             None => {}
         }
-        self.omit("the gravity of everything else", "it is small, or acts alike on both");
+        self.neglect("the gravity of everything else", "it is small, or acts alike on both");
     }
 
     /// Least and, on an ellipse, greatest distance; heights above the surface where its radius is said.
@@ -89,7 +89,7 @@ impl Builder<'_> {
             let meaning = format!("the eccentric anomaly of {name} {}", self.when(instant));
             let anomaly = Expr::from(self.symbol(format!("E_{body}{instant}"), Dimension::NONE, meaning));
             let value = orbit::anomaly(&round.gravity, &axis, radius, radial);
-            self.law(&orbit::ORBIT_TIME, index, "it tells how far along the ellipse it is", (anomaly.clone(), value));
+            self.law(&orbit::ORBIT_TIME, index, "it says how far along the ellipse it is", (anomaly.clone(), value));
             let since = self.time_since_nearest(round, instant);
             let value = orbit::time_on_ellipse(&round.gravity, &axis, &anomaly, radius, radial);
             self.law(&orbit::ORBIT_TIME, index, "equal areas take equal times", (since.clone(), value));

@@ -135,7 +135,7 @@ impl Builder<'_> {
             let weight = mass * self.gravity();
             let normal = weight.clone() * pushed.incline.press.clone();
             self.note_floor(acts, &pushed.incline, weight, normal, Expr::zero(), false);
-            self.omit("friction", "the slope is smooth");
+            self.neglect("friction", "the slope is smooth");
         } else {
             self.note_weight(acts);
         }
@@ -152,9 +152,12 @@ impl Builder<'_> {
         }
         if self.scene.plane == Plane::Horizontal && !on_slope {
             if self.weight_acts_across() {
-                self.omit("weight and all else that acts across the motion", "it has no part along the motion");
+                self.not_needed(
+                    "weight and everything else that acts across the motion",
+                    "it has no component along the motion",
+                );
             }
-            self.omit("friction", "the problem does not mention any");
+            self.neglect("friction", "the problem does not mention any");
         }
     }
 
@@ -247,7 +250,7 @@ impl Builder<'_> {
     pub(in crate::model) fn told_throughout(&mut self, name: &str, strength: &Expr, end: &Expr) {
         let Expr::Piecewise(pieces) = strength else { return };
         if let Some((Some(last), _)) = pieces.pieces.last() {
-            self.in_order(end, last, &format!("the stage lasts longer than {name} is told"));
+            self.in_order(end, last, &format!("the stage lasts longer than {name} is given"));
         }
     }
 

@@ -72,7 +72,7 @@ impl Builder<'_> {
                 impulsive: false,
             });
             let name = self.called(body);
-            self.omit(format!("the mass of what holds {name}"), "it is light");
+            self.neglect(format!("the mass of what holds {name}"), "it is light");
         }
     }
 

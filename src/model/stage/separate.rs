@@ -50,20 +50,17 @@ impl Builder<'_> {
         }
         let phrase = self.stage_phrase(index);
         if self.scene.plane == Plane::Vertical {
-            self.omit(
+            self.neglect(
                 format!("weight during {phrase}"),
                 "it is not impulsive: its impulse in so short a time is negligible",
             );
         } else if self.weight_acts_across() {
-            self.omit(
-                "weight and whatever supports the bodies",
-                "they act across the motion, and nothing impulsive presses on the support",
+            self.not_needed(
+                "weight and any support of the bodies",
+                "they have no component along the motion, and nothing impulsive presses on a support",
             );
         }
-        self.omit(
-            "the forces between the parts",
-            "their impulses cancel in pairs, however long and however unevenly they act",
-        );
+        self.not_needed("the forces between the parts", "their impulses cancel in pairs, however long they act");
     }
 
     /// That the masses of the parts add up, where the whole has a mass of its own.
@@ -137,7 +134,7 @@ impl Builder<'_> {
             When::Before => (before[0], index + 1, "before"),
         };
         let phrase = self.stage_phrase(index);
-        let because = format!("the velocity of {name} is told relative to the one that {other} has {when} {phrase}");
+        let because = format!("the velocity of {name} is given relative to that of {other} {when} {phrase}");
         let parts = self.components(&direction);
         let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
         for (axis, part) in axes.iter().zip(parts) {

@@ -57,9 +57,10 @@ impl Builder<'_> {
         }
         self.slide_forces(index, body, friction.as_ref(), &incline, &way, &duration);
         self.slide_impulse(index, stage, &incline);
-        self.omit("air resistance", "the problem does not mention any");
+        self.neglect("air resistance", "the problem does not mention any");
         if friction.is_none() {
-            self.omit("friction", "the floor is smooth");
+            let track = if stage.incline.is_none() && stage.height.is_none() { "floor" } else { "slope" };
+            self.neglect("friction", format!("the {track} is smooth"));
         }
     }
 

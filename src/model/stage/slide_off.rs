@@ -70,8 +70,8 @@ impl Builder<'_> {
                 impulsive: false,
             });
         }
-        self.omit(format!("friction between {name} and {other}"), "they are smooth");
-        self.omit(
+        self.neglect(format!("friction between {name} and {other}"), "they are smooth");
+        self.not_needed(
             format!("the force between {name} and {other}"),
             "its impulses cancel within the system, and so does its work",
         );

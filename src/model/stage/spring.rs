@@ -42,7 +42,7 @@ impl Builder<'_> {
             }
             None => {}
         }
-        self.omit("the mass of the spring", "it is light");
+        self.neglect("the mass of the spring", "it is light");
     }
 
     fn deformation(&mut self, index: usize, stage: &Spring, stiffness: &Expr, path: &Path) -> Deformation {
@@ -129,7 +129,7 @@ impl Builder<'_> {
             impulsive: false,
         });
         if stage.friction.is_none() && incline.along != Expr::one() {
-            self.omit("friction", "the problem does not mention any");
+            self.neglect("friction", "the problem does not mention any");
         }
     }
 
@@ -174,6 +174,6 @@ impl Builder<'_> {
         self.require(warning, greater.clone(), Relation::AtLeast, less.clone(), reason);
         let pair = Pair { index, bodies, before, after, link: "the spring", pulley: None };
         self.pair(&pair, "", &|_, impulse| vec![impulse.clone()], None, path);
-        self.omit("friction and other resistance", "the problem does not mention any");
+        self.neglect("friction and other resistance", "the problem does not mention any");
     }
 }

@@ -65,9 +65,9 @@ impl Builder<'_> {
             components: Vec::new(),
             impulsive: false,
         });
-        self.omit("friction between the stream and the body", "the problem does not mention any");
+        self.neglect("friction between the stream and the body", "the problem does not mention any");
         if stage.drop.is_none() && self.axes.iter().enumerate().any(|(place, _)| self.downwards(place).is_some()) {
-            self.omit(format!("the weight of {by} on its way"), "it is small beside the forces of the stream");
+            self.neglect(format!("the weight of {by} on its way"), "it is small beside the forces of the stream");
         }
     }
 
@@ -194,7 +194,7 @@ impl Builder<'_> {
         if let [force] = forces {
             let meaning = format!("the force that holds {name} against {}, or keeps it going", stage.by);
             let hold = Expr::from(self.symbol(format!("F_hold_{body}{suffix}"), Dimension::FORCE, meaning));
-            let because = format!("{name} moves evenly, so that all forces on it balance");
+            let because = format!("{name} moves at constant velocity, so the forces on it balance");
             self.law(&crate::laws::force::BALANCE, Some(index), because, (hold, -force.clone()));
         }
         let Some(moves) = moves else { return };

@@ -58,8 +58,8 @@ impl Builder<'_> {
             components: Vec::new(),
             impulsive: true,
         });
-        self.omit("the mass of the arm", "it is light");
-        self.omit(format!("the impulse at {centre}"), "it has no moment about that point");
+        self.neglect("the mass of the arm", "it is light");
+        self.not_needed(format!("the impulse at {centre}"), "it has no moment about that point");
     }
 
     /// How the body and the place that it strikes part: `v` of the body, `w` of the place, before and after.

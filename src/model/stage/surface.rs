@@ -51,7 +51,7 @@ impl Builder<'_> {
         if let (Some(from), Some(to)) = (&start.across, &end.across) {
             let because = format!("{wall} is smooth and gives {name} no impulse along it");
             self.law(&momentum::NO_IMPULSE, Some(index), because, (to.clone(), from.clone()));
-            self.omit(format!("friction with {wall}"), format!("{wall} is smooth"));
+            self.neglect(format!("friction with {wall}"), format!("{wall} is smooth"));
         }
         let suffix = self.stage_suffix(index);
         let meaning = format!("the impulse on {name} from {wall}");
@@ -84,7 +84,7 @@ impl Builder<'_> {
             moves,
             format!("{name} would pass through {wall}"),
         );
-        self.omit(
+        self.not_needed(
             format!("the momentum of {wall}"),
             format!("{wall} is held from outside, and the momentum of both together is not conserved"),
         );

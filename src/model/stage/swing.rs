@@ -61,8 +61,8 @@ impl Builder<'_> {
             components: Vec::new(),
             impulsive: false,
         });
-        self.omit("the mass of the cord", "it is light");
-        self.omit("air resistance", "the problem does not mention any");
+        self.neglect("the mass of the cord", "it is light");
+        self.neglect("air resistance", "the problem does not mention any");
     }
 
     /// The angle and the velocity at the start (0) or at the end (1).

@@ -48,13 +48,13 @@ impl Builder<'_> {
         }
         let reason = format!("{second} would not move away from {first}, and the string would stay slack");
         self.require(Warning::NoImpact, pair.before[1].clone(), Relation::AtLeast, pair.before[0].clone(), reason);
-        self.omit("the mass of the string", "it is light, and does not stretch");
+        self.neglect("the mass of the string", "it is light, and does not stretch");
         if stage.over.is_some() || self.scene.plane == Plane::Vertical {
             let why = "it is not impulsive: its impulse during the short jerk is negligible beside that of the string";
-            self.omit("weight during the jerk", why);
+            self.neglect("weight during the jerk", why);
         }
         if let Some(pulley) = &stage.over {
-            self.omit(
+            self.neglect(
                 format!("the mass and the friction of {pulley}"),
                 "it is light and smooth, so that the tension is the same on both sides",
             );

@@ -265,7 +265,7 @@ impl Builder<'_> {
         let because = "thrust less resistance accelerates the mass that is left";
         self.law(&variable_mass::ROCKET_DRAG, Some(burn.index), because, (ratio.clone(), value));
         let sides = (after, variable_mass::against_resistance(&even, &ratio));
-        self.law(&variable_mass::ROCKET_DRAG, Some(burn.index), "the ratio f tells the velocity", sides);
+        self.law(&variable_mass::ROCKET_DRAG, Some(burn.index), "the ratio f gives the velocity", sides);
     }
 
     fn note_burn(&mut self, burn: &Burn) {
@@ -287,11 +287,11 @@ impl Builder<'_> {
 
     fn leave_out_of_burn(&mut self, stage: &Thrust) {
         match self.scene.plane {
-            Plane::Horizontal => self.omit("gravity", "it has no part along the motion"),
-            Plane::Vertical => self.omit("the decrease of g with height", "g is taken to be the same all the way up"),
+            Plane::Horizontal => self.neglect("gravity", "the problem does not mention any along the motion"),
+            Plane::Vertical => self.neglect("the decrease of g with height", "g is taken to be constant"),
         }
         if stage.resistance.is_none() {
-            self.omit("air resistance", "the problem does not mention any");
+            self.neglect("air resistance", "the problem does not mention any");
         }
     }
 }

@@ -75,8 +75,8 @@ impl Builder<'_> {
             let reason = format!("{} would move the other way", front.name);
             self.require(Warning::Reverses, speed.clone(), Relation::AtLeast, Expr::zero(), reason);
         }
-        self.omit(format!("the mass of {joint}"), "it is light beside the bodies that it joins");
-        self.omit("air resistance", "the problem does not mention any");
+        self.neglect(format!("the mass of {joint}"), "it is light beside the bodies that it joins");
+        self.neglect("air resistance", "the problem does not mention any");
     }
 
     /// The pull of what joins the bodies, and its part in diagrams.

@@ -38,7 +38,10 @@ impl Builder<'_> {
         let [own, its] = &displacements;
         let because = format!("{name} walks along {other}, which moves meanwhile");
         self.law(&separation::RELATIVE_WAY, Some(index), because, separation::relative(own, its, &distance));
-        self.omit("how fast the walk is, and whether it is even", "the mass centre stays where it is at every instant");
-        self.omit("the resistance of what it floats on", "the problem does not mention any");
+        self.not_needed(
+            "how fast the walk is, and whether it is even",
+            "the mass centre stays where it is at every instant",
+        );
+        self.neglect("the resistance of what it floats on", "the problem does not mention any");
     }
 }

@@ -15,7 +15,7 @@ pub enum NothingToSimulate {
     NoLineOfImpact,
     /// Neither a coefficient of restitution nor staying together is told.
     NoRestitution,
-    /// A quantity that the simulation needs is neither told nor solved in this form.
+    /// A quantity that the simulation needs is neither given nor solved in this form.
     ValueMissing,
     /// The stage is no motion of bodies that could be watched.
     NotShown,
@@ -34,9 +34,9 @@ impl NothingToSimulate {
             Self::NothingSolved => "nothing to simulate: what a simulation finds is not solved in this form",
             Self::NothingChanges => "nothing to simulate: no velocity changes",
             Self::UnknownHistory => "nothing to simulate: the force of a blow is not known, only its impulse",
-            Self::NoLineOfImpact => "nothing to simulate: the line of impact is not told",
-            Self::NoRestitution => "nothing to simulate: no coefficient of restitution is told",
-            Self::ValueMissing => "nothing to simulate: a quantity that it needs is neither told nor solved",
+            Self::NoLineOfImpact => "nothing to simulate: the line of impact is not given",
+            Self::NoRestitution => "nothing to simulate: no coefficient of restitution is given",
+            Self::ValueMissing => "nothing to simulate: a quantity that it needs is neither given nor solved",
             Self::NotShown => "not shown: `momentous check` simulates it, but not as a motion of the bodies",
             Self::NoMethod => "nothing to simulate: no method of this version integrates such a motion",
             Self::Unread => "nothing to simulate: it does not read such a term or direction",

@@ -50,7 +50,7 @@ impl Bench<'_> {
         let [u, v, w] = before;
         let (names, components, start) = (&[body], values.components(), (0.0, [0.0, 0.0, 0.0, u, v, w]));
         self.film(&Motion { names, components, start, end, slope: &slope, look: &look })?;
-        self.remark("How the force goes on is not told: it is drawn as half a wave of one second.");
+        self.remark("How the force varies is not given: it is drawn as half a sine wave of one second.");
         Ok(())
     }
 

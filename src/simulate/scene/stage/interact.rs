@@ -79,9 +79,7 @@ impl Bench<'_> {
         };
         let (names, components) = (&bodies[..], values.components());
         self.film(&Motion { names, components, start: (0.0, start), end: time, slope: &slope, look: &look })?;
-        self.remark(
-            "What forces act between the bodies is not told: springs between all of them stand for whatever they are.",
-        );
+        self.remark("The forces between the bodies are not given: springs between all of them stand in for them.");
         let momenta: Vec<Vector> = (0..bodies.len()).map(|own| times(masses[own], vector(&end, MOST + own))).collect();
         let total = momenta.iter().fold(ZERO, |all, own| add(all, *own));
         let scale = momenta.iter().map(|own| size(*own)).fold(0.0, f64::max);

@@ -97,7 +97,7 @@ impl Bench<'_> {
         }
         if held.len() > 1 {
             self.remark(
-                "Where on their circles the particles are is not told: all are drawn on one side of the centre.",
+                "The positions of the particles on their circles are not given: all are drawn on one side of the centre.",
             );
         }
         let [_, after, work] = state;

@@ -177,7 +177,7 @@ impl Bench<'_> {
         let names: Vec<&str> = pieces.iter().map(|piece| piece.name).collect();
         let (start, components) = ((0.0, []), values.components());
         self.film(&Motion { names: &names, components, start, end: 1.0, slope: &|_, _| [], look: &look })?;
-        self.remark("How long the parts push each other is not told: it is drawn as one second.");
+        self.remark("How long the parts push each other is not given: one second is assumed.");
         Ok(())
     }
 

@@ -50,7 +50,7 @@ impl Bench<'_> {
         let (names, components, start) = (&names, self.values.components(), (0.0, [0.0; 4]));
         self.film(&Motion { names, components, start, end: 1.0, slope: &slope, look: &look })?;
         self.remark(
-            "How long it takes is not told: it is drawn as one second. Each place counts from where its body starts.",
+            "The duration is not given: one second is assumed. Each position counts from where its body starts.",
         );
         Ok(())
     }
