@@ -64,17 +64,7 @@ fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) -> Option<S
             let bodies = inner.map(|impulse| name(&impulse.on)).collect::<Vec<_>>();
             let equal = if bodies.len() == 2 { "equal and opposite impulses" } else { "impulses that cancel" };
             let bodies = list(&bodies);
-            let guides: Vec<String> = impulses
-                .iter()
-                .filter(|impulse| impulse.by == Agent::Guide)
-                .map(|impulse| {
-                    format!(
-                        "{} receives an impulse perpendicular to its path from {}",
-                        name(&impulse.on),
-                        impulse.called
-                    )
-                })
-                .collect();
+            let guides = guiding(scene, &impulses);
             let also = if guides.is_empty() { "nothing else is impulsive".to_owned() } else { list(&guides) };
             format!("During {phrase}, {bodies} give each other {equal}; {also}.")
         }
@@ -152,6 +142,16 @@ fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) -> Option<S
             during(format!("{body} {is} acted on by {}", first.called))
         }
     })
+}
+
+/// What each guided body receives from its guide.
+fn guiding(scene: &Scene, impulses: &[&Impulse]) -> Vec<String> {
+    let guides = impulses.iter().filter(|impulse| impulse.by == Agent::Guide);
+    let received = |impulse: &&Impulse| {
+        let on = scene.called(&impulse.on);
+        format!("{on} receives an impulse perpendicular to its path from {}", impulse.called)
+    };
+    guides.map(received).collect()
 }
 
 /// Why momentum serves where energy does not, in a scene with an impact that loses energy.

@@ -37,7 +37,7 @@ pub fn solution(worked: Worked<'_>, audience: Audience) -> Outline {
     let closing = if checks.is_empty() { "Answer" } else { "Answer and check" };
     let mut sections = vec![
         section("System", display.way.system.get_or_init(|| kept(system(worked))).clone()),
-        section("Momentum and impulse diagrams", diagrams::diagrams(display)),
+        acting(display),
         section("Axes and what is given", axes::axes(display)),
         section("Laws", laws(display)),
         section(closing, answers.into_iter().chain(checks).collect()),
@@ -47,6 +47,13 @@ pub fn solution(worked: Worked<'_>, audience: Audience) -> Outline {
         sections.push(Section { audience, ..section("Certificate and equations used", instructor::notes(display)) });
     }
     Outline { title: worked.problem.title().to_owned(), sections }
+}
+
+/// What acts, with its diagrams where there are any.
+fn acting(display: Display<'_>) -> Section {
+    let blocks = diagrams::diagrams(display);
+    let drawn = blocks.iter().any(|block| matches!(block.bare(), Block::Figure(_)));
+    section(if drawn { "Momentum and impulse diagrams" } else { "Forces and impulses" }, blocks)
 }
 
 fn kept(blocks: Vec<Block>) -> Vec<Block> {

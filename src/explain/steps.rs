@@ -165,6 +165,11 @@ impl Steps<'_> {
         let figures = if self.asked.contains(&unknown) { self.figures.answer } else { self.figures.intermediate };
         let value = || self.display.quantity_to(unknown, self.figures.intermediate.max(figures));
         let Some(formula) = formula else { return equation(vec![Math::relation(name, Operator::Equals, value())]) };
+        // The speed on a line is written as what it is: |v| = |-5 m/s|.
+        if name == formula.symbols && !self.display.is_free(unknown) {
+            let numbers = Math::relation(name, Operator::Equals, self.display.substituted(formula));
+            return equation(vec![Math::relation(numbers, Operator::Equals, value())]);
+        }
         let mut lines = vec![Math::relation(name, Operator::Equals, formula.symbols.clone())];
         if self.display.is_free(unknown) || formula.expr.is_zero() {
             return equation(lines);

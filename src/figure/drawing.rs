@@ -3,7 +3,7 @@
 use crate::expr::Math;
 
 /// A drawing in its own units (about one point each), y upwards.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Drawing {
     /// Short title, for screen readers.
     pub title: String,
@@ -150,6 +150,25 @@ impl Drawing {
     /// Whether a shape has that role.
     pub(super) fn has(&self, role: Role) -> bool {
         self.shapes.iter().any(|shape| shape.role() == role)
+    }
+
+    /// Whether it shows nothing but outlines of bodies and axes: less than any text says.
+    ///
+    /// ```
+    /// use momentous::figure::{Drawing, Point, Role, Shape};
+    /// let circle = Shape::Circle { centre: Point::ORIGIN, radius: 1.0, role: Role::Body };
+    /// let mut drawing = Drawing { shapes: vec![circle], ..Drawing::default() };
+    /// assert!(drawing.is_bare());
+    /// drawing.shapes.push(Shape::Arrow { from: Point::ORIGIN, to: Point::new(3.0, 0.0), role: Role::Velocity });
+    /// assert!(!drawing.is_bare());
+    /// ```
+    #[must_use]
+    pub fn is_bare(&self) -> bool {
+        let is_outline = |shape: &Shape| match shape {
+            Shape::Label { .. } => true,
+            other => matches!(other.role(), Role::Body | Role::Axis),
+        };
+        self.shapes.iter().all(is_outline)
     }
 }
 

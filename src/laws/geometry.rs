@@ -39,6 +39,17 @@ pub const MAGNITUDE: Law = Law {
     wrong: wrong::geometry::MAGNITUDE,
 };
 
+/// The speed on a line.
+pub const SPEED: Law = Law {
+    id: "speed",
+    name: "the definition of speed",
+    statement: "A speed is the magnitude of a velocity: along a line, the absolute value of its one component.",
+    signs: "A speed is never negative.",
+    when: "Always.",
+    source: "Definition of speed.",
+    wrong: &[],
+};
+
 /// The direction from the components.
 pub const DIRECTION: Law = Law {
     id: "direction",
@@ -143,6 +154,7 @@ pub const LAWS: &[&Law] = &[
     &COMPONENTS,
     &ROTATION,
     &MAGNITUDE,
+    &SPEED,
     &DIRECTION,
     &BETWEEN,
     &ARC,

@@ -1,10 +1,13 @@
 //! The forces of a push one by one, for diagrams; the equations need only their sums.
 
+use std::borrow::Cow;
+
 use crate::expr::Expr;
 
 use super::Builder;
 use super::Direction;
 use super::incline::Incline;
+use super::wording;
 
 /// A force that acts on a body during a push.
 #[derive(Clone, Debug)]
@@ -23,6 +26,14 @@ pub struct ActingForce {
     pub direction: Direction,
     /// From when to when it changes the momentum of the body.
     pub during: [Expr; 2],
+}
+
+impl ActingForce {
+    /// What it is called in a sentence: `the thrust`, `the force of the club`.
+    #[must_use]
+    pub fn in_words(&self) -> Cow<'_, str> {
+        wording::force_of(&self.called)
+    }
 }
 
 /// What a force is.

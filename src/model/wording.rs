@@ -1,5 +1,7 @@
 //! Phrases for stages and instants.
 
+use std::borrow::Cow;
+
 use crate::scene::Scene;
 use crate::scene::Stage;
 use crate::scene::stage::Separate;
@@ -21,7 +23,7 @@ const KINDS: &[(&str, &str, &str, &str)] = &[
     ("conical", "change of the cord", "before {}", "after {}"),
     ("bowl", "slide", "at the first level", "at the second level"),
     ("interact", "encounter", "before {}", "after {}"),
-    ("central", "flight", "at the first place", "at the second place"),
+    ("central", "motion", "at the first place", "at the second place"),
     ("fall", "fall", "at the start of {}", "at the end of {}"),
     ("slide_off", "slide", "at the start of {}", "at the end of {}"),
     ("motion", "motion", "at the start of {}", "at the end of {}"),
@@ -33,6 +35,32 @@ const KINDS: &[(&str, &str, &str, &str)] = &[
     ("separate", "separation", "just before {}", "just after {}"),
     ("bounces", "bouncing", "just before the first bounce", "after the bounces"),
 ];
+
+/// Nouns that are forces themselves: a force called by any other name is the force *of* that.
+const FORCES: &[&str] = &[
+    "attraction",
+    "drag",
+    "force",
+    "friction",
+    "gravity",
+    "lift",
+    "load",
+    "pull",
+    "push",
+    "reaction",
+    "repulsion",
+    "resistance",
+    "tension",
+    "thrust",
+    "traction",
+    "weight",
+];
+
+/// A force by the author's name for it: `the pull of the cable` as it is, `the table` as `the force of the table`.
+pub(in crate::model) fn force_of(name: &str) -> Cow<'_, str> {
+    let is_force = name.split_whitespace().any(|word| FORCES.contains(&word));
+    if is_force { name.into() } else { format!("the force of {name}").into() }
+}
 
 const ORDINALS: &[&str] =
     &["first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth"];

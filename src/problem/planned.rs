@@ -1,6 +1,7 @@
 //! A compiled problem: its equations, what is known, and its forms, each with its plans.
 
 use std::collections::BTreeSet;
+use std::sync::Arc;
 use std::sync::OnceLock;
 
 use crate::expr::Math;
@@ -8,6 +9,7 @@ use crate::expr::Notation;
 use crate::expr::Symbol;
 use crate::laws::Law;
 use crate::model::Model;
+use crate::model::Name;
 use crate::quantity::Unit;
 use crate::quantity::UnitSystem;
 
@@ -184,8 +186,18 @@ impl Problem {
     /// The same, typeset.
     #[must_use]
     pub fn math_of(&self, symbol: Symbol) -> Math {
-        let set = || self.notation.math(&self.model.symbols.entry(symbol).name);
+        let set = || {
+            let name = &self.model.symbols.entry(symbol).name;
+            let math = self.notation.math(name);
+            if self.is_speed_on_line(name) { Math::Bars(Arc::new(math)) } else { math }
+        };
         self.names.get(symbol.index()).map_or_else(set, |name| name.get_or_init(|| set().shared()).clone())
+    }
+
+    /// Whether a name is that of a speed whose velocity is a single number: both would be written with the same letter.
+    fn is_speed_on_line(&self, name: &str) -> bool {
+        let is_line = self.loaded.draft.scene.axes.rectangular().len() == 1;
+        is_line && Name::parse(name).is_some_and(|name| name.base == "speed")
     }
 
     /// What is known, in the order of the file.

@@ -9,8 +9,11 @@ use crate::bank_page::Survey;
 const START: &str = "<!-- laws: from here to the next mark, written by UPDATE_DOCS=1 cargo test --test book -->\n";
 const END: &str = "<!-- end -->";
 
+/// The law's name; what it is about stands behind a name that several laws share, as trigonometry is.
 fn title(law: &Law) -> String {
     let name = law.name.strip_prefix("the ").unwrap_or(law.name);
+    let shared = CHAPTERS.iter().flat_map(|(_, laws)| *laws).filter(|own| own.name == law.name).count() > 1;
+    let name = if shared { format!("{name}: {}", law.id.replace('-', " ")) } else { name.to_owned() };
     let mut letters = name.chars();
     letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
 }

@@ -106,10 +106,10 @@ fn solved_sibling(worked: Worked<'_>) -> Option<Variant> {
     sampler.with_values(worked.variant.seed().unwrap_or(0), worked.variant.all_given()).ok()
 }
 
-/// The figure of the problem sheet, which shows only what is given; none where that is nothing that can be drawn.
+/// The figure of the problem sheet, which shows only what is given; none where that is no more than outlines of bodies.
 #[must_use]
 pub fn situation(worked: Worked<'_>) -> Option<Drawing> {
     let quantities = Quantities::new(worked, Scope::Given);
     let memory = Memory::of(worked);
-    sheet::drawing(&quantities, memory.compass(worked))
+    sheet::drawing(&quantities, memory.compass(worked)).filter(|drawing| !drawing.is_bare())
 }

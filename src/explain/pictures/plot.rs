@@ -88,7 +88,7 @@ fn marks(quantities: &Quantities<'_>, force: &ActingForce) -> Vec<(f64, Math)> {
 }
 
 fn wording(quantities: &Quantities<'_>, force: &ActingForce, shaded: bool) -> Wording {
-    let name = &force.called;
+    let name = force.in_words();
     let area = if shaded { ", whose impulse is the shaded area" } else { "" };
     let times: Vec<String> = marks(quantities, force).iter().map(|(_, label)| label.plain()).collect();
     let marked = if times.is_empty() { String::new() } else { format!("marked times: {}", times.join(", ")) };

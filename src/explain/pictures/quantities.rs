@@ -23,6 +23,7 @@ use super::super::display::Display;
 use super::super::display::Shown;
 use super::super::way::Memory;
 use super::oblique::Oblique;
+use super::vectors::factor;
 
 /// How much a figure may show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -339,7 +340,7 @@ impl<'a> Quantities<'a> {
             return Math::Bracketed(Arc::new(Math::Row(sum)));
         }
         let term = self.mass_term(body).and_then(|term| self.term(term));
-        term.map_or_else(|| name_math(&format!("m_{body}")), |term| self.symbolic(&term))
+        term.map_or_else(|| name_math(&format!("m_{body}")), |term| factor(&term, self.symbolic(&term)))
     }
 
     fn mass_term(&self, body: &str) -> Option<&'a Term> {

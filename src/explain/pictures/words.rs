@@ -55,6 +55,7 @@ pub(super) fn diagram_wording(
     let scene = quantities.scene();
     let phrase = quantities.model().phrase(scene, stage);
     let names: Vec<String> = balances.iter().map(|balance| quantities.called(&balance.body)).collect();
+    let whom = if names.len() > 2 { "each body".to_owned() } else { list(&names) };
     let unit = balances.iter().all(|balance| quantities.mass(&balance.body).is_some());
     let unit = (unit && quantities.has_numbers())
         .then(|| coherent_unit(Dimension::MOMENTUM, quantities.worked.problem.units()));
@@ -71,7 +72,7 @@ pub(super) fn diagram_wording(
         title: format!("Impulse-momentum diagram of {phrase}"),
         description: sentences(rows),
         caption: sentences([
-            format!("{phrase}: momentum before + {impulses} = momentum after, for {}", list(&names)),
+            format!("{phrase}: momentum before + {impulses} = momentum after, for {whom}"),
             duration.unwrap_or_default(),
             if compass.is_oblique() { OBLIQUE.to_owned() } else { String::new() },
             if in_one { format!("{RESULTANT} is the impulse of all forces together") } else { String::new() },

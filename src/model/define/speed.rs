@@ -49,7 +49,7 @@ impl Builder<'_> {
         match &components[..] {
             [only] => {
                 let value = Expr::apply(Function::Abs, only.clone());
-                self.law(&geometry::MAGNITUDE, None, "a speed is the size of a velocity", (speed_expr, value));
+                self.law(&geometry::SPEED, None, "the motion is along a line", (speed_expr, value));
             }
             [] => {}
             several => {

@@ -56,7 +56,7 @@ impl Builder<'_> {
         if stage.is_horizontal(side) {
             let because = format!("{name} moves horizontally {when}");
             let size = Expr::apply(Function::Abs, across.clone());
-            self.law(&geometry::MAGNITUDE, Some(index), because, (speed.clone(), size));
+            self.law(&geometry::SPEED, Some(index), because, (speed.clone(), size));
             return speed;
         }
         let meaning = format!("the velocity of {name} along the slope of the wall {when}");

@@ -15,6 +15,7 @@ use crate::model::Integral;
 use crate::model::acting::Acts;
 use crate::model::frame::Direction;
 use crate::model::incline::Incline;
+use crate::model::wording;
 use crate::quantity::Dimension;
 use crate::scene::Axis;
 use crate::scene::Force;
@@ -277,7 +278,7 @@ impl Builder<'_> {
             });
             return parts.collect();
         }
-        let strength = self.strength(&pull.value, Dimension::FORCE, &name, &at);
+        let strength = self.strength(&pull.value, Dimension::FORCE, &wording::force_of(&name), &at);
         let direction = match &pull.direction {
             Some(term) => self.direction(term, &path.key("direction")),
             None => self.first_axis(),
@@ -302,7 +303,8 @@ impl Builder<'_> {
         let meaning = format!("the impulse of {}", force.name);
         let symbol = self.symbol(format!("I_F{number}{suffix}"), Dimension::MOMENTUM, meaning);
         let Some(value) = force.strength.definite(clock, start, end) else {
-            let fault = Fault::new(Code::Stuck, format!("{} cannot be integrated over time", force.name));
+            let fault =
+                Fault::new(Code::Stuck, format!("{} cannot be integrated over time", wording::force_of(&force.name)));
             let help = "use polynomials, sines, exponentials, pieces or points of a graph; powers within powers are multiplied \
                         out only as far as they do not fill pages";
             let path = Path::root().key("scene").key("stages").index(index);
@@ -311,7 +313,7 @@ impl Builder<'_> {
         };
         let integral =
             Integral { integrand: force.strength.clone(), variable: clock, low: start.clone(), high: end.clone() };
-        let because = format!("{} changes with time", force.name);
+        let because = format!("{} changes with time", wording::force_of(&force.name));
         self.integral(&force::IMPULSE, index, because, (symbol.into(), value.simplify()), integral);
         symbol.into()
     }

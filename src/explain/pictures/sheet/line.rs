@@ -38,7 +38,7 @@ pub(in super::super) fn drawing(quantities: &Quantities<'_>, compass: &Compass, 
         let body = |body: &str| (body.to_owned(), quantities.body(body, quantities.motion(compass, body, last)));
         alive.into_iter().map(body).collect::<Vec<_>>()
     };
-    // A sheet that tells of no motion still shows the bodies and the axes.
+    // Bodies that are at rest may stand on something, or be tied, before they move.
     let shows_before = is_telling(&before) || !is_telling(&after()) && quantities.scope() == Scope::Given;
     let (when, bodies) = if shows_before {
         let both = before.iter().any(|(body, _)| rebounds(body));
