@@ -94,7 +94,7 @@ fn real(value: i64) -> f64 {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Seen from the mass centre, the parts share the energy against their masses: the relative speed is sqrt(2 E / reduced mass).
+    /// Seen from the centre of mass, the parts share the energy against their masses: the relative speed is sqrt(2 E / reduced mass).
     #[test]
     fn an_explosion_shares_its_energy(a in 1_i64..200, b in 1_i64..200, v in -200_i64..200, energy in 1_i64..5000) {
         let given = [("m_A", format!("{a} kg")), ("m_B", format!("{b} kg")), ("v_W1", format!("{} m/s", decimal(v))), ("E", format!("{energy} J"))];
@@ -161,7 +161,7 @@ proptest! {
         prop_assert!(after <= before * (1.0 + 1e-9), "{before} {after}");
     }
 
-    /// The mass centre goes on as the whole would have done.
+    /// The centre of mass goes on as the whole would have done.
     #[test]
     fn a_burst_leaves_the_path_of_the_mass_centre(a in 1_i64..20, b in 1_i64..20, x in 5_i64..40, y in 5_i64..40, kick in [-30_i64..30, -30_i64..30], time in 1_i64..20) {
         let zero = || "0 m".to_owned();

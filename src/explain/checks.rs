@@ -122,7 +122,7 @@ fn balances(display: Display<'_>) -> Vec<Balance> {
     leaf.system.equations.iter().enumerate().filter_map(balance).collect()
 }
 
-/// That a mass centre's position or velocity lies between those of its bodies.
+/// That the position or velocity of a centre of mass lies between those of its bodies.
 fn means(display: Display<'_>) -> Option<Block> {
     let model = display.worked.problem.model();
     let known = known(display);

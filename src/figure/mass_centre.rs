@@ -1,4 +1,4 @@
-//! Particles with their mass centre G and their velocities.
+//! Particles with their centre of mass G and their velocities.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -19,20 +19,20 @@ const SHORTEST_LONGEST: f64 = 24.0;
 const PARTICLE: f64 = 5.5;
 const MARK: f64 = 4.5;
 
-/// What a figure of a mass centre shows.
+/// What a figure of a centre of mass shows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MassCentre {
     /// Title, description, caption.
     pub wording: Wording,
     /// The particles.
     pub particles: Vec<PlacedParticle>,
-    /// The mass centre, where it is to be shown: its name, place and velocity.
+    /// The centre of mass, where it is to be shown: its name, place and velocity.
     pub centre: Option<PlacedParticle>,
     /// The axes to name.
     pub axes: Vec<AxisMark>,
 }
 
-/// A particle, or a mass centre, at its place.
+/// A particle, or a centre of mass, at its place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlacedParticle {
     /// Its name.

@@ -11,7 +11,7 @@ pub const ANGULAR_MOMENTUM: Law = Law {
     name: "the definition of angular momentum",
     statement: "The angular momentum of a particle about a fixed point is the moment of its momentum: perpendicular distance times momentum. That of a system is the sum over its particles.",
     signs: "In a plane, from x towards y is positive; in space along each axis, by the right-hand rule.",
-    when: "About a fixed point, or about the mass centre.",
+    when: "About a fixed point, or about the centre of mass.",
     source: "Definition, H = r x m v.",
     wrong: wrong::angular::ANGULAR_MOMENTUM,
 };
@@ -22,7 +22,7 @@ pub const ANGULAR_IMPULSE: Law = Law {
     name: "the principle of angular impulse and momentum",
     statement: "The angular momentum about a fixed point at the end equals that at the start plus the angular impulses of the moments about that point.",
     signs: "Counter-clockwise is positive.",
-    when: "About a fixed point, or about the mass centre.",
+    when: "About a fixed point, or about the centre of mass.",
     source: "Newton's second law, its moment integrated over time.",
     wrong: wrong::angular::ANGULAR_IMPULSE,
 };
@@ -44,7 +44,7 @@ pub const RATE: Law = Law {
     name: "the moment equation",
     statement: "The rate of change of the angular momentum about a fixed point is the sum of the moments of the forces about that point.",
     signs: "As the moments.",
-    when: "About a fixed point, or about the mass centre.",
+    when: "About a fixed point, or about the centre of mass.",
     source: "Newton's second law, its moment taken.",
     wrong: wrong::angular::RATE,
 };

@@ -1,4 +1,4 @@
-//! Forces over time: impulse, mean force, weight, friction.
+//! Forces over time: impulse, average force, weight, friction.
 
 use crate::expr::Expr;
 
@@ -17,10 +17,10 @@ pub const IMPULSE: Law = Law {
     wrong: wrong::force::IMPULSE,
 };
 
-/// Mean force over a duration.
+/// Average force over a duration.
 pub const MEAN_FORCE: Law = Law {
     id: "mean-force",
-    name: "the definition of the mean force",
+    name: "the definition of the average force",
     statement: "The impulse of a force is its mean value times the time for which it acts.",
     signs: "As the impulse.",
     when: "Always.",

@@ -1,4 +1,4 @@
-//! The mass centre of a system and its motion.
+//! The centre of mass of a system and its motion.
 
 use crate::expr::Expr;
 
@@ -6,69 +6,69 @@ use super::Law;
 use super::Sides;
 use super::wrong;
 
-/// Velocity and position of the mass centre.
+/// Velocity and position of the centre of mass.
 pub const MASS_CENTRE: Law = Law {
     id: "mass-centre",
-    name: "the definition of the mass centre",
-    statement: "The total mass times the velocity (or position) of the mass centre is the sum of each mass times its velocity (or position).",
+    name: "the definition of the centre of mass",
+    statement: "The total mass times the velocity (or position) of the centre of mass is the sum of each mass times its velocity (or position).",
     signs: "As the velocities.",
     when: "Always.",
     source: "Definition.",
     wrong: wrong::mass_centre::MASS_CENTRE,
 };
 
-/// Motion of the mass centre.
+/// Motion of the centre of mass.
 pub const MOTION: Law = Law {
     id: "motion-of-the-mass-centre",
     name: "the principle of impulse and momentum for the whole system",
-    statement: "The total mass times the change of the mass centre's velocity is the sum of the external impulses.",
+    statement: "The total mass times the change of the velocity of the centre of mass is the sum of the external impulses.",
     signs: "Impulses along the axis are positive.",
     when: "Always; internal impulses cancel in pairs.",
     source: "The principle of impulse and momentum for each body, added up.",
     wrong: wrong::mass_centre::MOTION,
 };
 
-/// The path of the mass centre.
+/// The path of the centre of mass.
 pub const PATH: Law = Law {
     id: "path-of-the-mass-centre",
-    name: "the motion of the mass centre",
-    statement: "In free flight the mass centre of a system moves as a single body would, whatever its parts do to each other.",
+    name: "the motion of the centre of mass",
+    statement: "In free flight the centre of mass of a system moves as a single body would, whatever its parts do to each other.",
     signs: "Along the axis positive; g counts as negative where the axis points up.",
     when: "Weight is the only force from outside, and no part has landed.",
     source: "The principle of impulse and momentum for the whole system, integrated over time.",
     wrong: &[],
 };
 
-/// A mass centre that stays where it is.
+/// A centre of mass that stays where it is.
 pub const REST: Law = Law {
     id: "mass-centre-at-rest",
-    name: "the principle of the mass centre",
-    statement: "Where no impulse from outside acts along an axis and the mass centre is at rest, the masses times their displacements add up to zero.",
+    name: "the principle of the centre of mass",
+    statement: "Where no impulse from outside acts along an axis and the centre of mass is at rest, the masses times their displacements add up to zero.",
     signs: "Displacements along the axis are positive.",
     when: "The system is at rest at first, and no force from outside acts along the axis.",
     source: "The principle of impulse and momentum for the whole system, integrated over time.",
     wrong: &[],
 };
 
-/// Velocities seen from the mass centre.
+/// Velocities seen from the centre of mass.
 pub const RELATIVE: Law = Law {
     id: "velocity-relative-to-the-mass-centre",
-    name: "the velocity relative to the mass centre",
-    statement: "The velocity of a body relative to the mass centre is its velocity less that of the mass centre.",
+    name: "the velocity relative to the centre of mass",
+    statement: "The velocity of a body relative to the centre of mass is its velocity less that of the centre of mass.",
     signs: "As the velocities.",
     when: "Always.",
     source: "Relative motion.",
     wrong: wrong::mass_centre::RELATIVE,
 };
 
-/// Momentum relative to the mass centre.
+/// Momentum relative to the centre of mass.
 pub const NO_MOMENTUM: Law = Law {
     id: "no-momentum-relative-to-the-mass-centre",
-    name: "the definition of the mass centre",
-    statement: "The momenta of a system relative to its mass centre add up to zero.",
+    name: "the definition of the centre of mass",
+    statement: "The momenta of a system relative to its centre of mass add up to zero.",
     signs: "As the velocities.",
     when: "Always.",
-    source: "The definition of the mass centre, seen from it.",
+    source: "The definition of the centre of mass, seen from it.",
     wrong: wrong::mass_centre::NO_MOMENTUM,
 };
 
@@ -76,10 +76,10 @@ pub const NO_MOMENTUM: Law = Law {
 pub const ENERGY: Law = Law {
     id: "kinetic-energy-of-a-system",
     name: "Koenig's theorem",
-    statement: "The kinetic energy of a system is that of its whole mass moving with the mass centre, plus that of the motion relative to the mass centre.",
+    statement: "The kinetic energy of a system is that of its whole mass moving with the centre of mass, plus that of the motion relative to the centre of mass.",
     signs: "Never negative.",
     when: "Always.",
-    source: "The definition of kinetic energy; the mixed terms vanish because the momenta relative to the mass centre add up to zero.",
+    source: "The definition of kinetic energy; the mixed terms vanish because the momenta relative to the centre of mass add up to zero.",
     wrong: wrong::mass_centre::ENERGY,
 };
 
@@ -87,10 +87,10 @@ pub const ENERGY: Law = Law {
 pub const ANGULAR: Law = Law {
     id: "angular-momentum-of-a-system",
     name: "Koenig's theorem",
-    statement: "The angular momentum of a system about a fixed point is the moment of its whole momentum placed at the mass centre, plus its angular momentum about the mass centre.",
+    statement: "The angular momentum of a system about a fixed point is the moment of its whole momentum placed at the centre of mass, plus its angular momentum about the centre of mass.",
     signs: "In a plane, from x towards y is positive; in space along each axis, by the right-hand rule.",
     when: "Always.",
-    source: "The definition of angular momentum, with each place counted from the mass centre.",
+    source: "The definition of angular momentum, with each place counted from the centre of mass.",
     wrong: wrong::mass_centre::ANGULAR,
 };
 

@@ -26,7 +26,7 @@ const STRUCTURAL: &[&str] = &[
     "v", "speed", "angle", "p", "J", "F_avg", "T", "T_lost", "T_gained", "J_def", "J_rest", "v_common", "T_rel",
     "v_rel", "H", "W", WORK,
 ];
-/// Kinds of quantity about a fixed point or the mass centre, at an instant.
+/// Kinds of quantity about a fixed point or the centre of mass, at an instant.
 const ABOUT: &[&str] = &["M", "H_rate"];
 /// Kinds of place, of a body at an instant.
 const PLACES: &[&str] = &["r", "x", "y", "z"];
@@ -337,7 +337,7 @@ fn is_body_name(name: &str) -> bool {
 
 fn bad_body_name(name: &str) -> Fault {
     Fault::new(Code::Value, format!("a body cannot be called `{name}`"))
-        .help("end its short name in a letter (digits number the instants; `G` is the mass centre)")
+        .help("end its short name in a letter (digits number the instants; `G` is the centre of mass)")
 }
 
 pub(super) fn unknown(kind: &str, name: &str, known: &[&str]) -> Fault {

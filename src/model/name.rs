@@ -5,7 +5,7 @@
 pub struct Name {
     /// The kind of quantity: `v`, `speed`, `T_lost`, `F_avg`.
     pub base: String,
-    /// Whose: the short name of a body, of a point, or `G` for the mass centre; empty for the system.
+    /// Whose: the short name of a body, of a point, or `G` for the centre of mass; empty for the system.
     pub subject: String,
     /// When, where the name says so.
     pub instant: Option<Instant>,

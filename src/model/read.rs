@@ -164,9 +164,9 @@ impl Builder<'_> {
 
 /// The fault of moments taken about what moves.
 pub(super) fn moving_point(what: &str) -> Fault {
-    let message = format!("{what} moves: angular momentum is taken about a fixed point or the mass centre");
+    let message = format!("{what} moves: angular momentum is taken about a fixed point or the centre of mass");
     let help =
-        "declare a fixed point, `points: { O: { name: the post, at: { x: 1 m } } }`, or take the mass centre `G`";
+        "declare a fixed point, `points: { O: { name: the post, at: { x: 1 m } } }`, or take the centre of mass `G`";
     Fault::new(Code::Value, message).help(help)
 }
 

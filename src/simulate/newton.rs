@@ -6,12 +6,12 @@ use super::world::{Vector, World};
 
 /// The velocities of two masses along a line after an impact in which they approached at `approach` (positive), and the impulse.
 ///
-/// The form decides how far the energy drifts over millions of impacts: `v_G + e (v_G - v)`, about the mass centre's velocity.
+/// The form decides how far the energy drifts over millions of impacts: `v_G + e (v_G - v)`, about the velocity of the centre of mass.
 #[must_use]
 pub fn direct_impact(masses: [f64; 2], velocities: [f64; 2], restitution: f64) -> [f64; 2] {
     let [m1, m2] = masses;
     let [v1, v2] = velocities;
-    // The mass centre's velocity, as a correction of the heavier body's: 0.25 kg against the Earth keeps its digits.
+    // The velocity of the centre of mass, as a correction of the heavier body's: 0.25 kg against the Earth keeps its digits.
     let centre = if m1 >= m2 {
         let ratio = m2 / m1;
         v1 + ratio / (1.0 + ratio) * (v2 - v1)

@@ -46,7 +46,7 @@ pub struct Moment {
     pub positions: Vec<Vec<f64>>,
     /// The velocity of each body, in m/s.
     pub velocities: Vec<Vec<f64>>,
-    /// The mass centre, in m.
+    /// The centre of mass, in m.
     pub centre: Vec<f64>,
     /// The momentum of all, in N s.
     pub momentum: Vec<f64>,

@@ -22,7 +22,7 @@ const TOPICS: [(&str, &str); 12] = [
     ("vectors", "Vectors"),
     ("angular-momentum", "Angular impulse and momentum"),
     ("central-force", "Central force"),
-    ("mass-centre", "Systems of particles and the mass centre"),
+    ("mass-centre", "Systems of particles and the centre of mass"),
     ("conservation", "Conservation of momentum"),
     ("impact", "Impact"),
     ("bouncing", "Bouncing"),

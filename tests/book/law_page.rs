@@ -13,7 +13,11 @@ const END: &str = "<!-- end -->";
 fn title(law: &Law) -> String {
     let name = law.name.strip_prefix("the ").unwrap_or(law.name);
     let shared = CHAPTERS.iter().flat_map(|(_, laws)| *laws).filter(|own| own.name == law.name).count() > 1;
-    let name = if shared { format!("{name}: {}", law.id.replace('-', " ")) } else { name.to_owned() };
+    let name = if shared {
+        format!("{name}: {}", law.id.replace('-', " ").replace("mass centre", "centre of mass"))
+    } else {
+        name.to_owned()
+    };
     let mut letters = name.chars();
     letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
 }

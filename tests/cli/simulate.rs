@@ -76,12 +76,12 @@ fn the_plots_show_what_was_asked_for() {
     let room = Room::empty();
     let drawing = room.fine(&["simulate", "impact/two-carts", "--format", "svg"]);
     for part in
-        ["place x", "velocity along x", "momentum along x", "energy", "impacts", "mass centre", "lost in impacts"]
+        ["place x", "velocity along x", "momentum along x", "energy", "impacts", "centre of mass", "lost in impacts"]
     {
         assert!(drawing.contains(part), "{part}");
     }
     let ball = room.fine(&["simulate", "bouncing/rubber-ball", "--format", "svg"]);
-    assert!(ball.contains("height y") && ball.contains("potential") && !ball.contains("mass centre"));
+    assert!(ball.contains("height y") && ball.contains("potential") && !ball.contains("centre of mass"));
     assert!(room.fine(&["simulate", "impact/two-carts", "--format", "csv"]).starts_with("stage,time,between,"));
 }
 

@@ -1,4 +1,4 @@
-//! Turning, and systems about their mass centre, with random numbers: the vectors are worked out here a second time.
+//! Turning, and systems about their centre of mass, with random numbers: the vectors are worked out here a second time.
 
 use proptest::prelude::*;
 
@@ -174,7 +174,7 @@ proptest! {
             close(momentum, 0.0)?;
             close(found(&format!("v_rel_A1.{letter}")), tenth(system.velocities[0][position]) - velocity[position])?;
         }
-        // The moment of the relative momenta about the mass centre is the same as that of the momenta.
+        // The moment of the relative momenta about the centre of mass is the same as that of the momenta.
         let about = system.sum(|mass, place, own| times(mass, cross(less(place, centre), less(own, velocity))));
         let turned = if space { LETTERS.map(|letter| found(&format!("H_G1.{letter}"))) } else { [0.0, 0.0, found("H_G1")] };
         all_close(turned, about)?;

@@ -5,10 +5,10 @@ use super::check;
 
 #[test]
 fn two_astronauts_pull_on_a_rope() {
-    // 80 kg and 120 kg turn about their mass centre, 6 m and 4 m from it, with 0.2 rad/s: sum m r^2 = 2880 + 1920 = 4800, H = 960.
+    // 80 kg and 120 kg turn about their centre of mass, 6 m and 4 m from it, with 0.2 rad/s: sum m r^2 = 2880 + 1920 = 4800, H = 960.
     // At half the distances 1200: 0.8 rad/s, work = 960^2/2 (1/1200 - 1/4800) = 384 - 96 = 288 J.
     check(&Case {
-        scene: "axes: { x: [counter-clockwise, clockwise] }\nbodies:\n  A: { name: the first astronaut }\n  B: { name: the second astronaut }\npoints:\n  O: { name: their mass centre }\nstages:\n  - rotate: { about: O, bodies: { A: [6 m, 3 m], B: [4 m, 2 m] } }\n",
+        scene: "axes: { x: [counter-clockwise, clockwise] }\nbodies:\n  A: { name: the first astronaut }\n  B: { name: the second astronaut }\npoints:\n  O: { name: their centre of mass }\nstages:\n  - rotate: { about: O, bodies: { A: [6 m, 3 m], B: [4 m, 2 m] } }\n",
         given: &[("m_A", "80 kg"), ("m_B", "120 kg"), ("omega_1", "0.2 rad/s")],
         more: "",
         answers: &[("H_O1", 960.0), ("omega_2", 0.8), ("work", 288.0), ("v_A2", 2.4)],
@@ -97,7 +97,7 @@ fn which_velocity_makes_a_component_vanish() {
 #[test]
 fn a_probe_comes_apart_in_space() {
     // 60 kg at the origin with (0, 0, 200) m/s into 20, 15 and 25 kg. After 3 s B is at (150, -120, 690), C at (-60, 96, 480).
-    // The mass centre is at (0, 0, 600): 20 x_A = -15*150 + 25*60 = -750, x = -37.5; 20 y = 1800 - 2400, y = -30;
+    // The centre of mass is at (0, 0, 600): 20 x_A = -15*150 + 25*60 = -750, x = -37.5; 20 y = 1800 - 2400, y = -30;
     // 20 z = 36000 - 10350 - 12000 = 13650, z = 682.5. v_A = (-12.5, -10, 227.5).
     check(&Case {
         scene: "axes: { x: east, y: north, z: upwards }\nbodies:\n  A: { name: part A }\n  B: { name: part B }\n  C: { name: part C }\nstages:\n  - separate: { called: burst, from: W, into: [A, B, C] }\n  - flight: { bodies: [A, B, C], during: 3 s }\n",
@@ -245,7 +245,7 @@ fn a_moment_about_the_mass_centre_of_two_pucks() {
 
 #[test]
 fn a_system_by_its_mass_centre_alone() {
-    // Masses 2 and 4 kg, the mass centre at (2, 1) with (3, -1), H_G = 5: H_O = 6 (2*(-1) - 1*3) + 5 = -25.
+    // Masses 2 and 4 kg, the centre of mass at (2, 1) with (3, -1), H_G = 5: H_O = 6 (2*(-1) - 1*3) + 5 = -25.
     check(&Case {
         scene: "axes: { x: east, y: north }\nbodies:\n  A: { name: A }\n  B: { name: B }\npoints:\n  O: { name: the origin }\n",
         given: &[

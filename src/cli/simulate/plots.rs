@@ -73,7 +73,7 @@ fn places(film: &Film, component: usize, axis: &Component, named: &dyn Fn(&str) 
     let (letter, record) = (axis.letter, &film.record);
     let mut curves = each(record, |moment, body| moment.positions[body][component]);
     if record.bodies.len() > 1 {
-        curves.push(over_time("mass centre", ALL, record, |moment| moment.centre[component]).dashed());
+        curves.push(over_time("centre of mass", ALL, record, |moment| moment.centre[component]).dashed());
     }
     let what = if axis.vertical { "height" } else { "place" };
     panel(named(&format!("{what} {letter}")), &format!("{letter} in m"), curves)

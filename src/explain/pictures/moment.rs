@@ -170,8 +170,8 @@ fn impulse(stage: &Moment) -> Math {
 }
 
 impl Quantities<'_> {
-    /// How a fixed point or the mass centre is called in a sentence.
+    /// How a fixed point or the centre of mass is called in a sentence.
     fn centre(&self, about: &str) -> String {
-        if about == "G" { "the mass centre".to_owned() } else { self.point(about) }
+        if about == "G" { "the centre of mass".to_owned() } else { self.point(about) }
     }
 }

@@ -142,7 +142,7 @@ impl Quantities<'_> {
     }
 }
 
-/// Whether anything in the problem speaks of the mass centre.
+/// Whether anything in the problem speaks of the centre of mass.
 pub(super) fn concerns_mass_centre(quantities: &Quantities<'_>) -> bool {
     let is_of_centre = |name: &str| name.starts_with("v_G") || name.starts_with("r_G");
     quantities.model().symbols.iter().any(|(_, entry)| is_of_centre(&entry.name))

@@ -1,4 +1,4 @@
-//! A scene at one instant: a particle seen from a fixed point, or several with their mass centre.
+//! A scene at one instant: a particle seen from a fixed point, or several with their centre of mass.
 
 use crate::expr::Math;
 use crate::expr::name_math;
@@ -70,7 +70,7 @@ pub(super) fn in_space(quantities: &Quantities<'_>, compass: &Compass) -> Option
     Some(Situation { wording, layout: Layout::Space(space), axes: compass.marks() }.drawing())
 }
 
-/// The figure of a scene without stages: with momenta or a mass centre where it belongs to a solution.
+/// The figure of a scene without stages: with momenta or a centre of mass where it belongs to a solution.
 pub(super) fn drawing(quantities: &Quantities<'_>, compass: &Compass) -> Option<Drawing> {
     if let Some(drawing) = in_space(quantities, compass) {
         return Some(drawing);
@@ -135,7 +135,7 @@ fn mass_centre(quantities: &Quantities<'_>, compass: &Compass, bodies: &[&str], 
     };
     let centre = quantities.position("G", 1).map(|place| particle("G", place));
     let names: Vec<String> = bodies.iter().map(|body| quantities.called(body)).collect();
-    let (names, with) = (list(&names), if centre.is_some() { ", and their mass centre G" } else { "" });
+    let (names, with) = (list(&names), if centre.is_some() { ", and their centre of mass G" } else { "" });
     let particles = bodies.iter().zip(places).map(|(body, place)| particle(body, *place)).collect();
     let wording = Wording {
         title: format!("Places and velocities of {names}"),

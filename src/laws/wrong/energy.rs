@@ -48,8 +48,8 @@ pub const REMAINDER: Misconception = Misconception {
 pub const SHARE: Misconception = Misconception {
     id: "loss-as-share-of-e",
     does: "takes 1 - e\u{b2} or 1 - e of the whole kinetic energy as lost",
-    ask: "Can the bodies ever lose the energy with which their mass centre moves?",
-    hint: "The coefficient says what happens to the relative motion only; the motion of the mass centre goes on.",
+    ask: "Can the bodies ever lose the energy with which their centre of mass moves?",
+    hint: "The coefficient says what happens to the relative motion only; the motion of the centre of mass goes on.",
 };
 /// `m (v_1 - v_2)^2 / 2`.
 pub const DIFFERENCE: Misconception = Misconception {

@@ -25,7 +25,7 @@ pub const VALUE_TIMES_TIME: Misconception = Misconception {
 /// The mean of first and last.
 pub const ENDS_AVERAGED: Misconception = Misconception {
     id: "ends-averaged",
-    does: "takes the mean of the first and the last value as the mean force",
+    does: "takes the mean of the first and the last value as the average force",
     ask: "Is the graph of the force over time a straight line?",
     hint: "The mean of both ends is the mean over the time only for a straight line.",
 };
@@ -81,7 +81,7 @@ pub const IMPULSE: &[WrongForm] = &[
     WrongForm { of: &FROM_ZERO, write: from_zero },
     WrongForm { of: &super::momentum::FRICTION_FORGOTTEN, write: friction_forgotten },
 ];
-/// Wrong forms of the mean force.
+/// Wrong forms of the average force.
 pub const MEAN_FORCE: &[WrongForm] = &[WrongForm { of: &MULTIPLIED, write: multiplied }];
 /// Wrong forms of weight.
 pub const WEIGHT: &[WrongForm] = &[WrongForm { of: &WEIGHT_AS_MASS, write: weight_as_mass }];

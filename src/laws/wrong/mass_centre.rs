@@ -1,4 +1,4 @@
-//! Mistakes about the mass centre.
+//! Mistakes about the centre of mass.
 
 use crate::expr::Expr;
 use crate::quantity::Dimension;
@@ -18,34 +18,34 @@ use super::rewrite::start_forgotten;
 use super::rewrite::terms;
 use super::separation::REVERSED;
 
-/// The mass centre as the middle.
+/// The centre of mass as the middle.
 pub const PLAIN_AVERAGE: Misconception = Misconception {
     id: "plain-average",
     does: "takes the plain average instead of the mean weighted by mass",
     ask: "Does each body count the same, whatever its mass?",
-    hint: "The mass centre lies nearer to the heavier body: each body counts by its mass.",
+    hint: "The centre of mass lies nearer to the heavier body: each body counts by its mass.",
 };
 /// The impulse on one body's mass.
 pub const ONE_MASS: Misconception = Misconception {
     id: "one-mass-for-system",
     does: "divides the impulse by the mass of one body instead of that of the system",
-    ask: "The mass centre of which system changes its velocity, and what is the mass of that system?",
+    ask: "The centre of mass of which system changes its velocity, and what is the mass of that system?",
     hint: "An impulse from outside changes the momentum of the whole system.",
 };
 
 /// Absolute velocities in the energy of relative motion.
 pub const NOT_RELATIVE: Misconception = Misconception {
     id: "velocity-not-relative",
-    does: "leaves the velocity of the mass centre out of a relative velocity",
+    does: "leaves the velocity of the centre of mass out of a relative velocity",
     ask: "Relative to what is the velocity taken?",
-    hint: "Seen from the mass centre, a body moves with the difference of the two velocities.",
+    hint: "Seen from the centre of mass, a body moves with the difference of the two velocities.",
 };
 /// One of the two parts of Koenig's theorem left out.
 pub const PART_FORGOTTEN: Misconception = Misconception {
     id: "part-of-koenig-forgotten",
-    does: "leaves out the part of the mass centre, or the part relative to it",
+    does: "leaves out the part of the centre of mass, or the part relative to it",
     ask: "Of which two parts is the motion of a system made up?",
-    hint: "There is a part of the whole mass at the mass centre, and a part of the motion about it.",
+    hint: "There is a part of the whole mass at the centre of mass, and a part of the motion about it.",
 };
 
 /// Wrong forms of a relative velocity.
@@ -61,7 +61,7 @@ pub const ANGULAR: &[WrongForm] = &[WrongForm { of: &PART_FORGOTTEN, write: each
 /// Wrong forms of the definition.
 pub const MASS_CENTRE: &[WrongForm] =
     &[WrongForm { of: &PLAIN_AVERAGE, write: plain_average }, WrongForm { of: &SIGN_LOST, write: sign_lost }];
-/// Wrong forms of the momenta relative to the mass centre.
+/// Wrong forms of the momenta relative to the centre of mass.
 pub const NO_MOMENTUM: &[WrongForm] = &[WrongForm { of: &PLAIN_AVERAGE, write: plain_average }];
 /// Wrong forms of the motion.
 pub const MOTION: &[WrongForm] = &[

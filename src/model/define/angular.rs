@@ -1,4 +1,4 @@
-//! Angular momentum about a fixed point or the mass centre, and the moments of the forces of a push, or of weight in flight.
+//! Angular momentum about a fixed point or the centre of mass, and the moments of the forces of a push, or of weight in flight.
 
 use crate::expr::Expr;
 use crate::expr::Symbol;
@@ -88,16 +88,16 @@ pub(super) fn rate_of_angular_momentum(builder: &mut Builder<'_>, name: &Name) -
         format!("{component}the rate of change of the angular momentum about {centre} {}", builder.when(instant));
     let spelling = builder.spelling(name);
     let symbol = builder.symbol(spelling, Dimension::ENERGY, meaning);
-    let because = format!("{centre} {}", if name.subject == "G" { "is the mass centre" } else { "is fixed" });
+    let because = format!("{centre} {}", if name.subject == "G" { "is the centre of mass" } else { "is fixed" });
     builder.law(&angular::RATE, None, because, (symbol.into(), moment.into()));
     Some(symbol)
 }
 
 impl Builder<'_> {
-    /// How a fixed point, or the mass centre, is called in a sentence.
+    /// How a fixed point, or the centre of mass, is called in a sentence.
     pub(in crate::model) fn centre(&self, about: &str) -> Option<String> {
         match about {
-            "G" => Some("the mass centre".to_owned()),
+            "G" => Some("the centre of mass".to_owned()),
             point => self.scene.points.get(point).map(|entry| entry.name.clone()),
         }
     }
@@ -111,7 +111,7 @@ impl Builder<'_> {
         }
     }
 
-    /// Where a body is, seen from a fixed point or the mass centre.
+    /// Where a body is, seen from a fixed point or the centre of mass.
     fn arm(&mut self, body: &str, instant: usize, about: &str) -> Option<Vec<Expr>> {
         let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
         let from = |builder: &mut Self, axis: &Axis| match about {
@@ -132,7 +132,7 @@ impl Builder<'_> {
         self.zero_if_so_written(value)
     }
 
-    /// Koenig's theorem: the angular momentum about each fixed point by that about the mass centre.
+    /// Koenig's theorem: the angular momentum about each fixed point by that about the centre of mass.
     fn moment_of_the_whole(&mut self, name: &Name, instant: usize, about_centre: Symbol) {
         let bodies: Vec<String> = self.timeline.alive(instant).into_iter().map(str::to_owned).collect();
         let scene = self.scene;
@@ -157,7 +157,7 @@ impl Builder<'_> {
                 return;
             };
             let Some(moment) = angular::moments(&arm, velocity).into_iter().nth(turning) else { return };
-            let because = "the motion is that of the mass centre and that about it";
+            let because = "the motion is that of the centre of mass and that about it";
             let sides = (whole.into(), mass.clone() * moment + Expr::from(about_centre));
             self.law_at(SECOND_COST, &mass_centre::ANGULAR, None, because, sides);
         }

@@ -1,4 +1,4 @@
-//! The mass centre: its place, its velocity, and how impulses from outside move it.
+//! The centre of mass: its place, its velocity, and how impulses from outside move it.
 
 use crate::expr::Expr;
 use crate::expr::Symbol;
@@ -19,7 +19,7 @@ pub(super) fn mass_centre_velocity(builder: &mut Builder<'_>, name: &Name) -> Op
     let axis = builder.axis_of(name)?;
     let spelling = builder.spelling(name);
     let when = builder.when(instant);
-    let meaning = format!("{}the velocity of the mass centre {when}", Builder::component_phrase(name));
+    let meaning = format!("{}the velocity of the centre of mass {when}", Builder::component_phrase(name));
     let symbol = builder.symbol(spelling, Dimension::VELOCITY, meaning);
     let parts = builder.carriers(instant, axis);
     let because = builder.momentum_of_the_whole(instant);
@@ -29,12 +29,12 @@ pub(super) fn mass_centre_velocity(builder: &mut Builder<'_>, name: &Name) -> Op
 }
 
 impl Builder<'_> {
-    /// Why the mass centre's velocity is what it is, and whose velocity did not change just before the instant.
+    /// Why the velocity of the centre of mass is what it is, and whose velocity did not change just before the instant.
     fn momentum_of_the_whole(&self, instant: usize) -> String {
         let alive = self.timeline.alive(instant);
         let kept = alive.iter().filter(|body| self.timeline.since(body, instant).is_some_and(|since| since < instant));
         let kept: Vec<String> = kept.map(|body| self.called(body)).collect();
-        let whole = "the mass centre carries the momentum of the whole system";
+        let whole = "the centre of mass carries the momentum of the whole system";
         match &kept[..] {
             [] => whole.to_owned(),
             [only] => format!("{whole}, and {only} keeps its velocity"),
@@ -42,7 +42,7 @@ impl Builder<'_> {
         }
     }
 
-    /// The mass centre's velocity from one instant to the next, by the impulses from outside the system.
+    /// The velocity of the centre of mass from one instant to the next, by the impulses from outside the system.
     fn mass_centre_motion(&mut self, instant: usize, axis: Axis, after: Symbol) {
         let Some(before_instant) = instant.checked_sub(1).filter(|before| *before >= 1) else { return };
         let letter = if self.axes.len() > 1 { format!(".{}", axis.letter()) } else { String::new() };
@@ -64,7 +64,7 @@ impl Builder<'_> {
         let because = if outside.is_empty() {
             "no impulse from outside acts on the system, and the inner ones cancel".to_owned()
         } else {
-            "the impulses within the system cancel, and only those from outside change the motion of its mass centre"
+            "the impulses within the system cancel, and only those from outside change the motion of its centre of mass"
                 .to_owned()
         };
         let sides = momentum::impulse_momentum(&total, &before.into(), &outside, &after.into());
@@ -80,7 +80,7 @@ pub(super) fn mass_centre_position(builder: &mut Builder<'_>, name: &Name, insta
     let axis = builder.axis_of(name)?;
     let spelling = builder.spelling(name);
     let meaning =
-        format!("{}the position of the mass centre {}", Builder::component_phrase(name), builder.when(instant));
+        format!("{}the position of the centre of mass {}", Builder::component_phrase(name), builder.when(instant));
     let symbol = builder.symbol(spelling, Dimension::LENGTH, meaning);
     let letter = if builder.axes.len() > 1 { format!(".{}", axis.letter()) } else { String::new() };
     let bodies: Vec<String> = builder.timeline.alive(instant).into_iter().map(str::to_owned).collect();
@@ -93,7 +93,7 @@ pub(super) fn mass_centre_position(builder: &mut Builder<'_>, name: &Name, insta
     builder.law(
         &mass_centre::MASS_CENTRE,
         None,
-        "the mass centre is the mean position, each body counted by its mass",
+        "the centre of mass is the mean position, each body counted by its mass",
         sides,
     );
     builder.path_of_mass_centre(instant, axis, symbol);
@@ -101,7 +101,7 @@ pub(super) fn mass_centre_position(builder: &mut Builder<'_>, name: &Name, insta
 }
 
 impl Builder<'_> {
-    /// Place and velocity of the mass centre when a stage starts; those of the whole, where that has just come apart.
+    /// Place and velocity of the centre of mass when a stage starts; those of the whole, where that has just come apart.
     fn centre_at_start(&mut self, index: usize, axis: Axis, alive: usize) -> Option<(Expr, Expr)> {
         let scene = self.scene;
         let burst = index.checked_sub(1).and_then(|before| scene.stages.get(before));
@@ -116,7 +116,7 @@ impl Builder<'_> {
         Some((from?.into(), velocity?.into()))
     }
 
-    /// In a flight of all bodies, the mass centre moves as one body of the whole mass would.
+    /// In a flight of all bodies, the centre of mass moves as one body of the whole mass would.
     fn path_of_mass_centre(&mut self, instant: usize, axis: Axis, after: Symbol) {
         let Some(index) = instant.checked_sub(2) else { return };
         let scene = self.scene;
@@ -136,7 +136,7 @@ impl Builder<'_> {
             None => kinematics::uniform(&from, &velocity, &time, &after.into()),
         };
         let because =
-            "the forces within the system cancel, and the mass centre moves as one body of the whole mass would";
+            "the forces within the system cancel, and the centre of mass moves as one body of the whole mass would";
         self.law(&mass_centre::PATH, Some(index), because, sides);
     }
 }

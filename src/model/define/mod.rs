@@ -1,4 +1,4 @@
-//! Quantities that exist because somebody mentions them: speeds, momenta, energies, the mass centre. A table by the
+//! Quantities that exist because somebody mentions them: speeds, momenta, energies, the centre of mass. A table by the
 //! beginning of the name; each row makes the symbol and the equation that defines it.
 
 mod angular;
@@ -344,7 +344,7 @@ fn impulse(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     Some(symbol)
 }
 
-/// The mean force over a push: that which would give the same impulse in the same time.
+/// The average force over a push: that which would give the same impulse in the same time.
 fn mean_force(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let in_stage = |stage: usize| match &name.stage {
         Some(wanted) => builder.stage_suffix(stage) == format!("[{wanted}]"),
@@ -358,10 +358,10 @@ fn mean_force(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let total = Name { base: "J".into(), ..name.clone() };
     let total = Expr::from(builder.resolve(&builder.spelling(&total))?);
     let (body, phrase) = (builder.called(&name.subject), builder.stage_phrase(stage));
-    let meaning = format!("{}the mean force on {body} during {phrase}", Builder::component_phrase(name));
+    let meaning = format!("{}the average force on {body} during {phrase}", Builder::component_phrase(name));
     let spelling = builder.spelling(name);
     let symbol = builder.symbol(spelling, Dimension::FORCE, meaning);
-    let because = "the mean force would give the same impulse in the same time";
+    let because = "the average force would give the same impulse in the same time";
     let sides = force::mean_force(&total, &symbol.into(), &lasts);
     builder.law(&force::MEAN_FORCE, Some(stage), because, sides);
     Some(symbol)

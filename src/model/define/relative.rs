@@ -1,4 +1,4 @@
-//! Motion as seen from the mass centre.
+//! Motion as seen from the centre of mass.
 
 use crate::expr::Expr;
 use crate::expr::Symbol;
@@ -19,13 +19,13 @@ pub(super) fn relative_velocity(builder: &mut Builder<'_>, name: &Name) -> Optio
     let own = builder.velocity(&body, instant, axis);
     let owner = builder.called(&body);
     let meaning = format!(
-        "{}the velocity of {owner} relative to the mass centre {}",
+        "{}the velocity of {owner} relative to the centre of mass {}",
         Builder::component_phrase(name),
         builder.when(instant)
     );
     let symbol = builder.symbol(format!("v_rel_{body}{instant}{letter}"), Dimension::VELOCITY, meaning);
     let sides = (symbol.into(), own - Expr::from(centre));
-    builder.law(&mass_centre::RELATIVE, None, format!("{owner} is seen from the mass centre"), sides);
+    builder.law(&mass_centre::RELATIVE, None, format!("{owner} is seen from the centre of mass"), sides);
     if builder.defined.insert(format!("relative {instant}{letter}")) {
         let bodies: Vec<String> = builder.timeline.alive(instant).into_iter().map(str::to_owned).collect();
         let mut terms = Vec::new();
@@ -33,7 +33,7 @@ pub(super) fn relative_velocity(builder: &mut Builder<'_>, name: &Name) -> Optio
             let relative = builder.resolve(&format!("v_rel_{body}{instant}{letter}"))?;
             terms.push(builder.mass(&body) * Expr::from(relative));
         }
-        let because = "seen from the mass centre, the system as a whole stands still";
+        let because = "seen from the centre of mass, the system as a whole stands still";
         builder.law_at(SECOND_COST, &mass_centre::NO_MOMENTUM, None, because, (Expr::sum(terms), Expr::zero()));
     }
     Some(symbol)
@@ -41,7 +41,7 @@ pub(super) fn relative_velocity(builder: &mut Builder<'_>, name: &Name) -> Optio
 
 pub(super) fn relative_energy(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let instant = builder.number(name).filter(|_| name.subject.is_empty() && !builder.axes.is_empty())?;
-    let meaning = format!("the kinetic energy relative to the mass centre {}", builder.when(instant));
+    let meaning = format!("the kinetic energy relative to the centre of mass {}", builder.when(instant));
     let symbol = builder.symbol(format!("T_rel_{instant}"), Dimension::ENERGY, meaning);
     let bodies: Vec<String> = builder.timeline.alive(instant).into_iter().map(str::to_owned).collect();
     let letters: Vec<String> = match &builder.axis_letters()[..] {
@@ -55,15 +55,15 @@ pub(super) fn relative_energy(builder: &mut Builder<'_>, name: &Name) -> Option<
         let components: Vec<Expr> = components.collect::<Option<_>>()?;
         terms.push(energy::kinetic(&builder.mass(&body), &components));
     }
-    let because = "the velocities are those relative to the mass centre";
+    let because = "the velocities are those relative to the centre of mass";
     builder.law(&energy::KINETIC, None, because, (symbol.into(), Expr::sum(terms)));
     let [whole, centre] = ["T_", "T_G"].map(|base| builder.resolve(&format!("{base}{instant}")).map(Expr::from));
-    let because = "the motion is that of the mass centre and that relative to it";
+    let because = "the motion is that of the centre of mass and that relative to it";
     builder.law(&mass_centre::ENERGY, None, because, (whole?, centre? + Expr::from(symbol)));
     Some(symbol)
 }
 
-/// The kinetic energy of the whole mass with the velocity of the mass centre.
+/// The kinetic energy of the whole mass with the velocity of the centre of mass.
 pub(super) fn energy_of_the_centre(builder: &mut Builder<'_>, instant: usize) -> Option<Symbol> {
     let letters: Vec<String> = match &builder.axis_letters()[..] {
         [] => return None,
@@ -74,9 +74,10 @@ pub(super) fn energy_of_the_centre(builder: &mut Builder<'_>, instant: usize) ->
     let velocity: Vec<Expr> = velocity.collect::<Option<_>>()?;
     let bodies: Vec<String> = builder.timeline.alive(instant).into_iter().map(str::to_owned).collect();
     let mass = Expr::sum(bodies.iter().map(|body| builder.mass(body)).collect::<Vec<_>>());
-    let meaning = format!("the kinetic energy of the whole mass moving with the mass centre {}", builder.when(instant));
+    let meaning =
+        format!("the kinetic energy of the whole mass moving with the centre of mass {}", builder.when(instant));
     let symbol = builder.symbol(format!("T_G{instant}"), Dimension::ENERGY, meaning);
-    let because = "the whole mass is counted with the velocity of the mass centre";
+    let because = "the whole mass is counted with the velocity of the centre of mass";
     builder.law(&energy::KINETIC, None, because, (symbol.into(), energy::kinetic(&mass, &velocity)));
     Some(symbol)
 }

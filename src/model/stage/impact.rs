@@ -326,7 +326,7 @@ impl Builder<'_> {
         }
     }
 
-    /// The mean force of an impulse, where a duration is spoken of.
+    /// The average force of an impulse, where a duration is spoken of.
     pub(in crate::model) fn mean_force(
         &mut self,
         index: usize,
@@ -340,9 +340,9 @@ impl Builder<'_> {
         let time =
             self.read_positive(term, Dimension::TIME, &format!("the duration of {phrase}"), &path.key("duration"));
         let suffix = self.stage_suffix(index);
-        let meaning = format!("the mean force on {} during {phrase}", self.called(body));
+        let meaning = format!("the average force on {} during {phrase}", self.called(body));
         let force = Expr::from(self.symbol(format!("F_avg_{body}{suffix}"), Dimension::FORCE, meaning));
-        let because = "the mean force would give the same impulse in the same time";
+        let because = "the average force would give the same impulse in the same time";
         self.law(&force::MEAN_FORCE, Some(index), because, force::mean_force(impulse, &force, &time));
     }
 

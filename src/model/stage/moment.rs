@@ -1,4 +1,4 @@
-//! A moment about a fixed point or the mass centre: the angular momentum of all bodies before and after.
+//! A moment about a fixed point or the centre of mass: the angular momentum of all bodies before and after.
 
 use crate::expr::Expr;
 use crate::fault::Path;

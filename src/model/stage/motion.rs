@@ -183,7 +183,7 @@ impl Builder<'_> {
         self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
         let meaning = format!("the mean net force on {name}{along} during {phrase}");
         let mean = Expr::from(self.symbol(format!("F_avg_{body}{letter}{suffix}"), Dimension::FORCE, meaning));
-        let because = "the mean force would give the same impulse in the same time";
+        let because = "the average force would give the same impulse in the same time";
         self.law(&force::MEAN_FORCE, Some(index), because, force::mean_force(&impulse, &mean, lasts));
         impulse
     }

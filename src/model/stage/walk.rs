@@ -1,4 +1,4 @@
-//! A walk along something that floats: the mass centre stays where it is.
+//! A walk along something that floats: the centre of mass stays where it is.
 
 use crate::expr::Expr;
 use crate::fault::Path;
@@ -31,7 +31,7 @@ impl Builder<'_> {
         let masses = bodies.map(|body| self.mass(body));
         let parts: Vec<(Expr, Expr)> = masses.into_iter().zip(displacements.clone()).collect();
         let because =
-            "no impulse from outside acts along the way, and the mass centre, at rest before, stays where it is";
+            "no impulse from outside acts along the way, and the centre of mass, at rest before, stays where it is";
         self.law(&mass_centre::REST, Some(index), because, (crate::laws::momentum::total(&parts), Expr::zero()));
         let meaning = format!("the displacement of {name} relative to {other}");
         let distance = self.read(&stage.distance, Dimension::LENGTH, &meaning, &path.key("distance"));
@@ -40,7 +40,7 @@ impl Builder<'_> {
         self.law(&separation::RELATIVE_WAY, Some(index), because, separation::relative(own, its, &distance));
         self.not_needed(
             "how fast the walk is, and whether it is even",
-            "the mass centre stays where it is at every instant",
+            "the centre of mass stays where it is at every instant",
         );
         self.neglect("the resistance of what it floats on", "the problem does not mention any");
     }

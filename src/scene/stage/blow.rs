@@ -5,7 +5,7 @@ use serde::Deserialize;
 
 use crate::scene::Term;
 
-/// A body is struck, caught or thrown: only the impulse, or the mean force and the duration, is spoken of.
+/// A body is struck, caught or thrown: only the impulse, or the average force and the duration, is spoken of.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Blow {
@@ -16,7 +16,7 @@ pub struct Blow {
     pub body: String,
     /// What strikes it, as it is called in a sentence: `the bat`.
     pub by: String,
-    /// How long it lasts, where the mean force is spoken of.
+    /// How long it lasts, where the average force is spoken of.
     #[serde(default)]
     pub duration: Option<Term>,
 }

@@ -39,7 +39,7 @@ pub struct Impact {
     /// In two dimensions, the direction of the line of impact, from the first body to the second: `30 deg above +x`.
     #[serde(default)]
     pub line_of_impact: Option<Term>,
-    /// How long the contact lasts, where the mean force is spoken of.
+    /// How long the contact lasts, where the average force is spoken of.
     #[serde(default)]
     pub duration: Option<Term>,
 }

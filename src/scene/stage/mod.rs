@@ -79,11 +79,11 @@ pub enum Stage {
     Connected(Connected),
     /// Two bodies in a row move together while forces act.
     Tow(Tow),
-    /// A blow of unknown history: only its impulse, or its mean force and duration, is spoken of.
+    /// A blow of unknown history: only its impulse, or its average force and duration, is spoken of.
     Blow(Blow),
     /// Particles are held on an arm about a fixed point, and a moment acts.
     Rotate(Rotate),
-    /// A moment acts on all bodies, about a fixed point or the mass centre.
+    /// A moment acts on all bodies, about a fixed point or the centre of mass.
     Moment(Moment),
     /// A body strikes an arm that carries particles.
     Strike(Strike),

@@ -1,4 +1,4 @@
-//! What is measured on bodies at an instant: speeds, directions, energies, the mass centre, moments.
+//! What is measured on bodies at an instant: speeds, directions, energies, the centre of mass, moments.
 
 use crate::scene::{Axis, Scene, Stage};
 
@@ -61,7 +61,7 @@ pub fn measure(
     }
 }
 
-/// Where the mass centre is, or how fast it goes where the bodies move so.
+/// Where the centre of mass is, or how fast it goes where the bodies move so.
 pub(super) fn of_centre(
     values: &Values<'_>,
     bodies: &[&str],
@@ -84,7 +84,7 @@ pub(super) fn turning(values: &Values<'_>, asked: Asked<'_>, moment: Vector) -> 
     }
 }
 
-/// Where a point of the scene is, or the mass centre of bodies.
+/// Where a point of the scene is, or the centre of mass of bodies.
 pub(super) fn centre(
     values: &Values<'_>,
     bodies: &[&str],
