@@ -3,6 +3,7 @@
 use serde_json::Value;
 use serde_json::json;
 
+use crate::explain;
 use crate::problem::End;
 use crate::problem::Part;
 use crate::problem::PartKind;
@@ -41,6 +42,7 @@ impl Exercise {
         });
         if let (Some(solution), Some(object)) = (solution, record.as_object_mut()) {
             object.insert("solution".into(), Value::String(solution));
+            object.insert("lines".into(), json!(explain::lines(worked)));
         }
         record
     }

@@ -1,62 +1,13 @@
-//! Moves of algebra, as a student writes them.
-
-use std::collections::BTreeMap;
+//! Terms as a student writes them.
 
 use crate::expr::Expr;
 use crate::expr::Function;
-use crate::expr::Math;
 use crate::expr::Symbol;
 use crate::quantity::Rational;
-use crate::solve::Move;
 
 use super::Block;
 use super::Inline;
 use super::display::Display;
-use super::steps::text;
-
-/// One move in words, with the equation that it leaves; `numbers` are those of the equations that have one. Nothing for a
-/// move that the result itself shows.
-pub(super) fn blocks(display: Display<'_>, numbers: &BTreeMap<usize, u32>, step_move: &Move) -> Vec<Block> {
-    let number = |equation: &usize| format!("({})", numbers.get(equation).copied().unwrap_or(0));
-    let (words, equation) = match step_move {
-        Move::Combine { equation, times, factor, drops, left, right } => {
-            let (times, equation) = (number(times), number(equation));
-            let mut words = if factor.is_one() {
-                vec![Inline::Text(format!("Add {times} to {equation}"))]
-            } else if *factor == Expr::integer(-1) {
-                vec![Inline::Text(format!("Subtract {times} from {equation}"))]
-            } else {
-                vec![
-                    Inline::Text(format!("Multiply {times} by ")),
-                    Inline::Math(display.symbolic(factor)),
-                    Inline::Text(format!(" and add it to {equation}")),
-                ]
-            };
-            words.extend([
-                Inline::Text(", so that ".into()),
-                Inline::Math(display.name(*drops)),
-                Inline::Text(" drops out:".into()),
-            ]);
-            (words, positive(display, left, right))
-        }
-        Move::Substitute { equation, unknown, value, left, right } => {
-            let words = vec![
-                Inline::Text("Put ".into()),
-                Inline::Math(display.equation(&Expr::from(*unknown), &positive_first(value))),
-                Inline::Text(format!(" into {}:", number(equation))),
-            ];
-            (words, display.equation(&positive_first(left), &positive_first(right)))
-        }
-        Move::Polar { .. } => {
-            return vec![text(
-                "Square and add the two equations for the magnitude; divide the second by the first for the angle.",
-            )];
-        }
-        Move::Numeric { unknown } => return vec![by_calculation(display, *unknown)],
-        Move::Isolate { .. } | Move::Quadratic { .. } | Move::Count { .. } => return Vec::new(),
-    };
-    vec![Block::Paragraph(words), Block::Equation { lines: vec![equation], number: None }]
-}
 
 /// What is said where no formula gives an unknown.
 pub(super) fn by_calculation(display: Display<'_>, unknown: Symbol) -> Block {
@@ -67,21 +18,11 @@ pub(super) fn by_calculation(display: Display<'_>, unknown: Symbol) -> Block {
     ])
 }
 
-/// An equation, with all signs changed where its left side begins with a minus.
-pub(super) fn positive(display: Display<'_>, left: &Expr, right: &Expr) -> Math {
-    if left.begins_with_minus() {
-        return display.equation(&(-left.clone()).simplify(), &(-right.clone()).simplify());
-    }
-    display.equation(left, right)
-}
-
-/// An equation, with all signs changed where both sides begin with a minus.
-pub(super) fn without_common_minus(display: Display<'_>, left: &Expr, right: &Expr) -> Math {
+/// The sides of an equation, with all signs changed where both begin with a minus.
+pub(super) fn without_common_minus(left: &Expr, right: &Expr) -> [Expr; 2] {
     let both = left.begins_with_minus() && right.begins_with_minus();
-    if both && !matches!(right, Expr::Sum(_)) && !matches!(left, Expr::Sum(_)) {
-        return positive(display, left, right);
-    }
-    display.equation(left, right)
+    let turns = both && !matches!(right, Expr::Sum(_)) && !matches!(left, Expr::Sum(_));
+    [left, right].map(|side| if turns { (-side.clone()).simplify() } else { side.clone() })
 }
 
 /// The term with every sum led by a positive part, where it has one: `b - a` for `-a + b`.
@@ -111,7 +52,7 @@ fn without_outer_minus(expr: Expr) -> Expr {
     let turns = |factor: &Expr| matches!(factor, Expr::Sum(parts) if parts.iter().skip(1).any(Expr::begins_with_minus));
     let (true, Some(place)) = (negative, factors.iter().position(turns)) else { return expr };
     let Expr::Sum(parts) = &factors[place] else { return expr };
-    let turned = Expr::sum(parts.iter().map(|part| (-part.clone()).simplify()));
+    let turned = Expr::sum(parts.iter().map(|part| -part.clone()));
     factors[place] = positive_first(&turned);
     factors[0] = (-factors[0].clone()).simplify();
     Expr::product(factors)

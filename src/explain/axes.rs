@@ -23,6 +23,7 @@ use super::display::Display;
 use super::display::number_math;
 use super::display::printed;
 use super::display::with_unit;
+use super::script;
 use super::wording::capitalised;
 use super::wording::join;
 
@@ -41,18 +42,31 @@ pub(super) fn axes(display: Display<'_>) -> Vec<Block> {
     let used = display.way.used.get_or_init(|| used(display.worked));
     let literals = &display.worked.problem.model().literals;
     let told = display.worked.variant.all_given().iter();
-    let told: Vec<Vec<Inline>> = told
+    let mut told: Vec<Vec<Inline>> = told
         .filter(|(symbol, ..)| used.contains(symbol) && !literals.iter().any(|(own, _)| own == symbol))
         .map(|given| {
             let free = display.is_free(given.0);
             vec![Inline::Math(if free { display.name(given.0) } else { value(display, given) })]
         })
         .collect();
+    told.extend(renamed(display));
     if !told.is_empty() {
         let given = [vec![Inline::Text("Given: ".into())], join(told), vec![Inline::Text(".".into())]];
         blocks.push(Block::Paragraph(given.concat()));
     }
     blocks
+}
+
+/// Quantities that are givens under another name: `r_A2 = d = 10 m`.
+fn renamed(display: Display<'_>) -> impl Iterator<Item = Vec<Inline>> {
+    let steps = display.worked.leaf().answer_steps().iter();
+    steps.filter_map(move |step| script::renamed(display, step)).map(move |(symbol, given)| {
+        let mut parts = vec![display.equation(&symbol.into(), given)];
+        if display.has_number(symbol) {
+            parts.extend([Math::Operator(Operator::Equals), display.quantity(symbol)]);
+        }
+        vec![Inline::Math(Math::Row(parts))]
+    })
 }
 
 /// Where the axes of the scene and those of its contacts point.

@@ -7,6 +7,8 @@ use crate::expr::Math;
 use crate::expr::Operator;
 use crate::expr::Symbol;
 use crate::quantity::Unit;
+use crate::solve::Move;
+use crate::solve::Step;
 
 use super::Block;
 use super::Inline;
@@ -15,6 +17,8 @@ use super::display::Display;
 use super::display::number_math;
 use super::display::printed;
 use super::display::with_unit;
+use super::steps::text;
+use super::wording::join;
 
 /// One coefficient: its value in its unit, the unit, and the figures to which it is printed.
 struct Coefficient {
@@ -42,63 +46,115 @@ impl Coefficient {
     }
 }
 
-/// The equation with those coefficients and its roots; `None` where a coefficient has no value.
+/// A root as the formula for quadratic equations gives it.
+pub(super) struct Taught {
+    pub value: Expr,
+    /// The coefficient of the square, by which was divided.
+    pub leading: Expr,
+}
+
+/// The root of that place of a step whose unknown is found from a quadratic equation.
+pub(super) fn root(step: &Step, unknown: Symbol, place: usize) -> Option<Taught> {
+    step.moves.iter().find_map(|step_move| match step_move {
+        Move::Quadratic { unknown: own, a, b, c, .. } if *own == unknown => {
+            let value = match (c.is_zero(), place) {
+                (true, 0) => Expr::zero(),
+                (true, _) => -b.clone() / a.clone(),
+                (false, _) => {
+                    let root = (b.clone().powi(2) - Expr::integer(4) * a.clone() * c.clone()).sqrt();
+                    let root = if place == 0 { root } else { -root };
+                    (root - b.clone()) / (Expr::integer(2) * a.clone())
+                }
+            };
+            Some(Taught { value, leading: a.clone() })
+        }
+        _ => None,
+    })
+}
+
+/// The equation with the numbers of its coefficients, and its roots; `None` where a coefficient has no value.
 pub(super) fn solution(
     display: Display<'_>,
     unknown: Symbol,
-    [a, b, c]: [&Expr; 3],
+    coefficients: [&Expr; 3],
     figures: usize,
 ) -> Option<Vec<Block>> {
+    let [a, b, c] = with_plain_square(coefficients);
     if display.is_free(unknown) {
-        return Some(in_symbols(display, unknown, [a, b, c]));
+        return Some(without_zeros(display, unknown, [a, b, c]));
     }
-    if ![a, b, c].into_iter().all(|term| display.has_value(term)) {
+    if ![&a, &b, &c].into_iter().all(|term| display.has_value(term)) {
         return None;
     }
-    let reversed = display.value_of(a) < 0.0;
-    let terms = [a, b, c].map(|term| if reversed { (-term.clone()).simplify() } else { term.clone() });
-    let [a, b, c] = terms.each_ref().map(|term| Coefficient::new(display, term, figures));
-    let x = Expr::from(unknown);
-    let [square, linear, rest] = terms;
-    let left = Expr::sum([square * x.clone().powi(2), linear * x.clone(), rest]);
+    let [a, b, c] = [a, b, c].map(|term| Coefficient::new(display, &term, figures));
     let name = display.name(unknown);
+    let square = display.symbolic(&Expr::from(unknown).powi(2));
+    let formula = match (b.value == 0.0, c.value == 0.0) {
+        (true, false) => pure_root(&a, &c),
+        (false, true) => quotient(&b, &a),
+        _ => formula(&a, &b, &c),
+    };
     let lines = vec![
-        Math::relation(name.clone(), Operator::Equals, formula(&a, &b, &c)),
+        Math::relation(name.clone(), Operator::Equals, formula),
         Math::Row(vec![Math::Operator(Operator::Equals), roots(display, unknown, [&a, &b, &c], figures)?]),
     ];
     Some(vec![
-        Block::Paragraph(vec![
-            Inline::Text("This is a quadratic equation in ".into()),
-            Inline::Math(name.clone()),
-            Inline::Text(":".into()),
-        ]),
-        Block::Equation { lines: vec![display.equation(&left, &Expr::zero())], number: None },
-        Block::Equation { lines: vec![with_numbers([&display.symbolic(&x.powi(2)), &name], &a, &b, &c)], number: None },
+        text("With numbers:"),
+        Block::Equation { lines: vec![with_numbers([&square, &name], &a, &b, &c)], number: None },
         Block::Equation { lines, number: None },
     ])
 }
 
-/// The equation without numbers, what is given as zero left out.
-fn in_symbols(display: Display<'_>, unknown: Symbol, coefficients: [&Expr; 3]) -> Vec<Block> {
+/// The coefficients, their signs changed where that of the square begins with a minus: as the equation is written.
+fn with_plain_square(coefficients: [&Expr; 3]) -> [Expr; 3] {
+    let turns = coefficients[0].begins_with_minus();
+    coefficients.map(|term| if turns { (-term.clone()).simplify() } else { term.clone() })
+}
+
+/// The equation in symbols once more, what is given as zero left out; nothing where that is nothing new.
+fn without_zeros(display: Display<'_>, unknown: Symbol, coefficients: [Expr; 3]) -> Vec<Block> {
     let values = display.worked.alphabet().values;
-    let [a, b, c] = coefficients.map(|term| term.substitute(&|own| values.get(&own).cloned()).simplify());
+    let zero: Vec<Symbol> =
+        coefficients.iter().flat_map(Expr::symbols).filter(|own| values.get(own).is_some_and(Expr::is_zero)).collect();
+    if zero.is_empty() {
+        return Vec::new();
+    }
+    let is_zero = |symbol| zero.contains(&symbol).then(Expr::zero);
+    let [a, b, c] = coefficients.map(|term| term.substitute(&is_zero).simplify());
     let x = Expr::from(unknown);
     let left = Expr::sum([a * x.clone().powi(2), b * x, c]);
+    let mut named: Vec<Vec<Inline>> = Vec::new();
+    for (place, symbol) in zero.iter().enumerate() {
+        if !zero[..place].contains(symbol) {
+            named.push(vec![Inline::Math(display.equation(&(*symbol).into(), &Expr::zero()))]);
+        }
+    }
+    let words = [vec![Inline::Text("With ".into())], join(named), vec![Inline::Text(":".into())]].concat();
     vec![
-        Block::Paragraph(vec![
-            Inline::Text("This is a quadratic equation in ".into()),
-            Inline::Math(display.name(unknown)),
-            Inline::Text(":".into()),
-        ]),
+        Block::Paragraph(words),
         Block::Equation { lines: vec![display.equation(&positive_first(&left), &Expr::zero())], number: None },
     ]
+}
+
+/// `+-sqrt(c/a)` with numbers, the root where nothing is linear in the unknown.
+fn pure_root(a: &Coefficient, c: &Coefficient) -> Math {
+    let minus_c = Coefficient { value: -c.value, unit: c.unit.clone(), figures: c.figures };
+    let fraction = Math::Fraction(Arc::new(minus_c.signed()), Arc::new(a.signed()));
+    Math::Row(vec![Math::Operator(Operator::PlusMinus), Math::Root(Arc::new(fraction))])
+}
+
+/// `-b/a` with numbers, the root that is not zero where nothing stands without the unknown.
+fn quotient(b: &Coefficient, a: &Coefficient) -> Math {
+    let minus_b = Coefficient { value: -b.value, unit: b.unit.clone(), figures: b.figures };
+    let fraction = Math::Fraction(Arc::new(minus_b.signed()), Arc::new(a.signed()));
+    Math::Row(vec![fraction, Math::Text(" or ".into()), Math::Number("0".into())])
 }
 
 /// `(18.9 kg) v^2 - (43.47 kg m/s) v + 10.90 J = 0`.
 fn with_numbers([square, name]: [&Math; 2], a: &Coefficient, b: &Coefficient, c: &Coefficient) -> Math {
     let space = Math::Operator(Operator::Juxtapose);
     let sign = |value: f64| Math::Operator(if value < 0.0 { Operator::Minus } else { Operator::Plus });
-    let mut parts = vec![Math::Bracketed(Arc::new(a.size())), space.clone(), square.clone()];
+    let mut parts = vec![a.bracketed(), space.clone(), square.clone()];
     if b.value != 0.0 {
         parts.extend([sign(b.value), Math::Bracketed(Arc::new(b.size())), space, name.clone()]);
     }

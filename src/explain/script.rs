@@ -1,13 +1,14 @@
 //! What the steps of a plan say whatever the numbers are: laws and reasons, equations in symbols, moves of algebra.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use crate::expr::Expr;
 use crate::expr::Math;
 use crate::expr::Operator;
 use crate::expr::Symbol;
+use crate::laws::geometry;
 use crate::model::Instance;
+use crate::model::Integral;
 use crate::solve::Closed;
 use crate::solve::Move;
 use crate::solve::Relation;
@@ -17,8 +18,12 @@ use crate::solve::Step;
 
 use super::Block;
 use super::algebra;
+use super::derivation::Derivation;
+use super::derivation::Line;
+use super::derivation::Origin;
 use super::display::Display;
 use super::display::has_pieces;
+use super::sentence;
 use super::steps::text;
 use super::term::Term;
 use super::wording::capitalised;
@@ -26,10 +31,23 @@ use super::wording::capitalised;
 /// One step, as far as no number changes it.
 #[derive(Debug)]
 pub(super) struct Script {
+    /// Whether it only gives a given another name, which stands with the givens.
+    pub renames: bool,
+    /// Its equations in symbols.
+    pub derivation: Derivation,
     /// Laws, and how their equations are solved.
     pub opening: Vec<Opening>,
-    /// For each root the formulas of its unknowns.
-    pub roots: Vec<Vec<Formula>>,
+    /// For each root what is found.
+    pub roots: Vec<Vec<Found>>,
+}
+
+/// How an unknown is found.
+#[derive(Debug)]
+pub(super) struct Found {
+    /// From which equations, and what must not be zero for that.
+    pub words: Option<Block>,
+    /// What it equals.
+    pub formula: Formula,
 }
 
 /// What an unknown equals.
@@ -54,34 +72,52 @@ pub(super) enum Opening {
 
 /// The scripts of the steps of the answer plan.
 pub(super) fn scripts(display: Display<'_>) -> Vec<Script> {
-    let mut writer = Writer { display, numbers: BTreeMap::new() };
-    display.worked.leaf().answer_steps().iter().map(|step| writer.script(step)).collect()
+    let mut next = 1;
+    let writer = Writer { display };
+    display.worked.leaf().answer_steps().iter().map(|step| writer.script(step, &mut next)).collect()
 }
 
-/// Numbers the equations that are referred to.
 struct Writer<'a> {
     display: Display<'a>,
-    numbers: BTreeMap<usize, u32>,
 }
 
 impl Writer<'_> {
-    fn script(&mut self, step: &Step) -> Script {
+    /// The script of a step whose first equation that is referred to has the number `next`.
+    fn script(&self, step: &Step, next: &mut u32) -> Script {
+        let mut derivation = Derivation::of(self.display, step);
+        derivation.number(next);
+        let renames = renamed(self.display, step).is_some();
+        let closes = (step.equations.len() == 1).then_some(step);
         let mut opening = Vec::new();
-        let referred = step.equations.len() > 1;
-        for equation in &step.equations {
-            opening.extend(self.law(*equation, referred, (!referred).then_some(step)));
+        for line in &derivation.lines {
+            match line.origin {
+                Origin::Law(equation) => opening.extend(self.law(equation, line, closes)),
+                _ => opening.extend(written(sentence::blocks(self.display, &derivation, line))),
+            }
         }
         for (place, step_move) in step.moves.iter().enumerate() {
             match step_move {
                 Move::Quadratic { .. } => opening.push(Opening::Move(place)),
                 Move::Numeric { .. } if is_stated_piecewise(self.display, step) => opening.push(Opening::Move(place)),
-                Move::Numeric { unknown } if formula_of_equation(self.display, step, *unknown).is_some() => {}
-                _ => opening.extend(written(algebra::blocks(self.display, &self.numbers, step_move))),
+                Move::Numeric { unknown } if formula_of_equation(self.display, step, *unknown).is_none() => {
+                    opening.extend(written(vec![algebra::by_calculation(self.display, *unknown)]));
+                }
+                _ => {}
             }
         }
-        let formula = |(unknown, closed): &(Symbol, Closed)| self.formula(step, *unknown, closed);
-        let root = |root: &Root| root.values.iter().map(formula).collect();
-        Script { opening, roots: step.roots.iter().map(root).collect() }
+        let found = |(unknown, closed): &(Symbol, Closed)| self.found(step, &derivation, *unknown, closed);
+        let roots = step.roots.iter().map(|root| root.values.iter().map(found).collect()).collect();
+        Script { renames, derivation, opening, roots }
+    }
+
+    fn found(&self, step: &Step, derivation: &Derivation, unknown: Symbol, closed: &Closed) -> Found {
+        let formula = self.formula(step, unknown, closed);
+        let value = match &formula {
+            Formula::Fixed(Some(term)) => Some(&term.expr),
+            Formula::Fixed(None) | Formula::Varies => None,
+        };
+        let words = value.and_then(|value| sentence::before_result(self.display, derivation, unknown, value));
+        Found { words: words.map(Block::shared), formula }
     }
 
     fn formula(&self, step: &Step, unknown: Symbol, closed: &Closed) -> Formula {
@@ -95,50 +131,34 @@ impl Writer<'_> {
     }
 
     /// The law, why it applies here, and its equation in symbols.
-    fn law(&mut self, equation: usize, referred: bool, closes: Option<&Step>) -> Vec<Opening> {
+    fn law(&self, equation: usize, line: &Line, closes: Option<&Step>) -> Vec<Opening> {
         let leaf = self.display.worked.leaf();
         let Some(stated) = leaf.system.equations.get(equation) else { return Vec::new() };
         let Some(instance) = self.display.worked.problem.model().instances.get(stated.tag) else { return Vec::new() };
         let mut opening = vec![Opening::Written(text(&reason(instance, &stated.statement)).shared())];
-        let mut lines = Vec::new();
-        match &stated.statement {
-            Statement::Equal { left, right } => {
-                if let Some(integral) = &instance.integral {
-                    let integrand = self.display.symbolic(&integral.integrand);
-                    let shown = Math::Integral(
-                        Arc::new(self.display.symbolic(&integral.low)),
-                        Arc::new(self.display.symbolic(&integral.high)),
-                        Arc::new(match &integral.integrand {
-                            Expr::Sum(_) => Math::Squared(Arc::new(integrand)),
-                            _ => integrand,
-                        }),
-                        Arc::new(self.display.name(integral.variable)),
-                    );
-                    lines.push(Math::relation(self.display.symbolic(left), Operator::Equals, shown));
-                } else if !closes.is_some_and(|step| is_definition(step, left, right)) {
-                    lines.push(algebra::without_common_minus(self.display, left, right));
-                }
-            }
-            Statement::FirstInteger { left, relation, right, .. } => {
-                lines.push(Math::relation(
-                    self.display.symbolic(left),
-                    operator(*relation),
-                    self.display.symbolic(right),
-                ));
-            }
+        if instance.integral.is_none() && closes.is_some_and(|step| is_definition(step, &line.left, &line.right)) {
+            return opening;
         }
-        let number = referred.then(|| {
-            let next = u32::try_from(self.numbers.len() + 1).unwrap_or(u32::MAX);
-            *self.numbers.entry(equation).or_insert(next)
-        });
-        if !lines.is_empty() {
-            opening.push(Opening::Written(Block::Equation { lines, number }.shared()));
-            if let (Statement::Equal { left, right }, None) = (&stated.statement, &instance.integral) {
-                let sides = [left, right].map(Clone::clone);
-                opening.extend(sides.iter().any(has_pieces).then_some(Opening::Piece(sides)));
-            }
+        let right = instance.integral.as_ref().map(|integral| self.integral(integral));
+        let right = right.unwrap_or_else(|| self.display.symbolic(&line.right));
+        let lines = vec![Math::relation(self.display.symbolic(&line.left), line.relation, right)];
+        opening.push(Opening::Written(Block::Equation { lines, number: line.number }.shared()));
+        if let (Statement::Equal { left, right }, None) = (&stated.statement, &instance.integral) {
+            let sides = [left, right].map(Clone::clone);
+            opening.extend(sides.iter().any(has_pieces).then_some(Opening::Piece(sides)));
         }
         opening
+    }
+
+    fn integral(&self, integral: &Integral) -> Math {
+        let symbolic = |term: &Expr| Arc::new(self.display.symbolic(term));
+        let integrand = symbolic(&integral.integrand);
+        let integrand = match &integral.integrand {
+            Expr::Sum(_) => Arc::new(Math::Squared(integrand)),
+            _ => integrand,
+        };
+        let variable = Arc::new(self.display.name(integral.variable));
+        Math::Integral(symbolic(&integral.low), symbolic(&integral.high), integrand, variable)
     }
 }
 
@@ -153,6 +173,24 @@ fn sides<'a>(display: Display<'a>, step: &Step) -> Option<[&'a Expr; 2]> {
         Statement::Equal { left, right } => Some([left, right]),
         Statement::FirstInteger { .. } => None,
     }
+}
+
+/// What a step calls by another name: the new name, and the given, perhaps with a minus.
+pub(super) fn renamed<'a>(display: Display<'a>, step: &'a Step) -> Option<(Symbol, &'a Expr)> {
+    let ([equation], [Root { values }]) = (&step.equations[..], &step.roots[..]) else { return None };
+    let [(unknown, Closed::Formula(formula))] = &values[..] else { return None };
+    let stated = display.worked.leaf().system.equations.get(*equation)?;
+    let instance = display.worked.problem.model().instances.get(stated.tag)?;
+    let given = match formula {
+        Expr::Symbol(given) => *given,
+        Expr::Product(factors) => match &factors[..] {
+            [sign, Expr::Symbol(given)] if *sign == Expr::integer(-1) => *given,
+            _ => return None,
+        },
+        _ => return None,
+    };
+    let is_given = display.worked.variant.all_given().iter().any(|(own, ..)| *own == given);
+    (instance.law.id == geometry::RELATION.id && is_given).then_some((*unknown, formula))
 }
 
 /// Whether the only equation of a step is stated piece by piece.

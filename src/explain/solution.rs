@@ -1,6 +1,5 @@
 //! The worked solution: five sections for everyone, and one for the instructor.
 
-use crate::expr::Symbol;
 use crate::problem::Worked;
 use crate::scene::Scene;
 use crate::scene::Stage;
@@ -19,7 +18,6 @@ use super::display::Display;
 use super::display::Shown;
 use super::instructor;
 use super::script;
-use super::steps::Figures;
 use super::steps::Steps;
 use super::steps::text;
 use super::way::Memory;
@@ -172,10 +170,7 @@ fn surface_name(scene: &Scene, surface: &str) -> String {
 /// The steps of the answer plan.
 fn laws(display: Display<'_>) -> Vec<Block> {
     let worked = display.worked;
-    let asked: Vec<Symbol> = worked.form.wanted().collect();
-    let answer = usize::from(worked.problem.loaded().draft.figures.unwrap_or(3));
-    let figures = Figures { answer, intermediate: answer + 1 };
-    let mut steps = Steps { display, figures, asked, angle_explained: false };
+    let mut steps = Steps::new(display);
     let scripts = display.way.laws.get_or_init(|| script::scripts(display));
     let mut blocks = Vec::new();
     if let [first, ..] = &worked.leaf().words[..] {

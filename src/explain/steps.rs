@@ -4,6 +4,7 @@ use crate::expr::Expr;
 use crate::expr::Math;
 use crate::expr::Operator;
 use crate::expr::Symbol;
+use crate::problem::FormulaPart;
 use crate::problem::PartKind;
 use crate::solve::Closed;
 use crate::solve::Move;
@@ -40,9 +41,18 @@ pub(super) struct Steps<'a> {
     pub angle_explained: bool,
 }
 
-impl Steps<'_> {
+impl<'a> Steps<'a> {
+    pub(super) fn new(display: Display<'a>) -> Self {
+        let answer = usize::from(display.worked.problem.loaded().draft.figures.unwrap_or(3));
+        let figures = Figures { answer, intermediate: answer + 1 };
+        Self { display, figures, asked: display.worked.form.wanted().collect(), angle_explained: false }
+    }
+
     /// One step, as blocks.
     pub(super) fn step(&mut self, position: usize, step: &Step, script: &Script) -> Vec<Block> {
+        if script.renames {
+            return Vec::new();
+        }
         let mut blocks = Vec::new();
         let mut solved = None;
         for opening in &script.opening {
@@ -55,7 +65,7 @@ impl Steps<'_> {
                         let found = formula.is_none().then(|| algebra::by_calculation(self.display, *unknown));
                         blocks.extend(found);
                     }
-                    Some(Move::Quadratic { unknown, a, b, c }) => {
+                    Some(Move::Quadratic { unknown, a, b, c, .. }) => {
                         let shown = quadratic::solution(self.display, *unknown, [a, b, c], self.figures.intermediate);
                         if let Some(shown) = shown {
                             solved = Some(*unknown).filter(|unknown| !self.display.is_free(*unknown));
@@ -66,23 +76,19 @@ impl Steps<'_> {
                 },
             }
         }
-        if let Some((place, root)) = self.taken(position, step) {
-            let formulas = script.roots.get(place).map(Vec::as_slice).unwrap_or_default();
+        if let Some((place, root)) = taken(self.display, position, step) {
+            let found = script.roots.get(place).map(Vec::as_slice).unwrap_or_default();
             for (index, (unknown, closed)) in root.values.iter().enumerate() {
                 if solved != Some(*unknown) {
-                    let formula = formulas.get(index).unwrap_or(&Formula::Varies);
+                    let how = found.get(index);
+                    blocks.extend(how.and_then(|how| how.words.clone()));
+                    let formula = how.map_or(&Formula::Varies, |how| &how.formula);
                     self.result(&mut blocks, step, (*unknown, closed), formula);
                 }
             }
         }
         blocks.extend(self.rejected(position, step));
         blocks
-    }
-
-    /// The root that was taken, and its place.
-    fn taken<'s>(&self, position: usize, step: &'s Step) -> Option<(usize, &'s Root)> {
-        let choice = self.display.worked.variant.roots().get(position).copied().unwrap_or(0);
-        step.roots.get(choice).map(|root| (choice, root)).or_else(|| step.roots.first().map(|root| (0, root)))
     }
 
     /// What an equation that is stated piece by piece says for these numbers.
@@ -123,7 +129,7 @@ impl Steps<'_> {
     }
 
     /// What an unknown equals for these numbers.
-    fn formula(&self, step: &Step, unknown: Symbol, closed: &Closed) -> Option<Term> {
+    pub(super) fn formula(&self, step: &Step, unknown: Symbol, closed: &Closed) -> Option<Term> {
         let formula = match closed {
             // The plan's form of a root guards against rounding, which symbols need not.
             Closed::Formula(Expr::Piecewise(_)) if self.display.is_free(unknown) => self.in_givens(unknown),
@@ -135,21 +141,28 @@ impl Steps<'_> {
 
     /// What is asked as a formula, with what the steps before found put in.
     fn put_together(&self, unknown: Symbol, formula: Option<&Term>) -> Vec<Block> {
+        let Some(whole) = self.whole(unknown, formula.map(|formula| &formula.expr)) else { return Vec::new() };
         let worked = self.display.worked;
-        let part = worked.form.parts.iter().find_map(|part| match &part.kind {
-            PartKind::Formula(part) if part.symbol == unknown => Some(part),
-            _ => None,
-        });
-        let Some(part) = part else { return Vec::new() };
-        let Some(whole) = self.in_givens(unknown).filter(|whole| formula.is_none_or(|formula| formula.expr != *whole))
-        else {
-            return Vec::new();
-        };
         let mut lines = vec![self.display.equation(&unknown.into(), &whole)];
-        let multiple = part.in_terms_of.and_then(|_| printed_formula(worked, part));
+        let multiple = self.formula_part(unknown).filter(|part| part.in_terms_of.is_some());
+        let multiple = multiple.and_then(|part| printed_formula(worked, part));
         let multiple = multiple.filter(|math| *math != self.display.symbolic(&whole));
         lines.extend(multiple.map(|math| Math::Row(vec![Math::Operator(Operator::Equals), math])));
         vec![text("Substituting the earlier results:"), Block::Equation { lines, number: None }]
+    }
+
+    /// The formula of what is asked as one in what is given, where the last step has another.
+    pub(super) fn whole(&self, unknown: Symbol, formula: Option<&Expr>) -> Option<Expr> {
+        self.formula_part(unknown)?;
+        self.in_givens(unknown).filter(|whole| formula != Some(whole))
+    }
+
+    /// The part that asks for an unknown as a formula.
+    fn formula_part(&self, unknown: Symbol) -> Option<&FormulaPart> {
+        self.display.worked.form.parts.iter().find_map(|part| match &part.kind {
+            PartKind::Formula(part) if part.symbol == unknown => Some(part),
+            _ => None,
+        })
     }
 
     fn in_givens(&self, unknown: Symbol) -> Option<Expr> {
@@ -215,6 +228,12 @@ impl Steps<'_> {
         }
         blocks
     }
+}
+
+/// The root of a step that was taken, and its place.
+pub(super) fn taken<'s>(display: Display<'_>, position: usize, step: &'s Step) -> Option<(usize, &'s Root)> {
+    let choice = display.worked.variant.roots().get(position).copied().unwrap_or(0);
+    step.roots.get(choice).map(|root| (choice, root)).or_else(|| step.roots.first().map(|root| (0, root)))
 }
 
 /// A paragraph of plain words.

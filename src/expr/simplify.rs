@@ -35,11 +35,12 @@ impl Expr {
         1 + self.children().map(Self::size).sum::<usize>()
     }
 
-    /// The coefficients of the powers 0, 1, 2, ... of `symbol` in the numerator, once denominators are cleared.
+    /// The coefficients of the powers 0, 1, 2, ... of `symbol` in the numerator, once denominators are cleared, and the
+    /// denominator that cleared them.
     ///
     /// `None` where the symbol stands inside a root, a function or an exponent, or where the term is too large.
     #[must_use]
-    pub fn collect(&self, symbol: Symbol) -> Option<Vec<Self>> {
+    pub fn collect(&self, symbol: Symbol) -> Option<(Vec<Self>, Self)> {
         let form = readable_form(self, &none_positive)?;
         let own = Self::Symbol(symbol);
         if form.numerator.atoms().into_iter().any(|atom| *atom != own && atom.contains(symbol)) {
@@ -48,7 +49,8 @@ impl Expr {
         let found = form.numerator.coefficients(&own);
         let degree = found.last_key_value().map_or(0, |(power, _)| *power);
         let read = |power| found.get(&power).map_or_else(Self::zero, |sum| Quotient::from(sum.clone()).to_expr());
-        Some((0..=degree).map(read).collect())
+        let coefficients = (0..=degree).map(read).collect();
+        Some((coefficients, Quotient::from(form.denominator.clone()).to_expr()))
     }
 
     /// The coefficients of `symbols` and the rest, where the term is linear in them jointly; `None` where it is not.

@@ -42,7 +42,13 @@ impl Expr {
     /// ```
     #[must_use]
     pub fn text(&self, symbols: &SymbolTable) -> String {
-        write(self, &|symbol| symbols.entry(symbol).name.clone()).0
+        self.text_with(&|symbol| symbols.entry(symbol).name.clone())
+    }
+
+    /// The same with names of the caller's.
+    #[must_use]
+    pub fn text_with(&self, name: &dyn Fn(Symbol) -> String) -> String {
+        write(self, name).0
     }
 }
 

@@ -91,7 +91,7 @@ impl<'a> Composer<'a> {
 /// A root of the quadratic formula as it is taught. The plan computes it piece by piece, lest terms cancel; both are equal.
 fn taught_root(step: &Step, symbol: Symbol, choice: usize) -> Option<Expr> {
     step.moves.iter().find_map(|own| match own {
-        Move::Quadratic { unknown, a, b, c } if *unknown == symbol && !c.is_zero() => {
+        Move::Quadratic { unknown, a, b, c, .. } if *unknown == symbol && !c.is_zero() => {
             let root = (b.clone().powi(2) - Expr::integer(4) * a.clone() * c.clone()).sqrt();
             let root = if choice == 0 { root } else { -root };
             Some((root - b.clone()) / (Expr::integer(2) * a.clone()))

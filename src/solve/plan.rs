@@ -112,7 +112,7 @@ pub enum Move {
         factor: Expr,
         /// The unknown that falls out.
         drops: Symbol,
-        /// Left side of what remains: the terms with the remaining unknowns.
+        /// Left side of what remains. The sides differ by exactly what the two equations differ by together: no sign changes.
         left: Expr,
         /// Right side of what remains.
         right: Expr,
@@ -130,8 +130,21 @@ pub enum Move {
         /// Right side of what remains.
         right: Expr,
     },
-    /// `a x^2 + b x + c = 0`.
+    /// Square both sides of `equation`, none of which is negative; `left = right` remains.
+    Square {
+        /// The equation.
+        equation: usize,
+        /// The square of its left side.
+        left: Expr,
+        /// The square of its right side.
+        right: Expr,
+    },
+    /// `a x^2 + b x + c = 0`: the left side of `equation` less the right side, times `factor`.
     Quadratic {
+        /// The equation.
+        equation: usize,
+        /// By what it was multiplied, so that nothing stands below a bar.
+        factor: Expr,
         /// The unknown.
         unknown: Symbol,
         /// Coefficient of its square.
@@ -141,8 +154,10 @@ pub enum Move {
         /// The rest.
         c: Expr,
     },
-    /// Square and add the two equations, divide one by the other.
+    /// Two equations are `R cos(theta) = x` and `R sin(theta) = y`: square and add them, divide one by the other.
     Polar {
+        /// The equations of x and of y; both follow from both where each has the two components.
+        equations: [usize; 2],
         /// The magnitude.
         magnitude: Symbol,
         /// The angle.

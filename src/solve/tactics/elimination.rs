@@ -4,7 +4,7 @@ use crate::expr::Expr;
 use crate::expr::Symbol;
 
 use super::Refusal;
-use super::isolate::dropped_out;
+use super::isolate::{dropped_out, linear_root};
 use super::tidy::{cancelled, factors, forward, gathered, is_negative, negative, over, times};
 use crate::quantity::Rational;
 use crate::solve::Move;
@@ -59,18 +59,12 @@ pub(super) fn eliminate(equations: &[(usize, Expr)], unknowns: &[Symbol]) -> Res
             }
             let factor = cancelled(over(&negative(&row.coefficients[column]), &pivot.coefficients[column]));
             row.add(&pivot, &factor, column);
-            row.turn();
             if row.coefficients.iter().chain([&row.rest]).any(|term| term.size() > LONGEST) {
                 return Err(Refusal::NotApplicable);
             }
-            moves.push(Move::Combine {
-                equation: row.equation,
-                times: pivot.equation,
-                factor,
-                drops: unknowns[column],
-                left: row.left(unknowns),
-                right: negative(&row.rest),
-            });
+            let (left, right) = row.sides(unknowns);
+            let (equation, times) = (row.equation, pivot.equation);
+            moves.push(Move::Combine { equation, times, factor, drops: unknowns[column], left, right });
         }
         pivots.push(pivot);
     }
@@ -80,7 +74,7 @@ pub(super) fn eliminate(equations: &[(usize, Expr)], unknowns: &[Symbol]) -> Res
             Expr::product([coefficient.clone(), Expr::Symbol(*symbol)])
         });
         let rest = Expr::sum([row.rest.clone()].into_iter().chain(earlier));
-        let value = forward(cancelled(over(&negative(&rest), &row.coefficients[column])));
+        let value = linear_root(&row.coefficients[column], &rest)?;
         moves.push(Move::Isolate { equation: row.equation, unknown: unknowns[column], value: value.clone() });
         values.push((unknowns[column], value));
     }
@@ -111,18 +105,17 @@ impl Row {
         }
     }
 
-    /// Changes all signs where most of the unknowns would be written with a minus.
-    fn turn(&mut self) {
-        let written = self.coefficients.iter().filter(|coefficient| !coefficient.is_zero());
-        if written.clone().filter(|coefficient| is_negative(coefficient)).count() * 2 > written.count() {
-            self.coefficients.iter_mut().chain([&mut self.rest]).for_each(|term| *term = negative(term));
-        }
-    }
-
-    /// The terms with unknowns.
-    fn left(&self, unknowns: &[Symbol]) -> Expr {
-        let terms = self.coefficients.iter().zip(unknowns);
-        Expr::sum(terms.map(|(coefficient, unknown)| Expr::product([coefficient.clone(), Expr::Symbol(*unknown)])))
+    /// The two sides, the unknowns on that one where most of them are written with a plus. Their difference is always
+    /// the row itself, so that a multiple of what is printed is a multiple of the row.
+    fn sides(&self, unknowns: &[Symbol]) -> (Expr, Expr) {
+        let written = || self.coefficients.iter().filter(|coefficient| !coefficient.is_zero());
+        let minus = written().filter(|coefficient| is_negative(coefficient)).count() * 2 > written().count();
+        let terms = self.coefficients.iter().zip(unknowns).map(|(coefficient, unknown)| {
+            let coefficient = if minus { negative(coefficient) } else { coefficient.clone() };
+            Expr::product([coefficient, Expr::Symbol(*unknown)])
+        });
+        let with_unknowns = Expr::sum(terms);
+        if minus { (forward(self.rest.clone()), with_unknowns) } else { (with_unknowns, forward(negative(&self.rest))) }
     }
 }
 

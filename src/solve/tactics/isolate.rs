@@ -11,7 +11,7 @@ use crate::expr::Expr;
 use crate::expr::Symbol;
 
 use super::inverse::undo;
-use super::tidy::{cancelled, difference, forward, is_negative, negative, occurrences, over};
+use super::tidy::{cancelled, cancelled_where, difference, forward, is_negative, negative, occurrences, over};
 use super::{Block, Closing, Refusal};
 use crate::solve::{Closed, Move, Root};
 
@@ -57,11 +57,11 @@ pub(super) fn isolated(
     let found = found.or_else(|| pure_power(&residual, unknown, positive));
     let found = found.or_else(|| in_one_piece(&residual, unknown).map(|value| vec![value]));
     let found = found.ok_or(Refusal::NotApplicable)?;
-    Ok(found.into_iter().map(cancelled).collect())
+    Ok(found.into_iter().map(|value| cancelled_where(value, positive)).collect())
 }
 
 /// The root of `coefficient x + rest`.
-fn linear_root(coefficient: &Expr, rest: &Expr) -> Result<Expr, Refusal> {
+pub(super) fn linear_root(coefficient: &Expr, rest: &Expr) -> Result<Expr, Refusal> {
     if coefficient.is_zero() {
         return Err(dropped_out(rest));
     }
@@ -109,7 +109,7 @@ fn replaced(term: &Expr, old: &Expr, new: &Expr) -> Expr {
 
 /// The roots of `a x^n + c` or `a x + c` after algebra.
 fn pure_power(residual: &Expr, unknown: Symbol, positive: &dyn Fn(Symbol) -> bool) -> Option<Vec<Expr>> {
-    let coefficients = residual.collect(unknown)?;
+    let (coefficients, _) = residual.collect(unknown)?;
     let mut powers = (1..).zip(coefficients.iter().skip(1)).filter(|(_, coefficient)| !coefficient.is_zero());
     let (power, coefficient) = powers.next()?;
     if powers.next().is_some() {

@@ -24,11 +24,13 @@ pub(super) fn close(block: &Block) -> Result<Closing, Refusal> {
     let (magnitude, angle, one, two) =
         read(*first, *second).or_else(|| read(*second, *first)).ok_or(Refusal::NotApplicable)?;
     let (x, y) = solved(&one, &two).ok_or(Refusal::NotApplicable)?;
+    let [first, second] = block.equations.as_slice() else { return Err(Refusal::NotApplicable) };
+    let equations = if one.cosine.is_zero() { [*second, *first] } else { [*first, *second] };
     let length = Expr::sum([x.clone().powi(2), y.clone().powi(2)]).sqrt();
     let values = vec![(magnitude, Closed::Formula(length)), (angle, Closed::Formula(y.clone().atan2(x.clone())))];
     Ok(Closing {
         unknowns: vec![magnitude, angle],
-        moves: vec![Move::Polar { magnitude, angle, x, y }],
+        moves: vec![Move::Polar { equations, magnitude, angle, x, y }],
         roots: vec![Root { values }],
     })
 }

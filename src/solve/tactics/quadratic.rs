@@ -18,18 +18,19 @@ use super::{Block, Closing, Refusal};
 use crate::solve::{Closed, Move, Root};
 
 pub(super) fn close(block: &Block) -> Result<Closing, Refusal> {
-    let (_, left, right, unknown) = block.single().ok_or(Refusal::NotApplicable)?;
+    let (equation, left, right, unknown) = block.single().ok_or(Refusal::NotApplicable)?;
     let solved = Quadratic::of(&difference(left, right), unknown).ok_or(Refusal::NotApplicable)?;
     let root = |value| Root { values: vec![(unknown, Closed::Formula(value))] };
     Ok(Closing {
         unknowns: vec![unknown],
         roots: solved.roots().into_iter().map(root).collect(),
-        moves: vec![solved.into_move(unknown)],
+        moves: vec![solved.into_move(equation, unknown)],
     })
 }
 
-/// `a x^2 + b x + c`.
+/// `a x^2 + b x + c`, and the factor that cleared the denominators.
 pub(super) struct Quadratic {
+    factor: Expr,
     a: Expr,
     b: Expr,
     c: Expr,
@@ -38,16 +39,17 @@ pub(super) struct Quadratic {
 impl Quadratic {
     /// The coefficients of a term that is of second degree in the unknown, once denominators are cleared.
     pub(super) fn of(residual: &Expr, unknown: Symbol) -> Option<Self> {
-        let mut coefficients = residual.collect(unknown)?;
+        let (mut coefficients, factor) = residual.collect(unknown)?;
         if coefficients.len() != 3 {
             return None;
         }
         let (a, b, c) = (coefficients.pop()?, coefficients.pop()?, coefficients.pop()?);
-        Some(Self { a, b, c })
+        Some(Self { factor, a, b, c })
     }
 
-    pub(super) fn into_move(self, unknown: Symbol) -> Move {
-        Move::Quadratic { unknown, a: self.a, b: self.b, c: self.c }
+    pub(super) fn into_move(self, equation: usize, unknown: Symbol) -> Move {
+        let Self { factor, a, b, c } = self;
+        Move::Quadratic { equation, factor, unknown, a, b, c }
     }
 
     /// Both roots: the one with plus before the square root, then the one with minus.

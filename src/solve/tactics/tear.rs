@@ -53,25 +53,27 @@ fn torn(block: &Block, equations: &[(usize, Expr)], place: usize, unknown: Symbo
     let mut linear = equations.to_vec();
     let (equation, residual) = linear.remove(place);
     let Eliminated { mut moves, values } = eliminate(&linear, &others)?;
-    let (mut left, mut right) =
-        block.sides(equation).map(|(left, right)| (left.clone(), right.clone())).ok_or(Refusal::NotApplicable)?;
+    let (left, right) = block.sides(equation).ok_or(Refusal::NotApplicable)?;
+    let (mut left, mut right) = (left.clone(), right.clone());
+    // On paper the last value goes in first: it may hold those before it.
+    for (other, value) in values.iter().rev() {
+        if [&left, &right].into_iter().any(|side| side.contains(*other)) {
+            let step = [(*other, value.clone())];
+            (left, right) = (put(&left, &step), put(&right, &step));
+            let (left, right) = (left.clone(), right.clone());
+            moves.push(Move::Substitute { equation, unknown: *other, value: value.clone(), left, right });
+        }
+    }
     let mut rest = residual;
     let mut written: Vec<(Symbol, Expr)> = Vec::new();
     for (other, value) in &values {
-        let value = shorter(put(value, &written));
-        let step = [(*other, value.clone())];
-        (left, right, rest) = (put(&left, &step), put(&right, &step), put(&rest, &step));
-        moves.push(Move::Substitute {
-            equation,
-            unknown: *other,
-            value: value.clone(),
-            left: left.clone(),
-            right: right.clone(),
-        });
+        let step = [(*other, shorter(put(value, &written)))];
+        rest = put(&rest, &step);
         written.extend(step);
     }
-    if let Some(square) = squared(&left, &right, &|symbol| block.positive(symbol)) {
-        rest = square;
+    if let Some((square, root)) = squared(&left, &right, &|symbol| block.positive(symbol)) {
+        rest = difference(&square, &root);
+        moves.push(Move::Square { equation, left: square, right: root });
     }
     let roots = match isolated(&shorter(rest.clone()), &Expr::zero(), unknown, &|symbol| block.positive(symbol)) {
         Ok(roots) => {
@@ -82,7 +84,7 @@ fn torn(block: &Block, equations: &[(usize, Expr)], place: usize, unknown: Symbo
         Err(Refusal::NotApplicable) => {
             let quadratic = Quadratic::of(&rest, unknown).ok_or(Refusal::NotApplicable)?;
             let roots = quadratic.roots();
-            moves.push(quadratic.into_move(unknown));
+            moves.push(quadratic.into_move(equation, unknown));
             roots
         }
         Err(other) => return Err(other),
@@ -101,14 +103,14 @@ fn torn(block: &Block, equations: &[(usize, Expr)], place: usize, unknown: Symbo
     })
 }
 
-/// `s^2 - x` from `s = sqrt(x)`, where s is positive, so that squaring adds no root.
-fn squared(left: &Expr, right: &Expr, positive: &dyn Fn(Symbol) -> bool) -> Option<Expr> {
+/// `s^2 = x` from `s = sqrt(x)`, where s is positive, so that squaring adds no root.
+fn squared(left: &Expr, right: &Expr, positive: &dyn Fn(Symbol) -> bool) -> Option<(Expr, Expr)> {
     let half = |side: &Expr| match side {
         Expr::Power(pair) if pair.1 == Expr::ratio(1, 2) => Some(pair.0.clone()),
         _ => None,
     };
     match left {
-        Expr::Symbol(size) if positive(*size) => Some(difference(&left.clone().powi(2), &half(right)?)),
+        Expr::Symbol(size) if positive(*size) => Some((left.clone().powi(2), half(right)?)),
         _ => None,
     }
 }

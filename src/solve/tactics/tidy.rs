@@ -111,6 +111,15 @@ pub(super) fn cancelled(expr: Expr) -> Expr {
     if repeats(&expr, &mut Vec::new()) { shorter(expr) } else { expr }
 }
 
+/// The same, where it is known which symbols are positive: `m sqrt(x)` for `abs(m) sqrt(x)`.
+pub(super) fn cancelled_where(expr: Expr, positive: &dyn Fn(Symbol) -> bool) -> Expr {
+    if !repeats(&expr, &mut Vec::new()) {
+        return expr;
+    }
+    let simplified = expr.simplify_where(positive);
+    if simplified.size() < expr.size() { simplified } else { expr }
+}
+
 /// Whether some symbol is written twice, or was met before.
 fn repeats(expr: &Expr, met: &mut Vec<Symbol>) -> bool {
     match expr {

@@ -1,0 +1,206 @@
+//! The equations of a step in the order in which a student writes them, and how each follows from those before it.
+
+use std::collections::BTreeMap;
+use std::collections::BTreeSet;
+
+use crate::expr::Expr;
+use crate::expr::Function;
+use crate::expr::Operator;
+use crate::expr::Symbol;
+use crate::solve::Move;
+use crate::solve::Statement;
+use crate::solve::Step;
+
+use super::algebra::positive_first;
+use super::algebra::without_common_minus;
+use super::display::Display;
+use super::script::operator;
+
+/// One equation of a step.
+#[derive(Debug)]
+pub(super) struct Line {
+    /// Its number, where a sentence refers to it.
+    pub number: Option<u32>,
+    pub left: Expr,
+    pub relation: Operator,
+    pub right: Expr,
+    pub origin: Origin,
+}
+
+/// What a line came from. Other lines are named by their places in the step.
+#[derive(Debug)]
+pub(super) enum Origin {
+    /// It is the statement of a law; its place in the system.
+    Law(usize),
+    /// `times`, multiplied by `factor`, was added to `to`.
+    Add { to: usize, times: usize, factor: Expr, drops: Symbol },
+    /// What `what` says of a quantity was put into `into`.
+    Put { what: usize, into: usize },
+    /// The integral of a law was worked out.
+    Integrate(usize),
+    /// Both sides were squared.
+    Square(usize),
+    /// Two equations were solved for a component.
+    Component([usize; 2]),
+    /// `of` was multiplied by `factor`, and its terms were collected by powers of the unknown.
+    Collect { of: usize, factor: Expr, unknown: Symbol },
+    /// It was solved for a quantity.
+    Solve { of: usize, unknown: Symbol },
+}
+
+/// The lines of a step, and from which of them each unknown is found.
+#[derive(Debug, Default)]
+pub(super) struct Derivation {
+    pub lines: Vec<Line>,
+    pub sources: BTreeMap<Symbol, Vec<usize>>,
+    /// The last line that was made of each equation of the system.
+    latest: BTreeMap<usize, usize>,
+}
+
+impl Derivation {
+    /// The lines of a step, in their order and without numbers.
+    pub(super) fn of(display: Display<'_>, step: &Step) -> Self {
+        let system = &display.worked.leaf().system;
+        let instances = &display.worked.problem.model().instances;
+        let mut derivation = Self::default();
+        let is_alone = step.equations.len() == 1;
+        for equation in &step.equations {
+            let Some(stated) = system.equations.get(*equation) else { continue };
+            let (left, relation, right) = match &stated.statement {
+                Statement::Equal { left, right } if is_alone => {
+                    let [left, right] = without_common_minus(left, right);
+                    (left, Operator::Equals, right)
+                }
+                Statement::Equal { left, right } => (left.clone(), Operator::Equals, right.clone()),
+                Statement::FirstInteger { left, relation, right, .. } => {
+                    (left.clone(), operator(*relation), right.clone())
+                }
+            };
+            let place = derivation.lines.len();
+            derivation.latest.insert(*equation, place);
+            let gives = is_alone && step.unknowns.iter().any(|unknown| left == Expr::from(*unknown));
+            let has_integral = instances.get(stated.tag).is_some_and(|instance| instance.integral.is_some());
+            let worked_out = (has_integral && !gives).then(|| [left.clone(), right.clone()]);
+            derivation.lines.push(Line { number: None, left, relation, right, origin: Origin::Law(*equation) });
+            if let Some([left, right]) = worked_out {
+                derivation.replace(*equation, &left, &right, Origin::Integrate(place));
+            }
+        }
+        for step_move in &step.moves {
+            derivation.write(step_move);
+        }
+        if let [only] = step.equations[..] {
+            let last = derivation.latest(only);
+            for unknown in &step.unknowns {
+                derivation.sources.entry(*unknown).or_insert_with(|| vec![last]);
+            }
+        }
+        derivation
+    }
+
+    /// Numbers the lines that a sentence refers to, from `next` on. The law of a step with no other equation stands just
+    /// above what is said of it.
+    pub(super) fn number(&mut self, next: &mut u32) {
+        let mut referred: BTreeSet<usize> = self.sources.values().flatten().copied().collect();
+        referred.extend(self.lines.iter().flat_map(|line| line.origin.from()));
+        let laws = self.lines.iter().filter(|line| matches!(line.origin, Origin::Law(_))).count();
+        for (place, line) in self.lines.iter_mut().enumerate() {
+            let stands_alone = laws == 1 && matches!(line.origin, Origin::Law(_));
+            if referred.contains(&place) && !stands_alone {
+                line.number = Some(*next);
+                *next += 1;
+            }
+        }
+    }
+
+    /// The lines from which an unknown is found.
+    pub(super) fn sources_of(&self, unknown: Symbol) -> Vec<&Line> {
+        let places = self.sources.get(&unknown).map(Vec::as_slice).unwrap_or_default();
+        places.iter().filter_map(|place| self.lines.get(*place)).collect()
+    }
+
+    fn latest(&self, equation: usize) -> usize {
+        self.latest.get(&equation).copied().unwrap_or(0)
+    }
+
+    fn push(&mut self, left: &Expr, right: &Expr, origin: Origin) -> usize {
+        let [left, right] = [left, right].map(positive_first);
+        self.lines.push(Line { number: None, left, relation: Operator::Equals, right, origin });
+        self.lines.len() - 1
+    }
+
+    /// Writes the line that takes the place of an equation.
+    fn replace(&mut self, equation: usize, left: &Expr, right: &Expr, origin: Origin) {
+        let place = self.push(left, right, origin);
+        self.latest.insert(equation, place);
+    }
+
+    fn write(&mut self, step_move: &Move) {
+        match step_move {
+            Move::Combine { equation, times, factor, drops, left, right } => {
+                let (to, times) = (self.latest(*equation), self.latest(*times));
+                let origin = Origin::Add { to, times, factor: positive_first(factor), drops: *drops };
+                self.replace(*equation, left, right, origin);
+            }
+            Move::Isolate { equation, unknown, .. } => {
+                self.sources.insert(*unknown, vec![self.latest(*equation)]);
+            }
+            Move::Substitute { equation, unknown, value, left, right } => {
+                let what = self.solved(*unknown, value);
+                let origin = Origin::Put { what, into: self.latest(*equation) };
+                self.replace(*equation, left, right, origin);
+            }
+            Move::Square { equation, left, right } => {
+                let origin = Origin::Square(self.latest(*equation));
+                self.replace(*equation, left, right, origin);
+            }
+            Move::Quadratic { equation, factor, unknown, a, b, c } => {
+                let sign = Expr::integer(if a.begins_with_minus() { -1 } else { 1 });
+                let [a, b, c, factor] = [a, b, c, factor].map(|term| (sign.clone() * term.clone()).simplify());
+                let x = Expr::from(*unknown);
+                let left = Expr::sum([a * x.clone().powi(2), b * x, c]);
+                let origin = Origin::Collect { of: self.latest(*equation), factor, unknown: *unknown };
+                self.replace(*equation, &left, &Expr::zero(), origin);
+                self.sources.insert(*unknown, vec![self.latest(*equation)]);
+            }
+            Move::Polar { equations, magnitude, angle, x, y } => {
+                let both = equations.map(|equation| self.latest(equation));
+                let parts = [(Function::Cos, x, both[0]), (Function::Sin, y, both[1])];
+                let found = parts.map(|(function, value, line)| {
+                    let part = Expr::from(*magnitude) * Expr::apply(function, Expr::from(*angle));
+                    let is_stated = self.lines.get(line).is_some_and(|line| {
+                        line.left == part && line.right == *value || line.right == part && line.left == *value
+                    });
+                    if is_stated { line } else { self.push(&part, value, Origin::Component(both)) }
+                });
+                self.sources.extend([*magnitude, *angle].map(|unknown| (unknown, found.to_vec())));
+            }
+            Move::Count { .. } | Move::Numeric { .. } => {}
+        }
+    }
+
+    /// The line that says what an unknown equals.
+    fn solved(&mut self, unknown: Symbol, value: &Expr) -> usize {
+        let source = self.sources.get(&unknown).and_then(|lines| lines.first()).copied().unwrap_or(0);
+        let own = Expr::from(unknown);
+        if self.lines.get(source).is_some_and(|line| line.left == own && line.right == *value) {
+            return source;
+        }
+        let place = self.push(&own, value, Origin::Solve { of: source, unknown });
+        self.sources.insert(unknown, vec![place]);
+        place
+    }
+}
+
+impl Origin {
+    /// The lines that it names.
+    pub(super) fn from(&self) -> Vec<usize> {
+        match self {
+            Self::Law(_) => Vec::new(),
+            Self::Add { to, times, .. } => vec![*to, *times],
+            Self::Put { what, into } => vec![*what, *into],
+            Self::Component(both) => both.to_vec(),
+            Self::Integrate(of) | Self::Square(of) | Self::Collect { of, .. } | Self::Solve { of, .. } => vec![*of],
+        }
+    }
+}

@@ -1,0 +1,110 @@
+//! What an equation is divided by on the way to a quantity: none of it may be zero.
+
+use std::collections::BTreeSet;
+
+use crate::expr::Expr;
+use crate::expr::Function;
+use crate::expr::Symbol;
+use crate::quantity::Rational;
+
+use super::derivation::Line;
+
+/// The factors by which a line is divided when it is solved for `unknown`, which then equals `value`: what stands below
+/// a bar for the first time, and what was cancelled.
+pub(super) fn of_solution(lines: &[&Line], unknown: Symbol, value: &Expr) -> Vec<Expr> {
+    let mut before = Vec::new();
+    lines.iter().flat_map(|line| [&line.left, &line.right]).for_each(|side| add_denominators(side, &mut before));
+    let mut found = of_term(value);
+    found.retain(|factor| !before.contains(factor));
+    if let [line] = lines
+        && let Some((coefficients, _)) = (line.left.clone() - line.right.clone()).linear_coefficients(&[unknown])
+        && let Some(coefficient) = coefficients.into_iter().next()
+    {
+        let cancelled = (coefficient / Expr::product(found.iter().cloned())).simplify();
+        add_factors(&cancelled, &mut found);
+    }
+    found
+}
+
+/// The factors of a coefficient by which an equation is divided.
+pub(super) fn of_coefficient(coefficient: &Expr) -> Vec<Expr> {
+    let mut found = Vec::new();
+    add_factors(coefficient, &mut found);
+    found
+}
+
+/// The factors that stand below a bar in a term.
+pub(super) fn of_term(term: &Expr) -> Vec<Expr> {
+    let mut found = Vec::new();
+    add_denominators(term, &mut found);
+    found
+}
+
+fn add_denominators(term: &Expr, found: &mut Vec<Expr>) {
+    if let Expr::Power(pair) = term
+        && pair.1.as_number().is_some_and(|power| *power < Rational::ZERO)
+    {
+        add_factors(&pair.0, found);
+    }
+    term.children().for_each(|part| add_denominators(part, found));
+}
+
+/// The factors of a term above the bar, pure numbers left out.
+fn add_factors(term: &Expr, found: &mut Vec<Expr>) {
+    match term {
+        Expr::Number(_) | Expr::Pi => {}
+        Expr::Product(factors) => factors.iter().for_each(|factor| add_factors(factor, found)),
+        Expr::Power(pair) if pair.1.as_number().is_some_and(|power| *power < Rational::ZERO) => {}
+        Expr::Power(pair) => add_factors(&pair.0, found),
+        other if found.contains(other) => {}
+        other => found.push(other.clone()),
+    }
+}
+
+/// Those of which it is not plain that they are positive.
+pub(super) fn doubtful(factors: Vec<Expr>, positive: &BTreeSet<Symbol>) -> Vec<Expr> {
+    factors.into_iter().filter(|factor| !is_positive(factor, positive)).collect()
+}
+
+fn is_positive(term: &Expr, positive: &BTreeSet<Symbol>) -> bool {
+    match term {
+        Expr::Number(number) => *number > Rational::ZERO,
+        Expr::Pi => true,
+        Expr::Symbol(symbol) => positive.contains(symbol),
+        Expr::Sum(parts) => {
+            parts.iter().all(|part| is_positive(part, positive) || is_square(part, positive))
+                && (parts.iter().any(|part| is_positive(part, positive)) || has_sine_and_cosine(parts))
+        }
+        Expr::Product(parts) => parts.iter().all(|part| is_positive(part, positive)),
+        Expr::Power(pair) => is_positive(&pair.0, positive),
+        Expr::Apply(Function::Exp, _) => true,
+        Expr::Apply(..) | Expr::Piecewise(_) => false,
+    }
+}
+
+/// Whether a term is a square times what is positive, so that it is not negative.
+fn is_square(term: &Expr, positive: &BTreeSet<Symbol>) -> bool {
+    match term {
+        Expr::Product(parts) => parts.iter().all(|part| is_square(part, positive) || is_positive(part, positive)),
+        Expr::Power(pair) => pair.1.as_number().is_some_and(|power| power.is_int() && (power.numerator() % 2_i8) == 0),
+        _ => false,
+    }
+}
+
+/// Whether the squares of the sine and of the cosine of one angle are among the terms: they are never both zero.
+fn has_sine_and_cosine(parts: &[Expr]) -> bool {
+    let squared = |function: Function| {
+        let factors = parts.iter().flat_map(|part| match part {
+            Expr::Product(factors) => factors.to_vec(),
+            other => vec![other.clone()],
+        });
+        factors.filter_map(move |factor| match factor {
+            Expr::Power(pair) => match &pair.0 {
+                Expr::Apply(own, angle) if *own == function => Some(angle.to_vec()),
+                _ => None,
+            },
+            _ => None,
+        })
+    };
+    squared(Function::Sin).any(|angle| squared(Function::Cos).any(|other| other == angle))
+}

@@ -1,0 +1,133 @@
+//! How a line of algebra follows from those before it, as a sentence.
+
+use crate::expr::Expr;
+use crate::expr::Math;
+use crate::expr::Operator;
+use crate::expr::Symbol;
+
+use super::Block;
+use super::Inline;
+use super::derivation::Derivation;
+use super::derivation::Line;
+use super::derivation::Origin;
+use super::display::Display;
+use super::divisors;
+use super::wording::join;
+
+/// The sentence that leads to a line, and the line. Of a law its own reason is said.
+pub(super) fn blocks(display: Display<'_>, derivation: &Derivation, line: &Line) -> Vec<Block> {
+    let mut words = words(display, derivation, line);
+    words.push(Inline::Text(":".into()));
+    let equation = Math::relation(display.symbolic(&line.left), line.relation, display.symbolic(&line.right));
+    vec![Block::Paragraph(words), Block::Equation { lines: vec![equation], number: line.number }]
+}
+
+fn words(display: Display<'_>, derivation: &Derivation, line: &Line) -> Vec<Inline> {
+    let said = |text: String| vec![Inline::Text(text)];
+    let named = |place: usize| name(derivation, place);
+    match &line.origin {
+        Origin::Law(_) => Vec::new(),
+        Origin::Add { to, times, factor, drops } => {
+            let (to, times) = (named(*to), named(*times));
+            let is_minus = factor.begins_with_minus();
+            let size = if is_minus { (-factor.clone()).simplify() } else { factor.clone() };
+            let mut words = match (size.is_one(), is_minus) {
+                (true, false) => said(format!("Add {times} to {to}")),
+                (true, true) => said(format!("Subtract {times} from {to}")),
+                (false, _) => {
+                    let mut words = said(format!("Multiply {times} by "));
+                    words.push(Inline::Math(display.symbolic(&size)));
+                    words.extend(where_not_zero(display, divisors::of_term(factor)).unwrap_or_default());
+                    let then = if is_minus { "subtract it from" } else { "add it to" };
+                    words.push(Inline::Text(format!(", and {then} {to}")));
+                    words
+                }
+            };
+            words.extend([
+                Inline::Text(", so that ".into()),
+                Inline::Math(display.name(*drops)),
+                Inline::Text(" drops out".into()),
+            ]);
+            words
+        }
+        Origin::Put { what, into } => said(format!("Put {} into {}", named(*what), named(*into))),
+        Origin::Integrate(_) => said("With the integral worked out".into()),
+        Origin::Square(of) => said(format!("Square both sides of {}", named(*of))),
+        Origin::Component([first, second]) => said(format!("From {} and {}", named(*first), named(*second))),
+        Origin::Solve { of, unknown } => {
+            let source: Vec<&Line> = derivation.lines.get(*of).into_iter().collect();
+            solved(display, &source, *unknown, &line.right)
+        }
+        Origin::Collect { of, factor, unknown } => {
+            let is = derivation.lines.get(*of).and_then(|line| line.number).map_or("this", |_| "it");
+            let mut words = if factor.is_one() {
+                said(format!("With all terms on one side, {} is a quadratic equation in ", named(*of)))
+            } else if *factor == Expr::integer(-1) {
+                said(format!(
+                    "With all signs changed and all terms on one side, {} is a quadratic equation in ",
+                    named(*of)
+                ))
+            } else {
+                vec![
+                    Inline::Text(format!("Multiply {} by ", named(*of))),
+                    Inline::Math(display.symbolic(factor)),
+                    Inline::Text(format!("; with all terms on one side, {is} is a quadratic equation in ")),
+                ]
+            };
+            words.push(Inline::Math(display.name(*unknown)));
+            words
+        }
+    }
+}
+
+/// `(3)`; an equation without a number stands just above.
+fn name(derivation: &Derivation, place: usize) -> String {
+    let number = derivation.lines.get(place).and_then(|line| line.number);
+    number.map_or_else(|| "this".to_owned(), |number| format!("({number})"))
+}
+
+/// From which equations a quantity is found, and what must not be zero for that.
+fn solved(display: Display<'_>, sources: &[&Line], unknown: Symbol, value: &Expr) -> Vec<Inline> {
+    let numbers = sources.iter().filter_map(|line| line.number);
+    let numbers: Vec<Vec<Inline>> = numbers.map(|number| vec![Inline::Text(format!("({number})"))]).collect();
+    let mut words = Vec::new();
+    if !numbers.is_empty() {
+        words.push(Inline::Text("From ".into()));
+        words.extend(join(numbers));
+    }
+    words.extend(where_not_zero(display, divisors::of_solution(sources, unknown, value)).unwrap_or_default());
+    words
+}
+
+/// What stands before the value of an unknown.
+pub(super) fn before_result(
+    display: Display<'_>,
+    derivation: &Derivation,
+    unknown: Symbol,
+    value: &Expr,
+) -> Option<Block> {
+    let mut words = solved(display, &derivation.sources_of(unknown), unknown, value);
+    if let Some(Inline::Text(first)) = words.first_mut()
+        && let Some(rest) = first.strip_prefix(", where ")
+    {
+        *first = format!("Where {rest}");
+    }
+    words.push(Inline::Text(":".into()));
+    (words.len() > 1).then_some(Block::Paragraph(words))
+}
+
+/// `, where cos(beta) is not zero`, for factors of which that is not plain.
+fn where_not_zero(display: Display<'_>, factors: Vec<Expr>) -> Option<Vec<Inline>> {
+    let doubtful = divisors::doubtful(factors, &display.worked.leaf().system.positive);
+    if doubtful.is_empty() {
+        return None;
+    }
+    let zero = || Math::Number("0".into());
+    let differs = |factor: &Expr| {
+        let condition = Math::relation(display.symbolic(factor), Operator::Differs, zero());
+        vec![Inline::Math(condition)]
+    };
+    let mut words = vec![Inline::Text(", where ".into())];
+    words.extend(join(doubtful.iter().map(differs).collect()));
+    Some(words)
+}
