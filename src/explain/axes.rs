@@ -57,16 +57,11 @@ pub(super) fn axes(display: Display<'_>) -> Vec<Block> {
     blocks
 }
 
-/// Quantities that are givens under another name: `r_A2 = d = 10 m`.
+/// Quantities that are givens under another name: `r_A2 = d`.
 fn renamed(display: Display<'_>) -> impl Iterator<Item = Vec<Inline>> {
     let steps = display.worked.leaf().answer_steps().iter();
-    steps.filter_map(move |step| script::renamed(display, step)).map(move |(symbol, given)| {
-        let mut parts = vec![display.equation(&symbol.into(), given)];
-        if display.has_number(symbol) {
-            parts.extend([Math::Operator(Operator::Equals), display.quantity(symbol)]);
-        }
-        vec![Inline::Math(Math::Row(parts))]
-    })
+    let renamed = steps.filter_map(move |step| script::renamed(display, step));
+    renamed.map(move |(symbol, given)| vec![Inline::Math(display.equation(&symbol.into(), given))])
 }
 
 /// Where the axes of the scene and those of its contacts point.

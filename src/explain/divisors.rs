@@ -69,7 +69,7 @@ pub(super) fn doubtful(factors: Vec<Expr>, positive: &BTreeSet<Symbol>) -> Vec<E
 fn is_positive(term: &Expr, positive: &BTreeSet<Symbol>) -> bool {
     match term {
         Expr::Number(number) => *number > Rational::ZERO,
-        Expr::Pi => true,
+        Expr::Pi | Expr::Apply(Function::Exp, _) => true,
         Expr::Symbol(symbol) => positive.contains(symbol),
         Expr::Sum(parts) => {
             parts.iter().all(|part| is_positive(part, positive) || is_square(part, positive))
@@ -77,7 +77,6 @@ fn is_positive(term: &Expr, positive: &BTreeSet<Symbol>) -> bool {
         }
         Expr::Product(parts) => parts.iter().all(|part| is_positive(part, positive)),
         Expr::Power(pair) => is_positive(&pair.0, positive),
-        Expr::Apply(Function::Exp, _) => true,
         Expr::Apply(..) | Expr::Piecewise(_) => false,
     }
 }

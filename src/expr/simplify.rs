@@ -275,7 +275,7 @@ mod tests {
             let mut names = AnyName::default();
             let (x, term) = (names.named("x"), names.term(text));
             let found = term.collect(x);
-            let texts = found.map(|parts| parts.iter().map(|part| part.text(&names.0)).collect::<Vec<_>>());
+            let texts = found.map(|(parts, _)| parts.iter().map(|part| part.text(&names.0)).collect::<Vec<_>>());
             assert_eq!(texts, expected.map(|parts| parts.into_iter().map(str::to_owned).collect()), "{text}");
         }
     }

@@ -56,6 +56,12 @@ impl Line {
         [&self.left].into_iter().chain(&self.right)
     }
 
+    /// The side in which a quantity does not stand.
+    fn side_without(&self, quantity: &Term) -> Option<&Term> {
+        let Term::Name(name) = quantity else { return None };
+        self.sides().find(|side| !side.mentions(name))
+    }
+
     fn mentions(&self, name: &str) -> bool {
         self.sides().any(|side| side.mentions(name))
     }
@@ -73,14 +79,14 @@ pub fn faults(json: &[Value], actual: &Values) -> Vec<String> {
     let mut faults = Vec::new();
     for (place, line) in lines.iter().enumerate() {
         let sources: Vec<&Line> = line.from.iter().filter_map(|own| lines[..place].get(own - 1)).collect();
-        let named = line.from.iter().map(|own| format!("\n  {own}: {}", lines[own - 1].text)).collect::<String>();
+        let named: Vec<String> = line.from.iter().map(|own| format!("\n  {own}: {}", lines[own - 1].text)).collect();
         let fault = if sources.len() == line.from.len() {
             check(line, &sources, actual)
         } else {
             Err("names a later line".into())
         };
         if let Err(fault) = fault {
-            faults.push(format!("{fault}\n  {}{named}", line.text));
+            faults.push(format!("{fault}\n  {}{}", line.text, named.concat()));
         }
     }
     faults.extend(numbering(&lines));
@@ -130,8 +136,16 @@ fn check(line: &Line, sources: &[&Line], actual: &Values) -> Result<(), String> 
     let everywhere = |holds: &dyn Fn(&Values) -> Option<bool>| points().all(holds);
     let factor = |values: &Values| line.factor.as_ref().map_or(Sized::of(f64::NAN), |factor| factor.value(values));
     match (line.operation.as_str(), sources) {
-        ("law" | "together", _) | ("count" | "numeric", [_]) => Ok(()),
-        ("magnitude" | "angle", [_, _]) | ("solve", [_, _]) => Ok(()),
+        // Of what follows from two equations at once, and from all, the numbers decide.
+        ("law" | "together", _) | ("count" | "numeric", [_]) | ("solve", [_, _]) => Ok(()),
+        ("magnitude" | "angle", [cosine, sine]) => everywhere(&|values| {
+            let [x, y] = [cosine, sine].map(|own| own.side_without(&line.left).map(|side| side.value(values)));
+            let (x, y, found) = (x?, y?, line.right(values));
+            match line.operation.as_str() {
+                "magnitude" => finite(found.times(found), x.times(x).plus(y.times(y))),
+                _ => finite(Sized::of(found.value.sin()).times(x), Sized::of(found.value.cos()).times(y)),
+            }
+        }),
         ("piece", [of]) => Points::only(actual).all(&|values| {
             Some(of.left.value(values).agrees(line.left.value(values)) && of.right(values).agrees(line.right(values)))
         }),
