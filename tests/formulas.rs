@@ -11,6 +11,10 @@ use momentous::fault::Source;
 use momentous::grade::{self, DecimalMark, UnreadableKind};
 use momentous::problem::{FormulaPart, Part, PartKind, Problem, compile, load};
 
+mod formulas {
+    mod judged;
+}
+
 fn problem(text: &str) -> Arc<Problem> {
     let loaded = load(Source::new("formulas.yaml", text)).unwrap();
     Arc::new(compile(loaded, None).unwrap_or_else(|faults| panic!("{faults}")))

@@ -72,6 +72,22 @@ fn formula() -> ExpectedKind {
     ExpectedKind::Formula(ExpectedFormula::new(formula, Arc::new(symbols), asked, domain))
 }
 
+/// A formula in other names: `m_A:kg e`, each with a unit of its dimension.
+fn formula_among(names: &str) -> ExpectedKind {
+    let mut symbols = SymbolTable::default();
+    let mut add = |name: &str, dimension| {
+        symbols.intern(SymbolEntry { name: name.to_owned(), dimension, meaning: String::new() })
+    };
+    let name = |name: &str| {
+        let (name, own) = name.split_once(':').unwrap_or((name, ""));
+        (add(name, unit(own).dimension()), 1.0, 2.0)
+    };
+    let domain: Vec<(Symbol, f64, f64)> = names.split(' ').map(name).collect();
+    let asked = add("Q_asked", Dimension::NONE);
+    let formula = Expr::from(domain[0].0);
+    ExpectedKind::Formula(ExpectedFormula::new(formula, Arc::new(symbols), asked, domain))
+}
+
 fn interval() -> ExpectedKind {
     let end =
         |value, closed| Some(ExpectedEnd { number: ExpectedNumber::new(value, Unit::none()), closed, own: false });
@@ -133,6 +149,11 @@ fn directions_are_read_as_the_table_says() {
 fn formulas_are_read_as_the_table_says() {
     let asked = formula();
     check("formulas.csv", 110, |row| outcome(row[0], &asked, DecimalMark::Either));
+}
+
+#[test]
+fn formulas_in_other_names_are_read_as_the_table_says() {
+    check("formulas_among.csv", 250, |row| outcome(row[1], &formula_among(row[0]), DecimalMark::Point));
 }
 
 #[test]

@@ -73,7 +73,8 @@ impl Marking<'_> {
             grade::judge(&grade::Expected { id: String::new(), points: 0, kind }, answer).verdict.is_right()
         };
         let truth =
-            grade::Answer::Formula(grade::FormulaAnswer { text: String::new(), formula: right.formula.clone() });
+            grade::FormulaAnswer { text: String::new(), formula: right.formula.clone(), decimal: false };
+        let truth = grade::Answer::Formula(truth);
         let leads = |mistake: &&Mistake| {
             let formulas = self.worked.mistaken_formulas(mistake, part.symbol);
             formulas.iter().any(|formula| is(formula, answer) && !is(formula, &truth))

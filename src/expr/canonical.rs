@@ -53,6 +53,14 @@ pub fn equal_where(left: &Expr, right: &Expr, positive: &dyn Fn(Symbol) -> bool)
     left == right || !differ(left, right) && (proves(plain) || proves(Rules { expand: true, ..plain }))
 }
 
+/// Whether two terms without roots and functions are equal wherever both have a value; `None` where they are too large.
+#[must_use]
+pub fn equal_rational(left: &Expr, right: &Expr) -> Option<bool> {
+    let rules = Rules { pythagoras: false, expand: false, positive: &none_positive };
+    let difference = rules.sum(&rules.quotient(left)?, &rules.quotient(right)?.negated())?;
+    Some(difference.numerator.is_zero())
+}
+
 /// Whether a term has no other form: pi, a symbol, and the sine and the cosine of one.
 pub(super) fn is_plain(expr: &Expr) -> bool {
     match expr {

@@ -5,7 +5,10 @@ use std::fmt;
 use crate::quantity::Dimension;
 use crate::quantity::Rational;
 
-use super::{Expr, Function, SymbolTable};
+use super::{Expr, Function, Symbol, SymbolTable};
+
+/// Roots of the degrees 2, 3, 4, 6 and 12 are whole powers of twelfths.
+const TWELFTHS: i8 = 12;
 
 /// Why a term has no dimension.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -56,7 +59,19 @@ impl Expr {
     /// assert!((momentum + v).dimension(&table).is_err());
     /// ```
     pub fn dimension(&self, symbols: &SymbolTable) -> Result<Dimension, DimensionClash> {
-        Ok(find(self, symbols)?.unwrap_or(Dimension::NONE))
+        let found = find(self, &|symbol| symbols.entry(symbol).dimension);
+        // The root of a length is none, but that of a length times that of another is: in twelfths they all are.
+        let twelfths = || {
+            let whole = |symbol: Symbol| symbols.entry(symbol).dimension.power(TWELFTHS);
+            if !self.all_symbols(&|symbol| whole(symbol).is_some()) {
+                return None;
+            }
+            find(self, &|symbol| whole(symbol).unwrap_or(Dimension::NONE)).ok()?.unwrap_or(Dimension::NONE).root(TWELFTHS)
+        };
+        match found {
+            Err(clash @ DimensionClash::Root { .. }) => twelfths().ok_or(clash),
+            found => Ok(found?.unwrap_or(Dimension::NONE)),
+        }
     }
 
     /// Whether two terms may stand on both sides of an equation, and which dimension they share.
@@ -64,7 +79,7 @@ impl Expr {
     /// # Errors
     /// The sides themselves, or parts within one of them, that cannot stand together.
     pub fn common_dimension(&self, other: &Self, symbols: &SymbolTable) -> Result<Dimension, DimensionClash> {
-        Ok(common([self, other].into_iter(), symbols)?.unwrap_or(Dimension::NONE))
+        Ok(common([self, other].into_iter(), &|symbol| symbols.entry(symbol).dimension)?.unwrap_or(Dimension::NONE))
     }
 }
 
@@ -93,33 +108,36 @@ impl DimensionClash {
     }
 }
 
+/// The dimension of a symbol.
+type Of<'a> = &'a dyn Fn(Symbol) -> Dimension;
+
 /// `None` for zero, which is of any dimension.
 type Found = Result<Option<Dimension>, DimensionClash>;
 
-fn find(term: &Expr, symbols: &SymbolTable) -> Found {
+fn find(term: &Expr, of: Of) -> Found {
     match term {
         Expr::Number(value) if value.is_zero() => Ok(None),
         Expr::Number(_) | Expr::Pi => Ok(Some(Dimension::NONE)),
-        Expr::Symbol(symbol) => Ok(Some(symbols.entry(*symbol).dimension)),
-        Expr::Sum(terms) => common(terms.iter(), symbols),
+        Expr::Symbol(symbol) => Ok(Some(of(*symbol))),
+        Expr::Sum(terms) => common(terms.iter(), of),
         Expr::Product(factors) => factors.iter().try_fold(Some(Dimension::NONE), |product, factor| {
-            let factor = find(factor, symbols)?;
+            let factor = find(factor, of)?;
             Ok(product.zip(factor).map(|(product, factor)| product * factor))
         }),
-        Expr::Power(pair) => power(&pair.0, &pair.1, symbols),
-        Expr::Apply(function, arguments) => apply(*function, arguments, symbols),
+        Expr::Power(pair) => power(&pair.0, &pair.1, of),
+        Expr::Apply(function, arguments) => apply(*function, arguments, of),
         Expr::Piecewise(piecewise) => {
             let bounds = piecewise.pieces.iter().filter_map(|(until, _)| until.as_ref());
-            common(std::iter::once(&piecewise.variable).chain(bounds), symbols)?;
-            common(piecewise.pieces.iter().map(|(_, value)| value), symbols)
+            common(std::iter::once(&piecewise.variable).chain(bounds), of)?;
+            common(piecewise.pieces.iter().map(|(_, value)| value), of)
         }
     }
 }
 
-fn common<'a>(terms: impl Iterator<Item = &'a Expr>, symbols: &SymbolTable) -> Found {
+fn common<'a>(terms: impl Iterator<Item = &'a Expr>, of: Of) -> Found {
     let mut first: Option<(&Expr, Dimension)> = None;
     for term in terms {
-        let Some(dimension) = find(term, symbols)? else { continue };
+        let Some(dimension) = find(term, of)? else { continue };
         match first {
             None => first = Some((term, dimension)),
             Some((other, known)) if known != dimension => {
@@ -134,16 +152,16 @@ fn common<'a>(terms: impl Iterator<Item = &'a Expr>, symbols: &SymbolTable) -> F
     Ok(first.map(|(_, dimension)| dimension))
 }
 
-fn pure(part: &Expr, place: &'static str, symbols: &SymbolTable) -> Result<(), DimensionClash> {
-    match find(part, symbols)? {
+fn pure(part: &Expr, place: &'static str, of: Of) -> Result<(), DimensionClash> {
+    match find(part, of)? {
         None | Some(Dimension::NONE) => Ok(()),
         Some(dimension) => Err(DimensionClash::NotPure { part: part.clone(), dimension, place }),
     }
 }
 
-fn power(base: &Expr, exponent: &Expr, symbols: &SymbolTable) -> Found {
-    pure(exponent, "an exponent", symbols)?;
-    let Some(dimension) = find(base, symbols)? else { return Ok(None) };
+fn power(base: &Expr, exponent: &Expr, of: Of) -> Found {
+    pure(exponent, "an exponent", of)?;
+    let Some(dimension) = find(base, of)? else { return Ok(None) };
     if dimension == Dimension::NONE {
         return Ok(Some(dimension));
     }
@@ -159,12 +177,12 @@ fn raise(dimension: Dimension, exponent: &Rational) -> Option<Dimension> {
     dimension.power(times)?.root(degree)
 }
 
-fn apply(function: Function, arguments: &[Expr], symbols: &SymbolTable) -> Found {
+fn apply(function: Function, arguments: &[Expr], of: Of) -> Found {
     match function {
-        Function::Abs => common(arguments.iter(), symbols),
-        Function::Atan2 => common(arguments.iter(), symbols).map(|_| Some(Dimension::NONE)),
+        Function::Abs => common(arguments.iter(), of),
+        Function::Atan2 => common(arguments.iter(), of).map(|_| Some(Dimension::NONE)),
         other => {
-            arguments.iter().try_for_each(|argument| pure(argument, other.name(), symbols))?;
+            arguments.iter().try_for_each(|argument| pure(argument, other.name(), of))?;
             Ok(Some(Dimension::NONE))
         }
     }
@@ -198,6 +216,9 @@ mod tests {
             ("m*abs(v)*sin(pi*t/t_2)", Dimension::MOMENTUM),
             ("atan2(v_y, v_x) + exp(-t/t_2)", Dimension::NONE),
             ("e^n*x", Dimension::LENGTH),
+            ("sqrt(2)*sqrt(x)*sqrt(x_2)", Dimension::LENGTH),
+            ("v*sqrt(m)/sqrt(m_A + m_B)", Dimension::VELOCITY),
+            ("x^(1/3)*x^(2/3) + x", Dimension::LENGTH),
         ] {
             let mut names = AnyName::default();
             let term = names.term(text);

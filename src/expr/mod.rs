@@ -45,7 +45,7 @@ mod token;
 mod tree;
 
 pub use arrangement::{Arrangement, Leaf, LeafKind};
-pub use canonical::{equal, equal_where};
+pub use canonical::{equal, equal_rational, equal_where};
 pub use curvature::is_curved;
 pub use dimension::DimensionClash;
 pub(crate) use math::subscript_parts;

@@ -149,6 +149,9 @@ pub struct ExpectedFormula {
     pub asked: Symbol,
     /// What it may contain, each with the least and the greatest value that it has in the problem, in SI units.
     pub domain: Vec<(Symbol, f64, f64)>,
+    /// Values of the symbols of `domain`, in its order, in variants of the problem: formulas are compared near them. A missing
+    /// value may be any in its range; where there are no variants, all may.
+    pub samples: Arc<[Vec<Option<f64>>]>,
     /// What else it may contain, each with what it stands for: a number that the sheet tells, or a term in the symbols above.
     pub values: Vec<(Symbol, Expr)>,
     /// The quantity of which the answer is asked as a multiple: the bare multiple is as good.
@@ -162,7 +165,8 @@ impl ExpectedFormula {
     #[must_use]
     pub fn new(formula: Expr, symbols: Arc<SymbolTable>, asked: Symbol, domain: Vec<(Symbol, f64, f64)>) -> Self {
         let dimension = symbols.entry(asked).dimension;
-        Self { formula, symbols, asked, domain, values: Vec::new(), multiple_of: None, dimension }
+        let samples = Arc::default();
+        Self { formula, symbols, asked, domain, samples, values: Vec::new(), multiple_of: None, dimension }
     }
 
     /// An answer with everything that stands for something else written out; a bare multiple as what it is a multiple of.

@@ -32,6 +32,12 @@ pub enum Message {
     LastFigure,
     /// A formula that agrees with the right one, without a proof.
     Agrees,
+    /// A formula that is right within the rounding of a number in it.
+    RoundedNumber,
+    /// A formula that has no real value for any values that the problem can have.
+    NoValue,
+    /// A formula of which it can be found neither that it is right nor that it is wrong.
+    CannotBeJudged,
     /// Another unit than the question fixes; that one.
     UnitNotAsked(String),
     /// Rounded too early.

@@ -12,6 +12,7 @@ mod frequent;
 pub mod judge;
 mod messages;
 mod number;
+mod points;
 pub mod read;
 mod reading;
 pub mod report;

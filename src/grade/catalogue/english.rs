@@ -18,6 +18,11 @@ impl Catalogue for English {
             Message::Right => "Right.",
             Message::RightRounded => "Right within the rounding of intermediate values.",
             Message::Agrees => "Right: it agrees numerically with the expected formula (not proven).",
+            Message::RoundedNumber => "A number in it is rounded.",
+            Message::NoValue => "This formula has no value: look at its roots, divisions and functions.",
+            Message::CannotBeJudged => {
+                "This formula cannot be judged: it has a value at too few points of the problem's range. Write it in another form."
+            }
             Message::NegativeMagnitude => "This quantity is a magnitude: it is written without a minus sign.",
             Message::PoundsAsMass => "Pounds and the like are read as a mass here (`lbm`); elsewhere they are forces.",
             Message::ZeroWithoutUnit => "A zero, too, is written with its unit.",

@@ -35,11 +35,14 @@ pub(super) fn sentence(kind: &UnreadableKind) -> String {
             "write an interval or a condition, like `0 < e <= 0.5`, `e >= 0.3` or `(0, 0.5]`."
         }
         UnreadableKind::EmptyInterval => "the lower end is above the upper end: nothing lies in this interval.",
-        UnreadableKind::NotEuler => "`e` is not given here, and it never means 2.718: write `exp(1)` for that.",
+        UnreadableKind::NotEuler => "`e` is not given here: write `exp(x)` for a power of 2.718, and `exp(1)` for 2.718 itself.",
+        UnreadableKind::InverseOrReciprocal => "this can be the inverse function or one over the function: write which one.",
+        UnreadableKind::Logarithm => "`log` has two meanings: write `ln`, or `log10` for the logarithm to the base ten.",
+        UnreadableKind::NoArgument => "the argument of a function must stand here, best in brackets.",
+        UnreadableKind::NumberBehind => "a number stands behind a factor: write `*` or `^` before it, or put it first.",
         UnreadableKind::TooManyParts => "this formula has too many parts.",
         UnreadableKind::NotAFormula => "this is not allowed in a formula.",
         UnreadableKind::NoTerm => "a name, a number or a bracket must stand here.",
-        UnreadableKind::NamedPower => "an exponent is a plain number.",
         other => return filled(other),
     };
     plain.to_owned()
@@ -74,11 +77,19 @@ fn filled(kind: &UnreadableKind) -> String {
             Some(near) => format!("`{name}` is not given here; did you mean `{near}`?"),
             None => format!("`{name}` is not given here: write the answer in what the sheet gives."),
         },
-        UnreadableKind::AmbiguousName(name) => {
-            format!("`{name}` can be read in more than one way: write `*` between the factors.")
+        UnreadableKind::AmbiguousName { name, readings } => {
+            format!("`{name}` can be read as {}: write `*` between factors and `_` before an index.", either(readings))
+        }
+        UnreadableKind::TwoReadings(readings) => {
+            format!("this can be read as {}: write brackets.", either(readings))
         }
         UnreadableKind::AskedName(name) => format!("`{name}` is what is asked: write it in what the sheet gives."),
         // Every fault without anything to fill in has its words above.
         _ => String::new(),
     }
+}
+
+/// Two readings, either of which may be meant.
+fn either(readings: &[String]) -> String {
+    readings.iter().map(|reading| format!("`{reading}`")).collect::<Vec<_>>().join(" or as ")
 }

@@ -10,7 +10,6 @@ mod functions;
 mod heading;
 mod interval;
 mod known_units;
-mod names;
 mod numeral;
 mod plain;
 mod quantity;

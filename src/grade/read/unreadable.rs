@@ -91,11 +91,26 @@ pub enum UnreadableKind {
         /// The nearest given one.
         near: Option<String>,
     },
-    /// Letters that can be read as different products of given names.
-    AmbiguousName(String),
+    /// Letters that can be read as different names or products of names.
+    AmbiguousName {
+        /// What was typed.
+        name: String,
+        /// What it can be, with every sign of multiplication.
+        readings: Vec<String>,
+    },
+    /// A formula that can be read in two ways; both, with every bracket.
+    TwoReadings([String; 2]),
+    /// The power -1 of a function that has no inverse of that name: `ln^-1 x`.
+    InverseOrReciprocal,
+    /// `log`, which has two meanings.
+    Logarithm,
+    /// A function without an argument.
+    NoArgument,
+    /// A number right behind a factor: `x 2`.
+    NumberBehind,
     /// The quantity that is asked, in its own formula.
     AskedName(String),
-    /// `e` where the sheet gives no coefficient of restitution: it is never 2.718.
+    /// `e` alone where the sheet gives no coefficient of restitution.
     NotEuler,
     /// A formula with more parts than are read.
     TooManyParts,
@@ -103,8 +118,6 @@ pub enum UnreadableKind {
     NotAFormula,
     /// No number, name or bracket where one must stand.
     NoTerm,
-    /// A power whose exponent is no plain number.
-    NamedPower,
     /// None of the options, or a number beyond them; how many there are.
     NoOption(usize),
     /// More than one of the options.
@@ -147,13 +160,17 @@ impl UnreadableKind {
             Self::OtherName(_) => "other_name",
             Self::EmptyInterval => "empty_interval",
             Self::UnknownName { .. } => "unknown_name",
-            Self::AmbiguousName(_) => "ambiguous_name",
+            Self::AmbiguousName { .. } => "ambiguous_name",
+            Self::TwoReadings(_) => "two_readings",
+            Self::InverseOrReciprocal => "inverse_or_reciprocal",
+            Self::Logarithm => "logarithm",
+            Self::NoArgument => "no_argument",
+            Self::NumberBehind => "number_behind",
             Self::AskedName(_) => "asked_name",
             Self::NotEuler => "not_euler",
             Self::TooManyParts => "too_many_parts",
             Self::NotAFormula => "not_a_formula",
             Self::NoTerm => "no_term",
-            Self::NamedPower => "named_power",
             Self::NoOption(_) => "no_option",
             Self::SeveralOptions => "several_options",
         }

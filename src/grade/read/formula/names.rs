@@ -1,0 +1,161 @@
+//! The names that the sheet gives, in whatever spelling: `m_A`, `mA`, `m_{A}`, `μ_k`, `mu_k`.
+
+use crate::expr::Symbol;
+use crate::fault::did_you_mean;
+
+use super::super::super::expected::ExpectedFormula;
+use super::super::unreadable::UnreadableKind;
+use super::allowed;
+use super::named::Named;
+use super::signs;
+use super::token::{Letter, Place};
+
+/// The names that a formula may contain, and that of what is asked.
+pub(super) struct Names<'a> {
+    known: Vec<Known>,
+    asked: &'a ExpectedFormula,
+}
+
+/// A name, by its letters alone: Greek ones as such, without what joins them.
+struct Known {
+    letters: Vec<char>,
+    meant: Meant,
+}
+
+/// What a name stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Meant {
+    /// A quantity of the sheet.
+    Given(Symbol),
+    /// What is asked.
+    Asked,
+    /// The ratio of a circle's circumference to its diameter.
+    Pi,
+}
+
+impl<'a> Names<'a> {
+    pub(super) fn new(asked: &'a ExpectedFormula) -> Self {
+        let name = |symbol: Symbol| asked.symbols.entry(symbol).name.as_str();
+        let mut known: Vec<Known> = allowed(asked)
+            .flat_map(|symbol| letters(name(symbol)).into_iter().map(move |letters| (letters, symbol)))
+            .map(|(letters, symbol)| Known { letters, meant: Meant::Given(symbol) })
+            .collect();
+        known.extend(letters(name(asked.asked)).into_iter().map(|letters| Known { letters, meant: Meant::Asked }));
+        known.push(Known { letters: vec!['π'], meant: Meant::Pi });
+        Self { known, asked }
+    }
+
+    /// The name of a quantity, as the problem has it.
+    pub(super) fn printed(&self, meant: Meant) -> &'a str {
+        match meant {
+            Meant::Given(symbol) => &self.asked.symbols.entry(symbol).name,
+            Meant::Asked => &self.asked.symbols.entry(self.asked.asked).name,
+            Meant::Pi => "pi",
+        }
+    }
+
+    /// Whether `e` alone cannot be Euler's number: some quantity of the problem is called so.
+    pub(super) fn has_own_e(&self) -> bool {
+        self.asked.symbols.iter().any(|(_, entry)| {
+            let mut rest = entry.name.chars();
+            matches!(rest.next(), Some('e' | 'ε')) && !rest.next().is_some_and(char::is_alphabetic)
+                || entry.name.starts_with("epsilon")
+        })
+    }
+
+    /// The names that stand at a place of a word, with the number of letters that each takes.
+    pub(super) fn at<'s>(&'s self, word: &'s [Letter], at: usize) -> impl Iterator<Item = (Meant, usize)> + 's {
+        let rest = word.get(at..).unwrap_or_default();
+        self.known.iter().filter_map(move |known| matched(&known.letters, rest).map(|length| (known.meant, length)))
+    }
+
+    /// What a whole word names, where it is one name.
+    pub(super) fn whole(&self, word: &[Letter]) -> Option<Meant> {
+        self.at(word, 0).find(|(_, length)| *length == word.len()).map(|(meant, _)| meant)
+    }
+
+    /// Whether a word is the letter of what is asked without its index, and names nothing else.
+    pub(super) fn is_letter_of_asked(&self, word: &[Letter]) -> bool {
+        let first = |known: &&Known| known.meant == Meant::Asked && known.letters.first() == word.first().map(|own| &own.sign);
+        word.len() == 1 && self.whole(word).is_none() && self.known.iter().any(|known| first(&known))
+    }
+
+    /// The fault of a word in which no names are found.
+    pub(super) fn unknown(&self, text: &str) -> UnreadableKind {
+        if text == "e" {
+            return UnreadableKind::NotEuler;
+        }
+        if Named::find(text).is_some() {
+            return UnreadableKind::NoArgument;
+        }
+        let printed = allowed(self.asked).map(|symbol| self.printed(Meant::Given(symbol)));
+        let near = did_you_mean(text, printed).map(str::to_owned);
+        // A Greek letter without its index.
+        let begins = |known: &&Known| known.letters.first() == text.chars().next().as_ref() && !known.letters[0].is_ascii();
+        let longer = self.known.iter().filter(begins).find(|known| known.letters.len() > 1);
+        let near = near.or_else(|| longer.map(|known| self.printed(known.meant).to_owned()));
+        UnreadableKind::UnknownName { name: text.to_owned(), near }
+    }
+}
+
+/// The letters of a name, Greek ones as such; of a difference both as the file spells it and as it is printed.
+fn letters(name: &str) -> Vec<Vec<char>> {
+    let parts = name.split(|sign: char| !sign.is_alphanumeric() && sign != '\'').filter(|part| !part.is_empty());
+    let own: Vec<char> = parts.flat_map(letters_of_part).collect();
+    match own.as_slice() {
+        ['d', 't', rest @ ..] => vec![['Δ', 't'].into_iter().chain(rest.iter().copied()).collect(), own],
+        _ => vec![own],
+    }
+}
+
+fn letters_of_part(part: &str) -> Vec<char> {
+    let word = part.trim_end_matches(|sign: char| sign.is_ascii_digit());
+    match signs::greek(word) {
+        Some(letter) => std::iter::once(letter).chain(part.chars().skip(word.len())).collect(),
+        None => part.chars().map(signs::plain).collect(),
+    }
+}
+
+/// How many letters at the start of a word spell a name.
+fn matched(name: &[char], word: &[Letter]) -> Option<usize> {
+    let mut at = 0;
+    for (position, letter) in name.iter().enumerate() {
+        let first = word.get(at)?;
+        if position == 0 && first.place == Place::Below {
+            return None;
+        }
+        if first.sign == *letter {
+            at += 1;
+            continue;
+        }
+        let spelt = signs::spelt(*letter)?;
+        let own = word.get(at..at + spelt.len())?;
+        let same = own.iter().zip(spelt.chars()).all(|(own, sign)| own.sign == sign);
+        let together = own.iter().skip(1).all(|own| own.place == first.place || own.place == Place::Beside);
+        if !(same && together) {
+            return None;
+        }
+        at += spelt.len();
+    }
+    // An index or a digit behind it would belong to the name.
+    let ends = word.get(at).is_none_or(|next| {
+        next.place == Place::Point || next.place == Place::Beside && !next.sign.is_ascii_digit()
+    });
+    ends.then_some(at)
+}
+
+/// A word as it was typed, more or less.
+pub(super) fn text(word: &[Letter]) -> String {
+    let mut text = String::new();
+    let mut before = Place::Beside;
+    for letter in word {
+        match letter.place {
+            Place::Below if before != Place::Below && letter.sign != '\'' => text.push('_'),
+            Place::Point => text.push('.'),
+            _ => {}
+        }
+        text.push(letter.sign);
+        before = letter.place;
+    }
+    text
+}

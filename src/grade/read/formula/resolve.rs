@@ -1,0 +1,227 @@
+//! The names and functions in the words of a formula. Where a word can be read in two ways, both are shown, and none is taken.
+
+use crate::quantity::Rational;
+
+use super::super::arithmetic::At;
+use super::super::unreadable::UnreadableKind;
+use super::named::{self, Named};
+use super::names::{self, Meant, Names};
+use super::token::{Letter, Lexeme, Place, Token};
+
+/// The most letters side by side: every way to part them is tried.
+const MAX_LETTERS: usize = 64;
+/// Readings beyond this are not told apart.
+const MANY: u8 = 2;
+
+/// The tokens without their words: names, functions and units of angles in their place.
+pub(super) fn resolve(lexemes: Vec<Lexeme>, names: &Names) -> At<Vec<Lexeme>> {
+    let start = behind_the_name(&lexemes, names)?;
+    let mut found: Vec<Lexeme> = Vec::with_capacity(lexemes.len());
+    let mut rest = lexemes.into_iter().skip(start).peekable();
+    while let Some(lexeme) = rest.next() {
+        let Token::Word(word) = &lexeme.token else {
+            found.push(lexeme);
+            continue;
+        };
+        let next = rest.peek();
+        let spelt = names::text(word);
+        let measures = matches!(found.last().map(|own| &own.token), Some(Token::Number { .. } | Token::Close(_)));
+        if let Some(unit) = angle_unit(&spelt).filter(|_| measures && names.whole(word).is_none()) {
+            found.push(Lexeme { token: unit, ..lexeme });
+            continue;
+        }
+        if matches!(spelt.as_str(), "frac" | "dfrac") && next.is_some_and(|next| next.token == Token::Open('}')) {
+            found.push(Lexeme { token: Token::Fraction, ..lexeme });
+            continue;
+        }
+        let apart = lexeme.gap && next.is_some_and(|next| next.gap);
+        if apart && matches!(spelt.as_str(), "x" | "X") && names.whole(word).is_none() {
+            found.push(Lexeme { token: Token::Times, ..lexeme });
+            continue;
+        }
+        let reader = Word { names, word, next: next.map(|next| &next.token) };
+        let mut gap = lexeme.gap;
+        for (token, at) in reader.read()? {
+            found.push(Lexeme { token, at, gap: std::mem::take(&mut gap) });
+        }
+    }
+    Ok(found)
+}
+
+/// Where the formula begins, behind `v_B2 =`.
+fn behind_the_name(lexemes: &[Lexeme], names: &Names) -> At<usize> {
+    let Some(equals) = lexemes.iter().position(|own| own.token == Token::Equals).filter(|at| *at <= 1) else {
+        return Ok(0);
+    };
+    match lexemes.first().map(|own| &own.token) {
+        Some(Token::Word(word)) if names.whole(word) == Some(Meant::Asked) || names.is_letter_of_asked(word) => {
+            Ok(equals + 1)
+        }
+        Some(Token::Word(word)) if names.whole(word).is_none() => {
+            Err((0, UnreadableKind::OtherName(names.printed(Meant::Asked).to_owned())))
+        }
+        Some(Token::Equals) => Ok(1),
+        _ => Ok(0),
+    }
+}
+
+fn angle_unit(word: &str) -> Option<Token> {
+    match word {
+        "deg" | "degs" | "degree" | "degrees" => Some(Token::Degree),
+        "rad" | "rads" | "radian" | "radians" => Some(Token::Radian),
+        _ => None,
+    }
+}
+
+/// A part of a word.
+#[derive(Clone, Debug)]
+enum Piece {
+    Name(Meant),
+    Function(Named),
+    Euler,
+    Number(u64),
+}
+
+struct Word<'a> {
+    names: &'a Names<'a>,
+    word: &'a [Letter],
+    /// What stands behind it.
+    next: Option<&'a Token>,
+}
+
+impl Word<'_> {
+    fn read(&self) -> At<Vec<(Token, usize)>> {
+        let at = self.word.first().map_or(0, |first| first.at);
+        if self.word.len() > MAX_LETTERS {
+            return Err((at, UnreadableKind::TooManyParts));
+        }
+        let ways = self.ways();
+        let text = || names::text(self.word);
+        match ways.first() {
+            None | Some(0) => Err((at, self.names.unknown(&text()))),
+            Some(1) => self.tokens(&self.readings(&ways, 1).into_iter().next().unwrap_or_default()),
+            Some(_) => {
+                let readings: Vec<_> = self.readings(&ways, 2).iter().map(|reading| self.shown(reading)).collect();
+                Err((at, UnreadableKind::AmbiguousName { name: text(), readings }))
+            }
+        }
+    }
+
+    fn tokens(&self, reading: &[(Piece, usize)]) -> At<Vec<(Token, usize)>> {
+        let token = |(piece, place): &(Piece, usize)| {
+            let at = self.word.get(*place).map_or(0, |letter| letter.at);
+            let token = match piece {
+                Piece::Name(Meant::Asked) => {
+                    let name = self.names.printed(Meant::Asked).to_owned();
+                    return Err((at, UnreadableKind::AskedName(name)));
+                }
+                Piece::Name(Meant::Given(symbol)) => Token::Name(*symbol),
+                Piece::Name(Meant::Pi) => Token::Pi,
+                Piece::Function(Named::Sqrt) => Token::Root(2),
+                Piece::Function(Named::Cbrt) => Token::Root(3),
+                Piece::Function(named) => Token::Function(*named),
+                Piece::Euler => Token::Euler,
+                Piece::Number(value) => Token::Number { value: Rational::from(*value), decimal: false },
+            };
+            Ok((token, at))
+        };
+        reading.iter().map(token).collect()
+    }
+
+    fn shown(&self, reading: &[(Piece, usize)]) -> String {
+        let mut text = String::new();
+        let mut before = false;
+        for (position, (piece, place)) in reading.iter().enumerate() {
+            text.push_str(if position == 0 { "" } else if before { " " } else { "*" });
+            before = matches!(piece, Piece::Function(_));
+            match piece {
+                Piece::Name(meant) => text.push_str(self.names.printed(*meant)),
+                Piece::Euler => text.push('e'),
+                Piece::Number(value) => text.push_str(&value.to_string()),
+                Piece::Function(_) => {
+                    let end = reading.get(position + 1).map_or(self.word.len(), |(_, next)| *next);
+                    text.push_str(&names::text(self.word.get(*place..end).unwrap_or_default()));
+                }
+            }
+        }
+        text
+    }
+
+    /// In how many ways the word can be read from each letter to its end, up to a bound.
+    fn ways(&self) -> Vec<u8> {
+        let mut ways = vec![0_u8; self.word.len() + 1];
+        ways[self.word.len()] = 1;
+        for at in (0..self.word.len()).rev() {
+            let found = self.pieces(at).into_iter().map(|(_, end)| ways.get(end).copied().unwrap_or(0));
+            ways[at] = found.fold(0, u8::saturating_add).min(MANY);
+        }
+        ways
+    }
+
+    /// The first readings of the word.
+    fn readings(&self, ways: &[u8], most: usize) -> Vec<Vec<(Piece, usize)>> {
+        let mut found: Vec<Vec<(Piece, usize)>> = Vec::new();
+        let mut open: Vec<(usize, Vec<(Piece, usize)>)> = vec![(0, Vec::new())];
+        while let Some((at, reading)) = open.pop()
+            && found.len() < most
+        {
+            if at == self.word.len() {
+                found.push(reading);
+                continue;
+            }
+            for (pieces, end) in self.pieces(at) {
+                if ways.get(end).is_some_and(|ways| *ways > 0) {
+                    open.push((end, [reading.as_slice(), pieces.as_slice()].concat()));
+                }
+            }
+        }
+        found
+    }
+
+    /// What may stand at a letter, and where it ends. A number stands behind a function only: `sin2θ`.
+    fn pieces(&self, at: usize) -> Vec<(Vec<(Piece, usize)>, usize)> {
+        let mut firm = 0;
+        let mut found = Vec::new();
+        for (spelt, named, own_firm) in named::spellings() {
+            let end = at + spelt.len();
+            let stands = self.word.get(at..end).is_some_and(|own| {
+                own.iter().zip(spelt.chars()).all(|(own, sign)| own.sign == sign)
+                    && own.iter().skip(1).all(|own| own.place == Place::Beside || own.sign.is_ascii_digit())
+                    && own[0].place != Place::Below
+            });
+            if !stands {
+                continue;
+            }
+            let digits = self.word[end..].iter().take_while(|own| own.sign.is_ascii_digit()).count();
+            let value = names::text(&self.word[end..end + digits]).parse::<u64>();
+            if let (true, Ok(value)) = (named != Named::Log && digits > 0, value) {
+                found.push((vec![(Piece::Function(named), at), (Piece::Number(value), end)], end + digits));
+            } else if digits == 0 && self.argument_follows(end) {
+                found.push((vec![(Piece::Function(named), at)], end));
+            } else {
+                continue;
+            }
+            if own_firm {
+                firm = firm.max(spelt.len());
+            }
+        }
+        // `atan2(y, x)` is no arctangent of 2, and `log10(x)` none of 10.
+        if let Some(longest) = found.iter().filter(|(pieces, _)| pieces.len() == 1).map(|(_, end)| *end).max() {
+            found.retain(|(pieces, end)| pieces.len() == 1 || *end > longest);
+        }
+        let names = self.names.at(self.word, at).filter(|(_, length)| *length >= firm);
+        found.extend(names.map(|(meant, length)| (vec![(Piece::Name(meant), at)], at + length)));
+        let last = at + 1 == self.word.len() && self.word[at].sign == 'e' && self.word[at].place != Place::Below;
+        if last && self.next == Some(&Token::Power) && !self.names.has_own_e() {
+            found.push((vec![(Piece::Euler, at)], at + 1));
+        }
+        found
+    }
+
+    fn argument_follows(&self, end: usize) -> bool {
+        match self.word.get(end) {
+            Some(next) => next.place != Place::Below,
+            None => self.next.is_some_and(|next| next.begins_argument() || *next == Token::Power),
+        }
+    }
+}

@@ -1,0 +1,139 @@
+//! The characters of a formula: each as the one that it stands for, and the letters of LaTeX by name.
+
+/// Letters of the Greek alphabet, and how problem files and LaTeX spell them.
+const GREEK: [(char, &str); 32] = [
+    ('α', "alpha"),
+    ('β', "beta"),
+    ('γ', "gamma"),
+    ('δ', "delta"),
+    ('ε', "epsilon"),
+    ('ζ', "zeta"),
+    ('η', "eta"),
+    ('θ', "theta"),
+    ('ι', "iota"),
+    ('κ', "kappa"),
+    ('λ', "lambda"),
+    ('μ', "mu"),
+    ('ν', "nu"),
+    ('ξ', "xi"),
+    ('π', "pi"),
+    ('ρ', "rho"),
+    ('σ', "sigma"),
+    ('τ', "tau"),
+    ('υ', "upsilon"),
+    ('φ', "phi"),
+    ('χ', "chi"),
+    ('ψ', "psi"),
+    ('ω', "omega"),
+    ('Γ', "Gamma"),
+    ('Δ', "Delta"),
+    ('Θ', "Theta"),
+    ('Λ', "Lambda"),
+    ('Π', "Pi"),
+    ('Σ', "Sigma"),
+    ('Φ', "Phi"),
+    ('Ψ', "Psi"),
+    ('Ω', "Omega"),
+];
+
+/// Characters that stand for others.
+const MEANT: [(&str, char); 17] = [
+    ("−–—‒﹣", '-'),
+    ("⋅∙•·∗⋆×✕✖⨯", '*'),
+    ("∕⁄÷", '/'),
+    ("∆", 'Δ'),
+    ("µ", 'μ'),
+    ("ϑ", 'θ'),
+    ("ϕ", 'φ'),
+    ("ϵ", 'ε'),
+    ("ϱ", 'ρ'),
+    ("\u{2126}", 'Ω'),
+    ("ℎ", 'h'),
+    ("ℓ", 'l'),
+    ("∣❘", '|'),
+    ("′’", '\''),
+    ("º˚", '°'),
+    ("~", ' '),
+    ("∓", '±'),
+];
+
+const RAISED: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺⁽⁾ⁿˣᵗᵏ";
+const UNRAISED: &str = "0123456789-+()nxtk";
+const LOWERED: &str = "₀₁₂₃₄₅₆₇₈₉ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ";
+const UNLOWERED: &str = "0123456789aehijklmnoprstuvx";
+
+/// Fractions of one character, with what is above and below the bar.
+const FRACTIONS: [(char, i64, u32); 15] = [
+    ('½', 1, 2),
+    ('⅓', 1, 3),
+    ('⅔', 2, 3),
+    ('¼', 1, 4),
+    ('¾', 3, 4),
+    ('⅕', 1, 5),
+    ('⅖', 2, 5),
+    ('⅗', 3, 5),
+    ('⅘', 4, 5),
+    ('⅙', 1, 6),
+    ('⅚', 5, 6),
+    ('⅛', 1, 8),
+    ('⅜', 3, 8),
+    ('⅝', 5, 8),
+    ('⅞', 7, 8),
+];
+
+/// What says nothing: marks of direction and signs that are not printed.
+pub(super) const NOTHING: char = '\u{200b}';
+
+/// The offset between a full-width form and the ASCII character that it shows.
+const FULL_WIDTH: u32 = 0xFEE0;
+/// The letters of mathematics in all their faces (Unicode's mathematical alphanumeric symbols), and how many a face has.
+const FACES: std::ops::RangeInclusive<u32> = 0x1D400..=0x1D6A3;
+const FACE: u32 = 52;
+
+/// The character that is meant.
+pub(super) fn plain(character: char) -> char {
+    let code = u32::from(character);
+    let ascii = match code {
+        0xFF01..=0xFF5E => char::from_u32(code - FULL_WIDTH).unwrap_or(character),
+        0x200B..=0x200F | 0x2060..=0x2064 | 0xFEFF => NOTHING,
+        code if FACES.contains(&code) => {
+            let place = (code - FACES.start()) % FACE;
+            char::from_u32(if place < 26 { 65 + place } else { 71 + place }).unwrap_or(character)
+        }
+        _ if character.is_whitespace() => ' ',
+        _ => character,
+    };
+    MEANT.iter().find(|(signs, _)| signs.contains(ascii)).map_or(ascii, |(_, meant)| *meant)
+}
+
+/// The Greek letter that is spelt so.
+pub(super) fn greek(word: &str) -> Option<char> {
+    let word = match word {
+        "vartheta" => "theta",
+        "varphi" => "phi",
+        "varepsilon" => "epsilon",
+        "varrho" => "rho",
+        own => own,
+    };
+    GREEK.iter().find(|(_, spelt)| *spelt == word).map(|(letter, _)| *letter)
+}
+
+/// How a Greek letter is spelt.
+pub(super) fn spelt(letter: char) -> Option<&'static str> {
+    GREEK.iter().find(|(own, _)| *own == letter).map(|(_, spelt)| *spelt)
+}
+
+/// What is written above the line, on the line.
+pub(super) fn unraised(character: char) -> Option<char> {
+    RAISED.chars().zip(UNRAISED.chars()).find(|(raised, _)| *raised == character).map(|(_, meant)| meant)
+}
+
+/// What is written below the line, on the line.
+pub(super) fn unlowered(character: char) -> Option<char> {
+    LOWERED.chars().zip(UNLOWERED.chars()).find(|(lowered, _)| *lowered == character).map(|(_, meant)| meant)
+}
+
+/// What a fraction of one character has above and below its bar.
+pub(super) fn fraction(character: char) -> Option<(i64, u32)> {
+    FRACTIONS.iter().find(|(own, ..)| *own == character).map(|(_, above, below)| (*above, *below))
+}
