@@ -13,6 +13,7 @@ use momentous::problem::{FormulaPart, Part, PartKind, Problem, compile, load};
 
 mod formulas {
     mod judged;
+    mod rewritten;
 }
 
 fn problem(text: &str) -> Arc<Problem> {
@@ -155,6 +156,29 @@ fn the_record_holds_the_formula_as_text_and_as_latex() {
     assert_eq!(record["given"]["m_A"], serde_json::json!({ "value": null, "unit": "t" }));
 }
 
+/// Behind wagon B no wagon A can catch it: only where it can, formulas are compared.
+#[test]
+fn formulas_are_compared_where_the_problem_has_variants() {
+    let caught = COUPLING
+        .replace("HOW", "symbol")
+        .replace("v_B1: 0 m/s", "v_B1: { min: 0.5, max: 1.9, step: 0.1, unit: m/s }")
+        .replace("ask:", "require: [ v_A1 > v_B1 ]\nask:\n  - { find: J_B, as: formula }")
+        .replace("  - { find: T_lost, as: formula, unit: T_1 }\n", "");
+    let coupling = exercise(&caught);
+    let verdicts = [
+        ("m_A m_B (v_A1 - v_B1)/(m_A + m_B)", "right"),
+        ("m_A m_B |v_A1 - v_B1|/(m_A + m_B)", "right_agrees"),
+        ("m_A m_B \\sqrt{(v_{A1} - v_{B1})^2}/(m_A + m_B)", "right_agrees"),
+        ("m_A m_B (v_B1 - v_A1)/(m_A + m_B)", "sense_reversed"),
+        ("m_A m_B |v_A1 + v_B1|/(m_A + m_B)", "wrong"),
+        ("m_A m_B sqrt(v_B1 - v_A1)^2/(m_A + m_B)", "sense_reversed"),
+        ("m_A m_B sqrt((v_B1 - v_A1) v_A1)/(m_A + m_B)", "unreadable"),
+    ];
+    for (answer, verdict) in verdicts {
+        assert_eq!(marked(&coupling, "J_B", answer).0, verdict, "{answer}");
+    }
+}
+
 #[test]
 fn numbers_may_stand_beside_the_symbols() {
     let coupling = exercise(&COUPLING.replace("HOW", "named"));
@@ -236,6 +260,16 @@ fn the_formula_of_an_answer_gives_its_value() {
                 let expected = exercise.expected(&Part { kind: PartKind::Formula(asked), ..part.clone() });
                 let marked = grade::read(&text, &expected.kind, DecimalMark::Point);
                 let verdict = marked.map(|answer| grade::judge(&expected, &answer).verdict);
+                // What is beyond all doubles agrees with nothing.
+                for beyond in ["1e309", "-1e400", "exp(800)"] {
+                    for answer in
+                        [beyond.to_owned(), format!("{beyond}*({text})"), format!("{text} + {beyond}*({text})")]
+                    {
+                        let marked = grade::read(&answer, &expected.kind, DecimalMark::Point);
+                        let right = marked.is_ok_and(|answer| grade::judge(&expected, &answer).verdict.is_right());
+                        assert!(!right || value(number.symbol) == 0.0, "{} {name} = {answer}", problem.id());
+                    }
+                }
                 let long = matches!(&verdict, Err(fault) if fault.kind == UnreadableKind::TooManyParts);
                 let right = verdict.as_ref().is_ok_and(|verdict| verdict.is_right());
                 assert!(right || long, "{} {name} = {text}: {verdict:?}", problem.id());

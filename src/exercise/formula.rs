@@ -79,7 +79,9 @@ pub(super) fn expected_formula(worked: Worked<'_>, part: &FormulaPart) -> grade:
     let symbols = &worked.problem.model().symbols;
     let formula = formula.unwrap_or_else(|| Expr::from(part.symbol));
     let table = Arc::new(worked.problem.notation().table(symbols));
+    let givens: Vec<Symbol> = alphabet.letters.iter().map(|(symbol, ..)| *symbol).collect();
     grade::ExpectedKind::Formula(grade::ExpectedFormula {
+        samples: worked.samples(&givens),
         values: alphabet.values.into_iter().collect(),
         multiple_of: part.in_terms_of.filter(|unit| symbols.entry(*unit).dimension != Dimension::NONE),
         ..grade::ExpectedFormula::new(formula, table, part.symbol, alphabet.letters)

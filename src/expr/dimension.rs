@@ -66,7 +66,10 @@ impl Expr {
             if !self.all_symbols(&|symbol| whole(symbol).is_some()) {
                 return None;
             }
-            find(self, &|symbol| whole(symbol).unwrap_or(Dimension::NONE)).ok()?.unwrap_or(Dimension::NONE).root(TWELFTHS)
+            find(self, &|symbol| whole(symbol).unwrap_or(Dimension::NONE))
+                .ok()?
+                .unwrap_or(Dimension::NONE)
+                .root(TWELFTHS)
         };
         match found {
             Err(clash @ DimensionClash::Root { .. }) => twelfths().ok_or(clash),

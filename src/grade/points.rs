@@ -13,8 +13,8 @@ use super::expected::ExpectedFormula;
 
 /// A given that is the same in every variant is moved by this share of it, to tell functions apart.
 const SPREAD: (i64, i64) = (1, 2);
-/// A point lies within this share of a given's range around a variant's own value.
-const NEAR: (i64, i64) = (1, 32);
+/// A point lies within this share of a given's range around a variant's own value: less than a step, as a rule.
+const NEAR: (i64, i64) = (1, 1024);
 /// So many points are tried where a formula may have no value; at so many of them with many digits.
 const TRIED: usize = 400;
 const TRIED_AT_LENGTH: usize = 12;

@@ -170,7 +170,12 @@ const TABLE: &[(Verdict, &str, &str, Worth)] = &[
         Part(1, 2),
     ),
     (Verdict::ChoiceWrong, "choice_wrong", "another option", Nothing),
-    (Verdict::Unreadable, "unreadable", "the answer cannot be read, or a formula cannot be judged; it is not marked and costs no attempt", Nothing),
+    (
+        Verdict::Unreadable,
+        "unreadable",
+        "the answer cannot be read, or a formula cannot be judged; it is not marked and costs no attempt",
+        Nothing,
+    ),
     (Verdict::Unanswered, "unanswered", "there is no answer", Nothing),
 ];
 

@@ -28,6 +28,7 @@ use super::planned::Reveal;
 use super::range;
 use super::regimes::Regimes;
 use super::rounding::Sensitivities;
+use super::samples::Samples;
 
 /// A form whose names are symbols, but which is not planned yet.
 pub(super) struct FormDraft {
@@ -129,6 +130,7 @@ impl FormDraft {
             told,
             free: BTreeSet::new(),
             formulas: Formulas::default(),
+            samples: Samples::default(),
             reveal: self.reveal,
             forward,
             solver,

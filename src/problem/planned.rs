@@ -26,6 +26,7 @@ use super::part::Part;
 use super::part::PartKind;
 use super::regimes::Regimes;
 use super::rounding::Sensitivities;
+use super::samples::Samples;
 use super::stream::Streams;
 
 /// A problem that can be drawn and solved; made only by [`super::compile`].
@@ -69,6 +70,8 @@ pub struct Form {
     pub(super) followings: Followings,
     /// The formulas of what is asked; composed when one is first wanted.
     pub(super) formulas: Formulas,
+    /// Values of its givens near which formulas are compared; drawn when a formula is first marked.
+    pub(super) samples: Samples,
     /// What all explanations of the form have in common; worked out when one is first wanted.
     pub kept: Kept,
 }

@@ -35,9 +35,15 @@ pub(super) fn sentence(kind: &UnreadableKind) -> String {
             "write an interval or a condition, like `0 < e <= 0.5`, `e >= 0.3` or `(0, 0.5]`."
         }
         UnreadableKind::EmptyInterval => "the lower end is above the upper end: nothing lies in this interval.",
-        UnreadableKind::NotEuler => "`e` is not given here: write `exp(x)` for a power of 2.718, and `exp(1)` for 2.718 itself.",
-        UnreadableKind::InverseOrReciprocal => "this can be the inverse function or one over the function: write which one.",
-        UnreadableKind::Logarithm => "`log` has two meanings: write `ln`, or `log10` for the logarithm to the base ten.",
+        UnreadableKind::NotEuler => {
+            "`e` is not given here: write `exp(x)` for a power of 2.718, and `exp(1)` for 2.718 itself."
+        }
+        UnreadableKind::InverseOrReciprocal => {
+            "this can be the inverse function or one over the function: write which one."
+        }
+        UnreadableKind::Logarithm => {
+            "`log` has two meanings: write `ln`, or `log10` for the logarithm to the base ten."
+        }
         UnreadableKind::NoArgument => "the argument of a function must stand here, best in brackets.",
         UnreadableKind::NumberBehind => "a number stands behind a factor: write `*` or `^` before it, or put it first.",
         UnreadableKind::TooManyParts => "this formula has too many parts.",

@@ -54,7 +54,6 @@ fn is_rational(formula: &Expr) -> bool {
     own && formula.children().all(is_rational)
 }
 
-
 /// About how many terms the canonical form of a formula can have above and below its bar.
 fn terms(formula: &Expr) -> (f64, f64) {
     match formula {

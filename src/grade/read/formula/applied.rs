@@ -87,7 +87,7 @@ impl Grammar<'_> {
         let at = self.at();
         if matches!(self.peek(), Some(Token::Open(_) | Token::Bar)) {
             let argument = self.nested(Self::bracket)?;
-            return self.angle(argument, operator, at);
+            return angle(argument, operator, at);
         }
         let Some(next) = self.peek().filter(|next| next.begins_argument()) else {
             return self.fault(UnreadableKind::NoArgument);
@@ -108,13 +108,13 @@ impl Grammar<'_> {
         let behind = self.ahead(usize::from(self.peek() == Some(&Token::Times)));
         let is_apart = matches!(behind, Some(Token::Function(_) | Token::Root(_) | Token::IndexedRoot));
         if !open || is_apart {
-            return self.angle(short, operator, at);
+            return angle(short, operator, at);
         }
         let mark = self.mark();
         let long = self.rest_of_product(short.clone())?.value;
         self.back_to(mark);
         if operator.pure && !self.is_pure(&long) && self.is_pure(&short.value) {
-            return self.angle(short, operator, at);
+            return angle(short, operator, at);
         }
         let apart = self.rest_of_product(Term::of((operator.of)(short.value)))?.value;
         self.two_readings(at, [&apart, &(operator.of)(long)])
@@ -124,11 +124,6 @@ impl Grammar<'_> {
     fn rest_of_product(&mut self, first: Term) -> At<Term> {
         let first = self.raised(first)?;
         self.product_from(first)
-    }
-
-    /// An argument; of what takes an angle, one with its unit.
-    fn angle(&self, argument: Term, operator: &Operator, at: usize) -> At<Expr> {
-        if operator.angle && argument.bare { Err((at, UnreadableKind::AngleUnit)) } else { Ok(argument.value) }
     }
 
     fn angle_of_point(&mut self) -> At<Term> {
@@ -146,4 +141,9 @@ impl Grammar<'_> {
         }
         Ok(Term::of(y.value.atan2(x.value)))
     }
+}
+
+/// An argument; of what takes an angle, one with its unit.
+fn angle(argument: Term, operator: &Operator, at: usize) -> At<Expr> {
+    if operator.angle && argument.bare { Err((at, UnreadableKind::AngleUnit)) } else { Ok(argument.value) }
 }

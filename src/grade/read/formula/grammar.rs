@@ -261,9 +261,9 @@ impl<'a> Grammar<'a> {
         } else {
             self.count(2)?;
         }
-        let unit = exponent.as_number().is_some_and(|number| {
-            number.is_int() && (number.is_one() || *number == -Rational::ONE)
-        });
+        let unit = exponent
+            .as_number()
+            .is_some_and(|number| number.is_int() && (number.is_one() || *number == -Rational::ONE));
         let open = exponent.as_number().is_none() || of_e;
         let goes_on = match self.peek() {
             Some(Token::Over) if unit => matches!(self.ahead(1), Some(Token::Number { .. })),
@@ -312,7 +312,9 @@ impl<'a> Grammar<'a> {
                 self.nested(Self::applied)?
             }
             Some(Token::PlusMinus) => return self.fault(UnreadableKind::NotOneValue),
-            None => return self.fault(if self.next == 0 { UnreadableKind::NotAFormula } else { UnreadableKind::NoTerm }),
+            None => {
+                return self.fault(if self.next == 0 { UnreadableKind::NotAFormula } else { UnreadableKind::NoTerm });
+            }
             Some(_) => return self.fault(UnreadableKind::NoTerm),
         };
         self.measured(term, at)

@@ -178,7 +178,9 @@ impl<'a> Lexer<'a> {
         for mut own in inner.found {
             own.at += start;
             if let Token::Word(letters) = &mut own.token {
-                letters.iter_mut().for_each(|letter| letter.at += start);
+                for letter in letters {
+                    letter.at += start;
+                }
             }
             self.found.push(own);
         }
@@ -202,7 +204,8 @@ impl<'a> Lexer<'a> {
     /// `^\circ`, with braces or without.
     fn takes_circle(&mut self) -> bool {
         let rest: String = self.signs[self.at..].iter().filter(|sign| **sign != ' ').take(8).collect();
-        let Some(length) = ["{\\circ}", "\\circ"].iter().find(|own| rest.starts_with(**own)).map(|own| own.len()) else {
+        let Some(length) = ["{\\circ}", "\\circ"].iter().find(|own| rest.starts_with(**own)).map(|own| own.len())
+        else {
             return false;
         };
         let mut left = length;

@@ -124,8 +124,8 @@ impl Named {
     pub(super) fn cost(self) -> usize {
         match self {
             Abs | Sqrt => 0,
-            Sinh | Cosh | Sech | Csch | Tan | Cot | Cbrt => 2,
-            Arcsin | Arccos | Arctan | Arccot | Arcsec | Arccsc | PointAngle => 2,
+            Sinh | Cosh | Sech | Csch | Tan | Cot | Cbrt | Arcsin | Arccos | Arctan | Arccot | Arcsec | Arccsc
+            | PointAngle => 2,
             Tanh | Coth => 4,
             _ => 1,
         }

@@ -76,7 +76,8 @@ impl<'a> Names<'a> {
 
     /// Whether a word is the letter of what is asked without its index, and names nothing else.
     pub(super) fn is_letter_of_asked(&self, word: &[Letter]) -> bool {
-        let first = |known: &&Known| known.meant == Meant::Asked && known.letters.first() == word.first().map(|own| &own.sign);
+        let first =
+            |known: &&Known| known.meant == Meant::Asked && known.letters.first() == word.first().map(|own| &own.sign);
         word.len() == 1 && self.whole(word).is_none() && self.known.iter().any(|known| first(&known))
     }
 
@@ -91,7 +92,8 @@ impl<'a> Names<'a> {
         let printed = allowed(self.asked).map(|symbol| self.printed(Meant::Given(symbol)));
         let near = did_you_mean(text, printed).map(str::to_owned);
         // A Greek letter without its index.
-        let begins = |known: &&Known| known.letters.first() == text.chars().next().as_ref() && !known.letters[0].is_ascii();
+        let begins =
+            |known: &&Known| known.letters.first() == text.chars().next().as_ref() && !known.letters[0].is_ascii();
         let longer = self.known.iter().filter(begins).find(|known| known.letters.len() > 1);
         let near = near.or_else(|| longer.map(|known| self.printed(known.meant).to_owned()));
         UnreadableKind::UnknownName { name: text.to_owned(), near }
@@ -138,9 +140,9 @@ fn matched(name: &[char], word: &[Letter]) -> Option<usize> {
         at += spelt.len();
     }
     // An index or a digit behind it would belong to the name.
-    let ends = word.get(at).is_none_or(|next| {
-        next.place == Place::Point || next.place == Place::Beside && !next.sign.is_ascii_digit()
-    });
+    let ends = word
+        .get(at)
+        .is_none_or(|next| next.place == Place::Point || next.place == Place::Beside && !next.sign.is_ascii_digit());
     ends.then_some(at)
 }
 

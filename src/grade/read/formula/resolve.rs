@@ -39,7 +39,7 @@ pub(super) fn resolve(lexemes: Vec<Lexeme>, names: &Names) -> At<Vec<Lexeme>> {
             found.push(Lexeme { token: Token::Times, ..lexeme });
             continue;
         }
-        let reader = Word { names, word, next: next.map(|next| &next.token) };
+        let reader = Word { names, letters: word, next: next.map(|next| &next.token) };
         let mut gap = lexeme.gap;
         for (token, at) in reader.read()? {
             found.push(Lexeme { token, at, gap: std::mem::take(&mut gap) });
@@ -84,19 +84,19 @@ enum Piece {
 
 struct Word<'a> {
     names: &'a Names<'a>,
-    word: &'a [Letter],
+    letters: &'a [Letter],
     /// What stands behind it.
     next: Option<&'a Token>,
 }
 
 impl Word<'_> {
     fn read(&self) -> At<Vec<(Token, usize)>> {
-        let at = self.word.first().map_or(0, |first| first.at);
-        if self.word.len() > MAX_LETTERS {
+        let at = self.letters.first().map_or(0, |first| first.at);
+        if self.letters.len() > MAX_LETTERS {
             return Err((at, UnreadableKind::TooManyParts));
         }
         let ways = self.ways();
-        let text = || names::text(self.word);
+        let text = || names::text(self.letters);
         match ways.first() {
             None | Some(0) => Err((at, self.names.unknown(&text()))),
             Some(1) => self.tokens(&self.readings(&ways, 1).into_iter().next().unwrap_or_default()),
@@ -109,7 +109,7 @@ impl Word<'_> {
 
     fn tokens(&self, reading: &[(Piece, usize)]) -> At<Vec<(Token, usize)>> {
         let token = |(piece, place): &(Piece, usize)| {
-            let at = self.word.get(*place).map_or(0, |letter| letter.at);
+            let at = self.letters.get(*place).map_or(0, |letter| letter.at);
             let token = match piece {
                 Piece::Name(Meant::Asked) => {
                     let name = self.names.printed(Meant::Asked).to_owned();
@@ -132,15 +132,21 @@ impl Word<'_> {
         let mut text = String::new();
         let mut before = false;
         for (position, (piece, place)) in reading.iter().enumerate() {
-            text.push_str(if position == 0 { "" } else if before { " " } else { "*" });
+            text.push_str(if position == 0 {
+                ""
+            } else if before {
+                " "
+            } else {
+                "*"
+            });
             before = matches!(piece, Piece::Function(_));
             match piece {
                 Piece::Name(meant) => text.push_str(self.names.printed(*meant)),
                 Piece::Euler => text.push('e'),
                 Piece::Number(value) => text.push_str(&value.to_string()),
                 Piece::Function(_) => {
-                    let end = reading.get(position + 1).map_or(self.word.len(), |(_, next)| *next);
-                    text.push_str(&names::text(self.word.get(*place..end).unwrap_or_default()));
+                    let end = reading.get(position + 1).map_or(self.letters.len(), |(_, next)| *next);
+                    text.push_str(&names::text(self.letters.get(*place..end).unwrap_or_default()));
                 }
             }
         }
@@ -149,9 +155,9 @@ impl Word<'_> {
 
     /// In how many ways the word can be read from each letter to its end, up to a bound.
     fn ways(&self) -> Vec<u8> {
-        let mut ways = vec![0_u8; self.word.len() + 1];
-        ways[self.word.len()] = 1;
-        for at in (0..self.word.len()).rev() {
+        let mut ways = vec![0_u8; self.letters.len() + 1];
+        ways[self.letters.len()] = 1;
+        for at in (0..self.letters.len()).rev() {
             let found = self.pieces(at).into_iter().map(|(_, end)| ways.get(end).copied().unwrap_or(0));
             ways[at] = found.fold(0, u8::saturating_add).min(MANY);
         }
@@ -165,7 +171,7 @@ impl Word<'_> {
         while let Some((at, reading)) = open.pop()
             && found.len() < most
         {
-            if at == self.word.len() {
+            if at == self.letters.len() {
                 found.push(reading);
                 continue;
             }
@@ -184,7 +190,7 @@ impl Word<'_> {
         let mut found = Vec::new();
         for (spelt, named, own_firm) in named::spellings() {
             let end = at + spelt.len();
-            let stands = self.word.get(at..end).is_some_and(|own| {
+            let stands = self.letters.get(at..end).is_some_and(|own| {
                 own.iter().zip(spelt.chars()).all(|(own, sign)| own.sign == sign)
                     && own.iter().skip(1).all(|own| own.place == Place::Beside || own.sign.is_ascii_digit())
                     && own[0].place != Place::Below
@@ -192,8 +198,8 @@ impl Word<'_> {
             if !stands {
                 continue;
             }
-            let digits = self.word[end..].iter().take_while(|own| own.sign.is_ascii_digit()).count();
-            let value = names::text(&self.word[end..end + digits]).parse::<u64>();
+            let digits = self.letters[end..].iter().take_while(|own| own.sign.is_ascii_digit()).count();
+            let value = names::text(&self.letters[end..end + digits]).parse::<u64>();
             if let (true, Ok(value)) = (named != Named::Log && digits > 0, value) {
                 found.push((vec![(Piece::Function(named), at), (Piece::Number(value), end)], end + digits));
             } else if digits == 0 && self.argument_follows(end) {
@@ -209,9 +215,10 @@ impl Word<'_> {
         if let Some(longest) = found.iter().filter(|(pieces, _)| pieces.len() == 1).map(|(_, end)| *end).max() {
             found.retain(|(pieces, end)| pieces.len() == 1 || *end > longest);
         }
-        let names = self.names.at(self.word, at).filter(|(_, length)| *length >= firm);
+        let names = self.names.at(self.letters, at).filter(|(_, length)| *length >= firm);
         found.extend(names.map(|(meant, length)| (vec![(Piece::Name(meant), at)], at + length)));
-        let last = at + 1 == self.word.len() && self.word[at].sign == 'e' && self.word[at].place != Place::Below;
+        let last =
+            at + 1 == self.letters.len() && self.letters[at].sign == 'e' && self.letters[at].place != Place::Below;
         if last && self.next == Some(&Token::Power) && !self.names.has_own_e() {
             found.push((vec![(Piece::Euler, at)], at + 1));
         }
@@ -219,7 +226,7 @@ impl Word<'_> {
     }
 
     fn argument_follows(&self, end: usize) -> bool {
-        match self.word.get(end) {
+        match self.letters.get(end) {
             Some(next) => next.place != Place::Below,
             None => self.next.is_some_and(|next| next.begins_argument() || *next == Token::Power),
         }

@@ -19,7 +19,10 @@ pub(super) struct Lexeme {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Token {
     /// A number; whether it is a decimal of three figures or more, which may be rounded.
-    Number { value: Rational, decimal: bool },
+    Number {
+        value: Rational,
+        decimal: bool,
+    },
     /// Letters side by side, in which names and functions are still to be found.
     Word(Vec<Letter>),
     /// A quantity that the sheet gives.

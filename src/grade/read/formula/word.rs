@@ -124,8 +124,9 @@ impl Lexer<'_> {
     pub(super) fn index_behind_power(&mut self, at: usize) -> At<bool> {
         let start = self.at;
         let group = self.signs[start..].iter().position(|sign| *sign == '}').filter(|_| self.peek(0) == Some('{'));
+        let digit = self.peek(0).is_some_and(|sign| sign.is_ascii_digit());
         let end = start + group.map_or(1, |close| close + 1);
-        if self.signs.get(end) != Some(&'_') {
+        if self.signs.get(end) != Some(&'_') || !digit && group.is_none() {
             return Ok(false);
         }
         let Some(Token::Word(letters)) = self.found.last().map(|own| own.token.clone()) else { return Ok(false) };
