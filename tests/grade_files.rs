@@ -6,6 +6,7 @@ use std::fs;
 use std::path::Path;
 
 use assert_cmd::Command;
+use momentous::exercise::Table;
 use serde_json::Value;
 use tempfile::{TempDir, tempdir};
 
@@ -31,10 +32,15 @@ fn folder() -> TempDir {
     folder
 }
 
-/// The marks without the line, which says where each kind of input has the submission.
+/// The marks without the line, which says where each kind of input has the submission, as the program reads them.
 fn rows(folder: &Path, name: &str) -> Vec<Vec<String>> {
-    let mut table = csv::Reader::from_path(folder.join(name)).unwrap();
-    table.records().map(|row| row.unwrap().iter().skip(1).map(str::to_owned).collect()).collect()
+    let text = fs::read(folder.join(name)).unwrap();
+    let mut table = Table::read(text.as_slice()).unwrap();
+    let mut rows = Vec::new();
+    while let Some((_, row)) = table.next_row() {
+        rows.push(row.unwrap().cells().skip(1).map(str::to_owned).collect());
+    }
+    rows
 }
 
 #[test]
@@ -76,12 +82,14 @@ fn marks_as_json_lines_have_the_columns_of_the_table() {
     momentous(folder.path(), "grade class.csv -o marks.jsonl");
     let (_, printed, _) = momentous(folder.path(), "grade class.csv --marks json");
     assert_eq!(fs::read_to_string(folder.path().join("marks.jsonl")).unwrap(), printed);
-    let mut table = csv::Reader::from_path(folder.path().join("marks.csv")).unwrap();
-    let headings = table.headers().unwrap().clone();
-    for (row, line) in table.records().zip(printed.lines()) {
-        let (row, line) = (row.unwrap(), serde_json::from_str::<Value>(line).unwrap());
+    let text = fs::read(folder.path().join("marks.csv")).unwrap();
+    let mut table = Table::read(text.as_slice()).unwrap();
+    let headings = table.headings().to_vec();
+    for line in printed.lines() {
+        let row = table.next_row().unwrap().1.unwrap();
+        let line = serde_json::from_str::<Value>(line).unwrap();
         assert_eq!(line.as_object().unwrap().len(), headings.len());
-        for (heading, cell) in headings.iter().zip(&row) {
+        for (heading, cell) in headings.iter().zip(row.cells()) {
             let value = match &line[heading] {
                 Value::String(text) => text.clone(),
                 Value::Null => String::new(),
@@ -145,13 +153,13 @@ fn the_summary_counts_what_was_found() {
 /// Three attempts count, each before costs a quarter and each hint a tenth: of `v_A2` by hand, worth two points.
 const ATTEMPTS: &str = "\
 student,problem,seed,attempt,hints,v_A2,v_B2
-s1,carts.yaml,1,1,,9 m/s,8 m/s
-s1,carts.yaml,1,2,1,RIGHT,8..1 m/s
-s1,carts.yaml,1,3,1,9 m/s,8 m/s
-s1,carts.yaml,1,4,1,RIGHT,8 m/s
-s2,carts.yaml,1,3,,RIGHT,8 m/s
-,carts.yaml,1,,,RIGHT,8 m/s
-,carts.yaml,1,,,RIGHT,8 m/s
+s1,ID,1,1,,9 m/s,8 m/s
+s1,ID,1,2,1,RIGHT,8..1 m/s
+s1,ID,1,3,1,9 m/s,8 m/s
+s1,ID,1,4,1,RIGHT,8 m/s
+s2,ID,1,3,,RIGHT,8 m/s
+,ID,1,,,RIGHT,8 m/s
+,ID,1,,,RIGHT,8 m/s
 ";
 
 fn attempts(keep: &str) -> Vec<String> {
@@ -162,8 +170,12 @@ fn attempts(keep: &str) -> Vec<String> {
     let (_, printed, _) = momentous(folder.path(), "generate carts.yaml --seed 1 --format json");
     let variant: Value = serde_json::from_str(&printed).unwrap();
     let right = variant["ask"][0]["printed"].as_str().unwrap();
-    fs::write(folder.path().join("class.csv"), ATTEMPTS.replace("RIGHT", right)).unwrap();
-    momentous(folder.path(), "grade class.csv -o marks.csv --summary class");
+    fs::write(
+        folder.path().join("class.csv"),
+        ATTEMPTS.replace("RIGHT", right).replace("ID", variant["problem"].as_str().unwrap()),
+    )
+    .unwrap();
+    momentous(folder.path(), "grade class.csv --problem carts.yaml -o marks.csv --summary class");
     let rows = rows(folder.path(), "marks.csv").into_iter().filter(|row| row[5] == "v_A2");
     rows.map(|row| format!("{} {} {}", row[6], row[8], row[11])).collect()
 }

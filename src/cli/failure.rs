@@ -53,6 +53,12 @@ impl Failure {
         Self { exit: Exit::Fine, message: String::new() }
     }
 
+    /// What went wrong, for a place that says it is an error.
+    pub(super) fn message(&self) -> String {
+        let message = self.message.trim_end();
+        message.strip_prefix("error: ").unwrap_or(message).to_owned()
+    }
+
     /// Says on standard error what went wrong; gives the exit code.
     pub(super) fn report(&self) -> Exit {
         let message = self.message.trim_end();

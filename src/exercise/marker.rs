@@ -84,11 +84,18 @@ impl Marker {
         }
     }
 
-    /// Whether the form has a part of that name.
+    /// The position of the part that is meant by a name, in the file's letters or the course's.
     #[must_use]
-    pub fn asks(&self, id: &str) -> bool {
-        let id = self.notation.usual(self.blanks.iter().map(|blank| blank.asked.id.as_str()), id);
-        self.blanks.iter().any(|blank| blank.asked.id == id)
+    pub fn part(&self, name: &str) -> Option<usize> {
+        let ids = || self.blanks.iter().map(|blank| blank.asked.id.as_str());
+        let own = self.notation.usual(ids(), name);
+        ids().position(|id| id == own)
+    }
+
+    /// The report on answers to a sheet of this form that the student was not given.
+    #[must_use]
+    pub fn not_issued(&self) -> grade::Report {
+        grade::Report::not_issued(self.blanks.iter().map(|blank| (blank.asked.id.as_str(), blank.asked.points)))
     }
 
     /// What partly right answers are worth, and what attempts and hints cost.

@@ -12,7 +12,11 @@ mod marking;
 mod printable;
 mod record;
 mod rules;
+mod sheets;
 mod students;
+mod submission;
+mod table;
+mod together;
 
 pub use drawer::Drawer;
 
@@ -56,6 +60,10 @@ pub use attempts::Try;
 pub use issued::{Derivation, SeedSource, VariantRef};
 pub use marker::Marker;
 pub use marking::Sitting;
+pub use sheets::{Derived, Listed, NotIssued, Sheets};
+pub use submission::{Column, Key, Place, Submission, excerpt};
+pub use table::{Line, Lines, Row, Rows, Table, defused};
+pub use together::{MOST_ATTEMPTS, Standing, Together};
 
 /// Options with more bytes than this are numbered on a sheet.
 const LONG_OPTION: usize = 30;

@@ -93,6 +93,8 @@ pub enum Message {
     ChoiceWrong,
     /// No answer.
     Unanswered,
+    /// A sheet that the student was not given.
+    NotIssued,
     /// An answer that cannot be read.
     Unreadable(Unreadable),
 }

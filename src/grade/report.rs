@@ -144,19 +144,7 @@ fn grade_part(
     rubric: &Rubric,
     widen: &mut dyn FnMut(&mut Expected),
 ) -> PartReport {
-    let mut report = PartReport {
-        id: expected.id.clone(),
-        verdict: Verdict::Unanswered,
-        points: Points::default(),
-        out_of: expected.points,
-        understood: None,
-        fault: None,
-        message: Cow::Borrowed(""),
-        diagnosis: None,
-        follows: None,
-        own_values: None,
-        counts: true,
-    };
+    let mut report = PartReport::without_points(&expected.id, expected.points, Verdict::Unanswered);
     match reading.map(|reading| (&reading.answer, std::mem::take(&mut reading.told))) {
         None => report.message = English.message(&Message::Unanswered),
         Some((Err(fault), told)) => {
@@ -182,7 +170,37 @@ fn grade_part(
     report
 }
 
+impl PartReport {
+    fn without_points(id: &str, out_of: u32, verdict: Verdict) -> Self {
+        Self {
+            id: id.to_owned(),
+            verdict,
+            points: Points::default(),
+            out_of,
+            understood: None,
+            fault: None,
+            message: Cow::Borrowed(""),
+            diagnosis: None,
+            follows: None,
+            own_values: None,
+            counts: true,
+        }
+    }
+}
+
 impl Report {
+    /// Of answers on a sheet that the student was not given: these parts, with no points, and none of them counts.
+    pub fn not_issued<'a>(parts: impl Iterator<Item = (&'a str, u32)>) -> Self {
+        let message = English.message(&Message::NotIssued);
+        let part = |(id, out_of)| {
+            let part = PartReport::without_points(id, out_of, Verdict::NotIssued);
+            PartReport { message: message.clone(), counts: false, ..part }
+        };
+        let parts: Vec<PartReport> = parts.map(part).collect();
+        let out_of = parts.iter().fold(0, |sum: u32, part| sum.saturating_add(part.out_of));
+        Self { parts, out_of, ..Self::default() }
+    }
+
     /// Whether every part is fully right.
     #[must_use]
     pub fn is_right(&self) -> bool {

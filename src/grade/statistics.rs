@@ -10,6 +10,7 @@ use crate::laws::wrong::find;
 
 use super::frequent::{Frequent, WrongAnswer};
 use super::report::PartReport;
+use super::rows::RowCounts;
 
 /// Answers of a part that are kept for its discrimination.
 const SAMPLE: usize = 5000;
@@ -39,6 +40,8 @@ pub struct Gathering {
 /// The statistics of everything that was gathered.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Statistics {
+    /// What became of the rows of the file.
+    pub rows: RowCounts,
     /// Marked answers.
     pub answers: u64,
     /// Students by name; answers without a student's name belong to one without a name.
@@ -207,9 +210,9 @@ impl Gathering {
         }
     }
 
-    /// The statistics of what was gathered so far.
+    /// The statistics of what was gathered so far, from these rows.
     #[must_use]
-    pub fn statistics(&self) -> Statistics {
+    pub fn statistics(&self, rows: RowCounts) -> Statistics {
         let shares: Vec<f64> = self.students.values().filter_map(|tally| tally.share()).collect();
         let mut histogram = [0; BARS];
         for share in &shares {
@@ -222,6 +225,7 @@ impl Gathering {
             histogram[bar] += 1;
         }
         Statistics {
+            rows,
             answers: self.items.values().map(|item| item.answers).sum(),
             students: self.students.len(),
             mean: mean(&shares),
@@ -329,7 +333,7 @@ mod tests {
                 gathering.add(student, "x/y", "", &part(id, right));
             }
         }
-        let statistics = gathering.statistics();
+        let statistics = gathering.statistics(RowCounts::default());
         assert_eq!((statistics.answers, statistics.students), (12, 4));
         assert_eq!(statistics.histogram, [1, 0, 0, 1, 0, 0, 2, 0, 0, 0]);
         let [p, q, _] = &statistics.items[..] else { panic!("{statistics:?}") };
@@ -347,6 +351,6 @@ mod tests {
             gathering.add("s", "x/y", "", &part("p", number % 2 == 0));
         }
         assert!(gathering.items.values().all(|item| item.sample.len() == SAMPLE));
-        assert!((gathering.statistics().items[0].facility - 0.5).abs() < 1e-12);
+        assert!((gathering.statistics(RowCounts::default()).items[0].facility - 0.5).abs() < 1e-12);
     }
 }

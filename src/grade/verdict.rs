@@ -50,6 +50,7 @@ pub enum Verdict {
     ChoiceWrong,
     Unreadable,
     Unanswered,
+    NotIssued,
 }
 
 /// Which part of the points a verdict is worth where the rubric says nothing.
@@ -177,6 +178,7 @@ const TABLE: &[(Verdict, &str, &str, Worth)] = &[
         Nothing,
     ),
     (Verdict::Unanswered, "unanswered", "there is no answer", Nothing),
+    (Verdict::NotIssued, "not_issued", "the student was not given this sheet; nothing on it is marked", Nothing),
 ];
 
 impl Verdict {
@@ -249,6 +251,6 @@ mod tests {
             assert!(!meaning.is_empty() && !codes.contains(code), "{code}");
             codes.push(code);
         }
-        assert_eq!(Verdict::Unanswered as usize + 1, TABLE.len());
+        assert_eq!(Verdict::NotIssued as usize + 1, TABLE.len());
     }
 }

@@ -31,7 +31,7 @@ use super::pages::Shown;
 use destination::Destination;
 use destination::SEEDS;
 use job::Job;
-use roster::Roster;
+pub(super) use roster::Roster;
 
 const HELP: &str = "\
 Examples:

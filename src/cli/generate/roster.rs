@@ -5,16 +5,17 @@ use std::path::Path;
 
 use crate::cli::failure::Failure;
 use crate::cli::output::file_stem;
-use crate::cli::table::Table;
+use crate::cli::table;
 use crate::exercise::SeedSource;
 use crate::exercise::VariantRef;
+use crate::exercise::defused;
 use crate::problem::Problem;
 
 use super::job::Asked;
 
 /// A student.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Student {
+pub(in crate::cli) struct Student {
     /// What the course knows the student by.
     pub id: String,
     /// What the student is called; the identity where the table has no names.
@@ -25,15 +26,16 @@ pub(super) struct Student {
 
 /// The students, in the order of the table.
 #[derive(Clone, Debug)]
-pub(super) struct Roster {
+pub(in crate::cli) struct Roster {
     pub students: Vec<Student>,
 }
 
 impl Roster {
     /// Reads the table.
-    pub(super) fn read(path: &Path) -> Result<Self, Failure> {
-        let mut table = Table::open(path)?;
-        let (id, name) = (table.column("id"), table.column("name"));
+    pub(in crate::cli) fn read(path: &Path) -> Result<Self, Failure> {
+        let mut table = table::whole(path)?;
+        let column = |heading: &str| table.column(heading).map_err(|message| table::of(path, &message));
+        let (id, name) = (column("id")?, column("name")?);
         let Some(identity) = id.or(name) else {
             return Err(Failure::unusable(format!("{} has neither a column `id` nor a column `name`", path.display())));
         };
@@ -51,7 +53,7 @@ impl Roster {
                     continue;
                 }
             };
-            let cell = |column: usize| row.get(column).unwrap_or_default().to_owned();
+            let cell = |column: usize| row.cell(column).to_owned();
             let id = cell(identity);
             if id.is_empty() {
                 fail("this student has no identity".to_owned());
@@ -82,7 +84,7 @@ impl Roster {
                 let (seed, derivation) = (variant.seed.to_string(), seeds.derivation.to_string());
                 let digest = &problem.loaded().digest;
                 let row = [&student.id, &student.name, variant.problem, digest, variant.form, &seed, &derivation];
-                table.write_record(row).map_err(failed)?;
+                table.write_record(row.map(|cell| defused(cell).into_owned())).map_err(failed)?;
             }
         }
         let bytes = table.into_inner().map_err(|error| Failure::from(error.into_error()))?;
@@ -134,7 +136,7 @@ mod tests {
     #[test]
     fn every_row_that_is_wrong_is_told() {
         let message = roster("id,name\na,Ada\na,Again\n,Nobody\nc\n").unwrap_err();
-        let expected = "error: class.csv:3: `a` stands in line 2 already\nerror: class.csv:4: this student has no identity\nerror: class.csv:5: the row has 1 cells, the headings are 2";
+        let expected = "error: class.csv:3: `a` stands in line 2 already\nerror: class.csv:4: this student has no identity\nerror: class.csv:5: the row has 1 cell, and there are 2 headings";
         assert_eq!(message, expected);
         assert!(roster("mail\na@b\n").unwrap_err().ends_with("has neither a column `id` nor a column `name`"));
         assert!(roster("id\n").unwrap_err().ends_with("has no students"));

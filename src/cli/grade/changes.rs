@@ -1,14 +1,18 @@
 //! Which marks moved when the same submissions are marked again.
 
+use std::io::BufReader;
 use std::io::Write;
 use std::path::Path;
 
 use crate::cli::failure::Failure;
 use crate::cli::output::Output;
-use crate::cli::table::Table;
+use crate::cli::table;
+use crate::exercise::Key;
+use crate::exercise::Row;
+use crate::exercise::Submission;
+use crate::exercise::Table;
+use crate::fault::Input;
 use crate::grade::PartReport;
-
-use super::submission::{Key, Submission};
 
 /// The columns that are read.
 const READ: [&str; 10] =
@@ -17,7 +21,7 @@ const READ: [&str; 10] =
 /// The marks of an earlier run, read beside those of this one: both are in the order of the submissions.
 pub(super) struct Changes {
     name: String,
-    old: Table,
+    old: Table<BufReader<Input>>,
     columns: [usize; READ.len()],
     output: Output,
     moved: u64,
@@ -27,10 +31,11 @@ pub(super) struct Changes {
 impl Changes {
     /// Opens the marks of an earlier run, a table that `momentous grade` wrote.
     pub(super) fn since(path: &Path) -> Result<Self, Failure> {
-        let old = Table::open(path)?;
+        let old = table::open(path)?;
         let mut columns = [0; READ.len()];
         for (index, heading) in READ.iter().enumerate() {
-            columns[index] = old.column(heading).ok_or_else(|| {
+            let column = old.column(heading).map_err(|message| table::of(path, &message))?;
+            columns[index] = column.ok_or_else(|| {
                 let help = "give the file that an earlier `momentous grade -o` wrote";
                 Failure::unusable(format!("{} has no column `{heading}`\nhelp: {help}", path.display()))
             })?;
@@ -50,9 +55,9 @@ impl Changes {
             submission.key(Key::Attempt).to_owned(),
             part.id.clone(),
         ];
-        let same = |row: &csv::StringRecord| {
-            let cells = [line, student, problem, seed, form, attempt, name].map(|column| row.get(column));
-            cells.into_iter().zip(&key).all(|(cell, own)| cell == Some(own.as_str()))
+        let same = |row: &Row| {
+            let cells = [line, student, problem, seed, form, attempt, name].map(|column| row.cell(column));
+            cells.into_iter().zip(&key).all(|(cell, own)| cell == own.trim())
         };
         let row = match self.old.next_row() {
             Some((_, Ok(row))) if same(row) => row,
@@ -67,7 +72,7 @@ impl Changes {
             }
         };
         self.compared += 1;
-        let old = |column: usize| row.get(column).unwrap_or_default();
+        let old = |column: usize| row.cell(column);
         let new = [part.points.to_string(), part.out_of.to_string(), part.verdict.code().to_owned()];
         if [old(marks), old(out_of), old(verdict)].into_iter().eq(new.iter().map(String::as_str)) {
             return Ok(());

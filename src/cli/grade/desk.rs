@@ -1,90 +1,66 @@
 //! A desk at which one core marks a portion of the submissions: what draws and marks a form is set up there once.
 
-use crate::cli::open;
+use std::sync::Arc;
+
 use crate::exercise::Drawer;
 use crate::exercise::Exercise;
 use crate::exercise::Marker;
 use crate::exercise::Try;
 use crate::grade::Report;
 
-use super::problems::{Met, Problems};
-use super::submission::{Key, Submission};
+use super::problems::Met;
+use super::register::{Entry, Question};
 
 /// What marks the submissions of a portion.
 pub(super) struct Desk<'p> {
-    problems: &'p Problems,
+    /// The problems, by their positions.
+    problems: &'p [Arc<Met>],
     forms: Vec<Form<'p>>,
     /// The position of the form that was asked for last: submissions to the same one often stand together.
     last: usize,
 }
 
-/// One form on the desk, under the names by which it was asked for, with the variant that was drawn last.
+/// One form on the desk, with the variant that was drawn last.
 struct Form<'p> {
-    asked: [String; 2],
-    met: &'p Met,
+    problem: usize,
+    form: usize,
     marker: Marker,
     drawer: Drawer<'p>,
     last: Option<Exercise>,
 }
 
 impl<'p> Desk<'p> {
-    pub(super) fn new(problems: &'p Problems) -> Self {
+    pub(super) fn new(problems: &'p [Arc<Met>]) -> Self {
         Self { problems, forms: Vec::new(), last: 0 }
     }
 
-    /// Marks the attempts of one student at one question; each gets its report, or is told why it cannot be used.
-    pub(super) fn mark(&mut self, attempts: &[Submission]) -> Vec<Result<Report, String>> {
-        let opened = attempts.first().map(|first| self.open(first));
-        let (id, form) = match opened {
-            None => return Vec::new(),
-            Some(Ok(opened)) => opened,
-            Some(Err(message)) => return attempts.iter().map(|_| Err(message.clone())).collect(),
-        };
-        let Form { marker, last: Some(exercise), .. } = form else { return Vec::new() };
-        let mut results: Vec<Result<Report, String>> = Vec::with_capacity(attempts.len());
-        let mut tries: Vec<(usize, Try<'_>)> = Vec::with_capacity(attempts.len());
-        for (place, own) in attempts.iter().enumerate() {
-            let own = read(own, id, marker);
-            results.push(own.as_ref().map(|_| Report::default()).map_err(String::clone));
-            tries.extend(own.ok().map(|own| (place, own)));
+    /// Marks the attempts of one student at one question; each gets its report. Where its numbers cannot be drawn, that is told.
+    pub(super) fn mark(&mut self, attempts: &[Entry]) -> Result<Vec<Report>, String> {
+        let Some(first) = attempts.first() else { return Ok(Vec::new()) };
+        let form = self.form(first.facts.question)?;
+        if first.facts.not_issued.is_some() {
+            return Ok(attempts.iter().map(|_| form.marker.not_issued()).collect());
         }
-        tries.sort_by_key(|(place, _)| attempts.get(*place).and_then(Submission::attempt));
-        let first = tries.first().and_then(|(place, _)| attempts.get(*place)).and_then(Submission::attempt);
-        let (places, tries): (Vec<usize>, Vec<Try<'_>>) = tries.into_iter().unzip();
-        let marked = marker.mark_attempts(exercise.worked(), &tries, first.map_or(0, |number| number - 1));
-        for (place, attempt) in places.into_iter().zip(marked) {
-            if let Some(result) = results.get_mut(place) {
-                *result = Ok(attempt.report);
-            }
-        }
-        results
-    }
-
-    /// The form that is asked, with the variant of the seed drawn.
-    fn open(&mut self, submission: &Submission) -> Result<(&'p str, &mut Form<'p>), String> {
-        let seed = submission.key(Key::Seed);
-        let seed = open::seed(seed).map_err(|why| format!("`{seed}` is no seed: {why}"))?;
-        let form = self.form(submission)?;
-        let (id, digest) = (form.met.problem.id(), &form.met.problem.loaded().digest);
-        let said = submission.key(Key::Digest);
-        if !said.is_empty() && said != digest {
-            return Err(format!("the sheet was made from another version of {id}: its digest is {digest}"));
-        }
-        if form.last.as_ref().is_none_or(|last| last.variant().seed() != Some(seed)) {
-            form.last = Some(form.drawer.draw(seed).map_err(|reason| reason.to_string())?);
-        }
-        Ok((id, form))
+        let (marker, exercise) = form.open(first.facts.question)?;
+        let mut order: Vec<(usize, &Entry)> = attempts.iter().enumerate().collect();
+        order.sort_by_key(|(_, own)| own.facts.attempt);
+        let before = order.first().and_then(|(_, own)| own.facts.attempt).map_or(0, |number| number - 1);
+        let tries: Vec<Try<'_>> = order.iter().map(|(_, own)| of(own)).collect();
+        let marked = marker.mark_attempts(exercise.worked(), &tries, before).into_iter();
+        let mut reports: Vec<(usize, Report)> =
+            order.iter().zip(marked).map(|((place, _), attempt)| (*place, attempt.report)).collect();
+        reports.sort_by_key(|(place, _)| *place);
+        Ok(reports.into_iter().map(|(_, report)| report).collect())
     }
 
     /// The form that is asked; it is set up where it is not on the desk yet.
-    fn form(&mut self, submission: &Submission) -> Result<&mut Form<'p>, String> {
-        let asked = [Key::Problem, Key::Form].map(|key| submission.key(key));
-        let is_asked = |form: &Form<'p>| form.asked.iter().eq(asked);
+    fn form(&mut self, question: Question) -> Result<&mut Form<'p>, String> {
+        let is_asked = |form: &Form<'p>| (form.problem, form.form) == (question.problem, question.form);
         if !self.forms.get(self.last).is_some_and(is_asked) {
             self.last = match self.forms.iter().position(is_asked) {
                 Some(known) => known,
                 None => {
-                    self.forms.push(Form::new(self.problems.find(asked[0])?, asked)?);
+                    self.forms.push(Form::new(self.problems, question).ok_or("the problem has no such form")?);
                     self.forms.len() - 1
                 }
             };
@@ -94,24 +70,25 @@ impl<'p> Desk<'p> {
 }
 
 impl<'p> Form<'p> {
-    fn new(met: &'p Met, asked: [&str; 2]) -> Result<Self, String> {
-        let name = Some(asked[1]).filter(|form| !form.is_empty());
-        let position = open::form(&met.problem, name).map_err(|failure| failure.to_string())?;
-        let marker = met.markers.get(position).cloned().ok_or("the problem has no such form")?;
-        let drawer = Drawer::new(&met.problem, position).map_err(|reason| reason.to_string())?;
-        Ok(Self { asked: asked.map(str::to_owned), met, marker, drawer, last: None })
+    fn new(problems: &'p [Arc<Met>], question: Question) -> Option<Self> {
+        let met = problems.get(question.problem)?;
+        let marker = met.markers.get(question.form)?.clone();
+        let drawer = Drawer::new(&met.problem, question.form).ok()?;
+        Some(Self { problem: question.problem, form: question.form, marker, drawer, last: None })
+    }
+
+    /// The marker with the variant that is asked, which is drawn where it is not the one that was drawn last.
+    fn open(&mut self, question: Question) -> Result<(&mut Marker, &Exercise), String> {
+        let is_asked = |last: &Exercise| last.variant().seed() == Some(question.seed);
+        let exercise = match self.last.take() {
+            Some(last) if is_asked(&last) => last,
+            _ => self.drawer.draw(question.seed).map_err(|reason| reason.to_string())?,
+        };
+        Ok((&mut self.marker, self.last.insert(exercise)))
     }
 }
 
 /// The answers of a submission, and the hints that were seen.
-fn read<'s>(submission: &'s Submission, id: &str, marker: &Marker) -> Result<Try<'s>, String> {
-    let answers: Vec<(&str, &str)> = submission.answers().collect();
-    if let Some((name, _)) = answers.iter().find(|(name, _)| !marker.asks(name)) {
-        return Err(format!("`{name}` has an answer, and {id} does not ask for it in this form"));
-    }
-    let hints = match submission.key(Key::Hints) {
-        "" => 0,
-        text => text.parse().map_err(|_| format!("`{text}` is no number of hints"))?,
-    };
-    Ok(Try { answers, hints })
+fn of(entry: &Entry) -> Try<'_> {
+    Try { answers: entry.submission.answers().collect(), hints: entry.facts.hints }
 }

@@ -1,55 +1,58 @@
 //! Submissions of one chunk, marked by all cores, in the order in which they came.
 
-use std::collections::BTreeMap;
 use std::ops::Range;
+use std::sync::Arc;
 
 use rayon::prelude::*;
 
 use crate::cli::failure::Failure;
+use crate::exercise::Key;
+use crate::exercise::Place;
+use crate::exercise::excerpt;
 use crate::grade::Report;
+use crate::grade::RowCounts;
 
 use super::desk::Desk;
-use super::problems::Problems;
+use super::problems::Met;
+use super::register::{Entered, Entry, Question};
 use super::sink::{MarksFormat, Rows};
-use super::source::Next;
-use super::submission::{Key, Place, Submission};
 
 /// Submissions that one core marks in one go: few enough to stay in its cache, for they are not marked in their order.
 const PORTION: usize = 1024;
 
-/// A submission with what was found, or why it cannot be used.
+/// What was found about a submission.
 pub(super) enum Marked {
-    Report(Submission, Box<Report>),
-    Unusable(Place, String),
+    /// Its report, for those who want to read it.
+    Report(Entry, Box<Report>),
+    /// It answers a sheet that was not issued, and why that is known.
+    NotIssued(Place, String),
+    /// It cannot be used, and why.
+    Refused(Place, String),
 }
 
 /// What became of a portion.
 pub(super) struct Portion {
     /// The rows of the result.
     pub rows: Vec<u8>,
-    /// The submissions in their order; only those that cannot be used where the others are not wanted.
+    /// What is to be told, in the order of the submissions.
     pub marked: Vec<Marked>,
     /// Whether everything that counts is right.
     pub is_right: bool,
+    /// How many were marked and refused.
+    pub counts: RowCounts,
 }
 
 /// Marks a chunk. It has all attempts of a student at a question, or none.
 pub(super) fn marked(
-    chunk: Vec<Next>,
-    problems: &mut Problems,
+    chunk: Vec<Entered>,
+    problems: &[Arc<Met>],
     format: MarksFormat,
     keep: bool,
 ) -> Result<Vec<Portion>, Failure> {
-    for submission in chunk.iter().flatten() {
-        problems.meet(submission.key(Key::Problem));
-    }
-    let problems = &*problems;
-    let mut portions: Vec<Vec<Next>> = Vec::new();
+    let mut portions: Vec<Vec<Entered>> = Vec::new();
     for next in chunk {
         match portions.last_mut() {
-            Some(own) if own.len() < PORTION || own.last().is_some_and(|last| are_beside(last, &next)) => {
-                own.push(next);
-            }
+            Some(own) if own.len() < PORTION || !begins(&next) => own.push(next),
             _ => portions.push(vec![next]),
         }
     }
@@ -57,24 +60,28 @@ pub(super) fn marked(
     portions.into_par_iter().map_init(desk, |desk, portion| at_one_desk(portion, desk, format, keep)).collect()
 }
 
-/// Whether two submissions are attempts of one student at one question.
-pub(super) fn are_beside(one: &Next, other: &Next) -> bool {
-    matches!((one, other), (Ok(one), Ok(other)) if one.is_beside(other))
+/// Whether a submission has nothing to do with those before it.
+pub(super) fn begins(next: &Entered) -> bool {
+    next.as_ref().is_ok_and(|entry| !entry.facts.is_beside)
 }
 
-fn at_one_desk(portion: Vec<Next>, desk: &mut Desk<'_>, format: MarksFormat, keep: bool) -> Result<Portion, Failure> {
+fn at_one_desk(
+    portion: Vec<Entered>,
+    desk: &mut Desk<'_>,
+    format: MarksFormat,
+    keep: bool,
+) -> Result<Portion, Failure> {
     let mut groups: Vec<Option<Group>> = together(portion).into_iter().map(Some).collect();
-    let order = by_question(&groups);
     let mut rows = Rows::new(format);
-    let mut is_right = true;
     let mut done: Vec<Done> = Vec::with_capacity(groups.len());
-    for place in order {
+    for place in by_question(&groups) {
         let Some(group) = groups.get_mut(place).and_then(Option::take) else { continue };
         let start = rows.length()?;
-        let mut own = Done { place, rows: start..start, marked: Vec::new() };
+        let mut own =
+            Done { place, rows: start..start, marked: Vec::new(), is_right: true, counts: RowCounts::default() };
         match group {
-            Ok(attempts) => is_right &= marked_group(attempts, desk, &mut rows, keep, &mut own.marked)?,
-            Err((place, message)) => own.marked.push(Marked::Unusable(place, message)),
+            Ok(attempts) => own.mark(attempts, desk, &mut rows, keep)?,
+            Err((place, message)) => own.refuse(place, message),
         }
         own.rows.end = rows.length()?;
         done.push(own);
@@ -83,7 +90,13 @@ fn at_one_desk(portion: Vec<Next>, desk: &mut Desk<'_>, format: MarksFormat, kee
     let bytes = rows.into_bytes()?;
     let slices: Vec<&[u8]> = done.iter().filter_map(|own| bytes.get(own.rows.clone())).collect();
     let rows = slices.concat();
-    Ok(Portion { rows, marked: done.into_iter().flat_map(|own| own.marked).collect(), is_right })
+    let mut portion = Portion { rows, marked: Vec::new(), is_right: true, counts: RowCounts::default() };
+    for own in done {
+        portion.is_right &= own.is_right;
+        portion.counts += own.counts;
+        portion.marked.extend(own.marked);
+    }
+    Ok(portion)
 }
 
 /// What became of one group of attempts: its place in the portion, and its rows among those that were written.
@@ -91,20 +104,26 @@ struct Done {
     place: usize,
     rows: Range<usize>,
     marked: Vec<Marked>,
+    is_right: bool,
+    counts: RowCounts,
 }
 
 /// The attempts of one student at one question, or what is wrong with a row.
-type Group = Result<Vec<Submission>, (Place, String)>;
+type Group = Result<Vec<Entry>, (Place, String)>;
 
-/// Submissions in their order, those of one student to one question together.
-fn together(portion: Vec<Next>) -> Vec<Group> {
+/// Submissions in their order, those of one student to one question together. A row that cannot be used does not part them.
+fn together(portion: Vec<Entered>) -> Vec<Group> {
     let mut groups: Vec<Group> = Vec::with_capacity(portion.len());
+    let mut last = 0;
     for next in portion {
-        match (groups.last_mut(), next) {
-            (Some(Ok(attempts)), Ok(more)) if attempts.last().is_some_and(|last| last.is_beside(&more)) => {
-                attempts.push(more);
+        match (groups.get_mut(last), next) {
+            (Some(Ok(attempts)), Ok(more)) if more.facts.is_beside => attempts.push(more),
+            (_, next) => {
+                if next.is_ok() {
+                    last = groups.len();
+                }
+                groups.push(next.map(|first| vec![first]));
             }
-            (_, next) => groups.push(next.map(|first| vec![first])),
         }
     }
     groups
@@ -113,43 +132,49 @@ fn together(portion: Vec<Next>) -> Vec<Group> {
 /// The places of the groups, those to one form of a problem together and in the order of their seeds: all that a form needs
 /// then stays at hand.
 fn by_question(groups: &[Option<Group>]) -> Vec<usize> {
-    let mut forms: BTreeMap<[&str; 2], usize> = BTreeMap::new();
-    let mut asked: Vec<(usize, Option<u64>, usize)> = Vec::with_capacity(groups.len());
-    for (place, group) in groups.iter().enumerate() {
-        let first = group.as_ref().and_then(|group| group.as_ref().ok()?.first());
-        let next = forms.len();
-        let form = first.map(|first| [Key::Problem, Key::Form].map(|key| first.key(key)));
-        let form = form.map_or(next, |form| *forms.entry(form).or_insert(next));
-        // Numbers sort faster than texts; a seed that is none is reported when its turn comes.
-        asked.push((form, first.and_then(|first| first.key(Key::Seed).parse().ok()), place));
-    }
+    let question = |group: &Option<Group>| -> Option<Question> {
+        group.as_ref()?.as_ref().ok()?.first().map(|first| first.facts.question)
+    };
+    let mut asked: Vec<(Option<Question>, usize)> =
+        groups.iter().enumerate().map(|(place, group)| (question(group), place)).collect();
     asked.sort_unstable();
-    asked.into_iter().map(|(.., place)| place).collect()
+    asked.into_iter().map(|(_, place)| place).collect()
 }
 
-/// Marks the attempts of one student at one question; whether everything that counts is right.
-fn marked_group(
-    attempts: Vec<Submission>,
-    desk: &mut Desk<'_>,
-    rows: &mut Rows,
-    keep: bool,
-    marked: &mut Vec<Marked>,
-) -> Result<bool, Failure> {
-    let mut is_right = true;
-    let reports = desk.mark(&attempts);
-    for (submission, report) in attempts.into_iter().zip(reports) {
-        match report {
-            Ok(report) => {
-                for part in &report.parts {
-                    is_right &= part.verdict.is_right() || !part.counts;
-                    rows.part(&submission, part)?;
-                }
-                if keep {
-                    marked.push(Marked::Report(submission, Box::new(report)));
-                }
+impl Done {
+    /// Marks the attempts of one student at one question.
+    fn mark(&mut self, attempts: Vec<Entry>, desk: &mut Desk<'_>, rows: &mut Rows, keep: bool) -> Result<(), Failure> {
+        let reports = match desk.mark(&attempts) {
+            Ok(reports) => reports,
+            Err(message) => {
+                attempts.into_iter().for_each(|own| self.refuse(own.submission.place, message.clone()));
+                return Ok(());
             }
-            Err(message) => marked.push(Marked::Unusable(submission.place, message)),
+        };
+        for (entry, report) in attempts.into_iter().zip(reports) {
+            self.counts.marked += 1;
+            self.counts.answers += report.parts.len() as u64;
+            for part in &report.parts {
+                self.is_right &= part.verdict.is_right() || !part.counts;
+                rows.part(&entry.submission, part)?;
+            }
+            if let Some(why) = entry.facts.not_issued {
+                self.is_right = false;
+                self.counts.not_issued += 1;
+                let [student, problem, seed] =
+                    [Key::Student, Key::Problem, Key::Seed].map(|key| excerpt(entry.submission.key(key)));
+                let message = format!("`{student}` has seed {seed} of {problem}, and {why}");
+                self.marked.push(Marked::NotIssued(entry.submission.place.clone(), message));
+            }
+            if keep {
+                self.marked.push(Marked::Report(entry, Box::new(report)));
+            }
         }
+        Ok(())
     }
-    Ok(is_right)
+
+    fn refuse(&mut self, place: Place, message: String) {
+        self.counts.refused += 1;
+        self.marked.push(Marked::Refused(place, message));
+    }
 }

@@ -5,10 +5,13 @@ mod desk;
 mod junit;
 mod marked;
 mod problems;
+mod reader;
+mod readers;
+mod register;
 mod single;
 mod sink;
 mod source;
-mod submission;
+mod spool;
 mod summary;
 mod table;
 
@@ -17,6 +20,7 @@ use std::path::PathBuf;
 use clap::Args;
 use clap::ValueEnum;
 
+use crate::exercise::Derivation;
 use crate::exercise::Sitting;
 use crate::grade::DecimalMark;
 
@@ -34,7 +38,8 @@ Examples:
   momentous grade --problem impact/two-carts --seed 7 --answer \"v_A2=-0.4 m/s\" --answer \"v_B2=3.1 m/s\"
   momentous grade --problem impact/two-carts --seed 7 --decimal comma --answer \"v_A2=-0,4 m/s\" --format json
   momentous grade submissions.csv -o marks.csv
-  momentous grade submissions.csv --secret secret.txt -o marks.csv
+  momentous grade submissions.csv --sheets seeds.csv --secret secret.txt -o marks.csv
+  momentous grade submissions.csv --problem my-carts.yaml --roster class.csv --secret secret.txt -o marks.csv
   momentous grade submissions.jsonl -o marks.jsonl --summary class --junit junit.xml
   momentous grade submissions.csv -o marks-2.csv --changes marks.csv
 
@@ -47,22 +52,25 @@ other column is a part, named as in the JSON of `momentous generate`:
 The same keys may stand in JSON lines, `{\"problem\": \"impact/two-carts\", \"seed\": 7, \"answers\": {\"v_A2\": \"-0.4 m/s\"}}`, or in a
 folder of YAML files, one a submission.
 
+The cell `problem` is an identity: of the bank, or of a file that --problem names. --sheets or --roster says who was given
+which seed; a row with another one has the verdict `not_issued` and no points.
+
 The result has a row for each part. A row that cannot be used is reported with its line number, and the others are
-marked. It exits with 0 where every answer is right, with 1 where one is not, with 2 where an answer given by --answer
+marked; at the end it says how many rows were read, marked and refused. It exits with 0 where every answer is right, with 1 where one is not, with 2 where an answer given by --answer
 cannot be read or a row cannot be used.";
 
 /// Mark answers, one set or a table of many
 #[derive(Args, Debug)]
-#[command(after_help = HELP, group = clap::ArgGroup::new("what").required(true).args(["submissions", "problem"]))]
+#[command(after_help = HELP, group = clap::ArgGroup::new("what").required(true).multiple(true).args(["submissions", "problem"]))]
 pub(super) struct Grade {
     /// Submissions: a table, JSON lines (.jsonl), or a folder of YAML files
     #[arg(value_name = "SUBMISSIONS", conflicts_with_all = ["seed", "form", "answer", "format"])]
     submissions: Option<PathBuf>,
-    /// The problem's identity, or the path of its file
-    #[arg(long, value_name = "PROBLEM|FILE", requires = "seed", requires = "answer")]
-    problem: Option<String>,
+    /// The problem's identity, or the path of its file; for submissions, files and folders of problems besides those of the bank
+    #[arg(long, value_name = "PROBLEM|FILE")]
+    problem: Vec<String>,
     /// The seed that is printed on the sheet
-    #[arg(long, value_name = "S", value_parser = open::seed, allow_negative_numbers = true)]
+    #[arg(long, value_name = "S", value_parser = open::seed, allow_negative_numbers = true, required_unless_present = "submissions")]
     seed: Option<u64>,
     /// The form in which the problem was asked; the first where none is named
     #[arg(long, value_name = "FORM")]
@@ -71,7 +79,7 @@ pub(super) struct Grade {
     #[arg(long, value_name = "MARK", default_value = "point")]
     decimal: Mark,
     /// The answer to a part
-    #[arg(long, value_name = "NAME=TEXT", value_parser = assignment)]
+    #[arg(long, value_name = "NAME=TEXT", value_parser = assignment, required_unless_present = "submissions")]
     answer: Vec<(String, String)>,
     /// Show N further hints about wrong answers
     #[arg(long, value_name = "N", default_value_t = 0, conflicts_with = "submissions")]
@@ -94,6 +102,15 @@ pub(super) struct Grade {
     /// Write the marks as a test report in the form that CI services show (JUnit XML)
     #[arg(long, value_name = "FILE", requires = "submissions")]
     junit: Option<PathBuf>,
+    /// Check whose sheet each row answers against this table, the seeds.csv that `momentous generate` wrote
+    #[arg(long, value_name = "SEEDS.csv", requires = "submissions", conflicts_with = "roster")]
+    sheets: Option<PathBuf>,
+    /// The same, where sheets were made for this roster: the seeds follow from it and --secret
+    #[arg(long, value_name = "CSV", requires = "submissions")]
+    roster: Option<PathBuf>,
+    /// How seeds of students were made: 2, or 1 by an earlier version of the program
+    #[arg(long, value_name = "VERSION", default_value_t, requires = "roster")]
+    derivation: Derivation,
     /// Print every mark that differs from these, which an earlier run wrote for the same submissions
     #[arg(long, value_name = "OLD.csv", requires = "output")]
     changes: Option<PathBuf>,
@@ -125,11 +142,10 @@ impl Grade {
     }
 
     pub(super) fn run(&self) -> Result<Exit, Failure> {
-        match (&self.submissions, &self.problem, self.seed) {
+        match (&self.submissions, self.problem.as_slice(), self.seed) {
             (Some(submissions), ..) => self.table(submissions),
-            (None, Some(problem), Some(seed)) => self.single(problem, seed),
-            // The parser of arguments lets nothing else through.
-            (None, ..) => Err(Failure::unusable("name a problem with --problem, and a seed with --seed")),
+            (None, [problem], Some(seed)) => self.single(problem, seed),
+            (None, ..) => Err(Failure::unusable("name one problem with --problem, and a seed with --seed")),
         }
     }
 }

@@ -1,4 +1,4 @@
-//! The problems of a file of submissions, each compiled when it is first met.
+//! The problems that submissions may name: those of the bank, and those that the teacher names. A cell is never a path.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -7,49 +7,104 @@ use crate::bank::Bank;
 use crate::cli::failure::Failure;
 use crate::cli::open;
 use crate::exercise::Marker;
+use crate::exercise::excerpt;
+use crate::fault::did_you_mean;
 use crate::grade::DecimalMark;
 use crate::problem::Problem;
+
+/// Names for which the nearest known one is looked for. Whoever has more of them does not read them one by one.
+const MOST_SUGGESTIONS: u32 = 100;
 
 /// The problems that were met so far.
 pub(super) struct Problems {
     bank: Bank,
     secret: Option<Vec<u8>>,
     mark: DecimalMark,
-    met: BTreeMap<String, Result<Met, String>>,
+    /// The problems that are open, in the order in which they were met.
+    open: Vec<Arc<Met>>,
+    /// The same by identity, or why there is none.
+    met: BTreeMap<String, Result<Arc<Met>, String>>,
+    suggestions: u32,
 }
 
 /// A problem with a marker for each of its forms.
 pub(super) struct Met {
+    /// Its position among those that are open.
+    pub(super) place: usize,
     pub(super) problem: Arc<Problem>,
     pub(super) markers: Vec<Marker>,
 }
 
 impl Problems {
-    /// The problems of the bank where the program runs, with answers written with this decimal mark.
-    pub(super) fn here(secret: Option<Vec<u8>>, mark: DecimalMark) -> Result<Self, Failure> {
-        Ok(Self { bank: Bank::here()?, secret, mark, met: BTreeMap::new() })
-    }
-
-    /// Opens the problem of that identity or file, where that was not tried before.
-    pub(super) fn meet(&mut self, name: &str) {
-        if !self.met.contains_key(name) {
-            let met = self.opened(name).map_err(|failure| failure.to_string());
-            self.met.insert(name.to_owned(), met);
+    /// The problems of the bank where the program runs and those that are named, which come first, with answers written with
+    /// this decimal mark.
+    pub(super) fn here(named: &[String], secret: Option<Vec<u8>>, mark: DecimalMark) -> Result<Self, Failure> {
+        let mut own = Self {
+            bank: Bank::here()?,
+            secret,
+            mark,
+            open: Vec::new(),
+            met: BTreeMap::new(),
+            suggestions: MOST_SUGGESTIONS,
+        };
+        let named = if named.is_empty() { Vec::new() } else { open::problems(named, own.secret.as_deref())? };
+        for problem in named {
+            let id = problem.id().to_owned();
+            let met = own.add(problem);
+            if own.met.insert(id.clone(), Ok(met)).is_some() {
+                let message = format!("two of the problems that are named have the identity `{id}`");
+                return Err(Failure::unusable(format!("{message}\nhelp: give one of them another `id`")));
+            }
         }
+        Ok(own)
     }
 
-    fn opened(&self, name: &str) -> Result<Met, Failure> {
-        let problem = open::compiled(self.bank.open(name)?, self.secret.as_deref())?;
+    /// The problems that are open, by their positions.
+    pub(super) fn open(&self) -> &[Arc<Met>] {
+        &self.open
+    }
+
+    /// The problem with that identity.
+    pub(super) fn find(&mut self, id: &str) -> Result<Arc<Met>, String> {
+        match self.met.get(id) {
+            Some(met) => return met.clone(),
+            None if self.bank.ids().any(|own| own == id) => {}
+            None => return Err(self.unknown(id)),
+        }
+        let source = self.bank.find(id).cloned().map_err(|faults| faults.to_string())?;
+        let (kept, result) = match open::compiled(source, self.secret.as_deref()) {
+            Ok(problem) => {
+                let met = self.add(problem);
+                (Ok(met.clone()), Ok(met))
+            }
+            // The faults of a file are told once, not with each row.
+            Err(failure) => (Err(format!("{id} does not load, as was said before")), Err(failure.to_string())),
+        };
+        self.met.insert(id.to_owned(), kept);
+        result
+    }
+
+    fn add(&mut self, problem: Arc<Problem>) -> Arc<Met> {
         let forms = 0..problem.forms().len();
         let markers = forms.filter_map(|form| Marker::new(&problem, form, self.mark).ok()).collect();
-        Ok(Met { problem, markers })
+        let met = Arc::new(Met { place: self.open.len(), problem, markers });
+        self.open.push(met.clone());
+        met
     }
 
-    /// A problem that was met, or why there is none.
-    pub(super) fn find(&self, name: &str) -> Result<&Met, &str> {
-        match self.met.get(name) {
-            Some(met) => met.as_ref().map_err(String::as_str),
-            None => Err("the problem was not opened"),
+    /// There is no such problem; for the first of these names the nearest known one is looked for.
+    fn unknown(&mut self, id: &str) -> String {
+        let message = format!("there is no problem `{}`", excerpt(id));
+        if self.suggestions == 0 {
+            return message;
+        }
+        self.suggestions -= 1;
+        let known = self.bank.ids().chain(self.met.keys().map(String::as_str));
+        match did_you_mean(id, known) {
+            Some(near) => format!("{message}\nhelp: did you mean `{near}`?"),
+            None => format!(
+                "{message}\nhelp: the identity is wanted, such as impact/two-carts; name files of your own with --problem"
+            ),
         }
     }
 }

@@ -8,11 +8,13 @@ use serde::Serialize;
 
 use crate::cli::failure::Failure;
 use crate::cli::output::Output;
+use crate::exercise::Key;
+use crate::exercise::Submission;
+use crate::exercise::defused;
 use crate::grade::PartReport;
 use crate::grade::Points;
 
 use super::source::is_json;
-use super::submission::{Key, Submission};
 
 /// The headings of the table.
 pub(super) const HEAD: [&str; 15] = [
@@ -191,7 +193,7 @@ impl Row<'_> {
             &self.follows_from,
         ];
         record.clear();
-        record.extend(cells);
+        cells.into_iter().for_each(|cell| record.push_field(defused(cell).as_bytes()));
     }
 }
 

@@ -1,32 +1,31 @@
 //! Where submissions come from: a table, a file of JSON lines, or a folder of YAML files. One at a time, in order.
 
-use std::io::BufRead;
 use std::io::BufReader;
 use std::path::Path;
 use std::path::PathBuf;
 
-use serde::Deserialize;
-use serde_json::Map;
-use serde_json::Value;
-
 use crate::bank::files_under;
 use crate::cli::failure::Failure;
-use crate::cli::table::Table;
+use crate::cli::table;
+use crate::exercise::Column;
+use crate::exercise::Line;
+use crate::exercise::Lines;
+use crate::exercise::Place;
+use crate::exercise::Submission;
+use crate::exercise::Table;
+use crate::fault;
 use crate::fault::Input;
 
-use super::submission::{Column, KEYS, Key, Place, Submission};
+use super::register::Next;
 
-/// The longest submission: a line of JSON or a file that is longer is none of ours.
+/// The longest file of a submission in a folder, in bytes.
 const LONGEST: u64 = 1 << 20;
-
-/// A submission, or what is wrong where one should be.
-pub(super) type Next = Result<Submission, (Place, String)>;
 
 /// Submissions in the order of the input.
 pub(super) enum Source {
-    Table(Box<Table>, Vec<Column>),
-    Lines(BufReader<Input>, u64),
-    Folder(std::vec::IntoIter<PathBuf>),
+    Table(Table<BufReader<Input>>, Vec<Column>),
+    Lines(Box<Lines<BufReader<Input>>>, Line),
+    Folder(Vec<PathBuf>, usize),
 }
 
 impl Source {
@@ -37,20 +36,45 @@ impl Source {
             if files.is_empty() {
                 return Err(Failure::unusable(format!("{} has no submission: no file ends in .yaml", path.display())));
             }
-            return Ok(Self::Folder(files.into_iter()));
+            return Ok(Self::Folder(files, 0));
         }
         if is_json(path) {
-            let file = Input::open(path).map_err(|error| Failure::file(path, "read", &error))?;
-            return Ok(Self::Lines(BufReader::new(file), 0));
+            let lines = table::input(path).and_then(Lines::of);
+            let lines = lines.map_err(|error| Failure::file(path, "read", &error))?;
+            return Ok(Self::Lines(Box::new(lines), Line::default()));
         }
-        let table = Table::as_it_stands(path)?;
-        let columns: Vec<Column> = table.headings.iter().map(|heading| Column::of(heading)).collect();
-        for (needed, heading) in [(Key::Problem, "problem"), (Key::Seed, "seed")] {
-            if !columns.contains(&Column::Key(needed)) {
-                return Err(Failure::unusable(format!("{} has no column `{heading}`", path.display())));
+        let table = table::open(path)?;
+        let columns = Column::all(table.headings());
+        let columns = columns.map_err(|message| Failure::unusable(format!("{}: {message}", path.display())))?;
+        Ok(Self::Table(table, columns))
+    }
+
+    /// The next submission with its number, from which [`Source::place`] tells where it stands.
+    pub(super) fn next(&mut self) -> Option<(u64, Next)> {
+        match self {
+            Self::Table(table, columns) => {
+                let (line, row) = table.next_row()?;
+                let read = row.and_then(|row| Submission::of_row(Place::Line(line), columns, row.cells()));
+                Some((line, read.map_err(|message| (Place::Line(line), message))))
+            }
+            Self::Lines(lines, line) => next_line(lines, line),
+            Self::Folder(files, next) => {
+                let path = files.get(*next)?;
+                *next += 1;
+                Some((*next as u64 - 1, file(path).map_err(|message| (Place::File(path.clone()), message))))
             }
         }
-        Ok(Self::Table(Box::new(table), columns))
+    }
+
+    /// Where the submission with that number stands.
+    pub(super) fn place(&self, number: u64) -> Place {
+        match self {
+            Self::Table(..) | Self::Lines(..) => Place::Line(number),
+            Self::Folder(files, _) => {
+                let file = usize::try_from(number).ok().and_then(|number| files.get(number));
+                Place::File(file.cloned().unwrap_or_default())
+            }
+        }
     }
 }
 
@@ -60,124 +84,32 @@ pub(super) fn is_json(path: &Path) -> bool {
     ["jsonl", "ndjson", "json"].into_iter().any(ends)
 }
 
-impl Iterator for Source {
-    type Item = Next;
-
-    fn next(&mut self) -> Option<Next> {
-        match self {
-            Self::Table(table, columns) => {
-                let (line, row) = table.next_row()?;
-                let place = Place::Line(line);
-                Some(match row {
-                    Ok(row) => Ok(Submission::of_row(place, columns, row.iter())),
-                    Err(message) => Err((place, message)),
-                })
-            }
-            Self::Lines(file, line) => next_line(file, line),
-            Self::Folder(files) => {
-                let path = files.next()?;
-                let text = Input::open(&path).and_then(|file| file.text(LONGEST)).map_err(|error| error.to_string());
-                let value =
-                    text.and_then(|text| serde_yaml::from_str::<Value>(&text).map_err(|error| error.to_string()));
-                Some(read(Place::File(path), value))
-            }
-        }
-    }
-}
-
-/// The next line that is not empty.
-fn next_line(file: &mut BufReader<Input>, line: &mut u64) -> Option<Next> {
+/// The submission on the next line that is not empty.
+fn next_line(lines: &mut Lines<BufReader<Input>>, line: &mut Line) -> Option<(u64, Next)> {
     loop {
-        let mut text = Vec::new();
-        *line += 1;
-        let place = Place::Line(*line);
-        match std::io::Read::take(&mut *file, LONGEST).read_until(b'\n', &mut text) {
-            Ok(0) => return None,
-            Ok(_) if text.trim_ascii().is_empty() => {}
-            Ok(_) => {
-                if text.last() != Some(&b'\n') && text.len() as u64 == LONGEST {
-                    // Nobody wants the rest of it.
-                    let _ = file.skip_until(b'\n');
-                    return Some(Err((place, "the line is longer than a submission can be".to_owned())));
-                }
-                let value = serde_json::from_slice::<Value>(text.trim_ascii()).map_err(|error| error.to_string());
-                return Some(read(place, value));
+        let read = match lines.read(line) {
+            Ok(false) => return None,
+            Err(error) => Err(error.to_string()),
+            Ok(true) if line.bytes.trim_ascii().is_empty() => continue,
+            Ok(true) if line.is_cut => Err(format!("the line is longer than {LONGEST} bytes")),
+            Ok(true) => {
+                let text = std::str::from_utf8(&line.bytes).map_err(|_| "the line is not UTF-8".to_owned());
+                text.and_then(|text| Submission::of_json(Place::Line(line.number), text))
             }
-            Err(error) => return Some(Err((place, error.to_string()))),
-        }
+        };
+        return Some((line.number, read.map_err(|message| (Place::Line(line.number), message))));
     }
 }
 
-/// A submission as an object: the keys beside `answers`, which holds the parts.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Written {
-    #[serde(default)]
-    student: Value,
-    problem: Value,
-    #[serde(default)]
-    digest: Value,
-    seed: Value,
-    #[serde(default)]
-    form: Value,
-    #[serde(default)]
-    attempt: Value,
-    #[serde(default)]
-    hints: Value,
-    #[serde(default)]
-    answers: Map<String, Value>,
-}
-
-/// The submission that an object says.
-fn read(place: Place, value: Result<Value, String>) -> Next {
-    match value.and_then(|value| Written::deserialize(&value).map_err(|error| error.to_string())) {
-        Ok(written) => {
-            let mut submission = Submission::new(place);
-            match written.put_into(&mut submission) {
-                Ok(()) => Ok(submission),
-                Err(message) => Err((submission.place, message)),
-            }
-        }
-        Err(message) => Err((place, message)),
-    }
-}
-
-impl Written {
-    fn put_into(&self, submission: &mut Submission) -> Result<(), String> {
-        let said =
-            |name: &str, value: &Value| text(value).ok_or_else(|| format!("`{name}` is neither a text nor a number"));
-        for (key, name) in KEYS {
-            let value = match key {
-                Key::Student => &self.student,
-                Key::Problem => &self.problem,
-                Key::Digest => &self.digest,
-                Key::Seed => &self.seed,
-                Key::Form => &self.form,
-                Key::Attempt => &self.attempt,
-                Key::Hints => &self.hints,
-            };
-            submission.put_key(key, &said(name, value)?);
-        }
-        for (part, answer) in &self.answers {
-            submission.put_answer(part, &said(part, answer)?);
-        }
-        Ok(())
-    }
-}
-
-fn text(value: &Value) -> Option<String> {
-    match value {
-        Value::Null => Some(String::new()),
-        Value::String(text) => Some(text.trim().to_owned()),
-        Value::Number(number) => Some(number.to_string()),
-        Value::Bool(true) => Some("yes".to_owned()),
-        Value::Bool(false) => Some("no".to_owned()),
-        Value::Array(_) | Value::Object(_) => None,
-    }
+fn file(path: &Path) -> Result<Submission, String> {
+    let text = Input::open(path).and_then(|input| input.text(LONGEST)).map_err(|error| error.to_string())?;
+    Submission::of_yaml(Place::File(path.to_owned()), &fault::Source::new(&path.display().to_string(), &text))
 }
 
 #[cfg(test)]
 mod tests {
+    use crate::exercise::Key;
+
     use super::*;
 
     fn all(name: &str, text: &str) -> Vec<Result<String, String>> {
@@ -191,12 +123,13 @@ mod tests {
             }
             Err((place, message)) => Err(format!("{place}: {message}")),
         };
-        Source::open(&path).unwrap().map(shown).collect()
+        let mut source = Source::open(&path).unwrap();
+        std::iter::from_fn(|| source.next()).map(|(_, next)| shown(next)).collect()
     }
 
     #[test]
     fn a_table_and_lines_say_the_same() {
-        let table = all("a.csv", "problem,seed,v\na/b,7,3 m/s\na/b,8,\n");
+        let table = all("a.csv", "problem,seed,v\r\na/b,7,3 m/s\r\na/b,8,\r\n");
         let lines = all(
             "a.jsonl",
             "{\"problem\":\"a/b\",\"seed\":7,\"answers\":{\"v\":\"3 m/s\"}}\n\n{\"problem\":\"a/b\",\"seed\":\"8\"}\n",

@@ -3,125 +3,85 @@
 use std::path::Path;
 
 use crate::cli::exit::Exit;
-use crate::cli::failure::Failure;
-use crate::grade::Gathering;
+use crate::cli::failure::{Failure, tell};
+use crate::cli::generate::Roster;
+use crate::cli::table;
+use crate::exercise::Derived;
+use crate::exercise::Listed;
+use crate::exercise::Sheets;
+use crate::grade::RowCounts;
 
 use super::Grade;
-use super::changes::Changes;
-use super::junit::Junit;
-use super::marked::{Marked, are_beside, marked};
+use super::marked::{Marked, marked};
 use super::problems::Problems;
+use super::reader::Reader;
+use super::readers::Readers;
+use super::register::Register;
 use super::sink::Sink;
-use super::source::{Next, Source};
-use super::submission::Key;
-use super::summary;
-
-/// Submissions that are marked at once, while the next ones are read.
-const CHUNK: usize = 16384;
-/// The most attempts that one student can have at one question.
-const MOST_ATTEMPTS: usize = 1000;
+use super::source::Source;
 
 impl Grade {
     /// Marks a file or a folder of submissions.
     pub(super) fn table(&self, path: &Path) -> Result<Exit, Failure> {
-        let mut problems = Problems::here(self.secret.read()?, self.decimal.into())?;
-        let mut source = Source::open(path)?.peekable();
+        let secret = self.secret.read()?;
+        let sheets = self.sheets(secret.as_deref())?;
+        if sheets.is_none() {
+            tell("note: seeds are taken on trust; --sheets or --roster says which student has which");
+        }
+        let problems = Problems::here(&self.problem, secret, self.decimal.into())?;
+        let mut reader = Reader::new(Source::open(path)?, Register::new(problems, sheets));
         let mut sink = Sink::to(self.output.as_deref(), self.marks)?;
         let mut readers = Readers::of(self)?;
-        let (mut exit, mut unusable) = (Exit::Fine, 0_u64);
-        let mut chunk = read(&mut source);
+        let (mut exit, mut counts) = (Exit::Fine, RowCounts::default());
+        let mut chunk = reader.chunk();
         while !chunk.is_empty() {
-            let (format, keep) = (sink.format(), readers.are_there());
-            let (found, next) = rayon::join(|| marked(chunk, &mut problems, format, keep), || read(&mut source));
+            let (format, keep, problems) = (sink.format(), readers.are_there(), reader.problems());
+            let (found, next) = rayon::join(|| marked(chunk, &problems, format, keep), || reader.chunk());
             chunk = next;
             for portion in found? {
                 sink.write(&portion.rows)?;
+                counts += portion.counts;
                 if !portion.is_right {
                     exit = exit.max(Exit::NotRight);
                 }
                 for own in portion.marked {
-                    if let Marked::Unusable(place, message) = &own {
-                        unusable += 1;
-                        Failure::unusable(format!("{}:{place}: {message}", path.display())).report();
+                    match &own {
+                        Marked::Report(..) => {}
+                        Marked::NotIssued(place, message) => {
+                            tell(&format!("not issued: {}:{place}: {message}", path.display()));
+                        }
+                        Marked::Refused(place, message) => {
+                            tell(&format!("error: {}:{place}: {message}", path.display()));
+                        }
                     }
-                    readers.read(&own)?;
+                    readers.read(&own, &problems)?;
                 }
             }
+        }
+        counts.read = reader.read;
+        if counts.read == 0 {
+            return Err(table::of(path, "there is no submission in it"));
         }
         sink.finish()?;
-        readers.finish(self)?;
-        match unusable {
-            0 => Ok(exit),
-            1 => Err(Failure::unusable("1 row cannot be used")),
-            _ => Err(Failure::unusable(format!("{unusable} rows cannot be used"))),
+        readers.finish(self, counts)?;
+        tell(&counts.to_string());
+        if !counts.is_complete() {
+            return Err(Failure::unusable("rows were lost: this is a fault of the program; please report it"));
         }
-    }
-}
-
-/// The next chunk: attempts of one student at one question are not torn apart.
-fn read(source: &mut std::iter::Peekable<Source>) -> Vec<Next> {
-    let mut chunk: Vec<Next> = source.by_ref().take(CHUNK).collect();
-    while chunk.len() < CHUNK + MOST_ATTEMPTS
-        && let Some(next) = source.next_if(|next| chunk.last().is_some_and(|last| are_beside(last, next)))
-    {
-        chunk.push(next);
-    }
-    chunk
-}
-
-/// Those that read every mark, besides the table itself.
-struct Readers {
-    changes: Option<Changes>,
-    gathering: Option<Gathering>,
-    junit: Option<Junit>,
-}
-
-impl Readers {
-    fn of(grade: &Grade) -> Result<Self, Failure> {
-        Ok(Self {
-            changes: grade.changes.as_deref().map(Changes::since).transpose()?,
-            gathering: grade.summary.as_ref().map(|_| Gathering::default()),
-            junit: grade.junit.as_ref().map(|_| Junit::default()),
-        })
+        Ok(if counts.refused > 0 { Exit::Unusable } else { exit })
     }
 
-    fn are_there(&self) -> bool {
-        self.changes.is_some() || self.gathering.is_some() || self.junit.is_some()
-    }
-
-    fn read(&mut self, marked: &Marked) -> Result<(), Failure> {
-        let (submission, report) = match marked {
-            Marked::Report(submission, report) => (submission, report),
-            Marked::Unusable(place, message) => {
-                if let Some(junit) = &mut self.junit {
-                    junit.unusable(place, message);
-                }
-                return Ok(());
-            }
-        };
-        for part in &report.parts {
-            if let Some(changes) = &mut self.changes {
-                changes.part(submission, part)?;
-            }
-            if let Some(gathering) = &mut self.gathering {
-                let key = |key| submission.key(key);
-                gathering.add(key(Key::Student), key(Key::Problem), key(Key::Form), part);
-            }
-            if let Some(junit) = &mut self.junit {
-                junit.part(submission, part);
-            }
+    /// Whose sheet is whose, where that is told.
+    fn sheets(&self, secret: Option<&[u8]>) -> Result<Option<Sheets>, Failure> {
+        if let Some(path) = &self.sheets {
+            let listed = Listed::read(table::open(path)?);
+            let failed =
+                |faults: Vec<String>| Failure::all(faults.iter().map(|fault| table::of(path, fault)).collect());
+            return Ok(Some(Sheets::Listed(listed.map_err(failed)?)));
         }
-        Ok(())
-    }
-
-    fn finish(self, grade: &Grade) -> Result<(), Failure> {
-        self.changes.map_or(Ok(()), Changes::finish)?;
-        if let (Some(gathering), Some(path)) = (self.gathering, &grade.summary) {
-            summary::write(&gathering.statistics(), path)?;
-        }
-        if let (Some(junit), Some(path)) = (self.junit, &grade.junit) {
-            junit.write(path)?;
-        }
-        Ok(())
+        let Some(path) = &self.roster else { return Ok(None) };
+        let students = Roster::read(path)?.students.into_iter().map(|student| student.id).collect();
+        let secret = secret.map(<[u8]>::to_vec);
+        Ok(Some(Sheets::Derived(Derived { students, derivation: self.derivation, secret })))
     }
 }

@@ -42,6 +42,7 @@ impl Catalogue for English {
             Message::Wrong => "Not right.",
             Message::ChoiceWrong => "Not this one.",
             Message::Unanswered => "No answer.",
+            Message::NotIssued => "These are not the numbers of your sheet: look at the seed at its foot.",
             Message::NoAttemptLeft => "No attempt was left: this one does not count.",
             Message::BodiesSwapped => "Which body does this belong to?",
             Message::ComponentsExchanged { of_contact: false } => "Which component belongs to which axis?",

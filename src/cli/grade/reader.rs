@@ -1,0 +1,67 @@
+//! Submissions as they come, looked at, in chunks that fit into memory however long they are.
+
+use std::sync::Arc;
+
+use super::marked::begins;
+use super::problems::Met;
+use super::register::{Entered, Register};
+use super::source::Source;
+
+/// Submissions that are marked at once, while the next ones are read.
+const CHUNK: usize = 16384;
+
+/// The memory that they may take, in bytes.
+const HEAVIEST: usize = 1 << 24;
+
+/// The most that a chunk grows beyond that, so as not to part attempts of one student: rows between them that cannot be used.
+const LONGEST: usize = 4 * CHUNK;
+
+/// Reads submissions.
+pub(super) struct Reader {
+    source: Source,
+    register: Register,
+    /// The first of the next chunk.
+    held: Option<Entered>,
+    /// How many rows were read.
+    pub(super) read: u64,
+}
+
+impl Reader {
+    pub(super) fn new(source: Source, register: Register) -> Self {
+        Self { source, register, held: None, read: 0 }
+    }
+
+    /// The problems that were met so far, by their positions.
+    pub(super) fn problems(&self) -> Vec<Arc<Met>> {
+        self.register.open().to_vec()
+    }
+
+    /// The next chunk: attempts of one student at one question are not torn apart. Nothing is in it where nothing is left.
+    pub(super) fn chunk(&mut self) -> Vec<Entered> {
+        let (mut chunk, mut weight) = (Vec::new(), 0);
+        while let Some(next) = self.next() {
+            let is_full = chunk.len() >= CHUNK || weight >= HEAVIEST;
+            if is_full && begins(&next) {
+                self.held = Some(next);
+                break;
+            }
+            weight += next.as_ref().map_or(size_of::<Entered>(), |entry| entry.submission.weight());
+            chunk.push(next);
+            if chunk.len() >= LONGEST {
+                self.register.part();
+                break;
+            }
+        }
+        chunk
+    }
+
+    fn next(&mut self) -> Option<Entered> {
+        if let Some(held) = self.held.take() {
+            return Some(held);
+        }
+        let (number, next) = self.source.next()?;
+        self.read += 1;
+        let Self { source, register, .. } = self;
+        Some(register.enter(next, number, |number| source.place(number)))
+    }
+}

@@ -1,0 +1,70 @@
+//! Those that read every mark, besides the table of marks itself.
+
+use std::sync::Arc;
+
+use crate::cli::failure::Failure;
+use crate::exercise::Key;
+use crate::grade::Gathering;
+use crate::grade::RowCounts;
+
+use super::Grade;
+use super::changes::Changes;
+use super::junit::Junit;
+use super::marked::Marked;
+use super::problems::Met;
+use super::summary;
+
+/// Those that were asked for.
+pub(super) struct Readers {
+    changes: Option<Changes>,
+    gathering: Option<Gathering>,
+    junit: Option<Junit>,
+}
+
+impl Readers {
+    pub(super) fn of(grade: &Grade) -> Result<Self, Failure> {
+        Ok(Self {
+            changes: grade.changes.as_deref().map(Changes::since).transpose()?,
+            gathering: grade.summary.as_ref().map(|_| Gathering::default()),
+            junit: grade.junit.as_deref().map(Junit::to).transpose()?,
+        })
+    }
+
+    pub(super) fn are_there(&self) -> bool {
+        self.changes.is_some() || self.gathering.is_some() || self.junit.is_some()
+    }
+
+    /// Reads what was found about the next submission.
+    pub(super) fn read(&mut self, marked: &Marked, problems: &[Arc<Met>]) -> Result<(), Failure> {
+        let (entry, report) = match marked {
+            Marked::Report(entry, report) => (entry, report),
+            Marked::NotIssued(..) => return Ok(()),
+            Marked::Refused(place, message) => {
+                return self.junit.as_mut().map_or(Ok(()), |junit| junit.refused(place, message));
+            }
+        };
+        let question = entry.facts.question;
+        let Some(variant) = problems.get(question.problem).map(|met| met.variant(question)) else { return Ok(()) };
+        for part in &report.parts {
+            if let Some(changes) = &mut self.changes {
+                changes.part(&entry.submission, part)?;
+            }
+            if let Some(gathering) = &mut self.gathering {
+                gathering.add(entry.submission.key(Key::Student), variant.problem, variant.form, part);
+            }
+            if let Some(junit) = &mut self.junit {
+                junit.part(&entry.submission, variant, part)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes what was asked for.
+    pub(super) fn finish(self, grade: &Grade, counts: RowCounts) -> Result<(), Failure> {
+        self.changes.map_or(Ok(()), Changes::finish)?;
+        if let (Some(gathering), Some(path)) = (self.gathering, &grade.summary) {
+            summary::write(&gathering.statistics(counts), path)?;
+        }
+        self.junit.map_or(Ok(()), Junit::finish)
+    }
+}

@@ -1,0 +1,162 @@
+//! What is looked at before a submission is marked: the sheet that it answers, whose sheet that is, and which attempt it is.
+
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+use crate::cli::failure::tell;
+use crate::cli::open;
+use crate::exercise::Key;
+use crate::exercise::NotIssued;
+use crate::exercise::Place;
+use crate::exercise::Sheets;
+use crate::exercise::Standing;
+use crate::exercise::Submission;
+use crate::exercise::Together;
+use crate::exercise::VariantRef;
+use crate::exercise::excerpt;
+
+use super::problems::{Met, Problems};
+
+/// A submission, or what is wrong where one should be.
+pub(super) type Next = Result<Submission, (Place, String)>;
+
+/// What was looked at.
+pub(super) type Entered = Result<Entry, (Place, String)>;
+
+/// A submission that can be marked.
+pub(super) struct Entry {
+    pub submission: Submission,
+    pub facts: Facts,
+}
+
+/// What is known of a submission before it is marked.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Facts {
+    pub question: Question,
+    /// Why the sheet is not the student's, where it is known not to be.
+    pub not_issued: Option<NotIssued>,
+    /// Whether it is a further attempt at the sheet of the one before it.
+    pub is_beside: bool,
+    /// The number that the attempt says it has.
+    pub attempt: Option<u32>,
+    /// The hints that were seen.
+    pub hints: u32,
+}
+
+/// The variant that is answered: the position of the problem among those that are open, that of its form, and the seed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Question {
+    pub problem: usize,
+    pub form: usize,
+    pub seed: u64,
+}
+
+/// What is known of the class so far.
+pub(super) struct Register {
+    problems: Problems,
+    sheets: Option<Sheets>,
+    together: Together,
+    /// Problems that were changed after their sheets were made, by their positions; each is told once.
+    changed: BTreeSet<usize>,
+}
+
+impl Register {
+    pub(super) fn new(problems: Problems, sheets: Option<Sheets>) -> Self {
+        Self { problems, sheets, together: Together::default(), changed: BTreeSet::new() }
+    }
+
+    /// The problems that are open, by their positions.
+    pub(super) fn open(&self) -> &[Arc<Met>] {
+        self.problems.open()
+    }
+
+    /// Lets no further attempt join those so far.
+    pub(super) fn part(&mut self) {
+        self.together.part();
+    }
+
+    /// Looks at the next submission; its number says where it stands, in the words of `place`.
+    pub(super) fn enter(&mut self, next: Next, number: u64, place: impl Fn(u64) -> Place) -> Entered {
+        let submission = next?;
+        match self.facts(&submission, number, place) {
+            Ok(facts) => Ok(Entry { submission, facts }),
+            Err(message) => Err((submission.place, message)),
+        }
+    }
+
+    fn facts(&mut self, submission: &Submission, number: u64, place: impl Fn(u64) -> Place) -> Result<Facts, String> {
+        let met = self.problems.find(submission.key(Key::Problem))?;
+        let question = met.question(submission)?;
+        let (attempt, hints) = (submission.number(Key::Attempt, 1)?, submission.number(Key::Hints, 0)?);
+        met.asks(submission, question)?;
+        let (student, variant) = (submission.key(Key::Student), met.variant(question));
+        let not_issued = self.sheets.as_ref().and_then(|own| own.check(student, variant, question.form == 0).err());
+        self.note_a_change(&met);
+        let is_beside = match self.together.add(student, variant, number) {
+            Standing::First => false,
+            Standing::Beside => true,
+            Standing::OneTooMany => {
+                return Err("the student has more attempts at this sheet than can be marked together".to_owned());
+            }
+            Standing::Apart(first) => {
+                let (student, problem, first) = (excerpt(student), variant.problem, place(first));
+                return Err(format!(
+                    "this attempt of `{student}` at {problem} stands apart from the one before it, at {first}\n\
+                     help: sort the rows by student, problem and seed, or give --any-order"
+                ));
+            }
+        };
+        Ok(Facts { question, not_issued, is_beside, attempt, hints: hints.unwrap_or(0) })
+    }
+
+    /// Says where the sheets were made from another version of a problem, once for each.
+    fn note_a_change(&mut self, met: &Met) {
+        let id = met.problem.id();
+        let Some(then) = self.sheets.as_ref().and_then(|sheets| sheets.digest(id)) else { return };
+        let now = &met.problem.loaded().digest;
+        if then != now && self.changed.insert(met.place) {
+            tell(&format!(
+                "note: the sheets of {id} were made from another version of its file: its digest was {then}, and is {now}"
+            ));
+        }
+    }
+}
+
+impl Met {
+    /// The variant that a submission says that it answers.
+    fn question(&self, submission: &Submission) -> Result<Question, String> {
+        let name = Some(submission.key(Key::Form)).filter(|form| !form.is_empty());
+        let form = open::form(&self.problem, name).map_err(|failure| failure.message())?;
+        let seed = submission.key(Key::Seed);
+        let seed = open::seed(seed).map_err(|why| format!("`{}` is no seed: {why}", excerpt(seed)))?;
+        let (said, digest) = (submission.key(Key::Digest), &self.problem.loaded().digest);
+        if !said.is_empty() && said != digest {
+            let id = self.problem.id();
+            return Err(format!("the sheet was made from another version of {id}: its digest is {digest}"));
+        }
+        Ok(Question { problem: self.place, form, seed })
+    }
+
+    /// What is answered, by its names.
+    pub(super) fn variant(&self, question: Question) -> VariantRef<'_> {
+        let form = self.problem.forms().get(question.form).and_then(|form| form.question.name.as_deref());
+        VariantRef { problem: self.problem.id(), form: form.unwrap_or_default(), seed: question.seed }
+    }
+
+    /// Whether each answer belongs to a part that is asked, and each part has one answer.
+    fn asks(&self, submission: &Submission, question: Question) -> Result<(), String> {
+        let marker = self.markers.get(question.form).ok_or("the problem has no such form")?;
+        let mut answered: Vec<usize> = Vec::new();
+        for (name, _) in submission.answers() {
+            let id = self.problem.id();
+            let part = marker.part(name).ok_or_else(|| {
+                format!("`{}` has an answer, and {id} does not ask for it in this form", excerpt(name))
+            })?;
+            if answered.contains(&part) {
+                return Err(format!("`{}` is answered twice", excerpt(name)));
+            }
+            answered.push(part);
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,228 @@
+//! The sheets of a class: whether a student was given the one that was answered.
+
+use std::collections::BTreeMap;
+use std::collections::BTreeSet;
+use std::fmt;
+use std::io::BufRead;
+
+use rustc_hash::FxHashSet;
+
+use super::issued::{Derivation, SeedSource, VariantRef};
+use super::submission::excerpt;
+use super::table::Table;
+use super::together::hash;
+
+/// Who was given which sheet.
+#[derive(Clone, Debug)]
+pub enum Sheets {
+    /// As the table of seeds lists it.
+    Listed(Listed),
+    /// As it follows from the students, the secret and the version of the derivation.
+    Derived(Derived),
+}
+
+/// What a table of seeds says.
+#[derive(Clone, Debug, Default)]
+pub struct Listed {
+    /// Student, problem, form and seed of each sheet, as a hash: classes are large.
+    sheets: FxHashSet<u64>,
+    /// The same without the seed.
+    asked: FxHashSet<u64>,
+    digests: BTreeMap<String, String>,
+}
+
+/// What sheets are derived from.
+#[derive(Clone, Debug)]
+pub struct Derived {
+    /// The students of the roster.
+    pub students: BTreeSet<String>,
+    /// The version of the derivation.
+    pub derivation: Derivation,
+    /// The secret of the course.
+    pub secret: Option<Vec<u8>>,
+}
+
+/// Why a sheet is not the student's.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NotIssued {
+    /// Nobody says whose answers they are.
+    Nobody,
+    /// The roster has no such student.
+    Stranger,
+    /// The student was given no sheet of this problem and form.
+    NotAsked,
+    /// The student was given other numbers.
+    OtherSeed,
+    /// The seed is the student's by another version of the derivation.
+    OtherDerivation(Derivation),
+}
+
+impl Sheets {
+    /// Whether a student was given a variant; where its form `is_first`, a table may leave the form out.
+    ///
+    /// # Errors
+    /// Why not.
+    pub fn check(&self, student: &str, variant: VariantRef<'_>, is_first: bool) -> Result<(), NotIssued> {
+        if student.is_empty() {
+            return Err(NotIssued::Nobody);
+        }
+        match self {
+            Self::Listed(listed) => {
+                let unnamed = VariantRef { form: "", ..variant };
+                let named = listed.check(student, variant);
+                if is_first && named.is_err() && listed.check(student, unnamed) != Err(NotIssued::NotAsked) {
+                    return listed.check(student, unnamed);
+                }
+                named
+            }
+            Self::Derived(derived) => derived.check(student, variant),
+        }
+    }
+
+    /// The digest of the problem's file when the sheets were made, where the table says it.
+    #[must_use]
+    pub fn digest(&self, problem: &str) -> Option<&str> {
+        match self {
+            Self::Listed(listed) => listed.digests.get(problem).map(String::as_str),
+            Self::Derived(_) => None,
+        }
+    }
+}
+
+impl Listed {
+    /// Reads a table of seeds, with the columns `student`, `problem`, `form`, `seed` and `digest`.
+    ///
+    /// # Errors
+    /// What is wrong with the table, or with each of its rows.
+    pub fn read(mut table: Table<impl BufRead>) -> Result<Self, Vec<String>> {
+        let alone = |message: String| vec![message];
+        let needed = |heading: &str| {
+            let column = table.column(heading)?;
+            column.ok_or_else(|| {
+                format!(
+                    "there is no column `{heading}`\nhelp: give the seeds.csv that `momentous generate --roster` wrote"
+                )
+            })
+        };
+        let (student, problem, seed) = (needed("student"), needed("problem"), needed("seed"));
+        let (student, problem, seed) = (student.map_err(alone)?, problem.map_err(alone)?, seed.map_err(alone)?);
+        let [form, digest] = ["form", "digest"].map(|heading| table.column(heading));
+        let (form, digest) = (form.map_err(alone)?, digest.map_err(alone)?);
+        let mut listed = Self::default();
+        let mut faults = Vec::new();
+        while let Some((line, row)) = table.next_row() {
+            let read = row.and_then(|row| {
+                let cell = |column: Option<usize>| column.map_or("", |column| row.cell(column));
+                let seed = row.cell(seed).parse().map_err(|_| format!("`{}` is no seed", excerpt(row.cell(seed))))?;
+                let variant = VariantRef { problem: row.cell(problem), form: cell(form), seed };
+                listed.add(row.cell(student), variant);
+                if !listed.digests.contains_key(variant.problem) && !cell(digest).is_empty() {
+                    listed.digests.insert(variant.problem.to_owned(), cell(digest).to_owned());
+                }
+                Ok(())
+            });
+            faults.extend(read.err().map(|message| format!("line {line}: {message}")));
+        }
+        if listed.sheets.is_empty() && faults.is_empty() {
+            faults.push("there is no sheet in it".to_owned());
+        }
+        if faults.is_empty() { Ok(listed) } else { Err(faults) }
+    }
+
+    fn add(&mut self, student: &str, variant: VariantRef<'_>) {
+        self.sheets.insert(hash((student, variant)));
+        self.asked.insert(hash((student, variant.problem, variant.form)));
+    }
+
+    fn check(&self, student: &str, variant: VariantRef<'_>) -> Result<(), NotIssued> {
+        if self.sheets.contains(&hash((student, variant))) {
+            Ok(())
+        } else if self.asked.contains(&hash((student, variant.problem, variant.form))) {
+            Err(NotIssued::OtherSeed)
+        } else {
+            Err(NotIssued::NotAsked)
+        }
+    }
+}
+
+impl Derived {
+    fn check(&self, student: &str, variant: VariantRef<'_>) -> Result<(), NotIssued> {
+        if !self.students.contains(student) {
+            return Err(NotIssued::Stranger);
+        }
+        let is_of = |derivation: &Derivation| {
+            let seeds = SeedSource { derivation: *derivation, secret: self.secret.as_deref() };
+            seeds.variant(student, variant.problem, variant.form) == variant
+        };
+        if is_of(&self.derivation) {
+            return Ok(());
+        }
+        let other = Derivation::ALL.into_iter().find(is_of);
+        Err(other.map_or(NotIssued::OtherSeed, NotIssued::OtherDerivation))
+    }
+}
+
+/// As it follows a student and a problem.
+impl fmt::Display for NotIssued {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Nobody => out.write_str("the row names no student"),
+            Self::Stranger => out.write_str("the roster has no such student"),
+            Self::NotAsked => out.write_str("the student was given no sheet of this problem and form"),
+            Self::OtherSeed => out.write_str("the student was given another seed"),
+            Self::OtherDerivation(version) => {
+                write!(
+                    out,
+                    "the seed is the student's by version {version} of the derivation\nhelp: give --derivation {version}"
+                )
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn variant(form: &str, seed: u64) -> VariantRef<'_> {
+        VariantRef { problem: "a/b", form, seed }
+    }
+
+    fn listed(text: &str) -> Result<Sheets, Vec<String>> {
+        Listed::read(Table::read(text.as_bytes()).unwrap()).map(Sheets::Listed)
+    }
+
+    #[test]
+    fn a_table_says_whose_sheet_it_is() {
+        let sheets = listed("student,problem,form,seed,digest\ns1,a/b,f,07,abc\ns2,a/b,,8,\n").unwrap();
+        assert_eq!(sheets.check("s1", variant("f", 7), true), Ok(()));
+        assert_eq!(sheets.check("s1", variant("f", 8), true), Err(NotIssued::OtherSeed));
+        assert_eq!(sheets.check("s1", variant("g", 7), false), Err(NotIssued::NotAsked));
+        assert_eq!(sheets.check("s2", variant("f", 8), true), Ok(()), "a first form may be left out");
+        assert_eq!(sheets.check("s2", variant("f", 7), true), Err(NotIssued::OtherSeed));
+        assert_eq!(sheets.check("s2", variant("f", 8), false), Err(NotIssued::NotAsked));
+        assert_eq!(sheets.check("", variant("f", 7), true), Err(NotIssued::Nobody));
+        assert_eq!((sheets.digest("a/b"), sheets.digest("c/d")), (Some("abc"), None));
+    }
+
+    #[test]
+    fn a_table_with_a_fault_is_no_table() {
+        assert!(listed("student,problem\n").unwrap_err()[0].starts_with("there is no column `seed`"));
+        assert_eq!(listed("student,problem,seed\n").unwrap_err(), ["there is no sheet in it"]);
+        let faults = listed("student,problem,seed\ns1,a/b,x\ns1,a/b\ns1,a/b,1\n").unwrap_err();
+        assert_eq!(faults, ["line 2: `x` is no seed", "line 3: the row has 2 cells, and the headings are 3"]);
+    }
+
+    #[test]
+    fn sheets_follow_from_the_roster_and_the_secret() {
+        let students = BTreeSet::from(["s1".to_owned()]);
+        let secret = Some(b"course".to_vec());
+        let seed = |derivation| SeedSource { derivation, secret: secret.as_deref() }.seed("s1", "a/b", "f");
+        let [old, new] = Derivation::ALL.map(seed);
+        let sheets = Sheets::Derived(Derived { students, derivation: Derivation::Question, secret: secret.clone() });
+        assert_eq!(sheets.check("s1", variant("f", new), true), Ok(()));
+        assert_eq!(sheets.check("s1", variant("g", new), true), Err(NotIssued::OtherSeed));
+        assert_eq!(sheets.check("s1", variant("f", old), true), Err(NotIssued::OtherDerivation(Derivation::Student)));
+        assert_eq!(sheets.check("s2", variant("f", new), true), Err(NotIssued::Stranger));
+    }
+}

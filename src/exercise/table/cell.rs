@@ -1,0 +1,82 @@
+//! Cells that a spreadsheet would run as a formula, written so that it shows them.
+
+use std::borrow::Cow;
+
+/// What a formula begins with, in one spreadsheet or another.
+const STARTS: [char; 11] = ['=', '+', '-', '@', '\t', '\r', '\n', '＝', '＋', '－', '＠'];
+
+/// What spreadsheets put before a text that would else be a formula.
+const MARK: char = '\'';
+
+/// A cell as it is safe to open in a spreadsheet: one that would be a formula gets an apostrophe before it. [`super::Table`] takes
+/// it away again, so that every text reads back as it was. A lone number keeps its sign.
+///
+/// ```
+/// use momentous::exercise::defused;
+/// assert_eq!(["=1+1", "-0.5", "-0.5 m/s", "s17"].map(defused), ["'=1+1", "-0.5", "'-0.5 m/s", "s17"]);
+/// ```
+#[must_use]
+pub fn defused(cell: &str) -> Cow<'_, str> {
+    if is_formula(cell.trim_start_matches(MARK)) && !is_number(cell) {
+        Cow::Owned(format!("{MARK}{cell}"))
+    } else {
+        Cow::Borrowed(cell)
+    }
+}
+
+/// The text that is meant by a cell.
+pub(super) fn meant(cell: &str) -> &str {
+    match cell.strip_prefix(MARK) {
+        Some(rest) if is_formula(rest.trim_start_matches(MARK)) => rest,
+        _ => cell,
+    }
+}
+
+fn is_formula(text: &str) -> bool {
+    text.starts_with(STARTS)
+}
+
+/// Whether a text is one decimal number, with a point or a comma.
+fn is_number(text: &str) -> bool {
+    let digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    let unsigned = |text: &'_ str| text.strip_prefix(['+', '-']).unwrap_or(text).to_owned();
+    let (mantissa, exponent) = match text.split_once(['e', 'E']) {
+        Some((mantissa, exponent)) => (mantissa, Some(unsigned(exponent))),
+        None => (text, None),
+    };
+    let mantissa = unsigned(mantissa);
+    let (whole, decimals) = mantissa.split_once(['.', ',']).unwrap_or((&mantissa, ""));
+    (digits(whole) && (decimals.is_empty() || digits(decimals)) || whole.is_empty() && digits(decimals))
+        && exponent.is_none_or(|exponent| digits(&exponent))
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    #[test]
+    fn only_one_number_keeps_its_sign() {
+        for number in ["-5", "+3.1", "-.5", "-0,5", "-1.5e3", "+1E-7", "-3."] {
+            assert_eq!(defused(number), number);
+        }
+        for formula in
+            ["-", "-5 m/s", "-5-5", "--5", "-5e", "+1e+2+3", "@SUM(A1)", "\t=1", "＝1", "'=1", "-2+cmd|' /C calc'!A0"]
+        {
+            assert_eq!(defused(formula), format!("'{formula}"));
+        }
+        assert_eq!(defused("'quoted'"), "'quoted'");
+    }
+
+    proptest! {
+        #[test]
+        fn every_text_reads_back_as_it_was(text in "['=+@ae0-9.-]{0,8}", other in any::<String>()) {
+            for text in [text, other] {
+                let written = defused(&text);
+                prop_assert_eq!(meant(&written), text.as_str());
+                prop_assert!(!is_formula(&written) || is_number(&written), "{}", written);
+            }
+        }
+    }
+}
