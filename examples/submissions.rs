@@ -10,8 +10,6 @@ use std::sync::Arc;
 
 use momentous::problem::Problem;
 
-/// Students of the class; each hands in many submissions.
-const STUDENTS: u64 = 10_000;
 /// Submissions that are drawn at a time.
 const PORTION: usize = 10_000;
 
@@ -25,7 +23,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut line = 0;
     for from in (0..count).step_by(PORTION) {
         for submission in mix::submissions(&problems, from, count.min(from + PORTION as u64)) {
-            let student = format!("s{}", line % STUDENTS);
+            // Each student hands in each problem once.
+            let student = format!("s{}", line / mix::PROBLEMS.len());
             line += 1;
             let seed = submission.seed.to_string();
             let cell = |column: &&str| {

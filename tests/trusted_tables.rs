@@ -6,6 +6,8 @@ use std::fs;
 
 use room::{Ran, Room, lines};
 
+#[path = "trusted_tables/random.rs"]
+mod random;
 #[path = "cli/room.rs"]
 mod room;
 
@@ -36,8 +38,8 @@ fn a_cell_names_a_problem_and_never_a_file() {
     let room =
         Room::with(&[("secret.txt", "secret words that nobody guesses\n"), ("mine.txt", own), ("mine.yaml", own)]);
     let rows = ["secret.txt", "mine.txt", "./mine.yaml", "/dev/zero", "/etc/passwd"];
-    let table: String = rows.iter().map(|cell| format!("m,{cell},1,x\n")).collect();
-    fs::write(room.path("class.csv"), format!("student,problem,seed,a\n{table}")).unwrap();
+    let table: Vec<String> = rows.iter().map(|cell| format!("m,{cell},1,x")).collect();
+    fs::write(room.path("class.csv"), format!("student,problem,seed,a\n{}\n", table.join("\n"))).unwrap();
     let ran = room.run(&["grade", "class.csv", "--secret", "secret.txt", "--junit", "junit.xml", "-o", "marks.csv"]);
     assert_eq!(ran.code, 2, "{}", ran.err);
     assert!(ran.err.contains("5 rows read: 0 marked (0 answers), 5 refused"), "{}", ran.err);
@@ -168,9 +170,31 @@ fn one_attempt_is_one_attempt_however_it_is_written() {
 }
 
 #[test]
+fn attempts_that_stand_apart_can_be_brought_together() {
+    let room = Room::empty();
+    let head = format!("{HEAD},attempt\n");
+    let attempt = |student: &str, seed: &str, number: u32| format!("{},{number}\n", row(student, seed, "forward"));
+    let apart =
+        [attempt("s", "1", 2), "\n".to_owned(), attempt("t", "1", 1), attempt("s", "x", 1), attempt("s", "01", 1)];
+    let together = [attempt("s", "1", 2), attempt("s", "01", 1), attempt("t", "1", 1), attempt("s", "x", 1)];
+    fs::write(room.path("apart.csv"), format!("{head}{}", apart.concat())).unwrap();
+    fs::write(room.path("together.csv"), format!("{head}{}", together.concat())).unwrap();
+    let marked = |file: &str, more: &[&str]| {
+        let ran = room.run(&[&["grade", file, "-o", "marks.csv"], more].concat());
+        assert!(ran.code == 2 && ran.err.contains("4 rows read: 3 marked (9 answers), 1 refused"), "{}", ran.err);
+        let marks = marks(&room);
+        (marks.iter().map(|mark| mark.split_once(' ').unwrap().1.to_owned()).collect::<Vec<_>>(), ran.err)
+    };
+    let (joined, told) = marked("apart.csv", &["--any-order"]);
+    assert_eq!(joined, marked("together.csv", &[]).0);
+    assert!(told.contains("apart.csv:5: `x` is no seed"), "{told}");
+    assert_eq!(marks(&room).len(), 9);
+}
+
+#[test]
 fn an_open_quotation_mark_costs_one_row() {
     let room = Room::empty();
-    let mut rows = vec![format!("ann,impact/two-carts,1,forward,-0.500 m/s,4.00 m/s,\"33.8 J")];
+    let mut rows = vec!["ann,impact/two-carts,1,forward,-0.500 m/s,4.00 m/s,\"33.8 J".to_owned()];
     rows.extend((0..1000).map(|number| row(&format!("s{number}"), "1", "forward")));
     let ran = grade(&room, &rows, &[]);
     assert_eq!((ran.code, marks(&room).len()), (2, 3000), "{}", ran.err);

@@ -43,6 +43,12 @@ pub struct Together {
 }
 
 impl Together {
+    /// What a student and a sheet are known by, the same for all attempts.
+    #[must_use]
+    pub fn sheet(student: &str, variant: VariantRef<'_>) -> u64 {
+        hash((student, variant))
+    }
+
     /// Lets the next attempt begin anew.
     pub fn part(&mut self) {
         self.last = None;
@@ -54,7 +60,7 @@ impl Together {
             self.last = None;
             return Standing::First;
         }
-        let sheet = hash((student, variant));
+        let sheet = Self::sheet(student, variant);
         if let Some((_, count)) = self.last.as_mut().filter(|(last, _)| *last == sheet) {
             *count += 1;
             return if *count > MOST_ATTEMPTS { Standing::OneTooMany } else { Standing::Beside };

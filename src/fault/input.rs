@@ -3,6 +3,8 @@
 use std::fs::File;
 use std::io;
 use std::io::Read;
+use std::io::Seek;
+use std::io::SeekFrom;
 use std::path::Path;
 
 /// The names of standard input.
@@ -76,6 +78,15 @@ impl Read for Input {
         match self {
             Self::File(file) => file.read(bytes),
             Self::Stdin(stdin) => stdin.read(bytes),
+        }
+    }
+}
+
+impl Seek for Input {
+    fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
+        match self {
+            Self::File(file) => file.seek(to),
+            Self::Stdin(_) => Err(io::Error::new(io::ErrorKind::Unsupported, "standard input is read only once")),
         }
     }
 }

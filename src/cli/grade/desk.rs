@@ -22,8 +22,8 @@ pub(super) struct Desk<'p> {
 
 /// One form on the desk, with the variant that was drawn last.
 struct Form<'p> {
-    problem: usize,
-    form: usize,
+    /// The positions of the problem and of its form.
+    asked: [usize; 2],
     marker: Marker,
     drawer: Drawer<'p>,
     last: Option<Exercise>,
@@ -55,7 +55,7 @@ impl<'p> Desk<'p> {
 
     /// The form that is asked; it is set up where it is not on the desk yet.
     fn form(&mut self, question: Question) -> Result<&mut Form<'p>, String> {
-        let is_asked = |form: &Form<'p>| (form.problem, form.form) == (question.problem, question.form);
+        let is_asked = |form: &Form<'p>| form.asked == [question.problem, question.form];
         if !self.forms.get(self.last).is_some_and(is_asked) {
             self.last = match self.forms.iter().position(is_asked) {
                 Some(known) => known,
@@ -74,7 +74,7 @@ impl<'p> Form<'p> {
         let met = problems.get(question.problem)?;
         let marker = met.markers.get(question.form)?.clone();
         let drawer = Drawer::new(&met.problem, question.form).ok()?;
-        Some(Self { problem: question.problem, form: question.form, marker, drawer, last: None })
+        Some(Self { asked: [question.problem, question.form], marker, drawer, last: None })
     }
 
     /// The marker with the variant that is asked, which is drawn where it is not the one that was drawn last.

@@ -147,7 +147,9 @@ impl Done {
         let reports = match desk.mark(&attempts) {
             Ok(reports) => reports,
             Err(message) => {
-                attempts.into_iter().for_each(|own| self.refuse(own.submission.place, message.clone()));
+                for own in attempts {
+                    self.refuse(own.submission.place, message.clone());
+                }
                 return Ok(());
             }
         };

@@ -4,6 +4,7 @@ mod changes;
 mod desk;
 mod junit;
 mod marked;
+mod order;
 mod problems;
 mod reader;
 mod readers;
@@ -111,6 +112,9 @@ pub(super) struct Grade {
     /// How seeds of students were made: 2, or 1 by an earlier version of the program
     #[arg(long, value_name = "VERSION", default_value_t, requires = "roster")]
     derivation: Derivation,
+    /// Bring attempts of one student at one sheet together where they stand apart; the file is read twice
+    #[arg(long, requires = "submissions")]
+    any_order: bool,
     /// Print every mark that differs from these, which an earlier run wrote for the same submissions
     #[arg(long, value_name = "OLD.csv", requires = "output")]
     changes: Option<PathBuf>,

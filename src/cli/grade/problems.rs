@@ -64,6 +64,12 @@ impl Problems {
         &self.open
     }
 
+    /// Forgets what was told of names and files.
+    pub(super) fn begin_again(&mut self) {
+        self.suggestions = MOST_SUGGESTIONS;
+        self.met.retain(|_, met| met.is_ok());
+    }
+
     /// The problem with that identity.
     pub(super) fn find(&mut self, id: &str) -> Result<Arc<Met>, String> {
         match self.met.get(id) {

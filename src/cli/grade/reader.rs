@@ -2,7 +2,10 @@
 
 use std::sync::Arc;
 
+use crate::cli::failure::Failure;
+
 use super::marked::begins;
+use super::order::Order;
 use super::problems::Met;
 use super::register::{Entered, Register};
 use super::source::Source;
@@ -20,6 +23,8 @@ const LONGEST: usize = 4 * CHUNK;
 pub(super) struct Reader {
     source: Source,
     register: Register,
+    /// The order in which rows are marked, where it is not that of the file.
+    order: Option<Order>,
     /// The first of the next chunk.
     held: Option<Entered>,
     /// How many rows were read.
@@ -28,7 +33,13 @@ pub(super) struct Reader {
 
 impl Reader {
     pub(super) fn new(source: Source, register: Register) -> Self {
-        Self { source, register, held: None, read: 0 }
+        Self { source, register, order: None, held: None, read: 0 }
+    }
+
+    /// The same, with attempts brought together that stand apart.
+    pub(super) fn in_any_order(mut source: Source, mut register: Register) -> Result<Self, Failure> {
+        let order = Order::of(&mut source, &mut register)?;
+        Ok(Self { order: Some(order), ..Self::new(source, register) })
     }
 
     /// The problems that were met so far, by their positions.
@@ -59,7 +70,10 @@ impl Reader {
         if let Some(held) = self.held.take() {
             return Some(held);
         }
-        let (number, next) = self.source.next()?;
+        let (number, next) = match &mut self.order {
+            Some(order) => order.next(&mut self.source)?,
+            None => self.source.next()?,
+        };
         self.read += 1;
         let Self { source, register, .. } = self;
         Some(register.enter(next, number, |number| source.place(number)))

@@ -75,6 +75,19 @@ impl Register {
         self.together.part();
     }
 
+    /// What a student and a sheet are known by; nothing where the row names none.
+    pub(super) fn sheet(&mut self, submission: &Submission) -> Option<u64> {
+        let student = submission.key(Key::Student);
+        let met = self.problems.find(submission.key(Key::Problem)).ok().filter(|_| !student.is_empty())?;
+        let question = met.question(submission).ok()?;
+        Some(Together::sheet(student, met.variant(question)))
+    }
+
+    /// Forgets what was told, before the submissions are read once more.
+    pub(super) fn begin_again(&mut self) {
+        self.problems.begin_again();
+    }
+
     /// Looks at the next submission; its number says where it stands, in the words of `place`.
     pub(super) fn enter(&mut self, next: Next, number: u64, place: impl Fn(u64) -> Place) -> Entered {
         let submission = next?;

@@ -1,5 +1,6 @@
 //! Where submissions come from: a table, a file of JSON lines, or a folder of YAML files. One at a time, in order.
 
+use std::io;
 use std::io::BufReader;
 use std::path::Path;
 use std::path::PathBuf;
@@ -23,7 +24,7 @@ const LONGEST: u64 = 1 << 20;
 
 /// Submissions in the order of the input.
 pub(super) enum Source {
-    Table(Table<BufReader<Input>>, Vec<Column>),
+    Table(Box<Table<BufReader<Input>>>, Vec<Column>),
     Lines(Box<Lines<BufReader<Input>>>, Line),
     Folder(Vec<PathBuf>, usize),
 }
@@ -46,7 +47,7 @@ impl Source {
         let table = table::open(path)?;
         let columns = Column::all(table.headings());
         let columns = columns.map_err(|message| Failure::unusable(format!("{}: {message}", path.display())))?;
-        Ok(Self::Table(table, columns))
+        Ok(Self::Table(Box::new(table), columns))
     }
 
     /// The next submission with its number, from which [`Source::place`] tells where it stands.
@@ -62,6 +63,27 @@ impl Source {
                 let path = files.get(*next)?;
                 *next += 1;
                 Some((*next as u64 - 1, file(path).map_err(|message| (Place::File(path.clone()), message))))
+            }
+        }
+    }
+
+    /// The byte at which the submission begins that came last.
+    pub(super) fn last_place(&self) -> u64 {
+        match self {
+            Self::Table(table, _) => table.last_place(),
+            Self::Lines(_, line) => line.place,
+            Self::Folder(..) => 0,
+        }
+    }
+
+    /// Goes to the submission with that number, which begins at that byte.
+    pub(super) fn go_to(&mut self, place: u64, number: u64) -> io::Result<()> {
+        match self {
+            Self::Table(table, _) => table.go_to(place, number),
+            Self::Lines(lines, _) => lines.go_to(place, number),
+            Self::Folder(_, next) => {
+                *next = usize::try_from(number).map_err(io::Error::other)?;
+                Ok(())
             }
         }
     }

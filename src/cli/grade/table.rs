@@ -29,7 +29,9 @@ impl Grade {
             tell("note: seeds are taken on trust; --sheets or --roster says which student has which");
         }
         let problems = Problems::here(&self.problem, secret, self.decimal.into())?;
-        let mut reader = Reader::new(Source::open(path)?, Register::new(problems, sheets));
+        let (source, register) = (Source::open(path)?, Register::new(problems, sheets));
+        let mut reader =
+            if self.any_order { Reader::in_any_order(source, register)? } else { Reader::new(source, register) };
         let mut sink = Sink::to(self.output.as_deref(), self.marks)?;
         let mut readers = Readers::of(self)?;
         let (mut exit, mut counts) = (Exit::Fine, RowCounts::default());

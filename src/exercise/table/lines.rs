@@ -106,11 +106,6 @@ impl<R: BufRead> Lines<R> {
         }
     }
 
-    /// Where the next line begins, in bytes.
-    pub(super) fn place(&self) -> u64 {
-        self.ahead.front().map_or(self.place, |line| line.place)
-    }
-
     fn consume(&mut self, bytes: usize) {
         self.input.consume(bytes);
         self.place += bytes as u64;
@@ -129,7 +124,7 @@ impl<R: BufRead + io::Seek> Lines<R> {
             None => _ = self.input.seek(io::SeekFrom::Start(place))?,
         }
         self.ahead.clear();
-        (self.place, self.number) = (place, number - 1);
+        (self.place, self.number, self.is_over) = (place, number.saturating_sub(1), false);
         Ok(())
     }
 }

@@ -43,6 +43,7 @@ impl<R: BufRead> Table<R> {
                 return Err(twice(heading, first, index));
             }
         }
+        rows.width = Some(headings.len());
         Ok(Self { headings, rows })
     }
 
@@ -64,6 +65,12 @@ impl<R: BufRead> Table<R> {
         }
     }
 
+    /// Where the row begins that was read last, in bytes.
+    #[must_use]
+    pub fn last_place(&self) -> u64 {
+        self.rows.last_place()
+    }
+
     /// The next row with the line on which it begins, or what is wrong with it. Lines with nothing on them are no rows.
     pub fn next_row(&mut self) -> Option<(u64, Result<&Row, String>)> {
         let wanted = self.headings.len();
@@ -78,11 +85,6 @@ impl<R: BufRead> Table<R> {
 }
 
 impl<R: BufRead + io::Seek> Table<R> {
-    /// Where the next row begins, in bytes.
-    pub fn place(&mut self) -> u64 {
-        self.rows.place()
-    }
-
     /// Goes to a row that begins there, on that line.
     ///
     /// # Errors

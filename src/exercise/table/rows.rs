@@ -16,6 +16,8 @@ const HELP: &str = "help: close a cell that is opened by a quotation mark; withi
 pub struct Rows<R> {
     lines: Lines<R>,
     delimiter: u8,
+    /// How many cells a row has, where that is known.
+    pub(super) width: Option<usize>,
     /// The row and the line that were read last, in memory that the next ones take over.
     row: Row,
     line: Line,
@@ -79,7 +81,7 @@ impl<R: BufRead> Rows<R> {
             delimiter = delimiter_of(&first.bytes);
             lines.give_back(std::iter::once(first));
         }
-        Ok(Self { lines, delimiter, row: Row::default(), line: Line::default() })
+        Ok(Self { lines, delimiter, width: None, row: Row::default(), line: Line::default() })
     }
 
     /// The next row with the line on which it begins, or what is wrong with it. Lines with nothing on them are no rows.
@@ -111,7 +113,8 @@ impl<R: BufRead> Rows<R> {
             let read = found.then(|| text(&next).and_then(|text| cells(&mut self.row, text, self.delimiter, true)));
             more.extend(found.then_some(next));
             // What does not fit on a later line says that the mark was never meant to go that far.
-            let Some(Ok(still)) = read else {
+            let fits = |still: &bool| *still || self.width.is_none_or(|width| self.row.len() == width);
+            let Some(still) = read.and_then(Result::ok).filter(fits) else {
                 self.lines.give_back(more.into_iter());
                 return Err(format!("a quotation mark is opened in cell {opened} and not closed\n{HELP}"));
             };
@@ -120,9 +123,10 @@ impl<R: BufRead> Rows<R> {
         Ok(())
     }
 
-    /// Where the next row begins, in bytes.
-    pub fn place(&self) -> u64 {
-        self.lines.place()
+    /// Where the row begins that was read last, in bytes.
+    #[must_use]
+    pub fn last_place(&self) -> u64 {
+        self.line.place
     }
 }
 
@@ -215,29 +219,25 @@ mod tests {
         all
     }
 
-    fn cells(cells: &[&str]) -> Result<Vec<String>, String> {
-        Ok(cells.iter().map(|cell| (*cell).to_owned()).collect())
+    fn row(line: u64, cells: &[&str]) -> (u64, Result<Vec<String>, String>) {
+        (line, Ok(cells.iter().map(|cell| (*cell).to_owned()).collect()))
     }
 
     #[test]
     fn cells_are_read_as_programs_write_them() {
         let text = "a, b ,\"c, \"\"d\"\"\"\r\n\r\n\"two\r\nlines\" ,5\",\n'=1,,";
-        let expected = [
-            (1, cells(&["a", "b", "c, \"d\""])),
-            (3, cells(&["two\r\nlines", "5\"", ""])),
-            (5, cells(&["=1", "", ""])),
-        ];
+        let expected = [row(1, &["a", "b", "c, \"d\""]), row(3, &["two\r\nlines", "5\"", ""]), row(5, &["=1", "", ""])];
         assert_eq!(all(text), expected);
-        assert_eq!(all("\"x,y\";b\n1,5;2"), [(1, cells(&["x,y", "b"])), (2, cells(&["1,5", "2"]))]);
+        assert_eq!(all("\"x,y\";b\n1,5;2"), [row(1, &["x,y", "b"]), row(2, &["1,5", "2"])]);
     }
 
     #[test]
     fn an_open_quotation_mark_costs_its_own_row_only() {
         let open = |cell: usize| Err(format!("a quotation mark is opened in cell {cell} and not closed"));
         let after = Err("text stands after the closing quotation mark of cell 2".to_owned());
-        assert_eq!(all("a,\"b\nc,d\ne,f"), [(1, open(2)), (2, cells(&["c", "d"])), (3, cells(&["e", "f"]))]);
-        assert_eq!(all("a,\"b\nc,d\ne,\"f"), [(1, open(2)), (2, cells(&["c", "d"])), (3, open(2))]);
-        assert_eq!(all("a,\"b\"c\nd,\"\""), [(1, after), (2, cells(&["d", ""]))]);
+        assert_eq!(all("a,\"b\nc,d\ne,f"), [(1, open(2)), row(2, &["c", "d"]), row(3, &["e", "f"])]);
+        assert_eq!(all("a,\"b\nc,d\ne,\"f"), [(1, open(2)), row(2, &["c", "d"]), (3, open(2))]);
+        assert_eq!(all("a,\"b\"c\nd,\"\""), [(1, after), row(2, &["d", ""])]);
         let long = all(&format!("\"a\n{}b\"", "x\n".repeat(MOST_LINES)));
         assert_eq!((long.len(), &long[0]), (MOST_LINES + 2, &(1, open(1))));
     }
