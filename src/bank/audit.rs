@@ -3,7 +3,9 @@
 use std::sync::Arc;
 
 use crate::fault::Source;
+use crate::problem::Meant;
 use crate::problem::NoVariant;
+use crate::problem::PlannedForm;
 use crate::problem::Problem;
 use crate::problem::compile;
 use crate::problem::digest;
@@ -75,11 +77,14 @@ fn form_audit(
         // It is compiled, or there would be no form to look at.
         Promise::Compiles => Outcome::Kept,
         Promise::Prints => printed::prints(problem, position, drawn, renderer),
+        Promise::Told => told(problem, form),
         Promise::Draws => draws(&samples),
         Promise::Determined => determined(&samples),
         Promise::Certified => answers::certified(&columns),
         Promise::Varies => answers::varies(&columns, variants),
         Promise::NotZero => answers::not_zero(&columns),
+        Promise::Variety => variety(&samples, &form.meant),
+        Promise::NotGiven if form.meant.contains(&Meant::EqualsGiven) => Outcome::Kept,
         Promise::NotGiven => answers::not_given(&columns),
         Promise::FromTheSheet => repeat::from_the_sheet(problem, position, drawn),
         Promise::KeyMarks => repeat::key_marks(problem, position, drawn),
@@ -94,6 +99,7 @@ fn form_audit(
         seeds: drawn,
         combinations: u64::try_from(problem.combinations()).unwrap_or(u64::MAX),
         variants,
+        sheets: samples.sheets(),
         acceptance: samples.acceptance(),
         laws: problem.laws(form).iter().map(|law| law.name.to_owned()).collect(),
         answers: answers::spreads(&form.parts, &problem.model().symbols, &samples),
@@ -114,6 +120,26 @@ fn draws(samples: &Samples) -> Outcome {
             Outcome::Broken(format!("{} seeds draw nothing, seed {first} among them{why}", samples.failed.len()))
         }
     }
+}
+
+/// A given that the text leaves out is a fault of the file; a value within the scene may be told in other words.
+fn told(problem: &Problem, form: &PlannedForm) -> Outcome {
+    let untold = |value: &str| format!("the text does not say {value}, which stands in the scene and is needed");
+    noted(&problem.untold(form).into_iter().map(untold).collect::<Vec<_>>())
+}
+
+/// Whether seeds differ, as far as their author does not mean them to be alike.
+fn variety(samples: &Samples, meant: &[Meant]) -> Outcome {
+    if samples.drawn.len() < 2 {
+        return Outcome::NotChecked("one seed has nothing to differ from");
+    }
+    if samples.sheets() == 1 && !meant.contains(&Meant::OneSheet) {
+        return Outcome::Noted("every seed gives the same sheet; if that is meant, write `allow: [one-sheet]`".into());
+    }
+    if samples.sheets() > 1 && samples.have_one_answer() && !meant.contains(&Meant::OneAnswer) {
+        return Outcome::Noted("every seed has the same answers; if that is meant, write `allow: [one-answer]`".into());
+    }
+    Outcome::Kept
 }
 
 /// A variant is drawn only where exactly one solution breaks no condition of its scene, so what was drawn is the proof.

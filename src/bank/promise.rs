@@ -11,6 +11,8 @@ pub enum Promise {
     Compiles,
     /// Texts, hints, solution and key can be written in every format.
     Prints,
+    /// The sheet tells every value that the answers need.
+    Told,
     /// Every seed draws within a bounded number of tries.
     Draws,
     /// What is asked has exactly one solution that nothing forbids.
@@ -19,6 +21,8 @@ pub enum Promise {
     Certified,
     /// No answer is the same for every seed.
     Varies,
+    /// Seeds give different sheets, with different answers.
+    Variety,
     /// Answers are not zero by accident.
     NotZero,
     /// Answers are not among the givens.
@@ -47,10 +51,12 @@ const SAID: &[(Promise, &str, &str)] = &[
         "names, dimensions, ranges and texts are right, and what is asked follows from the givens",
     ),
     (Promise::Prints, "prints", "texts, hints, solution and key can be written in every format"),
+    (Promise::Told, "told", "the sheet tells every value that the answers need"),
     (Promise::Draws, "draws", "every seed draws within a bounded number of tries"),
     (Promise::Determined, "determined", "what is asked has exactly one solution, and nothing in it is unphysical"),
     (Promise::Certified, "certified", "the error of every answer is bounded, and small"),
     (Promise::Varies, "varies", "no answer is the same for every seed"),
+    (Promise::Variety, "variety", "seeds give different sheets, and different answers"),
     (Promise::NotZero, "not-zero", "answers are not zero by accident"),
     (Promise::NotGiven, "not-given", "answers do not equal a given in most draws"),
     (

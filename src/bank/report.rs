@@ -35,6 +35,8 @@ pub struct FormAudit {
     pub combinations: u64,
     /// How many different sets of numbers these seeds drew.
     pub variants: usize,
+    /// How many different texts of sheets these seeds drew.
+    pub sheets: usize,
     /// The share of draws that were not rejected.
     pub acceptance: f64,
     /// The laws that lead to the answers, each once, in the order of their use.

@@ -1,5 +1,10 @@
 //! Many variants of one form, reduced to what an audit looks at.
 
+use std::collections::BTreeSet;
+use std::hash::DefaultHasher;
+use std::hash::Hash;
+use std::hash::Hasher;
+
 use rayon::prelude::*;
 
 use crate::problem::NoVariant;
@@ -37,6 +42,8 @@ pub(super) struct Samples {
 pub(super) struct Sample {
     /// The printed givens, as one text.
     pub given: String,
+    /// The text of the sheet, as a digest.
+    pub sheet: u64,
     /// The answers in the order of the parts that are numbers.
     pub answers: Vec<Answered>,
     /// The right phrases in the order of the parts that are choices or formulas.
@@ -96,8 +103,27 @@ impl Samples {
 
     /// How many different sets of givens were drawn.
     pub(super) fn variants(&self) -> usize {
-        self.drawn.iter().map(|sample| sample.given.as_str()).collect::<std::collections::BTreeSet<_>>().len()
+        self.drawn.iter().map(|sample| sample.given.as_str()).collect::<BTreeSet<_>>().len()
     }
+
+    /// How many different texts the sheets have.
+    pub(super) fn sheets(&self) -> usize {
+        self.drawn.iter().map(|sample| sample.sheet).collect::<BTreeSet<_>>().len()
+    }
+
+    /// Whether every seed has the same answers, as they are printed.
+    pub(super) fn have_one_answer(&self) -> bool {
+        let key = |sample: &Sample| -> Vec<String> {
+            sample.answers.iter().map(|answer| &answer.printed).chain(&sample.chosen).cloned().collect()
+        };
+        self.drawn.first().map(key).is_some_and(|first| self.drawn.iter().all(|sample| key(sample) == first))
+    }
+}
+
+fn digest(text: &str) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    text.hash(&mut hasher);
+    hasher.finish()
 }
 
 impl Sample {
@@ -113,7 +139,12 @@ impl Sample {
             PartKind::Number(_) | PartKind::Vector(_) | PartKind::Range(_) => None,
         });
         let chosen = chosen.collect();
-        Some(Self { given: given.join("; "), answers: answers(&worked, worked.form), chosen })
+        Some(Self {
+            given: given.join("; "),
+            sheet: digest(&variant.text(problem)),
+            answers: answers(&worked, worked.form),
+            chosen,
+        })
     }
 }
 

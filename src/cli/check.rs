@@ -125,11 +125,12 @@ fn write_form(output: &mut Output, form: &FormAudit, style: Style) -> Result<(),
     let name = form.form.as_deref().unwrap_or("its one form");
     writeln!(
         output,
-        "  {}: {} seeds, {} different variants of {}, {:.1} % of the draws accepted",
+        "  {}: {} seeds, {} different variants of {}, {}, {:.1} % of the draws accepted",
         style.strong(name),
         form.seeds,
         form.variants,
         form.combinations,
+        count(form.sheets, "different sheet"),
         100.0 * form.acceptance
     )?;
     if !form.laws.is_empty() {

@@ -68,6 +68,8 @@ pub struct Builder<'s> {
     pub(super) defined: BTreeSet<String>,
     pub(super) free: BTreeSet<Symbol>,
     pub(super) given: BTreeSet<String>,
+    /// What the author named at a place of the scene, with the first such place.
+    pub(super) named: BTreeMap<Symbol, Path>,
     pub(super) mentions: BTreeMap<String, Symbol>,
     pub(super) faults: Vec<Fault>,
 }
@@ -101,6 +103,7 @@ impl<'s> Builder<'s> {
             defined: BTreeSet::new(),
             free: BTreeSet::new(),
             given: BTreeSet::new(),
+            named: BTreeMap::new(),
             mentions: BTreeMap::new(),
             faults: Vec::new(),
         }
@@ -122,6 +125,7 @@ impl<'s> Builder<'s> {
             let path = Path::root().key("given").key(name.as_str());
             self.faults.push(Fault::new(Code::Dimension, message).help("change the unit").at_path(path));
         }
+        self.made_by_the_scene(symbol, &meaning);
         if self.symbols.entry(symbol).meaning.is_empty() {
             self.symbols.describe(symbol, meaning);
         }

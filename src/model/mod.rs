@@ -4,6 +4,7 @@ mod acting;
 mod alternative;
 mod builder;
 mod check;
+mod collision;
 mod define;
 mod frame;
 mod friction;
@@ -101,6 +102,7 @@ impl<'s> Builder<'s> {
             }
         }
         builder.stages();
+        builder.times_of_instants();
         Ok(builder)
     }
 

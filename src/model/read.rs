@@ -65,13 +65,17 @@ impl Builder<'_> {
         if is_bare_name(text) && self.resolve(text).is_none() {
             let symbol = self.symbol(text, dimension, meaning);
             self.free.insert(symbol);
+            self.named_at(symbol, path);
             return symbol.into();
         }
         let expr = self.read_any(text, path);
-        if let Expr::Symbol(symbol) = expr
-            && self.symbols.entry(symbol).meaning.is_empty()
-        {
-            self.symbols.describe(symbol, meaning.to_owned());
+        if let Expr::Symbol(symbol) = expr {
+            if self.symbols.entry(symbol).meaning.is_empty() {
+                self.symbols.describe(symbol, meaning.to_owned());
+                self.named_at(symbol, path);
+            } else {
+                self.not_the_running_time(symbol, path);
+            }
         }
         match expr.dimension(&self.symbols) {
             Ok(found) if found == dimension || expr.is_zero() => {}

@@ -18,7 +18,7 @@ use super::Builder;
 impl Builder<'_> {
     /// A strength as a function of the time `t`.
     pub(super) fn strength(&mut self, strength: &Strength, dimension: Dimension, meaning: &str, path: &Path) -> Expr {
-        let clock = Expr::from(self.symbol("t", Dimension::TIME, "the time"));
+        let clock = Expr::from(self.running_time());
         match strength {
             Strength::Term(term) => self.read(term, dimension, meaning, path),
             Strength::Pieces(pieces) => {
@@ -93,7 +93,7 @@ impl Builder<'_> {
         meaning: &str,
         path: &Path,
     ) -> Vec<Expr> {
-        self.symbol("t", Dimension::TIME, "the time");
+        self.running_time();
         if let Some(stranger) = components.axes().find(|axis| self.axes.iter().all(|(own, _)| own != axis)) {
             let fault = Fault::new(Code::Value, format!("the scene has no axis {}", stranger.letter()));
             let help = format!("its axes are: {}", self.axis_letters().join(", "));

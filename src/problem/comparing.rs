@@ -13,7 +13,7 @@ use crate::solve::Relation;
 
 use super::ask::Holds;
 use super::ask::Order;
-use super::compile::condition;
+use super::condition::condition;
 use super::decision::ChoicePart;
 use super::decision::Claim;
 use super::decision::MOST_ORDERED;

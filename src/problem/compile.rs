@@ -1,6 +1,5 @@
 //! From a loaded file to a problem that can be drawn and solved: names become symbols, what is asked becomes plans.
 
-use crate::expr::Expr;
 use crate::expr::Notation;
 use crate::expr::Symbol;
 use crate::fault::Code;
@@ -20,7 +19,7 @@ use crate::solve::Equation;
 use crate::solve::Planner;
 
 use super::any;
-use super::comparison::split_relation;
+use super::condition::condition;
 use super::declared::declared;
 use super::draft::Units;
 use super::feedback;
@@ -254,23 +253,4 @@ fn mention_for_checks(stages: &[Stage], builder: &mut Builder<'_>) {
             builder.mention(&format!("T_lost[{}]", index + 1));
         }
     }
-}
-
-/// Reads `v_A1 > v_B1`; a fault is noted where it cannot be read.
-pub(super) fn condition(builder: &mut Builder<'_>, text: &str, reason: &str, path: &Path) -> Option<Condition> {
-    let Some((left, relation, right)) = split_relation(text) else {
-        let fault = Fault::new(Code::Syntax, format!("`{text}` is not a condition"));
-        builder.fault(fault.help("compare two terms: `v_A1 > v_B1`").at_path(path.clone()));
-        return None;
-    };
-    let [left, right] = [left, right].map(|side| builder.term(side, path));
-    let dimension = |side: &Expr| side.dimension(builder.symbols()).ok().filter(|_| !side.is_zero());
-    if let (Some(one), Some(other)) = (dimension(&left), dimension(&right))
-        && one != other
-    {
-        let [one, other] = [one, other].map(dimension_name);
-        let fault = Fault::new(Code::Dimension, format!("`{text}` compares {one} with {other}"));
-        builder.fault(fault.help("check the units on both sides").at_path(path.clone()));
-    }
-    Some(builder.compare(left, relation, right, reason))
 }

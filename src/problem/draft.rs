@@ -62,7 +62,7 @@ pub struct Draft {
     /// `all` where every true solution is asked for, in every form.
     #[serde(default)]
     pub roots: Option<Roots>,
-    /// Warnings that this problem is meant to cause, by their names, in every form.
+    /// What this problem is meant to do although something speaks against it, by its names, in every form: `passes-through`, `one-sheet`.
     #[serde(default)]
     pub allow: Vec<String>,
     /// `unphysical` where the problem is meant to end in something impossible, in every form.
@@ -111,7 +111,7 @@ pub struct Form {
     /// `all` where every true solution is asked for.
     #[serde(default)]
     pub roots: Option<Roots>,
-    /// Warnings that this form is meant to cause, by their names.
+    /// What this form is meant to do although something speaks against it, by its names: `passes-through`, `one-sheet`.
     #[serde(default)]
     pub allow: Vec<String>,
     /// `unphysical` where the form is meant to end in something impossible.

@@ -5,15 +5,14 @@ use std::collections::BTreeSet;
 use crate::expr::Symbol;
 use crate::fault::Code;
 use crate::fault::Fault;
-use crate::fault::did_you_mean;
 use crate::model::Builder;
 use crate::model::Model;
-use crate::model::Warning;
 use crate::solve::Condition;
 use crate::solve::Equation;
 use crate::solve::Planner;
 
-use super::compile::condition;
+use super::allowed::Allowed;
+use super::condition::condition;
 use super::follow::Followings;
 use super::form::Question;
 use super::formula::Formulas;
@@ -38,7 +37,7 @@ pub(super) struct FormDraft {
     pub(super) counts: Vec<Equation>,
     reveal: Vec<Reveal>,
     pub(super) conditions: Vec<Condition>,
-    allowed: Vec<Warning>,
+    allowed: Allowed,
 }
 
 impl FormDraft {
@@ -76,7 +75,7 @@ impl FormDraft {
             counts: read.counts,
             reveal,
             conditions,
-            allowed: allowed(question, builder),
+            allowed: Allowed::read(question, builder),
         }
     }
 
@@ -106,27 +105,42 @@ impl FormDraft {
             None
         } else {
             let at = self.question.path.key("reveal");
-            let planned =
-                Regimes::plan(planner, model, &[], &extra(&self.conditions), &everything, &revealed, &self.allowed);
+            let planned = Regimes::plan(
+                planner,
+                model,
+                &[],
+                &extra(&self.conditions),
+                &everything,
+                &revealed,
+                &self.allowed.warnings,
+            );
             Some(planned.map_err(|fault| vec![fault.at_path(at)])?)
         };
-        let trials = range::trials(planner, model, &self.parts, &told, &self.allowed)
+        let trials = range::trials(planner, model, &self.parts, &told, &self.allowed.warnings)
             .map_err(|fault| vec![fault.at_path(path.clone())])?;
         let given = self.wanted.iter().find(|symbol| everything.contains(symbol));
-        let solver =
-            Regimes::plan(planner, model, &self.counts, &extra(&self.conditions), &told, &wanted, &self.allowed)
-                .map_err(|fault| match given.map(|symbol| &model.symbols.entry(*symbol).name) {
-                    Some(name) => fault.help(format!(
-                        "`{name}` stands under `given`, and a form that asks for it must tell what it follows from: \
+        let solver = Regimes::plan(
+            planner,
+            model,
+            &self.counts,
+            &extra(&self.conditions),
+            &told,
+            &wanted,
+            &self.allowed.warnings,
+        )
+        .map_err(|fault| match given.map(|symbol| &model.symbols.entry(*symbol).name) {
+            Some(name) => fault.help(format!(
+                "`{name}` stands under `given`, and a form that asks for it must tell what it follows from: \
                      `reveal: [...]`"
-                    )),
-                    None => fault,
-                })
-                .map_err(|fault| vec![fault.at_path(path)])?;
+            )),
+            None => fault,
+        })
+        .map_err(|fault| vec![fault.at_path(path)])?;
         Ok(Form {
             trials,
             question: self.question,
             parts: self.parts,
+            meant: self.allowed.meant,
             told,
             free: BTreeSet::new(),
             formulas: Formulas::default(),
@@ -140,27 +154,6 @@ impl FormDraft {
             kept: Kept::default(),
         })
     }
-}
-
-/// The warnings that a form is meant to cause; all of them where it is meant to end in something impossible.
-fn allowed(question: &Question, builder: &mut Builder<'_>) -> Vec<Warning> {
-    if question.expect.is_some() {
-        return Warning::NAMES.iter().map(|(_, warning)| *warning).collect();
-    }
-    let mut allowed = Vec::new();
-    for (path, name) in &question.allow {
-        match Warning::NAMES.iter().find(|(own, _)| own == name) {
-            Some((_, warning)) => allowed.push(*warning),
-            None => {
-                let known = Warning::NAMES.iter().map(|(own, _)| *own);
-                let near = did_you_mean(name, known.clone()).map(|near| format!("did you mean `{near}`?"));
-                let help = near.unwrap_or_else(|| format!("known are: {}", known.collect::<Vec<_>>().join(", ")));
-                let fault = Fault::new(Code::UnknownName, format!("there is no warning `{name}`"));
-                builder.fault(fault.help(help).at_path(path.clone()));
-            }
-        }
-    }
-    allowed
 }
 
 /// Everything that has a value before anything is solved.

@@ -1,6 +1,7 @@
 //! Problem files: their language, how they are read, and how their numbers are drawn.
 
 mod ad_hoc;
+mod allowed;
 mod any;
 mod ask;
 mod check;
@@ -8,6 +9,7 @@ mod comparing;
 mod comparison;
 mod compile;
 mod concept;
+mod condition;
 mod conserved;
 mod course;
 mod decision;
@@ -33,6 +35,7 @@ mod mentions;
 mod misjudged;
 mod mistakes;
 mod no_variant;
+mod numerals;
 mod origin;
 mod part;
 mod parts;
@@ -59,6 +62,7 @@ mod variant;
 mod vector;
 
 pub use ad_hoc::ad_hoc;
+pub use allowed::Meant;
 pub use ask::{
     Answered, Ask, AskedRoots, Classifiable, Classify, Conservable, Conserved, Count, Find, Holds, Impulsive, Order,
     Range, Turn, WhichRoot,

@@ -23,6 +23,7 @@ use super::ask::Turn;
 use super::comparing;
 use super::comparison::split_relation;
 use super::concept;
+use super::condition::are_comparable;
 use super::conserved;
 use super::form::Question;
 use super::formula::FormulaPart;
@@ -326,6 +327,9 @@ fn counted(count: &Count, builder: &mut Builder<'_>, path: &Path, counts: &mut V
         return None;
     };
     let [left, right] = [left, right].map(|side| builder.term(side, &path));
+    if !are_comparable(builder, text, [&left, &right], &path) {
+        return None;
+    }
     let because = [&left, &right].into_iter().find_map(|side| builder.reason_of(side, symbol)).map(str::to_owned);
     let [left, right] = [left, right].map(|side| builder.written_out(&side, symbol));
     let meaning = builder.symbols().entry(symbol).meaning.clone();

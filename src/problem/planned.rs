@@ -13,6 +13,7 @@ use crate::model::Name;
 use crate::quantity::Unit;
 use crate::quantity::UnitSystem;
 
+use super::allowed::Meant;
 use super::compile::Built;
 use super::follow::Followings;
 use super::form::Question;
@@ -50,6 +51,8 @@ pub struct Form {
     pub question: Question,
     /// What is asked.
     pub parts: Vec<Part>,
+    /// What the author means of what `momentous check` would find.
+    pub meant: Vec<Meant>,
     /// What the student is told: the symbols that the solver takes as known.
     pub told: BTreeSet<Symbol>,
     /// Of these, the quantities whose values the sheet does not tell: they may be anything, or are known by their symbols only.

@@ -1,4 +1,4 @@
-//! What a text must tell and must not tell: every drawn number that the solution needs, and nothing that is asked.
+//! What a text must tell and must not tell: every number that the solution needs, drawn or not, and nothing that is asked.
 
 use std::collections::BTreeSet;
 
@@ -6,11 +6,21 @@ use crate::expr::Symbol;
 use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Path;
+use crate::laws::geometry;
+use crate::laws::kinematics;
 use crate::model::Model;
+use crate::quantity::Decimal;
+use crate::quantity::Quantity;
+use crate::quantity::Unit;
+use crate::solve::Equation;
 
 use super::known::Known;
+use super::known::Origin;
 use super::load::Loaded;
+use super::numerals::goes_without_saying;
+use super::numerals::tells;
 use super::planned::Form;
+use super::planned::Problem;
 use super::text::Text;
 
 /// The faults of one form's text.
@@ -46,8 +56,14 @@ pub(super) fn check(loaded: &Loaded, model: &Model, known: &[Known], form: &Form
     }
     let needed = form.needed();
     let revealed = form.reveal.iter().map(|reveal| (reveal.name.as_str(), reveal.symbol));
-    let drawn = known.iter().filter(|known| known.origin.is_drawn()).map(|known| (known.name.as_str(), known.symbol));
-    for (name, symbol) in drawn.chain(revealed) {
+    let prose = prose(loaded, form);
+    let fixed = |known: &&Known| match &known.origin {
+        Origin::Drawn(_) => true,
+        Origin::Fixed(value) => is_given(loaded, known) && !is_said(&prose, value, &known.unit),
+        Origin::Any => false,
+    };
+    let given = known.iter().filter(fixed).map(|known| (known.name.as_str(), known.symbol));
+    for (name, symbol) in given.chain(revealed) {
         if needed.contains(&symbol) && !printed.contains(&symbol) {
             let message = format!("the text never prints `{name}`, which the solution needs");
             let help = format!("put `{{{{ {name} }}}}` where the reader should learn it");
@@ -55,6 +71,54 @@ pub(super) fn check(loaded: &Loaded, model: &Model, known: &[Known], form: &Form
         }
     }
     faults
+}
+
+/// Whether the file gives it, rather than a default that the sheet's note tells.
+fn is_given(loaded: &Loaded, known: &Known) -> bool {
+    let whole = known.name.split_once('.').map_or(known.name.as_str(), |(whole, _)| whole);
+    [known.name.as_str(), whole].iter().any(|name| loaded.given.get(name).is_some())
+}
+
+/// Whether words tell a value.
+fn is_said(prose: &str, value: &Decimal, unit: &Unit) -> bool {
+    goes_without_saying(value, unit) || tells(prose, value, unit)
+}
+
+/// The words of a form's sheet, placeholders left out.
+fn prose(loaded: &Loaded, form: &Form) -> String {
+    let words = |text: &Text| text.fill(&|_| String::new());
+    let labels = form.parts.iter().map(|part| part.label.clone());
+    let texts = [words(&loaded.text), words(&form.question.text)].into_iter().chain(labels);
+    texts.collect::<Vec<_>>().join("\n")
+}
+
+impl Problem {
+    /// Values that stand in the scene, that the answers of a form need, and that its sheet does not tell in so many words: the
+    /// words may tell them in another way, as "for 1 s, and for 3 s more" tells 4 s.
+    #[must_use]
+    pub fn untold(&self, form: &Form) -> Vec<&str> {
+        let model = self.model();
+        let prose = prose(self.loaded(), form);
+        let needed = in_laws(model, form);
+        let untold = |(symbol, value): &&(Symbol, Quantity)| {
+            needed.contains(symbol) && !is_said(&prose, &value.value, &value.unit)
+        };
+        let name = |(symbol, _): &(Symbol, Quantity)| model.symbols.entry(*symbol).name.as_str();
+        model.literals.iter().filter(untold).map(name).collect()
+    }
+}
+
+/// What the laws that lead to the answers speak of; what a question compares with, it says itself.
+fn in_laws(model: &Model, form: &Form) -> BTreeSet<Symbol> {
+    let asked = [&geometry::BOUNDARY, &kinematics::COUNT];
+    let is_law = |equation: &&Equation| {
+        model.instances.get(equation.tag).is_some_and(|own| asked.iter().all(|law| law.id != own.law.id))
+    };
+    let equations = form.solver.leaves().iter().flat_map(|leaf| {
+        let positions = leaf.answer_steps().iter().flat_map(|step| &step.equations);
+        positions.filter_map(|position| leaf.system.equations.get(*position))
+    });
+    equations.filter(is_law).flat_map(Equation::symbols).collect()
 }
 
 /// Whether a quantity follows from what is told without being asked: a given that is an expression of others.

@@ -188,6 +188,16 @@ impl Builder<'_> {
         Some(part * weight.strength.clone() * (end.clone() - start.clone()))
     }
 
+    /// The time from the start to an instant.
+    pub(super) fn clock(&mut self, instant: usize) -> Option<Symbol> {
+        let time = self.time_until(instant)?;
+        let meaning = format!("the time {}, counted from the start", self.when(instant));
+        let symbol = self.symbol(format!("t_{instant}"), Dimension::TIME, meaning);
+        let because = "all durations are counted from the start";
+        self.law(&kinematics::CLOCK, None, because, (symbol.into(), time));
+        Some(symbol)
+    }
+
     fn component_phrase(name: &Name) -> String {
         name.component.as_ref().map_or_else(String::new, |letter| format!("the {letter}-component of "))
     }
@@ -281,18 +291,7 @@ fn coordinate(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
 /// `t_3`: the time from the start to an instant, where the durations of all stages before it are spoken of.
 fn clock(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let instant = builder.number(name).filter(|_| name.subject.is_empty())?;
-    let lasting = builder.lasting.iter().zip(&builder.scene.stages).take(instant - 1);
-    let durations: Vec<Expr> = lasting
-        .filter(|(_, stage)| {
-            !matches!(stage, Stage::Impact(_) | Stage::Blow(_) | Stage::Separate(_) | Stage::Strike(_))
-        })
-        .map(|(duration, _)| duration.clone())
-        .collect::<Option<_>>()?;
-    let meaning = format!("the time {}, counted from the start", builder.when(instant));
-    let symbol = builder.symbol(format!("t_{instant}"), Dimension::TIME, meaning);
-    let because = "all durations are counted from the start".to_owned();
-    builder.law(&kinematics::CLOCK, None, because, (symbol.into(), Expr::sum(durations)));
-    Some(symbol)
+    builder.clock(instant)
 }
 
 fn linear_momentum(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {

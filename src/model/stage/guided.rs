@@ -23,6 +23,9 @@ impl Builder<'_> {
         let because = format!("the impulses that {name_a} and {name_b} give each other cancel");
         let Some(frame) = frame else {
             self.momentum_of_all(index, &because, [&[first, second], &[first, second]]);
+            if contact.stage.loss.is_none() && !contact.stage.elastic {
+                self.creates_no_energy(index, [first, second]);
+            }
             return;
         };
         self.frames[index] = Some(frame.clone());
@@ -56,6 +59,7 @@ impl Builder<'_> {
             let sides = restitution::restitution(&e, [&a1.along, &b1.along], [&a2.along, &b2.along]);
             self.law(&restitution::RESTITUTION, Some(index), because, sides);
         }
+        self.parts_no_faster(contact, [&a1.along, &b1.along], [&a2.along, &b2.along]);
         let reason = format!("{name_a} would not catch up with {name_b}, so that no impact would happen");
         self.require(Warning::NoImpact, a1.along, Relation::Greater, b1.along, reason);
         let reason = format!("{name_a} would pass through {name_b}");

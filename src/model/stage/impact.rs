@@ -61,6 +61,10 @@ impl Builder<'_> {
             None if of_energy => Expr::zero(),
             None => return,
         };
+        if stage.loss.is_some() {
+            let reason = "a loss below zero would create kinetic energy";
+            self.require(Warning::EnergyCreated, loss.clone(), Relation::AtLeast, Expr::zero(), reason);
+        }
         let bodies: Vec<&str> = match stage.partners() {
             Some(Partners::Bodies(first, second)) => vec![first, second],
             Some(Partners::Surface(body, _)) => vec![body],
@@ -125,16 +129,7 @@ impl Builder<'_> {
         self.require(Warning::NoImpact, along(&a1), Relation::Greater, along(&b1), reason);
         let reason = format!("{name_a} would pass through {name_b}");
         self.require(Warning::PassesThrough, along(&b2), Relation::AtLeast, along(&a2), reason);
-        if contact.stage.restitution.is_none() {
-            let lost = (along(&a1) - along(&b1)) - (along(&b2) - along(&a2));
-            self.require(
-                Warning::EnergyCreated,
-                lost,
-                Relation::AtLeast,
-                Expr::zero(),
-                "kinetic energy would be created",
-            );
-        }
+        self.parts_no_faster(contact, [&a1.along, &b1.along], [&a2.along, &b2.along]);
         if self.weight_acts_across() {
             self.not_needed(
                 "weight and any support of the bodies",
@@ -195,6 +190,9 @@ impl Builder<'_> {
     fn general_impact(&mut self, contact: &Contact<'_>, first: &str, second: &str) {
         let (name_a, name_b) = (self.called(first), self.called(second));
         self.exchange(contact, [first, second], [first, second]);
+        if contact.stage.loss.is_none() && !contact.stage.elastic {
+            self.creates_no_energy(contact.index, [first, second]);
+        }
         if self.weight_acts_across() {
             self.not_needed("weight and the support of the bodies", "they act across the plane of motion and cancel");
         }
@@ -202,6 +200,23 @@ impl Builder<'_> {
             "the impulse between the bodies",
             format!("within the system it cancels: on {name_a} and on {name_b} it is equal and opposite"),
         );
+    }
+
+    /// That two bodies part no faster along the line of impact than they met, where no coefficient of restitution says so.
+    pub(super) fn parts_no_faster(&mut self, contact: &Contact<'_>, before: [&Expr; 2], after: [&Expr; 2]) {
+        if contact.stage.restitution.is_none() {
+            let lost = (before[0].clone() - before[1].clone()) - (after[1].clone() - after[0].clone());
+            let reason = "kinetic energy would be created";
+            self.require(Warning::EnergyCreated, lost, Relation::AtLeast, Expr::zero(), reason);
+        }
+    }
+
+    /// That two bodies have no more kinetic energy after an impact than before it.
+    pub(super) fn creates_no_energy(&mut self, index: usize, bodies: [&str; 2]) {
+        let [start, end] = [index + 1, index + 2]
+            .map(|instant| Expr::sum(bodies.iter().map(|body| self.kinetic_of(body, instant)).collect::<Vec<_>>()));
+        let reason = "kinetic energy would be created";
+        self.require(Warning::EnergyCreated, start, Relation::AtLeast, end, reason);
     }
 
     /// Momentum along every axis, for bodies that exchange impulses of unknown direction, and those impulses.

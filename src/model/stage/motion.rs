@@ -30,7 +30,7 @@ struct Course {
 
 impl Builder<'_> {
     pub(in crate::model) fn motion(&mut self, index: usize, stage: &Motion, path: &Path) {
-        let clock = self.symbol("t", Dimension::TIME, "the time");
+        let clock = self.running_time();
         let times = match &stage.during {
             Some(during) => self.duration(index, during, &path.key("during")).into(),
             None => [Expr::zero(), self.stage_duration(index, None, path)],

@@ -51,7 +51,7 @@ pub(in crate::model) struct Pushed<'a> {
 
 impl Builder<'_> {
     pub(in crate::model) fn push(&mut self, index: usize, stage: &Push, path: &Path) {
-        let clock = self.symbol("t", Dimension::TIME, "the time");
+        let clock = self.running_time();
         let (start, end) = match &stage.during {
             Some(during) => self.duration(index, during, &path.key("during")),
             None => (Expr::zero(), self.stage_duration(index, None, path)),

@@ -162,7 +162,7 @@ impl Builder<'_> {
         start: &Expr,
         end: &Expr,
     ) -> Expr {
-        let clock = self.symbol("t", Dimension::TIME, "the time");
+        let clock = self.running_time();
         if !moment.contains(clock) {
             return moment.clone() * (end.clone() - start.clone());
         }

@@ -96,7 +96,7 @@ impl Builder<'_> {
         let strength = self.strength(strength, Dimension::FORCE, name, &path.key("force"));
         let end = self.stage_duration(index, stage.duration.as_ref(), path);
         self.told_throughout(name, &strength, &end);
-        let clock = self.symbol("t", Dimension::TIME, "the time");
+        let clock = self.running_time();
         let force = Acting { name: name.to_owned(), strength, direction: Direction::axis(0, false) };
         let impulse = self.impulse_of(index, &force, clock, [&Expr::zero(), &end]);
         let own = format!("J_{ahead}{}", self.stage_suffix(index));

@@ -82,7 +82,12 @@ impl Builder<'_> {
                 let because = format!("{name} stays on the arm");
                 self.law(&restitution::PLASTIC, Some(index), because, (v2.clone(), w2.clone()));
             }
-            (None, false) => {}
+            (None, false) => {
+                let squared = |one: &Expr, other: &Expr| (one.clone() - other.clone()).powi(2);
+                let reason =
+                    format!("{name} would leave the arm faster than it came (e above 1), and energy would be created");
+                self.require(Warning::EnergyCreated, squared(v1, w1), Relation::AtLeast, squared(v2, w2), reason);
+            }
         }
     }
 }

@@ -70,6 +70,12 @@ impl Builder<'_> {
             components,
             impulsive: true,
         });
+        if stage.restitution.is_none() && !stage.plastic {
+            let [approach, separation] = [moves.clone() - start.along.clone(), end.along.clone() - moves.clone()];
+            let reason =
+                format!("{name} would leave {wall} faster than it came (e above 1), and energy would be created");
+            self.require(Warning::EnergyCreated, approach, Relation::AtLeast, separation, reason);
+        }
         self.require(
             Warning::NoImpact,
             start.along,

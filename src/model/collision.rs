@@ -1,0 +1,92 @@
+//! Names that an author chose for something, and that the scene itself makes for something else.
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::quantity::Dimension;
+use crate::scene::Stage;
+
+use super::Builder;
+
+/// The name of the time that runs within a stage, and what it is.
+const RUNNING: (&str, &str) = ("t", "the time");
+
+impl Builder<'_> {
+    /// The time that runs within a stage.
+    pub(super) fn running_time(&mut self) -> Symbol {
+        let (name, meaning) = RUNNING;
+        self.symbol(name, Dimension::TIME, meaning)
+    }
+
+    /// Notes that the author named a quantity at a place of the scene.
+    pub(super) fn named_at(&mut self, symbol: Symbol, path: &Path) {
+        self.named.entry(symbol).or_insert_with(|| path.clone());
+    }
+
+    /// A fault where what is fixed has the name of the time that runs.
+    pub(super) fn not_the_running_time(&mut self, symbol: Symbol, path: &Path) {
+        let entry = self.symbols.entry(symbol);
+        if (entry.name.as_str(), entry.meaning.as_str()) == RUNNING {
+            self.named_at(symbol, path);
+            self.collision(symbol, "the time that runs within a stage", "one that is fixed");
+        }
+    }
+
+    /// A fault where the scene makes a quantity under a name that the author gave to another.
+    pub(super) fn made_by_the_scene(&mut self, symbol: Symbol, meaning: &str) {
+        let known = self.symbols.entry(symbol).meaning.clone();
+        if self.named.contains_key(&symbol) && !known.is_empty() && known != meaning {
+            self.collision(symbol, meaning, &known);
+        }
+    }
+
+    fn collision(&mut self, symbol: Symbol, own: &str, other: &str) {
+        let name = self.symbols.entry(symbol).name.clone();
+        let given = || Path::root().key("given").name(name.as_str());
+        let path =
+            if self.given.contains(&name) { given() } else { self.named.get(&symbol).cloned().unwrap_or_default() };
+        let message = format!("`{name}` is the scene's own name for {own}, and cannot stand for {other} as well");
+        let fault = Fault::new(Code::Duplicate, message).help("choose another name").at_path(path);
+        if !self.faults.contains(&fault) {
+            self.faults.push(fault);
+        }
+    }
+
+    /// The time from the start to an instant as a sum of durations, where those of all stages before it are spoken of.
+    pub(super) fn time_until(&self, instant: usize) -> Option<Expr> {
+        let lasting = self.lasting.iter().zip(&self.scene.stages).take(instant.checked_sub(1)?);
+        let takes_time =
+            |stage: &Stage| !matches!(stage, Stage::Impact(_) | Stage::Blow(_) | Stage::Separate(_) | Stage::Strike(_));
+        let durations = lasting.filter(|(_, stage)| takes_time(stage)).map(|(duration, _)| duration.clone());
+        Some(Expr::sum(durations.collect::<Option<Vec<_>>>()?))
+    }
+
+    /// Looks at the names `t_1`, `t_2`, ... that are given or stand in the scene: each is the time at its instant, or it is a
+    /// fault.
+    pub(super) fn times_of_instants(&mut self) {
+        for instant in 1..=self.timeline.last() {
+            let Some(symbol) = self.symbols.find(&format!("t_{instant}")) else { continue };
+            let Some(time) = self.time_until(instant) else { continue };
+            // One that nobody named was made as the time at its instant.
+            let is_own = !self.named.contains_key(&symbol) && !self.given.contains(&format!("t_{instant}"));
+            if is_own || time.simplify() == Expr::from(symbol) {
+                continue;
+            }
+            if instant > 1 && !self.speaks_of(symbol) {
+                self.clock(instant);
+                continue;
+            }
+            let own = format!("the time {}, counted from the start", self.when(instant));
+            let known = self.symbols.entry(symbol).meaning.clone();
+            self.collision(symbol, &own, if known.is_empty() { "another time" } else { &known });
+        }
+    }
+
+    /// Whether a stage has put a quantity into an equation.
+    fn speaks_of(&self, symbol: Symbol) -> bool {
+        let stated = self.choices.iter().flatten().flat_map(|way| &way.equations);
+        self.system.equations.iter().chain(stated).any(|equation| equation.symbols().contains(&symbol))
+    }
+}
