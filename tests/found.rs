@@ -28,8 +28,7 @@ const FOUND: &[(&str, Outcome)] = &[
     ("about_nowhere", Holds(&["b = yes"])),
     // Wanted: 18.3 degrees below the horizontal.
     ("aiming", Refused(&["no way is known to solve"])),
-    // Wanted: refused as a direction, with the words of the axis.
-    ("backwards", Refused(&["`m` does not follow from what is given", "give also `backwards`"])),
+    ("backwards", Refused(&["`backwards` is not a direction of this scene", "its directions are `ahead`"])),
     // Wanted: v_A2 = 6 m/s.
     ("given_by_given", Refused(&["the name `k` is not known"])),
     // Wanted: v_C3 = 0.444 m/s, p_3 = 1 kg m/s.
@@ -46,8 +45,7 @@ const FOUND: &[(&str, Outcome)] = &[
     ("range_after_flight", Refused(&["within what is possible it holds always, or never"])),
     // Wanted: 0.547 s or 1.49 s.
     ("roots_all", Broken(&["`dt (2)` =  is marked unanswered"])),
-    // Wanted: r_ball2.x = 3.97 m.
-    ("shelf", Broken(&["`dt` is 1.32", "0.308"])),
+    ("shelf", Holds(&["r_ball2.x = 3.97 m"])),
     // Wanted: v_A2 = 12.0 m/s.
     ("slide_by_height", Broken(&["`N_A` is 78.48 by the laws"])),
     ("small_beside_large", Holds(&["v_B2 = 0.0150 m/s", "T_B2 = 6.75 × 10^-4 J", "J_B = 0.0900 N s"])),
@@ -56,8 +54,10 @@ const FOUND: &[(&str, Outcome)] = &[
     // Wanted: beta = -14.0 degrees, e = 0.5.
     ("unknown_normal", Refused(&["no way is known to solve"])),
     ("wall_creates_energy", Refused(&["the ball would leave the wall faster than it came (e above 1)"])),
-    // Wanted: an author's fault, since weight gives half of the change of momentum.
-    ("weight_in_a_long_impact", Holds(&["speed_ball2 = 5.94 m/s", "F_avg_ball = 7.92 N", "c = no"])),
+    (
+        "weight_in_a_long_impact",
+        Refused(&["weight would give the ball 10 % or more of its change of momentum in the impact"]),
+    ),
 ];
 
 /// Answers to one of the files, and how many points they get.

@@ -51,6 +51,10 @@ const BEYOND_A_SCHEMA: &[&str] = &[
     "over_a_distance",
     "spring_without_a_body",
     "swing_in_a_horizontal_plane",
+    "conditions_without_dimension",
+    "fixed_values_untold",
+    "name_of_the_scene",
+    "weight_",
 ];
 
 fn is_valid(path: &Path) -> bool {

@@ -1,5 +1,6 @@
 //! The audit of a problem: each promise looked at over many seeds.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use crate::fault::Source;
@@ -84,6 +85,7 @@ fn form_audit(
         Promise::Varies => answers::varies(&columns, variants),
         Promise::NotZero => answers::not_zero(&columns),
         Promise::Variety => variety(&samples, &form.meant),
+        Promise::Neglected => neglected(&samples),
         Promise::NotGiven if form.meant.contains(&Meant::EqualsGiven) => Outcome::Kept,
         Promise::NotGiven => answers::not_given(&columns),
         Promise::FromTheSheet => repeat::from_the_sheet(problem, position, drawn),
@@ -126,6 +128,17 @@ fn draws(samples: &Samples) -> Outcome {
 fn told(problem: &Problem, form: &PlannedForm) -> Outcome {
     let untold = |value: &str| format!("the text does not say {value}, which stands in the scene and is needed");
     noted(&problem.untold(form).into_iter().map(untold).collect::<Vec<_>>())
+}
+
+/// The largest share that is left out of each balance, where it is worth a word.
+fn neglected(samples: &Samples) -> Outcome {
+    let mut largest: BTreeMap<&str, f64> = BTreeMap::new();
+    for (of, share) in samples.drawn.iter().flat_map(|sample| &sample.neglected) {
+        let own = largest.entry(of).or_default();
+        *own = own.max(*share);
+    }
+    let said = |(of, share): (&str, f64)| format!("weight, which is left out, gives up to {:.1} % {of}", 100.0 * share);
+    noted(&largest.into_iter().map(said).collect::<Vec<_>>())
 }
 
 /// Whether seeds differ, as far as their author does not mean them to be alike.

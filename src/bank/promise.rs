@@ -23,6 +23,8 @@ pub enum Promise {
     Varies,
     /// Seeds give different sheets, with different answers.
     Variety,
+    /// What short contacts leave out is small beside what they do.
+    Neglected,
     /// Answers are not zero by accident.
     NotZero,
     /// Answers are not among the givens.
@@ -57,6 +59,7 @@ const SAID: &[(Promise, &str, &str)] = &[
     (Promise::Certified, "certified", "the error of every answer is bounded, and small"),
     (Promise::Varies, "varies", "no answer is the same for every seed"),
     (Promise::Variety, "variety", "seeds give different sheets, and different answers"),
+    (Promise::Neglected, "neglected", "what short contacts leave out is small beside what they do"),
     (Promise::NotZero, "not-zero", "answers are not zero by accident"),
     (Promise::NotGiven, "not-given", "answers do not equal a given in most draws"),
     (

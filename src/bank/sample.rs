@@ -7,6 +7,7 @@ use std::hash::Hasher;
 
 use rayon::prelude::*;
 
+use crate::model::ContactWeight;
 use crate::problem::NoVariant;
 use crate::problem::NumberPart;
 use crate::problem::PartKind;
@@ -44,6 +45,8 @@ pub(super) struct Sample {
     pub given: String,
     /// The text of the sheet, as a digest.
     pub sheet: u64,
+    /// What is left out and worth a word, each with its share of what is kept.
+    pub neglected: Vec<(String, f64)>,
     /// The answers in the order of the parts that are numbers.
     pub answers: Vec<Answered>,
     /// The right phrases in the order of the parts that are choices or formulas.
@@ -120,6 +123,13 @@ impl Samples {
     }
 }
 
+/// What is left out, as the subject of a sentence.
+fn called(problem: &Problem, weight: &ContactWeight) -> String {
+    let scene = &problem.loaded().draft.scene;
+    let phrase = problem.model().phrase(scene, weight.stage);
+    format!("of the change of momentum of {} in {phrase}", scene.called(&weight.on))
+}
+
 fn digest(text: &str) -> u64 {
     let mut hasher = DefaultHasher::new();
     text.hash(&mut hasher);
@@ -139,9 +149,12 @@ impl Sample {
             PartKind::Number(_) | PartKind::Vector(_) | PartKind::Range(_) => None,
         });
         let chosen = chosen.collect();
+        let neglected =
+            worked.neglected().into_iter().map(|(weight, share)| (called(problem, weight), share)).collect();
         Some(Self {
             given: given.join("; "),
             sheet: digest(&variant.text(problem)),
+            neglected,
             answers: answers(&worked, worked.form),
             chosen,
         })

@@ -24,8 +24,22 @@ pub(super) fn diagrams(display: Display<'_>) -> Vec<Block> {
     let mut blocks: Vec<Block> =
         pictures::solution(worked).into_iter().map(|drawing| Block::Figure(Box::new(drawing))).collect();
     blocks.extend_from_slice(display.way.acting.get_or_init(|| sentences(worked)));
+    blocks.extend(neglected(worked));
     blocks.extend(why_not_energy(worked));
     blocks
+}
+
+/// How much of the change of momentum is left out, where that is worth a word.
+fn neglected(worked: Worked<'_>) -> impl Iterator<Item = Block> {
+    let scene = &worked.problem.loaded().draft.scene;
+    worked.neglected().into_iter().map(move |(weight, share)| {
+        text(&format!(
+            "In {} the impulse of weight, which is left out, is {:.1} % of the change of momentum of {}.",
+            worked.problem.model().phrase(scene, weight.stage),
+            100.0 * share,
+            scene.called(&weight.on)
+        ))
+    })
 }
 
 /// What acts in each stage, and what is left out.
@@ -48,7 +62,11 @@ fn sentences(worked: Worked<'_>) -> Vec<Block> {
 
 /// One sentence on what acts in a stage.
 fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) -> Option<String> {
-    let impulses: Vec<&Impulse> = model.impulses.iter().filter(|impulse| impulse.stage == index).collect();
+    let all = || model.impulses.iter().filter(|impulse| impulse.stage == index);
+    // Weight that a short contact includes is no impulsive force.
+    let short = matches!(stage, Stage::Impact(_) | Stage::Blow(_));
+    let impulses: Vec<&Impulse> = all().filter(|impulse| impulse.impulsive || !short).collect();
+    let also = if short && all().any(|impulse| !impulse.impulsive) { "; weight acts as well" } else { "" };
     let first = impulses.first()?;
     let name = |body: &str| scene.called(body);
     let body = name(&first.on);
@@ -91,7 +109,7 @@ fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) -> Option<S
             return None;
         }
         (Stage::Impact(_) | Stage::Blow(_), _) => {
-            format!("During {phrase} the only impulsive force on {body} is that of {}.", first.called)
+            format!("During {phrase} the only impulsive force on {body} is that of {}{also}.", first.called)
         }
         (Stage::Push(_) | Stage::Slide(_), _) => {
             let forces = model.forces.iter().filter(|force| force.stage == index);

@@ -26,6 +26,7 @@ use crate::solve::Statement;
 use crate::solve::System;
 
 use super::ActingForce;
+use super::ContactWeight;
 use super::Flowing;
 use super::Impulse;
 use super::Instance;
@@ -56,6 +57,7 @@ pub struct Builder<'s> {
     pub(super) choices: Vec<Vec<Alternative>>,
     pub(super) omissions: Vec<Omission>,
     pub(super) impulses: Vec<Impulse>,
+    pub(super) weights: Vec<ContactWeight>,
     pub(super) forces: Vec<ActingForce>,
     pub(super) flowing: Vec<Flowing>,
     pub(super) slopes: Vec<Slope>,
@@ -71,6 +73,7 @@ pub struct Builder<'s> {
     /// What the author named at a place of the scene, with the first such place.
     pub(super) named: BTreeMap<Symbol, Path>,
     pub(super) mentions: BTreeMap<String, Symbol>,
+    pub(super) words: Vec<(String, Path)>,
     pub(super) faults: Vec<Fault>,
 }
 
@@ -93,6 +96,7 @@ impl<'s> Builder<'s> {
             choices: Vec::new(),
             omissions: Vec::new(),
             impulses: Vec::new(),
+            weights: Vec::new(),
             forces: Vec::new(),
             flowing: Vec::new(),
             slopes: Vec::new(),
@@ -105,6 +109,7 @@ impl<'s> Builder<'s> {
             given: BTreeSet::new(),
             named: BTreeMap::new(),
             mentions: BTreeMap::new(),
+            words: Vec::new(),
             faults: Vec::new(),
         }
     }

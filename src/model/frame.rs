@@ -10,6 +10,7 @@ use crate::scene::Axis;
 use crate::scene::Term;
 
 use super::Builder;
+use super::read::is_bare_name;
 
 /// A direction in the plane of the first two axes, or along the third.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -109,9 +110,27 @@ impl Builder<'_> {
             let turn = Expr::integer(sign) * self.read_angle(turn, path);
             return Direction::turned(base.quarters, turn);
         }
+        if is_bare_name(text) && self.resolve(text).is_none() {
+            self.words.push((text.to_owned(), path.clone()));
+        }
         let turn = self.read_angle(text, path);
         // An angle of exactly zero is an axis, along which no components n and t need be made.
         Direction::turned(0, self.zero_if_so_written(turn))
+    }
+
+    /// The words that stand for a direction and are no axis, each with its place: names of angles, if they are given or asked.
+    #[must_use]
+    pub fn words(&self) -> &[(String, Path)] {
+        &self.words
+    }
+
+    /// The fault of a word that is no direction.
+    #[must_use]
+    pub fn no_direction(&self, word: &str) -> Fault {
+        let known = self.axes.iter().flat_map(|(_, senses)| [&senses.positive, &senses.negative]);
+        let known: Vec<String> = known.map(|phrase| format!("`{phrase}`")).collect();
+        let help = format!("its directions are {}; the name of an angle must be given or asked", known.join(", "));
+        Fault::new(Code::UnknownName, format!("`{word}` is not a direction of this scene")).help(help)
     }
 
     /// In three dimensions one angle does not tell a direction.

@@ -102,6 +102,8 @@ pub enum Warning {
     Reverses,
     /// A cord or a string would go slack.
     GoesSlack,
+    /// Weight, which a short contact leaves out, would give a tenth or more of the change of momentum.
+    WeightNeglected,
 }
 
 impl Warning {
@@ -112,5 +114,6 @@ impl Warning {
         ("energy-created", Self::EnergyCreated),
         ("reverses", Self::Reverses),
         ("goes-slack", Self::GoesSlack),
+        ("weight-neglected", Self::WeightNeglected),
     ];
 }

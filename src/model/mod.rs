@@ -5,6 +5,7 @@ mod alternative;
 mod builder;
 mod check;
 mod collision;
+mod contact_weight;
 mod define;
 mod frame;
 mod friction;
@@ -26,6 +27,7 @@ mod wording;
 pub use acting::{ActingForce, Flowing, ForceKind, Slope};
 pub use alternative::Alternative;
 pub use builder::Builder;
+pub use contact_weight::ContactWeight;
 pub use frame::{Direction, Frame};
 pub use instance::{Agent, Impulse, Instance, Integral, Omission, Omitted, Reason, Warning};
 pub use mistaken::Mistaken;
@@ -69,6 +71,8 @@ pub struct Model {
     pub omissions: Vec<Omission>,
     /// The impulses of each stage.
     pub impulses: Vec<Impulse>,
+    /// The weights that act in short contacts of which it is told how long they last.
+    pub weights: Vec<ContactWeight>,
     /// The forces of each push.
     pub forces: Vec<ActingForce>,
     /// The slopes of floors.
@@ -332,6 +336,7 @@ impl<'s> Builder<'s> {
             reasons: self.reasons,
             omissions: self.omissions,
             impulses: self.impulses,
+            weights: self.weights,
             forces: self.forces,
             flowing: self.flowing,
             literals: self.literals,

@@ -134,6 +134,7 @@ fn build(loaded: &Loaded, secret: Option<&[u8]>) -> Result<Built, Vec<Fault>> {
     {
         known.extend(default_gravity(gravity, units));
     }
+    words_for_directions(loaded, &drafts, &mut builder);
     let model = builder.finish()?;
     let mut faults = idle(loaded, &model, &known, &drafts, &require);
     let mut forms = Vec::new();
@@ -154,6 +155,21 @@ fn build(loaded: &Loaded, secret: Option<&[u8]>) -> Result<Built, Vec<Fault>> {
         known.iter().filter(|known| known.origin.is_drawn()).map(|known| known.name.as_str()).collect();
     let streams = Streams::new(Scheme::CURRENT, &draft.id, secret, drawn);
     Ok(Built { model, known, forms, streams, units, notation })
+}
+
+/// A word in the place of a direction is the name of an angle only if the file says more of it.
+fn words_for_directions(loaded: &Loaded, drafts: &[FormDraft], builder: &mut Builder<'_>) {
+    let words: Vec<(String, Path)> = builder.words().to_vec();
+    for (word, path) in words {
+        let symbol = builder.symbols().find(&word);
+        let is_said = loaded.given.get(&word).is_some()
+            || loaded.draft.relations.iter().any(|relation| relation.equation.contains(&word))
+            || drafts.iter().any(|form| symbol.is_some_and(|symbol| form.speaks_of(symbol)));
+        if !is_said {
+            let fault = builder.no_direction(&word).at_path(path);
+            builder.fault(fault);
+        }
+    }
 }
 
 /// A given that no equation, condition or text speaks of is a slip of the pen.

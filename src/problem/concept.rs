@@ -6,7 +6,10 @@ use crate::fault::Path;
 use crate::fault::did_you_mean;
 use crate::laws::wrong::Misconception;
 use crate::model::Builder;
+use crate::model::ContactWeight;
 use crate::model::Impulse;
+use crate::solve::Condition;
+use crate::solve::Relation;
 
 use super::ask::Impulsive;
 use super::decision::ChoicePart;
@@ -36,8 +39,14 @@ const ORDINARY: &[(&str, &str)] = &[
 ];
 
 /// Whether a force is impulsive in a stage.
-pub(super) fn impulsive(ask: &Impulsive, builder: &mut Builder<'_>, path: &Path) -> Option<Question> {
+pub(super) fn impulsive(
+    ask: &Impulsive,
+    builder: &mut Builder<'_>,
+    path: &Path,
+    conditions: &mut Vec<Condition>,
+) -> Option<Question> {
     let stage = stage(ask.stage.as_deref(), builder, path)?;
+    conditions.extend(is_weak(ask, builder, stage));
     let force = ask.impulsive.trim();
     let phrase = builder.phrase_of(stage);
     let bare = force.trim_start_matches("the ");
@@ -69,6 +78,24 @@ pub(super) fn impulsive(ask: &Impulsive, builder: &mut Builder<'_>, path: &Path)
     let owner = ask.on.as_ref().map(|body| builder.name_of(body));
     let named = impulsive_force(force, from_scene == Some(true), owner.as_deref());
     Some((format!("Is {named} impulsive during {phrase}?"), yes_or_no(verdict, behind)))
+}
+
+/// What must hold for a force to be too weak to be impulsive: the impulse of weight is small where it is told how long the
+/// contact lasts.
+fn is_weak(ask: &Impulsive, builder: &mut Builder<'_>, stage: usize) -> Vec<Condition> {
+    if !["weight", "gravity"].contains(&ask.impulsive.trim().trim_start_matches("the ")) {
+        return Vec::new();
+    }
+    let meant =
+        |weight: &&ContactWeight| weight.stage == stage && ask.on.as_ref().is_none_or(|body| *body == weight.on);
+    let weights: Vec<ContactWeight> = builder.weights().iter().filter(meant).cloned().collect();
+    let weak = |weight: ContactWeight| {
+        let [weight, change] = weight.squares();
+        let reason =
+            "weight would give 10 % or more of the change of momentum, too much for it to be called negligible";
+        builder.compare(weight, Relation::Less, change, reason)
+    };
+    weights.into_iter().map(weak).collect()
 }
 
 /// A force as the subject of a sentence: what gives an impulse, such as a bat, is not itself a force.

@@ -6,7 +6,10 @@ use std::collections::BTreeSet;
 use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::laws::wrong::Misconception;
+use crate::solve::Bounded;
+use crate::solve::Real;
 use crate::solve::Relation;
+use crate::solve::evaluate;
 
 use super::impact_kind::OfImpact;
 use super::variant::Worked;
@@ -114,6 +117,14 @@ pub(super) fn compared(left: f64, right: f64) -> Ordering {
     if (left - right).abs() <= EQUAL * left.abs().max(right.abs()) { Ordering::Equal } else { left.total_cmp(&right) }
 }
 
+/// How two terms compare with the numbers of a variant: equal where their difference is no more than its error bound, which is
+/// so only where it is exactly zero.
+fn exactly_compared(worked: &Worked<'_>, left: &Expr, right: &Expr) -> Ordering {
+    let number = |symbol| worked.variant.value(symbol).unwrap_or(Bounded { value: f64::NAN, error: f64::NAN });
+    let difference = evaluate::<Bounded>(left, &number).sub(&evaluate(right, &number));
+    if difference.value.abs() <= difference.error { Ordering::Equal } else { difference.value.total_cmp(&0.0) }
+}
+
 impl Claim {
     /// Everything that its sides contain.
     #[must_use]
@@ -123,7 +134,11 @@ impl Claim {
 
     /// Whether it holds where its sides have these values.
     pub(super) fn holds_between(&self, left: f64, right: f64) -> bool {
-        let order = compared(left, right);
+        self.allows(compared(left, right))
+    }
+
+    /// Whether it holds where its sides compare so.
+    fn allows(&self, order: Ordering) -> bool {
         match self.relation {
             Relation::Less => order.is_lt(),
             Relation::AtMost => order.is_le(),
@@ -134,8 +149,8 @@ impl Claim {
     }
 
     fn decided(&self, worked: &Worked<'_>) -> Decision {
-        let (left, right) = (value(worked, &self.left), value(worked, &self.right));
-        let (order, holds) = (compared(left, right), self.holds_between(left, right));
+        let order = exactly_compared(worked, &self.left, &self.right);
+        let holds = self.allows(order);
         let is = match order {
             Ordering::Less => "less than",
             Ordering::Equal => "equal to",
@@ -159,7 +174,7 @@ fn ordered(symbols: &[Symbol], worked: &Worked<'_>) -> Decision {
     let written = |symbols: &[Symbol]| symbols.iter().map(name).collect::<Vec<_>>().join(" < ");
     let options = orders(symbols);
     let mut sorted = symbols.to_vec();
-    sorted.sort_by(|a, b| compared(value(worked, &(*a).into()), value(worked, &(*b).into())));
+    sorted.sort_by(|a, b| exactly_compared(worked, &(*a).into(), &(*b).into()));
     Decision {
         right: options.iter().position(|option| *option == sorted).unwrap_or(0),
         options: options.iter().map(|option| written(option)).collect(),

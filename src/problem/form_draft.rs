@@ -67,6 +67,7 @@ impl FormDraft {
         let conditions = question.conditions.iter();
         let conditions = conditions
             .filter_map(|(path, text)| condition(builder, text, "the problem asks for the other solution", path))
+            .chain(read.conditions)
             .collect();
         Self {
             question: question.clone(),
@@ -77,6 +78,11 @@ impl FormDraft {
             conditions,
             allowed: Allowed::read(question, builder),
         }
+    }
+
+    /// Whether it asks for a quantity, or tells it.
+    pub(super) fn speaks_of(&self, symbol: Symbol) -> bool {
+        self.wanted.contains(&symbol) || self.reveal.iter().any(|reveal| reveal.symbol == symbol)
     }
 
     /// Plans the form: what it reveals from everything given, what it asks from what it tells. What stands under `where`

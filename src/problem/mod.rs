@@ -34,6 +34,7 @@ mod load;
 mod mentions;
 mod misjudged;
 mod mistakes;
+mod neglected;
 mod no_variant;
 mod numerals;
 mod origin;

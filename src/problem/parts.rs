@@ -13,6 +13,7 @@ use crate::quantity::Unit;
 use crate::quantity::coherent_unit;
 use crate::quantity::dimension_name;
 use crate::scene::Term;
+use crate::solve::Condition;
 use crate::solve::Equation;
 
 use super::ask::Answered;
@@ -49,6 +50,8 @@ pub(super) struct Read {
     pub wanted: Vec<Symbol>,
     /// The equations of parts that are found by counting, and of the boundary of an interval.
     pub counts: Vec<Equation>,
+    /// What must hold for the questions to have their answers.
+    pub conditions: Vec<Condition>,
 }
 
 /// Reads the parts of a form; faults are noted in the builder.
@@ -67,7 +70,9 @@ pub(super) fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'
             Ask::Classify(ask) => {
                 impact_kind::classify(loaded, ask, builder, &path).map(|kind| (letter, kind.0, kind.1))
             }
-            Ask::Impulsive(ask) => concept::impulsive(ask, builder, &path).map(|kind| (letter, kind.0, kind.1)),
+            Ask::Impulsive(ask) => {
+                concept::impulsive(ask, builder, &path, &mut read.conditions).map(|kind| (letter, kind.0, kind.1))
+            }
             Ask::Holds(ask) => comparing::holds(loaded, ask, builder, &path).map(|kind| (letter, kind.0, kind.1)),
             Ask::Range(ask) => range::read(loaded, ask, builder, &path).map(|(label, kind, boundary)| {
                 read.counts.push(boundary);

@@ -144,7 +144,9 @@ impl<'p> Sampler<'p> {
         }
         let leaf = regimes.leaf(0);
         let model = self.problem.model();
-        let reason = dead.first().map(|dead| match dead.cause {
+        // What was followed furthest was nearest to a solution.
+        let furthest = dead.iter().rev().max_by_key(|dead| dead.step.unwrap_or(usize::MAX));
+        let reason = furthest.map(|dead| match dead.cause {
             Cause::Condition(position) => {
                 let condition = leaf.system.conditions.get(position);
                 let reason = condition.and_then(|condition| model.reasons.get(condition.tag));

@@ -15,9 +15,10 @@ use crate::scene::Stage;
 use crate::scene::stage::Partners;
 use crate::simulate::scene::is_impulsive;
 use crate::solve::Bounded;
-use crate::solve::Relation;
 
+use super::crossing::holds;
 use super::witness::Case;
+use super::witness::Seen;
 use super::witness::Witness;
 
 /// The share of a momentum or an energy below which a change of it is none: far above errors of runs, far below changes that
@@ -40,21 +41,25 @@ pub(super) fn chosen(
     let yes = |holds: bool| usize::from(!holds);
     match (ask, choice) {
         (_, ChoicePart::Holds(claim)) => {
-            let [left, right] = [&claim.left, &claim.right].map(|side| witness.evaluated(side));
-            match (left, right) {
-                (Some(left), Some(right)) => Some(yes(holds(claim.relation, left.value, right.value))),
-                (Some(left), None) => Some(yes(holds(claim.relation, left.value, said(case, &claim.right)))),
-                (None, Some(right)) => Some(yes(holds(claim.relation, said(case, &claim.left), right.value))),
-                (None, None) => None,
+            let seen = [&claim.left, &claim.right].map(|side| witness.evaluated(side));
+            if seen.iter().all(Option::is_none) {
+                return None;
             }
+            let of_side =
+                |(side, seen): (&Expr, Option<Seen>)| seen.unwrap_or(Seen { value: said(case, side), error: 0.0 });
+            let [left, right] = [(&claim.left, seen[0]), (&claim.right, seen[1])].map(of_side);
+            holds(claim.relation, left, right).map(yes)
         }
         (_, ChoicePart::Order(symbols)) => {
             let name = |symbol| case.problem.model().symbols.entry(symbol).name.clone();
             let mut seen = Vec::new();
             for symbol in symbols {
-                seen.push((witness.seen(&name(*symbol))?.value, *symbol));
+                seen.push((witness.seen(&name(*symbol))?, *symbol));
             }
-            seen.sort_by(|one, other| one.0.total_cmp(&other.0));
+            seen.sort_by(|one, other| one.0.value.total_cmp(&other.0.value));
+            if seen.windows(2).any(|pair| pair[1].0.value - pair[0].0.value <= pair[0].0.error + pair[1].0.error) {
+                return None;
+            }
             let sorted: Vec<_> = seen.into_iter().map(|(_, symbol)| symbol).collect();
             orders(symbols).iter().position(|order| *order == sorted)
         }
@@ -72,16 +77,6 @@ pub(super) fn chosen(
 /// What a term comes to by the variant's own values.
 fn said(case: &Case<'_>, side: &Expr) -> f64 {
     side.evaluate(&|symbol| case.variant.value(symbol).map_or(f64::NAN, |value| value.value))
-}
-
-fn holds(relation: Relation, left: f64, right: f64) -> bool {
-    match relation {
-        Relation::Less => left < right,
-        Relation::AtMost => left <= right,
-        Relation::Greater => left > right,
-        Relation::AtLeast => left >= right,
-        Relation::Differs => (left - right).abs() > UNCHANGED * left.abs().max(right.abs()),
-    }
 }
 
 fn stage_of(scene: &Scene, witness: &Witness<'_>, name: Option<&str>) -> Option<usize> {
@@ -184,8 +179,9 @@ pub(super) fn is_first(worked: &Worked<'_>, scene: &Scene, ask: &Count, answer: 
         let said = vec![(symbol, number)];
         let case = Case { problem: worked.problem, scene, variant: worked.variant, said };
         let witness = Witness::new(&case, tolerance);
-        let side = |text: &str| witness.seen(text).map(|seen| seen.value).or_else(|| witness.value(text));
-        Some(holds(relation, side(left)?, side(right)?))
+        let told = |text: &str| witness.value(text).map(|value| Seen { value, error: 0.0 });
+        let side = |text: &str| witness.seen(text).or_else(|| told(text));
+        holds(relation, side(left)?, side(right)?)
     };
     Some(satisfied(answer)? && (answer <= 1.0 || !satisfied(answer - 1.0)?))
 }

@@ -20,7 +20,6 @@ use crate::simulate::scene::Reached;
 use crate::simulate::scene::Way;
 use crate::simulate::scene::angle_from;
 use crate::simulate::scene::measure;
-use crate::simulate::scene::observe;
 use crate::simulate::scene::value_of;
 use crate::simulate::scene::watch;
 
@@ -93,7 +92,7 @@ impl<'a> Witness<'a> {
             watched: Cell::default(),
         };
         for stage in 0..case.scene.stages.len() {
-            match observe(case.scene, stage, &|name| witness.value(name), tolerance) {
+            match witness.observed(stage) {
                 Ok(observed) => {
                     witness.run.insert(stage);
                     witness.ways.extend(observed.ways);
@@ -115,6 +114,20 @@ impl<'a> Witness<'a> {
     /// The quantities of the variant that the simulation started from.
     pub(super) fn inputs(&self) -> BTreeSet<Symbol> {
         self.used.borrow().clone()
+    }
+
+    pub(super) fn scene(&self) -> &Scene {
+        self.case.scene
+    }
+
+    pub(super) fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
+    /// The conditions by which the author picks among the solutions of the form.
+    pub(super) fn conditions(&self) -> impl Iterator<Item = &str> {
+        let form = self.case.problem.forms().get(self.case.variant.form());
+        form.into_iter().flat_map(|form| &form.question.conditions).map(|(_, text)| text.as_str())
     }
 
     fn symbol(&self, name: &str) -> Option<Symbol> {
@@ -166,7 +179,7 @@ impl<'a> Witness<'a> {
     }
 
     /// A velocity under the name of the instant since which the body has it.
-    fn since(&self, name: &str) -> String {
+    pub(super) fn since(&self, name: &str) -> String {
         let Some(Name { base, subject, instant: Some(Instant::Number(at)), component, stage: None }) =
             Name::parse(name)
         else {

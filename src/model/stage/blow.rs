@@ -6,6 +6,7 @@ use crate::laws::momentum;
 use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Impulse;
+use crate::model::contact_weight::Lasting;
 use crate::quantity::Dimension;
 use crate::scene::Axis;
 use crate::scene::Plane;
@@ -18,8 +19,10 @@ impl Builder<'_> {
         let mass = self.mass(body);
         let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
         let suffix = self.stage_suffix(index);
+        let contact = Lasting { index, duration: stage.duration.as_ref(), include: &stage.include, path };
+        let gained = self.included_weight(&contact, body);
         let mut components = Vec::new();
-        for axis in &axes {
+        for (position, axis) in axes.iter().enumerate() {
             let [before, after] = [index + 1, index + 2].map(|instant| self.velocity(body, instant, *axis));
             let (letter, along) = match axes.len() {
                 1 => (String::new(), String::new()),
@@ -27,8 +30,14 @@ impl Builder<'_> {
             };
             let meaning = format!("the impulse on {name} from {}{along}", stage.by);
             let impulse = Expr::from(self.symbol(format!("J_{body}{letter}{suffix}"), Dimension::MOMENTUM, meaning));
-            let because = format!("{} gives {name} an impulse{along}", stage.by);
-            let sides = momentum::impulse_momentum(&mass, &before, std::slice::from_ref(&impulse), &after);
+            let weight = gained.as_ref().map(|gained| gained[position].clone()).filter(|gained| !gained.is_zero());
+            let because = match weight {
+                None => format!("{} gives {name} an impulse{along}", stage.by),
+                Some(_) => format!("{} and weight give {name} impulses{along}", stage.by),
+            };
+            let acting: Vec<Expr> =
+                [impulse.clone()].into_iter().chain(weight.map(|gained| mass.clone() * gained)).collect();
+            let sides = momentum::impulse_momentum(&mass, &before, &acting, &after);
             self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
             if axes.len() == 1 {
                 self.mean_force(index, body, &impulse, stage.duration.as_ref(), path);
@@ -54,11 +63,14 @@ impl Builder<'_> {
             components,
             impulsive: true,
         });
-        if self.scene.plane == Plane::Vertical {
+        if let Some(gained) = &gained {
+            self.weight_acts(index, body, gained);
+        } else if self.scene.plane == Plane::Vertical {
             self.neglect(
                 "weight during the blow",
                 "it is not impulsive: its impulse in so short a time is negligible beside that of the blow",
             );
         }
+        self.weigh_contact(&contact, &[(body, body)], false);
     }
 }

@@ -1,6 +1,8 @@
 //! Impacts of two bodies.
 
 use crate::expr::Expr;
+use crate::fault::Code;
+use crate::fault::Fault;
 use crate::fault::Path;
 use crate::laws::energy;
 use crate::laws::force;
@@ -10,6 +12,7 @@ use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Impulse;
 use crate::model::Warning;
+use crate::model::contact_weight::Lasting;
 use crate::model::frame::Frame;
 use crate::model::frame::Split;
 use crate::quantity::Dimension;
@@ -30,7 +33,7 @@ pub(super) struct Contact<'a> {
 impl Builder<'_> {
     pub(in crate::model) fn impact(&mut self, index: usize, stage: &Impact, path: &Path) {
         let contact = Contact { index, stage, path };
-        if self.scene.plane == Plane::Vertical {
+        if self.scene.plane == Plane::Vertical && stage.include.is_empty() {
             self.neglect(
                 "weight during the impact",
                 "it is not impulsive: its impulse during the short contact is negligible",
@@ -50,6 +53,20 @@ impl Builder<'_> {
             None => {}
         }
         self.told_loss(&contact);
+        let lasting = Lasting { index, duration: stage.duration.as_ref(), include: &stage.include, path };
+        let after = |body| (body, stage.becomes.as_deref().unwrap_or(body));
+        match stage.partners() {
+            Some(Partners::Surface(body, _)) => self.weigh_contact(&lasting, &[after(body)], false),
+            Some(Partners::Bodies(first, second)) => {
+                if !stage.include.is_empty() {
+                    let fault = Fault::new(Code::Value, "an impact of two bodies cannot include weight");
+                    let help = "leave it out, and write `allow: [weight-neglected]` where it is not small";
+                    self.faults.push(fault.help(help).at_path(path.key("include")));
+                }
+                self.weigh_contact(&lasting, &[after(first), after(second)], false);
+            }
+            None => {}
+        }
     }
 
     /// The balance of energy, where the loss is told in place of a coefficient of restitution.

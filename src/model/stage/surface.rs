@@ -8,6 +8,7 @@ use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Impulse;
 use crate::model::Warning;
+use crate::model::contact_weight::Lasting;
 use crate::model::frame::Frame;
 use crate::quantity::Dimension;
 use crate::solve::Relation;
@@ -48,17 +49,31 @@ impl Builder<'_> {
             let because = format!("{name} does not rebound from {wall}");
             self.law(&restitution::PLASTIC, Some(index), because, (end.along.clone(), moves.clone()));
         }
+        let lasting = Lasting { index, duration: stage.duration.as_ref(), include: &stage.include, path: contact.path };
+        let gained = self.included_weight(&lasting, body);
+        let [fallen, slid] = gained.as_ref().map_or([None, None], |gained| self.turned_into(gained, &frame));
         if let (Some(from), Some(to)) = (&start.across, &end.across) {
-            let because = format!("{wall} is smooth and gives {name} no impulse along it");
-            self.law(&momentum::NO_IMPULSE, Some(index), because, (to.clone(), from.clone()));
+            if let Some(slid) = slid {
+                let because = format!("{wall} is smooth, and weight alone gives {name} an impulse along it");
+                let sides = momentum::impulse_momentum(&mass, from, &[mass.clone() * slid], to);
+                self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
+            } else {
+                let because = format!("{wall} is smooth and gives {name} no impulse along it");
+                self.law(&momentum::NO_IMPULSE, Some(index), because, (to.clone(), from.clone()));
+            }
             self.neglect(format!("friction with {wall}"), format!("{wall} is smooth"));
         }
         let suffix = self.stage_suffix(index);
         let meaning = format!("the impulse on {name} from {wall}");
         let impulse = Expr::from(self.symbol(format!("J_{body}{suffix}"), Dimension::MOMENTUM, meaning));
-        let because = format!("along the normal, the only impulse on {name} is that of {wall}");
+        let because = match fallen {
+            None => format!("along the normal, the only impulse on {name} is that of {wall}"),
+            Some(_) => format!("along the normal, {wall} and weight give {name} impulses"),
+        };
+        let acting: Vec<Expr> =
+            [impulse.clone()].into_iter().chain(fallen.map(|gained| mass.clone() * gained)).collect();
         let [from, to] = [(index + 1, &start), (index + 2, &end)].map(|(at, split)| self.changed(body, at, split));
-        let sides = momentum::impulse_momentum(&mass, &from, std::slice::from_ref(&impulse), &to);
+        let sides = momentum::impulse_momentum(&mass, &from, &acting, &to);
         self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
         self.mean_force(index, body, &impulse, stage.duration.as_ref(), contact.path);
         let components = self.resolved(&impulse, &frame);
@@ -70,6 +85,9 @@ impl Builder<'_> {
             components,
             impulsive: true,
         });
+        if let Some(gained) = &gained {
+            self.weight_acts(index, body, gained);
+        }
         if stage.restitution.is_none() && !stage.plastic {
             let [approach, separation] = [moves.clone() - start.along.clone(), end.along.clone() - moves.clone()];
             let reason =

@@ -6,6 +6,7 @@ use crate::laws::kinematics;
 use crate::laws::momentum;
 use crate::model::Builder;
 use crate::model::Warning;
+use crate::model::contact_weight::Lasting;
 use crate::model::frame::Frame;
 use crate::model::pair::Pair;
 use crate::scene::Plane;
@@ -53,6 +54,8 @@ impl Builder<'_> {
             let why = "it is not impulsive: its impulse during the short jerk is negligible beside that of the string";
             self.neglect("weight during the jerk", why);
         }
+        let lasting = Lasting { index, duration: stage.duration.as_ref(), include: &[], path };
+        self.weigh_contact(&lasting, &bodies.map(|body| (body, body)), stage.over.is_some());
         if let Some(pulley) = &stage.over {
             self.neglect(
                 format!("the mass and the friction of {pulley}"),

@@ -5,6 +5,8 @@ use serde::Deserialize;
 
 use crate::scene::Term;
 
+use super::Included;
+
 /// A body is struck, caught or thrown: only the impulse, or the average force and the duration, is spoken of.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -19,4 +21,7 @@ pub struct Blow {
     /// How long it lasts, where the average force is spoken of.
     #[serde(default)]
     pub duration: Option<Term>,
+    /// What the balance includes although a short contact usually leaves it out: `[weight]`. It needs the `duration`.
+    #[serde(default)]
+    pub include: Vec<Included>,
 }

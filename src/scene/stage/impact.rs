@@ -5,6 +5,8 @@ use serde::Deserialize;
 
 use crate::scene::Term;
 
+use super::Included;
+
 /// An impact. Contacts are smooth: the impulse acts along the line of impact, unless the bodies stick.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -42,6 +44,9 @@ pub struct Impact {
     /// How long the contact lasts, where the average force is spoken of.
     #[serde(default)]
     pub duration: Option<Term>,
+    /// What the balance includes although a short contact usually leaves it out: `[weight]`. It needs the `duration`.
+    #[serde(default)]
+    pub include: Vec<Included>,
 }
 
 /// Who takes part in an impact.

@@ -1,13 +1,14 @@
 //! Where a stage is simulated: its numbers, how finely, and what has been found.
 
 use crate::scene::Term;
+use crate::scene::stage::Included;
 
 use super::experiment::{Reached, Staged};
 use super::integrate::Integrator;
 use super::nothing::NothingToSimulate;
 use super::reel::Reel;
 use super::values::Values;
-use super::vector::{Vector, dot, part, size, times};
+use super::vector::{Vector, ZERO, add, dot, part, size, times, unit};
 
 /// By which way a stage was simulated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -58,6 +59,8 @@ pub(super) struct Bench<'a> {
     pub tolerance: f64,
     /// How many times as short contacts last as they would otherwise.
     pub shorter: f64,
+    /// How many crossings of its end a motion passes before it ends.
+    pub crossing: usize,
     pub observed: Observed,
     /// The motions, where somebody watches.
     pub reels: Option<Vec<Reel>>,
@@ -66,7 +69,7 @@ pub(super) struct Bench<'a> {
 impl<'a> Bench<'a> {
     /// An empty bench.
     pub(super) fn new(values: &'a Values<'a>, tolerance: f64) -> Self {
-        Self { values, tolerance, shorter: 1.0, observed: Observed::default(), reels: None }
+        Self { values, tolerance, shorter: 1.0, crossing: 0, observed: Observed::default(), reels: None }
     }
 
     /// An integrator whose steps are at most so long.
@@ -150,6 +153,24 @@ impl<'a> Bench<'a> {
         if let Some(time) = duration.and_then(|term| self.values.term(term).ok()) {
             self.note_vector(&format!("F_avg_{body}"), times(1.0 / time, impulse));
         }
+    }
+
+    /// The impulse of weight on a body while a contact lasts that includes it, integrated; none where it is left out.
+    pub(super) fn weight_in_contact(
+        &mut self,
+        mass: f64,
+        include: &[Included],
+        duration: Option<&Term>,
+    ) -> Result<Vector, NothingToSimulate> {
+        let Some(term) = duration.filter(|_| include.contains(&Included::Weight)) else { return Ok(ZERO) };
+        let time = self.values.term(term)?;
+        let mut impulse = ZERO;
+        for axis in self.values.axes() {
+            let pull = mass * self.values.gravity(axis)?;
+            let [given] = self.integrator(time / 4.0).until(0.0, [0.0], time, &|_, _| [pull])?;
+            impulse = add(impulse, times(given, unit(axis)));
+        }
+        Ok(impulse)
     }
 
     /// Notes the kinetic energy that is lost from one list of masses and velocities to the other.

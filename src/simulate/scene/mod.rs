@@ -65,9 +65,24 @@ pub fn observe(
     value: &dyn Fn(&str) -> Option<f64>,
     tolerance: f64,
 ) -> Result<Observed, NothingToSimulate> {
+    observe_at(scene, stage, value, tolerance, 0)
+}
+
+/// The same for a stage that ends where an equation in the places holds: not when that is so for the first time, but after so
+/// many earlier crossings.
+///
+/// # Errors
+/// There is nothing to simulate: why.
+pub fn observe_at(
+    scene: &Scene,
+    stage: usize,
+    value: &dyn Fn(&str) -> Option<f64>,
+    tolerance: f64,
+    crossing: usize,
+) -> Result<Observed, NothingToSimulate> {
     let own = scene.stages.get(stage).ok_or(NothingToSimulate::NoStage)?;
     let values = Values { scene, value, index: stage };
-    let mut bench = Bench::new(&values, tolerance);
+    let mut bench = Bench { crossing, ..Bench::new(&values, tolerance) };
     bench.stage(own)?;
     Ok(bench.observed)
 }

@@ -15,9 +15,10 @@ impl Bench<'_> {
         let body = stage.body.as_str();
         let mass = self.values.mass(body)?;
         let before = self.values.moving(body)?;
+        let weight = self.weight_in_contact(mass, &stage.include, stage.duration.as_ref())?;
         let (mut after, mut impulse, mut force) = (ZERO, ZERO, ZERO);
         for axis in self.values.axes() {
-            let start = part(before, axis);
+            let start = part(before, axis) + part(weight, axis) / mass;
             let strength = self.strength(body, axis, mass, start)?;
             let [velocity, given] = self.struck(mass, start, strength)?;
             after = add(after, times(velocity, unit(axis)));

@@ -212,7 +212,11 @@ impl Bench<'_> {
             way / (track.speed.abs() + libm::sqrt(way * track.falls.abs())).max(f64::MIN_POSITIVE)
         });
         let integrator = self.integrator(spans.fold(f64::INFINITY, f64::min).min(1e6) / 8.0);
-        let (time, _) = integrator.event(0.0, [0.0], &|_, _| [1.0], &|time, _| signed(time) * first.signum())?;
+        let (mut time, mut side) = (0.0, first.signum());
+        for _ in 0..=self.crossing {
+            (time, _) = integrator.event(time, [time], &|_, _| [1.0], &|time, _| signed(time) * side)?;
+            side = -side;
+        }
         Ok(time)
     }
 }

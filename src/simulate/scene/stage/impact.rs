@@ -5,7 +5,7 @@ use crate::scene::stage::{Impact, Partners};
 use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::touch::{Parted, Party, Touch};
-use crate::simulate::scene::vector::{Vector, ZERO, across, add, dot, times, unit};
+use crate::simulate::scene::vector::{Vector, ZERO, across, add, dot, less, times, unit};
 
 /// The share of the energy before at which a search for the coefficient of restitution ends.
 const CLOSE: f64 = 1e-14;
@@ -81,7 +81,9 @@ impl Bench<'_> {
         let entry = self.values.scene.surfaces.get(surface).ok_or(NothingToSimulate::NoStage)?;
         let outward = self.values.direction(&entry.normal.0)?;
         let moves = entry.velocity.as_ref().map_or(Ok(0.0), |term| self.values.term(term))?;
-        self.take(&self.values.impact(stage)?)?;
+        if stage.include.is_empty() {
+            self.take(&self.values.impact(stage)?)?;
+        }
         // Without a mass nothing but velocities can be spoken of.
         let Ok(mass) = self.values.mass(body) else { return Ok(()) };
         let wall = Party { mass: None, velocity: times(moves, outward), guide: None };
@@ -90,6 +92,14 @@ impl Bench<'_> {
         let touch = Touch { parties, normal, restitution: self.values.coefficient(stage)? };
         let mut parted = touch.run(self)?;
         parted.common = -parted.common;
+        // What is told of the contact is what it does together with weight.
+        let weight = self.weight_in_contact(mass, &stage.include, stage.duration.as_ref())?;
+        parted.impulses[0] = less(parted.impulses[0], weight);
+        if !stage.include.is_empty() {
+            let along = times(dot(weight, outward), outward);
+            let velocity = add(parted.velocities[0], times(1.0 / mass, less(weight, along)));
+            self.note_velocity(body, velocity, libm::sqrt(dot(velocity, velocity)));
+        }
         self.note_parting(stage, &touch, &[body], &parted);
         Ok(())
     }
