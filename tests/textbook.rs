@@ -96,7 +96,7 @@ fn a_force_vector_that_changes_with_time() {
 #[test]
 fn a_blow_in_space() {
     // 0.4 kg from (10, 0, -2) to (-6, 8, 4): J = 0.4 (-16, 8, 6) = (-6.4, 3.2, 2.4), |J| = 0.4 sqrt(356) = 7.5472;
-    // over 20 ms a average force of 377.36 N.
+    // over 20 ms an average force of 377.36 N.
     check(&Case {
         scene: "axes: { x: ahead, y: [to the left, to the right], z: upwards }\nbodies:\n  A: { name: the ball, mass: m }\nstages:\n  - blow: { body: A, by: the bat, duration: 20 ms }\n",
         given: &[
