@@ -29,4 +29,14 @@ proptest! {
     fn formulas(bytes in few_bytes()) {
         targets::formula(&bytes);
     }
+
+    #[test]
+    fn tables(bytes in few_bytes()) {
+        targets::table(&bytes);
+    }
+
+    #[test]
+    fn rosters(bytes in few_bytes()) {
+        targets::roster(&bytes);
+    }
 }

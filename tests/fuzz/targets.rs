@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::sync::{Arc, LazyLock};
 
 use momentous::bank::Bank;
-use momentous::exercise::Exercise;
+use momentous::exercise::{Column, Exercise, Listed, Place, Submission, Table};
 use momentous::fault::{Faults, Source};
 use momentous::grade::{DecimalMark, Verdict};
 use momentous::problem::{Part, PartKind, compile, load};
@@ -18,6 +18,9 @@ const OF_ANSWERS: &str = include_str!("answers.txt");
 
 /// Pieces of formulas.
 const OF_FORMULAS: &str = include_str!("formulas.txt");
+
+/// Pieces of tables and of lines of JSON.
+const OF_TABLES: &str = include_str!("tables.txt");
 
 /// The pieces of a list, one on each line, where `⏎` is the end of a line and `␣` a space.
 fn pieces(list: &str) -> Vec<String> {
@@ -114,4 +117,40 @@ pub fn answer(bytes: &[u8]) {
 pub fn formula(bytes: &[u8]) {
     let [chosen, rest @ ..] = bytes else { return };
     mark(&pieced(rest, OF_FORMULAS), *chosen, |part| matches!(part.kind, PartKind::Formula(_)));
+}
+
+/// Every row of a table of submissions is a submission, or is refused with a reason; the same for lines of JSON.
+pub fn table(bytes: &[u8]) {
+    let text = format!("student,problem,seed,form,v_A2\n{}", pieced(bytes, OF_TABLES));
+    submissions(&text);
+    submissions(&pieced(bytes, OF_TABLES));
+    for (number, line) in (1..).zip(text.lines().skip(1)) {
+        match Submission::of_json(Place::Line(number), &format!("{{\"problem\":\"impact/two-carts\",{line}")) {
+            Ok(submission) => assert!(submission.answers().count() <= line.len()),
+            Err(reason) => assert!(!reason.is_empty(), "{line:?}"),
+        }
+    }
+}
+
+fn submissions(text: &str) {
+    let Ok(mut table) = Table::read(text.as_bytes()) else { return };
+    let columns = Column::all(table.headings());
+    let mut last = 1;
+    while let Some((line, row)) = table.next_row() {
+        assert!(line > last, "{text:?}: line {line} after line {last}");
+        last = line;
+        match (row.as_ref(), columns.as_ref()) {
+            (Ok(row), Ok(columns)) => drop(Submission::of_row(Place::Line(line), columns, row.cells())),
+            (Ok(_), Err(reason)) | (Err(reason), _) => assert!(!reason.is_empty(), "{text:?}"),
+        }
+    }
+}
+
+/// A list of who has which sheet is read, or every fault of it is said.
+pub fn roster(bytes: &[u8]) {
+    let text = format!("student,problem,digest,form,seed,derivation\n{}", pieced(bytes, OF_TABLES));
+    let Ok(table) = Table::read(text.as_bytes()) else { return };
+    if let Err(faults) = Listed::read(table) {
+        assert!(!faults.is_empty() && faults.iter().all(|fault| !fault.is_empty()), "{text:?}");
+    }
 }
