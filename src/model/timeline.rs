@@ -69,14 +69,15 @@ impl Timeline {
         self.names.iter().position(|own| own == name).map(|index| index + 1)
     }
 
-    /// The position of the stage of that name, or of that key or noun where only one such stage could be meant.
+    /// The position of the stage of that name, or of that key or noun where only one such stage could be meant, or of that number.
     #[must_use]
     pub fn stage(&self, scene: &Scene, name: &str) -> Option<usize> {
         let named = self.stage_names.iter().position(|own| own.as_deref() == Some(name));
         let is_meant = |stage: &Stage| stage.key() == name || noun(stage) == name;
         let of_kind: Vec<usize> =
             scene.stages.iter().enumerate().filter(|(_, stage)| is_meant(stage)).map(|(index, _)| index).collect();
-        named.or_else(|| if let [only] = of_kind[..] { Some(only) } else { None })
+        let counted = || name.parse::<usize>().ok()?.checked_sub(1).filter(|index| *index < scene.stages.len());
+        named.or_else(|| if let [only] = of_kind[..] { Some(only) } else { None }).or_else(counted)
     }
 }
 

@@ -108,6 +108,7 @@ pub struct Conserved {
     pub about: Option<String>,
     /// The name of the stage. Default: the only one.
     #[serde(default)]
+    #[schemars(with = "Option<Term>")]
     pub stage: Option<String>,
     /// How many points the part is worth: `2`.
     #[serde(default)]
@@ -126,6 +127,7 @@ pub struct Classify {
     pub classify: Classifiable,
     /// The name of the stage. Default: the only one.
     #[serde(default)]
+    #[schemars(with = "Option<Term>")]
     pub stage: Option<String>,
     /// How many points the part is worth: `2`.
     #[serde(default)]
@@ -147,6 +149,7 @@ pub struct Impulsive {
     pub on: Option<String>,
     /// The name of the stage. Default: the only one.
     #[serde(default)]
+    #[schemars(with = "Option<Term>")]
     pub stage: Option<String>,
     /// How many points the part is worth: `2`.
     #[serde(default)]

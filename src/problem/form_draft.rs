@@ -20,6 +20,7 @@ use super::kept::Kept;
 use super::known::Known;
 use super::load::Loaded;
 use super::mistakes::Mistakes;
+use super::neglected;
 use super::part::Part;
 use super::parts;
 use super::planned::Form;
@@ -142,8 +143,11 @@ impl FormDraft {
             None => fault,
         })
         .map_err(|fault| vec![fault.at_path(path)])?;
+        let weighed =
+            neglected::weighed(planner, model, &extra(&self.conditions), &told, &solver, &self.allowed.warnings);
         Ok(Form {
             trials,
+            weighed,
             question: self.question,
             parts: self.parts,
             meant: self.allowed.meant,

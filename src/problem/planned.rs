@@ -65,6 +65,8 @@ pub struct Form {
     pub solver: Regimes,
     /// Solves the sides of a claim from a trial value of the quantity whose range is asked.
     pub(super) trials: Vec<(Symbol, Regimes)>,
+    /// Solves what weight does in short contacts, where the answers need it not.
+    pub(super) weighed: Option<Regimes>,
     /// What comes of the usual mistakes; planned when a wrong answer first asks for it.
     pub(super) mistakes: Mistakes,
     /// How answers move with the values on the way; worked out when a wrong answer first asks for it.

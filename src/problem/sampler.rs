@@ -34,6 +34,7 @@ pub struct Sampler<'p> {
     domains: Vec<Option<Domain>>,
     scratch: Scratch,
     forward: Scratch,
+    weighing: Scratch,
     /// The quantities in terms of which answers are asked.
     units: Vec<Symbol>,
     /// The known quantities that the form tells, with their positions.
@@ -59,6 +60,7 @@ impl<'p> Sampler<'p> {
             domains: domains(problem, count),
             scratch: Scratch::default(),
             forward: Scratch::default(),
+            weighing: Scratch::default(),
             units: own.units().collect(),
             told: problem.known().iter().enumerate().filter(|(_, known)| own.told.contains(&known.symbol)).collect(),
             rejected: 0,
@@ -141,6 +143,10 @@ impl<'p> Sampler<'p> {
         if let (true, Some(forward)) = (dead.is_empty(), &self.form.forward) {
             dead = self.forward.dead(forward);
             regimes = forward;
+        }
+        if let (1, Some(weighed)) = (several, &self.form.weighed) {
+            dead = self.weighing.dead(weighed);
+            regimes = weighed;
         }
         let leaf = regimes.leaf(0);
         let model = self.problem.model();
@@ -234,7 +240,11 @@ impl<'p> Sampler<'p> {
                 *input = Input::of(&printed.to_decimal(), &reveal.unit);
             }
         }
-        self.scratch.run(&self.form.solver, &self.inputs, &self.domains)
+        let count = self.scratch.run(&self.form.solver, &self.inputs, &self.domains);
+        match &self.form.weighed {
+            Some(weighed) if count > 0 && self.weighing.run(weighed, &self.inputs, &self.domains) == 0 => 0,
+            _ => count,
+        }
     }
 
     /// What is asked in each further solution, where there is one.
@@ -274,12 +284,14 @@ impl<'p> Sampler<'p> {
             }
         }
         let forward = self.form.forward.as_ref().map(|forward| self.forward.values(forward, count));
+        let weighed = self.form.weighed.as_ref().map(|weighed| self.weighing.values(weighed, count));
         Variant {
             form: self.position,
             seed,
             given,
             values,
             forward: forward.unwrap_or_default(),
+            weighed: weighed.unwrap_or_default(),
             others: self.others(),
             leaf: self.scratch.leaf(),
             roots: self.scratch.roots(&self.form.solver),

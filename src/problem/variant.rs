@@ -26,6 +26,7 @@ pub struct Variant {
     pub(super) given: Vec<(Symbol, Decimal, Unit)>,
     pub(super) values: Vec<Option<Bounded>>,
     pub(super) forward: Vec<Option<Bounded>>,
+    pub(super) weighed: Vec<Option<Bounded>>,
     pub(super) others: Vec<(Symbol, Vec<Bounded>)>,
     pub(super) leaf: usize,
     pub(super) roots: Vec<usize>,
