@@ -72,7 +72,7 @@ impl Marking<'_> {
             let kind = grade::ExpectedKind::Formula(wrong);
             grade::judge(&grade::Expected { id: String::new(), points: 0, kind }, answer).verdict.is_right()
         };
-        let truth = grade::FormulaAnswer { text: String::new(), formula: right.formula.clone(), decimal: false };
+        let truth = grade::FormulaAnswer { text: String::new(), formula: right.formula.clone(), shifted: Vec::new() };
         let truth = grade::Answer::Formula(truth);
         let leads = |mistake: &&Mistake| {
             let formulas = self.worked.mistaken_formulas(mistake, part.symbol);

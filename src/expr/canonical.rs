@@ -295,7 +295,7 @@ impl Rules<'_> {
     }
 
     /// Whether a polynomial is seen to be positive, or zero: all its coefficients and atoms are.
-    fn is_positive(&self, polynomial: &Polynomial) -> bool {
+    pub(super) fn is_positive(&self, polynomial: &Polynomial) -> bool {
         polynomial.terms().all(|(_, value)| *value > Rational::ZERO)
             && polynomial.atoms().into_iter().all(|atom| match atom {
                 Expr::Pi | Expr::Apply(Function::Exp | Function::Abs, _) => true,

@@ -17,6 +17,13 @@ impl Rules<'_> {
     /// A function of its arguments.
     pub(super) fn apply(&self, function: Function, arguments: &[Expr]) -> Option<Quotient> {
         let forms: Vec<_> = arguments.iter().map(|argument| self.quotient(argument)).collect::<Option<_>>()?;
+        if self.expand
+            && let [y, x] = forms.as_slice()
+            && self.is_positive(&x.numerator)
+            && self.is_positive(&x.denominator)
+        {
+            return Some(arctangent(&self.product(y, &x.inverse()?)?));
+        }
         let [form] = forms.as_slice() else {
             let arguments = forms.iter().map(Quotient::to_expr).collect();
             return Some(Quotient::atom(Expr::Apply(function, arguments)));
@@ -33,6 +40,10 @@ impl Rules<'_> {
             Function::Abs => self.absolute(form),
             Function::Asin if form.numerator.is_zero() => Some(Quotient::zero()),
             Function::Asin if form.numerator.is_negative() => Some(atom(function, &form.negated()).negated()),
+            Function::Acos if self.expand => {
+                let quarter = Quotient::atom(Expr::Pi).scaled(&(Rational::ONE / Rational::from(2)));
+                self.sum(&quarter, &self.apply(Function::Asin, arguments)?.negated())
+            }
             Function::Asin | Function::Acos | Function::Atan2 => Some(atom(function, form)),
         }
     }
@@ -156,6 +167,17 @@ fn known_turn(function: Function, angle: &Quotient) -> Option<Expr> {
 
 fn atom(function: Function, argument: &Quotient) -> Quotient {
     Quotient::atom(Expr::Apply(function, Arc::new([argument.to_expr()])))
+}
+
+/// The principal arctangent.
+fn arctangent(slope: &Quotient) -> Quotient {
+    if slope.numerator.is_zero() {
+        return Quotient::zero();
+    }
+    let negative = slope.numerator.is_negative();
+    let size = if negative { slope.negated() } else { slope.clone() };
+    let angle = Quotient::atom(Expr::Apply(Function::Atan2, Arc::new([size.to_expr(), Expr::one()])));
+    if negative { angle.negated() } else { angle }
 }
 
 /// How many quarter turns (0 to 3) an angle contains, and what remains.

@@ -32,6 +32,8 @@ const REVERSED: f64 = 1e-9;
 const AGREEMENT: f64 = 1e-60;
 /// A number in a formula may be rounded by as much as any number.
 const TOLERANCE: f64 = 0.01;
+/// How much further half a unit may lead than along a straight line.
+const STRAIGHT: f64 = 1.01;
 
 /// Judges a formula.
 pub(super) fn judge(expected: &ExpectedFormula, answer: &FormulaAnswer) -> Judgement {
@@ -59,9 +61,8 @@ pub(super) fn judge(expected: &ExpectedFormula, answer: &FormulaAnswer) -> Judge
     match compared {
         Compared::Proven => Judgement::of(Verdict::Right, Message::Right),
         Compared::Agree => Judgement::of(Verdict::RightAgrees, Message::Agrees),
-        Compared::Factor(ratio) if (ratio - 1.0).abs() <= TOLERANCE && answer.decimal => {
-            Judgement::of(Verdict::Right, Message::Right).noted(Message::RoundedNumber)
-        }
+        Compared::Factor(ratio) if (ratio - 1.0).abs() <= TOLERANCE && !answer.shifted.is_empty() => rounded(),
+        Compared::Different if is_rounded(expected, answer) => rounded(),
         Compared::Factor(ratio) if (ratio + 1.0).abs() < REVERSED => {
             Judgement::of(Verdict::SenseReversed, Message::SenseReversed)
         }
@@ -194,4 +195,32 @@ fn decide(expected: &ExpectedFormula, given: &Expr, points: &[Point]) -> Compare
     }
     // Where the right value is zero, to be small is no agreement.
     if all { Compared::Agree } else { Compared::Open }
+}
+
+fn rounded() -> Judgement {
+    Judgement::of(Verdict::Right, Message::Right).noted(Message::RoundedNumber)
+}
+
+/// Whether a formula is right within the rounding of its decimals: every decimal stands for all numbers that round to it.
+fn is_rounded(expected: &ExpectedFormula, answer: &FormulaAnswer) -> bool {
+    if answer.shifted.is_empty() {
+        return false;
+    }
+    let given = expected.in_letters(&answer.formula);
+    let shifted: Vec<Expr> = answer.shifted.iter().map(|own| expected.in_letters(own)).collect();
+    let points = Points::new(expected, &[&expected.formula, &given]).take(MOST_POINTS);
+    let mut found = points.filter_map(|point| {
+        let right: Bounded = value(&expected.formula, &point);
+        if !is_certain(&right) {
+            return None;
+        }
+        let own: Bounded = value(&given, &point);
+        let moves = shifted.iter().map(|shifted| value::<Bounded>(shifted, &point).sub(&own));
+        let reach: f64 = moves.map(|moved| moved.value.abs() - moved.error).sum();
+        // The reach is that of a straight line.
+        let reach = (reach * STRAIGHT).min(TOLERANCE * right.value.abs());
+        let apart = own.sub(&right);
+        Some(is_certain(&apart) && apart.value.abs() + apart.error <= reach)
+    });
+    (0..POINTS).all(|_| found.next() == Some(true))
 }

@@ -63,8 +63,9 @@ pub struct FormulaAnswer {
     pub formula: Expr,
     /// The formula in the names of the problem, with every sign of multiplication: `m_A*v_A1/(m_A + m_B)`.
     pub text: String,
-    /// Whether it holds a decimal of three figures or more, which may be a rounded number.
-    pub decimal: bool,
+    /// For each decimal in it of three figures or more, which may be a rounded number, the formula with half a unit of its last
+    /// place more.
+    pub shifted: Vec<Expr>,
 }
 
 /// An interval or a condition.

@@ -53,7 +53,25 @@ impl Grammar<'_> {
     fn root(&mut self, degree: u32) -> At<Term> {
         self.count(if degree == 2 { 0 } else { 2 })?;
         let of = |radicand: Expr| radicand.power(Expr::ratio(1, degree));
+        self.not_indexed()?;
         self.argument(&Operator { of: &of, angle: false, pure: false }).map(|argument| Term::of(of(argument)))
+    }
+
+    /// `sqrt[3](x)` is a product as it stands, and meant for a cube root.
+    fn not_indexed(&mut self) -> At<()> {
+        let (at, mark) = (self.at(), self.mark());
+        if self.peek() != Some(&Token::Open(']')) {
+            return Ok(());
+        }
+        let index = self.nested(Self::bracket)?.value;
+        let indexed = index.as_number().is_some_and(Rational::is_int) && matches!(self.peek(), Some(Token::Open(_)));
+        if indexed {
+            let radicand = self.nested(Self::bracket)?.value;
+            let root = radicand.clone().power(index.clone().powi(-1));
+            return self.two_readings(at, [&(index.sqrt() * radicand), &root]);
+        }
+        self.back_to(mark);
+        Ok(())
     }
 
     fn function(&mut self, named: Named, at: usize) -> At<Term> {

@@ -97,7 +97,7 @@ impl<'a> Lexer<'a> {
             '-' => Token::Minus,
             '±' => Token::PlusMinus,
             '*' => Token::Times,
-            '/' => Token::Over,
+            '/' | ':' => Token::Over,
             '^' => Token::Power,
             '(' => Token::Open(')'),
             '[' => Token::Open(']'),
@@ -133,23 +133,34 @@ impl<'a> Lexer<'a> {
             let readings = vec![power, product];
             return Err((start, UnreadableKind::AmbiguousName { name: written.to_owned(), readings }));
         }
-        let figures = digits.trim_start_matches(['0', '.', ',']).chars().filter(char::is_ascii_digit).count();
-        let decimal = !found.digits_only && figures >= ROUNDED_FIGURES && digits.contains(['.', ',']);
         self.at += found.length;
-        self.push(Token::Number { value: found.decimal.to_rational(), decimal }, start);
+        self.lost_product(digits, start)?;
+        self.push(Token::Number { value: found.decimal.to_rational(), half: half_unit(written) }, start);
         Ok(())
+    }
+
+    /// `3.10^8` is as often meant for 3 × 10^8.
+    fn lost_product(&self, digits: &str, start: usize) -> At<()> {
+        let raised = self.peek(0).is_some_and(|next| next == '^' || signs::unraised(next).is_some());
+        match digits.strip_suffix("10").filter(|_| raised).and_then(|front| front.strip_suffix(['.', ','])) {
+            Some(front) if !front.is_empty() => {
+                let readings = [format!("({digits})^..."), format!("{front}*10^...")];
+                Err((start, UnreadableKind::TwoReadings(readings)))
+            }
+            _ => Ok(()),
+        }
     }
 
     /// A fraction of one character; a whole number right before it belongs to it.
     fn vulgar(&mut self, value: Rational, at: usize) {
-        if let Some(Lexeme { token: Token::Number { value: whole, decimal: false }, .. }) = self.found.last_mut()
+        if let Some(Lexeme { token: Token::Number { value: whole, half: None }, .. }) = self.found.last_mut()
             && !self.gap
             && whole.is_int()
         {
             *whole += value;
             return;
         }
-        self.push(Token::Number { value, decimal: false }, at);
+        self.push(Token::Number { value, half: None }, at);
     }
 
     /// What is written above the line is a power in brackets.
@@ -296,7 +307,7 @@ impl<'a> Lexer<'a> {
             Some(digit) if digit.is_ascii_digit() => {
                 self.at += 1;
                 let value = Rational::from(digit.to_digit(10).unwrap_or(0));
-                self.push(Token::Number { value, decimal: false }, at);
+                self.push(Token::Number { value, half: None }, at);
             }
             Some(letter) if letter.is_alphabetic() => {
                 self.at += 1;
@@ -325,4 +336,13 @@ impl<'a> Lexer<'a> {
             _ => None,
         }
     }
+}
+
+/// Half a unit of the last place of a decimal that may be rounded.
+fn half_unit(written: &str) -> Option<Rational> {
+    let (digits, power) = written.split_once(['e', 'E']).unwrap_or((written, "0"));
+    let (_, decimals) = digits.rsplit_once(['.', ','])?;
+    let figures = digits.trim_start_matches(['0', '.', ',']).chars().filter(char::is_ascii_digit).count();
+    let place = power.parse::<isize>().ok()? - isize::try_from(decimals.len()).ok()?;
+    (figures >= ROUNDED_FIGURES).then(|| Rational::from(10).pow(place) / Rational::from(2))
 }

@@ -13,7 +13,9 @@ mod signs;
 mod token;
 mod word;
 
+use crate::expr::Expr;
 use crate::expr::Symbol;
+use crate::quantity::Rational;
 
 use super::super::expected::ExpectedFormula;
 use super::answer::FormulaAnswer;
@@ -21,12 +23,14 @@ use super::numeral::DecimalMark;
 use super::unreadable::{Unreadable, UnreadableKind};
 use grammar::Grammar;
 use names::Names;
-use token::Token;
+use token::{Lexeme, Token};
 
 /// The longest formula that is read, in characters.
 pub const MAX_FORMULA: usize = 1000;
 /// How deeply brackets, functions and powers may be nested.
 const MAX_DEPTH: usize = 24;
+/// The most decimals that are taken for rounded numbers.
+const MAX_DECIMALS: usize = 6;
 
 /// Reads a formula.
 pub(super) fn read(answer: &str, asked: &ExpectedFormula, mark: DecimalMark) -> Result<FormulaAnswer, Unreadable> {
@@ -39,8 +43,22 @@ pub(super) fn read(answer: &str, asked: &ExpectedFormula, mark: DecimalMark) -> 
     let lexemes = resolve::resolve(lexemes, &names).map_err(fault)?;
     let end = answer.trim_end().chars().count();
     let formula = Grammar::new(&lexemes, end, asked).whole().map_err(fault)?;
-    let decimal = lexemes.iter().any(|own| matches!(own.token, Token::Number { decimal: true, .. }));
-    Ok(FormulaAnswer { text: formula.text(&asked.symbols), formula, decimal })
+    let shifted = shifted(&lexemes, end, asked);
+    Ok(FormulaAnswer { text: formula.text(&asked.symbols), formula, shifted })
+}
+
+/// The formula with each decimal that may be rounded larger by half a unit of its last place.
+fn shifted(lexemes: &[Lexeme], end: usize, asked: &ExpectedFormula) -> Vec<Expr> {
+    let places = lexemes.iter().enumerate().filter_map(|(place, own)| match &own.token {
+        Token::Number { value, half: Some(half) } => Some((place, value + half)),
+        _ => None,
+    });
+    let formula = |(place, value): (usize, Rational)| {
+        let mut lexemes = lexemes.to_vec();
+        lexemes.get_mut(place)?.token = Token::Number { value, half: None };
+        Grammar::new(&lexemes, end, asked).whole().ok()
+    };
+    places.take(MAX_DECIMALS).filter_map(formula).collect()
 }
 
 /// The symbols that a formula may contain.

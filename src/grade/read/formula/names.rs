@@ -1,6 +1,7 @@
 //! The names that the sheet gives, in whatever spelling: `m_A`, `mA`, `m_{A}`, `μ_k`, `mu_k`.
 
 use crate::expr::Symbol;
+use crate::expr::name_math;
 use crate::fault::did_you_mean;
 
 use super::super::super::expected::ExpectedFormula;
@@ -100,14 +101,19 @@ impl<'a> Names<'a> {
     }
 }
 
-/// The letters of a name, Greek ones as such; of a difference both as the file spells it and as it is printed.
+/// The letters of a name, Greek ones as such: as the file spells it, and as it is printed where that differs.
 fn letters(name: &str) -> Vec<Vec<char>> {
-    let parts = name.split(|sign: char| !sign.is_alphanumeric() && sign != '\'').filter(|part| !part.is_empty());
-    let own: Vec<char> = parts.flat_map(letters_of_part).collect();
-    match own.as_slice() {
-        ['d', 't', rest @ ..] => vec![['Δ', 't'].into_iter().chain(rest.iter().copied()).collect(), own],
-        _ => vec![own],
+    let own = letters_alone(name);
+    if name.contains('(') {
+        return vec![own];
     }
+    let printed = letters_alone(&name_math(name).plain());
+    if printed == own { vec![own] } else { vec![printed, own] }
+}
+
+fn letters_alone(name: &str) -> Vec<char> {
+    let parts = name.split(|sign: char| !sign.is_alphanumeric() && sign != '\'').filter(|part| !part.is_empty());
+    parts.flat_map(letters_of_part).collect()
 }
 
 fn letters_of_part(part: &str) -> Vec<char> {

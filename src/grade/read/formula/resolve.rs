@@ -121,7 +121,7 @@ impl Word<'_> {
                 Piece::Function(Named::Cbrt) => Token::Root(3),
                 Piece::Function(named) => Token::Function(*named),
                 Piece::Euler => Token::Euler,
-                Piece::Number(value) => Token::Number { value: Rational::from(*value), decimal: false },
+                Piece::Number(value) => Token::Number { value: Rational::from(*value), half: None },
             };
             Ok((token, at))
         };

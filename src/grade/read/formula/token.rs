@@ -18,10 +18,10 @@ pub(super) struct Lexeme {
 /// A sign, a number, a name.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Token {
-    /// A number; whether it is a decimal of three figures or more, which may be rounded.
+    /// A number; half a unit of its last place, where it is a decimal of three figures or more and may so be rounded.
     Number {
         value: Rational,
-        decimal: bool,
+        half: Option<Rational>,
     },
     /// Letters side by side, in which names and functions are still to be found.
     Word(Vec<Letter>),
