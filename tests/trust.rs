@@ -6,8 +6,12 @@
 mod check;
 #[path = "trust/files.rs"]
 mod files;
+#[path = "trust/promises.rs"]
+mod promises;
 #[path = "cli/room.rs"]
 #[allow(dead_code, reason = "the other tests of the program use the rest")]
 mod room;
+#[path = "trust/secrets.rs"]
+mod secrets;
 #[path = "trust/texts.rs"]
 mod texts;

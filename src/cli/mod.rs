@@ -18,6 +18,7 @@ mod pending;
 mod plot;
 mod progress;
 mod schema;
+mod secret;
 mod simulate;
 mod snapshot;
 mod solve;
@@ -71,6 +72,7 @@ enum Command {
     Solve(solve::Solve),
     Grade(grade::Grade),
     New(new::New),
+    Secret(secret::Secret),
     Snapshot(snapshot::Snapshot),
     Schema(schema::Schema),
     Completions(completions::Completions),
@@ -115,6 +117,7 @@ impl Command {
             Self::Solve(solve) => solve.run(),
             Self::Grade(grade) => grade.run(),
             Self::New(new) => new.run(),
+            Self::Secret(secret) => secret.run(),
             Self::Snapshot(snapshot) => snapshot.run(),
             Self::Schema(schema) => schema.run(),
             Self::Completions(completions) => completions.run(),

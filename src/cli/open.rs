@@ -7,17 +7,20 @@ use clap::Args;
 
 use crate::bank::Bank;
 use crate::bank::load_in_course;
+use crate::exercise::SheetSeed;
 use crate::fault::Input;
 use crate::fault::Source;
 use crate::fault::did_you_mean;
 use crate::problem::Problem;
 use crate::problem::compile;
+use crate::problem::is_guessable;
 
 use super::failure::Failure;
+use super::failure::tell;
 
-/// Reads a seed.
-pub(super) fn seed(text: &str) -> Result<u64, String> {
-    text.trim().parse().map_err(|_| format!("a seed is a whole number from 0 to {}", u64::MAX))
+/// The number of a seed, where the problem was compiled with the secret whose mark the seed has.
+pub(super) fn seed(seed: &SheetSeed, problem: &Problem) -> Result<u64, Failure> {
+    seed.of(problem).map_err(|message| Failure::unusable(format!("--seed {seed}: {message}")))
 }
 
 /// The longest secret that is read, in bytes.
@@ -40,6 +43,13 @@ impl Secret {
         let secret = bytes.trim_ascii_end();
         if secret.is_empty() {
             return Err(Failure::unusable(format!("{} holds no secret", path.display())));
+        }
+        if is_guessable(secret) {
+            tell(&format!(
+                "warning: {} may be guessed: whoever has one sheet can try secrets until its numbers come out\n\
+                 help: `momentous secret` writes one that cannot; sheets that were made with the old one keep needing it",
+                path.display()
+            ));
         }
         Ok(Some(secret.to_vec()))
     }

@@ -3,6 +3,7 @@
 use clap::Args;
 
 use crate::exercise::Exercise;
+use crate::exercise::SheetSeed;
 use crate::fault::Faults;
 use crate::fault::Source;
 use crate::render::Page;
@@ -32,8 +33,8 @@ pub(super) struct Solve {
     /// The problem's identity, or the path of its file
     problem: String,
     /// The seed that draws the numbers
-    #[arg(long, value_name = "S", default_value_t = 1, value_parser = open::seed, allow_negative_numbers = true)]
-    seed: u64,
+    #[arg(long, value_name = "S", default_value = "1", allow_negative_numbers = true)]
+    seed: SheetSeed,
     /// The form in which the problem is asked; the first where none is named
     #[arg(long, value_name = "FORM")]
     form: Option<String>,
@@ -57,11 +58,12 @@ impl Solve {
         let secret = self.secret.read()?;
         let problem = open::problem(&self.problem, secret.as_deref())?;
         let form = open::form(&problem, self.form.as_deref())?;
+        let seed = open::seed(&self.seed, &problem)?;
         let exercise = if self.set.is_empty() && self.find.is_empty() {
-            let drawn = Exercise::draw(&problem, form, self.seed);
-            drawn.map_err(|reason| Failure::no_variant(problem.id(), self.seed, &reason))?
+            let drawn = Exercise::draw(&problem, form, seed);
+            drawn.map_err(|reason| Failure::no_variant(problem.id(), seed, &reason))?
         } else {
-            let solved = Exercise::with_values(&problem, form, self.seed, &self.set, &self.find);
+            let solved = Exercise::with_values(&problem, form, seed, &self.set, &self.find);
             solved.map_err(|faults| typed(&self.problem, faults))?
         };
         let renderer = pages::renderer()?;

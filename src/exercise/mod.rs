@@ -12,6 +12,7 @@ mod marking;
 mod printable;
 mod record;
 mod rules;
+mod sheet_seed;
 mod sheets;
 mod students;
 mod submission;
@@ -60,6 +61,7 @@ pub use attempts::Try;
 pub use issued::{Derivation, SeedSource, VariantRef};
 pub use marker::Marker;
 pub use marking::Sitting;
+pub use sheet_seed::SheetSeed;
 pub use sheets::{Derived, Listed, NotIssued, Sheets};
 pub use submission::{Column, Key, Place, Submission, excerpt};
 pub use table::{Line, Lines, Row, Rows, Table, defused};
@@ -143,6 +145,7 @@ impl Exercise {
             problem: self.problem.id().to_owned(),
             form: self.worked().form.question.name.clone(),
             seed: self.variant.seed(),
+            secret: self.problem.secret_mark().filter(|_| self.variant.seed().is_some()).map(str::to_owned),
             digest: Some(self.problem.loaded().digest.clone()),
             scheme: Some(Scheme::CURRENT.number()),
         }

@@ -40,6 +40,9 @@ impl Exercise {
             "given": given,
             "ask": ask,
         });
+        if let (Some(mark), Some(object)) = (identity.secret, record.as_object_mut()) {
+            object.insert("secret".into(), Value::String(mark));
+        }
         if let (Some(solution), Some(object)) = (solution, record.as_object_mut()) {
             object.insert("solution".into(), Value::String(solution));
             object.insert("lines".into(), json!(explain::lines(worked)));

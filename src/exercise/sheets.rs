@@ -29,6 +29,8 @@ pub struct Listed {
     /// The same without the seed.
     asked: FxHashSet<u64>,
     digests: BTreeMap<String, String>,
+    /// The marks of the secrets with which they were drawn, empty for none; nothing where the table does not say it.
+    secrets: BTreeSet<String>,
 }
 
 /// What sheets are derived from.
@@ -106,8 +108,8 @@ impl Listed {
         };
         let (student, problem, seed) = (needed("student"), needed("problem"), needed("seed"));
         let (student, problem, seed) = (student.map_err(alone)?, problem.map_err(alone)?, seed.map_err(alone)?);
-        let [form, digest] = ["form", "digest"].map(|heading| table.column(heading));
-        let (form, digest) = (form.map_err(alone)?, digest.map_err(alone)?);
+        let [form, digest, secret] = ["form", "digest", "secret"].map(|heading| table.column(heading));
+        let (form, digest, secret) = (form.map_err(alone)?, digest.map_err(alone)?, secret.map_err(alone)?);
         let mut listed = Self::default();
         let mut faults = Vec::new();
         while let Some((line, row)) = table.next_row() {
@@ -116,6 +118,9 @@ impl Listed {
                 let seed = row.cell(seed).parse().map_err(|_| format!("`{}` is no seed", excerpt(row.cell(seed))))?;
                 let variant = VariantRef { problem: row.cell(problem), form: cell(form), seed };
                 listed.add(row.cell(student), variant);
+                if secret.is_some() && !listed.secrets.contains(cell(secret)) {
+                    listed.secrets.insert(cell(secret).to_owned());
+                }
                 if !listed.digests.contains_key(variant.problem) && !cell(digest).is_empty() {
                     listed.digests.insert(variant.problem.to_owned(), cell(digest).to_owned());
                 }
@@ -127,6 +132,27 @@ impl Listed {
             faults.push("there is no sheet in it".to_owned());
         }
         if faults.is_empty() { Ok(listed) } else { Err(faults) }
+    }
+
+    /// Whether the sheets were drawn with the secret of that mark, or without one where there is none.
+    ///
+    /// # Errors
+    /// Which secret it was; nothing can be marked with another.
+    pub fn check_secret(&self, mark: Option<&str>) -> Result<(), String> {
+        let Some(other) = self.secrets.iter().find(|own| own.as_str() != mark.unwrap_or_default()) else {
+            return Ok(());
+        };
+        Err(match (other.as_str(), mark) {
+            ("", _) => "its sheets were drawn without a secret\nhelp: leave --secret out".to_owned(),
+            (own, None) => {
+                format!("its sheets were drawn with a secret, whose mark is `{own}`\nhelp: give it with --secret")
+            }
+            (own, Some(mark)) => {
+                format!(
+                    "its sheets were drawn with the secret whose mark is `{own}`; that of the secret given is `{mark}`"
+                )
+            }
+        })
     }
 
     fn add(&mut self, student: &str, variant: VariantRef<'_>) {

@@ -229,6 +229,12 @@ impl Problem {
         }
     }
 
+    /// The mark of the secret with which its givens are drawn, where there is one.
+    #[must_use]
+    pub fn secret_mark(&self) -> Option<&str> {
+        self.streams.mark.as_deref()
+    }
+
     /// The streams from which its givens are drawn.
     #[must_use]
     pub fn streams(&self) -> &Streams {

@@ -5,6 +5,8 @@ use rand::rngs::ChaCha8Rng;
 use rand::{Rng, SeedableRng};
 use sha2::Sha256;
 
+use super::secret::secret_mark;
+
 /// How numbers are drawn; a change of it changes the numbers of every variant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Scheme(u32);
@@ -37,6 +39,8 @@ const BLOCK: usize = 8;
 pub struct Streams {
     key: [u8; 32],
     ids: Vec<u64>,
+    /// The mark of the secret; nothing where there is none.
+    pub(super) mark: Option<String>,
 }
 
 impl Streams {
@@ -54,7 +58,7 @@ impl Streams {
             let bytes = digest(&key, &[b"stream", name.as_bytes()]);
             bytes.iter().take(8).rev().fold(0, |word, byte| word << 8 | u64::from(*byte))
         };
-        Self { key, ids: names.into_iter().map(id).collect() }
+        Self { key, ids: names.into_iter().map(id).collect(), mark: secret.map(secret_mark) }
     }
 
     /// A maker of words; each thread takes its own.

@@ -44,6 +44,8 @@ pub struct Identity {
     pub form: Option<String>,
     /// The seed; none where the numbers are literal.
     pub seed: Option<u64>,
+    /// The mark of the secret with which the numbers were drawn, printed behind the seed.
+    pub secret: Option<String>,
     /// The digest of the problem's file, as it is to be printed.
     pub digest: Option<String>,
     /// The version of the scheme that draws numbers.

@@ -206,11 +206,12 @@ impl<'a> View<'a> {
 }
 
 fn identity(identity: &Identity) -> Value {
+    let mark = identity.secret.as_ref().map_or_else(String::new, |mark| format!("-{mark}"));
     map([
         ("problem", identity.problem.as_str().into()),
         ("form", identity.form.clone().into()),
         // A seed has 64 bits; as text it reaches every template whole.
-        ("seed", identity.seed.map(|seed| seed.to_string()).into()),
+        ("seed", identity.seed.map(|seed| format!("{seed}{mark}")).into()),
         ("digest", identity.digest.clone().into()),
         ("scheme", identity.scheme.into()),
     ])

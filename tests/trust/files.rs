@@ -79,3 +79,95 @@ fn a_signal_leaves_no_temporary_file() {
         assert_eq!(room.names("all"), [] as [&str; 0], "after {signal}");
     }
 }
+
+#[test]
+fn every_student_has_a_file_of_his_own() {
+    let room = Room::with(&[("class.csv", "id,name\na b,Alice\na/b,Bob\na-b-2,Carol\nA-B-2,Dora\n")]);
+    for format in ["html", "json"] {
+        room.fine(&[
+            "generate",
+            "impact/two-carts",
+            "--roster",
+            "class.csv",
+            "--format",
+            format,
+            "-o",
+            &format!("{format}/"),
+        ]);
+        let names = room.names(format);
+        let capitals: std::collections::BTreeSet<String> = names.iter().map(|name| name.to_lowercase()).collect();
+        assert_eq!((names.len(), capitals.len()), (4, 4), "{names:?}");
+        for student in ["Alice", "Bob", "Carol", "Dora"] {
+            let own = |name: &&String| room.read(&format!("{format}/{name}")).contains(student);
+            assert_eq!(names.iter().filter(own).count(), 1, "{student}");
+        }
+        // The table says which is whose.
+        let seeds = room.read(&format!("{format}-teacher/seeds.csv"));
+        for name in &names {
+            let stem = name.trim_end_matches(&format!(".{format}")).to_owned();
+            assert!(seeds.lines().any(|row| row.ends_with(&format!(",{stem}"))), "{stem}\n{seeds}");
+        }
+    }
+}
+
+/// A problem with another identity, in a file of that name.
+fn problem(room: &Room, file: &str, id: &str) {
+    let text = include_str!("../../problem_bank/impact/two-carts.yaml");
+    fs::write(room.path(file), text.replacen("id: impact/two-carts", &format!("id: {id}"), 1)).unwrap();
+}
+
+#[test]
+fn two_problems_have_files_of_their_own() {
+    let room = Room::empty();
+    problem(&room, "a.yaml", "impact/my-carts");
+    problem(&room, "b.yaml", "impact-my/carts");
+    room.fine(&["generate", "a.yaml", "b.yaml", "--count", "2", "-o", "sheets/"]);
+    let sheets = room.names("sheets").into_iter().filter(|name| name.ends_with(".md")).collect::<Vec<_>>();
+    assert_eq!(sheets.len(), 4, "{sheets:?}");
+    let of = |id: &str| sheets.iter().filter(|name| room.read(&format!("sheets/{name}")).contains(id)).count();
+    assert_eq!((of("impact/my-carts"), of("impact-my/carts")), (2, 2));
+}
+
+#[test]
+fn a_run_with_two_documents_of_one_name_writes_nothing() {
+    let room = Room::with(&[("class.csv", "id\ns\ns-p\n")]);
+    problem(&room, "a.yaml", "x/y");
+    problem(&room, "b.yaml", "p/x/y");
+    problem(&room, "twin.yaml", "x/y");
+    // `s` with p/x/y and `s-p` with x/y; and two files with one identity.
+    let runs: [&[&str]; 2] = [
+        &["generate", "a.yaml", "b.yaml", "--roster", "class.csv", "-o", "s/"],
+        &["generate", "a.yaml", "twin.yaml", "-o", "s/"],
+    ];
+    for arguments in runs {
+        fs::write(room.path("twin.yaml"), room.read("a.yaml").replace("They collide.", "They meet.")).unwrap();
+        let ran = room.run(arguments);
+        assert!(ran.code == 2 && ran.err.contains("two documents would be written to"), "{arguments:?}\n{}", ran.err);
+        assert!(!room.path("s").exists() && !room.path("s-teacher").exists(), "{arguments:?}");
+    }
+}
+
+#[test]
+fn a_table_of_seeds_is_not_lost_and_old_sheets_are_named() {
+    let room = Room::with(&[("class.csv", "id\ns1\ns2\n")]);
+    let generate = |problems: &[&str]| {
+        let rest = ["--roster", "class.csv", "--solution", "-o", "sheets/"];
+        room.run(&[&["generate"], problems, &rest].concat())
+    };
+    assert_eq!(generate(&["impact/two-carts"]).code, 0);
+    let table = room.read("sheets-teacher/seeds.csv");
+    let other = generate(&["bouncing/rubber-ball"]);
+    assert!(
+        other.code == 2 && other.err.contains("seed of impact/two-carts forward, which would be lost"),
+        "{}",
+        other.err
+    );
+    assert_eq!(room.read("sheets-teacher/seeds.csv"), table);
+    fs::write(room.path("class.csv"), "id\ns2\ns3\n").unwrap();
+    let later = generate(&["impact/two-carts", "bouncing/rubber-ball"]);
+    assert_eq!(later.code, 0, "{}", later.err);
+    for left in ["sheets/s1-impact-two-carts-forward.md", "sheets/s1-impact-two-carts-forward-solution.md"] {
+        assert!(later.err.contains(left), "{left}\n{}", later.err);
+    }
+    assert!(!later.err.contains("s2-") && !later.err.contains("s3-"), "{}", later.err);
+}

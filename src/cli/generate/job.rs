@@ -6,17 +6,49 @@ use serde_json::Value;
 use serde_json::json;
 
 use crate::cli::failure::Failure;
-use crate::cli::output::file_stem;
+use crate::cli::open;
 use crate::exercise::Exercise;
 use crate::exercise::SeedSource;
 use crate::problem::Problem;
 use crate::render::KeyRow;
 use crate::render::Sheet;
 
+use super::names;
 use super::roster::Student;
 
 /// A problem with the form in which it is asked.
-pub(super) type Asked = (Arc<Problem>, usize);
+#[derive(Clone, Debug)]
+pub(super) struct Asked {
+    pub problem: Arc<Problem>,
+    pub form: usize,
+    /// Its part of the names of files: `impact-two-carts-find-e`.
+    stem: String,
+}
+
+impl Asked {
+    /// Each problem in the form of that name, or in its first.
+    pub(super) fn all(problems: &[Arc<Problem>], form: Option<&str>) -> Result<Vec<Self>, Failure> {
+        let forms = problems.iter().map(|problem| open::form(problem, form)).collect::<Result<Vec<usize>, _>>()?;
+        let texts: Vec<String> = problems.iter().zip(&forms).map(|(problem, form)| said(problem, *form)).collect();
+        let stems = names::distinct(&texts);
+        let asked = problems.iter().zip(forms).zip(stems);
+        Ok(asked.map(|((problem, form), stem)| Self { problem: Arc::clone(problem), form, stem }).collect())
+    }
+
+    /// The name of the form; empty where the problem has one form without a name.
+    pub(super) fn form_name(&self) -> &str {
+        form_name(&self.problem, self.form)
+    }
+}
+
+fn form_name(problem: &Problem, form: usize) -> &str {
+    problem.forms().get(form).and_then(|form| form.question.name.as_deref()).unwrap_or_default()
+}
+
+/// Problem and form in a line.
+fn said(problem: &Problem, form: usize) -> String {
+    format!("{} {}", problem.id(), form_name(problem, form)).trim_end().to_owned()
+}
 
 /// One variant that is to be made.
 #[derive(Clone, Debug)]
@@ -24,6 +56,13 @@ pub(super) struct Job {
     asked: Asked,
     seed: u64,
     student: Option<Student>,
+}
+
+impl Student {
+    /// The name of the student's files without an ending.
+    pub(super) fn file_stem(&self, asked: &Asked) -> String {
+        format!("{}-{}", self.stem, asked.stem)
+    }
 }
 
 impl Job {
@@ -50,7 +89,7 @@ impl Job {
     ) -> Box<dyn Iterator<Item = Self> + 'a> {
         let of = move |student: &'a Student| {
             asked.iter().map(move |asked| {
-                let seed = student.variant((&asked.0, asked.1), seeds).seed;
+                let seed = student.variant(asked, seeds).seed;
                 Self { asked: asked.clone(), seed, student: Some(student.clone()) }
             })
         };
@@ -59,7 +98,7 @@ impl Job {
 
     /// The variant, solved.
     pub(super) fn exercise(&self) -> Result<Exercise, Failure> {
-        let (problem, form) = &self.asked;
+        let Asked { problem, form, .. } = &self.asked;
         Exercise::draw(problem, *form, self.seed)
             .map_err(|reason| Failure::no_variant(problem.id(), self.seed, &reason))
     }
@@ -86,13 +125,18 @@ impl Job {
 
     /// The name of its files without an ending: `impact-two-carts-find-e-seed-7`, or `student-17-impact-two-carts-find-e`.
     pub(super) fn file_stem(&self) -> String {
-        let (problem, form) = &self.asked;
-        let form = problem.forms().get(*form).and_then(|form| form.question.name.as_deref());
-        let form = form.map(|form| format!("-{}", file_stem(form))).unwrap_or_default();
-        let problem = problem.id().replace('/', "-");
         match &self.student {
-            Some(student) => format!("{}-{problem}{form}", student.stem),
-            None => format!("{problem}{form}-seed-{}", self.seed),
+            Some(student) => student.file_stem(&self.asked),
+            None => format!("{}-seed-{}", self.asked.stem, self.seed),
+        }
+    }
+
+    /// What it is, in a message.
+    pub(super) fn said(&self) -> String {
+        let asked = said(&self.asked.problem, self.asked.form);
+        match &self.student {
+            Some(student) => format!("{asked} of {}", student.id),
+            None => asked,
         }
     }
 }

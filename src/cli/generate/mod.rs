@@ -1,10 +1,13 @@
 //! `momentous generate`
 
 mod destination;
+mod earlier;
 mod job;
+mod names;
 mod roster;
 mod stream;
 
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 
 use clap::Args;
@@ -12,6 +15,7 @@ use clap::Args;
 use crate::exercise::Derivation;
 use crate::exercise::Exercise;
 use crate::exercise::SeedSource;
+use crate::exercise::SheetSeed;
 use crate::render::Figures;
 use crate::render::Format;
 use crate::render::Key;
@@ -30,6 +34,8 @@ use super::pages::Shown;
 
 use destination::Destination;
 use destination::SEEDS;
+use earlier::Earlier;
+use job::Asked;
 use job::Job;
 pub(super) use roster::Roster;
 
@@ -47,6 +53,9 @@ seeds.csv says who has which seed. A folder named by -o ends with a slash, or is
 go beside it, into a folder of their own for the teacher: sheets-teacher/. The same problem, seed and form give the
 same numbers on every computer.";
 
+/// What the name of a solution has behind that of its sheet.
+const SOLUTION: &str = "-solution";
+
 /// Make problem sheets, with solutions and a key where they are wanted
 #[derive(Args, Debug)]
 #[command(after_help = HELP)]
@@ -55,8 +64,8 @@ pub(super) struct Generate {
     #[arg(required = true, value_name = "PROBLEM|FILE")]
     problems: Vec<String>,
     /// The seed that draws the numbers
-    #[arg(long, value_name = "S", default_value_t = 1, value_parser = open::seed, allow_negative_numbers = true, conflicts_with = "roster")]
-    seed: u64,
+    #[arg(long, value_name = "S", default_value = "1", allow_negative_numbers = true, conflicts_with = "roster")]
+    seed: SheetSeed,
     /// How many variants: the seed and those after it
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..), conflicts_with = "roster")]
     count: u64,
@@ -96,30 +105,54 @@ impl Generate {
         let problems = open::problems(&self.problems, secret.as_deref())?;
         let roster = self.roster.as_deref().map(Roster::read).transpose()?;
         let destination = Destination::of(self.output.as_deref());
-        if roster.is_some() {
-            destination.for_teacher()?;
-        }
-        let mut forms = Vec::new();
-        for problem in &problems {
-            forms.push((problem.clone(), open::form(problem, self.form.as_deref())?));
-        }
+        let asked = Asked::all(&problems, self.form.as_deref())?;
         let seeds = SeedSource { derivation: self.derivation, secret: secret.as_deref() };
-        let jobs = match &roster {
-            Some(roster) => Job::for_students(&forms, &roster.students, seeds),
-            None => Job::for_seeds(&forms, self.seed, self.count)?,
+        let first = asked.first().map_or(Ok(self.seed.number), |own| open::seed(&self.seed, &own.problem))?;
+        let jobs = |count| match &roster {
+            Some(roster) => Ok(Job::for_students(&asked, &roster.students, seeds)),
+            None => Job::for_seeds(&asked, first, count),
         };
+        let earlier = match &roster {
+            Some(_) => Some(Earlier::at(&destination.for_teacher()?.join(SEEDS), &asked)?),
+            None => None,
+        };
+        let mut files = BTreeSet::new();
+        if let Destination::Folder(_) = &destination {
+            // Seeds that follow each other have names that differ.
+            files = self.names(jobs(1)?)?;
+        }
+        let jobs = jobs(self.count)?;
         let each = roster.as_ref().map_or(self.count, |roster| roster.students.len() as u64);
         match self.format.document() {
-            None => self.stream(jobs, each.saturating_mul(forms.len() as u64), &destination)?,
+            None => self.stream(jobs, each.saturating_mul(asked.len() as u64), &destination)?,
             Some(format) => self.documents(jobs, format, &destination)?,
         }
         if let Some(roster) = &roster {
-            destination.write_for_teacher(SEEDS, &roster.seeds(&forms, seeds)?)?;
+            destination.write_for_teacher(SEEDS, &roster.seeds(&asked, seeds)?)?;
             if secret.is_none() {
                 tell("note: without --secret, a student who has this program can print his or her own solution");
             }
         }
+        if let (Some(earlier), Destination::Folder(folder)) = (earlier, &destination) {
+            earlier.tell_what_is_left(folder, &files);
+        }
         Ok(Exit::Fine)
+    }
+
+    /// The names of files without their endings; two documents with one name are refused.
+    fn names(&self, jobs: impl Iterator<Item = Job>) -> Result<BTreeSet<String>, Failure> {
+        let mut files = BTreeSet::new();
+        let mut documents = Vec::new();
+        for job in jobs {
+            let stem = job.file_stem();
+            documents.push((stem.clone(), format!("the sheet of {}", job.said())));
+            if self.solution && self.format.document().is_some() {
+                documents.push((format!("{stem}{SOLUTION}"), format!("the solution of {}", job.said())));
+            }
+            files.insert(stem);
+        }
+        names::refuse_twins(documents.into_iter())?;
+        Ok(files)
     }
 
     /// One document of everything, or a file for each sheet, each solution and the key.
@@ -145,7 +178,7 @@ impl Generate {
                 pages.extend(solution);
                 continue;
             };
-            let documents = [(Some(sheet), ""), (solution, "-solution")];
+            let documents = [(Some(sheet), ""), (solution, SOLUTION)];
             for (page, ending) in documents.into_iter().filter_map(|(page, ending)| Some((page?, ending))) {
                 let name = format!("{}{ending}", job.file_stem());
                 renderer = renderer.figures(Figures::Beside(name.clone()));

@@ -4,14 +4,13 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use crate::cli::failure::Failure;
-use crate::cli::output::file_stem;
 use crate::cli::table;
 use crate::exercise::SeedSource;
 use crate::exercise::VariantRef;
 use crate::exercise::defused;
-use crate::problem::Problem;
 
 use super::job::Asked;
+use super::names;
 
 /// A student.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -41,7 +40,6 @@ impl Roster {
         };
         let mut students: Vec<Student> = Vec::new();
         let mut lines: BTreeMap<String, u64> = BTreeMap::new();
-        let mut stems: BTreeMap<String, u32> = BTreeMap::new();
         let mut failures = Vec::new();
         while let Some((line, row)) = table.next_row() {
             let mut fail =
@@ -60,15 +58,16 @@ impl Roster {
             } else if let Some(first) = lines.insert(id.clone(), line) {
                 fail(format!("`{id}` stands in line {first} already"));
             } else {
-                let times = stems.entry(file_stem(&id).to_lowercase()).or_insert(0);
-                *times += 1;
-                let stem = if *times == 1 { file_stem(&id) } else { format!("{}-{times}", file_stem(&id)) };
                 let name = name.map(cell).filter(|name| !name.is_empty()).unwrap_or_else(|| id.clone());
-                students.push(Student { id, name, stem });
+                students.push(Student { id, name, stem: String::new() });
             }
         }
         if students.is_empty() && failures.is_empty() {
             failures.push(Failure::unusable(format!("{} has no students", path.display())));
+        }
+        let ids: Vec<String> = students.iter().map(|student| student.id.clone()).collect();
+        for (student, stem) in students.iter_mut().zip(names::distinct(&ids)) {
+            student.stem = stem;
         }
         if failures.is_empty() { Ok(Self { students }) } else { Err(Failure::all(failures)) }
     }
@@ -77,13 +76,16 @@ impl Roster {
     pub(super) fn seeds(&self, asked: &[Asked], seeds: SeedSource<'_>) -> Result<String, Failure> {
         let mut table = csv::Writer::from_writer(Vec::new());
         let failed = |error: csv::Error| Failure::unusable(format!("the table of seeds cannot be written: {error}"));
-        table.write_record(["student", "name", "problem", "digest", "form", "seed", "derivation"]).map_err(failed)?;
+        let headings = ["student", "name", "problem", "digest", "form", "seed", "derivation", "secret", "file"];
+        table.write_record(headings).map_err(failed)?;
         for student in &self.students {
-            for (problem, form) in asked {
-                let variant = student.variant((problem, *form), seeds);
+            for own in asked {
+                let variant = student.variant(own, seeds);
                 let (seed, derivation) = (variant.seed.to_string(), seeds.derivation.to_string());
-                let digest = &problem.loaded().digest;
-                let row = [&student.id, &student.name, variant.problem, digest, variant.form, &seed, &derivation];
+                let digest = &own.problem.loaded().digest;
+                let (mark, file) = (own.problem.secret_mark().unwrap_or_default(), student.file_stem(own));
+                let (id, name) = (&student.id, &student.name);
+                let row = [id, name, variant.problem, digest, variant.form, &seed, &derivation, mark, &file];
                 table.write_record(row.map(|cell| defused(cell).into_owned())).map_err(failed)?;
             }
         }
@@ -94,9 +96,8 @@ impl Roster {
 
 impl Student {
     /// The variant that the student gets; it stays the same when others come or go.
-    pub(super) fn variant<'a>(&self, (problem, form): (&'a Problem, usize), seeds: SeedSource<'_>) -> VariantRef<'a> {
-        let form = problem.forms().get(form).and_then(|form| form.question.name.as_deref());
-        seeds.variant(&self.id, problem.id(), form.unwrap_or_default())
+    pub(super) fn variant<'a>(&self, asked: &'a Asked, seeds: SeedSource<'_>) -> VariantRef<'a> {
+        seeds.variant(&self.id, asked.problem.id(), asked.form_name())
     }
 
     /// Name and identity, as a sheet shows them.
@@ -128,9 +129,8 @@ mod tests {
 
     #[test]
     fn files_of_students_never_collide() {
-        let stems: Vec<String> =
-            roster("id\na b\na/b\nA-B\n").unwrap().into_iter().map(|student| student.stem).collect();
-        assert_eq!(stems, ["a-b", "a-b-2", "A-B-3"]);
+        let stems = |text: &str| roster(text).unwrap().into_iter().map(|student| student.stem).collect::<Vec<_>>();
+        assert_eq!(stems("id\na b\na/b\na-b-2\n"), ["a-b-c8687a08", "a-b-c14cddc0", "a-b-2"]);
     }
 
     #[test]

@@ -22,13 +22,13 @@ use clap::Args;
 use clap::ValueEnum;
 
 use crate::exercise::Derivation;
+use crate::exercise::SheetSeed;
 use crate::exercise::Sitting;
 use crate::grade::DecimalMark;
 
 use super::exit::Exit;
 use super::failure::Failure;
 use super::format::Listing;
-use super::open;
 use super::open::Secret;
 use super::solve::assignment;
 
@@ -71,8 +71,8 @@ pub(super) struct Grade {
     #[arg(long, value_name = "PROBLEM|FILE")]
     problem: Vec<String>,
     /// The seed that is printed on the sheet
-    #[arg(long, value_name = "S", value_parser = open::seed, allow_negative_numbers = true, required_unless_present = "submissions")]
-    seed: Option<u64>,
+    #[arg(long, value_name = "S", allow_negative_numbers = true, required_unless_present = "submissions")]
+    seed: Option<SheetSeed>,
     /// The form in which the problem was asked; the first where none is named
     #[arg(long, value_name = "FORM")]
     form: Option<String>,
@@ -146,7 +146,7 @@ impl Grade {
     }
 
     pub(super) fn run(&self) -> Result<Exit, Failure> {
-        match (&self.submissions, self.problem.as_slice(), self.seed) {
+        match (&self.submissions, self.problem.as_slice(), &self.seed) {
             (Some(submissions), ..) => self.table(submissions),
             (None, [problem], Some(seed)) => self.single(problem, seed),
             (None, ..) => Err(Failure::unusable("name one problem with --problem, and a seed with --seed")),

@@ -42,6 +42,11 @@ impl Reader {
         Ok(Self { order: Some(order), ..Self::new(source, register) })
     }
 
+    /// Whether the secret is that of most sheets so far.
+    pub(super) fn check_secret(&self) -> Result<(), String> {
+        self.register.check_secret()
+    }
+
     /// The problems that were met so far, by their positions.
     pub(super) fn problems(&self) -> Vec<Arc<Met>> {
         self.register.open().to_vec()

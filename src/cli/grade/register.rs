@@ -8,6 +8,7 @@ use crate::cli::open;
 use crate::exercise::Key;
 use crate::exercise::NotIssued;
 use crate::exercise::Place;
+use crate::exercise::SheetSeed;
 use crate::exercise::Sheets;
 use crate::exercise::Standing;
 use crate::exercise::Submission;
@@ -56,13 +57,29 @@ pub(super) struct Register {
     problems: Problems,
     sheets: Option<Sheets>,
     together: Together,
+    /// The rows whose problem is known; those of them that name another secret than the one given, and what is said of one.
+    looked_at: u64,
+    of_other_secrets: u64,
+    other_secret: Option<String>,
     /// Problems that were changed after their sheets were made, by their positions; each is told once.
     changed: BTreeSet<usize>,
 }
 
 impl Register {
     pub(super) fn new(problems: Problems, sheets: Option<Sheets>) -> Self {
-        Self { problems, sheets, together: Together::default(), changed: BTreeSet::new() }
+        let (together, changed) = (Together::default(), BTreeSet::new());
+        Self { problems, sheets, together, looked_at: 0, of_other_secrets: 0, other_secret: None, changed }
+    }
+
+    /// Whether the secret is that of most sheets so far: a few rows with another may be slips, or come of ill will.
+    ///
+    /// # Errors
+    /// What is said of the others.
+    pub(super) fn check_secret(&self) -> Result<(), String> {
+        match &self.other_secret {
+            Some(message) if 2 * self.of_other_secrets > self.looked_at => Err(message.clone()),
+            _ => Ok(()),
+        }
     }
 
     /// The problems that are open, by their positions.
@@ -99,6 +116,12 @@ impl Register {
 
     fn facts(&mut self, submission: &Submission, number: u64, place: impl Fn(u64) -> Place) -> Result<Facts, String> {
         let met = self.problems.find(submission.key(Key::Problem))?;
+        self.looked_at += 1;
+        if let Some(Err(message)) = seed_of(submission).ok().map(|seed| seed.of(&met.problem)) {
+            self.of_other_secrets += 1;
+            self.other_secret = Some(message.clone());
+            return Err(message);
+        }
         let question = met.question(submission)?;
         let (attempt, hints) = (submission.number(Key::Attempt, 1)?, submission.number(Key::Hints, 0)?);
         met.asks(submission, question)?;
@@ -140,8 +163,7 @@ impl Met {
     fn question(&self, submission: &Submission) -> Result<Question, String> {
         let name = Some(submission.key(Key::Form)).filter(|form| !form.is_empty());
         let form = open::form(&self.problem, name).map_err(|failure| failure.message())?;
-        let seed = submission.key(Key::Seed);
-        let seed = open::seed(seed).map_err(|why| format!("`{}` is no seed: {why}", excerpt(seed)))?;
+        let seed = seed_of(submission)?.of(&self.problem)?;
         let (said, digest) = (submission.key(Key::Digest), &self.problem.loaded().digest);
         if !said.is_empty() && said != digest {
             let id = self.problem.id();
@@ -172,4 +194,10 @@ impl Met {
         }
         Ok(())
     }
+}
+
+/// The seed, with the mark of a secret where that stands there.
+fn seed_of(submission: &Submission) -> Result<SheetSeed, String> {
+    let seed = submission.key(Key::Seed);
+    seed.parse().map_err(|why| format!("`{}` is no seed: {why}", excerpt(seed)))
 }

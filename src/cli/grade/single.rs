@@ -10,16 +10,18 @@ use crate::cli::format::Listing;
 use crate::cli::open;
 use crate::cli::output::Output;
 use crate::exercise::Exercise;
+use crate::exercise::SheetSeed;
 use crate::grade::Report;
 
 use super::Grade;
 
 impl Grade {
     /// Marks what `--answer` says.
-    pub(super) fn single(&self, name: &str, seed: u64) -> Result<Exit, Failure> {
+    pub(super) fn single(&self, name: &str, seed: &SheetSeed) -> Result<Exit, Failure> {
         let secret = self.secret.read()?;
         let problem = open::problem(name, secret.as_deref())?;
         let form = open::form(&problem, self.form.as_deref())?;
+        let seed = open::seed(seed, &problem)?;
         let exercise = Exercise::draw(&problem, form, seed);
         let exercise = exercise.map_err(|reason| Failure::no_variant(problem.id(), seed, &reason))?;
         let answers = self.answers(&exercise)?;

@@ -10,6 +10,7 @@ use crate::exercise::Derived;
 use crate::exercise::Listed;
 use crate::exercise::Sheets;
 use crate::grade::RowCounts;
+use crate::problem::secret_mark;
 
 use super::Grade;
 use super::marked::{Marked, marked};
@@ -32,10 +33,15 @@ impl Grade {
         let (source, register) = (Source::open(path)?, Register::new(problems, sheets));
         let mut reader =
             if self.any_order { Reader::in_any_order(source, register)? } else { Reader::new(source, register) };
+        let mut chunk = reader.chunk();
+        reader.check_secret().map_err(|message| {
+            let nothing =
+                "help: nothing was marked; rows without a mark behind the seed are not known to be of any secret";
+            table::of(path, &format!("of most rows, {message}\n{nothing}"))
+        })?;
         let mut sink = Sink::to(self.output.as_deref(), self.marks)?;
         let mut readers = Readers::of(self)?;
         let (mut exit, mut counts) = (Exit::Fine, RowCounts::default());
-        let mut chunk = reader.chunk();
         while !chunk.is_empty() {
             let (format, keep, problems) = (sink.format(), readers.are_there(), reader.problems());
             let (found, next) = rayon::join(|| marked(chunk, &problems, format, keep), || reader.chunk());
@@ -79,7 +85,9 @@ impl Grade {
             let listed = Listed::read(table::open(path)?);
             let failed =
                 |faults: Vec<String>| Failure::all(faults.iter().map(|fault| table::of(path, fault)).collect());
-            return Ok(Some(Sheets::Listed(listed.map_err(failed)?)));
+            let listed = listed.map_err(failed)?;
+            listed.check_secret(secret.map(secret_mark).as_deref()).map_err(|message| table::of(path, &message))?;
+            return Ok(Some(Sheets::Listed(listed)));
         }
         let Some(path) = &self.roster else { return Ok(None) };
         let students = Roster::read(path)?.students.into_iter().map(|student| student.id).collect();

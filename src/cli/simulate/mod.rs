@@ -12,6 +12,7 @@ use clap::Args;
 use clap::ValueEnum;
 
 use crate::exercise::Exercise;
+use crate::exercise::SheetSeed;
 use crate::simulate::least::Request;
 
 use super::exit::Exit;
@@ -39,8 +40,8 @@ pub(super) struct Simulate {
     /// The problem's identity, or the path of its file
     problem: String,
     /// The seed that draws the numbers
-    #[arg(long, value_name = "S", default_value_t = 1, value_parser = open::seed, allow_negative_numbers = true)]
-    seed: u64,
+    #[arg(long, value_name = "S", default_value = "1", allow_negative_numbers = true)]
+    seed: SheetSeed,
     /// The form in which the problem is asked; the first where none is named
     #[arg(long, value_name = "FORM")]
     form: Option<String>,
@@ -86,8 +87,9 @@ impl Simulate {
         let secret = self.secret.read()?;
         let problem = open::problem(&self.problem, secret.as_deref())?;
         let form = open::form(&problem, self.form.as_deref())?;
-        let drawn = Exercise::draw(&problem, form, self.seed);
-        let exercise = drawn.map_err(|reason| Failure::no_variant(problem.id(), self.seed, &reason))?;
+        let seed = open::seed(&self.seed, &problem)?;
+        let drawn = Exercise::draw(&problem, form, seed);
+        let exercise = drawn.map_err(|reason| Failure::no_variant(problem.id(), seed, &reason))?;
         let request =
             Request { accuracy: self.accuracy, budget: self.budget, method: self.method.map(request::Named::kind) };
         let shot = film::shoot(&problem, exercise.variant(), &request)?;

@@ -1,0 +1,67 @@
+//! What an earlier run left at the same place: nothing of it is lost, and what no run will write again is named.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use serde::Deserialize;
+
+use crate::cli::failure::Failure;
+use crate::cli::failure::tell;
+use crate::cli::table;
+
+use super::job::Asked;
+
+/// The endings of sheets and solutions.
+const ENDINGS: [&str; 8] =
+    [".md", ".tex", ".html", ".json", "-solution.md", "-solution.tex", "-solution.html", "-1.svg"];
+
+/// A row of a table of seeds.
+#[derive(Debug, Deserialize)]
+struct Row {
+    problem: String,
+    form: String,
+    /// The beginning of the names of its files; earlier versions did not write it.
+    #[serde(default)]
+    file: String,
+}
+
+/// The table of seeds of an earlier run.
+#[derive(Debug, Default)]
+pub(super) struct Earlier(Vec<Row>);
+
+impl Earlier {
+    /// Reads the table that lies there, if there is one, and refuses to write over rows of what is not asked this time.
+    pub(super) fn at(path: &Path, asked: &[Asked]) -> Result<Self, Failure> {
+        if !path.exists() {
+            return Ok(Self::default());
+        }
+        let rows: Vec<Row> = table::typed(path).map_err(|error| {
+            Failure::unusable(format!("{} is there, and is no table of seeds: {error}", path.display()))
+        })?;
+        let is_asked =
+            |row: &Row| asked.iter().any(|own| own.problem.id() == row.problem && own.form_name() == row.form);
+        let lost: BTreeSet<[&str; 2]> =
+            rows.iter().filter(|row| !is_asked(row)).map(|row| [row.problem.as_str(), &row.form]).collect();
+        if lost.is_empty() {
+            return Ok(Self(rows));
+        }
+        let lost: Vec<String> = lost.iter().map(|names| names.join(" ").trim_end().to_owned()).collect();
+        Err(Failure::unusable(format!(
+            "{} also says who has which seed of {}, which would be lost\n\
+             help: write into another folder, or make all of them in one run",
+            path.display(),
+            lost.join(", ")
+        )))
+    }
+
+    /// Names the files in that folder of sheets that nobody has any more: those of rows whose names are not these.
+    pub(super) fn tell_what_is_left(&self, folder: &Path, now: &BTreeSet<String>) {
+        let gone = self.0.iter().filter(|row| !row.file.is_empty() && !now.contains(&row.file));
+        let files = gone.flat_map(|row| ENDINGS.map(|ending| folder.join(format!("{}{ending}", row.file))));
+        let files: Vec<String> =
+            files.filter(|path| path.is_file()).map(|path| format!("\n  {}", path.display())).collect();
+        if !files.is_empty() {
+            tell(&format!("note: an earlier run left sheets that nobody on the roster has now:{}", files.concat()));
+        }
+    }
+}
