@@ -125,6 +125,13 @@ fn solve_shows_how_in_every_format() {
     assert!(markdown.contains("Laws") && !markdown.contains("ertificate"));
     assert!(room.fine(&["solve", "impact/two-carts", "--instructor"]).len() > markdown.len());
     assert!(room.fine(&["solve", "impact/two-carts", "--faded", "1"]).len() < markdown.len());
+    let brief = room.fine(&["solve", "impact/two-carts", "--brief"]);
+    let whole = room.fine(&["solve", "impact/two-carts"]);
+    let answer = whole.lines().find(|line| line.starts_with("The velocity of")).unwrap();
+    let numbered = |text: &str| text.matches("\\tag{").count();
+    assert!(brief.contains("Conservation of linear momentum:") && brief.contains(answer), "{brief}");
+    assert!(numbered(&brief) == 2 && numbered(&whole) > 2 && !brief.contains("Check:"), "{brief}");
+    assert!(room.run(&["solve", "impact/two-carts", "--brief", "--faded", "1"]).code == 2);
     assert!(room.fine(&["solve", "impact/two-carts", "--format", "latex"]).contains("\\documentclass"));
     assert!(room.fine(&["solve", "impact/two-carts", "--format", "html"]).starts_with("<!"));
 }

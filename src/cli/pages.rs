@@ -24,18 +24,22 @@ pub(super) struct Shown {
     /// Add what instructors want to know: the bounds on errors and the equations
     #[arg(long, conflicts_with = "faded")]
     instructor: bool,
+    /// Show the laws, the equations with numbers and the answers only
+    #[arg(long, conflicts_with_all = ["faded", "instructor"])]
+    brief: bool,
 }
 
 impl Shown {
     /// Whether anything but the whole solution for students is wanted.
     pub(super) fn is_said(self) -> bool {
-        self.faded.is_some() || self.instructor
+        self.faded.is_some() || self.instructor || self.brief
     }
 
     /// The worked solution of an exercise.
     pub(super) fn solution(self, exercise: &Exercise) -> Solution {
         let audience = if self.instructor { Audience::Instructor } else { Audience::Everyone };
-        Solution { outline: exercise.outline(audience), identity: exercise.identity(), audience, faded: self.faded }
+        let outline = if self.brief { exercise.brief() } else { exercise.outline(audience) };
+        Solution { outline, identity: exercise.identity(), audience, faded: self.faded }
     }
 
     /// The worked solution as Markdown, for JSON.

@@ -246,6 +246,12 @@ impl Exercise {
         explain::solution(self.worked(), audience)
     }
 
+    /// The worked solution on one page: laws, equations with numbers, answers.
+    #[must_use]
+    pub fn brief(&self) -> Outline {
+        explain::brief(self.worked())
+    }
+
     /// One row of an answer key for each part.
     #[must_use]
     pub fn key(&self) -> Vec<KeyRow> {

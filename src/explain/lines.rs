@@ -21,6 +21,7 @@ use super::quadratic;
 use super::script;
 use super::script::Formula;
 use super::script::Script;
+use super::steps::Detail;
 use super::steps::Steps;
 use super::steps::taken;
 use super::way::Memory;
@@ -92,7 +93,7 @@ pub fn lines(worked: Worked<'_>) -> Vec<Line> {
     let memory = Memory::of(worked);
     let shown = Shown::default();
     let display = Display { worked, way: memory.way(worked), shown: &shown };
-    let mut list = List { display, steps: Steps::new(display), lines: Vec::new(), results: Vec::new() };
+    let mut list = List { display, steps: Steps::new(display, Detail::Full), lines: Vec::new(), results: Vec::new() };
     let scripts = display.way.laws.get_or_init(|| script::scripts(display));
     for (position, (step, script)) in worked.leaf().answer_steps().iter().zip(scripts).enumerate() {
         list.step(position, step, script);

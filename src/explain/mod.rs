@@ -31,4 +31,5 @@ pub use lines::Line;
 pub use lines::lines;
 pub use outline::{Audience, Block, Inline, Outline, Section, SharedBlock};
 pub use pictures::situation;
+pub use solution::brief;
 pub use solution::solution;

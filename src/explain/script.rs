@@ -62,6 +62,8 @@ pub(super) enum Formula {
 /// A part of what stands before the results of a step.
 #[derive(Debug)]
 pub(super) enum Opening {
+    /// A law: its name, why it applies here, and its equation, unless what is found says it at once.
+    Law { name: &'static str, reason: Block, equation: Option<Block> },
     /// It is the same in every solution.
     Written(Block),
     /// What an equation that is stated piece by piece says here; its sides.
@@ -135,14 +137,15 @@ impl Writer<'_> {
         let leaf = self.display.worked.leaf();
         let Some(stated) = leaf.system.equations.get(equation) else { return Vec::new() };
         let Some(instance) = self.display.worked.problem.model().instances.get(stated.tag) else { return Vec::new() };
-        let mut opening = vec![Opening::Written(text(&reason(instance, &stated.statement)).shared())];
+        let (name, reason) = (instance.law.name, text(&reason(instance, &stated.statement)).shared());
         if instance.integral.is_none() && closes.is_some_and(|step| is_definition(step, &line.left, &line.right)) {
-            return opening;
+            return vec![Opening::Law { name, reason, equation: None }];
         }
         let right = instance.integral.as_ref().map(|integral| self.integral(integral));
         let right = right.unwrap_or_else(|| self.display.symbolic(&line.right));
         let lines = vec![Math::relation(self.display.symbolic(&line.left), line.relation, right)];
-        opening.push(Opening::Written(Block::Equation { lines, number: line.number }.shared()));
+        let equation = Some(Block::Equation { lines, number: line.number }.shared());
+        let mut opening = vec![Opening::Law { name, reason, equation }];
         if let (Statement::Equal { left, right }, None) = (&stated.statement, &instance.integral) {
             let sides = [left, right].map(Clone::clone);
             opening.extend(sides.iter().any(has_pieces).then_some(Opening::Piece(sides)));

@@ -18,6 +18,7 @@ use super::display::Display;
 use super::display::Shown;
 use super::instructor;
 use super::script;
+use super::steps::Detail;
 use super::steps::Steps;
 use super::steps::text;
 use super::way::Memory;
@@ -37,7 +38,7 @@ pub fn solution(worked: Worked<'_>, audience: Audience) -> Outline {
         section("System", display.way.system.get_or_init(|| kept(system(worked))).clone()),
         acting(display),
         section("Axes and what is given", axes::axes(display)),
-        section("Laws", laws(display)),
+        section("Laws", laws(display, Detail::Full)),
         section(closing, answers.into_iter().chain(checks).collect()),
     ];
     sections.retain(|section| !section.blocks.is_empty());
@@ -52,6 +53,21 @@ fn acting(display: Display<'_>) -> Section {
     let blocks = diagrams::diagrams(display);
     let drawn = blocks.iter().any(|block| matches!(block.bare(), Block::Figure(_)));
     section(if drawn { "Momentum and impulse diagrams" } else { "Forces and impulses" }, blocks)
+}
+
+/// The worked solution on one page: what is given, the laws with their equations, the values found, and the answers.
+#[must_use]
+pub fn brief(worked: Worked<'_>) -> Outline {
+    let memory = Memory::of(worked);
+    let shown = Shown::default();
+    let display = Display { worked, way: memory.way(worked), shown: &shown };
+    let mut sections = vec![
+        section("Axes and what is given", axes::axes(display)),
+        section("Laws", laws(display, Detail::Brief)),
+        section("Answer", answers::answers(display)),
+    ];
+    sections.retain(|section| !section.blocks.is_empty());
+    Outline { title: worked.problem.title().to_owned(), sections }
 }
 
 fn kept(blocks: Vec<Block>) -> Vec<Block> {
@@ -168,9 +184,9 @@ fn surface_name(scene: &Scene, surface: &str) -> String {
 }
 
 /// The steps of the answer plan.
-fn laws(display: Display<'_>) -> Vec<Block> {
+fn laws(display: Display<'_>, detail: Detail) -> Vec<Block> {
     let worked = display.worked;
-    let mut steps = Steps::new(display);
+    let mut steps = Steps::new(display, detail);
     let scripts = display.way.laws.get_or_init(|| script::scripts(display));
     let mut blocks = Vec::new();
     if let [first, ..] = &worked.leaf().words[..] {

@@ -23,6 +23,7 @@ use super::script::Opening;
 use super::script::Script;
 use super::script::formula_of_equation;
 use super::term::Term;
+use super::wording::capitalised;
 use super::wording::join;
 
 /// Figures of an answer, and of a value on the way to it.
@@ -32,9 +33,19 @@ pub(super) struct Figures {
     pub intermediate: usize,
 }
 
+/// How much is said of each step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Detail {
+    /// Laws with their reasons, the algebra, rejected roots.
+    Full,
+    /// The names of the laws, their equations and the values found.
+    Brief,
+}
+
 /// Writes the steps of one plan for a variant.
 pub(super) struct Steps<'a> {
     pub display: Display<'a>,
+    pub detail: Detail,
     pub figures: Figures,
     pub asked: Vec<Symbol>,
     /// Whether the angle of a point has been explained.
@@ -42,10 +53,16 @@ pub(super) struct Steps<'a> {
 }
 
 impl<'a> Steps<'a> {
-    pub(super) fn new(display: Display<'a>) -> Self {
+    pub(super) fn new(display: Display<'a>, detail: Detail) -> Self {
         let answer = usize::from(display.worked.problem.loaded().draft.figures.unwrap_or(3));
         let figures = Figures { answer, intermediate: answer + 1 };
-        Self { display, figures, asked: display.worked.form.wanted().collect(), angle_explained: false }
+        Self {
+            display,
+            detail,
+            figures,
+            asked: display.worked.form.wanted().collect(),
+            angle_explained: detail == Detail::Brief,
+        }
     }
 
     /// One step, as blocks.
@@ -57,6 +74,15 @@ impl<'a> Steps<'a> {
         let mut solved = None;
         for opening in &script.opening {
             match opening {
+                Opening::Law { name, equation, .. } if self.detail == Detail::Brief => {
+                    blocks.push(text(&format!("{}:", capitalised(name))));
+                    blocks.extend(equation.clone());
+                }
+                Opening::Law { reason, equation, .. } => {
+                    blocks.push(reason.clone());
+                    blocks.extend(equation.clone());
+                }
+                Opening::Written(_) if self.detail == Detail::Brief => {}
                 Opening::Written(block) => blocks.push(block.clone()),
                 Opening::Piece(sides) => blocks.extend(self.piece(sides)),
                 Opening::Move(place) => match step.moves.get(*place) {
@@ -81,13 +107,15 @@ impl<'a> Steps<'a> {
             for (index, (unknown, closed)) in root.values.iter().enumerate() {
                 if solved != Some(*unknown) {
                     let how = found.get(index);
-                    blocks.extend(how.and_then(|how| how.words.clone()));
+                    blocks.extend(how.and_then(|how| how.words.clone()).filter(|_| self.detail == Detail::Full));
                     let formula = how.map_or(&Formula::Varies, |how| &how.formula);
                     self.result(&mut blocks, step, (*unknown, closed), formula);
                 }
             }
         }
-        blocks.extend(self.rejected(position, step));
+        if self.detail == Detail::Full {
+            blocks.extend(self.rejected(position, step));
+        }
         blocks
     }
 

@@ -4,7 +4,9 @@
 #![allow(clippy::unwrap_used, clippy::cast_precision_loss, clippy::cast_possible_truncation)]
 
 mod lines;
+mod page;
 mod points;
+mod printed;
 mod term;
 mod typed;
 
@@ -15,6 +17,10 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use momentous::exercise::Exercise;
+use momentous::explain::Audience;
+use momentous::render::Format;
+use momentous::render::Renderer;
+use momentous::render::Solution;
 use serde_json::Value;
 use term::Values;
 
@@ -40,11 +46,29 @@ fn lines_of(exercise: &Exercise) -> Vec<Value> {
     lines
 }
 
+/// The worked solution as Markdown.
+fn page_of(exercise: &Exercise, renderer: &Renderer) -> String {
+    let audience = Audience::Everyone;
+    let outline = exercise.outline(audience);
+    let solution = Solution { outline, identity: exercise.identity(), audience, faded: None };
+    renderer.render_solution(&solution, Format::Markdown).unwrap().text
+}
+
+/// The LaTeX of every quantity, and its typed name.
+fn names(exercise: &Exercise) -> printed::Names {
+    let problem = exercise.problem();
+    let named =
+        problem.model().symbols.iter().map(|(symbol, entry)| (problem.math_of(symbol).latex(), entry.name.clone()));
+    named.collect()
+}
+
 #[test]
 fn each_sentence_of_algebra_is_true() {
+    let renderer = Renderer::new(None).unwrap();
     let mut faults = Vec::new();
     for problem in variants::bank().into_iter().map(Arc::new) {
         for form in 0..problem.forms().len() {
+            let name = variants::form_name(&problem, form);
             // Most variants of a form share their lines.
             let mut seen = BTreeSet::new();
             for seed in 1..=variants::seeds(50) {
@@ -52,12 +76,13 @@ fn each_sentence_of_algebra_is_true() {
                 let lines = lines_of(&exercise);
                 let actual = values(&exercise);
                 let found = if seen.insert(Value::Array(lines.clone()).to_string()) {
-                    lines::faults(&lines, &actual)
+                    let page = page_of(&exercise, &renderer);
+                    let page = page::faults(&page, &lines, &names(&exercise), &actual);
+                    lines::faults(&lines, &actual).into_iter().chain(page).collect()
                 } else {
                     lines::faults_of_numbers(&lines, &actual)
                 };
-                let named = |fault| format!("{} seed {seed}: {fault}", variants::form_name(&problem, form));
-                faults.extend(found.into_iter().map(named));
+                faults.extend(found.into_iter().map(|fault| format!("{name} seed {seed}: {fault}")));
             }
         }
     }

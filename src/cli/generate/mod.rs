@@ -44,6 +44,7 @@ Examples:
   momentous generate impact/two-carts --seed 7                     a sheet
   momentous generate impact/two-carts --seed 7 --solution          and its worked solution
   momentous generate impact/two-carts --solution --faded 2         its first two steps
+  momentous generate impact/two-carts --solution --brief           laws, equations and answers
   momentous generate impact --count 5 --key --format latex -o exam.tex
   momentous generate impact/two-carts --roster class.csv --secret secret.txt --key -o sheets/
   momentous generate impact/two-carts --count 100000 --format json > variants.jsonl
@@ -99,7 +100,9 @@ pub(super) struct Generate {
 impl Generate {
     pub(super) fn run(&self) -> Result<Exit, Failure> {
         if self.shown.is_said() && !self.solution {
-            return Err(Failure::unusable("--faded and --instructor are about solutions\nhelp: add --solution"));
+            return Err(Failure::unusable(
+                "--faded, --instructor and --brief are about solutions\nhelp: add --solution",
+            ));
         }
         let secret = self.secret.read()?;
         let problems = open::problems(&self.problems, secret.as_deref())?;

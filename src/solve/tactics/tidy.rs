@@ -86,12 +86,13 @@ pub(super) fn times(expr: &Expr, factor: &Expr) -> Expr {
     }))
 }
 
-/// The same with a symbol that stands twice in a product written as a power: `m b^2`, not `m b b`.
+/// The same with what stands twice in a product, a symbol or a function, written as a power: `m b^2`, not `m b b`.
 pub(super) fn gathered(expr: &Expr) -> Expr {
     Expr::sum(terms(expr).iter().map(|term| {
         let mut powers: Vec<(&Expr, i64)> = Vec::new();
         for factor in factors(term) {
-            match powers.iter_mut().find(|(own, _)| matches!(own, Expr::Symbol(_)) && *own == factor) {
+            match powers.iter_mut().find(|(own, _)| matches!(own, Expr::Symbol(_) | Expr::Apply(..)) && *own == factor)
+            {
                 Some((_, times)) => *times += 1,
                 None => powers.push((factor, 1)),
             }
