@@ -14,6 +14,7 @@ use crate::solve::Step;
 use super::algebra::positive_first;
 use super::algebra::without_common_minus;
 use super::display::Display;
+use super::script::is_definition;
 use super::script::operator;
 
 /// One equation of a step.
@@ -68,7 +69,10 @@ impl Derivation {
             let Some(stated) = system.equations.get(*equation) else { continue };
             let (left, relation, right) = match &stated.statement {
                 Statement::Equal { left, right } if is_alone => {
-                    let [left, right] = without_common_minus(left, right);
+                    // What says `x = u` of an unknown u is read as `u = x`, and needs no other line.
+                    let is_backward = is_definition(step, right, left);
+                    let [left, right] =
+                        if is_backward { [right.clone(), left.clone()] } else { without_common_minus(left, right) };
                     (left, Operator::Equals, right)
                 }
                 Statement::Equal { left, right } => (left.clone(), Operator::Equals, right.clone()),

@@ -203,7 +203,7 @@ impl List<'_> {
             return (if counted { Operation::Count } else { Operation::Numeric }, None, Vec::new());
         };
         let formula = formula.clone();
-        if let Some(taught) = quadratic::root(step, unknown, root) {
+        if let Some(taught) = quadratic::root(step, unknown, root, &formula) {
             if self.display.is_free(unknown) {
                 return (Operation::Together, Some(formula), Vec::new());
             }

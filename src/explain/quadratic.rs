@@ -53,19 +53,14 @@ pub(super) struct Taught {
     pub leading: Expr,
 }
 
-/// The root of that place of a step whose unknown is found from a quadratic equation.
-pub(super) fn root(step: &Step, unknown: Symbol, place: usize) -> Option<Taught> {
+/// The root of that place of a step whose unknown is found from a quadratic equation; `formula` is how it is computed.
+pub(super) fn root(step: &Step, unknown: Symbol, place: usize, formula: &Expr) -> Option<Taught> {
     step.moves.iter().find_map(|step_move| match step_move {
         Move::Quadratic { unknown: own, a, b, c, .. } if *own == unknown => {
-            let value = match (c.is_zero(), place) {
-                (true, 0) => Expr::zero(),
-                (true, _) => -b.clone() / a.clone(),
-                (false, _) => {
-                    let root = (b.clone().powi(2) - Expr::integer(4) * a.clone() * c.clone()).sqrt();
-                    let root = if place == 0 { root } else { -root };
-                    (root - b.clone()) / (Expr::integer(2) * a.clone())
-                }
-            };
+            let root = (b.clone().powi(2) - Expr::integer(4) * a.clone() * c.clone()).sqrt();
+            let root = if place == 0 { root } else { -root };
+            let taught = (root - b.clone()) / (Expr::integer(2) * a.clone());
+            let value = if c.is_zero() { formula.clone() } else { taught };
             Some(Taught { value, leading: a.clone() })
         }
         _ => None,

@@ -1,6 +1,7 @@
 //! How a line of algebra follows from those before it, as a sentence.
 
 use crate::expr::Expr;
+use crate::expr::Function;
 use crate::expr::Math;
 use crate::expr::Operator;
 use crate::expr::Symbol;
@@ -88,13 +89,14 @@ fn name(derivation: &Derivation, place: usize) -> String {
 
 /// From which equations a quantity is found, and what must not be zero for that.
 fn solved(display: Display<'_>, sources: &[&Line], unknown: Symbol, value: &Expr) -> Vec<Inline> {
-    let numbers = sources.iter().filter_map(|line| line.number);
-    let numbers: Vec<Vec<Inline>> = numbers.map(|number| vec![Inline::Text(format!("({number})"))]).collect();
-    let mut words = Vec::new();
-    if !numbers.is_empty() {
-        words.push(Inline::Text("From ".into()));
-        words.extend(join(numbers));
-    }
+    let numbers: Vec<u32> = sources.iter().filter_map(|line| line.number).collect();
+    let words = match (&numbers[..], value) {
+        ([], _) => None,
+        ([cosine, sine], Expr::Apply(Function::Atan2, _)) => Some(format!("Divide ({sine}) by ({cosine})")),
+        ([cosine, sine], _) => Some(format!("Square ({cosine}) and ({sine}), and add them")),
+        ([first, ..], _) => Some(format!("From ({first})")),
+    };
+    let mut words: Vec<Inline> = words.map(Inline::Text).into_iter().collect();
     words.extend(where_not_zero(display, divisors::of_solution(sources, unknown, value)).unwrap_or_default());
     words
 }

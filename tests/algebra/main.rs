@@ -14,10 +14,14 @@ mod typed;
 mod variants;
 
 use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use momentous::exercise::Exercise;
 use momentous::explain::Audience;
+use momentous::problem::Problem;
 use momentous::render::Format;
 use momentous::render::Renderer;
 use momentous::render::Solution;
@@ -62,30 +66,60 @@ fn names(exercise: &Exercise) -> printed::Names {
     named.collect()
 }
 
+/// What is not true in the solutions of a problem.
+fn faults(problem: &Arc<Problem>, seeds: u64, renderer: &Renderer) -> Vec<String> {
+    let mut faults = Vec::new();
+    for form in 0..problem.forms().len() {
+        let name = variants::form_name(problem, form);
+        // Most variants of a form share their lines.
+        let mut seen = BTreeSet::new();
+        for seed in 1..=seeds {
+            let Ok(exercise) = Exercise::draw(problem, form, seed) else { continue };
+            let lines = lines_of(&exercise);
+            let actual = values(&exercise);
+            let found = if seen.insert(Value::Array(lines.clone()).to_string()) {
+                let page = page_of(&exercise, renderer);
+                let page = page::faults(&page, &lines, &names(&exercise), &actual);
+                lines::faults(&lines, &actual).into_iter().chain(page).collect()
+            } else {
+                lines::faults_of_numbers(&lines, &actual)
+            };
+            faults.extend(found.into_iter().map(|fault| format!("{name} seed {seed}: {fault}")));
+        }
+    }
+    faults
+}
+
+fn assert_none(faults: &[String]) {
+    assert!(faults.is_empty(), "{} faults\n{}", faults.len(), faults[..faults.len().min(40)].join("\n"));
+}
+
 #[test]
 fn each_sentence_of_algebra_is_true() {
     let renderer = Renderer::new(None).unwrap();
-    let mut faults = Vec::new();
-    for problem in variants::bank().into_iter().map(Arc::new) {
-        for form in 0..problem.forms().len() {
-            let name = variants::form_name(&problem, form);
-            // Most variants of a form share their lines.
-            let mut seen = BTreeSet::new();
-            for seed in 1..=variants::seeds(50) {
-                let exercise = Exercise::draw(&problem, form, seed).unwrap();
-                let lines = lines_of(&exercise);
-                let actual = values(&exercise);
-                let found = if seen.insert(Value::Array(lines.clone()).to_string()) {
-                    let page = page_of(&exercise, &renderer);
-                    let page = page::faults(&page, &lines, &names(&exercise), &actual);
-                    lines::faults(&lines, &actual).into_iter().chain(page).collect()
-                } else {
-                    lines::faults_of_numbers(&lines, &actual)
-                };
-                faults.extend(found.into_iter().map(|fault| format!("{name} seed {seed}: {fault}")));
-            }
+    let seeds = variants::seeds(50);
+    let faults: Vec<String> =
+        variants::bank().into_iter().flat_map(|problem| faults(&Arc::new(problem), seeds, &renderer)).collect();
+    assert_none(&faults);
+}
+
+/// Problems that are not in the bank take other ways: systems that it has not, and equations without a formula.
+#[test]
+fn each_sentence_is_true_in_problems_of_others() {
+    let renderer = Renderer::new(None).unwrap();
+    let mut read = 0;
+    let mut found = Vec::new();
+    for folder in ["exercises", "reference", "fixtures/problems", "fixtures/pictures", "fixtures/found"] {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests").join(folder);
+        let mut files: Vec<PathBuf> = fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+        files.sort();
+        for file in files {
+            let text = fs::read_to_string(&file).unwrap();
+            let Ok(problem) = variants::read(&file.display().to_string(), &text) else { continue };
+            read += 1;
+            found.extend(faults(&Arc::new(problem), 3, &renderer));
         }
     }
-    let shown = faults.iter().take(40).cloned().collect::<Vec<_>>().join("\n");
-    assert!(faults.is_empty(), "{} faults\n{shown}", faults.len());
+    assert!(read > 100, "{read} problems were read");
+    assert_none(&found);
 }

@@ -155,6 +155,19 @@ impl Reader<'_> {
         let length =
             self.rest.find(|letter: char| !letter.is_ascii_digit() && letter != '.').unwrap_or(self.rest.len());
         let (number, rest) = self.rest.split_at(length);
+        // A value with its unit that the author wrote into a term.
+        let degrees = rest.strip_prefix(r"{}^\circ");
+        let with_unit = || {
+            rest.strip_prefix(r"\text{")
+                .filter(|unit| !unit.starts_with(['[', ']']))
+                .and_then(|unit| unit.split_once('}'))
+        };
+        if let Some(after) = degrees.or_else(|| with_unit().map(|(_, after)| after)) {
+            let is_own = |(_, name): &&&(String, String)| name.split_once(' ').is_some_and(|(own, _)| own == number);
+            let (_, name) = self.names.iter().find(is_own).ok_or_else(|| format!("no value is {number}"))?;
+            self.rest = after;
+            return Ok(Term::Name(name.clone()));
+        }
         let number = number.parse().map_err(|_| format!("cannot read {}", self.rest))?;
         self.rest = rest;
         Ok(Term::Number(number))

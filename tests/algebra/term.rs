@@ -106,7 +106,7 @@ impl Term {
 
     fn factors(&self) -> Vec<Term> {
         match self {
-            Self::Product(left, right) => [left.factors(), right.factors()].concat(),
+            Self::Product(left, right) | Self::Quotient(left, right) => [left.factors(), right.factors()].concat(),
             Self::Power(base, _) => base.factors(),
             Self::Call(name, parts) if name == "sqrt" => parts.iter().flat_map(Self::factors).collect(),
             Self::Minus(term) => term.factors(),
