@@ -181,14 +181,14 @@ fn what_acts_along_the_way_decides() {
             energy,
             both,
             "no",
-            "but weight does work on block B, and friction does work on block A",
+            "but friction does work on block A, and weight does work on block B",
         ),
         (
             "connected: { trailing: { body: A }, leading: { body: B }, duration: dt }",
             "{ conserved: energy, of: [A] }",
             both,
             "no",
-            "the string does work on it",
+            "the string does work on block A",
         ),
         (
             "impact: { between: [A, B], elastic: true }",

@@ -155,9 +155,18 @@ fn variety(samples: &Samples, meant: &[Meant]) -> Outcome {
     Outcome::Kept
 }
 
-/// A variant is drawn only where exactly one solution breaks no condition of its scene, so what was drawn is the proof.
+/// A variant is drawn only where exactly one solution breaks no condition of its scene, so what was drawn is the proof; a choice is
+/// open where values are neither equal within the precision of the data nor clearly different.
 fn determined(samples: &Samples) -> Outcome {
-    if samples.drawn.is_empty() { Outcome::NotChecked("nothing was drawn") } else { Outcome::Kept }
+    let unclear = samples.drawn.iter().find_map(|sample| sample.unclear.as_ref());
+    match unclear {
+        _ if samples.drawn.is_empty() => Outcome::NotChecked("nothing was drawn"),
+        None => Outcome::Kept,
+        Some((seed, values)) => Outcome::Broken(format!(
+            "with seed {seed} there is {values}, and the precision of the data does not tell whether that is equal: give more figures, or \
+             other values"
+        )),
+    }
 }
 
 /// The conditions that reject no draw of any form: without them, the same attempts are taken.

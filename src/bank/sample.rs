@@ -49,6 +49,8 @@ pub(super) struct Sample {
     pub neglected: Vec<(String, f64)>,
     /// The answers in the order of the parts that are numbers.
     pub answers: Vec<Answered>,
+    /// The seed, and the values that leave a choice open.
+    pub unclear: Option<(u64, String)>,
     /// The right phrases in the order of the parts that are choices or formulas.
     pub chosen: Vec<String>,
 }
@@ -140,6 +142,10 @@ impl Sample {
     fn of(problem: &Problem, variant: &Variant) -> Option<Self> {
         let worked = Worked::new(problem, variant)?;
         let given: Vec<String> = variant.all_given().iter().map(|(_, value, unit)| format!("{value} {unit}")).collect();
+        let unclear = worked.form.parts.iter().find_map(|part| match &part.kind {
+            PartKind::Choice(choice) => Some((variant.seed().unwrap_or_default(), choice.unclear(&worked)?)),
+            _ => None,
+        });
         let chosen = worked.form.parts.iter().filter_map(|part| match &part.kind {
             PartKind::Choice(choice) => {
                 let decision = choice.decided(&worked);
@@ -156,6 +162,7 @@ impl Sample {
             sheet: digest(&variant.text(problem)),
             neglected,
             answers: answers(&worked, worked.form),
+            unclear,
             chosen,
         })
     }

@@ -7,6 +7,7 @@ use crate::expr::Symbol;
 use crate::laws::energy;
 use crate::laws::restitution;
 use crate::model::Instance;
+use crate::problem::Closeness;
 use crate::scene::Stage;
 use crate::solve::Equation;
 use crate::solve::Statement;
@@ -46,7 +47,9 @@ fn loss(display: Display<'_>, equation: &Equation) -> Option<Loss> {
         lost: *lost,
         words: text(&format!("Kinetic energy lost in {phrase}:")).shared(),
         difference: display.term(right.clone()),
-        formula: formula(display, stage).map(|formula| display.term(formula)),
+        formula: formula(display, stage)
+            .filter(|formula| display.worked.are_equal(right, formula))
+            .map(|formula| display.term(formula)),
     })
 }
 
@@ -56,17 +59,19 @@ impl Loss {
         if !self.difference.mentions.iter().all(|symbol| display.has_number(*symbol)) {
             return None;
         }
-        let value = display.worked.variant.value(self.lost)?;
+        display.worked.variant.value(self.lost)?;
         let equals = || Math::Operator(Operator::Equals);
         let equation = |parts: Vec<Math>| Block::Equation { lines: vec![Math::Row(parts)], number: None };
         let (sum, numbers) = (self.difference.symbols.clone(), display.substituted(&self.difference));
         let result = display.quantity_to(self.lost, FIGURES);
         let mut blocks = vec![self.words.clone(), equation(vec![sum, equals(), numbers, equals(), result])];
-        let is_elastic = value.value.abs() <= value.error.max(1e-12);
-        blocks.push(text(match (is_elastic, &self.formula) {
-            (true, _) => "None is lost: the impact is elastic.",
-            (false, None) => "It is not negative, as it must be where nothing supplies energy.",
-            (false, Some(_)) => "It is not negative, as it must be where nothing supplies energy, and equals",
+        let lost = display.worked.closeness_to_zero(&self.difference.expr);
+        let is_elastic = lost.is_equal();
+        blocks.push(text(match (lost, &self.formula) {
+            (Closeness::Exact, _) => "None is lost: the impact is elastic.",
+            (Closeness::WithinData, _) => "Within the precision of the data none is lost: the impact is elastic.",
+            (_, None) => "It is not negative, as it must be where nothing supplies energy.",
+            (_, Some(_)) => "It is not negative, as it must be where nothing supplies energy, and equals",
         }));
         if let Some(formula) = self.formula.as_ref().filter(|_| !is_elastic) {
             let value = display.evaluated(&formula.expr, &display.manner(self.lost).measured, FIGURES);
@@ -105,7 +110,5 @@ fn formula(display: Display<'_>, stage: usize) -> Option<Expr> {
     if !is_known || !known.contains(coefficient) {
         return None;
     }
-    let reduced = if a == b { a / Expr::integer(2) } else { a.clone() * b.clone() / (a + b) };
-    let rest = Expr::one() - e.clone().powi(2);
-    Some(Expr::product([Expr::ratio(1, 2), reduced, rest, approach.clone().powi(2)]))
+    Some(energy::lost_in_impact([&a, &b], e, approach))
 }

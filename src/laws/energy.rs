@@ -64,6 +64,18 @@ pub const CONSERVATION: Law = Law {
 /// The laws of this chapter.
 pub const LAWS: &[&Law] = &[&KINETIC, &LOSS, &GAIN, &WORK_ENERGY, &CONSERVATION];
 
+/// `1/2 (m_A m_B)/(m_A + m_B) (1 - e^2) u^2`: what an impact of two free bodies that approach each other at `u` loses.
+#[must_use]
+pub fn lost_in_impact([first, second]: [&Expr; 2], e: &Expr, approach: &Expr) -> Expr {
+    let reduced = if first == second {
+        first.clone() / Expr::integer(2)
+    } else {
+        first.clone() * second.clone() / (first.clone() + second.clone())
+    };
+    let rest = Expr::one() - e.clone().powi(2);
+    Expr::product([Expr::ratio(1, 2), reduced, rest, approach.clone().powi(2)])
+}
+
 /// What is there at the start and the work on the way make up what is there at the end.
 #[must_use]
 pub fn work_energy(start: Expr, works: impl IntoIterator<Item = Expr>, end: Expr) -> Sides {

@@ -29,6 +29,7 @@ use super::ActingForce;
 use super::ContactWeight;
 use super::Flowing;
 use super::Impulse;
+use super::Influence;
 use super::Instance;
 use super::Integral;
 use super::Omission;
@@ -59,6 +60,7 @@ pub struct Builder<'s> {
     pub(super) impulses: Vec<Impulse>,
     pub(super) weights: Vec<ContactWeight>,
     pub(super) forces: Vec<ActingForce>,
+    pub(super) influences: Vec<Influence>,
     pub(super) flowing: Vec<Flowing>,
     pub(super) slopes: Vec<Slope>,
     /// How long each stage lasts, where that is spoken of.
@@ -98,6 +100,7 @@ impl<'s> Builder<'s> {
             impulses: Vec::new(),
             weights: Vec::new(),
             forces: Vec::new(),
+            influences: Vec::new(),
             flowing: Vec::new(),
             slopes: Vec::new(),
             lasting: vec![None; scene.stages.len()],

@@ -11,9 +11,11 @@ mod frame;
 mod friction;
 mod guide;
 mod incline;
+mod influence;
 mod instance;
 mod mistaken;
 mod name;
+mod overview;
 mod pair;
 mod place;
 mod read;
@@ -21,6 +23,7 @@ mod space;
 mod stage;
 mod strength;
 mod timeline;
+mod total;
 mod way;
 mod wording;
 
@@ -29,6 +32,7 @@ pub use alternative::Alternative;
 pub use builder::Builder;
 pub use contact_weight::ContactWeight;
 pub use frame::{Direction, Frame};
+pub use influence::{Effect, Influence, Moment, Work};
 pub use instance::{Agent, Impulse, Instance, Integral, Omission, Omitted, Reason, Warning};
 pub use mistaken::Mistaken;
 pub use name::{Instant, Name, component_name};
@@ -245,59 +249,6 @@ impl<'s> Builder<'s> {
         let because = format!("{because}, counted {sense} from {}", from.replace('-', "\u{2212}"));
         self.law(&geometry::DIRECTION, None, because, (own.into(), value));
         Some(own)
-    }
-
-    /// The scene.
-    #[must_use]
-    pub fn scene(&self) -> &'s Scene {
-        self.scene
-    }
-
-    /// Every body's short name, those that impacts make included.
-    pub fn bodies(&self) -> impl Iterator<Item = &str> {
-        self.timeline.bodies()
-    }
-
-    /// How a body is called in a sentence.
-    #[must_use]
-    pub fn name_of(&self, body: &str) -> String {
-        self.called(body)
-    }
-
-    /// A stage as a noun phrase: `the impact`.
-    #[must_use]
-    pub fn phrase_of(&self, stage: usize) -> String {
-        self.stage_phrase(stage)
-    }
-
-    /// The position of the stage of that name.
-    #[must_use]
-    pub fn stage_of(&self, name: &str) -> Option<usize> {
-        self.timeline.stage(self.scene, name)
-    }
-
-    /// Whether a symbol stands for a number with a unit that the author wrote: `2 m/s`.
-    #[must_use]
-    pub fn is_literal(&self, symbol: Symbol) -> bool {
-        self.literals.iter().any(|(own, _)| *own == symbol)
-    }
-
-    /// The letters of the scene's axes, in order.
-    #[must_use]
-    pub fn axis_letters(&self) -> Vec<&'static str> {
-        self.axes.iter().map(|(axis, _)| axis.letter()).collect()
-    }
-
-    /// The impulses of all stages so far.
-    #[must_use]
-    pub fn impulses(&self) -> &[Impulse] {
-        &self.impulses
-    }
-
-    /// The table of symbols so far.
-    #[must_use]
-    pub fn symbols(&self) -> &SymbolTable {
-        &self.symbols
     }
 
     /// Notes a fault found by the caller.

@@ -11,7 +11,7 @@ use crate::solve::Real;
 use crate::solve::Relation;
 use crate::solve::evaluate;
 
-use super::impact_kind::OfImpact;
+use super::judgement::Judgement;
 use super::variant::Worked;
 
 /// A choice between phrases.
@@ -19,8 +19,8 @@ use super::variant::Worked;
 pub enum ChoicePart {
     /// The scene settles it, whatever the numbers.
     Settled(Decision),
-    /// The coefficient of restitution of an impact settles it.
-    OfImpact(Box<OfImpact>),
+    /// Whether quantities are equal settles it: what is conserved, and of which kind an impact is.
+    Judged(Box<Judgement>),
     /// Whether something holds of the numbers: yes or no.
     Holds(Claim),
     /// In which order some quantities are, the least first.
@@ -77,7 +77,7 @@ impl ChoicePart {
     pub fn depends_on(&self) -> BTreeSet<Symbol> {
         match self {
             Self::Settled(_) => BTreeSet::new(),
-            Self::OfImpact(choice) => choice.symbols(),
+            Self::Judged(choice) => choice.symbols(),
             Self::Holds(claim) => claim.symbols(),
             Self::Order(symbols) => symbols.iter().copied().collect(),
             Self::Physical(symbol) => BTreeSet::from([*symbol]),
@@ -89,11 +89,23 @@ impl ChoicePart {
     pub fn symbols(&self) -> Vec<Symbol> {
         match self {
             Self::Settled(_) => Vec::new(),
-            Self::OfImpact(choice) => choice.quantities().to_vec(),
+            Self::Judged(choice) => choice.quantities(),
             Self::Holds(claim) => claim.quantities.clone(),
             Self::Order(symbols) => symbols.clone(),
             Self::Physical(symbol) => vec![*symbol],
         }
+    }
+
+    /// Values on which the choice hangs and which are neither equal within the precision of the data nor clearly different.
+    #[must_use]
+    pub fn unclear(&self, worked: &Worked<'_>) -> Option<String> {
+        if let Self::Judged(choice) = self { choice.unclear(worked) } else { None }
+    }
+
+    /// Whether values are taken as equal that are so only as closely as the data are told.
+    #[must_use]
+    pub fn is_within_data(&self, worked: &Worked<'_>) -> bool {
+        matches!(self, Self::Judged(choice) if choice.is_within_data(worked))
     }
 
     /// The phrases, and which of them is right for a variant.
@@ -101,16 +113,12 @@ impl ChoicePart {
     pub fn decided(&self, worked: &Worked<'_>) -> Decision {
         match self {
             Self::Settled(decision) => decision.clone(),
-            Self::OfImpact(choice) => choice.decided(worked),
+            Self::Judged(choice) => choice.decided(worked),
             Self::Holds(claim) => claim.decided(worked),
             Self::Order(symbols) => ordered(symbols, worked),
             Self::Physical(symbol) => worked.possible_root(*symbol),
         }
     }
-}
-
-pub(super) fn value(worked: &Worked<'_>, expr: &Expr) -> f64 {
-    expr.evaluate(&|symbol| worked.variant.value(symbol).map_or(f64::NAN, |value| value.value))
 }
 
 pub(super) fn compared(left: f64, right: f64) -> Ordering {

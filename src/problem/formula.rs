@@ -7,6 +7,7 @@ use std::sync::RwLock;
 
 use crate::expr::Expr;
 use crate::expr::Symbol;
+use crate::expr::equal_where;
 use crate::fault::Code;
 use crate::fault::Fault;
 use crate::quantity::Dimension;
@@ -268,6 +269,28 @@ impl Worked<'_> {
             Composer { steps: &plan.steps, positive, written: values.clone() }.composed(symbol, &|_| root)
         };
         (0..roots).filter_map(composed).collect()
+    }
+
+    /// Whether two terms are proven equal in every variant that goes this way: both written in what is told, step by step of the plan
+    /// and of what only judging needs.
+    #[must_use]
+    pub fn are_equal(&self, left: &Expr, right: &Expr) -> bool {
+        let (leaf, roots) = (self.leaf(), self.variant.roots());
+        let start = zeros(self.problem.known()).chain(numbers(&self.problem.model().literals)).collect();
+        let steps = &leaf.audit.plan.steps;
+        let mut composer = Composer { steps, positive: &leaf.system.positive, written: start };
+        let choice = |position: usize| roots.get(position).copied().unwrap_or(0);
+        let mut written = |term: &Expr| {
+            let mut parts = BTreeMap::new();
+            for own in term.symbols() {
+                parts.insert(own, composer.composed(own, &choice)?);
+            }
+            Some(term.substitute(&|own| parts.get(&own).cloned()))
+        };
+        match (written(left), written(right)) {
+            (Some(left), Some(right)) => equal_where(&left, &right, &|own| self.is_positive(own)),
+            _ => false,
+        }
     }
 
     /// A quantity in what every variant that goes this way is told; composed once.

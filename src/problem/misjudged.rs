@@ -4,48 +4,48 @@ use crate::laws::wrong::Misconception;
 use crate::laws::wrong::concept;
 use crate::model::Agent;
 use crate::model::Builder;
-use crate::scene::Stage;
 
 use super::ask::Conservable;
-use super::ask::Conserved;
+use super::conserved::Balance;
+use super::conserved::verdict;
+use super::judgement::Behind;
+use super::load::Loaded;
+
+/// The positions of yes and no.
+const YES: usize = 0;
+const NO: usize = 1;
 
 /// What leads to the wrong answer on whether a quantity is conserved in a stage.
-pub(super) fn conserved(
-    ask: &Conserved,
-    builder: &Builder<'_>,
-    stage: usize,
-    holds: bool,
-) -> Option<&'static Misconception> {
-    let inner = |agent: &Agent| matches!(agent, Agent::Body(other) if ask.of.contains(other));
-    let on_it = || builder.impulses().iter().filter(|own| own.stage == stage && ask.of.contains(&own.on));
-    match (ask.conserved, holds) {
-        (Conservable::Momentum, true) => {
-            loses_energy(builder.scene().stages.get(stage)?).then_some(&concept::MOMENTUM_BY_ENERGY)
+pub(super) fn conserved(loaded: &Loaded, balance: &Balance<'_>, builder: &mut Builder<'_>) -> Option<Behind> {
+    let of = &balance.ask.of;
+    let inner = |agent: &Agent| matches!(agent, Agent::Body(other) if of.contains(other));
+    let on_it: Vec<Agent> = (builder.impulses().iter())
+        .filter(|own| own.stage == balance.stage && of.contains(&own.on))
+        .map(|own| own.by.clone())
+        .collect();
+    let from_outside: Vec<&Agent> = on_it.iter().filter(|own| !inner(own)).collect();
+    let behind = |mistake, right, unless| Some(Behind { mistake, right, unless });
+    match balance.ask.conserved {
+        Conservable::Momentum if from_outside.is_empty() => {
+            let energy = verdict(loaded, balance, Conservable::Energy, builder)?;
+            let loses = !energy.tests.is_empty();
+            loses.then_some(())?;
+            behind(&concept::MOMENTUM_BY_ENERGY, YES, energy.tests)
         }
-        (Conservable::Momentum, false) => {
-            let by_bodies = on_it().filter(|own| !inner(&own.by)).all(|own| matches!(own.by, Agent::Body(_)));
-            Some(if by_bodies { &concept::PART_FOR_SYSTEM } else { &concept::OUTSIDE_OVERLOOKED })
+        Conservable::Momentum => {
+            let by_bodies = from_outside.iter().all(|own| matches!(own, Agent::Body(_)));
+            let mistake = if by_bodies { &concept::PART_FOR_SYSTEM } else { &concept::OUTSIDE_OVERLOOKED };
+            behind(mistake, NO, Vec::new())
         }
-        (Conservable::Energy, false) => {
-            let keeps_momentum = on_it().next().is_some() && on_it().all(|own| inner(&own.by));
-            keeps_momentum.then_some(&concept::ENERGY_BY_MOMENTUM)
+        Conservable::Energy if !on_it.is_empty() && from_outside.is_empty() => {
+            behind(&concept::ENERGY_BY_MOMENTUM, NO, Vec::new())
         }
-        (Conservable::AngularMomentum, true) => Some(&concept::ANGULAR_BY_LINEAR),
-        (Conservable::Energy, true) | (Conservable::AngularMomentum, false) => None,
+        Conservable::Energy => None,
+        Conservable::AngularMomentum => behind(&concept::ANGULAR_BY_LINEAR, YES, Vec::new()),
     }
 }
 
 /// What leads to the wrong answer on whether a force is impulsive.
 pub(super) fn impulsive(holds: bool) -> &'static Misconception {
     if holds { &concept::IMPULSIVE_AS_ORDINARY } else { &concept::ORDINARY_AS_IMPULSIVE }
-}
-
-/// Whether the kinetic energy of the bodies together may change, though momentum does not.
-fn loses_energy(stage: &Stage) -> bool {
-    match stage {
-        Stage::Impact(impact) => !impact.elastic,
-        Stage::Interact(own) => !own.elastic,
-        Stage::Separate(_) | Stage::Taut(_) | Stage::Walk(_) | Stage::SlideOff(_) => true,
-        _ => false,
-    }
 }

@@ -4,8 +4,6 @@ use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::problem::Ask;
 use crate::problem::ChoicePart;
-use crate::problem::Conservable;
-use crate::problem::Conserved;
 use crate::problem::Count;
 use crate::problem::Worked;
 use crate::problem::orders;
@@ -13,9 +11,11 @@ use crate::problem::split_relation;
 use crate::scene::Scene;
 use crate::scene::Stage;
 use crate::scene::stage::Partners;
+use crate::simulate::scene::angle_from;
 use crate::simulate::scene::is_impulsive;
 use crate::solve::Bounded;
 
+use super::conserved::is_conserved;
 use super::crossing::holds;
 use super::witness::Case;
 use super::witness::Seen;
@@ -23,7 +23,7 @@ use super::witness::Witness;
 
 /// The share of a momentum or an energy below which a change of it is none: far above errors of runs, far below changes that
 /// anybody would ask for.
-const UNCHANGED: f64 = 1e-7;
+pub(super) const UNCHANGED: f64 = 1e-7;
 
 /// The kinds of impact in the order in which they are offered.
 const ELASTIC: usize = 0;
@@ -63,7 +63,7 @@ pub(super) fn chosen(
             let sorted: Vec<_> = seen.into_iter().map(|(_, symbol)| symbol).collect();
             orders(symbols).iter().position(|order| *order == sorted)
         }
-        (Ask::Conserved(ask), _) => is_conserved(case.scene, witness, ask).map(yes),
+        (Ask::Conserved(ask), _) => is_conserved(case, witness, ask).map(yes),
         (Ask::Classify(ask), _) => kind(case.scene, witness, stage_of(case.scene, witness, ask.stage.as_deref())?),
         (Ask::Impulsive(ask), _) => {
             let stage = stage_of(case.scene, witness, ask.stage.as_deref())?;
@@ -79,45 +79,10 @@ fn said(case: &Case<'_>, side: &Expr) -> f64 {
     side.evaluate(&|symbol| case.variant.value(symbol).map_or(f64::NAN, |value| value.value))
 }
 
-fn stage_of(scene: &Scene, witness: &Witness<'_>, name: Option<&str>) -> Option<usize> {
+pub(super) fn stage_of(scene: &Scene, witness: &Witness<'_>, name: Option<&str>) -> Option<usize> {
     match name {
         Some(name) => witness.timeline().stage(scene, name),
         None => (scene.stages.len() == 1).then_some(0),
-    }
-}
-
-/// Whether the sum is the same before the stage and after it.
-fn is_conserved(scene: &Scene, witness: &Witness<'_>, ask: &Conserved) -> Option<bool> {
-    let stage = stage_of(scene, witness, ask.stage.as_deref()).filter(|stage| witness.has_run(*stage))?;
-    let total = |base: &str, letter: &str| -> Option<[(f64, f64); 2]> {
-        let mut ends = [(0.0, 0.0); 2];
-        for (end, instant) in ends.iter_mut().zip([stage + 1, stage + 2]) {
-            for body in &ask.of {
-                let own = witness.carried(base, body, instant, letter)?;
-                *end = (end.0 + own, end.1 + own.abs());
-            }
-        }
-        Some(ends)
-    };
-    let same = |[before, after]: [(f64, f64); 2]| (after.0 - before.0).abs() <= UNCHANGED * before.1.max(after.1);
-    match ask.conserved {
-        Conservable::Momentum => {
-            let axes = scene.axes.rectangular();
-            let asked = axes.iter().map(|(axis, _)| *axis).filter(|axis| ask.along.is_none_or(|own| own == *axis));
-            let letters: Vec<&str> = asked.map(|axis| if axes.len() > 1 { axis.letter() } else { "" }).collect();
-            letters.into_iter().map(|letter| total("p", letter).map(same)).try_fold(true, |all, own| Some(all && own?))
-        }
-        Conservable::Energy => total("T", "").map(same),
-        Conservable::AngularMomentum => {
-            let point = ask.about.clone().or_else(|| scene.points.keys().next().cloned())?;
-            let ends = [stage + 1, stage + 2].map(|instant| witness.seen(&format!("H_{point}{instant}")));
-            match ends {
-                [Some(before), Some(after)] => {
-                    Some(same([(before.value, before.value.abs()), (after.value, after.value.abs())]))
-                }
-                _ => None,
-            }
-        }
     }
 }
 
@@ -133,19 +98,21 @@ fn kind(scene: &Scene, witness: &Witness<'_>, stage: usize) -> Option<usize> {
     };
     let axes = scene.axes.rectangular();
     let letters: Vec<&str> = axes.iter().map(|(axis, _)| if axes.len() > 1 { axis.letter() } else { "" }).collect();
-    let (mut energies, mut parting, mut meeting) = ([0.0; 2], 0.0_f64, 0.0_f64);
-    for letter in letters {
-        for (instant, widest) in [(stage + 1, &mut meeting), (stage + 2, &mut parting)] {
-            let mut speeds = Vec::new();
-            for body in &bodies {
-                speeds.push(witness.carried("v", body, instant, letter)?);
-            }
-            speeds.extend(surface);
-            let apart = speeds.iter().copied().fold(f64::NEG_INFINITY, f64::max)
-                - speeds.iter().copied().fold(f64::INFINITY, f64::min);
-            *widest = widest.max(apart);
+    let line = impact.line_of_impact.as_ref().map(|term| term.0.as_str());
+    let (mut energies, mut seen) = ([0.0; 2], [0.0; 2]);
+    for (side, widest) in seen.iter_mut().enumerate() {
+        let mut apart = [0.0; 3];
+        for (own, letter) in apart.iter_mut().zip(&letters) {
+            let first = witness.carried("v", bodies.first()?, stage + 1 + side, letter)?;
+            let other = bodies.get(1).map(|body| witness.carried("v", body, stage + 1 + side, letter));
+            *own = first - other.unwrap_or(Some(surface.unwrap_or(0.0)))?;
         }
+        let whole = libm::sqrt(apart.iter().map(|own| own * own).sum());
+        // Smooth bodies touch along the line of impact only.
+        let turned = line.and_then(|line| angle_from(scene, line, apart, &|name| witness.value(name)));
+        *widest = turned.map_or(whole, |angle| (whole * libm::cos(angle)).abs());
     }
+    let [meeting, parting] = seen;
     for (energy, instant) in energies.iter_mut().zip([stage + 1, stage + 2]) {
         for body in &bodies {
             *energy += witness.carried("T", body, instant, "")?;

@@ -4,6 +4,7 @@
 //! compared. Whether an answer is witnessed at all is tried: put wrong by a thousandth, it has to be found out.
 
 mod choices;
+mod conserved;
 mod crossing;
 mod parts;
 mod staging;

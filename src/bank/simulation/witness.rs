@@ -14,11 +14,14 @@ use crate::model::component_name;
 use crate::problem::Problem;
 use crate::problem::Variant;
 use crate::scene::Scene;
+use crate::scene::Stage;
 use crate::simulate::scene::Asked;
 use crate::simulate::scene::NothingToSimulate;
 use crate::simulate::scene::Reached;
+use crate::simulate::scene::Reel;
 use crate::simulate::scene::Way;
 use crate::simulate::scene::angle_from;
+use crate::simulate::scene::follow;
 use crate::simulate::scene::measure;
 use crate::simulate::scene::value_of;
 use crate::simulate::scene::watch;
@@ -38,7 +41,8 @@ pub(super) struct Witness<'a> {
     timeline: Timeline,
     tolerance: f64,
     found: BTreeMap<String, Reached>,
-    sums: Vec<Reached>,
+    /// What bodies carry together after a stage, each with the bodies.
+    sums: Vec<(Vec<String>, Reached)>,
     terms: Vec<Reached>,
     ways: BTreeSet<Way>,
     /// Why a stage was not simulated.
@@ -96,7 +100,8 @@ impl<'a> Witness<'a> {
                 Ok(observed) => {
                     witness.run.insert(stage);
                     witness.ways.extend(observed.ways);
-                    witness.sums.extend(observed.sums);
+                    let bodies = witness.interacting(stage);
+                    witness.sums.extend(observed.sums.into_iter().map(|own| (bodies.clone(), own)));
                     witness.terms.extend(observed.terms);
                     witness.found.extend(observed.found.into_iter().map(|own| (own.name.clone(), own)));
                 }
@@ -104,6 +109,19 @@ impl<'a> Witness<'a> {
             }
         }
         witness
+    }
+
+    /// The bodies that act on each other in a stage.
+    fn interacting(&self, stage: usize) -> Vec<String> {
+        match self.case.scene.stages.get(stage) {
+            Some(Stage::Interact(own)) => own.between.clone(),
+            _ => self.timeline.alive(stage + 2).into_iter().map(str::to_owned).collect(),
+        }
+    }
+
+    /// A stage as it is watched from its start to its end.
+    pub(super) fn watched(&self, stage: usize) -> Option<Vec<Reel>> {
+        follow(self.case.scene, stage, &|name| self.value(name), self.tolerance).ok()
     }
 
     /// By which ways something was found.
@@ -290,12 +308,11 @@ impl<'a> Witness<'a> {
                 all.insert(reached.name.clone(), self.compared(symbol, said, seen, reached.name.starts_with("angle")));
             }
         }
-        for sum in &self.sums {
-            // The bodies as the problem says they end.
+        for (bodies, sum) in &self.sums {
+            // The bodies as the problem says they end; the others of the scene have no part in it.
+            let own: Vec<&str> = bodies.iter().map(String::as_str).collect();
             let said = |name: &str| self.told(name);
-            if let Some((said, _)) =
-                self.asked(&sum.name, &|asked, alive| measure(self.case.scene, alive, asked, &said))
-            {
+            if let Some((said, _)) = self.asked(&sum.name, &|asked, _| measure(self.case.scene, &own, asked, &said)) {
                 let comparison = Comparison { said, found: sum.value, error: sum.error, turns: false };
                 all.insert(format!("{} of all together", sum.name), comparison);
             }

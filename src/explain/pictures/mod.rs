@@ -2,6 +2,7 @@
 
 mod angular;
 mod arm;
+mod besides;
 mod compass;
 mod flow;
 mod moment;

@@ -2,13 +2,11 @@
 
 use std::sync::Arc;
 
-use crate::expr::Expr;
 use crate::expr::Math;
 use crate::figure::BodyMomentum;
 use crate::figure::Drawing;
 use crate::figure::Form;
 use crate::figure::MomentumDiagram;
-use crate::model::ActingForce;
 use crate::model::ForceKind;
 use crate::model::Impulse;
 use crate::scene::Stage;
@@ -16,6 +14,7 @@ use crate::scene::stage::Ends;
 use crate::scene::stage::Partners;
 
 use super::super::way::Memory;
+use super::besides::Besides;
 use super::compass::Compass;
 use super::quantities::Quantities;
 use super::vectors::Labelled;
@@ -34,8 +33,8 @@ pub(super) struct Balance {
 /// The diagram of a stage, as far as no number changes it.
 pub(in super::super) struct Plan {
     rows: Vec<Planned>,
-    /// The body that takes part alone.
-    only: Option<String>,
+    /// What the arrows of a body that takes part alone need besides.
+    besides: Option<Besides>,
 }
 
 /// The row of a body.
@@ -51,7 +50,7 @@ struct Planned {
 
 fn plan(quantities: &Quantities<'_>, own: &Stage, stage: usize) -> Plan {
     let mut bodies = participants(own);
-    let only = if let [only] = &bodies[..] { Some(only.body.clone()) } else { None };
+    let besides = if let [only] = &bodies[..] { Some(Besides::of(quantities, stage, &only.body)) } else { None };
     if concerns_mass_centre(quantities) {
         let taken = |body: &str| bodies.iter().any(|own| own.body == body || own.before == body);
         let others: Vec<String> =
@@ -71,7 +70,7 @@ fn plan(quantities: &Quantities<'_>, own: &Stage, stage: usize) -> Plan {
             participant,
         }
     };
-    Plan { rows: bodies.into_iter().map(row).collect(), only }
+    Plan { rows: bodies.into_iter().map(row).collect(), besides }
 }
 
 fn impulses_on<'a>(quantities: &Quantities<'a>, stage: usize, body: &str) -> impl Iterator<Item = &'a Impulse> {
@@ -83,12 +82,12 @@ pub(super) fn diagram(quantities: &Quantities<'_>, compass: &Compass, stage: usi
     let own = quantities.scene().stages.get(stage)?;
     let memory = Memory::of(quantities.worked);
     let kept = memory.way(quantities.worked).diagrams.get(stage)?;
-    let Plan { rows, only } = kept.get_or_init(|| plan(quantities, own, stage));
+    let Plan { rows, besides } = kept.get_or_init(|| plan(quantities, own, stage));
     let tilted = quantities.slope(stage).map(|(rise, _)| compass.tilted(rise));
     let compass = tilted.as_ref().unwrap_or(compass);
-    let reckoned = only.as_ref().map(|only| quantities.reckoned(stage, only));
-    let reckoned = reckoned.as_ref().unwrap_or(quantities);
-    let mut balances: Vec<Balance> = rows.iter().map(|row| balance(reckoned, own, stage, row, rows.len())).collect();
+    let with_all = besides.as_ref().map(|own| own.added_to(quantities));
+    let with_all = with_all.as_ref().unwrap_or(quantities);
+    let mut balances: Vec<Balance> = rows.iter().map(|row| balance(with_all, own, stage, row, rows.len())).collect();
     let act_on_each_other = match own {
         Stage::Impact(impact) => impact.between.is_some(),
         Stage::Spring(spring) => spring.between.is_some(),
@@ -119,27 +118,6 @@ pub(super) fn diagram(quantities: &Quantities<'_>, compass: &Compass, stage: usi
     let wording = diagram_wording(quantities, compass, stage, &balances);
     let diagram = MomentumDiagram { wording, bodies: rows.collect(), axes: compass.marks() };
     Some(diagram.drawing())
-}
-
-impl Quantities<'_> {
-    /// The same with what the arrows of a stage of one body need and its solution does not: a mass that cancels, and the
-    /// time in which forces that do not change make the momentum what it is.
-    fn reckoned(&self, stage: usize, body: &str) -> Self {
-        let massless = self.mass_symbol(body).filter(|_| self.mass(body).is_none());
-        let own = massless.map_or_else(|| self.clone(), |mass| self.assuming(mass, 1.0));
-        let forces: Vec<&ActingForce> =
-            own.model().forces.iter().filter(|force| force.stage == stage && force.on == body).collect();
-        let ends = forces.first().map(|force| &force.during[1]);
-        let Some(Expr::Symbol(time)) = ends.filter(|end| own.evaluate(end).is_none()) else { return own };
-        let gain = || {
-            let [before, after] = [stage + 1, stage + 2].map(|instant| own.velocity(body, instant));
-            Some(own.mass(body)? * (after?[0] - before?[0]))
-        };
-        let along = |force: &&ActingForce| Some(own.evaluate(&force.strength)? * own.direction(&force.direction)?[0]);
-        let force: Option<f64> = forces.iter().map(along).sum();
-        let lasted = gain().zip(force).map(|(gain, force)| gain / force).filter(|time| time.is_finite());
-        lasted.map_or_else(|| own.clone(), |lasted| own.assuming(*time, lasted))
-    }
 }
 
 /// Whether anything in the problem speaks of the centre of mass.

@@ -112,7 +112,7 @@ impl Builder<'_> {
     }
 
     /// Where a body is, seen from a fixed point or the centre of mass.
-    fn arm(&mut self, body: &str, instant: usize, about: &str) -> Option<Vec<Expr>> {
+    pub(in crate::model) fn arm(&mut self, body: &str, instant: usize, about: &str) -> Option<Vec<Expr>> {
         let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
         let from = |builder: &mut Self, axis: &Axis| match about {
             "G" => builder.resolve(&format!("r_G{instant}.{}", axis.letter())).map(Expr::from),

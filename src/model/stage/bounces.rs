@@ -8,6 +8,7 @@ use crate::laws::kinematics;
 use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Impulse;
+use crate::model::Influence;
 use crate::quantity::Dimension;
 use crate::scene::Stage;
 use crate::scene::stage::Bounces;
@@ -24,6 +25,7 @@ impl Builder<'_> {
         } else {
             self.bounces_after_arrival(index, stage, [&e, count.as_ref().unwrap_or(&Expr::one())], path);
         }
+        self.acts(Influence::outside(index, &stage.body, "the floor"));
         self.impulses.push(Impulse {
             stage: index,
             on: stage.body.clone(),

@@ -10,7 +10,9 @@ use crate::laws::energy;
 use crate::laws::geometry;
 use crate::model::Agent;
 use crate::model::Builder;
+use crate::model::Effect;
 use crate::model::Impulse;
+use crate::model::Influence;
 use crate::model::builder::SECOND_COST;
 use crate::quantity::Dimension;
 use crate::scene::stage::Bowl;
@@ -35,6 +37,10 @@ impl Builder<'_> {
             format!("the smooth wall pushes {name} at right angles to its motion and does no work; the mass cancels");
         self.law(&energy::CONSERVATION, Some(index), because, sides);
         self.wall(index, stage, &states, height, path);
+        let words = "weight does work as the height changes";
+        let weight = Influence::outside(index, body, "its weight").works(Effect::Open, words);
+        self.acts(weight.through(&stage.about));
+        self.acts(Influence::outside(index, body, "the push of the wall").workless().through(&stage.about));
         self.impulses.push(Impulse {
             stage: index,
             on: body.to_owned(),

@@ -7,6 +7,7 @@ use crate::laws::energy;
 use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Impulse;
+use crate::model::Influence;
 use crate::quantity::Dimension;
 use crate::scene::stage::Central;
 use crate::scene::stage::CentralSpring;
@@ -28,6 +29,8 @@ impl Builder<'_> {
         );
         let sides = (rate.into(), Expr::product([Expr::ratio(1, 2), r1, v1]));
         self.law(&angular::AREAL, Some(index), "in a short time the radius sweeps out a thin triangle", sides);
+        let called = format!("the force towards {centre}");
+        self.acts(Influence::outside(index, body, called).through(point));
         self.impulses.push(Impulse {
             stage: index,
             on: body.to_owned(),

@@ -10,7 +10,9 @@ use crate::laws::momentum;
 use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Impulse;
+use crate::model::Influence;
 use crate::model::Warning;
+use crate::model::Work;
 use crate::quantity::Dimension;
 use crate::scene::stage::Connected;
 use crate::scene::stage::MOST_STRANDS;
@@ -43,6 +45,7 @@ impl Builder<'_> {
         let trailing = self.strand(index, &stage.trailing, -1, stops, &path.key("trailing"));
         let leading = self.strand(index, &stage.leading, 1, stops, &path.key("leading"));
         let pulley = stage.over.clone().unwrap_or_else(|| "the pulley".into());
+        self.string_acts(index, stage, &pulley);
         let duration = self.stage_duration(index, stage.duration.as_ref(), path);
         let because = "the string stays taut and does not stretch";
         let is_plain = leading.strands == trailing.strands;
@@ -115,6 +118,16 @@ impl Builder<'_> {
         self.neglect("the mass of the string", "it is light, and does not stretch");
     }
 
+    /// The string takes from one body what it gives to the other, and the pulley turns it.
+    fn string_acts(&mut self, index: usize, stage: &Connected, pulley: &str) {
+        let [trailing, leading] = [&stage.trailing, &stage.leading];
+        for [own, other] in [[trailing, leading], [leading, trailing]] {
+            let string = Influence::outside(index, &own.body, "the string").by(&[&other.body]);
+            self.acts(Influence { work: Work::OfForce, ..string });
+            self.acts(Influence::outside(index, &own.body, pulley).workless());
+        }
+    }
+
     /// A body on its side of the pulley: `forwards` is down (1) or up (-1) for one that hangs.
     fn strand(&mut self, index: usize, strand: &Strand, forwards: i64, stops: bool, path: &Path) -> Side {
         let body = strand.body.as_str();
@@ -136,10 +149,13 @@ impl Builder<'_> {
             }
         };
         let mut parts = vec![Expr::product([Expr::integer(forwards), weight.clone(), along])];
+        self.acts(Influence::outside(index, body, "weight").force(parts.clone()));
         if let Some(term) = &strand.friction {
             let meaning = format!("the coefficient of kinetic friction of {name}");
             let friction = self.read_positive(term, Dimension::NONE, &meaning, &path.key("friction"));
-            parts.push(-Expr::product([friction, weight, press]));
+            let friction = -Expr::product([friction, weight, press]);
+            self.acts(Influence::outside(index, body, "friction").force(vec![friction.clone()]));
+            parts.push(friction);
         }
         if stops {
             self.comes_to_rest(index, body);

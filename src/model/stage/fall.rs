@@ -5,7 +5,9 @@ use crate::fault::Path;
 use crate::laws::kinematics;
 use crate::model::Agent;
 use crate::model::Builder;
+use crate::model::Effect;
 use crate::model::Impulse;
+use crate::model::Influence;
 use crate::model::Warning;
 use crate::quantity::Dimension;
 use crate::scene::Axis;
@@ -50,7 +52,9 @@ impl Builder<'_> {
             Some(down) => Expr::integer(down) * mass.clone() * gravity.clone(),
             None => Expr::zero(),
         });
-        let components = weight.collect();
+        let components: Vec<Expr> = weight.collect();
+        let acts = Influence::outside(index, body, "weight").force(components.clone());
+        self.acts(acts.works(Effect::Open, "weight does work as the height changes"));
         self.impulses.push(Impulse {
             stage: index,
             on: body.to_owned(),

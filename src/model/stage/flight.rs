@@ -8,7 +8,9 @@ use crate::fault::Path;
 use crate::laws::kinematics;
 use crate::model::Agent;
 use crate::model::Builder;
+use crate::model::Effect;
 use crate::model::Impulse;
+use crate::model::Influence;
 use crate::model::incline::Fall;
 use crate::quantity::Dimension;
 use crate::scene::Axis;
@@ -59,6 +61,14 @@ impl Builder<'_> {
         }
     }
 
+    /// The weight of a body along each axis.
+    fn pulls_along(&mut self, body: &str, falls: &[Fall]) -> Vec<Expr> {
+        let accelerations: Vec<Option<Expr>> = (0..self.axes.len()).map(|own| self.accelerates(own, falls)).collect();
+        let mass = self.mass(body);
+        let pull = |own: Option<Expr>| own.map_or_else(Expr::zero, |own| mass.clone() * own);
+        accelerations.into_iter().map(pull).collect()
+    }
+
     /// Velocity and place of one body at the end.
     fn free_motion(&mut self, index: usize, body: &str, time: &Expr, falls: &[Fall]) {
         let name = self.called(body);
@@ -91,6 +101,9 @@ impl Builder<'_> {
             weight.push(self.mass(body) * gained);
         }
         if self.scene.plane == Plane::Vertical || !falls.is_empty() {
+            let pulls = self.pulls_along(body, falls);
+            let weight_acts = Influence::outside(index, body, "weight").force(pulls);
+            self.acts(weight_acts.works(Effect::Open, "weight does work as the height changes"));
             self.impulses.push(Impulse {
                 stage: index,
                 on: body.to_owned(),

@@ -4,6 +4,9 @@ use crate::expr::Expr;
 use crate::fault::Path;
 use crate::laws::angular;
 use crate::model::Builder;
+use crate::model::Effect;
+use crate::model::Influence;
+use crate::model::Work;
 use crate::quantity::Dimension;
 use crate::scene::Strength;
 use crate::scene::stage::Moment;
@@ -28,6 +31,8 @@ impl Builder<'_> {
                 return;
             }
         };
+        let sizes: Vec<Expr> = moments.iter().map(|(_, moment)| moment.clone()).collect();
+        self.moment_acts(index, &stage.about, &centre, &sizes);
         for (letter, moment) in moments {
             let [before, after] = [index + 1, index + 2]
                 .map(|instant| self.resolve(&format!("H_{}{instant}{letter}", stage.about)).map(Expr::from));
@@ -48,6 +53,25 @@ impl Builder<'_> {
                 "weight and everything else that acts across the motion",
                 "it has no moment about the axis",
             );
+        }
+    }
+
+    /// The moment on the bodies together, and the forces by which they hold together; what holds a fixed point pushes, too.
+    fn moment_acts(&mut self, index: usize, about: &str, centre: &str, moments: &[Expr]) {
+        let bodies: Vec<String> = self.timeline.alive(index + 1).into_iter().map(str::to_owned).collect();
+        for body in &bodies {
+            let turning = Influence::outside(index, body, format!("the moment about {centre}"));
+            let size = moments.iter().find(|moment| !moment.is_zero()).cloned().unwrap_or_else(Expr::zero);
+            let turning = turning.force(vec![Expr::zero(); self.axes.len()]).moment(moments.to_vec());
+            self.acts(turning.works(Effect::Of(size), "the moment does work as the system turns"));
+            if about != "G" {
+                self.acts(Influence::outside(index, body, format!("what holds {centre}")).workless().through(about));
+            }
+            let others: Vec<&str> = bodies.iter().filter(|other| *other != body).map(String::as_str).collect();
+            if !others.is_empty() {
+                let between = Influence::outside(index, body, "the force between the bodies").by(&others);
+                self.acts(Influence { work: Work::OfForce, ..between });
+            }
         }
     }
 }

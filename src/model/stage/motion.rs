@@ -10,7 +10,9 @@ use crate::laws::momentum;
 use crate::laws::motion;
 use crate::model::Agent;
 use crate::model::Builder;
+use crate::model::Effect;
 use crate::model::Impulse;
+use crate::model::Influence;
 use crate::model::Integral;
 use crate::quantity::Dimension;
 use crate::scene::Axis;
@@ -38,7 +40,7 @@ impl Builder<'_> {
         let lasts = (times[1].clone() - times[0].clone()).simplify();
         self.lasting[index] = Some(lasts.clone());
         let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
-        let (mut components, mut acting) = (Vec::new(), Vec::new());
+        let (mut components, mut acting, mut net, mut power) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for axis in axes.iter().copied() {
             let Some(course) = self.course(stage, axis, clock, path) else { return };
             let ends = if course.by_place {
@@ -48,6 +50,11 @@ impl Builder<'_> {
             };
             self.velocities_told(index, stage, &course, &ends);
             self.way_told(index, stage, &course, &ends, &lasts);
+            let rate = course.velocity.differentiate(course.variable);
+            let rate = if course.by_place { rate * course.velocity.clone() } else { rate }.simplify();
+            let force = self.mass(&stage.body) * rate;
+            power.push(force.clone() * course.velocity.clone());
+            net.push(force.simplify());
             let impulse = self.impulse_of_all(index, stage, axis, &lasts);
             // Along an axis along which the velocity stays the same, the forces have no impulse together.
             acting.push(if course.velocity.contains(course.variable) { impulse.clone() } else { Expr::zero() });
@@ -57,6 +64,8 @@ impl Builder<'_> {
             let meaning = format!("the impulse on {}", self.called(&stage.body));
             self.resultant(index, &stage.body, &components, &meaning);
         }
+        let force = Influence::outside(index, &stage.body, "the net force").force(net);
+        self.acts(force.works(Effect::Of(Expr::sum(power).simplify()), ""));
         self.impulses.push(Impulse {
             stage: index,
             on: stage.body.clone(),

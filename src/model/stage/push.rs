@@ -85,6 +85,7 @@ impl Builder<'_> {
             Some((friction, at)) => self.push_against_friction(&pushed, friction, &at),
             None => self.push_freely(&pushed, stage.incline.is_some()),
         }
+        self.acts_as_noted(index);
     }
 
     /// Work is force times distance only where the force stays the same, and along one axis.

@@ -6,8 +6,11 @@ use crate::laws::angular;
 use crate::laws::geometry;
 use crate::model::Agent;
 use crate::model::Builder;
+use crate::model::Effect;
 use crate::model::Impulse;
+use crate::model::Influence;
 use crate::model::Integral;
+use crate::model::Work;
 use crate::quantity::Dimension;
 use crate::scene::stage::Arm;
 use crate::scene::stage::Rotate;
@@ -58,6 +61,7 @@ impl Builder<'_> {
         let start = Expr::sum([before].into_iter().chain(gained));
         self.law(&angular::ANGULAR_IMPULSE, Some(index), because, (start, after));
         let changing = held.iter().any(|(_, arm)| matches!(arm, Arm::Changing(_)));
+        self.arm_acts(index, stage, &held, moment.as_ref(), path);
         for (body, _) in &held {
             self.impulses.push(Impulse {
                 stage: index,
@@ -73,6 +77,37 @@ impl Builder<'_> {
             });
             let name = self.called(body);
             self.neglect(format!("the mass of what holds {name}"), "it is light");
+        }
+    }
+
+    /// The force of the arm, which does work where the distances change; between several bodies it acts like one on another.
+    fn arm_acts(&mut self, index: usize, stage: &Rotate, held: &[(&str, &Arm)], moment: Option<&Expr>, path: &Path) {
+        let centre = self.point(&stage.about);
+        for (body, arm) in held {
+            let others: Vec<&str> = held.iter().map(|(other, _)| *other).filter(|other| other != body).collect();
+            let called = match arm {
+                Arm::Constant(_) => "the force of the arm".to_owned(),
+                Arm::Changing(_) => format!("the force towards {centre}"),
+            };
+            let words = format!("{called} does work as the distance changes");
+            let own = Influence::outside(index, body, called).through(&stage.about);
+            let own = match arm {
+                Arm::Constant(_) => own.workless(),
+                Arm::Changing([before, after]) => {
+                    let [before, after] = [before, after].map(|term| self.read(term, Dimension::LENGTH, "", path));
+                    own.works(Effect::Of(before - after), &words)
+                }
+            };
+            self.acts(own);
+            if !others.is_empty() {
+                let between = Influence::outside(index, body, "the arm").by(&others);
+                self.acts(Influence { work: Work::OfForce, ..between });
+            }
+            if let Some(moment) = moment {
+                let called = format!("the moment about {centre}");
+                let turning = Influence::outside(index, body, called).moment(vec![moment.clone()]);
+                self.acts(turning.works(Effect::Of(moment.clone()), "the moment does work as the arm turns"));
+            }
         }
     }
 

@@ -8,7 +8,9 @@ use crate::laws::geometry;
 use crate::laws::momentum;
 use crate::model::Agent;
 use crate::model::Builder;
+use crate::model::Effect;
 use crate::model::Impulse;
+use crate::model::Influence;
 use crate::model::acting::Acts;
 use crate::model::incline::Incline;
 use crate::model::way::Way;
@@ -57,6 +59,11 @@ impl Builder<'_> {
         }
         self.slide_forces(index, body, friction.as_ref(), &incline, &way, &duration);
         self.slide_impulse(index, stage, &incline);
+        self.acts_as_noted(index);
+        if stage.height.is_some() && incline.is_level() {
+            let weight = Influence::outside(index, body, "weight");
+            self.acts(weight.works(Effect::Open, "weight does work as the height changes"));
+        }
         self.neglect("air resistance", "the problem does not mention any");
         if friction.is_none() {
             let track = if stage.incline.is_none() && stage.height.is_none() { "floor" } else { "slope" };

@@ -9,8 +9,11 @@ use crate::laws::momentum;
 use crate::laws::separation;
 use crate::model::Agent;
 use crate::model::Builder;
+use crate::model::Effect;
 use crate::model::Impulse;
+use crate::model::Influence;
 use crate::model::Warning;
+use crate::model::Work;
 use crate::model::guide::dot;
 use crate::model::guide::projected;
 use crate::quantity::Dimension;
@@ -60,7 +63,13 @@ impl Builder<'_> {
         self.law(&separation::ALONG_FACE, Some(index), because, (across, Expr::zero()));
         let reason = format!("{name} would slide back up {other}");
         self.require(Warning::Reverses, dot(&seen, &[cos, sin]), Relation::AtLeast, Expr::zero(), reason);
+        let weights = self.weight_and_guide(index, stage, &guide.by, &along);
+        for own in weights {
+            self.acts(own);
+        }
         for (one, another) in [(body, on), (on, body)] {
+            let between = Influence::outside(index, one, self.called(another)).by(&[another]);
+            self.acts(Influence { work: Work::OfForce, ..between });
             self.impulses.push(Impulse {
                 stage: index,
                 on: one.to_owned(),
@@ -75,6 +84,20 @@ impl Builder<'_> {
             format!("the force between {name} and {other}"),
             "its impulses cancel within the system, and so does its work",
         );
+    }
+}
+
+impl Builder<'_> {
+    /// What acts from outside on a body and on what it slides down: weight, and the guide at right angles to its way.
+    fn weight_and_guide(&mut self, index: usize, stage: &SlideOff, by: &str, along: &[Expr]) -> Vec<Influence> {
+        let pull = self.mass(&stage.body) * self.gravity();
+        let down =
+            |position| self.downwards(position).map_or_else(Expr::zero, |down| Expr::integer(down) * pull.clone());
+        let weight = Influence::outside(index, &stage.body, "weight").force((0..self.axes.len()).map(down).collect());
+        let held =
+            along.iter().map(|part| if part.is_one() { Effect::Of(Expr::zero()) } else { Effect::Open }).collect();
+        let guide = Influence::outside(index, &stage.on, by).workless();
+        vec![weight.works(Effect::Open, "weight does work as the height changes"), Influence { force: held, ..guide }]
     }
 }
 

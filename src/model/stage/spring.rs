@@ -9,7 +9,9 @@ use crate::laws::force;
 use crate::laws::kinematics;
 use crate::model::Agent;
 use crate::model::Builder;
+use crate::model::Effect;
 use crate::model::Impulse;
+use crate::model::Influence;
 use crate::model::Warning;
 use crate::model::pair::Pair;
 use crate::quantity::Dimension;
@@ -18,6 +20,9 @@ use crate::scene::stage::Ends;
 use crate::scene::stage::Spring;
 use crate::scene::stage::Until;
 use crate::solve::Relation;
+
+/// What a spring does to the kinetic energy.
+const SPRING_WORKS: &str = "the spring does work: it stores kinetic energy when it is deformed, and gives it back";
 
 /// The deformation of a spring at both ends of a stage, and how far its end moves in between.
 struct Deformation {
@@ -120,6 +125,7 @@ impl Builder<'_> {
             ),
         };
         self.law(law, Some(index), because, energy::work_energy(start, friction, end));
+        self.acts(Influence::outside(index, body, "the spring").works(Effect::Open, SPRING_WORKS));
         self.impulses.push(Impulse {
             stage: index,
             on: body.to_owned(),
@@ -172,6 +178,10 @@ impl Builder<'_> {
             (Warning::NoImpact, &one[0], &other[1], reason)
         };
         self.require(warning, greater.clone(), Relation::AtLeast, less.clone(), reason);
+        for [own, other] in [bodies, [bodies[1], bodies[0]]] {
+            let spring = Influence::outside(index, own, "the spring").by(&[other]);
+            self.acts(spring.works(Effect::Open, SPRING_WORKS));
+        }
         let pair = Pair { index, bodies, before, after, link: "the spring", pulley: None };
         self.pair(&pair, "", &|_, impulse| vec![impulse.clone()], None, path);
         self.neglect("friction and other resistance", "the problem does not mention any");

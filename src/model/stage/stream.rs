@@ -11,6 +11,7 @@ use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Flowing;
 use crate::model::Impulse;
+use crate::model::Influence;
 use crate::model::builder::SECOND_COST;
 use crate::model::frame::Direction;
 use crate::quantity::Dimension;
@@ -57,6 +58,10 @@ impl Builder<'_> {
         self.stream_follows(index, stage, &forces, moves.as_ref(), &direction);
         self.stream_support(index, stage, &flow, &forces, path);
         self.flowing.push(Flowing { stage: index, speed, direction, leaving, relative });
+        self.acts(Influence::outside(index, body, by).force(forces.clone()));
+        // The body keeps its velocity, so something holds it.
+        let held = forces.iter().map(|force| -force.clone()).collect();
+        self.acts(Influence::outside(index, body, format!("what holds {name}")).force(held));
         self.impulses.push(Impulse {
             stage: index,
             on: body.to_owned(),

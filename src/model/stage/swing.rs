@@ -9,7 +9,9 @@ use crate::laws::force;
 use crate::laws::geometry;
 use crate::model::Agent;
 use crate::model::Builder;
+use crate::model::Effect;
 use crate::model::Impulse;
+use crate::model::Influence;
 use crate::model::Warning;
 use crate::quantity::Dimension;
 use crate::scene::Stage;
@@ -53,6 +55,9 @@ impl Builder<'_> {
                 self.tension(index, side, stage, length, end);
             }
         }
+        self.acts(Influence::outside(index, body, "the cord").workless());
+        let words = "weight does work as the height changes, though the cord, at right angles to the motion, does none";
+        self.acts(Influence::outside(index, body, "weight").works(Effect::Open, words));
         self.impulses.push(Impulse {
             stage: index,
             on: body.to_owned(),

@@ -9,6 +9,7 @@ use crate::model::Agent;
 use crate::model::Alternative;
 use crate::model::Builder;
 use crate::model::Impulse;
+use crate::model::Influence;
 use crate::model::Warning;
 use crate::model::acting::Acts;
 use crate::model::builder::LAW_COST;
@@ -274,6 +275,7 @@ impl Builder<'_> {
         self.note_pull(acts, "the thrust", &burn.thrust, &burn.direction);
         let weight = (self.scene.plane == Plane::Vertical).then_some("its weight");
         for called in ["the thrust of its exhaust"].into_iter().chain(weight) {
+            self.acts(Influence::outside(burn.index, &burn.body, called));
             self.impulses.push(Impulse {
                 stage: burn.index,
                 on: burn.body.clone(),

@@ -11,7 +11,9 @@ use crate::model::Builder;
 use crate::model::Direction;
 use crate::model::ForceKind;
 use crate::model::Impulse;
+use crate::model::Influence;
 use crate::model::Warning;
+use crate::model::Work;
 use crate::model::acting::Acts;
 use crate::model::incline::Incline;
 use crate::model::read::is_bare_name;
@@ -89,6 +91,8 @@ impl Builder<'_> {
             let acts = Acts { stage: index, on: &names[own], during: [&Expr::zero(), duration] };
             let towards = Direction::axis(self.axis_place(0), reversed);
             self.forces.push(acts.force(ForceKind::Pull, joint, symbol.into(), towards));
+            let pulls = Influence::outside(index, &names[own], joint).by(&[&names[other]]);
+            self.acts(Influence { work: Work::OfForce, ..pulls });
             self.impulses.push(Impulse {
                 stage: index,
                 on: names[own].clone(),
@@ -156,6 +160,8 @@ impl Builder<'_> {
             self.note_floor(acts, incline, weight, normal, friction.unwrap_or_else(Expr::zero), false);
         }
         if !acting.is_empty() {
+            let drive = Expr::sum(acting.clone());
+            self.acts(Influence::outside(index, body, "what acts from outside").force(vec![drive]));
             self.impulses.push(Impulse {
                 stage: index,
                 on: body.to_owned(),

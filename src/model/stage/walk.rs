@@ -6,6 +6,8 @@ use crate::laws::kinematics;
 use crate::laws::mass_centre;
 use crate::laws::separation;
 use crate::model::Builder;
+use crate::model::Effect;
+use crate::model::Influence;
 use crate::quantity::Dimension;
 use crate::scene::stage::Walk;
 
@@ -17,6 +19,11 @@ impl Builder<'_> {
         let suffix = self.stage_suffix(index);
         let bodies = [stage.body.as_str(), stage.on.as_str()];
         let [name, other] = bodies.map(|body| self.called(body));
+        for [own, its] in [bodies, [bodies[1], bodies[0]]] {
+            let words = "who walks does work to set both in motion, and to stop them";
+            let step = Influence::outside(index, own, self.called(its)).by(&[its]).works(Effect::Open, words);
+            self.acts(step);
+        }
         let displacements = bodies.map(|body| {
             let meaning = format!("the displacement of {} over the ground", self.called(body));
             Expr::from(self.symbol(format!("s_{body}{suffix}"), Dimension::LENGTH, meaning))

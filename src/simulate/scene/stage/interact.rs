@@ -88,6 +88,8 @@ impl Bench<'_> {
             let letter = if self.values.axes().len() > 1 { format!(".{}", axis.letter()) } else { String::new() };
             self.note_sum(&format!("p_{instant}{letter}"), part(total, axis), scale);
         }
+        let inside: Vec<&str> = bodies.iter().flat_map(|body| values.scene.members(body)).collect();
+        let is_all = values.scene.bodies.keys().all(|body| inside.contains(&body.as_str()));
         if placed.is_err() {
             return Ok(());
         }
@@ -106,7 +108,9 @@ impl Bench<'_> {
                 let letter = component.map_or_else(String::new, |letter| format!(".{letter}"));
                 if let Some(moment) = turning(self.values, asked, all) {
                     let name = format!("H_{point}{instant}{letter}");
-                    self.note(&name, moment, wide * scale);
+                    if is_all {
+                        self.note(&name, moment, wide * scale);
+                    }
                     self.note_sum(&name, moment, wide * scale);
                 }
             }

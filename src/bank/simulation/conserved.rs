@@ -1,0 +1,113 @@
+//! Whether a quantity is conserved in a stage, as a simulation of it finds.
+
+use crate::problem::Conservable;
+use crate::problem::Conserved;
+use crate::scene::Scene;
+use crate::scene::Stage;
+use crate::simulate::scene::Reel;
+
+use super::choices::UNCHANGED;
+use super::choices::stage_of;
+use super::witness::Case;
+use super::witness::Witness;
+
+/// A sum over bodies, and the sum of the sizes.
+type Total = (f64, f64);
+
+/// Whether a quantity is the same before a stage and after it; where the stage lasts, also at every moment that is watched in
+/// between, so that what acts from outside has given and done nothing up to then.
+pub(super) fn is_conserved(case: &Case<'_>, witness: &Witness<'_>, ask: &Conserved) -> Option<bool> {
+    let scene = case.scene;
+    let stage = stage_of(scene, witness, ask.stage.as_deref()).filter(|stage| witness.has_run(*stage))?;
+    let ends = ends(scene, witness, ask, stage)?;
+    if !ends || scene.stages.get(stage).is_none_or(takes_no_time) {
+        return Some(ends);
+    }
+    Some(witness.watched(stage).is_none_or(|reels| stays(scene, ask, &reels)))
+}
+
+fn takes_no_time(stage: &Stage) -> bool {
+    matches!(
+        stage,
+        Stage::Impact(_) | Stage::Blow(_) | Stage::Taut(_) | Stage::Strike(_) | Stage::Separate(_) | Stage::Interact(_)
+    )
+}
+
+/// Whether the sum is the same before the stage and after it.
+fn ends(scene: &Scene, witness: &Witness<'_>, ask: &Conserved, stage: usize) -> Option<bool> {
+    let total = |base: &str, letter: &str| -> Option<[Total; 2]> {
+        let mut ends = [(0.0, 0.0); 2];
+        for (end, instant) in ends.iter_mut().zip([stage + 1, stage + 2]) {
+            for body in &ask.of {
+                let own = witness.carried(base, body, instant, letter)?;
+                *end = (end.0 + own, end.1 + own.abs());
+            }
+        }
+        Some(ends)
+    };
+    match ask.conserved {
+        Conservable::Momentum => {
+            let letters = letters(scene, ask).into_iter();
+            letters.map(|letter| total("p", letter).map(same)).try_fold(true, |all, own| Some(all && own?))
+        }
+        Conservable::Energy => total("T", "").map(same),
+        Conservable::AngularMomentum => {
+            let point = ask.about.clone().or_else(|| scene.points.keys().next().cloned())?;
+            let ends = [stage + 1, stage + 2].map(|instant| witness.seen(&format!("H_{point}{instant}")));
+            match ends {
+                [Some(before), Some(after)] => {
+                    Some(same([(before.value, before.value.abs()), (after.value, after.value.abs())]))
+                }
+                _ => None,
+            }
+        }
+    }
+}
+
+/// The letters of the axes along which momentum is asked; none of the only axis.
+fn letters<'s>(scene: &'s Scene, ask: &Conserved) -> Vec<&'s str> {
+    let axes = scene.axes.rectangular();
+    let asked = axes.iter().map(|(axis, _)| *axis).filter(|axis| ask.along.is_none_or(|own| own == *axis));
+    asked.map(|axis| if axes.len() > 1 { axis.letter() } else { "" }).collect()
+}
+
+fn same([before, after]: [Total; 2]) -> bool {
+    (after.0 - before.0).abs() <= UNCHANGED * before.1.max(after.1)
+}
+
+/// Whether the sum is the same at every moment that is watched; of bodies that are not seen to move nothing changes.
+fn stays(scene: &Scene, ask: &Conserved, reels: &[Reel]) -> bool {
+    reels.iter().all(|reel| {
+        let is_asked =
+            |letter: &str| ask.along.is_none_or(|own| own.letter() == letter) || scene.axes.rectangular().len() < 2;
+        let mut totals: Vec<Vec<Total>> = Vec::new();
+        for moment in &reel.record.moments {
+            let mut sums: Vec<Total> = vec![(0.0, 0.0); reel.components.len().max(1)];
+            for (place, _) in reel.record.bodies.iter().enumerate().filter(|(_, own)| ask.of.contains(&own.name)) {
+                let (Some(mass), Some(velocity)) = (moment.masses.get(place), moment.velocities.get(place)) else {
+                    continue;
+                };
+                match ask.conserved {
+                    Conservable::Momentum => {
+                        for ((sum, part), component) in sums.iter_mut().zip(velocity).zip(&reel.components) {
+                            if is_asked(component.letter) {
+                                *sum = (sum.0 + mass * part, sum.1 + (mass * part).abs());
+                            }
+                        }
+                    }
+                    Conservable::Energy => {
+                        let own = mass * velocity.iter().map(|part| part * part).sum::<f64>() / 2.0;
+                        sums[0] = (sums[0].0 + own, sums[0].1 + own);
+                    }
+                    Conservable::AngularMomentum => {}
+                }
+            }
+            totals.push(sums);
+        }
+        let size = totals.iter().flatten().map(|sum| sum.1).fold(0.0, f64::max);
+        let Some(first) = totals.first() else { return true };
+        let is_same =
+            |sums: &Vec<Total>| sums.iter().zip(first).all(|(own, start)| (own.0 - start.0).abs() <= UNCHANGED * size);
+        totals.iter().all(is_same)
+    })
+}

@@ -1,0 +1,59 @@
+//! What the arrows of a stage of one body need and its solution does not: a mass that cancels, and the time in which forces that do not
+//! change make the momentum what it is. It is solved from the equations of the solution.
+
+use std::collections::BTreeSet;
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+use crate::model::ActingForce;
+use crate::solve::Closed;
+use crate::solve::plan;
+
+use super::quantities::Quantities;
+
+/// Values to be added to those of a solution.
+pub(super) struct Besides {
+    /// A mass that no value is needed of.
+    mass: Option<Symbol>,
+    /// Further quantities, each by a formula in what is there before it.
+    formulas: Vec<(Symbol, Expr)>,
+}
+
+impl Besides {
+    /// What the arrows of that body need in a stage.
+    pub(super) fn of(quantities: &Quantities<'_>, stage: usize, body: &str) -> Self {
+        let mass = quantities.mass_symbol(body).filter(|_| quantities.mass(body).is_none());
+        let own = mass.map_or_else(|| quantities.clone(), |mass| quantities.assuming(mass, 1.0));
+        let mut forces = own.model().forces.iter().filter(|force| force.stage == stage && force.on == body);
+        let end = forces.next().map(|ActingForce { during: [_, end], .. }| end);
+        let formulas = match end {
+            Some(Expr::Symbol(time)) if own.evaluate(&(*time).into()).is_none() => solved(&own, mass, *time),
+            _ => Vec::new(),
+        };
+        Self { mass, formulas }
+    }
+
+    /// The quantities of a variant with these.
+    pub(super) fn added_to<'a>(&self, quantities: &Quantities<'a>) -> Quantities<'a> {
+        let own = self.mass.map_or_else(|| quantities.clone(), |mass| quantities.assuming(mass, 1.0));
+        self.formulas.iter().fold(own, |own, (symbol, formula)| match own.evaluate(formula) {
+            Some(value) => own.assuming(*symbol, value),
+            None => own,
+        })
+    }
+}
+
+/// How a time follows from what the solution has found.
+fn solved(quantities: &Quantities<'_>, mass: Option<Symbol>, time: Symbol) -> Vec<(Symbol, Expr)> {
+    let worked = quantities.worked;
+    let symbols = worked.problem.model().symbols.iter().map(|(symbol, _)| symbol);
+    let known: BTreeSet<Symbol> =
+        symbols.filter(|symbol| worked.variant.value(*symbol).is_some()).chain(mass).collect();
+    let Ok(plan) = plan(&worked.leaf().system, &known, &[time]) else { return Vec::new() };
+    let roots = plan.steps.iter().filter_map(|step| step.roots.first());
+    let formulas = roots.flat_map(|root| &root.values).filter_map(|(symbol, closed)| match closed {
+        Closed::Formula(formula) => Some((*symbol, formula.clone())),
+        _ => None,
+    });
+    formulas.collect()
+}

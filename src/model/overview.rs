@@ -1,0 +1,99 @@
+//! What a model in the making tells of itself to whoever reads the question.
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+use crate::expr::SymbolTable;
+use crate::quantity::Quantity;
+use crate::scene::Scene;
+use crate::solve::System;
+
+use super::Builder;
+use super::Impulse;
+use super::Influence;
+
+impl<'s> Builder<'s> {
+    /// The scene.
+    #[must_use]
+    pub fn scene(&self) -> &'s Scene {
+        self.scene
+    }
+
+    /// Every body's short name, those that impacts make included.
+    pub fn bodies(&self) -> impl Iterator<Item = &str> {
+        self.timeline.bodies()
+    }
+
+    /// How a body is called in a sentence.
+    #[must_use]
+    pub fn name_of(&self, body: &str) -> String {
+        self.called(body)
+    }
+
+    /// A stage as a noun phrase: `the impact`.
+    #[must_use]
+    pub fn phrase_of(&self, stage: usize) -> String {
+        self.stage_phrase(stage)
+    }
+
+    /// The position of the stage of that name.
+    #[must_use]
+    pub fn stage_of(&self, name: &str) -> Option<usize> {
+        self.timeline.stage(self.scene, name)
+    }
+
+    /// Whether a symbol stands for a number with a unit that the author wrote: `2 m/s`.
+    #[must_use]
+    pub fn is_literal(&self, symbol: Symbol) -> bool {
+        self.literals.iter().any(|(own, _)| *own == symbol)
+    }
+
+    /// The letters of the scene's axes, in order.
+    #[must_use]
+    pub fn axis_letters(&self) -> Vec<&'static str> {
+        self.axes.iter().map(|(axis, _)| axis.letter()).collect()
+    }
+
+    /// The impulses of all stages so far.
+    #[must_use]
+    pub fn impulses(&self) -> &[Impulse] {
+        &self.impulses
+    }
+
+    /// What acts during the stages that last, so far.
+    #[must_use]
+    pub fn influences(&self) -> &[Influence] {
+        &self.influences
+    }
+
+    /// From when to when a stage lasts by its own clock, as far as that is spoken of.
+    #[must_use]
+    pub fn span_of(&self, stage: usize) -> Option<[Expr; 2]> {
+        let pushed = self.forces.iter().find(|force| force.stage == stage).map(|force| force.during.clone());
+        let lasting = || Some([Expr::zero(), self.lasting.get(stage)?.clone()?]);
+        pushed.or_else(lasting)
+    }
+
+    /// The equations so far, with the conditions under which they hold.
+    #[must_use]
+    pub fn system(&self) -> &System {
+        &self.system
+    }
+
+    /// The stage in which an equation or a condition of that tag is used; none for one that holds at an instant.
+    #[must_use]
+    pub fn stage_of_law(&self, tag: usize) -> Option<usize> {
+        self.instances.get(tag)?.stage
+    }
+
+    /// Values with units that the author wrote into terms.
+    #[must_use]
+    pub fn literals(&self) -> &[(Symbol, Quantity)] {
+        &self.literals
+    }
+
+    /// The table of symbols so far.
+    #[must_use]
+    pub fn symbols(&self) -> &SymbolTable {
+        &self.symbols
+    }
+}
