@@ -100,6 +100,9 @@ impl Problems {
 
     /// There is no such problem; for the first of these names the nearest known one is looked for.
     fn unknown(&mut self, id: &str) -> String {
+        if id.is_empty() {
+            return "the row names no problem".to_owned();
+        }
         let message = format!("there is no problem `{}`", excerpt(id));
         if self.suggestions == 0 {
             return message;
@@ -109,7 +112,7 @@ impl Problems {
         match did_you_mean(id, known) {
             Some(near) => format!("{message}\nhelp: did you mean `{near}`?"),
             None => format!(
-                "{message}\nhelp: the identity is wanted, such as impact/two-carts; name files of your own with --problem"
+                "{message}\nhelp: write the identity, such as impact/two-carts; name files of your own with --problem"
             ),
         }
     }

@@ -8,6 +8,7 @@ use crate::cli::generate::Roster;
 use crate::cli::table;
 use crate::exercise::Derived;
 use crate::exercise::Listed;
+use crate::exercise::Place;
 use crate::exercise::Sheets;
 use crate::grade::RowCounts;
 use crate::problem::secret_mark;
@@ -56,10 +57,10 @@ impl Grade {
                     match &own {
                         Marked::Report(..) => {}
                         Marked::NotIssued(place, message) => {
-                            tell(&format!("not issued: {}:{place}: {message}", path.display()));
+                            tell(&format!("not issued: {}: {message}", position(path, place)));
                         }
                         Marked::Refused(place, message) => {
-                            tell(&format!("error: {}:{place}: {message}", path.display()));
+                            tell(&format!("error: {}: {message}", position(path, place)));
                         }
                     }
                     readers.read(&own, &problems)?;
@@ -93,5 +94,13 @@ impl Grade {
         let students = Roster::read(path)?.students.into_iter().map(|student| student.id).collect();
         let secret = secret.map(<[u8]>::to_vec);
         Ok(Some(Sheets::Derived(Derived { students, derivation: self.derivation, secret })))
+    }
+}
+
+/// Where a submission stands, for a message.
+fn position(path: &Path, place: &Place) -> String {
+    match place {
+        Place::Line(line) => format!("{}:{line}", path.display()),
+        Place::File(file) => file.display().to_string(),
     }
 }

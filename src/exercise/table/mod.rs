@@ -96,9 +96,6 @@ impl<R: BufRead + io::Seek> Table<R> {
 
 /// Says which columns have the same heading; columns are counted from 1.
 pub(super) fn twice(heading: &str, first: usize, second: usize) -> String {
-    format!(
-        "two columns have the heading `{heading}`, the {}th and the {}th\nhelp: rename or remove one of them",
-        first + 1,
-        second + 1
-    )
+    let (first, second) = (first + 1, second + 1);
+    format!("two columns have the heading `{heading}`: {first} and {second}\nhelp: rename or remove one of them")
 }
