@@ -17,7 +17,7 @@ const CHUNK: usize = 16384;
 const HEAVIEST: usize = 1 << 24;
 
 /// The most that a chunk grows beyond that, so as not to part attempts of one student: rows between them that cannot be used.
-const LONGEST: usize = 4 * CHUNK;
+const LONGEST: usize = 2 * CHUNK;
 
 /// Reads submissions.
 pub(super) struct Reader {

@@ -199,5 +199,8 @@ impl Met {
 /// The seed, with the mark of a secret where that stands there.
 fn seed_of(submission: &Submission) -> Result<SheetSeed, String> {
     let seed = submission.key(Key::Seed);
+    if seed.is_empty() {
+        return Err("the row has no seed".to_owned());
+    }
     seed.parse().map_err(|why| format!("`{}` is no seed: {why}", excerpt(seed)))
 }
