@@ -40,8 +40,7 @@ const FOUND: &[(&str, Outcome)] = &[
     ("printed_component", Refused(&["`J_A.x[kick]` is not the name of a quantity"])),
     // Wanted: e < 0.917.
     ("range_after_flight", Refused(&["within what is possible it holds always, or never"])),
-    // Wanted: 0.547 s or 1.49 s.
-    ("roots_all", Broken(&["`dt (2)` =  is marked unanswered"])),
+    ("roots_all", Holds(&["dt = 1.49 s or 0.546 s"])),
     ("shelf", Holds(&["r_ball2.x = 3.97 m"])),
     // Wanted: v_A2 = 12.0 m/s.
     ("slide_by_height", Broken(&["`N_A` is 78.48 by the laws"])),
@@ -60,8 +59,9 @@ const FOUND: &[(&str, Outcome)] = &[
 /// Answers to one of the files, and how many points they get.
 const MARKED: &[(&str, &[&str], &str)] = &[
     ("small_beside_large", &["v_B2=0.0150 m/s", "T_B2=6.75e-4 J", "J_B=0.0900 N s"], "3/3"),
-    // Wanted: 0/3.
-    ("small_beside_large", &["v_B2=-0.25 m/s", "T_B2=0 J", "J_B=0 N s"], "3/3"),
+    ("small_beside_large", &["v_B2=-0.25 m/s", "T_B2=0 J", "J_B=0 N s"], "0/3"),
+    ("roots_all", &["dt=0.546 or 1.49 s"], "1/1"),
+    ("roots_all", &["dt=1.49 s"], "0.5/1"),
 ];
 
 fn path(name: &str) -> String {

@@ -64,7 +64,14 @@ pub(super) fn key_marks(problem: &Arc<Problem>, form: usize, seeds: u64) -> Outc
 
 /// So does one who rounds every value on the way to the figures that are asked.
 pub(super) fn rounding(problem: &Arc<Problem>, form: usize, seeds: u64) -> Outcome {
-    full_marks(problem, form, seeds, Exercise::rounded_answers)
+    full_marks(problem, form, seeds, |exercise| {
+        let worked = exercise.worked();
+        let mut answers = exercise.rounded_answers();
+        // With ill-chosen numbers, which are noted, rounding on the way may lead anywhere.
+        let blurred = |part: &&Part| part.numbers().any(|(_, number)| worked.is_ill_chosen(number));
+        answers.extend(worked.form.parts.iter().filter(blurred).map(|part| (part.id.clone(), exercise.printed(part))));
+        answers
+    })
 }
 
 /// Whether a student who answers in one way is right with every seed.
@@ -88,18 +95,24 @@ fn full_marks(
 pub(super) fn sharp(problem: &Arc<Problem>, form: usize, seeds: u64) -> Outcome {
     let mut blurred: BTreeMap<String, u64> = BTreeMap::new();
     let mut drawn: u64 = 0;
+    let mut ill_chosen: BTreeMap<String, u64> = BTreeMap::new();
     for (_, exercise) in exercises(problem, form, seeds.min(MARKED)) {
         drawn += 1;
         let worked = exercise.worked();
-        for (id, number) in worked.form.parts.iter().flat_map(Part::numbers) {
-            if worked.judged(number).allowance > SHARP * worked.answer(number).value.abs() && !number.whole {
+        for (id, number) in worked.form.parts.iter().flat_map(Part::numbers).filter(|(_, number)| !number.whole) {
+            if worked.is_ill_chosen(number) {
+                *ill_chosen.entry(id).or_insert(0) += 1;
+            } else if worked.judged(number).allowance > SHARP * worked.answer(number).value.abs() {
                 *blurred.entry(id).or_insert(0) += 1;
             }
         }
     }
-    let said = blurred.iter().map(|(id, times)| {
+    let ill_chosen = ill_chosen.iter().map(|(id, times)| {
+        format!("the numbers are ill-chosen for {times} of {drawn} seeds: rounding intermediate results shifts `{id}` by more than half of it")
+    });
+    let blurred = blurred.iter().map(|(id, times)| {
         let percent = 100.0 * SHARP;
         format!("rounding intermediate results shifts `{id}` by more than {percent} % for {times} of {drawn} seeds")
     });
-    noted(&said.collect::<Vec<_>>())
+    noted(&ill_chosen.chain(blurred).collect::<Vec<_>>())
 }

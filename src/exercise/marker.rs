@@ -17,6 +17,7 @@ use crate::problem::PartKind;
 use crate::problem::PlannedForm;
 use crate::problem::Problem;
 use crate::problem::Worked;
+use crate::solve::Bounded;
 
 use super::formula::expected_formula;
 use super::rules::Rules;
@@ -177,7 +178,7 @@ impl Blank {
     }
 }
 
-/// Puts in how far honest rounding can move the answer, and the problem's own scale for such quantities.
+/// Puts in how far honest rounding can move the answer, and of one that is nothing the size of what cancels in it.
 pub(super) fn widen(expected: &mut grade::Expected, worked: Worked<'_>, part: &Part) {
     let put = |number: &mut grade::ExpectedNumber, own: &NumberPart| {
         let judged = worked.judged(own);
@@ -200,7 +201,7 @@ fn blank_number(rules: Rules<'_>, part: &Part, number: &NumberPart) -> grade::Ex
     let unit = number.plain_unit();
     let senses = rules.problem.senses(number.symbol);
     grade::ExpectedNumber {
-        cyclic: unit.has_pi(),
+        cyclic: is_direction(rules, part, number) && unit.is_plain_angle(),
         tolerance: match &number.tolerance {
             problem::Tolerance::Relative(fraction) => grade::Tolerance::Relative(fraction.clone()),
             problem::Tolerance::Absolute(distance) => grade::Tolerance::Absolute(distance.clone()),
@@ -212,12 +213,22 @@ fn blank_number(rules: Rules<'_>, part: &Part, number: &NumberPart) -> grade::Ex
         figures: number.figures,
         senses: senses.map(|senses| [senses.positive, senses.negative]),
         whole: number.whole,
+        called: Some(Arc::new(grade::Called { name: part.id.clone(), axis: rules.problem.axis(number.symbol) })),
         ..grade::ExpectedNumber::new(f64::NAN, unit)
     }
 }
 
+/// Whether a quantity is a direction, of which a whole turn is as good as none; an angle turned through is not.
+fn is_direction(rules: Rules<'_>, part: &Part, number: &NumberPart) -> bool {
+    let name = &rules.problem.model().symbols.entry(number.symbol).name;
+    rules.reference(part).is_some() || name.starts_with("angle_")
+}
+
 fn fill(blank: &mut grade::ExpectedNumber, worked: Worked<'_>, number: &NumberPart) {
-    let answer = worked.answer(number);
+    let mut answer = worked.answer(number);
+    if answer.value.abs() <= answer.error && worked.is_nothing(number.symbol) {
+        answer = Bounded { value: 0.0, error: 0.0 };
+    }
     (blank.value, blank.error) = (answer.value, answer.error);
     (blank.allowance, blank.scale) = (0.0, 0.0);
     blank.magnitude = blank.senses.is_none() && answer.value >= 0.0;

@@ -7,17 +7,15 @@ use crate::grade;
 use crate::grade::Expected;
 use crate::grade::Reading;
 use crate::problem::Part;
-use crate::problem::PartKind;
 use crate::problem::Simulated;
 use crate::problem::Worked;
-use crate::solve::Bounded;
 
 use super::Exercise;
-use super::ROOTS_JOINED;
 use super::marker::Blank;
 use super::marker::Marker;
 use super::marker::widen;
 use super::marker::without_unit_quantity;
+use super::roots::{joined, several, shared_out};
 use super::rules::Rules;
 
 /// What marking says more of, besides the verdicts.
@@ -93,17 +91,20 @@ impl Marker {
             }
         };
         let mut report = grade::grade_read(expected, readings, rubric, &mut widen);
-        let asked = |id: &str| marking.expected.iter().any(|own| own.id == id);
         let is_part = |id: &str| worked.form.parts.iter().any(|part| part.id == id);
-        let not_asked = answers.iter().filter(|(id, _)| !asked(id) && !is_part(id));
+        let not_asked = answers.iter().filter(|(id, _)| !is_part(id));
         report.not_asked = not_asked.map(|(id, _)| (*id).to_owned()).collect();
         if !report.is_right() {
             marking.follow_through(&mut report, sitting.closed);
             marking.diagnose(&mut report, sitting.hints);
         }
-        // Where a part had several roots, the list is longer than what is to be filled next.
         if marking.expected.len() == count {
             *filled = marking.expected;
+        } else {
+            // Where a part had several roots, the list is longer than what is to be filled next.
+            report.parts = joined(report.parts, &marking.parts, worked);
+            report.out_of = worked.form.parts.iter().fold(0, |sum: u32, part| sum.saturating_add(part.points));
+            report.recount();
         }
         report
     }
@@ -147,50 +148,4 @@ impl Exercise {
         let worked = self.worked();
         Marker::of(worked.problem, worked.form, mark).mark(worked, &answers, sitting)
     }
-}
-
-/// The roots of a part, where it has several.
-fn several(worked: Worked<'_>, part: &Part) -> Option<Vec<Bounded>> {
-    let PartKind::Number(number) = &part.kind else { return None };
-    (number.every_root || worked.variant.has_others()).then(|| worked.answers(number)).filter(|roots| roots.len() > 1)
-}
-
-/// What is expected of each of several roots, with the text that answers it. Each root gets the first value that is right for it,
-/// whatever the order in which they were typed; what is left goes to the roots that are left.
-fn shared_out(
-    single: &Expected,
-    roots: &[Bounded],
-    text: &str,
-    worked: Worked<'_>,
-    part: &Part,
-    mark: grade::DecimalMark,
-) -> Vec<(Expected, String)> {
-    let count = u32::try_from(roots.len()).unwrap_or(1).max(1);
-    let root = |(index, answer): (usize, &Bounded)| {
-        let mut root = single.clone();
-        if index > 0 {
-            root.id = format!("{} ({})", part.id, index + 1);
-        }
-        let spare = u32::from(u32::try_from(index).unwrap_or(0) < part.points % count);
-        root.points = part.points / count + spare;
-        if let grade::ExpectedKind::Number(own) = &mut root.kind {
-            (own.value, own.error) = (answer.value, answer.error);
-        }
-        widen(&mut root, worked, part);
-        root
-    };
-    let roots: Vec<Expected> = roots.iter().enumerate().map(root).collect();
-    let pieces = text.replace(" and ", ROOTS_JOINED).replace(';', ROOTS_JOINED);
-    let mut values: Vec<&str> = pieces.split(ROOTS_JOINED).map(str::trim).collect();
-    let mut dealt: Vec<Option<String>> = Vec::new();
-    for root in &roots {
-        let right = values.iter().position(|value| {
-            let read = grade::read(value, &root.kind, mark);
-            read.is_ok_and(|answer| grade::judge(root, &answer).verdict.is_right())
-        });
-        dealt.push(right.map(|position| values.remove(position).to_owned()));
-    }
-    let mut left = values.into_iter();
-    let pairs = roots.into_iter().zip(dealt);
-    pairs.map(|(root, own)| (root, own.unwrap_or_else(|| left.next().unwrap_or_default().to_owned()))).collect()
 }

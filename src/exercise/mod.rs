@@ -11,6 +11,7 @@ mod marker;
 mod marking;
 mod printable;
 mod record;
+mod roots;
 mod rules;
 mod sheet_seed;
 mod sheets;

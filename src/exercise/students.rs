@@ -19,7 +19,28 @@ impl Exercise {
     #[must_use]
     pub fn rounded_answers(&self) -> BTreeMap<String, String> {
         let worked = self.worked();
-        let figures = usize::from(self.problem.loaded().draft.figures.unwrap_or(3));
+        let parts = worked.form.parts.iter().map(|part| {
+            let values = |number: &NumberPart| self.rounded_values(number.figures);
+            let text = match &part.kind {
+                PartKind::Choice(_) | PartKind::Formula(_) | PartKind::Range(_) => self.printed(part),
+                PartKind::Vector(vector) => {
+                    let values = vector.components.first().map(values).unwrap_or_default();
+                    self.rounded_vector(vector, &values)
+                }
+                PartKind::Number(number) if worked.answers(number).len() > 1 => self.printed(part),
+                PartKind::Number(number) => match values(number).get(&number.symbol) {
+                    Some(value) => self.written(number, value / worked.unit_of(number)),
+                    None => self.printed(part),
+                },
+            };
+            (part.id.clone(), text)
+        });
+        parts.collect()
+    }
+
+    /// Every value on the way, rounded to so many figures.
+    fn rounded_values(&self, figures: usize) -> BTreeMap<Symbol, f64> {
+        let worked = self.worked();
         let mut values: BTreeMap<Symbol, f64> = BTreeMap::new();
         for (place, step) in worked.leaf().answer_steps().iter().enumerate() {
             let choice = self.variant.roots().get(place).copied().unwrap_or(0);
@@ -37,19 +58,7 @@ impl Exercise {
                 values.insert(*unknown, if matches!(closed, Closed::FirstInteger { .. }) { value } else { rounded });
             }
         }
-        let parts = worked.form.parts.iter().map(|part| {
-            let text = match &part.kind {
-                PartKind::Choice(_) | PartKind::Formula(_) | PartKind::Range(_) => self.printed(part),
-                PartKind::Vector(vector) => self.rounded_vector(vector, &values),
-                PartKind::Number(number) if number.every_root => self.printed(part),
-                PartKind::Number(number) => match values.get(&number.symbol) {
-                    Some(value) => self.written(number, value / worked.unit_of(number)),
-                    None => self.printed(part),
-                },
-            };
-            (part.id.clone(), text)
-        });
-        parts.collect()
+        values
     }
 
     /// What students who make one usual mistake write as the answer to a part: the code of each mistake with each answer

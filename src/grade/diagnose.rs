@@ -59,7 +59,7 @@ pub fn number(expected: &ExpectedNumber, answer: &Answer) -> Option<f64> {
     let value = match unit(answer) {
         None => own,
         Some(unit) if *unit == expected.unit => own,
-        Some(unit) if unit.dimension() == expected.unit.dimension() => own * unit.in_terms_of(&expected.unit).to_f64(),
+        Some(unit) if unit.dimension() == expected.unit.dimension() => own * unit.turning_as(&expected.unit).to_f64(),
         Some(_) => return None,
     };
     value.is_finite().then_some(value)

@@ -62,7 +62,7 @@ pub struct ExpectedNumber {
     pub figures: usize,
     /// How far honest rounding of every intermediate value can move the answer.
     pub allowance: f64,
-    /// The size of such quantities in this problem, against which a zero is judged.
+    /// The size against which an answer that is exactly zero is judged: that of what cancels in it. Not looked at otherwise.
     pub scale: f64,
     /// Whether it is a direction: 358° is as good as -2°.
     pub cyclic: bool,
@@ -78,6 +78,17 @@ pub struct ExpectedNumber {
     pub writing: Writing,
     /// Of a direction: how it is counted, so that it may be answered in words: `36° N of E`.
     pub reference: Option<Reference>,
+    /// How it is called, where it has a name.
+    pub called: Option<Arc<Called>>,
+}
+
+/// How a number that is asked is called.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Called {
+    /// Its name: another quantity's before a value is asked back.
+    pub name: String,
+    /// The axis along which it is counted, of a component: `-x` says its direction then, and `-y` does not.
+    pub axis: Option<char>,
 }
 
 /// Which units of the right dimension will do.
@@ -234,6 +245,7 @@ impl ExpectedNumber {
             units: Units::Any,
             writing: Writing::Advise,
             reference: None,
+            called: None,
         }
     }
 }

@@ -78,24 +78,24 @@ fn judge_number(expected: &ExpectedNumber, answer: &NumberAnswer) -> Judgement {
     if !same && unit.dimension() != expected.unit.dimension() {
         return other_dimension(answer, unit, &target);
     }
-    let ratio = if same { Factor::ONE } else { unit.in_terms_of(&expected.unit) };
+    let ratio = if same { Factor::ONE } else { unit.turning_as(&expected.unit) };
     let converted = if ratio.is_one() { Some(directed.clone()) } else { directed.scaled(&ratio) };
     let Some(number) = converted else { return wrong(expected, answer) };
     let judged = compare(&target, answer, &number);
     if judged != Found::Elsewhere {
         return fitting(&target, answer, &number, judged, !ratio.is_one());
     }
-    match slip::power_of_ten(&target, &number) {
-        Some(power) if slip::is_prefix(power, expected.unit.dimension()) => {
-            return Judgement::of(Verdict::UnitPrefix, Message::UnitPrefix);
-        }
-        Some(_) => return Judgement::of(Verdict::OrderOfMagnitude, Message::OrderOfMagnitude),
-        None => {}
+    let power = slip::power_of_ten(&target, &number);
+    if power.is_some_and(|power| slip::is_prefix(power, expected.unit.dimension())) {
+        return Judgement::of(Verdict::UnitPrefix, Message::UnitPrefix);
     }
     let as_written = compare(&target, answer, &directed);
     if as_written != Found::Elsewhere {
         let judgement = fitting(&target, answer, &directed, as_written, false);
         return judgement.with_unit(Verdict::UnitWrong, Message::UnitWrong(unit.to_string()));
+    }
+    if power.is_some() {
+        return Judgement::of(Verdict::OrderOfMagnitude, Message::OrderOfMagnitude);
     }
     if let Some(verdict) = angle::slip(&target, &number) {
         return Judgement::of(verdict, Message::Slip(verdict));
@@ -110,7 +110,7 @@ fn judge_number(expected: &ExpectedNumber, answer: &NumberAnswer) -> Judgement {
 fn is_rounding_slip(target: &Target, answer: &NumberAnswer, number: &Number) -> bool {
     let expected = target.expected;
     let Written::Figures { least, .. } = answer.written else { return false };
-    let plain = target.value().abs() > expected.scale / 2000.0
+    let plain = target.value() != 0.0
         && !expected.whole
         && !expected.cyclic
         && expected.figures > 1

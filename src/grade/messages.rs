@@ -42,6 +42,8 @@ pub enum Message {
     UnitNotAsked(String),
     /// Rounded too early.
     RoundingSlip,
+    /// Some of several values are right, not all, or there are too many.
+    SomeValues,
     /// What is wrong with an angle, a vector or an interval, without anything to fill in.
     Slip(Verdict),
     /// Components exchanged; whether they are normal and tangential ones.

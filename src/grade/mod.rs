@@ -25,8 +25,8 @@ mod verdict;
 pub use attempts::{Attempt, counted, over_attempts, weigh};
 pub use diagnose::Diagnosis;
 pub use expected::{
-    Expected, ExpectedEnd, ExpectedFormula, ExpectedInterval, ExpectedKind, ExpectedNumber, ExpectedVector, Frame,
-    FrameAxis, Reference, Tolerance, Units, Writing,
+    Called, Expected, ExpectedEnd, ExpectedFormula, ExpectedInterval, ExpectedKind, ExpectedNumber, ExpectedVector,
+    Frame, FrameAxis, Reference, Tolerance, Units, Writing,
 };
 pub use follow::Follows;
 pub use frequent::WrongAnswer;
@@ -35,7 +35,7 @@ pub use messages::Message;
 pub use number::Number;
 pub use read::{Answer, DecimalMark, FormulaAnswer, Unreadable, UnreadableKind, read, read_several};
 pub use reading::{Reading, Readings};
-pub use report::{InputFault, PartReport, Points, Report, grade, grade_read};
+pub use report::{InputFault, PartReport, Points, Report, grade, grade_read, some_values};
 pub use rows::RowCounts;
 pub use rubric::{Attempts, Keep, Rubric};
 pub use statistics::{Gathering, Item, ItemStatistics, MistakeCount, Statistics, VerdictCount};

@@ -137,6 +137,12 @@ pub fn grade_read(
     report
 }
 
+/// What is found where some of several values are right, and not all of them, or where there are too many.
+#[must_use]
+pub fn some_values() -> (Verdict, Cow<'static, str>) {
+    (Verdict::SomeValues, English.message(&Message::SomeValues))
+}
+
 /// The report on a part.
 fn grade_part(
     expected: &mut Expected,

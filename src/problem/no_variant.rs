@@ -49,6 +49,9 @@ pub enum Rejection {
     /// They make a quantity zero in terms of which an answer is asked.
     #[error("`{0}` is zero, so nothing can be given in terms of it")]
     ZeroUnit(String),
+    /// They make a vector zero whose direction is asked; the direction in words.
+    #[error("{0} is asked, but that vector is zero and has none; choose other numbers, or ask for its components")]
+    NoDirection(String),
     /// They leave several solutions.
     #[error("there are {0} solutions; pick one with `where`, or ask for all with `roots: all`")]
     Several(usize),

@@ -287,7 +287,9 @@ fn of_its_kind(loaded: &Loaded, name: &str, dimension: Dimension) -> Option<Unit
 /// One per cent; half a degree of an angle.
 fn default_tolerance(unit: &AskedUnit) -> Tolerance {
     match unit {
-        AskedUnit::Unit(unit) if unit.factor().pi != 0 => Tolerance::Absolute(Decimal::from_scaled(5, 1)),
+        AskedUnit::Unit(unit) if unit.is_plain_angle() && unit.has_pi() => {
+            Tolerance::Absolute(Decimal::from_scaled(5, 1))
+        }
         _ => Tolerance::Relative(Decimal::from_scaled(1, 2)),
     }
 }

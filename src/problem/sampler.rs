@@ -37,6 +37,8 @@ pub struct Sampler<'p> {
     weighing: Scratch,
     /// The quantities in terms of which answers are asked.
     units: Vec<Symbol>,
+    /// The directions that are asked.
+    directions: Vec<Symbol>,
     /// The known quantities that the form tells, with their positions.
     told: Vec<(usize, &'p Known)>,
     rejected: u64,
@@ -62,6 +64,7 @@ impl<'p> Sampler<'p> {
             forward: Scratch::default(),
             weighing: Scratch::default(),
             units: own.units().collect(),
+            directions: directions(problem, own),
             told: problem.known().iter().enumerate().filter(|(_, known)| own.told.contains(&known.symbol)).collect(),
             rejected: 0,
         })
@@ -138,6 +141,9 @@ impl<'p> Sampler<'p> {
         if let (1, Some(unit)) = (several, self.zero_unit()) {
             return Some(Rejection::ZeroUnit(self.problem.model().symbols.entry(unit).name.clone()));
         }
+        if let (1, Some(direction)) = (several, self.lost_direction()) {
+            return Some(self.no_direction(direction));
+        }
         let mut dead = self.scratch.dead(&self.form.solver);
         let mut regimes = &self.form.solver;
         if let (true, Some(forward)) = (dead.is_empty(), &self.form.forward) {
@@ -152,6 +158,13 @@ impl<'p> Sampler<'p> {
         let model = self.problem.model();
         // What was followed furthest was nearest to a solution.
         let furthest = dead.iter().rev().max_by_key(|dead| dead.step.unwrap_or(usize::MAX));
+        let lost = furthest.and_then(|dead| {
+            let step = leaf.audit.plan.steps.get(dead.step?).filter(|_| matches!(dead.cause, Cause::NotReal))?;
+            step.unknowns.iter().copied().find(|unknown| self.directions.contains(unknown))
+        });
+        if let Some(direction) = lost {
+            return Some(self.no_direction(direction));
+        }
         let reason = furthest.map(|dead| match dead.cause {
             Cause::Condition(position) => {
                 let condition = leaf.system.conditions.get(position);
@@ -183,7 +196,8 @@ impl<'p> Sampler<'p> {
 
     /// One solution, or any number of them where every one is asked for; and nothing is asked in terms of zero.
     fn is_admissible(&self, solutions: usize) -> bool {
-        self.form.accepts(solutions) && self.zero_unit().is_none() && self.has_intervals()
+        let told = self.zero_unit().is_none() && self.lost_direction().is_none();
+        self.form.accepts(solutions) && told && self.has_intervals()
     }
 
     /// Whether every range that is asked has one boundary, with a side on which it holds.
@@ -198,6 +212,16 @@ impl<'p> Sampler<'p> {
     fn zero_unit(&self) -> Option<Symbol> {
         let is_zero = |unit: &Symbol| self.answer(*unit).is_some_and(|value| value.value.abs() <= value.error);
         self.units.iter().copied().find(is_zero)
+    }
+
+    /// A direction that is asked of what has none: in as many digits as there are, it may point anywhere.
+    fn lost_direction(&self) -> Option<Symbol> {
+        let is_lost = |own: &Symbol| self.answer(*own).is_some_and(|value| value.error > 1.0);
+        self.directions.iter().copied().find(is_lost)
+    }
+
+    fn no_direction(&self, direction: Symbol) -> Rejection {
+        Rejection::NoDirection(self.problem.model().symbols.entry(direction).meaning.clone())
     }
 
     /// Whether every mistake that the author wants to see changes some answer.
@@ -298,6 +322,13 @@ impl<'p> Sampler<'p> {
             dead: self.scratch.dead(&self.form.solver),
         }
     }
+}
+
+/// The directions that a form asks for.
+fn directions(problem: &Problem, form: &Form) -> Vec<Symbol> {
+    let name = |symbol: &Symbol| &problem.model().symbols.entry(*symbol).name;
+    let numbers = form.parts.iter().flat_map(|part| part.kind.numbers()).map(|number| number.symbol);
+    numbers.filter(|symbol| ["angle_", "phi_"].iter().any(|start| name(symbol).starts_with(start))).collect()
 }
 
 /// The domain of each drawn symbol.

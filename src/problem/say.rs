@@ -5,6 +5,7 @@ use crate::model::Name;
 use crate::quantity::Decimal;
 use crate::quantity::Printed;
 use crate::quantity::Unit;
+use crate::scene::Axis;
 use crate::scene::Scene;
 use crate::scene::Senses;
 use crate::scene::Stage;
@@ -178,21 +179,32 @@ impl Problem {
             name.base == "F" && (!scene.bodies.contains_key(&name.subject) || has_thrust(scene, &name.subject));
         senses_of(scene, text).filter(|_| !strength)
     }
+
+    /// The letter of the axis along which a component is counted.
+    #[must_use]
+    pub fn axis(&self, symbol: Symbol) -> Option<char> {
+        let name = &self.model().symbols.entry(symbol).name;
+        axis_of(&self.loaded().draft.scene, name).and_then(|(axis, _)| axis.letter().chars().next())
+    }
 }
 
 fn has_thrust(scene: &Scene, body: &str) -> bool {
     scene.stages.iter().any(|stage| matches!(stage, Stage::Thrust(thrust) if thrust.body == body))
 }
 
-/// The words for the two directions of a component: of the axis that its name ends in, or of the only one.
-fn senses_of(scene: &Scene, name: &str) -> Option<Senses> {
+/// The axis of a component, that in which its name ends or the only one, and the words for its two directions.
+fn axis_of(scene: &Scene, name: &str) -> Option<(Axis, Senses)> {
     let axes = scene.axes.rectangular();
     let letter = name.rsplit_once('.').map(|(_, letter)| letter.split(['@', '[']).next().unwrap_or(letter));
-    let found = match letter {
-        Some(letter) => axes.iter().find(|(axis, _)| axis.letter() == letter),
-        None => (axes.len() == 1).then(|| axes.first()).flatten(),
-    };
-    found.map(|(_, senses)| senses.clone())
+    match letter {
+        Some(letter) => axes.into_iter().find(|(axis, _)| axis.letter() == letter),
+        None if axes.len() == 1 => axes.into_iter().next(),
+        None => None,
+    }
+}
+
+fn senses_of(scene: &Scene, name: &str) -> Option<Senses> {
+    axis_of(scene, name).map(|(_, senses)| senses)
 }
 
 /// Whether the clause that is being written already has a verb of motion.

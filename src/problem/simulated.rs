@@ -74,7 +74,9 @@ impl Simulated<'_> {
                     SlipOf::Signed => {
                         self.worked.planned().is_some_and(|planned| planned.directed.contains(&number.symbol))
                     }
-                    SlipOf::Angle => matches!(&number.unit, AskedUnit::Unit(unit) if unit.has_pi()),
+                    SlipOf::Angle => {
+                        matches!(&number.unit, AskedUnit::Unit(unit) if unit.is_plain_angle() && unit.has_pi())
+                    }
                     SlipOf::Count => number.whole,
                 };
                 told(number.symbol).filter(|_| fits).map(|value| written(value.value)).into_iter().for_each(&mut add);

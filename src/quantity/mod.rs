@@ -9,6 +9,7 @@ mod figures;
 mod place;
 mod prefix;
 mod unit;
+mod unit_asked;
 mod unit_fault;
 mod unit_lookup;
 mod unit_parse;

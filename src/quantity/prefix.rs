@@ -39,4 +39,6 @@ pub(super) static PREFIXES: &[Prefix] = &[
     up("h", "hecto", 2),
     up("T", "tera", 12),
     down("p", "pico", 12),
+    up("P", "peta", 15),
+    down("f", "femto", 15),
 ];

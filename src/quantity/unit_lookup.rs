@@ -45,6 +45,42 @@ pub(super) fn long_name(text: &str) -> Option<usize> {
     long.filter(|name| text.starts_with(name) && is_whole(name)).map(str::len).max()
 }
 
+/// Words that are told from others by their case alone, though not all of them stand in the table: a `Cal` is a thousand `cal`.
+const CASE_MATTERS: [&str; 1] = ["Cal"];
+
+/// The names that a word which is none would be in another case, one for each unit: `Newtons`, `KN`, `M`.
+pub(super) fn in_other_case(word: &str) -> Vec<String> {
+    if CASE_MATTERS.contains(&word) {
+        return Vec::new();
+    }
+    let lower = word.to_lowercase();
+    let is_same = |name: &str| name.to_lowercase() == lower;
+    let whole = UNITS.iter().filter(|row| names(row).any(is_same)).map(Symbol::plain);
+    let prefixed = PREFIXES.iter().flat_map(|prefix| {
+        let named = |written: &str, name: &str| {
+            lower.strip_prefix(&written.to_lowercase()).is_some_and(|rest| name.to_lowercase() == rest)
+        };
+        let is_meant = move |row: &&'static UnitRow| {
+            let mut symbols = [prefix.symbol].into_iter().chain(prefix.aliases.iter().copied());
+            let mut spoken = [row.singular, row.plural].into_iter();
+            row.prefixes && (symbols.any(|own| named(own, row.symbol)) || spoken.any(|own| named(prefix.name, own)))
+        };
+        UNITS.iter().filter(is_meant).map(move |row| Symbol { prefix: Some(prefix), row })
+    });
+    let mut found: Vec<String> = whole.chain(prefixed).map(|symbol| symbol.to_string()).collect();
+    let spelt = SPELLINGS.iter().filter(|(written, _)| is_same(written)).map(|(written, _)| (*written).to_owned());
+    found.extend(spelt);
+    // `kg` and the slip `Kg` of it are one.
+    let mut meanings: Vec<Option<Unit>> = Vec::new();
+    found.retain(|name| {
+        let meaning = Unit::parse(name).ok();
+        let is_new = !meanings.contains(&meaning);
+        meanings.push(meaning);
+        is_new
+    });
+    found
+}
+
 /// What a word that is not a unit's own name stands for.
 pub(super) fn find_spelling(word: &str) -> Option<&'static str> {
     SPELLINGS.iter().find(|(written, _)| *written == word).map(|(_, meaning)| *meaning)

@@ -3,9 +3,9 @@
 use crate::fault::Span;
 
 use super::unit::Symbol;
-use super::unit_lookup::{find_spelling, find_symbol, near};
+use super::unit_lookup::{find_spelling, find_symbol, in_other_case, near};
 use super::unit_token::{Token, tokens};
-use super::units_table::{METRE, SECOND};
+use super::units_table::SECOND;
 use super::{Unit, UnitFault, UnitFaultKind};
 
 /// How deeply brackets, and words that stand for products, may be nested.
@@ -50,10 +50,55 @@ fn word_powers(word: &str, span: Span, depth: usize) -> Result<Powers, UnitFault
     if let Some(symbol) = find_symbol(word) {
         return Ok(vec![(symbol, 1)]);
     }
-    match find_spelling(word) {
-        Some(_) if depth >= MAX_DEPTH => Err(UnitFault { kind: UnitFaultKind::TooLong, span }),
-        Some(meaning) => read(meaning, depth + 1),
-        None => Err(UnitFault { kind: UnitFaultKind::Unknown { name: word.to_owned(), near: near(word) }, span }),
+    if depth >= MAX_DEPTH {
+        return Err(UnitFault { kind: UnitFaultKind::TooLong, span });
+    }
+    if let Some(meaning) = find_spelling(word) {
+        return read(meaning, depth + 1);
+    }
+    match in_other_case(word).as_slice() {
+        [only] => word_powers(only, span, depth + 1),
+        [] => Err(UnitFault { kind: UnitFaultKind::Unknown { name: word.to_owned(), near: near(word) }, span }),
+        several => Err(UnitFault {
+            kind: UnitFaultKind::Ambiguous { written: word.to_owned(), readings: several.to_vec() },
+            span,
+        }),
+    }
+}
+
+/// A word with a power behind it.
+enum Raised {
+    /// One reading.
+    Plain(Powers),
+    /// Either of these.
+    Either([Powers; 2]),
+}
+
+/// What a power behind a word applies to. `Nm^-1` is one newton per metre: letters that are written together are units of their own. The
+/// SI reads `ms^-1` as one per millisecond; whoever types it nearly always means metres per second.
+fn raised_word(word: &str, span: Span, powers: Powers, exponent: i32, depth: usize) -> Raised {
+    if find_symbol(word).is_none() && powers.len() > 1 {
+        let mut last = powers.clone();
+        let Some((_, own)) = last.last_mut() else { return Raised::Plain(powers) };
+        match (own.signum(), exponent.signum()) {
+            // `kmh^-1`: km/h, and so is `kmh`.
+            (-1, -1) => *own = exponent,
+            (-1, _) if word.contains('p') => *own = -exponent,
+            (-1, _) => {
+                *own = exponent;
+                return Raised::Either([last, raise(powers, exponent)]);
+            }
+            _ => *own *= exponent,
+        }
+        return Raised::Plain(last);
+    }
+    let head = word.strip_suffix('s').filter(|_| exponent < 0).map(|head| word_powers(head, span, depth));
+    match head {
+        Some(Ok(mut apart)) => {
+            apart.push((Symbol::plain(&SECOND), exponent));
+            Raised::Either([apart, raise(powers, exponent)])
+        }
+        _ => Raised::Plain(raise(powers, exponent)),
     }
 }
 
@@ -145,12 +190,11 @@ impl<'text> Reader<'text> {
         };
         let Some((Token::Exponent(exponent), _)) = self.peek() else { return Ok(base) };
         self.next += 1;
-        // The SI reads `ms^-1` as one per millisecond; whoever types it nearly always means metres per second.
-        if token == Token::Word("ms") && exponent < 0 {
-            let apart = vec![(Symbol::plain(&METRE), 1), (Symbol::plain(&SECOND), exponent)];
-            return Err(self.two_readings(span.start, [apart, raise(base, exponent)]));
+        let Token::Word(word) = token else { return Ok(raise(base, exponent)) };
+        match raised_word(word, span, base, exponent, depth) {
+            Raised::Plain(powers) => Ok(powers),
+            Raised::Either(readings) => Err(self.two_readings(span.start, readings)),
         }
-        Ok(raise(base, exponent))
     }
 
     /// The fault that what is written there has no place there.
@@ -194,13 +238,38 @@ mod tests {
                 ],
             ),
             ("m/s^2", &["m/s/s", "m/s2", "m/s²", "m s^(-2)", "m/s per second", "m/(s s)", "meters/sec^2"]),
-            ("N s", &["N·s", "N*s", "N-s", "Ns", "N.s", "newton seconds", "N\u{a0}s", "N s"]),
+            (
+                "N s",
+                &[
+                    "N·s",
+                    "N*s",
+                    "N-s",
+                    "Ns",
+                    "N.s",
+                    "N x s",
+                    "N‧s",
+                    "Nsec",
+                    "Newton Seconds",
+                    "N S",
+                    "newton seconds",
+                    "N\u{a0}s",
+                    "N s",
+                ],
+            ),
             ("N m s", &["N m s", "Nms", "N-m-s", "N·m·s"]),
             (
                 "kg m/s",
                 &["kg*m/s", "kg·m/s", "kg.m/s", "kg-m/s", "kgm/s", "kg m s^-1", "(kg m)/s", "kg m s^0/s", "Kg m/s"],
             ),
-            ("km/h", &["kph", "kmh", "km/hr", "kilometres per hour", "km h^-1"]),
+            ("km/h", &["kph", "kmh", "km/hr", "kilometres per hour", "km h^-1", "kmh^-1", "KM/H", "Km/h"]),
+            ("kg m^2/s", &["kgm²/s", "kgm^2/s", "kgm2/s", "kg m ^ 2/s"]),
+            ("kg m^2/s^2", &["kgm^2s^-2"]),
+            ("N/m", &["Nm^-1"]),
+            ("N/s", &["Ns^-1"]),
+            ("ft/s^2", &["fps^2"]),
+            ("J", &["Joules", "JOULES"]),
+            ("cm^3", &["cc"]),
+            ("t", &["metric tons"]),
             ("lb s", &["lb-s", "lbf s", "lb·s", "lbf·sec", "pound-seconds"]),
             ("ft lb", &["ft-lb", "ftlb", "ft·lbf", "foot-pounds", "ft lbs"]),
             ("slug ft/s", &["slug-ft/s", "slug*ft/s", "slugs feet per second"]),
@@ -231,7 +300,10 @@ mod tests {
         let cases = [
             ("kg m/sek", 5, 8, "the unit `sek` is not known", "did you mean `sec`?"),
             ("foo", 0, 3, "the unit `foo` is not known", "did you mean `foot`?"),
-            ("KM", 0, 2, "the unit `KM` is not known", "did you mean `km`?"),
+            ("MM", 0, 2, "`MM` can be read in two ways", "write `mm` or `Mm`"),
+            ("3h00", 0, 1, "`3` has no place here in a unit", ""),
+            ("h00", 1, 2, "`0` has no place here in a unit", ""),
+            ("rads^-1", 0, 7, "`rads^-1` can be read in two ways", "write `rad/s` or `1/rad`"),
             ("m/s kg", 0, 6, "`m/s kg` can be read in two ways", "write `m kg/s` or `m/(s kg)`"),
             ("kg ms^-1", 3, 8, "`ms^-1` can be read in two ways", "write `m/s` or `1/ms`"),
             ("m/", 2, 2, "a unit is missing here", ""),

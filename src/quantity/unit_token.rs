@@ -72,17 +72,18 @@ fn read_sign_or_word(rest: &str, first: char) -> Option<(Token<'_>, usize)> {
         '(' => Token::Open,
         ')' => Token::Close,
         '/' | '∕' | '÷' => Token::Divide,
-        '*' | '·' | '⋅' | '∙' | '•' | '×' | '.' | '‐' | '‑' => Token::Times,
+        '*' | '·' | '⋅' | '∙' | '•' | '‧' | '×' | '.' | '‐' | '‑' => Token::Times,
         // Before a digit it would be the sign of an exponent, which stands directly behind its unit.
         '-' | '–' if !rest[first.len_utf8()..].starts_with(|next: char| next.is_ascii_digit()) => Token::Times,
         '1' if !rest[1..].starts_with(|next: char| next.is_ascii_digit() || next == '.') => Token::One,
-        '°' | '%' => return Some((Token::Word(&rest[..first.len_utf8()]), first.len_utf8())),
+        '°' | '˚' | '%' => return Some((Token::Word(&rest[..first.len_utf8()]), first.len_utf8())),
         letter if letter.is_alphabetic() => {
             let end = rest.find(|next: char| !next.is_alphabetic()).unwrap_or(rest.len());
             let goes_on = rest[end..].starts_with([' ', '-']);
             let word = &rest[..goes_on.then(|| long_name(rest)).flatten().unwrap_or(end)];
             let token = match word {
                 "per" => Token::Divide,
+                "x" if rest[1..].trim_start().starts_with(char::is_alphabetic) => Token::Times,
                 "square" => Token::Power(2),
                 "cubic" => Token::Power(3),
                 _ => Token::Word(word),
@@ -107,10 +108,11 @@ fn spoken_power(rest: &str) -> Option<(i32, usize)> {
     Some((value.filter(|value| value.abs() <= MAX_EXPONENT)?, rest.len() - digits.len() + length))
 }
 
-/// An exponent and its length: `^-1`, `**2`, `^{-1}`, `^(2)`, `⁻¹`, and directly behind a word also `2` and `-1`.
+/// An exponent and its length: `^-1`, `^ 2`, `**2`, `^{-1}`, `^(2)`, `⁻¹`, and directly behind a word also `2` and `-1`.
 /// The value is missing where there is the sign of a power but no integer behind it.
 fn read_exponent(rest: &str, follows: bool) -> Option<(Option<i32>, usize)> {
     if let Some(raised) = rest.strip_prefix("**").or_else(|| rest.strip_prefix('^')) {
+        let raised = raised.trim_start();
         let sign = rest.len() - raised.len();
         let close = [('{', '}'), ('(', ')')].into_iter().find(|(open, _)| raised.starts_with(*open));
         let Some((_, close)) = close else {
@@ -127,7 +129,9 @@ fn read_exponent(rest: &str, follows: bool) -> Option<(Option<i32>, usize)> {
         return Some((raised.parse().ok(), length));
     }
     let (value, length) = read_integer(rest);
-    value.filter(|_| follows).map(|value| (Some(value), length))
+    // In `3h00` no power stands.
+    let is_power = !rest.trim_start_matches(['-', '−', '–', '+']).starts_with('0');
+    value.filter(|_| follows && is_power).map(|value| (Some(value), length))
 }
 
 /// An integer at the start of the text, and the length of what looked like one.

@@ -105,6 +105,36 @@ impl Sensitivity {
         roots: &[usize],
         mut each: impl FnMut(Symbol, f64),
     ) {
+        self.back(asked, value, roots, |symbol, slope, made| {
+            if made {
+                each(symbol, slope);
+            }
+        });
+    }
+
+    /// The same for the values from which the steps start, with the whole derivative of `asked` by each of them.
+    pub fn each_input(
+        &self,
+        asked: Symbol,
+        value: impl Fn(Symbol) -> f64,
+        roots: &[usize],
+        mut each: impl FnMut(Symbol, f64),
+    ) {
+        self.back(asked, value, roots, |symbol, slope, made| {
+            if !made {
+                each(symbol, slope);
+            }
+        });
+    }
+
+    /// From `asked` back to what it is made from; says of each whether a step made it.
+    fn back(
+        &self,
+        asked: Symbol,
+        value: impl Fn(Symbol) -> f64,
+        roots: &[usize],
+        mut each: impl FnMut(Symbol, f64, bool),
+    ) {
         let Ok(asked) = self.symbols.binary_search(&asked) else { return };
         MEMORY.with_borrow_mut(|Memory { workspace, shares, values, slopes }| {
             [&mut *values, &mut *shares, &mut *slopes].into_iter().for_each(Vec::clear);
@@ -116,11 +146,12 @@ impl Sensitivity {
             for (step, roots_made) in self.steps.iter().enumerate().rev() {
                 let root = roots.get(step).and_then(|taken| roots_made.get(*taken)).or(roots_made.first());
                 for made in root.into_iter().flatten().rev() {
-                    let slope = slopes[made.unknown];
+                    // What is left in the list at the end was made by no step.
+                    let slope = std::mem::take(&mut slopes[made.unknown]);
                     if slope == 0.0 {
                         continue;
                     }
-                    each(self.symbols[made.unknown], slope);
+                    each(self.symbols[made.unknown], slope, true);
                     let Some((stretch, result, parts)) = &made.by else { continue };
                     run(&self.tape, stretch, &mut workspace.registers);
                     shares[*result as usize] = slope;
@@ -130,6 +161,9 @@ impl Sensitivity {
                         slopes[*part] += if share.is_finite() { share } else { 0.0 };
                     }
                 }
+            }
+            for (symbol, slope) in self.symbols.iter().zip(slopes.iter()).filter(|(_, slope)| **slope != 0.0) {
+                each(*symbol, *slope, false);
             }
         });
     }

@@ -30,6 +30,7 @@ impl Catalogue for English {
                 "Close, but the last figure is not right. Keep one more significant figure in intermediate steps."
             }
             Message::RoundingSlip => "Nearly: where did you round? Keep one more significant figure until the end.",
+            Message::SomeValues => "Some of these values are right. Are they all, and is each of them a solution?",
             Message::Sense(None) => "The magnitude is right. What is its sign?",
             Message::SenseReversed => "The magnitude is right. Look at the direction again.",
             Message::NumberRight => "The number is right.",

@@ -16,6 +16,9 @@ pub(super) fn sentence(kind: &UnreadableKind) -> String {
         UnreadableKind::LostExponent => {
             "this can be a power of ten or a difference: write `10^-3`, or spaces around the minus sign."
         }
+        UnreadableKind::RangeOrDifference => {
+            "this can be a range or a difference: write one value, or brackets around the difference with spaces beside the minus sign."
+        }
         UnreadableKind::ProductAfterBar => "this can belong above or below the fraction bar: write brackets.",
         UnreadableKind::TwoSigns => "two signs stand side by side.",
         UnreadableKind::OpenBracket => "this bracket is not closed.",
@@ -61,6 +64,10 @@ fn filled(kind: &UnreadableKind) -> String {
         UnreadableKind::OtherMark(mark) => format!("decimals begin with `{mark}` here."),
         UnreadableKind::AmbiguousMark([whole, decimal]) => {
             format!("this can be read in two ways: write `{whole}` or `{decimal}`.")
+        }
+        UnreadableKind::Ambiguous([one, other]) => format!("this can be read in two ways: write `{one}` or `{other}`."),
+        UnreadableKind::Behind(rest) => {
+            format!("`{rest}` cannot be understood behind the number: write the value, its unit and nothing else.")
         }
         UnreadableKind::Unit(fault) => format!("{fault}; {}.", fault.help().trim_end_matches('?')),
         UnreadableKind::UnitOrDirection(letter) => {

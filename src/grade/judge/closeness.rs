@@ -13,8 +13,6 @@ use crate::quantity::unit_of_place;
 use super::super::expected::{ExpectedNumber, Tolerance};
 use super::super::number::Number;
 
-/// A value below this fraction of the problem's own scale is nothing when it is written to three figures of that scale.
-const NOTHING: (u32, u32) = (1, 2000);
 /// How near to a boundary, relative to the numbers involved, doubles are not trusted.
 const UNSURE: f64 = 1e-11;
 
@@ -24,6 +22,7 @@ pub(super) struct Target<'a> {
     pub(super) expected: &'a ExpectedNumber,
     value: f64,
     tolerance: f64,
+    allowance: f64,
     turn: Option<f64>,
     exact: OnceCell<Exact>,
 }
@@ -58,7 +57,13 @@ impl<'a> Target<'a> {
             Tolerance::Absolute(distance) => distance.to_f64().abs(),
             Tolerance::Relative(fraction) => fraction.to_f64().abs() * reference(value, expected.scale),
         };
-        Self { expected, value, tolerance, turn, exact: OnceCell::new() }
+        let allowance = match (gives_nothing_away(expected), turn) {
+            (true, _) => 0.0,
+            // A direction has no size that rounding could be compared with.
+            (_, Some(_)) => expected.allowance,
+            _ => capped(expected.allowance, value),
+        };
+        Self { expected, value, tolerance, allowance, turn, exact: OnceCell::new() }
     }
 
     /// The right value, between minus half a turn and half a turn where it is an angle.
@@ -98,8 +103,7 @@ impl<'a> Target<'a> {
         let distance = self.turn.map_or(difference, |turn| nearest(difference, turn)).abs();
         let limit_near = match limit {
             Limit::Tolerance => self.tolerance,
-            Limit::Allowance if gives_nothing_away(self.expected) => 0.0,
-            Limit::Allowance => self.expected.allowance,
+            Limit::Allowance => self.allowance,
         } + self.expected.error;
         let unsure =
             UNSURE * (given.abs() + self.value.abs() + limit_near) + self.turn.map_or(0.0, |turn| UNSURE * turn);
@@ -109,12 +113,12 @@ impl<'a> Target<'a> {
         if distance > limit_near + unsure {
             return false;
         }
-        self.exact.get_or_init(|| Exact::of(self.expected)).is_within(number, limit)
+        self.exact.get_or_init(|| Exact::of(self.expected, self.allowance)).is_within(number, limit)
     }
 }
 
 impl Exact {
-    fn of(expected: &ExpectedNumber) -> Self {
+    fn of(expected: &ExpectedNumber, allowance: f64) -> Self {
         let value = expected.exact.clone().unwrap_or_else(|| rational(expected.value));
         let error = if expected.exact.is_some() { Rational::ZERO } else { bound(expected.error) };
         let turn = expected.cyclic.then(|| full_turn(&expected.unit)).flatten();
@@ -128,8 +132,7 @@ impl Exact {
             Tolerance::Absolute(distance) => distance.to_rational().abs(),
             Tolerance::Relative(fraction) => fraction.to_rational().abs() * exact_reference(expected, &value),
         };
-        let allowance = if gives_nothing_away(expected) { Rational::ZERO } else { bound(expected.allowance) };
-        Self { value, error, tolerance, allowance, turn }
+        Self { value, error, tolerance, allowance: bound(allowance), turn }
     }
 
     fn is_within(&self, number: &Number, limit: Limit) -> bool {
@@ -154,15 +157,18 @@ fn gives_nothing_away(expected: &ExpectedNumber) -> bool {
     expected.whole || expected.tolerance == Tolerance::ToFigures
 }
 
-/// What a relative tolerance is a fraction of: the value, or the problem's own scale where the value is nothing beside it.
+/// What a relative tolerance is a fraction of: the value, or what cancels in it where it is nothing.
 pub(super) fn reference(value: f64, scale: f64) -> f64 {
-    if value.abs() <= scale * f64::from(NOTHING.0) / f64::from(NOTHING.1) { scale } else { value.abs() }
+    if value == 0.0 { scale } else { value.abs() }
+}
+
+/// How far honest rounding may lead: never so far that nothing, or the opposite, would be right.
+pub(super) fn capped(allowance: f64, value: f64) -> f64 {
+    if value == 0.0 { allowance } else { allowance.min(value.abs() / 2.0) }
 }
 
 fn exact_reference(expected: &ExpectedNumber, value: &Rational) -> Rational {
-    let (size, scale) = (value.clone().abs(), bound(expected.scale));
-    let nothing = &scale * Rational::from(NOTHING.0) / Rational::from(NOTHING.1);
-    if size <= nothing { scale } else { size }
+    if value.is_zero() { bound(expected.scale) } else { value.clone().abs() }
 }
 
 /// Half a unit of the last asked figure of a value.
@@ -180,7 +186,7 @@ fn half_unit_exactly(value: &Rational, expected: &ExpectedNumber) -> Rational {
     Rational::from(10).pow(isize::try_from(place).unwrap_or(0)) / Rational::from(2)
 }
 
-/// The power of ten of a value's last figure; of a zero, that of the problem's own scale.
+/// The power of ten of a value's last figure; of a zero, that of what cancels in it.
 fn last_place(value: f64, expected: &ExpectedNumber, figures: usize) -> i32 {
     let size = reference(value, expected.scale);
     if size <= 0.0 || !size.is_finite() {

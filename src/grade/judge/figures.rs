@@ -39,8 +39,8 @@ fn finding(target: &Target, written: Written, number: &Number, converted: bool) 
         return Some((Verdict::FiguresMany, Message::TooManyFigures(asked)));
     }
     let off = (number.to_f64() - target.value()).abs();
-    // Of a value that is nothing beside its problem no figure counts, and an angle has decimals, not figures.
-    let counts = !converted && target.turn().is_none() && target.value().abs() > expected.scale / 2000.0;
+    // Of a value that is nothing no figure counts, and an angle has decimals, not figures.
+    let counts = !converted && target.turn().is_none() && target.value() != 0.0;
     let reach = half_unit(target.value(), expected).max(expected.allowance) + expected.error;
     (counts && off > reach * (1.0 + 1e-9)).then_some((Verdict::FiguresWrong, Message::LastFigure))
 }

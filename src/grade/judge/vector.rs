@@ -10,7 +10,7 @@ use super::super::number::Number;
 use super::super::read::VectorAnswer;
 use super::super::verdict::Verdict;
 use super::Judgement;
-use super::closeness::{half_unit, reference};
+use super::closeness::{capped, half_unit, reference};
 
 /// How far doubles may be off.
 const SLACK: f64 = 1e-12;
@@ -47,7 +47,7 @@ pub(super) fn judge(expected: &ExpectedVector, answer: &VectorAnswer) -> Judgeme
 }
 
 fn converted(answer: &VectorAnswer, unit: &Unit, asked: &Unit) -> Option<Vec<Number>> {
-    let ratio = unit.in_terms_of(asked);
+    let ratio = unit.turning_as(asked);
     answer.components.iter().map(|component| component.scaled(&ratio)).collect()
 }
 
@@ -81,6 +81,7 @@ fn found(expected: &ExpectedVector, given: &[Number]) -> Option<Verdict> {
     }
     let slack = size(&expected.components.iter().map(|component| component.error).collect::<Vec<_>>());
     let allowance = size(&expected.components.iter().map(|component| component.allowance).collect::<Vec<_>>());
+    let allowance = capped(allowance, size(&right));
     let inexact = SLACK * size(&given.iter().map(Number::to_f64).collect::<Vec<_>>());
     if near(&right, limit + slack + inexact) {
         return Some(Verdict::Right);
@@ -118,7 +119,10 @@ fn tolerance(expected: &ExpectedVector, right: &[f64]) -> f64 {
     match &first.tolerance {
         Tolerance::ToFigures => half_unit(size(right), first),
         Tolerance::Absolute(distance) => distance.to_f64().abs(),
-        Tolerance::Relative(fraction) => fraction.to_f64().abs() * reference(size(right), first.scale),
+        Tolerance::Relative(fraction) => {
+            let scale = size(&expected.components.iter().map(|component| component.scale).collect::<Vec<_>>());
+            fraction.to_f64().abs() * reference(size(right), scale)
+        }
     }
 }
 

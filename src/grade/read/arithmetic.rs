@@ -5,10 +5,14 @@ use std::f64::consts::PI;
 use crate::quantity::Rational;
 
 use super::super::number::Number;
-use super::answer::Written;
+use super::doubtful;
 use super::functions::{self, Function};
+use super::mixed::{begins_ten, is_glued_sign, proper_fraction, spaced_exponent, vulgar};
 use super::numeral::{self, DecimalMark};
 use super::unreadable::UnreadableKind;
+
+pub(super) use super::form::Form;
+pub(super) use super::mixed::superscript;
 
 /// How deeply brackets, functions and powers may be nested.
 const MAX_DEPTH: usize = 16;
@@ -26,32 +30,11 @@ pub(super) struct Term {
     pub(super) form: Form,
 }
 
-/// How a term is written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Form {
-    /// A decimal, perhaps times a power of ten.
-    Decimal { least: usize, most: usize },
-    /// A power of ten, with which a decimal stays a decimal.
-    PowerOfTen,
-    /// An angle in terms of pi, which needs no unit in a sine.
-    Radians,
-    /// Anything else.
-    Computed,
-}
-
-impl Form {
-    pub(super) fn written(self) -> Written {
-        match self {
-            Self::Decimal { least, most } => Written::Figures { least, most },
-            _ => Written::Computed,
-        }
-    }
-}
-
 /// Reads the calculation at the start of a text, and how many bytes it takes; a unit may follow.
 pub(super) fn read(text: &str, mark: DecimalMark) -> At<(Term, usize)> {
     let mut reader = Reader { text, at: 0, mark, depth: 0, parts: 0 };
     let term = reader.sum()?;
+    doubtful::check(&text[..reader.at])?;
     Ok((term, reader.at))
 }
 
@@ -59,7 +42,7 @@ pub(super) fn read(text: &str, mark: DecimalMark) -> At<(Term, usize)> {
 pub(super) fn begins_number(text: &str) -> bool {
     let rest = text.trim_start_matches([' ', '(', '+', '-']);
     let decimals = rest.strip_prefix('.').unwrap_or(rest);
-    decimals.starts_with(|first: char| first.is_ascii_digit()) || begins_word(rest)
+    decimals.starts_with(|first: char| first.is_ascii_digit()) || begins_word(rest) || vulgar(rest).is_some()
 }
 
 /// Whether a function or pi begins here.
@@ -68,6 +51,9 @@ fn begins_word(text: &str) -> bool {
 }
 
 fn word(text: &str) -> &str {
+    if text.starts_with("log10") {
+        return &text[..5];
+    }
     &text[..text.find(|next: char| !next.is_alphabetic()).unwrap_or(text.len())]
 }
 
@@ -114,9 +100,13 @@ impl<'text> Reader<'text> {
             self.skip_spaces();
             self.at += 1;
             let term = self.product()?;
+            if (sum.form == Form::Arc) != (term.form == Form::Arc) {
+                return self.fault(UnreadableKind::AngleUnit);
+            }
             let total =
                 if signed.starts_with('+') { sum.number.plus(&term.number) } else { sum.number.minus(&term.number) };
-            sum = self.computed(total, UnreadableKind::TooLarge)?;
+            let form = if sum.form == Form::Arc { Form::Arc } else { Form::Computed };
+            sum = Term { form, ..self.computed(total, UnreadableKind::TooLarge)? };
         }
     }
 
@@ -135,13 +125,18 @@ impl<'text> Reader<'text> {
                     divided = true;
                     let undefined = factor.number.is_zero();
                     let number = product.number.over(&factor.number);
-                    let form = if product.form == Form::Radians { Form::Radians } else { Form::Computed };
+                    let form = match (product.form, factor.form) {
+                        (form @ (Form::Radians | Form::Arc), other) if !matches!(other, Form::Radians | Form::Arc) => {
+                            form
+                        }
+                        _ => Form::Computed,
+                    };
                     let fault = if undefined { UnreadableKind::Undefined } else { UnreadableKind::TooLarge };
                     Term { number: number.ok_or((start, fault))?, form }
                 }
                 Operator::Times | Operator::Juxtaposed => Term {
                     number: product.number.times(&factor.number).ok_or((start, UnreadableKind::TooLarge))?,
-                    form: form_of_product(product.form, factor.form),
+                    form: product.form.times(factor.form),
                 },
             };
         }
@@ -154,7 +149,8 @@ impl<'text> Reader<'text> {
             rest.strip_prefix(['*', '×', '·']).filter(|behind| !behind.starts_with('*') && begins_number(behind));
         let over = rest.strip_prefix('/').filter(|behind| begins_number(behind));
         // The letter stands for a product before a power of ten only.
-        let letter = rest.strip_prefix(['x', 'X']).filter(|behind| begins_ten(behind));
+        let is_hexadecimal = rest.len() == self.rest().len() && self.text[..self.at].ends_with('0');
+        let letter = rest.strip_prefix(['x', 'X']).filter(|behind| begins_ten(behind) && !is_hexadecimal);
         let (operator, behind) = match (times.or(letter), over) {
             (Some(behind), _) => (Operator::Times, behind),
             (_, Some(behind)) => (Operator::Over, behind),
@@ -193,7 +189,7 @@ impl<'text> Reader<'text> {
         let exponent = if let Some((exponent, length)) = superscript(self.rest()) {
             self.at += length;
             Number::exact(Rational::from(exponent))
-        } else if self.take("**") || self.take("^") {
+        } else if self.take_power() {
             self.nested(Self::exponent)?.number
         } else {
             return Ok(base);
@@ -202,6 +198,18 @@ impl<'text> Reader<'text> {
         let fault = if undefined { UnreadableKind::Undefined } else { UnreadableKind::TooLarge };
         let number = base.number.power(&exponent).ok_or((start, fault))?;
         Ok(Term { number, form: if is_ten { Form::PowerOfTen } else { Form::Computed } })
+    }
+
+    /// The sign of a power, perhaps behind spaces.
+    fn take_power(&mut self) -> bool {
+        let rest = self.rest().trim_start();
+        let Some(behind) = rest.strip_prefix("**").or(rest.strip_prefix('^')) else { return false };
+        // A sign of a degree is no power.
+        if behind.starts_with(char::is_alphabetic) && !begins_number(behind) {
+            return false;
+        }
+        self.at = self.text.len() - behind.len();
+        true
     }
 
     fn exponent(&mut self) -> At<Term> {
@@ -234,9 +242,36 @@ impl<'text> Reader<'text> {
         }
         if let Some(function) = functions::find(word(rest)) {
             self.at += word(rest).len();
-            return self.nested(|reader| reader.apply(function));
+            return self.nested(|reader| reader.raised_function(function));
+        }
+        if let Some((part, length)) = vulgar(rest) {
+            self.at += length;
+            return self.computed(Some(part), UnreadableKind::TooLarge);
         }
         self.decimal()
+    }
+
+    /// `sin^2(30°)` is a square, `sin^-1(0.5)` an angle.
+    fn raised_function(&mut self, function: Function) -> At<Term> {
+        if let Some(inverse) = function.inverse()
+            && let Some(sign) = ["^{-1}", "^(-1)", "^-1", "⁻¹"].into_iter().find(|sign| self.rest().starts_with(sign))
+        {
+            self.at += sign.len();
+            return self.apply(inverse);
+        }
+        let start = self.at;
+        let exponent = if let Some((exponent, length)) = superscript(self.rest()) {
+            self.at += length;
+            Number::exact(Rational::from(exponent))
+        } else if self.rest().starts_with('^') {
+            self.at += 1;
+            // A bracket behind the power holds the argument.
+            self.nested(Self::decimal)?.number
+        } else {
+            return self.apply(function);
+        };
+        let value = self.apply(function)?;
+        self.computed(value.number.power(&exponent), UnreadableKind::TooLarge).map_err(|(_, kind)| (start, kind))
     }
 
     fn decimal(&mut self) -> At<Term> {
@@ -247,16 +282,25 @@ impl<'text> Reader<'text> {
         let start = self.at;
         let numeral = numeral::read(rest, self.mark).map_err(|(at, kind)| (start + at, kind))?;
         self.at += numeral.length;
+        let mut decimal = numeral.decimal;
+        let mut least = numeral.least;
+        // `1.2 e3`: nothing else can be meant.
+        if let Some((spaced, length)) = spaced_exponent(&self.text[start..self.at], self.rest()) {
+            self.at += length;
+            least = spaced.figures();
+            decimal = spaced;
+        }
         let is_fraction = self.rest().trim_start().strip_prefix('/').is_some_and(begins_number);
         if numeral.spaced && is_fraction {
             return Err((start, UnreadableKind::MixedOrGrouped));
         }
-        let value = Number::from(&numeral.decimal);
-        if let Some((part, length)) = proper_fraction(self.rest()).filter(|_| numeral.digits_only) {
+        let value = Number::from(&decimal);
+        let part = proper_fraction(self.rest()).or_else(|| vulgar(self.rest()));
+        if let Some((part, length)) = part.filter(|_| numeral.digits_only) {
             self.at += length;
             return self.computed(value.plus(&part), UnreadableKind::TooLarge);
         }
-        let form = Form::Decimal { least: numeral.decimal.least_figures(), most: numeral.decimal.figures() };
+        let form = Form::Decimal { least, most: decimal.figures() };
         Ok(Term { number: value, form })
     }
 
@@ -269,7 +313,8 @@ impl<'text> Reader<'text> {
             let kind = if self.rest().is_empty() { UnreadableKind::OpenBracket } else { UnreadableKind::NotANumber };
             return Err((if self.rest().is_empty() { open } else { self.at }, kind));
         }
-        Ok(Term { form: if inner.form == Form::Radians { Form::Radians } else { Form::Computed }, ..inner })
+        let is_angle = matches!(inner.form, Form::Radians | Form::Arc);
+        Ok(Term { form: if is_angle { inner.form } else { Form::Computed }, ..inner })
     }
 
     /// The value of a function; an angle needs its unit, for nobody can know what `sin(30)` means.
@@ -284,7 +329,7 @@ impl<'text> Reader<'text> {
             return Err((start, UnreadableKind::OpenBracket));
         }
         let value = function.apply(&argument).ok_or((start, UnreadableKind::Undefined))?;
-        Ok(Term { number: value, form: Form::Computed })
+        Ok(Term { number: value, form: if function.is_arc() { Form::Arc } else { Form::Computed } })
     }
 
     fn angle(&mut self, argument: Term) -> At<Number> {
@@ -296,7 +341,9 @@ impl<'text> Reader<'text> {
                 self.at += name.len();
                 unit.to_radians(&argument.number).ok_or((self.at, UnreadableKind::TooLarge))
             }
-            None if argument.form == Form::Radians || argument.number.is_zero() => Ok(argument.number),
+            None if matches!(argument.form, Form::Radians | Form::Arc) || argument.number.is_zero() => {
+                Ok(argument.number)
+            }
             None => self.fault(UnreadableKind::AngleUnit),
         }
     }
@@ -318,45 +365,4 @@ enum Operator {
     Over,
     /// No sign at all: `2 sqrt(3)`, `3π`.
     Juxtaposed,
-}
-
-fn form_of_product(left: Form, right: Form) -> Form {
-    match (left, right) {
-        (Form::Decimal { most, .. }, Form::PowerOfTen) => Form::Decimal { least: most, most },
-        (Form::Radians, _) | (_, Form::Radians) => Form::Radians,
-        _ => Form::Computed,
-    }
-}
-
-/// Whether a whole ten stands here, not the beginning of 100 or 10.5.
-fn begins_ten(text: &str) -> bool {
-    let behind = text.trim_start().strip_prefix("10");
-    behind.is_some_and(|behind| !behind.starts_with(|next: char| next.is_ascii_digit() || next == '.' || next == ','))
-}
-
-/// Whether a sign stands here with a digit directly behind it.
-fn is_glued_sign(text: &str) -> bool {
-    text.strip_prefix(['+', '-']).is_some_and(|behind| behind.starts_with(|next: char| next.is_ascii_digit()))
-}
-
-/// The ` 1/2` of `2 1/2`, and its length.
-fn proper_fraction(text: &str) -> Option<(Number, usize)> {
-    let digits = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
-    let above = text.trim_start();
-    let bar = above.get(digits(above)..)?.strip_prefix('/')?;
-    let (above, below) = (above.get(..digits(above))?, bar.get(..digits(bar))?);
-    let length = text.len() - bar.len() + below.len();
-    let (above, below) = (above.parse::<u32>().ok()?, below.parse::<u32>().ok()?);
-    let is_proper = text.starts_with(' ') && 0 < above && above < below;
-    is_proper.then(|| (Number::exact(Rational::from(above) / Rational::from(below)), length))
-}
-
-/// A raised integer, `⁻³`, and its length.
-pub(super) fn superscript(text: &str) -> Option<(i32, usize)> {
-    const RAISED: [char; 12] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹', '⁻', '⁺'];
-    let raised = &text[..text.find(|next: char| !RAISED.contains(&next)).unwrap_or(text.len())];
-    let lower =
-        |raised: char| RAISED.iter().position(|known| *known == raised).and_then(|at| "0123456789-+".chars().nth(at));
-    let lowered: String = raised.chars().filter_map(lower).collect();
-    lowered.parse().ok().map(|value| (value, raised.len()))
 }

@@ -18,12 +18,9 @@ const DIRECTIONS: &[&[&str]] = &[
     &["backward", "backwards", "back"],
 ];
 
-/// Directions that need no declaration: that in which a component is counted positive, and its opposite.
-const POSITIVE: &[&str] = &["positive", "positive x", "positive y", "+x", "+y"];
-const NEGATIVE: &[&str] = &["negative", "negative x", "negative y", "-x", "-y"];
-
 /// Words that say nothing beside a direction, and so does `in` before `the`; alone it is an inch.
-const FILLERS: &[&str] = &["to", "the", "toward", "towards", "direction", "along", "moving", "directed", "pointing"];
+const FILLERS: &[&str] =
+    &["to", "the", "toward", "towards", "direction", "axis", "along", "moving", "going", "directed", "pointing"];
 
 /// What a phrase says about direction.
 #[derive(Debug, PartialEq, Eq)]
@@ -36,25 +33,43 @@ pub(super) enum Phrase {
     Other,
 }
 
-/// Reads a phrase, in the directions that the question declares.
-pub(super) fn read(phrase: &str, senses: Option<&[String; 2]>) -> Phrase {
+/// Reads a phrase, in the directions that the question declares for a component along that axis.
+pub(super) fn read(phrase: &str, senses: Option<&[String; 2]>, axis: Option<char>) -> Phrase {
     let bare = bare(phrase);
     if bare.is_empty() {
         return Phrase::None;
     }
+    let along = along_axis(&bare, phrase);
+    // Another axis is another direction.
+    let along = along.map(|(positive, own)| (positive, own.zip(axis).is_none_or(|(own, axis)| own == axis)));
     if let Some([plus, minus]) = senses {
         let sense = |positive| Phrase::Declared(Sense { positive, word: if positive { plus } else { minus }.clone() });
-        if same(&bare, &self::bare(plus)) || POSITIVE.contains(&bare.as_str()) {
+        if same(&bare, &self::bare(plus)) || along == Some((true, true)) {
             return sense(true);
         }
-        if same(&bare, &self::bare(minus)) || NEGATIVE.contains(&bare.as_str()) {
+        if same(&bare, &self::bare(minus)) || along == Some((false, true)) {
             return sense(false);
         }
     }
-    if group(&bare).is_some() || POSITIVE.contains(&bare.as_str()) || NEGATIVE.contains(&bare.as_str()) {
-        Phrase::Other
-    } else {
-        Phrase::None
+    if group(&bare).is_some() || along.is_some() { Phrase::Other } else { Phrase::None }
+}
+
+/// Directions that need no declaration: that in which a component is counted positive, and its opposite, with the letter of the
+/// axis where one is told. The letter alone is one only where the phrase says so: `in the x-direction`.
+fn along_axis(bare: &str, phrase: &str) -> Option<(bool, Option<char>)> {
+    let (positive, rest) = match bare.split_once(' ').unwrap_or((bare, "")) {
+        ("positive", rest) => (true, rest),
+        ("negative", rest) => (false, rest),
+        (signed, "") if signed.starts_with('+') => (true, &signed[1..]),
+        (signed, "") if signed.starts_with('-') => (false, &signed[1..]),
+        (letter, "") if phrase.contains("direction") || phrase.contains("axis") => (true, letter),
+        _ => return None,
+    };
+    let mut letters = rest.chars();
+    match (letters.next(), letters.next()) {
+        (None, _) => ["positive", "negative"].contains(&bare).then_some((positive, None)),
+        (Some(letter), None) if letter.is_alphabetic() => Some((positive, Some(letter))),
+        _ => None,
     }
 }
 
@@ -85,7 +100,7 @@ fn bare(phrase: &str) -> String {
     if is_compass_letter(phrase) {
         return phrase.to_owned();
     }
-    let lower = phrase.to_lowercase();
+    let lower = phrase.to_lowercase().replace("-direction", " direction").replace("-axis", " axis");
     let mut words = lower.split(' ').filter(|word| !word.is_empty()).peekable();
     let mut bare = String::with_capacity(lower.len());
     while let Some(word) = words.next() {

@@ -1,5 +1,4 @@
-//! The functions that may stand in an answer. There is no `log`, which has two meanings, and no inverse of a sine, whose
-//! angle would have none.
+//! The functions that may stand in an answer. There is no `log`, which has two meanings.
 
 use std::f64::consts::PI;
 
@@ -10,7 +9,10 @@ use super::super::number::Number;
 pub(super) enum Function {
     SquareRoot,
     Absolute,
+    /// Of an angle.
     Angle(fn(f64) -> f64),
+    /// An angle, in radians.
+    Arc(fn(f64) -> f64),
     Other(fn(f64) -> f64),
 }
 
@@ -20,12 +22,20 @@ const NAMES: &[(&str, Function)] = &[
     ("cbrt", Function::Other(libm::cbrt)),
     ("exp", Function::Other(libm::exp)),
     ("ln", Function::Other(libm::log)),
+    ("lg", Function::Other(libm::log10)),
+    ("log10", Function::Other(libm::log10)),
+    ("asin", Function::Arc(libm::asin)),
+    ("arcsin", Function::Arc(libm::asin)),
+    ("acos", Function::Arc(libm::acos)),
+    ("arccos", Function::Arc(libm::acos)),
+    ("atan", Function::Arc(libm::atan)),
+    ("arctan", Function::Arc(libm::atan)),
     ("sin", Function::Angle(libm::sin)),
     ("cos", Function::Angle(libm::cos)),
     ("tan", Function::Angle(libm::tan)),
 ];
 
-const DEGREES: &[&str] = &["°", "º", "deg", "degs", "degree", "degrees"];
+const DEGREES: &[&str] = &["°", "º", "˚", "deg", "degs", "degree", "degrees"];
 const RADIANS: &[&str] = &["rad", "rads", "radian", "radians"];
 
 /// The function of that name.
@@ -59,6 +69,21 @@ impl AngleUnit {
 }
 
 impl Function {
+    /// Whether its value is an angle.
+    pub(super) fn is_arc(self) -> bool {
+        matches!(self, Self::Arc(_))
+    }
+
+    /// What undoes it: a sine to the power -1 is that, and no reciprocal.
+    pub(super) fn inverse(self) -> Option<Self> {
+        let of = |name: &str| NAMES.iter().find(|(known, _)| *known == name).map(|(_, function)| *function);
+        let (name, _) = NAMES.iter().find(|(_, own)| match (self, own) {
+            (Self::Angle(own), Self::Angle(other)) => std::ptr::fn_addr_eq(own, *other),
+            _ => false,
+        })?;
+        of(&format!("a{name}"))
+    }
+
     /// Whether its argument is an angle.
     pub(super) fn takes_angle(self) -> bool {
         matches!(self, Self::Angle(_))
@@ -70,7 +95,7 @@ impl Function {
             Self::SquareRoot => argument.square_root(),
             Self::Absolute if argument.is_negative() => Some(argument.clone().negated()),
             Self::Absolute => Some(argument.clone()),
-            Self::Angle(function) | Self::Other(function) => argument.through(function),
+            Self::Angle(function) | Self::Arc(function) | Self::Other(function) => argument.through(function),
         }
     }
 }

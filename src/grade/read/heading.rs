@@ -5,6 +5,7 @@ use crate::quantity::Rational;
 use super::super::expected::Frame;
 use super::super::expected::Reference;
 use super::super::number::Number;
+use super::answer::{Written, echo_number};
 use super::arithmetic::{self, At, Form};
 use super::direction::{self, Phrase};
 use super::functions::{self, AngleUnit};
@@ -21,6 +22,8 @@ const FILLERS: &[&str] = &[
     "angle",
     "the",
     "axis",
+    "-axis",
+    "-direction",
     "direction",
     "in",
     "to",
@@ -53,9 +56,13 @@ enum Word {
         form: Form,
         signed: bool,
         unit: bool,
+        /// Whether it is written with a zero before it, as bearings are.
+        bearing: bool,
     },
     Side(Side),
     Above(bool),
+    /// The horizontal, of which no end is told.
+    Horizontal,
     /// Counter-clockwise or not.
     Turn(bool),
     From,
@@ -74,26 +81,57 @@ pub(super) fn read(text: &str, frame: &Frame, mark: DecimalMark) -> At<Heading> 
             let half = Number::exact(Rational::from(45));
             return turned(*base, *towards, half, plain).ok_or((start, UnreadableKind::Direction));
         }
+        [Word::Angle { degrees, unit: true, bearing: true, .. }] if is_compass(frame) => {
+            return Err((start, sense_of_turn(degrees, "north", "east")));
+        }
         [Word::Angle { degrees, form, unit: true, .. }] if frame.axes.len() > 1 => {
             return turned((0, true), (1, true), degrees.clone(), *form).ok_or((start, UnreadableKind::Direction));
         }
         [Word::Angle { unit: false, .. }] => return Err((start, UnreadableKind::AngleUnit)),
-        [Word::Angle { degrees, form, signed, unit }, Word::Above(above), Word::Side(base)] => {
+        [Word::Angle { degrees, form, signed, unit, .. }, Word::Above(above), Word::Side(base)] => {
             (degrees, form, *signed, *unit, *base, (1, *above))
         }
-        [Word::Angle { degrees, form, signed, unit }, Word::Turn(counter), Word::From | Word::Of, Word::Side(base)]
-        | [Word::Angle { degrees, form, signed, unit }, Word::From, Word::Side(base), Word::Turn(counter)] => {
+        // Without an end of its own it is counted from the first axis.
+        [Word::Angle { degrees, form, signed, unit, .. }, Word::Above(above), Word::Horizontal] => {
+            (degrees, form, *signed, *unit, (0, true), (1, *above))
+        }
+        [Word::Angle { degrees, form, signed, unit, .. }, Word::Above(above), Word::Horizontal, Word::Side(base)]
+            if base.0 == 0 =>
+        {
+            (degrees, form, *signed, *unit, *base, (1, *above))
+        }
+        [
+            Word::Angle { degrees, form, signed, unit, .. },
+            Word::Turn(counter),
+            Word::From | Word::Of,
+            Word::Side(base),
+        ]
+        | [Word::Angle { degrees, form, signed, unit, .. }, Word::From, Word::Side(base), Word::Turn(counter)] => {
             (degrees, form, *signed, *unit, *base, quarter(*base, *counter))
         }
-        [Word::Angle { degrees, form, signed, unit }, Word::From, Word::Side(base)] => {
+        // From +x everybody turns counter-clockwise; from anywhere else nobody knows.
+        [Word::Angle { degrees, unit: true, .. }, Word::From, Word::Side(base)]
+            if *base != (0, true) || is_compass(frame) && !text.contains('x') =>
+        {
+            let side = frame.axes.get(base.0).map_or("", |axis| &axis.senses[usize::from(!base.1)]);
+            return Err((start, sense_of_turn(degrees, side, side)));
+        }
+        [Word::Angle { degrees, form, signed, unit, .. }, Word::From, Word::Side(base)] => {
             (degrees, form, *signed, *unit, *base, quarter(*base, true))
         }
-        [Word::Angle { degrees, form, signed, unit }, Word::Side(towards), Word::Of | Word::From, Word::Side(base)]
-        | [Word::Angle { degrees, form, signed, unit }, Word::From, Word::Side(base), Word::Side(towards)] => {
+        [
+            Word::Angle { degrees, form, signed, unit, .. },
+            Word::Side(towards),
+            Word::Of | Word::From,
+            Word::Side(base),
+        ]
+        | [Word::Angle { degrees, form, signed, unit, .. }, Word::From, Word::Side(base), Word::Side(towards)] => {
             (degrees, form, *signed, *unit, *base, *towards)
         }
         // `S30W` has always meant degrees.
-        [Word::Side(base), Word::Angle { degrees, form, signed, .. }, Word::Side(towards)] => {
+        [Word::Side(base), Word::Angle { degrees, form, signed, unit, .. }, Word::Side(towards)]
+            if *unit || base.0 == 1 =>
+        {
             (degrees, form, *signed, true, *base, *towards)
         }
         _ => return Err((start, UnreadableKind::Direction)),
@@ -105,6 +143,26 @@ pub(super) fn read(text: &str, frame: &Frame, mark: DecimalMark) -> At<Heading> 
         return Err((start, UnreadableKind::AngleUnit));
     }
     turned(base, towards, degrees.clone(), *form).ok_or((start, UnreadableKind::Direction))
+}
+
+/// An angle whose sense is not told, with both.
+fn sense_of_turn(degrees: &Number, clockwise_from: &str, counter_from: &str) -> UnreadableKind {
+    let angle = echo_number(degrees, Written::Computed);
+    let plain = |side: &str| side.trim_start_matches("to the ").to_owned();
+    UnreadableKind::Ambiguous([
+        format!("{angle}° clockwise from {}", plain(clockwise_from)),
+        format!("{angle}° counter-clockwise from {}", plain(counter_from)),
+    ])
+}
+
+/// Whether the second axis points up.
+fn is_upright(frame: &Frame) -> bool {
+    frame.axes.get(1).is_some_and(|axis| axis.senses[0].contains("up"))
+}
+
+/// Whether the axes point to the sides of the compass.
+pub(super) fn is_compass(frame: &Frame) -> bool {
+    frame.axes.get(1).is_some_and(|axis| axis.senses[0].contains("north"))
 }
 
 fn turned(base: Side, towards: Side, degrees: Number, form: Form) -> Option<Heading> {
@@ -121,8 +179,8 @@ fn words(text: &str, frame: &Frame, mark: DecimalMark) -> At<Vec<(usize, Word)>>
     let mut found = Vec::new();
     let mut at = 0;
     while let Some(next) = text[at..].chars().next() {
-        if next == ' ' || next == ',' || next == '(' || next == ')' {
-            at += 1;
+        if [' ', ',', '(', ')', '∠', '@'].contains(&next) {
+            at += next.len_utf8();
             continue;
         }
         if let Some((word, length)) = axis_sign(&text[at..], frame) {
@@ -141,7 +199,19 @@ fn words(text: &str, frame: &Frame, mark: DecimalMark) -> At<Vec<(usize, Word)>>
         let length =
             text[at..at + length].find(|digit: char| digit.is_ascii_digit()).unwrap_or(length).max(next.len_utf8());
         let word = text[at..at + length].trim_end_matches('.');
-        if !FILLERS.contains(&word.to_lowercase().as_str()) {
+        let lower = word.to_lowercase();
+        if let "positive" | "negative" = lower.as_str() {
+            // The axis that it belongs to follows.
+            let rest = text[at + length..].trim_start();
+            let start = text.len() - rest.len();
+            let Some((Word::Side((axis, true)), taken)) = axis_sign(rest, frame) else {
+                return Err((at, UnreadableKind::Direction));
+            };
+            found.push((at, Word::Side((axis, lower == "positive"))));
+            at = start + taken;
+            continue;
+        }
+        if !FILLERS.contains(&lower.as_str()) {
             found.extend(named(word, at, frame)?);
         } else if word == "angle" && text[at + length..].trim_start().starts_with("of ") {
             at += 3;
@@ -177,20 +247,21 @@ fn angle(text: &str, mark: DecimalMark) -> At<(Word, usize)> {
         }
         _ => term.number,
     };
-    Ok((Word::Angle { degrees, form: term.form, signed, unit: unit.is_some() }, taken))
+    let bearing = text.starts_with('0') && text[1..].starts_with(|next: char| next.is_ascii_digit());
+    Ok((Word::Angle { degrees, form: term.form, signed, unit: unit.is_some(), bearing }, taken))
 }
 
 /// What a word says: one side of an axis, two at once as in `NE`, or how to turn.
 fn named(word: &str, at: usize, frame: &Frame) -> At<Vec<(usize, Word)>> {
     let lower = word.to_lowercase();
     let one = match lower.as_str() {
+        "horizontal" | "horizontally" if is_upright(frame) => Word::Horizontal,
         "above" => Word::Above(true),
         "below" => Word::Above(false),
         "counter-clockwise" | "counterclockwise" | "anticlockwise" | "anti-clockwise" | "ccw" => Word::Turn(true),
         "clockwise" | "cw" => Word::Turn(false),
         "from" => Word::From,
         "of" => Word::Of,
-        "positive" | "negative" => return Err((at, UnreadableKind::Direction)),
         _ => match side(word, frame) {
             Some(side) => Word::Side(side),
             None => {
@@ -204,9 +275,11 @@ fn named(word: &str, at: usize, frame: &Frame) -> At<Vec<(usize, Word)>> {
 }
 
 fn side(word: &str, frame: &Frame) -> Option<Side> {
-    frame.axes.iter().enumerate().find_map(|(index, axis)| match direction::read(word, Some(&axis.senses)) {
-        Phrase::Declared(sense) => Some((index, sense.positive)),
-        Phrase::None | Phrase::Other => None,
+    frame.axes.iter().enumerate().find_map(|(index, axis)| {
+        match direction::read(word, Some(&axis.senses), Some(axis.letter)) {
+            Phrase::Declared(sense) => Some((index, sense.positive)),
+            Phrase::None | Phrase::Other => None,
+        }
     })
 }
 
@@ -221,7 +294,7 @@ fn pair(word: &str, frame: &Frame) -> Option<[Side; 2]> {
 }
 
 fn unknown(word: &str, at: usize, frame: &Frame) -> (usize, UnreadableKind) {
-    let kind = match (direction::read(word, None), frame.axes.first()) {
+    let kind = match (direction::read(word, None, None), frame.axes.first()) {
         (Phrase::Other, Some(axis)) => {
             UnreadableKind::OtherDirection { word: word.to_owned(), senses: axis.senses.clone() }
         }

@@ -7,7 +7,8 @@ use super::answer::{EndAnswer, IntervalAnswer, NumberAnswer};
 use super::arithmetic::At;
 use super::numeral::DecimalMark;
 use super::plain::Plain;
-use super::quantity;
+use super::quantity::{self, Asked};
+use super::unit::unit;
 use super::unreadable::{Unreadable, UnreadableKind};
 
 /// Signs that compare: the writing, whether the left side is the smaller, whether both may be equal. Longer ones first.
@@ -23,21 +24,57 @@ const SIGNS: [(&str, bool, bool); 8] = [
 ];
 
 /// Words that compare: the words, whether the end behind them is the upper one, whether it belongs to the interval.
-const WORDS: [(&str, bool, bool); 10] = [
+const WORDS: [(&str, bool, bool); 30] = [
+    ("less than or equal to", true, true),
+    ("smaller than or equal to", true, true),
+    ("greater than or equal to", false, true),
+    ("larger than or equal to", false, true),
+    ("bigger than or equal to", false, true),
     ("at most", true, true),
     ("no more than", true, true),
+    ("not more than", true, true),
+    ("no greater than", true, true),
+    ("not greater than", true, true),
+    ("no larger than", true, true),
+    ("not larger than", true, true),
     ("up to", true, true),
     ("less than", true, false),
+    ("smaller than", true, false),
+    ("lower than", true, false),
     ("below", true, false),
+    ("under", true, false),
     ("at least", false, true),
     ("no less than", false, true),
+    ("not less than", false, true),
+    ("no smaller than", false, true),
+    ("not smaller than", false, true),
     ("greater than", false, false),
+    ("larger than", false, false),
+    ("bigger than", false, false),
+    ("higher than", false, false),
     ("more than", false, false),
     ("above", false, false),
+    ("over", false, false),
 ];
 
-/// An end that was read, with its unit; nothing where it is infinite.
-type End = Option<NumberAnswer>;
+/// Words before a condition that say nothing of it.
+const BEFORE: [&str; 9] = ["only for ", "only if ", "for ", "if ", "when ", "where ", "provided ", "iff ", "whenever "];
+/// Words between the name and the condition.
+const LINKS: [&str; 9] = ["in ", "is ", "∈", "lies ", "must be ", "has to be ", "should be ", "= ", ": "];
+
+/// Ways to write what has no end, without its sign.
+const INFINITE: [&str; 6] = ["∞", "inf", "infinity", "infty", "\\infty", "oo"];
+
+/// An end: a value, or none on that side.
+#[derive(Clone)]
+enum Side {
+    Value(Box<NumberAnswer>),
+    /// Whether it is above everything.
+    Infinite(bool),
+}
+
+/// An end that was read, with its unit.
+type End = Option<Side>;
 
 /// The lower and the upper end, each with whether it belongs to the interval.
 type Ends = [Option<(End, bool)>; 2];
@@ -60,7 +97,7 @@ type Piece<'a> = (usize, &'a str);
 
 impl<'a> Reader<'a> {
     fn interval(&self) -> At<IntervalAnswer> {
-        let whole = trimmed((0, self.text));
+        let whole = Self::without_words(trimmed((0, self.text)));
         if let Some(found) = self.signs(whole)? {
             return Ok(found);
         }
@@ -68,8 +105,11 @@ impl<'a> Reader<'a> {
         if let Some(found) = self.brackets((at, text))? {
             return Ok(found);
         }
-        let worded = WORDS.iter().find_map(|(word, upper, closed)| Some((text.strip_prefix(word)?, *upper, *closed)));
-        if let Some((rest, upper, closed)) = worded {
+        let word = |(word, upper, closed): &(&str, bool, bool)| {
+            let rest = text.strip_prefix(word).filter(|rest| !rest.starts_with(char::is_alphabetic))?;
+            Some((rest, *upper, *closed))
+        };
+        if let Some((rest, upper, closed)) = WORDS.iter().find_map(word) {
             let end = self.end(self.piece(rest))?;
             let closed = [Some(closed); 2];
             return if upper { self.made(None, end, closed) } else { self.made(end, None, closed) };
@@ -84,7 +124,10 @@ impl<'a> Reader<'a> {
 
     /// `0 < e <= 0.5`, `e > 0`, `e > 0 and e <= 0.5`.
     fn signs(&self, whole: Piece<'a>) -> At<Option<IntervalAnswer>> {
-        let joined = [" and ", "&&", " & ", "∧"].iter().find_map(|word| whole.1.split_once(word));
+        let joined = [" and ", "&&", " & ", "∧", ", ", "; "].iter().find_map(|word| whole.1.split_once(word));
+        let joined = joined.filter(|(first, second)| {
+            [first, second].iter().all(|side| SIGNS.iter().any(|(sign, ..)| side.contains(sign)))
+        });
         if let Some((first, second)) = joined {
             let read = |text| self.chain(trimmed(self.piece(text)));
             let (Some(first), Some(second)) = (read(first)?, read(second)?) else { return Ok(None) };
@@ -119,7 +162,8 @@ impl<'a> Reader<'a> {
         let ends = match (pieces.as_slice(), signs.as_slice()) {
             (_, []) => return Ok(None),
             ([left, right], [(_, smaller, closed)]) => {
-                let (end, upper) = if self.is_name(left.1) {
+                // `> 0.5` speaks of what is asked.
+                let (end, upper) = if self.is_name(left.1) || left.1.is_empty() {
                     (self.end(*right)?, *smaller)
                 } else {
                     self.named(*right)?;
@@ -139,7 +183,7 @@ impl<'a> Reader<'a> {
 
     fn of_ends(&self, low: Option<(End, bool)>, high: Option<(End, bool)>) -> At<IntervalAnswer> {
         let closed = [low.as_ref().map(|end| end.1), high.as_ref().map(|end| end.1)];
-        self.made(low.and_then(|end| end.0), high.and_then(|end| end.0), closed)
+        self.made(low.map(|end| end.0).unwrap_or_default(), high.map(|end| end.0).unwrap_or_default(), closed)
     }
 
     /// `(0, 0.5]`, `]0; 0.5]`, with the unit behind.
@@ -154,7 +198,7 @@ impl<'a> Reader<'a> {
         let closed = [Some(open == '['), Some(text[end..].starts_with(']'))];
         let behind = &text[end + 1..];
         let start = self.piece(behind).0;
-        let unit = quantity::unit(behind, 0, behind.len()).map_err(|(shift, kind)| (start + shift, kind))?;
+        let unit = unit(behind, 0, behind.len(), &self.asked.unit).map_err(|(shift, kind)| (start + shift, kind))?;
         let mut found = self.made(self.end(self.piece(low))?, self.end(self.piece(high))?, closed)?;
         if unit.is_some() && found.unit.is_some() {
             return Err((start, UnreadableKind::MixedUnits));
@@ -164,10 +208,16 @@ impl<'a> Reader<'a> {
     }
 
     fn made(&self, low: End, high: End, closed: [Option<bool>; 2]) -> At<IntervalAnswer> {
+        // Nothing lies above what is above everything.
+        if matches!(low, Some(Side::Infinite(true))) || matches!(high, Some(Side::Infinite(false))) {
+            return Err((0, UnreadableKind::EmptyInterval));
+        }
+        let value = |end: End| if let Some(Side::Value(value)) = end { Some(*value) } else { None };
+        let (low, high) = (value(low), value(high));
         if low.is_none() && high.is_none() {
             return Err((0, UnreadableKind::NotAnInterval));
         }
-        let unit = |end: &End| end.as_ref().and_then(|end| end.unit.clone());
+        let unit = |end: &Option<NumberAnswer>| end.as_ref().and_then(|end| end.unit.clone());
         let unit: Option<Unit> = match (unit(&low), unit(&high)) {
             (Some(low), Some(high)) if low != high => return Err((0, UnreadableKind::MixedUnits)),
             (low, high) => high.or(low),
@@ -176,17 +226,20 @@ impl<'a> Reader<'a> {
         if low.as_ref().zip(high.as_ref()).is_some_and(|(low, high)| above(low, high)) {
             return Err((0, UnreadableKind::EmptyInterval));
         }
-        let end = |end: End, closed| end.map(|end| EndAnswer { number: end.number, written: end.written, closed });
+        let end = |end: Option<NumberAnswer>, closed| {
+            end.map(|end| EndAnswer { number: end.number, written: end.written, closed })
+        };
         Ok(IntervalAnswer { name: self.asked.name.clone(), low: end(low, closed[0]), high: end(high, closed[1]), unit })
     }
 
     fn end(&self, piece: Piece<'a>) -> At<End> {
         let (at, text) = trimmed(piece);
-        if ["inf", "infinity", "∞", "+∞", "-∞", "-inf", "+inf", "\\infty", "-\\infty"].contains(&text) {
-            return Ok(None);
+        let (sign, size) = text.strip_prefix('-').map_or((true, text), |size| (false, size));
+        if INFINITE.contains(&size.trim_start_matches(['+', ' '])) {
+            return Ok(Some(Side::Infinite(sign)));
         }
-        quantity::read_plain(text, None, &self.asked.unit, self.mark)
-            .map(Some)
+        quantity::read_plain(text, Asked::in_unit(&self.asked.unit), self.mark)
+            .map(|end| Some(Side::Value(Box::new(end))))
             .map_err(|(shift, kind)| (at + shift, kind))
     }
 
@@ -195,14 +248,23 @@ impl<'a> Reader<'a> {
     }
 
     fn is_name(&self, text: &str) -> bool {
-        text == self.asked.name || text.replace(['_', '{', '}'], "") == self.asked.name.replace('_', "")
+        // The letter alone is what is asked, too.
+        let stem = self.asked.name.split('_').next().unwrap_or_default();
+        let plain = |name: &str| name.replace(['_', '{', '}'], "");
+        plain(text) == plain(&self.asked.name) || !text.is_empty() && text == stem
+    }
+
+    /// The text behind words that say nothing of the condition.
+    fn without_words((at, text): Piece<'a>) -> Piece<'a> {
+        let rest = BEFORE.iter().find_map(|word| text.strip_prefix(word)).unwrap_or(text);
+        trimmed((at + text.len() - rest.len(), rest))
     }
 
     /// The text behind `e in`, `e is`, `e:`.
     fn without_name(&self, (at, text): Piece<'a>) -> Piece<'a> {
         let rest = text.split_once(' ').filter(|(name, _)| self.is_name(name)).map_or(text, |(_, rest)| rest);
-        let rest =
-            ["in ", "is ", "∈", "lies ", "must be "].iter().find_map(|word| rest.strip_prefix(word)).unwrap_or(rest);
+        let rest = rest.trim_start();
+        let rest = LINKS.iter().find_map(|word| rest.strip_prefix(word)).unwrap_or(rest);
         trimmed((at + text.len() - rest.len(), rest))
     }
 

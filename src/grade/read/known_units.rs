@@ -5,6 +5,7 @@ use std::collections::HashMap;
 
 use crate::quantity::Unit;
 use crate::quantity::UnitFault;
+use crate::quantity::UnitFaultKind;
 
 /// So many are remembered before all are forgotten.
 const MOST: usize = 256;
@@ -13,8 +14,15 @@ thread_local! {
     static KNOWN: RefCell<HashMap<String, Result<Unit, UnitFault>>> = RefCell::default();
 }
 
-/// The unit that a text says, from memory where it was read before on this thread.
-pub(super) fn parse(text: &str) -> Result<Unit, UnitFault> {
+/// The unit that a text says, from memory where it was read before on this thread. What is asked decides between readings.
+pub(super) fn parse(text: &str, asked: &Unit) -> Result<Unit, UnitFault> {
+    match remembered(text) {
+        Err(UnitFault { kind: UnitFaultKind::Ambiguous { .. }, .. }) => Unit::parse_asked(text, asked.dimension()),
+        clear => clear,
+    }
+}
+
+fn remembered(text: &str) -> Result<Unit, UnitFault> {
     KNOWN.with_borrow_mut(|known| {
         if let Some(unit) = known.get(text) {
             return unit.clone();

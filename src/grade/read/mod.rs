@@ -2,18 +2,26 @@
 
 mod answer;
 mod arithmetic;
+mod calculation;
 mod choice;
+mod components;
 mod direction;
+mod doubtful;
 mod ending;
+mod form;
 mod formula;
 mod functions;
 mod heading;
 mod interval;
 mod known_units;
+mod latex;
+mod mixed;
 mod numeral;
 mod plain;
 mod quantity;
+mod remarks;
 mod several;
+mod unit;
 mod unreadable;
 mod vector;
 

@@ -16,7 +16,7 @@ pub enum DecimalMark {
     /// Nothing was chosen: `3.1` and `3,14` and `1,200.5` are read, `1,200` is asked back.
     #[default]
     Either,
-    /// The point; a comma groups thousands.
+    /// The point; one comma alone is asked back, for it may group thousands or begin the decimals.
     Point,
     /// The comma; a point groups thousands, though one point alone is asked back, for calculators write it for decimals.
     Comma,
@@ -28,9 +28,11 @@ pub(super) struct Numeral {
     pub(super) decimal: Decimal,
     /// How many bytes it takes.
     pub(super) length: usize,
+    /// The fewest figures that the writing can mean.
+    pub(super) least: usize,
     /// Whether it is nothing but digits, ungrouped.
     pub(super) digits_only: bool,
-    /// Whether spaces group its digits.
+    /// Whether spaces, or apostrophes, group its digits.
     pub(super) spaced: bool,
 }
 
@@ -53,7 +55,10 @@ pub(super) fn read(text: &str, mark: DecimalMark) -> Result<Numeral, (usize, Unr
         DecimalFault::NotANumber { .. } => (0, UnreadableKind::Marks),
         DecimalFault::TooManyDigits | DecimalFault::ExponentTooLarge => (0, UnreadableKind::TooLarge),
     })?;
-    Ok(Numeral { decimal, length, digits_only: digits_only && !spaced && exponent == 0, spaced })
+    // Behind a decimal mark, and before a power of ten, zeros are written to be counted.
+    let counts = exponent > 0 || plain.contains('.');
+    let least = if counts { decimal.figures() } else { decimal.least_figures() };
+    Ok(Numeral { decimal, length, least, digits_only: digits_only && !spaced && exponent == 0, spaced })
 }
 
 /// The digits and marks at the start, without the spaces that group them by threes; and how many bytes they take.
@@ -61,10 +66,12 @@ fn grouped_by_spaces(text: &str) -> (String, usize) {
     let mut length = run(text);
     let mut written = text[..length].to_owned();
     let mut may_follow = begins_groups(&written);
-    while may_follow && begins_with_group(&text[length..]) {
+    let mut groups = 0;
+    while may_follow && begins_with_group(&text[length..], groups > 0 && written.contains(['.', ','])) {
         let more = run(&text[length + 1..]);
         written.push_str(&text[length + 1..=length + more]);
         length += 1 + more;
+        groups += 1;
         // Behind a decimal mark no further group is expected.
         may_follow = more == GROUP;
     }
@@ -86,10 +93,11 @@ fn begins_groups(written: &str) -> bool {
     }
 }
 
-/// Whether a space and exactly three digits stand at the start.
-fn begins_with_group(text: &str) -> bool {
-    let Some(rest) = text.strip_prefix(' ') else { return false };
-    rest.bytes().take_while(u8::is_ascii_digit).count() == GROUP
+/// Whether a space or an apostrophe and three digits stand at the start; of decimals in groups, the last may be shorter.
+fn begins_with_group(text: &str, may_end: bool) -> bool {
+    let Some(rest) = text.strip_prefix([' ', '\'']) else { return false };
+    let digits = rest.bytes().take_while(u8::is_ascii_digit).count();
+    digits == GROUP || may_end && (1..GROUP).contains(&digits)
 }
 
 /// How many bytes at the start are a power of ten: `e3`, `E+3`.
@@ -122,7 +130,10 @@ fn one_mark(written: &str, found: char, mark: DecimalMark) -> Result<String, Unr
     let ungrouped = || grouped(written, found);
     match (mark, found) {
         (DecimalMark::Point | DecimalMark::Either, '.') | (DecimalMark::Comma, ',') => decimal(),
-        (DecimalMark::Point, _) => ungrouped().map_err(|_| UnreadableKind::OtherMark('.')),
+        (DecimalMark::Point, _) => {
+            let Ok(ungrouped) = ungrouped() else { return Err(UnreadableKind::OtherMark('.')) };
+            Err(UnreadableKind::AmbiguousMark([ungrouped, written.replace(',', ".")]))
+        }
         (DecimalMark::Comma, _) => {
             let Ok(ungrouped) = ungrouped() else { return Err(UnreadableKind::OtherMark(',')) };
             Err(UnreadableKind::AmbiguousMark([ungrouped, written.replace('.', ",")]))

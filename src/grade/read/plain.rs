@@ -1,6 +1,7 @@
 //! The text of an answer in plain characters, each of which still knows where it stood.
 
 use super::MAX_LENGTH;
+use super::latex;
 use super::unreadable::{Unreadable, UnreadableKind};
 
 /// The text with one kind of minus sign, space and multiplication dot, and without what LaTeX adds.
@@ -16,6 +17,7 @@ const REPLACED: &[(&str, &str)] = &[
     ("^{\\circ}", "°"),
     ("{}^\\circ", "°"),
     ("^\\circ", "°"),
+    ("\\circ", "°"),
     ("\\hat{\\imath}", "î"),
     ("\\hat{\\jmath}", "ĵ"),
     ("\\hat{i}", "î"),
@@ -47,7 +49,17 @@ const FULL_WIDTH: u32 = 0xFEE0;
 impl Plain {
     /// The plain form of an answer.
     pub(super) fn new(answer: &str) -> Result<Self, Unreadable> {
-        Self::limited(answer, MAX_LENGTH)
+        if !answer.contains('\\') || answer.chars().count() > MAX_LENGTH {
+            return Self::limited(answer, MAX_LENGTH);
+        }
+        let (expanded, places) = latex::expanded(answer);
+        let mut plain = Self::limited(&expanded, usize::MAX)?;
+        let starts: Vec<usize> = expanded.char_indices().map(|(at, _)| at).collect();
+        let end = answer.chars().count();
+        for place in &mut plain.places {
+            *place = starts.get(*place).and_then(|at| places.get(*at)).copied().unwrap_or(end);
+        }
+        Ok(plain)
     }
 
     /// The plain form of an answer of at most so many characters.
@@ -57,7 +69,7 @@ impl Plain {
         }
         let capacity = answer.len() + 1;
         let mut plain = Self { text: String::with_capacity(capacity), places: Vec::with_capacity(capacity) };
-        if answer.bytes().all(|byte| byte.is_ascii() && !b"\\$^{}\t\n\r".contains(&byte)) {
+        if answer.bytes().all(|byte| byte.is_ascii() && !b"\\$^{}~\t\n\r".contains(&byte)) {
             // Nothing to replace: the common case.
             plain.text.push_str(answer);
             plain.places.extend(0..=answer.len());
@@ -73,6 +85,8 @@ impl Plain {
                     }
                     (read.len(), written.to_owned())
                 }
+                // At the start it is a sign for about, elsewhere a space that does not break.
+                None if first == '~' && !plain.text.trim().is_empty() => (1, " ".to_owned()),
                 None => (first.len_utf8(), plain_character(first, &mut braces)),
             };
             plain.push(&written, place);
@@ -113,7 +127,9 @@ fn plain_character(character: char, braces: &mut Vec<char>) -> String {
         '−' | '–' | '—' | '‒' | '﹣' => "-".to_owned(),
         '\u{200b}'..='\u{200f}' | '\u{2060}' | '\u{feff}' => String::new(),
         space if space.is_whitespace() => " ".to_owned(),
-        '⋅' | '∙' | '•' => "·".to_owned(),
+        '⋅' | '∙' | '•' | '‧' => "·".to_owned(),
+        '’' | '‘' => "'".to_owned(),
+        '˚' => "°".to_owned(),
         '∕' | '⁄' | '÷' => "/".to_owned(),
         '{' => {
             braces.push('}');

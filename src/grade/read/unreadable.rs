@@ -23,7 +23,7 @@ pub enum UnreadableKind {
     TooLong(usize),
     /// No number where one must stand.
     NotANumber,
-    /// A name and an equals sign before the value.
+    /// An equation whose left side is no name.
     NameBefore,
     /// An underscore between digits.
     Underscore,
@@ -39,6 +39,12 @@ pub enum UnreadableKind {
     MixedOrGrouped,
     /// `1.2 x 10-3`: a lost exponent or a difference.
     LostExponent,
+    /// `1190-1210`: a range or a difference.
+    RangeOrDifference,
+    /// What can be read in two ways; each as it is written without doubt.
+    Ambiguous([String; 2]),
+    /// What does not belong behind a number, or is missing there.
+    Behind(String),
     /// `1/2 sqrt(3)`: a product after a fraction bar, without a sign.
     ProductAfterBar,
     /// Two signs, one behind the other.
@@ -125,6 +131,23 @@ pub enum UnreadableKind {
 }
 
 impl UnreadableKind {
+    /// Whether the text has more than one reading, so that no other way to read it may be tried.
+    pub(super) fn is_doubt(&self) -> bool {
+        matches!(
+            self,
+            Self::AmbiguousMark(_)
+                | Self::MixedOrGrouped
+                | Self::LostExponent
+                | Self::RangeOrDifference
+                | Self::Ambiguous(_)
+                | Self::ProductAfterBar
+                | Self::NotOneValue
+                | Self::UnitOrDirection(_)
+                | Self::SignAndDirection
+                | Self::OtherDirection { .. }
+        )
+    }
+
     /// Its stable code, for tools.
     #[must_use]
     pub fn code(&self) -> &'static str {
@@ -139,6 +162,9 @@ impl UnreadableKind {
             Self::SecondNumber => "second_number",
             Self::MixedOrGrouped => "mixed_or_grouped",
             Self::LostExponent => "lost_exponent",
+            Self::RangeOrDifference => "range_or_difference",
+            Self::Ambiguous(_) => "ambiguous",
+            Self::Behind(_) => "behind",
             Self::ProductAfterBar => "product_after_bar",
             Self::TwoSigns => "two_signs",
             Self::OpenBracket => "open_bracket",

@@ -7,11 +7,14 @@ use super::super::expected::ExpectedVector;
 use super::super::number::Number;
 use super::answer::{NumberAnswer, VectorAnswer, Written, echo_number};
 use super::arithmetic::At;
+use super::components::{self, Parts};
 use super::direction;
 use super::heading;
 use super::numeral::DecimalMark;
 use super::plain::Plain;
-use super::quantity;
+use super::quantity::{self, Asked};
+use super::remarks;
+use super::unit::unit;
 use super::unreadable::{Unreadable, UnreadableKind};
 
 /// Brackets around components.
@@ -23,9 +26,6 @@ const UNIT_VECTORS: [&[&str]; 3] =
 /// A magnitude is looked for before so many words.
 const MOST_WORDS: usize = 16;
 
-/// A component as it was read; a part without a value stands for zero.
-type Parts = Vec<Option<NumberAnswer>>;
-
 /// Reads a vector.
 pub(super) fn read(answer: &str, asked: &ExpectedVector, mark: DecimalMark) -> Result<VectorAnswer, Unreadable> {
     let plain = Plain::new(answer)?;
@@ -33,21 +33,51 @@ pub(super) fn read(answer: &str, asked: &ExpectedVector, mark: DecimalMark) -> R
 }
 
 fn read_plain(text: &str, asked: &ExpectedVector, mark: DecimalMark) -> At<VectorAnswer> {
-    let text = text.trim_end_matches([' ', '.', ',']);
-    let start = text.len() - text.trim_start_matches([' ', '=', '≈', '~']).len();
+    let text = text.trim_end_matches(quantity::ENDS);
+    let mut start = text.len() - text.trim_start_matches([' ', '=', '≈', '~']).len();
     let at = |shift: usize| move |(at, kind)| (at + shift, kind);
+    if let Some(parts) = components::by_names(&text[start..], asked, mark) {
+        return together(&parts.map_err(at(start))?, None, start);
+    }
+    if let Some(behind) = remarks::behind_name(&text[start..], "").map_err(|kind| (start, kind))? {
+        start += behind + text[start + behind..].len() - text[start + behind..].trim_start().len();
+    }
     if let Some((from, to, rest)) = bracketed(text, start) {
         let inside = &text[from..to];
         if unit_vectors(inside).is_empty() {
             return tuple(inside, from, &text[rest..], rest, asked, mark);
         }
-        let behind = unit_behind(&text[rest..]).map_err(at(rest))?;
+        let behind = unit_behind(&text[rest..], asked).map_err(at(rest))?;
         return sum(inside, asked, mark, behind).map_err(at(from));
     }
     if !unit_vectors(&text[start..]).is_empty() {
         return sum(&text[start..], asked, mark, None).map_err(at(start));
     }
+    if let Some(parts) = components::by_directions(&text[start..], asked, mark) {
+        return together(&parts.map_err(at(start))?, None, start);
+    }
+    if let Some(found) = bare_pair(&text[start..], asked, mark) {
+        return found.map_err(at(start));
+    }
     polar(&text[start..], asked, mark).map_err(at(start))
+}
+
+/// `1.5, -2 N s`: components without brackets, all without a unit, or all with the same one, or with one behind the last.
+fn bare_pair(text: &str, asked: &ExpectedVector, mark: DecimalMark) -> Option<At<VectorAnswer>> {
+    let pieces: Vec<&str> = text.split(if text.contains(';') { ";" } else { ", " }).collect();
+    if pieces.len() != asked.components.len() {
+        return None;
+    }
+    let parts: Parts = pieces.iter().map(|piece| component(piece, asked, mark).ok()).collect();
+    let has_unit = |part: &Option<NumberAnswer>| part.as_ref().is_some_and(|part| part.unit.is_some());
+    let first_alone = parts.first().is_some_and(has_unit) && !parts.last().is_some_and(has_unit);
+    (parts.iter().all(Option::is_some) && !first_alone && !parts.iter().flatten().any(is_angle))
+        .then(|| together(&parts, None, 0))
+}
+
+/// Whether a component has the unit of an angle.
+fn is_angle(part: &NumberAnswer) -> bool {
+    part.unit.as_ref().is_some_and(Unit::is_plain_angle)
 }
 
 /// Where the inside of the brackets around the components begins and ends, and where what is behind them begins.
@@ -61,11 +91,26 @@ fn bracketed(text: &str, start: usize) -> Option<(usize, usize, usize)> {
         if depth == 0 {
             let to = from + offset;
             let inside = &text[from..to];
-            let many = inside.contains([',', ';']) || !unit_vectors(inside).is_empty();
+            let many =
+                inside.contains([',', ';']) || !unit_vectors(inside).is_empty() || by_spaces(inside, 2).is_some();
             return many.then_some((from, to, to + close.len_utf8()));
         }
     }
     None
+}
+
+/// `1.5 -2`: numbers with nothing but spaces between them.
+fn by_spaces(inside: &str, least: usize) -> Option<Vec<&str>> {
+    let pieces: Vec<&str> = inside.split_whitespace().collect();
+    let is_number = |piece: &&str| {
+        let bare = piece.strip_prefix(['+', '-']).unwrap_or(piece);
+        bare.starts_with(|first: char| first.is_ascii_digit() || first == '.')
+            && bare.bytes().all(|byte| byte.is_ascii_digit() || byte == b'.' || byte == b'e' || byte == b'/')
+    };
+    // `(1 200)` is one number with its digits in groups.
+    let grouped =
+        pieces.iter().skip(1).all(|piece| piece.len() == 3 && piece.bytes().all(|byte| byte.is_ascii_digit()));
+    (pieces.len() >= least && !grouped && pieces.iter().all(is_number)).then_some(pieces)
 }
 
 fn tuple(
@@ -83,18 +128,28 @@ fn tuple(
         split(";")
     } else if mark != DecimalMark::Comma && by_commas.len() == count {
         by_commas
+    } else if !inside.contains(',')
+        && let Some(pieces) = by_spaces(inside, count)
+    {
+        pieces
     } else {
         split(", ")
     };
     if pieces.len() != count {
         return Err((from, UnreadableKind::Components(count)));
     }
-    let unit = unit_behind(rest).map_err(|(shift, kind)| (at + shift, kind))?;
+    let unit = unit_behind(rest, asked).map_err(|(shift, kind)| (at + shift, kind))?;
     let mut parts: Parts = Vec::new();
     for piece in pieces {
         let start = from + (piece.as_ptr() as usize - inside.as_ptr() as usize);
         let part = component(piece, asked, mark).map_err(|(shift, kind)| (start + shift, kind))?;
         parts.push(Some(part));
+    }
+    if let ([Some(size), Some(turn)], true) = (parts.as_slice(), parts.iter().flatten().any(is_angle)) {
+        let shown = |part: &NumberAnswer| echo_number(&part.number, part.written);
+        let (size, turn) = (shown(size), shown(turn));
+        let readings = [format!("{size} at {turn}°"), format!("({size}, {turn})")];
+        return Err((from, UnreadableKind::Ambiguous(readings)));
     }
     together(&parts, unit, from)
 }
@@ -102,12 +157,13 @@ fn tuple(
 fn component(text: &str, asked: &ExpectedVector, mark: DecimalMark) -> At<NumberAnswer> {
     let unit = asked.components.first().map(|component| component.unit.clone()).unwrap_or_default();
     let lead = text.len() - text.trim_start().len();
-    quantity::read_plain(text.trim_start(), None, &unit, mark).map_err(|(at, kind)| (at + lead, kind))
+    quantity::read_plain(text.trim_start(), Asked::in_unit(&unit), mark).map_err(|(at, kind)| (at + lead, kind))
 }
 
 /// The unit behind the brackets.
-fn unit_behind(rest: &str) -> At<Option<Unit>> {
-    quantity::unit(rest, 0, rest.len())
+fn unit_behind(rest: &str, asked: &ExpectedVector) -> At<Option<Unit>> {
+    let wanted = asked.components.first().map(|component| component.unit.clone()).unwrap_or_default();
+    unit(rest, 0, rest.len(), &wanted)
 }
 
 /// Components with one unit: behind them, or beside each.
@@ -167,8 +223,9 @@ fn sum(text: &str, asked: &ExpectedVector, mark: DecimalMark, behind: Option<Uni
         let sign = coefficient.trim_end();
         let part = match sign {
             "" | "+" | "-" => component(&format!("{sign}1"), asked, mark),
+            _ if is_sum(sign) => Err((0, two_terms(sign, &text[*start..*end]))),
             _ if position > 0 && !sign.starts_with(['+', '-']) => Err((0, UnreadableKind::SecondNumber)),
-            _ => component(coefficient, asked, mark),
+            _ => coefficient_of(coefficient, asked, mark),
         };
         let part = part.map_err(|(shift, kind)| (lead + shift, kind))?;
         match parts.get_mut(*axis) {
@@ -177,11 +234,49 @@ fn sum(text: &str, asked: &ExpectedVector, mark: DecimalMark, behind: Option<Uni
         }
         from = *end;
     }
-    let rest = unit_behind(&text[from..]).map_err(|(shift, kind)| (from + shift, kind))?;
+    let rest = unit_behind(&text[from..], asked).map_err(|(shift, kind)| (from + shift, kind))?;
     if rest.is_some() && behind.is_some() {
         return Err((from, UnreadableKind::MixedUnits));
     }
     together(&parts, rest.or(behind), 0)
+}
+
+/// Whether two terms stand before one unit vector: `3 + 4j`.
+fn is_sum(coefficient: &str) -> bool {
+    let mut depth = 0;
+    let mut before = 'e';
+    coefficient.chars().any(|next| {
+        depth += i32::from(next == '(') - i32::from(next == ')');
+        let joins = (next == '+' || next == '-') && depth == 0 && !"e^E*/·×+- ".contains(before);
+        before = if next == ' ' { before } else { next };
+        joins
+    })
+}
+
+fn two_terms(coefficient: &str, letter: &str) -> UnreadableKind {
+    let first = coefficient.rfind(['+', '-']).unwrap_or(0);
+    let (one, other) = coefficient.split_at(first);
+    let another = if letter.starts_with(['i', 'î']) { "j" } else { "i" };
+    UnreadableKind::Ambiguous([format!("({coefficient}){letter}"), format!("{}{another} {other}{letter}", one.trim())])
+}
+
+/// The number before a unit vector, perhaps in brackets with its unit: `(1.5 N s)i - (2 N s)j`.
+fn coefficient_of(written: &str, asked: &ExpectedVector, mark: DecimalMark) -> At<NumberAnswer> {
+    let unsigned = written.trim_start_matches(['+', ' ']);
+    // `+ -2j`
+    let unsigned = if written.starts_with('+') { unsigned } else { written };
+    if let Ok(part) = component(unsigned, asked, mark) {
+        return Ok(part);
+    }
+    let minus = unsigned.starts_with('-');
+    let inner = unsigned.trim_start_matches(['-', ' ']);
+    match inner.strip_prefix('(').and_then(|inner| inner.strip_suffix(')')) {
+        Some(inner) => {
+            let part = component(inner, asked, mark)?;
+            Ok(if minus { NumberAnswer { number: part.number.negated(), ..part } } else { part })
+        }
+        None => component(unsigned, asked, mark),
+    }
 }
 
 /// A magnitude and its direction, wherever the one ends and the other begins.

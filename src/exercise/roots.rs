@@ -1,0 +1,120 @@
+//! Several values of one quantity: dealt out to the roots that they are right for, and joined into the report on one part.
+
+use crate::grade;
+use crate::grade::Expected;
+use crate::grade::PartReport;
+use crate::grade::Points;
+use crate::grade::Verdict;
+use crate::problem::Part;
+use crate::problem::PartKind;
+use crate::problem::Worked;
+use crate::quantity::Rational;
+use crate::solve::Bounded;
+
+use super::ROOTS_JOINED;
+use super::marker::widen;
+
+/// The roots of a part, where it has several.
+pub(super) fn several(worked: Worked<'_>, part: &Part) -> Option<Vec<Bounded>> {
+    let PartKind::Number(number) = &part.kind else { return None };
+    (number.every_root || worked.variant.has_others()).then(|| worked.answers(number)).filter(|roots| roots.len() > 1)
+}
+
+/// What is expected of each of several roots, with the text that answers it. Each root gets the first value that is right for it,
+/// whatever the order in which they were typed; what is left goes to the roots that are left, and to further ones of no worth.
+pub(super) fn shared_out(
+    single: &Expected,
+    roots: &[Bounded],
+    text: &str,
+    worked: Worked<'_>,
+    part: &Part,
+    mark: grade::DecimalMark,
+) -> Vec<(Expected, String)> {
+    let root = |(index, answer): (usize, &Bounded)| {
+        let mut root = single.clone();
+        if index > 0 {
+            root.id = format!("{} ({})", part.id, index + 1);
+        }
+        if let grade::ExpectedKind::Number(own) = &mut root.kind {
+            (own.value, own.error) = (answer.value, answer.error);
+        }
+        widen(&mut root, worked, part);
+        root
+    };
+    let roots: Vec<Expected> = roots.iter().enumerate().map(root).collect();
+    let mut values = grade::read_several(text);
+    let mut dealt: Vec<Option<String>> = vec![None; roots.len()];
+    // What is right comes first, then what is worth anything.
+    for wanted in [|verdict: Verdict| verdict.is_right(), |verdict: Verdict| verdict.usual_fraction().0 > 0] {
+        for (root, own) in roots.iter().zip(&mut dealt).filter(|(_, own)| own.is_none()) {
+            let found = values.iter().position(|value| {
+                let read = grade::read(value, &root.kind, mark);
+                read.is_ok_and(|answer| wanted(grade::judge(root, &answer).verdict))
+            });
+            *own = found.map(|position| values.remove(position));
+        }
+    }
+    let mut left = values.into_iter();
+    let surplus = roots.last().cloned();
+    let mut pairs: Vec<(Expected, String)> = Vec::new();
+    for (root, own) in roots.into_iter().zip(dealt) {
+        pairs.push((root, own.or_else(|| left.next()).unwrap_or_default()));
+    }
+    if let Some(last) = surplus {
+        pairs.extend(left.map(|value| (last.clone(), value)));
+    }
+    pairs
+}
+
+/// The reports on parts, those on the roots of one part joined into one. `places` says of each to which part it belongs.
+pub(super) fn joined(reports: Vec<PartReport>, places: &[usize], worked: Worked<'_>) -> Vec<PartReport> {
+    let mut groups: Vec<(usize, Vec<PartReport>)> = Vec::new();
+    for (report, place) in reports.into_iter().zip(places) {
+        match groups.last_mut() {
+            Some((own, group)) if own == place => group.push(report),
+            _ => groups.push((*place, vec![report])),
+        }
+    }
+    let join = |(place, mut group): (usize, Vec<PartReport>)| {
+        let part = worked.form.parts.get(place)?;
+        let roots = several(worked, part).map_or(1, |roots| roots.len());
+        if group.len() == 1 {
+            return group.pop();
+        }
+        one(&group, roots, part)
+    };
+    groups.into_iter().filter_map(join).collect()
+}
+
+/// The report on all roots of a part: each right value counts, and each wrong one takes away a right one.
+fn one(group: &[PartReport], roots: usize, part: &Part) -> Option<PartReport> {
+    let is = |verdict: Verdict| move |report: &&PartReport| report.verdict == verdict;
+    let read: Vec<&str> = group.iter().filter_map(|own| own.understood.as_deref()).collect();
+    let understood = (!read.is_empty()).then(|| read.join(ROOTS_JOINED));
+    if group.iter().any(|own| own.verdict == Verdict::Unreadable)
+        || group.iter().all(|own| is(Verdict::Unanswered)(&own))
+    {
+        let told = group.iter().find(is(Verdict::Unreadable)).or(group.first())?.clone();
+        return Some(PartReport { id: part.id.clone(), ..told });
+    }
+    let worth: Rational = group.iter().take(roots).fold(Rational::ZERO, |sum, own| sum + &own.points.0);
+    let is_wrong = |own: &&PartReport| own.verdict != Verdict::Unanswered && own.points.0 == Rational::ZERO;
+    let surplus = group.len().saturating_sub(roots);
+    let wrong = group.iter().take(roots).filter(is_wrong).count() + surplus;
+    let whole = |count: usize| Rational::from(u64::try_from(count).unwrap_or(u64::MAX));
+    let points = (worth - whole(wrong) * Rational::from(part.points)) / whole(roots);
+    let points = Points(points.max(Rational::ZERO));
+    let first = group.first()?;
+    let alike = surplus == 0 && group.iter().all(|own| own.verdict == first.verdict);
+    let all_right = surplus == 0 && group.iter().all(|own| own.verdict.is_right());
+    let none_right = group.iter().all(|own| is_wrong(&own) || own.verdict == Verdict::Unanswered);
+    let shown = if alike || none_right {
+        group.iter().find(|own| own.diagnosis.is_some()).or(group.iter().find(is_wrong)).unwrap_or(first)
+    } else if all_right {
+        group.iter().find(|own| own.verdict != Verdict::Right).unwrap_or(first)
+    } else {
+        let (verdict, message) = grade::some_values();
+        return Some(PartReport { id: part.id.clone(), verdict, points, understood, message, ..first.clone() });
+    };
+    Some(PartReport { id: part.id.clone(), points, understood, ..shown.clone() })
+}

@@ -1,0 +1,222 @@
+//! What people write around a number that says nothing of it: `v = about 3.2 m/s (2 s.f.)`; and numbers in words.
+
+use crate::quantity::Dimension;
+use crate::quantity::Rational;
+
+use super::super::number::Number;
+use super::answer::{NumberAnswer, Written};
+use super::arithmetic::At;
+use super::calculation;
+use super::numeral::DecimalMark;
+use super::quantity::{Asked, ENDS, read_plain};
+use super::unreadable::UnreadableKind;
+
+/// Words before a number, the longer first.
+const BEFORE: [&str; 24] = [
+    "the answer is",
+    "my answer is",
+    "answer is",
+    "answer:",
+    "answer",
+    "ans:",
+    "ans.",
+    "ans",
+    "result:",
+    "approximately",
+    "approx.",
+    "approx",
+    "roughly",
+    "around",
+    "about",
+    "circa",
+    "ca.",
+    "nearly",
+    "almost",
+    "exactly",
+    "it is",
+    "is",
+    "~",
+    "≈",
+];
+/// Words behind a number.
+const BEHIND: [&str; 14] = [
+    "(no units)",
+    "(no unit)",
+    "(unitless)",
+    "(dimensionless)",
+    "no units",
+    "no unit",
+    "unitless",
+    "dimensionless",
+    "(approximately)",
+    "(approx.)",
+    "(approx)",
+    "approximately",
+    "approx.",
+    "approx",
+];
+/// Words behind an energy.
+const BEHIND_ENERGY: [&str; 4] = ["(lost)", "lost", "(dissipated)", "dissipated"];
+/// How figures and decimals are counted, in brackets behind a number of them.
+const COUNTED: [&str; 12] = [
+    "s.f.",
+    "s.f",
+    "sf",
+    "sig figs",
+    "sig fig",
+    "sig. figs.",
+    "sig. fig.",
+    "significant figures",
+    "significant figure",
+    "d.p.",
+    "dp",
+    "decimal places",
+];
+/// Words for a minus sign.
+const MINUS: [&str; 2] = ["minus ", "negative "];
+/// Words for nothing.
+const ZERO: [&str; 3] = ["zero", "nil", "nought"];
+/// Words for no velocity.
+const REST: [&str; 6] = ["at rest", "stationary", "not moving", "does not move", "it stops", "stands still"];
+/// The longest name before an equals sign, in bytes.
+const LONGEST_NAME: usize = 40;
+/// Signs that stand between a name and its value.
+const EQUALS: [char; 3] = ['=', ':', '≈'];
+
+/// Reads a number without what stands around it, or a calculation with units; else the fault is what was found before.
+pub(super) fn read(
+    text: &str,
+    asked: Asked<'_>,
+    mark: DecimalMark,
+    fault: (usize, UnreadableKind),
+) -> At<NumberAnswer> {
+    if fault.1.is_doubt() {
+        return Err(fault);
+    }
+    let mut to = text.trim_end_matches(ENDS).len();
+    let mut from = to - text[..to].trim_start().len();
+    let whole = (from, to);
+    if let Some(start) = behind_name(&text[from..to], asked.name).map_err(|kind| (from, kind))? {
+        from += start;
+    }
+    while let Some(start) = behind_words(&text[from..to]) {
+        from += start;
+    }
+    while let Some(end) = before_remark(&text[from..to], asked) {
+        to = from + end;
+    }
+    let inner = &text[from..to];
+    if let Some(zero) = in_words(inner, asked) {
+        return Ok(zero);
+    }
+    let minus = MINUS.iter().find_map(|word| without_case(inner, word));
+    if let Some(rest) = minus {
+        let start = from + inner.len() - rest.len();
+        let found = read_plain(rest, asked, mark).map_err(|(at, kind)| (start + at, kind))?;
+        if found.signed || found.sense.is_some() {
+            return Err((from, UnreadableKind::SignAndDirection));
+        }
+        return Ok(NumberAnswer { number: found.number.negated(), signed: true, ..found });
+    }
+    let again = if (from, to) == whole {
+        Err(fault)
+    } else {
+        read_plain(inner, asked, mark).map_err(|(at, kind)| (from + at, kind))
+    };
+    again.or_else(|fault| match calculation::read(inner, asked.unit, mark).filter(|_| !fault.1.is_doubt()) {
+        Some(found) => found.map_err(|(at, kind)| (from + at, kind)),
+        None => Err(fault),
+    })
+}
+
+/// Where the value begins behind its name and an equals sign; the fault is another name than the one that is asked.
+pub(super) fn behind_name(text: &str, asked: &str) -> Result<Option<usize>, UnreadableKind> {
+    let Some((at, sign)) = text.char_indices().find(|(_, next)| EQUALS.contains(next)) else { return Ok(None) };
+    let (name, start) = (text[..at].trim(), at + sign.len_utf8());
+    if name.is_empty()
+        || name.len() > LONGEST_NAME
+        || !name.starts_with(|first: char| first.is_alphabetic() || "|∆Δ".contains(first))
+    {
+        return Ok(None);
+    }
+    let belongs = |next: char| next.is_alphanumeric() || "_{}|∆Δ.,' ̂⃗()".contains(next);
+    if !name.chars().all(belongs) || text[start..].contains(EQUALS) {
+        return Ok(None);
+    }
+    if is_another(name, asked) { Err(UnreadableKind::OtherName(asked.to_owned())) } else { Ok(Some(start)) }
+}
+
+/// Whether a name is that of a quantity of the same kind, but of another body, at another time or along another axis: `v_A1`
+/// beside `v_A2`. Any other name may be the student's own.
+fn is_another(typed: &str, asked: &str) -> bool {
+    let plain = |name: &str| name.chars().filter(|next| next.is_alphanumeric()).collect::<String>();
+    let (own, other) = (plain(typed), plain(asked));
+    let stem = plain(asked.split('_').next().unwrap_or(asked));
+    let Some(index) = own.strip_prefix(&stem).filter(|_| asked.contains('_')) else { return false };
+    let is_index = |next: char| next.is_uppercase() || next.is_ascii_digit();
+    let letters = |name: &str| name.chars().filter(|next| !next.is_ascii_digit()).collect::<String>();
+    let axis = asked.rsplit_once('.').map(|(_, axis)| axis).filter(|_| index.len() == 1);
+    let of_other_axis = axis.is_some_and(|axis| ["x", "y", "z"].contains(&index) && axis != index);
+    let of_other_time = letters(&own) == letters(&other) && own.len() == other.len() && own != other;
+    !index.is_empty() && (of_other_axis || of_other_time || index.chars().all(is_index) && !other.contains(index))
+}
+
+/// Where the number begins behind words that say nothing of it.
+fn behind_words(text: &str) -> Option<usize> {
+    let bare = text.trim_start_matches([' ', '=']);
+    let rest = BEFORE.iter().find_map(|word| without_case(bare, word)).unwrap_or(bare);
+    let word = &bare[..bare.len() - rest.len()];
+    let ends = !word.ends_with(char::is_alphabetic) || !rest.starts_with(char::is_alphanumeric);
+    (ends && rest.len() < text.len()).then(|| text.len() - rest.trim_start().len())
+}
+
+/// Where the number ends before words that say nothing of it.
+fn before_remark(text: &str, asked: Asked<'_>) -> Option<usize> {
+    let bare = text.trim_end_matches(ENDS);
+    let is_energy = asked.unit.dimension() == Dimension::ENERGY && asked.senses.is_none();
+    let words = BEHIND.iter().chain(BEHIND_ENERGY.iter().filter(|_| is_energy));
+    let cut = |word: &str| {
+        let start = text.trim_end().len().checked_sub(word.len())?;
+        let end = text.get(start..start + word.len())?;
+        let apart = text[..start].ends_with([' ', ')']) || text[..start].ends_with(|last: char| last.is_ascii_digit());
+        (end.eq_ignore_ascii_case(word) && apart).then_some(start)
+    };
+    let counted = || {
+        let open = bare.rfind('(')?;
+        let inner = bare[open + 1..].strip_suffix(')')?.trim();
+        let inner = inner.strip_prefix("to ").or(inner.strip_prefix("in ")).unwrap_or(inner);
+        let digits = inner.find(|next: char| !next.is_ascii_digit())?;
+        (digits > 0 && COUNTED.contains(&inner[digits..].trim())).then_some(open)
+    };
+    let end = words.into_iter().find_map(|word| cut(word)).or_else(counted)?;
+    (end > 0).then_some(end)
+}
+
+/// Nothing, in words.
+fn in_words(text: &str, asked: Asked<'_>) -> Option<NumberAnswer> {
+    let bare = text.trim();
+    let is = |words: &[&str]| words.iter().any(|word| bare.eq_ignore_ascii_case(word));
+    let unit_of_zero = ZERO.iter().find_map(|word| without_case(bare, word)).filter(|rest| rest.starts_with(' '));
+    let rests = is(&REST) && asked.unit.dimension() == Dimension::VELOCITY;
+    let unit = match unit_of_zero {
+        Some(unit) => super::unit::unit(unit, 0, unit.len(), asked.unit).ok()?,
+        None if rests => Some(asked.unit.clone()),
+        None if is(&ZERO) => None,
+        None => return None,
+    };
+    Some(NumberAnswer {
+        number: Number::exact(Rational::ZERO),
+        written: Written::Computed,
+        signed: false,
+        unit,
+        pounds_as_mass: false,
+        sense: None,
+        heading: None,
+    })
+}
+
+/// What is behind a word at the start, in whatever case it is written.
+fn without_case<'t>(text: &'t str, word: &str) -> Option<&'t str> {
+    let start = text.get(..word.len())?;
+    start.eq_ignore_ascii_case(word).then(|| &text[word.len()..])
+}
