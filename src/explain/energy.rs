@@ -64,6 +64,11 @@ impl Loss {
         let equation = |parts: Vec<Math>| Block::Equation { lines: vec![Math::Row(parts)], number: None };
         let (sum, numbers) = (self.difference.symbols.clone(), display.substituted(&self.difference));
         let result = display.quantity_to(self.lost, FIGURES);
+        let gains = display.worked.variant.value(self.lost).is_some_and(|lost| lost.value < -lost.error);
+        if gains {
+            let words = text("It is negative: kinetic energy is gained, so something releases energy in the impact.");
+            return Some(vec![self.words.clone(), equation(vec![sum, equals(), numbers, equals(), result]), words]);
+        }
         let mut blocks = vec![self.words.clone(), equation(vec![sum, equals(), numbers, equals(), result])];
         let lost = display.worked.closeness_to_zero(&self.difference.expr);
         let is_elastic = lost.is_equal();

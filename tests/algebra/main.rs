@@ -123,3 +123,20 @@ fn each_sentence_is_true_in_problems_of_others() {
     assert!(read > 100, "{read} problems were read");
     assert_none(&found);
 }
+
+#[test]
+fn a_gain_of_energy_is_not_called_a_loss() {
+    let scene = "axes: { x: right }\nbodies:\n  A: { name: cart A }\n  B: { name: cart B }\nstages:\n  - impact: { between: [A, B] }";
+    let masses = [("m_A", "1 kg"), ("m_B", "1 kg"), ("v_A1", "1.5 m/s"), ("v_B1", "0 m/s")];
+    let page = |after: &str, allow: &str| {
+        let given: Vec<(&str, &str)> = masses.into_iter().chain([("v_A2", after)]).collect();
+        let text = variants::sheet(scene, &given, &["v_B2", "T_lost"]) + allow;
+        let exercise = Exercise::draw(&Arc::new(variants::problem("test.yaml", &text)), 0, 1).unwrap();
+        page_of(&exercise, &Renderer::new(None).unwrap())
+    };
+    // By hand: T_1 = 1.125 J; with v_A2 = -1 m/s, v_B2 = 2.5 m/s and T_2 = 3.625 J; with 0.5 m/s, 1 m/s and 0.625 J.
+    let gained = page("-1.0 m/s", "allow: [energy-created]\n");
+    assert!(gained.contains("is gained") && gained.contains("-2.500") && !gained.contains("not negative"), "{gained}");
+    let lost = page("0.5 m/s", "");
+    assert!(lost.contains("not negative") && !lost.contains("is gained"), "{lost}");
+}
