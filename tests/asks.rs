@@ -38,7 +38,7 @@ scene:
   bodies: { A: { name: the first skater }, B: { name: the second skater } }
   stages: [ { separate: { called: push, from: W, into: [A, B] } } ]
 given: { m_A: 1 kg, m_B: 1 kg, v_W1.x: 3 m/s, v_W1.y: 0 m/s, v_A2.x: 1 m/s, v_A2.y: 2 m/s }
-text: Two skaters part.
+text: "Two skaters ({{ m_A }}, {{ m_B }}) part; {{ v_W1.x }}, {{ v_A2.x }}, {{ v_A2.y }}."
 ask: [ { find: v_B2, unit: m/s } ]
 ";
 
@@ -76,7 +76,7 @@ scene:
   bodies: { A: { name: trolley A }, B: { name: trolley B } }
   stages: [ { impact: { between: [A, B], restitution: e } } ]
 given: { m_A: 1 kg, m_B: 4 kg, v_A1: 5 m/s, v_B1: 0 m/s }
-text: Two trolleys collide.
+text: "Two trolleys ({{ m_A }}, {{ m_B }}) collide; the first {{ v_A1 | motion }}."
 ask: [ { range: e, where: CLAIM } ]
 ";
 
@@ -124,7 +124,7 @@ scene:
   bodies: { A: { name: trolley A }, B: { name: trolley B } }
   stages: [ { separate: { called: release, from: W, into: [A, B], energy: E } } ]
 given: { m_A: 1 kg, m_B: 1 kg, v_W1: 1 m/s, E: 9 J }
-text: Two trolleys are pushed apart.
+text: "Two trolleys ({{ m_A }}, {{ m_B }}) {{ v_W1 | motion }} and are pushed apart with {{ E }}."
 ask: [ { find: NAME, unit: m/s, roots: every, points: 2 }, { physical: NAME } ]
 ";
 
@@ -159,7 +159,8 @@ fn both_roots_are_asked_and_which_of_them_is_possible() {
 fn an_equation_with_one_root_leaves_nothing_to_choose() {
     let text = BUMPERS
         .replace("ask: [ { range: e, where: CLAIM } ]", "ask: [ { physical: v_A2 } ]")
-        .replace("given: {", "given: { e: 0.5,");
+        .replace("given: {", "given: { e: 0.5,")
+        .replace("first {{", "first with e = {{ e }} {{");
     let faults = compile(load(Source::new("asks.yaml", &text)).unwrap(), None).unwrap_err().to_string();
     assert!(faults.contains("one value only"), "{faults}");
 }

@@ -305,7 +305,7 @@ given:
   v_B1.y: 0 m/s
   e: { min: 0.2, max: 0.8, step: 0.1 }
 text: >
-  Two discs meet, {{ m_A }} at {{ v_A1.x }}; the coefficient of restitution is {{ e }}.
+  Two discs meet, {{ m_A }} at {{ v_A1.x }} and {{ v_A1.y }}; the coefficient of restitution is {{ e }}.
 ask: [{ find: v_A2.x, unit: m/s }, { find: v_B2.y, unit: m/s }, { conserved: energy, of: [A, B] }]
 ";
 
