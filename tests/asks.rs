@@ -38,7 +38,7 @@ scene:
   bodies: { A: { name: the first skater }, B: { name: the second skater } }
   stages: [ { separate: { called: push, from: W, into: [A, B] } } ]
 given: { m_A: 1 kg, m_B: 1 kg, v_W1.x: 3 m/s, v_W1.y: 0 m/s, v_A2.x: 1 m/s, v_A2.y: 2 m/s }
-text: "Two skaters ({{ m_A }}, {{ m_B }}) part; {{ v_W1.x }}, {{ v_A2.x }}, {{ v_A2.y }}."
+text: 'Two skaters ({{ m_A }}, {{ m_B }}) part; {{ v_W1.x }}, {{ v_A2.x }}, {{ v_A2.y }}.'
 ask: [ { find: v_B2, unit: m/s } ]
 ";
 
@@ -76,7 +76,7 @@ scene:
   bodies: { A: { name: trolley A }, B: { name: trolley B } }
   stages: [ { impact: { between: [A, B], restitution: e } } ]
 given: { m_A: 1 kg, m_B: 4 kg, v_A1: 5 m/s, v_B1: 0 m/s }
-text: "Two trolleys ({{ m_A }}, {{ m_B }}) collide; the first {{ v_A1 | motion }}."
+text: 'Two trolleys ({{ m_A }}, {{ m_B }}) collide; the first {{ v_A1 | motion }}.'
 ask: [ { range: e, where: CLAIM } ]
 ";
 
@@ -124,7 +124,7 @@ scene:
   bodies: { A: { name: trolley A }, B: { name: trolley B } }
   stages: [ { separate: { called: release, from: W, into: [A, B], energy: E } } ]
 given: { m_A: 1 kg, m_B: 1 kg, v_W1: 1 m/s, E: 9 J }
-text: "Two trolleys ({{ m_A }}, {{ m_B }}) {{ v_W1 | motion }} and are pushed apart with {{ E }}."
+text: 'Two trolleys ({{ m_A }}, {{ m_B }}) {{ v_W1 | motion }} and are pushed apart with {{ E }}.'
 ask: [ { find: NAME, unit: m/s, roots: every, points: 2 }, { physical: NAME } ]
 ";
 
