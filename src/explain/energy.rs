@@ -66,7 +66,7 @@ impl Loss {
         let result = display.quantity_to(self.lost, FIGURES);
         let gains = display.worked.variant.value(self.lost).is_some_and(|lost| lost.value < -lost.error);
         if gains {
-            let words = text("It is negative: kinetic energy is gained, so something releases energy in the impact.");
+            let words = text("It is negative: kinetic energy is gained, so something supplies energy in the impact.");
             return Some(vec![self.words.clone(), equation(vec![sum, equals(), numbers, equals(), result]), words]);
         }
         let mut blocks = vec![self.words.clone(), equation(vec![sum, equals(), numbers, equals(), result])];
