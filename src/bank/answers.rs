@@ -83,7 +83,7 @@ pub(super) fn varies(columns: &[Column<'_>], variants: usize) -> Outcome {
 /// A zero is rare, unless it is always there, which is a constant.
 pub(super) fn not_zero(columns: &[Column<'_>]) -> Outcome {
     let zeros = |column: &Column<'_>| {
-        let share = column.share(|answer| answer.value.value.abs() <= answer.value.error);
+        let share = column.share(|answer| answer.value.is_zero());
         (share > 0.0 && share < 1.0 && !column.whole)
             .then(|| (share, format!("`{}` is zero in {}", column.id, percent(share))))
     };

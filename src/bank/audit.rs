@@ -89,6 +89,7 @@ fn form_audit(
         Promise::NotGiven if form.meant.contains(&Meant::EqualsGiven) => Outcome::Kept,
         Promise::NotGiven => answers::not_given(&columns),
         Promise::FromTheSheet => repeat::from_the_sheet(problem, position, drawn),
+        Promise::Reproduces => repeat::reproduces(problem, position, drawn),
         Promise::KeyMarks => repeat::key_marks(problem, position, drawn),
         Promise::Sharp => repeat::sharp(problem, position, drawn),
         Promise::Requires => idle.clone(),

@@ -31,6 +31,8 @@ pub enum Promise {
     NotGiven,
     /// The numbers on the sheet lead to the answers of the key.
     FromTheSheet,
+    /// The lines of a worked solution can be computed again.
+    Reproduces,
     /// No condition is there for nothing.
     Requires,
     /// What the key prints reaches full marks.
@@ -66,6 +68,11 @@ const SAID: &[(Promise, &str, &str)] = &[
         Promise::FromTheSheet,
         "from-the-sheet",
         "the problem solved with nothing but its printed numbers gives every printed answer",
+    ),
+    (
+        Promise::Reproduces,
+        "reproduces",
+        "each line of the worked solution can be computed again from the numbers printed on it",
     ),
     (Promise::Requires, "requires", "every `require` rejects some draws"),
     (Promise::KeyMarks, "key-marks", "the answers of the key reach full marks"),

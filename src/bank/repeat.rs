@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use crate::exercise::Exercise;
+use crate::explain::lines_out;
 use crate::grade::DecimalMark;
 use crate::problem::Part;
 use crate::problem::Problem;
@@ -36,6 +37,20 @@ pub(super) fn from_the_sheet(problem: &Arc<Problem>, form: usize, seeds: u64) ->
         })
     };
     first(exercises(problem, form, seeds.min(SOLVED_AGAIN)).filter_map(differs))
+}
+
+/// What is printed on a line of a worked solution gives its result.
+pub(super) fn reproduces(problem: &Arc<Problem>, form: usize, seeds: u64) -> Outcome {
+    let seeds = seeds.min(MARKED);
+    let out = exercises(problem, form, seeds).filter(|(_, exercise)| lines_out(exercise.worked()) > 0);
+    let said = out.map(|(seed, _)| seed).collect::<Vec<_>>();
+    match said.first() {
+        Some(first) => Outcome::Noted(format!(
+            "a line of the worked solution needs more figures than are printed for {} of {seeds} seeds, seed {first} among them",
+            said.len()
+        )),
+        None => Outcome::Kept,
+    }
 }
 
 /// The first thing that is wrong stands for all.

@@ -54,13 +54,13 @@ impl Exercise {
         match &part.kind {
             PartKind::Number(number) => {
                 let answer = self.worked().answer(number);
-                let all: Vec<f64> = self.worked().answers(number).iter().map(|answer| answer.value).collect();
+                let all: Vec<f64> = self.worked().answers(number).iter().map(|answer| answer.or_zero()).collect();
                 let unit = self.unit_name(number);
                 let mut asked = json!({
                     "id": part.id,
                     "kind": if number.whole { "count" } else { "number" },
                     "find": self.problem.model().symbols.entry(number.symbol).name,
-                    "value": answer.value,
+                    "value": answer.or_zero(),
                     "unit": unit,
                     "printed": self.printed(part),
                     "error_bound": answer.error.is_finite().then_some(answer.error),
@@ -79,7 +79,7 @@ impl Exercise {
                     "kind": "vector",
                     "find": part.id,
                     "axes": vector.axes,
-                    "value": answers.iter().map(|own| own.value).collect::<Vec<_>>(),
+                    "value": answers.iter().map(|own| own.or_zero()).collect::<Vec<_>>(),
                     "unit": vector.components.first().map(|own| self.unit_name(own)),
                     "printed": self.printed(part),
                     "error_bound": bounds,
@@ -91,7 +91,7 @@ impl Exercise {
                 let interval = self.worked().interval(range);
                 let end = |end: Option<End>| {
                     end.map(
-                        |end| json!({ "value": end.value.value, "closed": end.closed, "limit_of_quantity": end.own }),
+                        |end| json!({ "value": end.value.or_zero(), "closed": end.closed, "limit_of_quantity": end.own }),
                     )
                 };
                 json!({

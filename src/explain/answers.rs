@@ -25,6 +25,7 @@ use super::display::Shown;
 use super::display::number_math;
 use super::display::with_unit;
 use super::interval;
+use super::ledger::Item;
 use super::way::Memory;
 use super::wording::capitalised;
 
@@ -74,6 +75,7 @@ fn sentence(display: Display<'_>, part: &Part) -> Vec<Inline> {
                 let mut equal = vec![display.name(number.symbol), Math::Operator(Operator::Equals)];
                 if index == 0 && is_converted(display, number) {
                     equal.extend([display.quantity(number.symbol), Math::Operator(Operator::Equals)]);
+                    equal.extend(to_the_unit(display, number, answer));
                 }
                 equal.push(printed(display, number, answer));
                 words.extend((index > 0).then(|| Inline::Text(" or ".into())));
@@ -115,6 +117,17 @@ pub fn printed_formula(worked: Worked<'_>, part: &FormulaPart) -> Option<Math> {
 fn is_converted(display: Display<'_>, number: &NumberPart) -> bool {
     let own = display.unit(number.symbol);
     matches!(&number.unit, AskedUnit::Unit(unit) if unit != own && unit.factor() != own.factor())
+}
+
+/// The answer with more figures than are asked, where it does not come out with those: `32710 km`, which is about 32700 km.
+fn to_the_unit(display: Display<'_>, number: &NumberPart, answer: Bounded) -> Vec<Math> {
+    let settled = display.shown.figures.get().and_then(|figures| figures.of(Item::Answer(number.symbol)));
+    let figures = settled.unwrap_or(number.figures);
+    if figures == number.figures || number.whole {
+        return Vec::new();
+    }
+    let all = shown(&NumberPart { figures, ..number.clone() }, answer.for_print());
+    vec![display.in_unit_of(number, all), Math::Operator(Operator::Approximately)]
 }
 
 /// The answers to a part as they are printed, with their unit: one, or every root.
@@ -170,7 +183,7 @@ fn direction(display: Display<'_>, part: &Part, number: &NumberPart) -> Option<S
         return None;
     }
     let value = display.worked.answer(number);
-    if value.value.abs() <= value.error {
+    if value.is_zero() {
         return part.id.starts_with("v_").then(|| "at rest".to_owned());
     }
     if value.value >= 0.0 {

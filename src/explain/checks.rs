@@ -22,14 +22,13 @@ use super::Inline;
 use super::display::Display;
 use super::energy;
 use super::energy::Loss;
+use super::ledger::Item;
+use super::ledger::Ledger;
 use super::limits;
 use super::script::is_definition;
 use super::steps::text;
 use super::term::Term;
 use super::wording::capitalised;
-
-/// Figures of values in a check.
-pub(super) const FIGURES: usize = 4;
 
 /// The most balances that are shown.
 const MOST: usize = 4;
@@ -78,20 +77,71 @@ pub(super) fn checks(display: Display<'_>) -> Vec<Block> {
     if display.worked.form.wanted().next().is_none() {
         return Vec::new();
     }
-    let prepared = display.way.checks.get_or_init(|| Checks::new(display));
-    let has_numbers = |term: &Term| term.mentions.iter().all(|symbol| display.has_number(*symbol));
     let mut blocks = vec![text("Check:")];
-    let told = prepared.balances.iter().filter(|balance| balance.sides.iter().all(has_numbers));
-    for Balance { words, sides } in told.take(MOST) {
-        let lines = sides.iter().map(|side| evaluated(display, side)).collect();
+    for (place, Balance { words, sides }) in shown_balances(display) {
+        let result = result(display, place, sides);
+        let lines = sides.iter().map(|side| evaluated(display, side, result)).collect();
         blocks.extend([words.clone(), Block::Equation { lines, number: None }]);
     }
     blocks.extend(means(display));
-    blocks.extend(prepared.losses.iter().filter_map(|loss| loss.blocks(display)).flatten());
-    let shown = prepared.conditions.iter().filter(|condition| condition.sides.iter().all(has_numbers));
-    blocks.extend(shown.filter_map(|condition| condition.block(display)));
+    blocks.extend(prepared(display).losses.iter().filter_map(|loss| loss.blocks(display)).flatten());
+    blocks.extend(shown_conditions(display).map(|(place, condition)| condition.block(display, place)));
     blocks.extend(limits::limits(display));
     if blocks.len() > 1 { blocks } else { Vec::new() }
+}
+
+fn prepared(display: Display<'_>) -> &Checks {
+    display.way.checks.get_or_init(|| Checks::new(display))
+}
+
+fn has_numbers(display: Display<'_>, sides: &[Term; 2]) -> bool {
+    sides.iter().flat_map(|side| &side.mentions).all(|symbol| display.has_number(*symbol))
+}
+
+/// The balances whose numbers are known, each with its place.
+fn shown_balances(display: Display<'_>) -> impl Iterator<Item = (usize, &Balance)> {
+    let balances = prepared(display).balances.iter().enumerate();
+    balances.filter(move |(_, balance)| has_numbers(display, &balance.sides)).take(MOST)
+}
+
+/// What both sides of a balance are: a quantity that is printed exactly, where one of them is nothing else.
+fn result(display: Display<'_>, place: usize, sides: &[Term; 2]) -> Item {
+    let named = sides.iter().find_map(|side| match &side.expr {
+        Expr::Symbol(symbol) if display.exact(*symbol).is_some() => Some(Item::Quantity(*symbol)),
+        _ => None,
+    });
+    named.unwrap_or(Item::Balance(place))
+}
+
+/// The conditions whose numbers are known, each with its place.
+fn shown_conditions(display: Display<'_>) -> impl Iterator<Item = (usize, &Condition)> {
+    let is_real = move |sides: &[Term; 2]| !sides.iter().any(|side| display.value_of(&side.expr).is_nan());
+    let conditions = prepared(display).conditions.iter().enumerate();
+    conditions.filter(move |(_, condition)| has_numbers(display, &condition.sides) && is_real(&condition.sides))
+}
+
+/// Enters what the checks compute into the ledger of a solution.
+pub(super) fn enter(display: Display<'_>, ledger: &mut Ledger) {
+    if display.worked.form.wanted().next().is_none() {
+        return;
+    }
+    for (place, Balance { sides, .. }) in shown_balances(display) {
+        let result = result(display, place, sides);
+        if result == Item::Balance(place) {
+            display.enter_value(ledger, &sides[0].expr, sides[0].unit.size, result);
+        }
+        for side in sides {
+            display.enter_term(ledger, side, result);
+        }
+    }
+    for loss in &prepared(display).losses {
+        loss.enter(display, ledger);
+    }
+    for (place, Condition { sides, .. }) in shown_conditions(display) {
+        for (side, term) in sides.iter().enumerate() {
+            display.enter_value(ledger, &term.expr, sides[0].unit.size, Item::Side(place, side));
+        }
+    }
 }
 
 /// What a reader of the steps knows: what is told, and what the steps found.
@@ -179,8 +229,8 @@ fn words_of(display: Display<'_>, equation: &Equation) -> Option<&'static str> {
 }
 
 /// A term in symbols, with numbers, and its value.
-fn evaluated(display: Display<'_>, side: &Term) -> Math {
-    let value = display.evaluated(&side.expr, &side.unit, FIGURES);
+fn evaluated(display: Display<'_>, side: &Term, item: Item) -> Math {
+    let value = display.evaluated(&side.expr, &side.unit, item);
     let numbers = display.substituted(side);
     let mut parts = vec![side.symbols.clone()];
     if !matches!(side.expr, Expr::Symbol(_)) && numbers != value {
@@ -205,19 +255,18 @@ fn conditions(display: Display<'_>) -> Vec<Condition> {
 
 impl Condition {
     /// The condition with the numbers.
-    fn block(&self, display: Display<'_>) -> Option<Block> {
-        if self.sides.iter().any(|side| display.value_of(&side.expr).is_nan()) {
-            return None;
-        }
+    fn block(&self, display: Display<'_>, place: usize) -> Block {
         let in_symbols = self.sides.each_ref().map(|side| side.symbols.clone());
-        let in_numbers = self.sides.each_ref().map(|side| display.evaluated(&side.expr, &self.sides[0].unit, FIGURES));
+        let number =
+            |side: usize| display.evaluated(&self.sides[side].expr, &self.sides[0].unit, Item::Side(place, side));
+        let in_numbers = [number(0), number(1)];
         let at_least = |[left, right]: [Math; 2]| Inline::Math(Math::relation(left, Operator::AtLeast, right));
-        Some(Block::Paragraph(vec![
+        Block::Paragraph(vec![
             Inline::Text(self.words.clone()),
             at_least(in_symbols),
             Inline::Text(", since ".into()),
             at_least(in_numbers),
             Inline::Text(".".into()),
-        ]))
+        ])
     }
 }

@@ -1,5 +1,6 @@
 //! How a quantity is shown in an explanation: its symbol, its number, its unit.
 
+use std::cell::OnceCell;
 use std::cell::RefCell;
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -14,27 +15,25 @@ use crate::expr::Symbol;
 use crate::problem::AskedUnit;
 use crate::problem::NumberPart;
 use crate::problem::Worked;
-use crate::quantity::Decimal;
 use crate::quantity::Dimension;
 use crate::quantity::Printed;
 use crate::quantity::Unit;
 use crate::quantity::coherent_unit;
+use crate::solve::Bounded;
+use crate::solve::Closed;
+use crate::solve::Root;
+use crate::solve::Step;
 
 use super::algebra::has_angle_of_point;
+use super::ledger::Figures;
 use super::term::Measured;
 use super::term::Term;
 use super::term::suffix;
 use super::way::Manner;
 use super::way::Way;
 
-/// Figures of intermediate values.
-const INTERMEDIATE: usize = 4;
-
-/// The share of its terms below which a sum is nothing but their rounding.
-const DUST: f64 = 1e-13;
-
-/// The most digits of a given that was converted to another unit.
-const MOST_DIGITS: usize = 8;
+/// The most characters above or below the bar of a fraction that is printed as such.
+const SHORT_FRACTION: usize = 4;
 
 /// Units of the same size as a product of base units in which quantities are usually printed, by the beginnings of names.
 const USUAL: [(&str, &str); 4] = [("J_", "N s"), ("I_", "N s"), ("M_", "N m"), ("omega", "rad/s")];
@@ -49,9 +48,13 @@ pub(super) struct Display<'a> {
     pub shown: &'a Shown,
 }
 
-/// The quantities of a variant as they are printed, each to so many figures, since a solution shows most of them many times.
+/// The quantities of a variant as they are printed, since a solution shows most of them many times.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Shown(RefCell<Vec<(Symbol, usize, Leaf)>>);
+pub(super) struct Shown {
+    pub leaves: RefCell<Vec<(Symbol, Leaf)>>,
+    /// To how many figures, once all lines are known.
+    pub figures: OnceCell<Figures>,
+}
 
 impl<'a> Display<'a> {
     /// Quantities that are shown by their symbols only, since they may have any value.
@@ -82,8 +85,45 @@ impl<'a> Display<'a> {
                 name: (!is_literal).then(|| problem.math_of(symbol)),
                 senses: problem.senses(symbol),
                 is_whole: numbers.any(|number| number.whole && number.symbol == symbol),
+                equals: self.equal(symbol),
+                constant: self.constant(symbol),
             }
         })
+    }
+
+    /// The formula of what a step finds in one way only.
+    fn formula(self, symbol: Symbol) -> Option<&'a Expr> {
+        let mut steps = self.worked.leaf().answer_steps().iter();
+        let root = |step: &'a Step| match &step.roots[..] {
+            [Root { values }] => values.iter().find(|(own, _)| *own == symbol),
+            _ => None,
+        };
+        match steps.find_map(root)? {
+            (_, Closed::Formula(formula)) => Some(formula),
+            _ => None,
+        }
+    }
+
+    /// A pure number that a step finds to be a plain fraction, whatever is drawn: 1/3.
+    fn constant(self, symbol: Symbol) -> Option<Math> {
+        let is_pure = self.worked.problem.model().symbols.entry(symbol).dimension == Dimension::NONE;
+        let formula = self.formula(symbol).filter(|_| is_pure)?;
+        let number = formula.as_number().filter(|number| !number.is_zero())?;
+        let short = |size: &str| size.len() <= SHORT_FRACTION;
+        let is_short = short(&number.numerator().to_string()) && short(&number.denominator().to_string());
+        is_short.then(|| self.symbolic(formula))
+    }
+
+    /// The quantity that another one equals, and whether with the other sign.
+    fn equal(self, symbol: Symbol) -> Option<(Symbol, bool)> {
+        match self.formula(symbol)? {
+            Expr::Symbol(other) => Some((*other, false)),
+            Expr::Product(factors) => match &factors[..] {
+                [sign, Expr::Symbol(other)] if *sign == Expr::integer(-1) => Some((*other, true)),
+                _ => None,
+            },
+            _ => None,
+        }
     }
 
     fn unit_chosen(self, symbol: Symbol) -> Unit {
@@ -119,47 +159,6 @@ impl<'a> Display<'a> {
         coherent_unit(dimension, problem.units())
     }
 
-    /// A value in its display unit with so many figures, as it stands for its quantity in a term.
-    fn leaf(self, symbol: Symbol, figures: usize) -> Leaf {
-        let known = |(own, to, _): &&(Symbol, usize, Leaf)| *own == symbol && *to == figures;
-        if let Some((.., leaf)) = self.shown.0.borrow().iter().find(known) {
-            return leaf.clone();
-        }
-        let number = self.number(symbol, figures);
-        let kind = LeafKind::Number { negative: number.starts_with('-') };
-        let math = self.manner(symbol).measured.put(number_math(number));
-        let leaf = Leaf { math: math.shared(), kind };
-        self.shown.0.borrow_mut().push((symbol, figures, leaf.clone()));
-        leaf
-    }
-
-    /// A value in its display unit, as it is printed with so many figures; `?` where it has none.
-    fn number(self, symbol: Symbol, figures: usize) -> String {
-        let manner = self.manner(symbol);
-        let mut told = self.worked.variant.all_given().iter();
-        if let Some((_, value, given)) = told.find(|(own, ..)| *own == symbol) {
-            if *given == manner.measured.unit {
-                return Printed::written(value).plain();
-            }
-            if !manner.is_whole
-                && let Some(exact) = converted(value, given, &manner.measured.unit)
-            {
-                return exact;
-            }
-        }
-        let Some(value) = self.worked.variant.value(symbol) else { return "?".into() };
-        if manner.is_whole {
-            format!("{:.0}", value.value)
-        } else {
-            printed(value.for_print() / manner.measured.size, figures)
-        }
-    }
-
-    /// The number and its unit, to so many figures.
-    pub(super) fn quantity_to(self, symbol: Symbol, figures: usize) -> Math {
-        self.leaf(symbol, figures).math
-    }
-
     /// Whether a term has a value of its own.
     pub(super) fn has_value(self, expr: &Expr) -> bool {
         expr.all_symbols(&|symbol| self.has_number(symbol))
@@ -168,11 +167,6 @@ impl<'a> Display<'a> {
     /// Whether a quantity is shown by a number.
     pub(super) fn has_number(self, symbol: Symbol) -> bool {
         !self.is_free(symbol) && self.worked.variant.value(symbol).is_some()
-    }
-
-    /// The number and its unit, to the figures of an intermediate value.
-    pub(super) fn quantity(self, symbol: Symbol) -> Math {
-        self.quantity_to(symbol, INTERMEDIATE)
     }
 
     /// The symbol itself; a value that the author wrote into a term is shown as that value.
@@ -184,14 +178,14 @@ impl<'a> Display<'a> {
     fn named(self, symbol: Symbol) -> Leaf {
         match &self.manner(symbol).name {
             Some(name) => Leaf { math: name.clone(), kind: LeafKind::Name },
-            None => self.leaf(symbol, INTERMEDIATE),
+            None => self.leaf(symbol),
         }
     }
 
     /// A number where the quantity has one, else the symbol.
     fn put_in(self, symbol: Symbol) -> Leaf {
         if !self.is_free(symbol) {
-            return self.leaf(symbol, INTERMEDIATE);
+            return self.leaf(symbol);
         }
         Leaf { math: self.name(symbol), kind: LeafKind::Name }
     }
@@ -248,41 +242,8 @@ impl<'a> Display<'a> {
 
     /// A term with numbers and units in place of its symbols.
     pub(super) fn substituted(self, term: &Term) -> Math {
-        term.arranged.with(&|symbol| self.put_in(symbol))
-    }
-
-    /// A term's value in a unit, to so many figures.
-    pub(super) fn evaluated(self, expr: &Expr, unit: &Measured, figures: usize) -> Math {
-        if let Expr::Symbol(symbol) = expr
-            && self.unit(*symbol) == &unit.unit
-        {
-            return self.quantity_to(*symbol, figures);
-        }
-        // The last bits of a sum are not known: what may lie half-way between two printed numbers is rounded up.
-        let value = self.value_of(expr) * (1.0 + 4.0 * f64::EPSILON) / unit.size;
-        unit.put(number_math(printed(value, figures)))
-    }
-
-    /// A number in the unit in which a part asks it; none where that is a quantity.
-    pub(super) fn in_unit_of(self, number: &NumberPart, value: Math) -> Math {
-        let own = &self.manner(number.symbol).measured;
-        match &number.unit {
-            AskedUnit::Unit(unit) if *unit == own.unit => own.put(value),
-            AskedUnit::Unit(unit) => with_unit(value, unit),
-            AskedUnit::InTermsOf(_) => value,
-        }
-    }
-
-    /// A term's value in SI units; a sum whose terms cancel but for their rounding is zero.
-    pub(super) fn value_of(self, expr: &Expr) -> f64 {
-        let value = |expr: &Expr| {
-            expr.evaluate(&|symbol| self.worked.variant.value(symbol).map_or(f64::NAN, |value| value.value))
-        };
-        let whole = value(expr);
-        match expr {
-            Expr::Sum(terms) if whole.abs() < DUST * terms.iter().map(|term| value(term).abs()).sum::<f64>() => 0.0,
-            _ => whole,
-        }
+        let value = |symbol: Symbol| self.worked.variant.value(symbol).map_or(f64::NAN, Bounded::or_zero);
+        term.arranged.with_numbers(&|symbol| self.put_in(symbol), &value)
     }
 
     /// Whether a term holds the angle of a point that a calculator's arctangent does not give for this variant: its
@@ -305,16 +266,6 @@ impl<'a> Display<'a> {
 /// Whether a part of a term is given piece by piece.
 pub(super) fn has_pieces(expr: &Expr) -> bool {
     matches!(expr, Expr::Piecewise(_)) || expr.children().any(has_pieces)
-}
-
-/// A given in another unit, where the conversion is exact and short: 360 g is 0.36 kg, and 36.0 km/h is 10.0 m/s.
-fn converted(value: &Decimal, given: &Unit, unit: &Unit) -> Option<String> {
-    let (from, to) = (given.factor(), unit.factor());
-    let exact = value.to_rational() * from.rational / to.rational;
-    let figures = (value.least_figures()..=MOST_DIGITS).filter(|_| from.pi == to.pi);
-    let printed = figures.map(|figures| Printed::exact(&exact, figures));
-    let mut fitting = printed.filter(|printed| printed.to_decimal().to_rational() == exact);
-    fitting.next().map(|printed| printed.plain())
 }
 
 /// A number followed by its unit.

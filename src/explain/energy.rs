@@ -13,9 +13,10 @@ use crate::solve::Equation;
 use crate::solve::Statement;
 
 use super::Block;
-use super::checks::FIGURES;
 use super::checks::known;
 use super::display::Display;
+use super::ledger::Item;
+use super::ledger::Ledger;
 use super::steps::text;
 use super::term::Term;
 
@@ -54,6 +55,13 @@ fn loss(display: Display<'_>, equation: &Equation) -> Option<Loss> {
 }
 
 impl Loss {
+    /// Enters the loss into the ledger of a solution.
+    pub(super) fn enter(&self, display: Display<'_>, ledger: &mut Ledger) {
+        for term in [Some(&self.difference), self.formula.as_ref()].into_iter().flatten() {
+            display.enter_term(ledger, term, Item::Quantity(self.lost));
+        }
+    }
+
     /// `T_1 - T_2 = 50.06 J - 16.31 J = 33.75 J`, that it is not negative, and what else it equals.
     pub(super) fn blocks(&self, display: Display<'_>) -> Option<Vec<Block>> {
         if !self.difference.mentions.iter().all(|symbol| display.has_number(*symbol)) {
@@ -63,7 +71,7 @@ impl Loss {
         let equals = || Math::Operator(Operator::Equals);
         let equation = |parts: Vec<Math>| Block::Equation { lines: vec![Math::Row(parts)], number: None };
         let (sum, numbers) = (self.difference.symbols.clone(), display.substituted(&self.difference));
-        let result = display.quantity_to(self.lost, FIGURES);
+        let result = display.quantity(self.lost);
         let gains = display.worked.variant.value(self.lost).is_some_and(|lost| lost.value < -lost.error);
         if gains {
             let words = text("It is negative: kinetic energy is gained, so something supplies energy in the impact.");
@@ -79,8 +87,7 @@ impl Loss {
             (_, Some(_)) => "It is not negative, as it must be where nothing supplies energy, and equals",
         }));
         if let Some(formula) = self.formula.as_ref().filter(|_| !is_elastic) {
-            let value = display.evaluated(&formula.expr, &display.manner(self.lost).measured, FIGURES);
-            blocks.push(equation(vec![formula.symbols.clone(), equals(), value]));
+            blocks.push(equation(vec![formula.symbols.clone(), equals(), display.quantity(self.lost)]));
         }
         Some(blocks)
     }

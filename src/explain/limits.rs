@@ -66,9 +66,7 @@ fn coefficient(worked: Worked<'_>) -> Option<Symbol> {
 
 fn result(display: Display<'_>, there: Worked<'_>, number: &NumberPart) -> Math {
     let answer = there.answer(number);
-    // What is zero at the extreme is printed as such, not as the rounding error that stands for it.
-    let value = if answer.value.abs() <= answer.error { 0.0 } else { answer.for_print() };
-    let shown =
-        Printed::new(value, number.figures).map_or(Math::Text("?".into()), |printed| number_math(printed.plain()));
+    let shown = Printed::new(answer.for_print(), number.figures)
+        .map_or(Math::Text("?".into()), |printed| number_math(printed.plain()));
     Math::relation(display.name(number.symbol), Operator::Equals, display.in_unit_of(number, shown))
 }

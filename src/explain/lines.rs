@@ -11,6 +11,7 @@ use crate::solve::Closed;
 use crate::solve::Move;
 use crate::solve::Step;
 
+use super::computed;
 use super::derivation;
 use super::derivation::Origin;
 use super::display::Display;
@@ -93,6 +94,7 @@ pub fn lines(worked: Worked<'_>) -> Vec<Line> {
     let memory = Memory::of(worked);
     let shown = Shown::default();
     let display = Display { worked, way: memory.way(worked), shown: &shown };
+    shown.figures.get_or_init(|| computed::figures(display));
     let mut list = List { display, steps: Steps::new(display, Detail::Full), lines: Vec::new(), results: Vec::new() };
     let scripts = display.way.laws.get_or_init(|| script::scripts(display));
     for (position, (step, script)) in worked.leaf().answer_steps().iter().zip(scripts).enumerate() {

@@ -17,6 +17,8 @@ use super::display::Display;
 use super::display::number_math;
 use super::display::printed;
 use super::display::with_unit;
+use super::ledger::Item;
+use super::ledger::Ledger;
 use super::steps::text;
 use super::wording::join;
 
@@ -28,9 +30,10 @@ struct Coefficient {
 }
 
 impl Coefficient {
-    fn new(display: Display<'_>, term: &Expr, figures: usize) -> Self {
+    fn new(display: Display<'_>, term: &Expr, item: Item) -> Self {
         let unit = display.unit_of(term);
-        Self { value: display.value_of(term) / unit.factor().to_f64(), unit, figures }
+        let value = display.value_of(term) / unit.factor().to_f64();
+        Self { value, unit, figures: display.figures(item, value) }
     }
 
     fn size(&self) -> Math {
@@ -68,20 +71,15 @@ pub(super) fn root(step: &Step, unknown: Symbol, place: usize, formula: &Expr) -
 }
 
 /// The equation with the numbers of its coefficients, and its roots; `None` where a coefficient has no value.
-pub(super) fn solution(
-    display: Display<'_>,
-    unknown: Symbol,
-    coefficients: [&Expr; 3],
-    figures: usize,
-) -> Option<Vec<Block>> {
-    let [a, b, c] = with_plain_square(coefficients);
+pub(super) fn solution(display: Display<'_>, unknown: Symbol, coefficients: [&Expr; 3]) -> Option<Vec<Block>> {
+    let terms = with_plain_square(coefficients);
     if display.is_free(unknown) {
-        return Some(without_zeros(display, unknown, [a, b, c]));
+        return Some(without_zeros(display, unknown, terms));
     }
-    if ![&a, &b, &c].into_iter().all(|term| display.has_value(term)) {
+    if !terms.iter().all(|term| display.has_value(term)) {
         return None;
     }
-    let [a, b, c] = [a, b, c].map(|term| Coefficient::new(display, &term, figures));
+    let [a, b, c] = [0, 1, 2].map(|place| Coefficient::new(display, &terms[place], Item::Coefficient(unknown, place)));
     let name = display.name(unknown);
     let square = display.symbolic(&Expr::from(unknown).powi(2));
     let formula = match (b.value == 0.0, c.value == 0.0) {
@@ -91,7 +89,7 @@ pub(super) fn solution(
     };
     let lines = vec![
         Math::relation(name.clone(), Operator::Equals, formula),
-        Math::Row(vec![Math::Operator(Operator::Equals), roots(display, unknown, [&a, &b, &c], figures)?]),
+        Math::Row(vec![Math::Operator(Operator::Equals), roots(display, unknown, [&a, &b, &c])?]),
     ];
     Some(vec![
         text("With numbers:"),
@@ -104,6 +102,31 @@ pub(super) fn solution(
 fn with_plain_square(coefficients: [&Expr; 3]) -> [Expr; 3] {
     let turns = coefficients[0].begins_with_minus();
     coefficients.map(|term| if turns { (-term.clone()).simplify() } else { term.clone() })
+}
+
+/// Enters the coefficients and the roots into the ledger of a solution.
+pub(super) fn enter(display: Display<'_>, ledger: &mut Ledger, unknown: Symbol, coefficients: [&Expr; 3]) {
+    let terms = with_plain_square(coefficients);
+    if !terms.iter().all(|term| display.has_value(term)) {
+        return;
+    }
+    for (place, term) in terms.iter().enumerate() {
+        let unit = display.unit_of(term).factor().to_f64();
+        display.enter_value(ledger, term, unit, Item::Coefficient(unknown, place));
+    }
+    let [a, b, c] = terms.each_ref().map(|term| display.value_of(term));
+    let Some(taken) = display.worked.variant.value(unknown).map(|value| value.value) else { return };
+    let other = other_root([a, b, c], taken);
+    display.enter(ledger, unknown);
+    let unit = display.unit(unknown).factor().to_f64();
+    display.enter_rounded(ledger, Item::OtherRoot(unknown), other, unit);
+    ledger.root(unknown, taken >= other, Item::Quantity(unknown));
+    ledger.root(unknown, other > taken, Item::OtherRoot(unknown));
+}
+
+/// By Vieta: the product of the roots tells the other one without a difference of almost equal numbers.
+fn other_root([a, b, c]: [f64; 3], taken: f64) -> f64 {
+    if taken == 0.0 { -b / a } else { c / a / taken }
 }
 
 /// The equation in symbols once more, what is given as zero left out; nothing where that is nothing new.
@@ -173,14 +196,12 @@ fn formula(a: &Coefficient, b: &Coefficient, c: &Coefficient) -> Math {
 }
 
 /// The value taken, and the other.
-fn roots(display: Display<'_>, unknown: Symbol, [a, b, c]: [&Coefficient; 3], figures: usize) -> Option<Math> {
+fn roots(display: Display<'_>, unknown: Symbol, coefficients: [&Coefficient; 3]) -> Option<Math> {
     let unit = display.unit(unknown);
     let taken = display.worked.variant.value(unknown)?.value;
-    let scale = a.unit.factor().to_f64();
-    let sum = -(b.value * b.unit.factor().to_f64()) / (a.value * scale);
-    let product = c.value * c.unit.factor().to_f64() / (a.value * scale);
-    // By Vieta: the product of the roots tells the other one without a difference of almost equal numbers.
-    let other = if taken == 0.0 { sum } else { product / taken };
-    let shown = |value: f64| with_unit(number_math(printed(value / unit.factor().to_f64(), figures)), unit);
-    Some(Math::Row(vec![display.quantity_to(unknown, figures), Math::Text(" or ".into()), shown(other)]))
+    let in_si = coefficients.map(|own| own.value * own.unit.factor().to_f64());
+    let other = other_root(in_si, taken) / unit.factor().to_f64();
+    let other = printed(other, display.figures(Item::OtherRoot(unknown), other));
+    let other = with_unit(number_math(other), unit);
+    Some(Math::Row(vec![display.quantity(unknown), Math::Text(" or ".into()), other]))
 }

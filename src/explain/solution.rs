@@ -13,6 +13,7 @@ use super::Section;
 use super::answers;
 use super::axes;
 use super::checks;
+use super::computed;
 use super::diagrams;
 use super::display::Display;
 use super::display::Shown;
@@ -31,6 +32,7 @@ pub fn solution(worked: Worked<'_>, audience: Audience) -> Outline {
     let memory = Memory::of(worked);
     let shown = Shown::default();
     let display = Display { worked, way: memory.way(worked), shown: &shown };
+    shown.figures.get_or_init(|| computed::figures(display));
     let answers = answers::answers(display);
     let checks = checks::checks(display);
     let closing = if checks.is_empty() { "Answer" } else { "Answer and check" };
@@ -61,6 +63,7 @@ pub fn brief(worked: Worked<'_>) -> Outline {
     let memory = Memory::of(worked);
     let shown = Shown::default();
     let display = Display { worked, way: memory.way(worked), shown: &shown };
+    shown.figures.get_or_init(|| computed::figures(display));
     let mut sections = vec![
         section("Axes and what is given", axes::axes(display)),
         section("Laws", laws(display, Detail::Brief)),

@@ -17,6 +17,10 @@ use super::algebra;
 use super::answers::printed_formula;
 use super::counting;
 use super::display::Display;
+use super::display::number_math;
+use super::display::printed;
+use super::display::with_unit;
+use super::ledger::Item;
 use super::quadratic;
 use super::script::Formula;
 use super::script::Opening;
@@ -25,13 +29,6 @@ use super::script::formula_of_equation;
 use super::term::Term;
 use super::wording::capitalised;
 use super::wording::join;
-
-/// Figures of an answer, and of a value on the way to it.
-#[derive(Clone, Copy)]
-pub(super) struct Figures {
-    pub answer: usize,
-    pub intermediate: usize,
-}
 
 /// How much is said of each step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,23 +43,13 @@ pub(super) enum Detail {
 pub(super) struct Steps<'a> {
     pub display: Display<'a>,
     pub detail: Detail,
-    pub figures: Figures,
-    pub asked: Vec<Symbol>,
     /// Whether the angle of a point has been explained.
     pub angle_explained: bool,
 }
 
 impl<'a> Steps<'a> {
     pub(super) fn new(display: Display<'a>, detail: Detail) -> Self {
-        let answer = usize::from(display.worked.problem.loaded().draft.figures.unwrap_or(3));
-        let figures = Figures { answer, intermediate: answer + 1 };
-        Self {
-            display,
-            detail,
-            figures,
-            asked: display.worked.form.wanted().collect(),
-            angle_explained: detail == Detail::Brief,
-        }
+        Self { display, detail, angle_explained: detail == Detail::Brief }
     }
 
     /// One step, as blocks.
@@ -92,7 +79,7 @@ impl<'a> Steps<'a> {
                         blocks.extend(found);
                     }
                     Some(Move::Quadratic { unknown, a, b, c, .. }) => {
-                        let shown = quadratic::solution(self.display, *unknown, [a, b, c], self.figures.intermediate);
+                        let shown = quadratic::solution(self.display, *unknown, [a, b, c]);
                         if let Some(shown) = shown {
                             solved = Some(*unknown).filter(|unknown| !self.display.is_free(*unknown));
                             blocks.extend(shown);
@@ -203,8 +190,7 @@ impl<'a> Steps<'a> {
     fn value(&self, unknown: Symbol, formula: Option<&Term>) -> Block {
         let name = self.display.name(unknown);
         let equation = |lines| Block::Equation { lines, number: None };
-        let figures = if self.asked.contains(&unknown) { self.figures.answer } else { self.figures.intermediate };
-        let value = || self.display.quantity_to(unknown, self.figures.intermediate.max(figures));
+        let value = || self.display.quantity(unknown);
         let Some(formula) = formula else { return equation(vec![Math::relation(name, Operator::Equals, value())]) };
         // The speed on a line is written as what it is: |v| = |-5 m/s|.
         if name == formula.symbols && !self.display.is_free(unknown) {
@@ -215,7 +201,11 @@ impl<'a> Steps<'a> {
         if self.display.is_free(unknown) || formula.expr.is_zero() {
             return equation(lines);
         }
-        let (numbers, value) = (self.display.substituted(formula), value());
+        let (mut numbers, value) = (self.display.substituted(formula), value());
+        if let Some(whole) = self.in_what_is_told(unknown) {
+            lines.push(Math::Row(vec![Math::Operator(Operator::Equals), self.display.symbolic(&whole)]));
+            numbers = self.display.as_told(&whole);
+        }
         let also = |math| Math::Row(vec![Math::Operator(Operator::Equals), math]);
         if numbers != formula.symbols && numbers != value {
             lines.push(also(numbers));
@@ -224,6 +214,12 @@ impl<'a> Steps<'a> {
             lines.push(also(value));
         }
         equation(lines)
+    }
+
+    /// The formula in the givens of what does not come out of the rounded results before.
+    fn in_what_is_told(&self, unknown: Symbol) -> Option<Expr> {
+        let figures = self.display.shown.figures.get().filter(|figures| figures.from_givens.contains(&unknown));
+        figures.and_then(|_| self.display.in_what_is_told(unknown))
     }
 
     /// The roots that are not solutions, each with its reason.
@@ -238,9 +234,9 @@ impl<'a> Steps<'a> {
                 .zip(&dead.values)
                 .map(|(unknown, value)| {
                     let unit = self.display.unit(*unknown);
-                    let number =
-                        super::display::printed(value.value / unit.factor().to_f64(), self.figures.intermediate);
-                    let number = super::display::with_unit(super::display::number_math(number), unit);
+                    let shown = value.for_print() / unit.factor().to_f64();
+                    let number = printed(shown, self.display.figures(Item::OtherRoot(*unknown), shown));
+                    let number = with_unit(number_math(number), unit);
                     vec![Inline::Math(Math::relation(self.display.name(*unknown), Operator::Equals, number))]
                 })
                 .collect();

@@ -67,6 +67,10 @@ pub(super) struct Manner {
     pub name: Option<Math>,
     /// The words for the two directions between which its sign decides.
     pub senses: Option<Senses>,
+    /// The quantity that it always equals, and whether with the other sign.
+    pub equals: Option<(Symbol, bool)>,
+    /// The plain fraction that it always is.
+    pub constant: Option<Math>,
     /// Whether it is found by counting.
     pub is_whole: bool,
 }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{Math, Operator, Symbol};
+use super::{Expr, Math, Operator, Symbol};
 
 /// What stands for a symbol: its name, or the number that it has.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -70,8 +70,8 @@ pub(super) enum Node {
         may_be_bare: bool,
         arguments: Vec<Node>,
     },
-    /// The angle of the point (x, y), as the arctangent of the ratio y/x.
-    Direction(Math, Box<[Node; 2]>),
+    /// The angle of the point (x, y), as the arctangent of the ratio y/x; and the two terms themselves.
+    Direction(Math, Box<[(Node, Expr); 2]>),
     Bars(Vec<Node>),
     /// A variable, and what holds up to each value of it.
     Cases(Box<Node>, Vec<(Option<Node>, Node)>),
@@ -81,17 +81,31 @@ impl Arrangement {
     /// As typeset mathematics, with `leaf` saying what stands for each symbol.
     #[must_use]
     pub fn with(&self, leaf: &dyn Fn(Symbol) -> Leaf) -> Math {
-        self.0.put(leaf).0
+        self.0.put(&Put { leaf, value: None }).0
+    }
+
+    /// The same with numbers, where `value` gives that of each symbol: an angle in the second or third quadrant is then the
+    /// arctangent and half a turn, as a calculator needs it.
+    #[must_use]
+    pub fn with_numbers(&self, leaf: &dyn Fn(Symbol) -> Leaf, value: &dyn Fn(Symbol) -> f64) -> Math {
+        self.0.put(&Put { leaf, value: Some(value) }).0
     }
 }
 
+/// What stands for the symbols.
+struct Put<'a> {
+    leaf: &'a dyn Fn(Symbol) -> Leaf,
+    /// Their values, where numbers stand for them.
+    value: Option<&'a dyn Fn(Symbol) -> f64>,
+}
+
 impl Node {
-    fn put(&self, leaf: &dyn Fn(Symbol) -> Leaf) -> (Math, Shape) {
+    fn put(&self, leaf: &Put<'_>) -> (Math, Shape) {
         let inner = |node: &Self| Arc::new(node.put(leaf).0);
         match self {
             Self::Fixed(math, shape) => (math.clone(), *shape),
             Self::Symbol(symbol) => {
-                let Leaf { math, kind } = leaf(*symbol);
+                let Leaf { math, kind } = (leaf.leaf)(*symbol);
                 match kind {
                     LeafKind::Name => (math, Shape::Whole),
                     LeafKind::Number { negative } => (math, Shape::Number { negative }),
@@ -114,11 +128,7 @@ impl Node {
             Self::Root(radicand) => (Math::Root(inner(radicand)), Shape::Whole),
             Self::Power(parts) => power(parts, leaf),
             Self::Apply { name, may_be_bare, arguments } => apply(name, *may_be_bare, arguments, leaf),
-            Self::Direction(name, parts) => {
-                let [y, x] = parts.each_ref().map(inner);
-                let ratio = Math::Bracketed(Arc::new(Math::Fraction(y, x)));
-                (Math::Row(vec![name.clone(), ratio]), Shape::Whole)
-            }
+            Self::Direction(name, parts) => direction(name, parts, leaf),
             Self::Bars(arguments) => (Math::Bars(Arc::new(separated(arguments, leaf))), Shape::Whole),
             Self::Cases(variable, pieces) => {
                 let variable = variable.put(leaf).0;
@@ -143,7 +153,7 @@ fn after_sign(math: Math, shape: Shape) -> Math {
     }
 }
 
-fn sum(terms: &[(bool, Node)], leaf: &dyn Fn(Symbol) -> Leaf) -> Math {
+fn sum(terms: &[(bool, Node)], leaf: &Put<'_>) -> Math {
     let mut row = Vec::with_capacity(2 * terms.len());
     for (index, (minus, term)) in terms.iter().enumerate() {
         let (math, shape) = term.put(leaf);
@@ -159,7 +169,7 @@ fn sum(terms: &[(bool, Node)], leaf: &dyn Fn(Symbol) -> Leaf) -> Math {
 }
 
 /// Factors side by side, open where the last one is; a single one as it is.
-fn row(factors: &[Node], leaf: &dyn Fn(Symbol) -> Leaf) -> (Math, Shape) {
+fn row(factors: &[Node], leaf: &Put<'_>) -> (Math, Shape) {
     let whole = |last: Shape| if last == Shape::Open { Shape::Open } else { Shape::Product };
     if let [single] = factors {
         let (math, shape) = single.put(leaf);
@@ -187,7 +197,7 @@ fn row(factors: &[Node], leaf: &dyn Fn(Symbol) -> Leaf) -> (Math, Shape) {
     (Math::Row(row), whole(end))
 }
 
-fn power([base, exponent]: &[Node; 2], leaf: &dyn Fn(Symbol) -> Leaf) -> (Math, Shape) {
+fn power([base, exponent]: &[Node; 2], leaf: &Put<'_>) -> (Math, Shape) {
     let (math, shape) = base.put(leaf);
     let fraction = matches!(math.bare(), Math::Fraction(..) | Math::Sup(..) | Math::SubSup(..));
     let holds = matches!(shape, Shape::Whole | Shape::Constant) && !fraction;
@@ -200,7 +210,7 @@ fn power([base, exponent]: &[Node; 2], leaf: &dyn Fn(Symbol) -> Leaf) -> (Math, 
     (raised, Shape::Whole)
 }
 
-fn apply(name: &Math, may_be_bare: bool, arguments: &[Node], leaf: &dyn Fn(Symbol) -> Leaf) -> (Math, Shape) {
+fn apply(name: &Math, may_be_bare: bool, arguments: &[Node], leaf: &Put<'_>) -> (Math, Shape) {
     let name = name.clone();
     if let ([single], true) = (arguments, may_be_bare) {
         let (math, shape) = single.put(leaf);
@@ -213,8 +223,25 @@ fn apply(name: &Math, may_be_bare: bool, arguments: &[Node], leaf: &dyn Fn(Symbo
     (Math::Row(vec![name, bracketed(separated(arguments, leaf))]), Shape::Whole)
 }
 
+/// The angle of a point: with numbers, half a turn from the arctangent where x is below zero, a quarter where it is zero.
+fn direction(name: &Math, parts: &[(Node, Expr); 2], leaf: &Put<'_>) -> (Math, Shape) {
+    let [y, x] = parts.each_ref().map(|(_, term)| leaf.value.map_or(f64::NAN, |value| term.evaluate(value)));
+    let degrees = |size: &str| Math::Row(vec![Math::Number(size.into()), Math::Text("\u{b0}".into())]);
+    if x == 0.0 && y != 0.0 && !y.is_nan() {
+        return (degrees(if y < 0.0 { "-90" } else { "90" }), Shape::Number { negative: y < 0.0 });
+    }
+    let [above, below] = parts.each_ref().map(|(node, _)| Arc::new(node.put(leaf).0));
+    let ratio = Math::Bracketed(Arc::new(Math::Fraction(above, below)));
+    let mut row = vec![name.clone(), ratio];
+    if x < 0.0 {
+        row.extend([Math::Operator(if y < 0.0 { Operator::Minus } else { Operator::Plus }), degrees("180")]);
+        return (Math::Row(row), Shape::Sum);
+    }
+    (Math::Row(row), Shape::Whole)
+}
+
 /// Arguments with commas between them.
-fn separated(arguments: &[Node], leaf: &dyn Fn(Symbol) -> Leaf) -> Math {
+fn separated(arguments: &[Node], leaf: &Put<'_>) -> Math {
     match arguments {
         [single] => single.put(leaf).0,
         many => {

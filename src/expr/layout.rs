@@ -125,7 +125,7 @@ fn apply(name: Math, function: Function, arguments: &[Expr]) -> Node {
 fn direction(arguments: &[Expr]) -> Node {
     let name = Math::Function("arctan".to_owned());
     match arguments {
-        [y, x] if !x.is_one() => Node::Direction(name, Box::new([node(y), node(x)])),
+        [y, x] if !x.is_one() => Node::Direction(name, Box::new([(node(y), y.clone()), (node(x), x.clone())])),
         _ => apply(name, Function::Atan2, arguments.get(..1).unwrap_or_default()),
     }
 }

@@ -40,7 +40,7 @@ impl Worked<'_> {
             }
         }
         let there = Worked { variant: &variant, ..*self };
-        let is_zero = |unit: Symbol| variant.value(unit).is_some_and(|value: Bounded| value.value.abs() <= value.error);
+        let is_zero = |unit: Symbol| variant.value(unit).is_some_and(Bounded::is_zero);
         let stands = self.form.accepts(solutions) && !self.form.units().any(is_zero) && there.has_intervals();
         stands.then_some(variant)
     }

@@ -210,7 +210,7 @@ impl<'p> Sampler<'p> {
 
     /// A quantity in terms of which an answer is asked, and which is not certain to differ from zero.
     fn zero_unit(&self) -> Option<Symbol> {
-        let is_zero = |unit: &Symbol| self.answer(*unit).is_some_and(|value| value.value.abs() <= value.error);
+        let is_zero = |unit: &Symbol| self.answer(*unit).is_some_and(Bounded::is_zero);
         self.units.iter().copied().find(is_zero)
     }
 

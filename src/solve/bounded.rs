@@ -56,10 +56,34 @@ impl Bounded {
     }
 
     /// The value to be rounded for print: as far from zero as the bound allows, so that an exact tie, which floating point
-    /// may have missed by a hair, is rounded away from zero as it should be.
+    /// may have missed by a hair, is rounded away from zero as it should be; zero where the bound does not tell it from zero.
+    ///
+    /// ```
+    /// use momentous::solve::Bounded;
+    /// let printed = |value, error| Bounded { value, error }.for_print();
+    /// assert_eq!((printed(2e-16, 3e-16), printed(0.125, 1e-17)), (0.0, 0.125 + 1e-17));
+    /// ```
     #[must_use]
     pub fn for_print(self) -> f64 {
-        if self.error.is_finite() { self.value + self.error.copysign(self.value) } else { self.value }
+        if self.is_zero() {
+            0.0
+        } else if self.error.is_finite() {
+            self.value + self.error.copysign(self.value)
+        } else {
+            self.value
+        }
+    }
+
+    /// Whether nothing tells the value from zero.
+    #[must_use]
+    pub fn is_zero(self) -> bool {
+        self.error.is_finite() && self.value.abs() <= self.error
+    }
+
+    /// The value, a plain zero where nothing tells it from that.
+    #[must_use]
+    pub fn or_zero(self) -> f64 {
+        if self.is_zero() { 0.0 } else { self.value }
     }
 
     /// Nothing is known.

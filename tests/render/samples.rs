@@ -140,6 +140,7 @@ pub fn identity() -> Identity {
         problem: "impact/two-pucks".into(),
         form: Some("forward".into()),
         seed: Some(17),
+        secret: None,
         digest: Some("5f1c09ab".into()),
         scheme: Some(1),
     }

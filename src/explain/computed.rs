@@ -1,0 +1,107 @@
+//! Which lines a solution computes, and so how many figures its numbers have.
+
+use crate::expr::Symbol;
+use crate::problem::AskedUnit;
+use crate::problem::NumberPart;
+use crate::problem::PartKind;
+use crate::problem::Worked;
+use crate::solve::Closed;
+use crate::solve::Move;
+use crate::solve::Step;
+
+use super::checks;
+use super::display::Display;
+use super::display::Shown;
+use super::ledger::Figures;
+use super::ledger::Item;
+use super::ledger::Ledger;
+use super::quadratic;
+use super::script;
+use super::script::Formula;
+use super::script::Script;
+use super::steps::Detail;
+use super::steps::Steps;
+use super::steps::taken;
+use super::way::Memory;
+
+/// How many figures the numbers of a variant's solution have. What does not come out with the most figures is computed from
+/// the givens, which are exact.
+pub(super) fn figures(display: Display<'_>) -> Figures {
+    let figures = ledger(display, &[]).settle();
+    let from_givens = figures.stubborn.iter().filter_map(|item| match item {
+        Item::Quantity(symbol) => Some(*symbol).filter(|symbol| display.in_what_is_told(*symbol).is_some()),
+        _ => None,
+    });
+    let from_givens: Vec<Symbol> = from_givens.collect();
+    if from_givens.is_empty() {
+        return figures;
+    }
+    let settled = ledger(display, &from_givens).settle();
+    Figures { from_givens, ..settled }
+}
+
+/// How many results of a variant's worked solution do not come out of the numbers printed before them.
+#[must_use]
+pub fn lines_out(worked: Worked<'_>) -> usize {
+    let memory = Memory::of(worked);
+    let shown = Shown::default();
+    figures(Display { worked, way: memory.way(worked), shown: &shown }).stubborn.len()
+}
+
+/// The lines of a solution but those of some results.
+fn ledger(display: Display<'_>, without: &[Symbol]) -> Ledger {
+    let mut ledger = Ledger::default();
+    let scripts = display.way.laws.get_or_init(|| script::scripts(display));
+    for (position, (step, script)) in display.worked.leaf().answer_steps().iter().zip(scripts).enumerate() {
+        enter_step(display, &mut ledger, (position, step, script), without);
+    }
+    enter_answers(display, &mut ledger);
+    checks::enter(display, &mut ledger);
+    ledger
+}
+
+fn enter_step(
+    display: Display<'_>,
+    ledger: &mut Ledger,
+    (position, step, script): (usize, &Step, &Script),
+    without: &[Symbol],
+) {
+    let steps = Steps::new(display, Detail::Full);
+    let Some((place, root)) = taken(display, position, step) else { return };
+    let found = script.roots.get(place).map(Vec::as_slice).unwrap_or_default();
+    for (index, (unknown, closed)) in root.values.iter().enumerate() {
+        let solved = step.moves.iter().find_map(|step_move| match step_move {
+            Move::Quadratic { unknown: own, a, b, c, .. } if own == unknown => Some([a, b, c]),
+            _ => None,
+        });
+        let formula = found.get(index).map_or(&Formula::Varies, |found| &found.formula);
+        match (solved, closed, formula) {
+            _ if without.contains(unknown) => display.enter(ledger, *unknown),
+            (Some(coefficients), ..) => quadratic::enter(display, ledger, *unknown, coefficients),
+            (None, Closed::FirstInteger { .. }, _) => {}
+            (None, _, Formula::Fixed(formula)) => {
+                if let Some(formula) = formula {
+                    display.enter_term(ledger, formula, Item::Quantity(*unknown));
+                }
+            }
+            (None, _, Formula::Varies) => {
+                if let Some(formula) = steps.formula(step, *unknown, closed) {
+                    display.enter_term(ledger, &formula, Item::Quantity(*unknown));
+                }
+            }
+        }
+    }
+}
+
+/// The answers that are converted to the unit of the question.
+fn enter_answers(display: Display<'_>, ledger: &mut Ledger) {
+    for part in &display.worked.form.parts {
+        let PartKind::Number(number @ NumberPart { whole: false, .. }) = &part.kind else { continue };
+        let item = Item::Quantity(number.symbol);
+        let value = display.worked.variant.value(number.symbol).filter(|_| ledger.knows(item));
+        if let (AskedUnit::Unit(_), Some(value)) = (&number.unit, value) {
+            ledger.rounded(Item::Answer(number.symbol), value.for_print(), number.size, number.figures);
+            ledger.same(item, Item::Answer(number.symbol));
+        }
+    }
+}

@@ -1,0 +1,323 @@
+//! The computed lines of a solution, and the figures with which each can be computed again from what is printed.
+//!
+//! A quantity is printed in one form throughout a solution: with the usual figures, and with more where a line would otherwise
+//! not come out. Lines are looked at from the last to the first, since a result that needs more figures asks more of what it
+//! is computed from.
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+use crate::quantity::first_place;
+use crate::quantity::round_to_figures;
+use crate::quantity::unit_of_place;
+
+/// The fewest figures of a value in a solution.
+pub(super) const FEWEST: usize = 4;
+
+/// The most figures that a value in a solution gets.
+const MOST: usize = 8;
+
+/// Numbers below a million are printed without a power of ten, and so to the unit at least.
+const LARGEST_PLAIN: i32 = 5;
+
+/// How far beyond half a unit a result may seem to lie because doubles are rounded.
+const SLACK: f64 = 1e-7;
+
+/// A share of half a unit: what moves a result by less is not why its line does not come out.
+const LITTLE: f64 = 0.1;
+
+/// A number in a solution.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Item {
+    /// A quantity.
+    Quantity(Symbol),
+    /// The coefficient of that place in the quadratic equation of an unknown.
+    Coefficient(Symbol, usize),
+    /// The other root of that equation.
+    OtherRoot(Symbol),
+    /// Both sides of a balance, by its place among those that are checked.
+    Balance(usize),
+    /// A side of a condition, by its place among those that are checked.
+    Side(usize, usize),
+    /// An answer, in the unit of the question.
+    Answer(Symbol),
+}
+
+/// How many figures the numbers of a solution have.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Figures {
+    pub numbers: Vec<(Item, usize)>,
+    /// The results that no number of figures gives.
+    pub stubborn: Vec<Item>,
+    /// What is computed from the givens as they are told, since the steps before have too few figures.
+    pub from_givens: Vec<Symbol>,
+}
+
+impl Figures {
+    /// The figures of a number; none where no line asks for more than the usual ones.
+    pub(super) fn of(&self, item: Item) -> Option<usize> {
+        self.numbers.iter().find(|(own, _)| *own == item).map(|(_, figures)| *figures)
+    }
+}
+
+/// A number: its value and its size as it is printed, in SI units.
+struct Entry {
+    item: Item,
+    value: f64,
+    /// The size of the unit in which it is printed.
+    unit: f64,
+    figures: usize,
+    /// The most figures that it may get; as many as it has where it is printed exactly.
+    most: usize,
+    printed: f64,
+    half: f64,
+}
+
+impl Entry {
+    /// A number that is printed exactly as it is, to within that half a unit of its last place.
+    fn exact(item: Item, value: f64, unit: f64, half: f64) -> Self {
+        Self { item, value, unit, figures: 0, most: 0, printed: value, half }
+    }
+
+    fn rounded(item: Item, value: f64, unit: f64, figures: usize, most: usize) -> Self {
+        if value == 0.0 {
+            return Self::exact(item, value, unit, 0.5 * unit);
+        }
+        let mut entry = Self { item, value, unit, figures, most, printed: value, half: 0.0 };
+        entry.round();
+        entry
+    }
+
+    fn round(&mut self) {
+        let shown = self.value / self.unit;
+        let place = unit_of_place((first_place(shown) + 1 - i32::try_from(self.figures).unwrap_or(0)).abs());
+        let fine = first_place(shown) + 1 < i32::try_from(self.figures).unwrap_or(0);
+        let places = if fine { shown * place } else { shown / place };
+        // Close to half-way only the exact digits tell which way to round.
+        let near_tie = ((places - places.floor()) - 0.5).abs() < 1e-6;
+        let rounded = match round_to_figures(shown, self.figures).filter(|_| near_tie) {
+            Some(decimal) => decimal.to_f64(),
+            None if fine => places.round() / place,
+            None => places.round() * place,
+        };
+        self.printed = rounded * self.unit;
+        self.half = 0.5 * self.unit * if fine { 1.0 / place } else { place };
+    }
+
+    fn raise(&mut self) -> bool {
+        let can = self.figures < self.most;
+        if can {
+            self.figures += 1;
+            self.round();
+        }
+        can
+    }
+}
+
+/// How a line computes.
+enum Rule {
+    /// By a term whose quantities stand in these entries.
+    Term(Expr),
+    /// By the formula for quadratic equations, with the greater or the smaller root.
+    Root { greater: bool },
+    /// By another unit.
+    Same,
+}
+
+struct Line {
+    rule: Rule,
+    /// The places of what it computes from.
+    operands: Vec<usize>,
+    result: usize,
+}
+
+/// The numbers of a solution and the lines between them.
+#[derive(Default)]
+pub(super) struct Ledger {
+    entries: Vec<Entry>,
+    lines: Vec<Line>,
+    /// The place of each quantity that is entered, by its index.
+    places: Vec<Option<usize>>,
+}
+
+impl Ledger {
+    /// Enters a number that is printed exactly.
+    pub(super) fn exact(&mut self, item: Item, value: f64, unit: f64, half: f64) {
+        self.enter(Entry::exact(item, value, unit, half));
+    }
+
+    /// Enters a number with at least so many figures.
+    pub(super) fn rounded(&mut self, item: Item, value: f64, unit: f64, figures: usize) {
+        let figures = at_least(figures, value / unit);
+        self.enter(Entry::rounded(item, value, unit, figures, MOST.max(figures)));
+    }
+
+    fn enter(&mut self, entry: Entry) {
+        if let Item::Quantity(symbol) = entry.item {
+            if self.places.len() <= symbol.index() {
+                self.places.resize(symbol.index() + 1, None);
+            }
+            self.places[symbol.index()] = Some(self.entries.len());
+        }
+        self.entries.push(entry);
+    }
+
+    fn place(&self, item: Item) -> Option<usize> {
+        match item {
+            Item::Quantity(symbol) => self.places.get(symbol.index()).copied().flatten(),
+            item => self.entries.iter().position(|entry| entry.item == item),
+        }
+    }
+
+    /// Whether a number is entered.
+    pub(super) fn knows(&self, item: Item) -> bool {
+        self.place(item).is_some()
+    }
+
+    /// A result that is the value of a term of some quantities; nothing where one of them is not entered.
+    pub(super) fn term(&mut self, term: &Expr, mentions: &[Symbol], result: Item) {
+        let operands = mentions.iter().map(|symbol| self.place(Item::Quantity(*symbol))).collect();
+        self.line(Rule::Term(term.clone()), operands, result);
+    }
+
+    /// A root of the quadratic equation of an unknown.
+    pub(super) fn root(&mut self, unknown: Symbol, greater: bool, result: Item) {
+        let operands = [0, 1, 2].map(|place| self.place(Item::Coefficient(unknown, place)));
+        self.line(Rule::Root { greater }, operands.into_iter().collect(), result);
+    }
+
+    /// The same number in another unit, or with other figures.
+    pub(super) fn same(&mut self, item: Item, result: Item) {
+        self.line(Rule::Same, self.place(item).map(|place| vec![place]), result);
+    }
+
+    fn line(&mut self, rule: Rule, operands: Option<Vec<usize>>, result: Item) {
+        if let (Some(operands), Some(result)) = (operands, self.place(result)) {
+            self.lines.push(Line { rule, operands, result });
+        }
+    }
+
+    /// Gives every number as many figures as the lines need.
+    pub(super) fn settle(mut self) -> Figures {
+        let mut stubborn = Vec::new();
+        let mut changed = true;
+        while changed {
+            changed = false;
+            stubborn.clear();
+            for line in self.lines.iter().rev() {
+                while !line.holds(&self.entries, &self.places) {
+                    if !line.refine(&mut self.entries, &self.places) {
+                        stubborn.push(self.entries[line.result].item);
+                        break;
+                    }
+                    changed = true;
+                }
+            }
+        }
+        let figures = self.entries.iter().filter(|entry| entry.most > 0).map(|entry| (entry.item, entry.figures));
+        Figures { numbers: figures.collect(), stubborn, from_givens: Vec::new() }
+    }
+}
+
+/// As many figures, or all that stand before the point.
+pub(super) fn at_least(figures: usize, shown: f64) -> usize {
+    let place = first_place(shown);
+    let before_the_point = usize::try_from(place + 1).unwrap_or(0);
+    if place <= LARGEST_PLAIN { figures.max(before_the_point) } else { figures }
+}
+
+impl Line {
+    /// The value of the line with what is printed, one operand perhaps unrounded.
+    fn computed(&self, entries: &[Entry], places: &[Option<usize>], unrounded: Option<usize>) -> f64 {
+        let value = |place: usize| {
+            let entry = &entries[place];
+            if unrounded == Some(place) { entry.value } else { entry.printed }
+        };
+        match &self.rule {
+            Rule::Term(term) => term.evaluate(&|symbol| {
+                let place = places.get(symbol.index()).copied().flatten();
+                place.map_or(f64::NAN, value)
+            }),
+            Rule::Root { greater } => {
+                let [a, b, c] = [0, 1, 2].map(|place| self.operands.get(place).map_or(f64::NAN, |place| value(*place)));
+                let root = (b * b - 4.0 * a * c).sqrt();
+                let root = if *greater == (a > 0.0) { root } else { -root };
+                (root - b) / (2.0 * a)
+            }
+            Rule::Same => self.operands.first().map_or(f64::NAN, |place| value(*place)),
+        }
+    }
+
+    fn holds(&self, entries: &[Entry], places: &[Option<usize>]) -> bool {
+        let result = &entries[self.result];
+        let off = (self.computed(entries, places, None) - result.printed).abs();
+        off <= result.half * (1.0 + SLACK) + f64::EPSILON * result.value.abs()
+    }
+
+    /// One figure more for the operand that moves the result most; for the result itself where it lies close to half-way
+    /// between two printed numbers. Whether there was anything to refine.
+    fn refine(&self, entries: &mut [Entry], places: &[Option<usize>]) -> bool {
+        let printed = self.computed(entries, places, None);
+        let moved = |place: usize| {
+            let moved = (printed - self.computed(entries, places, Some(place))).abs();
+            if moved.is_nan() { f64::INFINITY } else { moved }
+        };
+        let rounded = self.operands.iter().copied().filter(|place| entries[*place].most > 0);
+        let moving: Vec<(usize, f64)> = rounded.map(|place| (place, moved(place))).collect();
+        let total: f64 = moving.iter().map(|(_, moved)| moved).sum();
+        let worst = moving.iter().filter(|(place, _)| entries[*place].figures < entries[*place].most);
+        let worst = worst.max_by(|one, other| one.1.total_cmp(&other.1)).map(|(place, _)| *place);
+        let little = total < LITTLE * entries[self.result].half;
+        let candidates = if little { [Some(self.result), worst] } else { [worst, None] };
+        candidates.into_iter().flatten().any(|place| entries[place].raise())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::expr::SymbolEntry;
+    use crate::expr::SymbolTable;
+    use crate::quantity::Dimension;
+
+    /// Enters `c = a - b`, with these values, to the usual figures.
+    fn difference(a: f64, b: f64, c: f64) -> ([Item; 3], Figures) {
+        let mut table = SymbolTable::default();
+        let symbols = ["a", "b", "c"].map(|name| {
+            table.intern(SymbolEntry { name: name.into(), dimension: Dimension::NONE, meaning: String::new() })
+        });
+        let items = symbols.map(Item::Quantity);
+        let mut ledger = Ledger::default();
+        for (item, value) in items.into_iter().zip([a, b, c]) {
+            ledger.rounded(item, value, 1.0, FEWEST);
+        }
+        let [a, b, _] = symbols;
+        ledger.term(&(Expr::from(a) - Expr::from(b)), &[a, b], items[2]);
+        (items, ledger.settle())
+    }
+
+    #[test]
+    fn operands_get_the_figures_that_their_difference_needs() {
+        // 222.7611 - 222.75 = 0.0111 to the four figures of 0.01111111, not 222.8 - 222.8.
+        let ([a, b, c], figures) = difference(222.761_111_11, 222.75, 0.011_111_11);
+        assert_eq!(figures.stubborn, []);
+        assert_eq!(figures.of(c), Some(4));
+        assert!(figures.of(a) > Some(6) && figures.of(b) < figures.of(a), "{figures:?}");
+    }
+
+    #[test]
+    fn what_comes_out_keeps_the_usual_figures() {
+        let (items, figures) = difference(50.0625, 16.3125, 33.75);
+        assert_eq!(items.map(|item| figures.of(item)), [Some(4); 3]);
+    }
+
+    #[test]
+    fn what_eight_figures_do_not_give_is_told() {
+        let ([.., c], figures) = difference(1.000_000_001_234_5, 0.999_999_999, 2.234_5e-9);
+        assert_eq!(figures.stubborn, [c]);
+    }
+
+    #[test]
+    fn large_numbers_have_all_figures_before_the_point() {
+        assert_eq!([120_060.0, 99.0, 2.5e6].map(|value| at_least(4, value)), [6, 4, 4]);
+    }
+}

@@ -1,0 +1,236 @@
+//! The numbers of a solution: each quantity in one form, exactly or to the figures that the lines need.
+
+use crate::expr::Expr;
+use crate::expr::Leaf;
+use crate::expr::LeafKind;
+use crate::expr::Math;
+use crate::expr::Symbol;
+use crate::problem::AskedUnit;
+use crate::problem::NumberPart;
+use crate::quantity::Decimal;
+use crate::quantity::Printed;
+use crate::quantity::Unit;
+use crate::quantity::round_to_figures;
+use crate::quantity::unit_of_place;
+use crate::solve::Bounded;
+use crate::solve::Real;
+use crate::solve::evaluate;
+
+use super::algebra::positive_first;
+use super::display::Display;
+use super::display::number_math;
+use super::display::printed;
+use super::display::with_unit;
+use super::ledger::FEWEST;
+use super::ledger::Item;
+use super::ledger::Ledger;
+use super::ledger::at_least;
+use super::term::Measured;
+use super::term::Term;
+
+/// The most digits of a given that was converted to another unit.
+const MOST_DIGITS: usize = 8;
+
+/// A number that is printed as it is.
+pub(super) struct Exact {
+    math: Math,
+    negative: bool,
+    /// Half a unit of its last place, in the unit in which it is printed.
+    half: f64,
+}
+
+impl Exact {
+    /// The same number with the other sign.
+    fn turned(self) -> Self {
+        let sign = |digits: &str| digits.strip_prefix('-').map_or_else(|| format!("-{digits}"), str::to_owned);
+        let math = match &self.math {
+            Math::Number(digits) if digits != "0" => Math::Number(sign(digits)),
+            Math::Row(parts) => match parts.split_first() {
+                Some((Math::Number(digits), rest)) => Math::Row([&[Math::Number(sign(digits))], rest].concat()),
+                _ => self.math,
+            },
+            _ => self.math,
+        };
+        Self { negative: math.plain().starts_with('\u{2212}'), math, half: self.half }
+    }
+}
+
+impl Display<'_> {
+    /// A value in its display unit, as it stands for its quantity in a term.
+    pub(super) fn leaf(self, symbol: Symbol) -> Leaf {
+        let known = |(own, _): &&(Symbol, Leaf)| *own == symbol;
+        if let Some((_, leaf)) = self.shown.leaves.borrow().iter().find(known) {
+            return leaf.clone();
+        }
+        let measured = &self.manner(symbol).measured;
+        let leaf = match self.exact(symbol) {
+            Some(Exact { math, negative, .. }) => {
+                Leaf { math: measured.put(math).shared(), kind: LeafKind::Number { negative } }
+            }
+            None => {
+                let value = self.worked.variant.value(symbol).map_or(f64::NAN, Bounded::for_print);
+                let number =
+                    printed(value / measured.size, self.figures(Item::Quantity(symbol), value / measured.size));
+                let kind = LeafKind::Number { negative: number.starts_with('-') };
+                Leaf { math: measured.put(number_math(number)).shared(), kind }
+            }
+        };
+        self.shown.leaves.borrow_mut().push((symbol, leaf.clone()));
+        leaf
+    }
+
+    /// How a value is printed that is not rounded: what is given, counted, a plain fraction, or zero.
+    pub(super) fn exact(self, symbol: Symbol) -> Option<Exact> {
+        let manner = self.manner(symbol);
+        if let Some(math) = &manner.constant {
+            return Some(Exact { math: math.clone(), negative: math.plain().starts_with('\u{2212}'), half: 0.0 });
+        }
+        if let Some((other, turned)) = manner.equals {
+            let exact = self.exact(other).filter(|_| self.unit(other) == self.unit(symbol));
+            return exact.map(|exact| if turned { exact.turned() } else { exact });
+        }
+        let value = self.worked.variant.value(symbol);
+        let mut told = self.worked.variant.all_given().iter();
+        let printed = if manner.is_whole {
+            Printed::written(&round_to_figures(value?.value.round(), 20)?)
+        } else if let Some((_, value, given)) = told.find(|(own, ..)| *own == symbol) {
+            let same = *given == manner.measured.unit;
+            if same { Printed::written(value) } else { converted(value, given, &manner.measured.unit)? }
+        } else {
+            Printed::new(0.0, 1).filter(|_| value.is_some_and(Bounded::is_zero))?
+        };
+        let decimal = printed.to_decimal();
+        let half = 0.5 * unit_of_place(-decimal.scale());
+        Some(Exact { math: number_math(printed.plain()), negative: decimal.is_negative(), half })
+    }
+
+    /// To how many figures a number is printed.
+    pub(super) fn figures(self, item: Item, shown: f64) -> usize {
+        let settled = self.shown.figures.get().and_then(|figures| figures.of(item));
+        settled.unwrap_or_else(|| at_least(self.usual(item), shown))
+    }
+
+    /// To how many figures a number is printed where no line needs more: one more than is asked.
+    fn usual(self, item: Item) -> usize {
+        let asked = usize::from(self.worked.problem.loaded().draft.figures.unwrap_or(3)) + 1;
+        let own = |symbol: Symbol| {
+            let numbers = self.worked.form.parts.iter().flat_map(|part| part.kind.numbers());
+            numbers.filter(|number| number.symbol == symbol).map(|number| number.figures).max()
+        };
+        let own = if let Item::Quantity(symbol) = item { own(symbol) } else { None };
+        FEWEST.max(asked).max(own.unwrap_or(0))
+    }
+
+    /// Enters a quantity into the ledger of a solution, as it will be printed.
+    pub(super) fn enter(self, ledger: &mut Ledger, symbol: Symbol) {
+        let item = Item::Quantity(symbol);
+        let value = self.worked.variant.value(symbol).filter(|_| self.has_number(symbol) && !ledger.knows(item));
+        let Some(value) = value else { return };
+        let unit = self.manner(symbol).measured.size;
+        match self.exact(symbol) {
+            Some(Exact { half, .. }) => ledger.exact(item, value.or_zero(), unit, half * unit),
+            None => ledger.rounded(item, value.for_print(), unit, self.usual(item)),
+        }
+    }
+
+    /// Enters a result and the term whose value it is.
+    pub(super) fn enter_term(self, ledger: &mut Ledger, term: &Term, result: Item) {
+        self.enter_line(ledger, &term.expr, &term.mentions, result);
+    }
+
+    fn enter_line(self, ledger: &mut Ledger, term: &Expr, mentions: &[Symbol], result: Item) {
+        for symbol in mentions {
+            self.enter(ledger, *symbol);
+        }
+        if let Item::Quantity(symbol) = result {
+            self.enter(ledger, symbol);
+        }
+        ledger.term(term, mentions, result);
+    }
+
+    /// Enters a number that is no quantity of the problem: the value of a term.
+    pub(super) fn enter_value(self, ledger: &mut Ledger, term: &Expr, unit: f64, item: Item) {
+        let mentions: Vec<Symbol> = term.symbols().into_iter().collect();
+        self.enter_rounded(ledger, item, self.bounded(term).for_print(), unit);
+        self.enter_line(ledger, term, &mentions, item);
+    }
+
+    /// Enters a number with the usual figures at least.
+    pub(super) fn enter_rounded(self, ledger: &mut Ledger, item: Item, value: f64, unit: f64) {
+        ledger.rounded(item, value, unit, self.usual(item));
+    }
+
+    /// An unknown as a formula in what is told exactly; none where it holds anything else.
+    pub(super) fn in_what_is_told(self, unknown: Symbol) -> Option<Expr> {
+        let whole = self.worked.in_givens(unknown, &self.worked.alphabet().values)?;
+        let is_told = |symbol: Symbol| self.worked.variant.given(symbol).is_some() && self.has_number(symbol);
+        whole.all_symbols(&is_told).then(|| positive_first(&whole))
+    }
+
+    /// A term with what is told in place of its symbols, each in its own unit.
+    pub(super) fn as_told(self, expr: &Expr) -> Math {
+        expr.layout(&|symbol| {
+            let (value, unit) = self.worked.variant.given(symbol).unwrap_or((Decimal::from(0), Unit::none()));
+            let math = with_unit(number_math(Printed::written(&value).plain()), &unit);
+            Leaf { math, kind: LeafKind::Number { negative: value.is_negative() } }
+        })
+    }
+
+    /// The number and its unit.
+    pub(super) fn quantity(self, symbol: Symbol) -> Math {
+        self.leaf(symbol).math
+    }
+
+    /// The number and its unit, to so many figures where it is rounded.
+    pub(super) fn quantity_to(self, symbol: Symbol, figures: usize) -> Math {
+        if self.exact(symbol).is_some() {
+            return self.quantity(symbol);
+        }
+        let measured = &self.manner(symbol).measured;
+        let value = self.worked.variant.value(symbol).map_or(f64::NAN, Bounded::for_print);
+        measured.put(number_math(printed(value / measured.size, figures)))
+    }
+
+    /// A term's value in a unit, as a number of the solution.
+    pub(super) fn evaluated(self, expr: &Expr, unit: &Measured, item: Item) -> Math {
+        let named = match (item, expr) {
+            (Item::Quantity(symbol), _) => Some(symbol),
+            (Item::Side(..), Expr::Symbol(symbol)) => Some(*symbol).filter(|symbol| self.unit(*symbol) == &unit.unit),
+            _ => None,
+        };
+        if let Some(symbol) = named {
+            return self.quantity(symbol);
+        }
+        let shown = self.bounded(expr).for_print() / unit.size;
+        unit.put(number_math(printed(shown, self.figures(item, shown))))
+    }
+
+    /// A number in the unit in which a part asks it; none where that is a quantity.
+    pub(super) fn in_unit_of(self, number: &NumberPart, value: Math) -> Math {
+        let own = &self.manner(number.symbol).measured;
+        match &number.unit {
+            AskedUnit::Unit(unit) if *unit == own.unit => own.put(value),
+            AskedUnit::Unit(unit) => with_unit(value, unit),
+            AskedUnit::InTermsOf(_) => value,
+        }
+    }
+
+    /// A term's value in SI units; zero where nothing tells it from that.
+    pub(super) fn value_of(self, expr: &Expr) -> f64 {
+        self.bounded(expr).or_zero()
+    }
+
+    fn bounded(self, expr: &Expr) -> Bounded {
+        evaluate(expr, &|symbol| self.worked.variant.value(symbol).unwrap_or_else(Bounded::not_real))
+    }
+}
+
+/// A given in another unit, where the conversion is exact and short: 360 g is 0.36 kg, and 36.0 km/h is 10.0 m/s.
+fn converted(value: &Decimal, given: &Unit, unit: &Unit) -> Option<Printed> {
+    let (from, to) = (given.factor(), unit.factor());
+    let exact = value.to_rational() * from.rational / to.rational;
+    let figures = (value.least_figures()..=MOST_DIGITS).filter(|_| from.pi == to.pi);
+    let printed = figures.map(|figures| Printed::exact(&exact, figures));
+    let mut fitting = printed.filter(|printed| printed.to_decimal().to_rational() == exact);
+    fitting.next()
+}
