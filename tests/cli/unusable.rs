@@ -44,7 +44,7 @@ const UNUSABLE: &[Unusable] = &[
     (&["grade", "--problem", "impact/two-carts", "--seed", "1", "--answer", "v_A3=1 m/s"], "did you mean `v_A2`?"),
     (&["grade", "none.csv"], "none.csv cannot be read"),
     (&["grade", "class.csv", "--format", "json"], "cannot be used with"),
-    (&["grade", "class.csv"], "class.csv has no column `problem`"),
+    (&["grade", "class.csv"], "class.csv: there is no column `problem`"),
     (&["check", "impakt"], "there is no problem `impakt`"),
     (&["check", "bad.yaml", "--seeds", "0"], "--seeds"),
     (&["snapshot", "--check", "--accept"], "cannot be used with"),

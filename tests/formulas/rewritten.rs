@@ -72,6 +72,8 @@ proptest! {
             _ => format!("({other}) + (a-1.25)(b-1.5)(c-1.75)(t-1.5)/1000"),
         };
         let expected = expected(NAMES, &own);
+        // A multiple of nothing is nothing.
+        prop_assume!(change != 1 || !verdict(&expected, "0").starts_with("right"));
         prop_assert!(!verdict(&expected, &changed).starts_with("right"), "{} for {}", changed, own);
     }
 }

@@ -123,7 +123,7 @@ impl Grammar<'_> {
             Some(next) => self.is_factor(next),
             None => false,
         };
-        let behind = self.ahead(usize::from(self.peek() == Some(&Token::Times)));
+        let behind = self.ahead(usize::from(matches!(self.peek(), Some(Token::Times | Token::Over))));
         let is_apart = matches!(behind, Some(Token::Function(_) | Token::Root(_) | Token::IndexedRoot));
         if !open || is_apart {
             return angle(short, operator, at);
