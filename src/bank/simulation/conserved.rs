@@ -48,7 +48,11 @@ fn ends(scene: &Scene, witness: &Witness<'_>, ask: &Conserved, stage: usize) -> 
     match ask.conserved {
         Conservable::Momentum => {
             let letters = letters(scene, ask).into_iter();
-            letters.map(|letter| total("p", letter).map(same)).try_fold(true, |all, own| Some(all && own?))
+            let is_same =
+                letters.map(|letter| total("p", letter).map(same)).try_fold(true, |all, own| Some(all && own?))?;
+            // On which side of the support an arm carries a body is not said: with all on one side, equal sums prove nothing.
+            let has_sides = matches!(scene.stages.get(stage), Some(Stage::Strike(_)));
+            (!(is_same && has_sides)).then_some(is_same)
         }
         Conservable::Energy => total("T", "").map(same),
         Conservable::AngularMomentum => {
