@@ -59,8 +59,10 @@ fn ends(scene: &Scene, witness: &Witness<'_>, ask: &Conserved, stage: usize) -> 
             let point = ask.about.clone().or_else(|| scene.points.keys().next().cloned())?;
             let ends = [stage + 1, stage + 2].map(|instant| witness.seen(&format!("H_{point}{instant}")));
             match ends {
+                // Where all of it cancels, what is left is known to its error only.
                 [Some(before), Some(after)] => {
-                    Some(same([(before.value, before.value.abs()), (after.value, after.value.abs())]))
+                    let size = before.value.abs().max(after.value.abs());
+                    Some((after.value - before.value).abs() <= UNCHANGED * size + before.error + after.error)
                 }
                 _ => None,
             }
