@@ -339,7 +339,7 @@ fn key_solution_sheet_and_diagnosis_never_contradict_each_other() {
                 assert_eq!(kind == "elastic", energy == "yes", "{said}");
                 let solution = format!("{:?}", exercise.outline(Audience::Everyone));
                 assert_eq!(solution.contains("one is lost: the impact is elastic"), kind == "elastic", "{said}");
-                let mut numbers = worked.form.parts.iter().flat_map(|part| part.numbers());
+                let mut numbers = worked.form.parts.iter().flat_map(momentous::problem::Part::numbers);
                 let lost = numbers.next().map(|(_, number)| worked.answer(number));
                 let is_nothing = lost.map(|lost| lost.value.abs() <= lost.error.max(1e-9));
                 assert!(is_nothing.is_none_or(|own| own == (kind == "elastic")), "{said}: {lost:?}");

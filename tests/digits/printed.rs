@@ -35,7 +35,9 @@ fn precise(value: Float) -> Float {
 /// The parts of a line between its equals signs.
 pub fn sides(lines: &[Math]) -> Vec<Vec<Math>> {
     let mut flat = Vec::new();
-    lines.iter().for_each(|line| flatten(line, &mut flat));
+    for line in lines {
+        flatten(line, &mut flat);
+    }
     let sides = flat.split(|part| matches!(part, Math::Operator(Operator::Equals)));
     // What a number is about is no result: its zeros may only hold the place.
     let exact = |side: &[Math]| {
@@ -141,7 +143,9 @@ struct Reader<'a> {
 impl Reader<'_> {
     fn read(parts: &[Math]) -> Option<Float> {
         let mut flat = Vec::new();
-        parts.iter().for_each(|part| flatten(part, &mut flat));
+        for part in parts {
+            flatten(part, &mut flat);
+        }
         let mut reader = Reader { rest: &flat };
         let value = reader.sum()?;
         reader.rest.is_empty().then_some(value)
