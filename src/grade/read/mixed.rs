@@ -4,6 +4,7 @@ use crate::quantity::Decimal;
 use crate::quantity::Rational;
 
 use super::super::number::Number;
+use super::vulgar::of_character;
 
 /// The ` 1/2` of `2 1/2`, and its length.
 pub(super) fn proper_fraction(text: &str) -> Option<(Number, usize)> {
@@ -19,31 +20,14 @@ pub(super) fn proper_fraction(text: &str) -> Option<(Number, usize)> {
 
 /// A fraction in one character, perhaps behind a space, and its length.
 pub(super) fn vulgar(text: &str) -> Option<(Number, usize)> {
-    const VULGAR: [(char, u32, u32); 15] = [
-        ('½', 1, 2),
-        ('⅓', 1, 3),
-        ('⅔', 2, 3),
-        ('¼', 1, 4),
-        ('¾', 3, 4),
-        ('⅕', 1, 5),
-        ('⅖', 2, 5),
-        ('⅗', 3, 5),
-        ('⅘', 4, 5),
-        ('⅙', 1, 6),
-        ('⅚', 5, 6),
-        ('⅛', 1, 8),
-        ('⅜', 3, 8),
-        ('⅝', 5, 8),
-        ('⅞', 7, 8),
-    ];
     if text.is_empty() || text.as_bytes().first().is_some_and(|first| first.is_ascii() && *first != b' ') {
         return None;
     }
     let bare = text.trim_start();
     let first = bare.chars().next()?;
-    let (_, above, below) = VULGAR.iter().find(|(known, ..)| *known == first)?;
+    let (above, below) = of_character(first)?;
     let length = text.len() - bare.len() + first.len_utf8();
-    Some((Number::exact(Rational::from(*above) / Rational::from(*below)), length))
+    Some((Number::exact(Rational::from(above) / Rational::from(below)), length))
 }
 
 /// The number with the power of ten that stands behind a space, ` e3`, and the length of that.

@@ -24,6 +24,7 @@ mod several;
 mod unit;
 mod unreadable;
 mod vector;
+mod vulgar;
 
 pub use answer::{
     Answer, ChoiceAnswer, EndAnswer, FormulaAnswer, IntervalAnswer, NumberAnswer, Sense, VectorAnswer, Written,

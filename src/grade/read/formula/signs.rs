@@ -1,5 +1,7 @@
 //! The characters of a formula: each as the one that it stands for, and the letters of LaTeX by name.
 
+use super::super::vulgar::of_character;
+
 /// Letters of the Greek alphabet, and how problem files and LaTeX spell them.
 const GREEK: [(char, &str); 32] = [
     ('α', "alpha"),
@@ -62,25 +64,6 @@ const UNRAISED: &str = "0123456789-+()nxtk";
 const LOWERED: &str = "₀₁₂₃₄₅₆₇₈₉ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ";
 const UNLOWERED: &str = "0123456789aehijklmnoprstuvx";
 
-/// Fractions of one character, with what is above and below the bar.
-const FRACTIONS: [(char, i64, u32); 15] = [
-    ('½', 1, 2),
-    ('⅓', 1, 3),
-    ('⅔', 2, 3),
-    ('¼', 1, 4),
-    ('¾', 3, 4),
-    ('⅕', 1, 5),
-    ('⅖', 2, 5),
-    ('⅗', 3, 5),
-    ('⅘', 4, 5),
-    ('⅙', 1, 6),
-    ('⅚', 5, 6),
-    ('⅛', 1, 8),
-    ('⅜', 3, 8),
-    ('⅝', 5, 8),
-    ('⅞', 7, 8),
-];
-
 /// What says nothing: marks of direction and signs that are not printed.
 pub(super) const NOTHING: char = '\u{200b}';
 
@@ -135,5 +118,5 @@ pub(super) fn unlowered(character: char) -> Option<char> {
 
 /// What a fraction of one character has above and below its bar.
 pub(super) fn fraction(character: char) -> Option<(i64, u32)> {
-    FRACTIONS.iter().find(|(own, ..)| *own == character).map(|(_, above, below)| (*above, *below))
+    of_character(character).map(|(above, below)| (i64::from(above), below))
 }
