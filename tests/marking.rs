@@ -150,7 +150,7 @@ fn a_report_says_marks_and_reasons() {
         [("v_A2", "0.400 m/s"), ("v_B2", "3.10"), ("T_lost", "7,650 J"), ("a", "conserved"), ("T_los", "7.65 J")];
     let report = mark(&collision(), &answers);
     let expected = "\
-v_A2: 1/2 [sense] The magnitude is right. Say its direction too: by a sign, or \"to the right\" or \"to the left\".
+v_A2: 1/2 [sense] The magnitude is right. State its direction, too: by a sign, or \"to the right\" or \"to the left\".
     read as: 0.400 metres per second
 v_B2: 1/2 [unit_missing] The number is right. The unit is missing.
     read as: 3.10
@@ -190,7 +190,7 @@ fn an_answer_that_cannot_be_read_says_where() {
 fn a_wrong_number_is_never_called_right() {
     let report = mark(&collision(), &[("v_A2", "-0.5"), ("v_B2", "4 J")]);
     let messages: Vec<&str> = report.parts.iter().map(|part| part.message.as_ref()).take(2).collect();
-    let dimension = "Not right. Look at the unit: this is an energy, the question asks for a velocity.";
+    let dimension = "Not right. Check the unit: this is an energy, but the question asks for a velocity.";
     assert_eq!(messages, ["Not right. The unit is missing.", dimension]);
 }
 

@@ -100,7 +100,7 @@ fn contact(display: Display<'_>, scene: &Scene, frame: &Frame, stage: &Stage) ->
         }
         Partners::Surface(_, surface) => {
             let own = scene.surfaces.get(surface).and_then(|entry| entry.name.clone());
-            format!("at right angles out of {}", own.unwrap_or_else(|| format!("the {surface}")))
+            format!("perpendicularly away from {}", own.unwrap_or_else(|| format!("the {surface}")))
         }
     };
     let quarters = f64::from(frame.normal.quarters % 4);

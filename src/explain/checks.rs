@@ -41,9 +41,9 @@ const BALANCES: &[(&str, &str)] = &[
     (restitution::RESTITUTION.id, "Velocity of separation, and e times the velocity of approach:"),
     (restitution::RESTITUTION_SURFACE.id, "Velocity away from the surface, and e times the velocity towards it:"),
     (angular::ANGULAR_MOMENTUM.id, "Angular momentum, and the moment of the momentum:"),
-    (angular::ANGULAR_IMPULSE.id, "Angular momentum before with the angular impulse, and after:"),
+    (angular::ANGULAR_IMPULSE.id, "Initial angular momentum plus angular impulse, and final angular momentum:"),
     (angular::CENTRAL.id, "Radius times transverse velocity, before and after:"),
-    (orbit::ORBIT_ENERGY.id, "Energy of each unit of mass, before and after:"),
+    (orbit::ORBIT_ENERGY.id, "Energy per unit mass, before and after:"),
     (bouncing::BOUNCE_TIME.id, "The time, and the sum of the times of flight:"),
 ];
 
@@ -203,7 +203,7 @@ fn means(display: Display<'_>) -> Option<Block> {
                     shown(least),
                     Inline::Text(", and the greatest, ".into()),
                     shown(greatest),
-                    Inline::Text(", as a mean must.".into()),
+                    Inline::Text(", as an average must.".into()),
                 ]
             })
         })

@@ -34,7 +34,7 @@ fn neglected(worked: Worked<'_>) -> impl Iterator<Item = Block> {
     let scene = &worked.problem.loaded().draft.scene;
     worked.neglected().into_iter().map(move |(weight, share)| {
         text(&format!(
-            "In {} the impulse of weight, which is left out, is {:.1} % of the change of momentum of {}.",
+            "In {} the impulse of weight, which is neglected, is {:.1} % of the change of momentum of {}.",
             worked.problem.model().phrase(scene, weight.stage),
             100.0 * share,
             scene.called(&weight.on)
@@ -84,10 +84,10 @@ fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) -> Option<S
             let bodies = list(&bodies);
             let guides = guiding(scene, &impulses);
             let also = if guides.is_empty() { "nothing else is impulsive".to_owned() } else { list(&guides) };
-            format!("During {phrase}, {bodies} give each other {equal}; {also}.")
+            format!("During {phrase}, {bodies} exert {equal} on each other; {also}.")
         }
         (Stage::SlideOff(slide), _) => during(format!(
-            "{} and {} are acted on by their weights and by the support, none of which has a component along the motion of {}",
+            "{} and {} are acted on by their weights and by the support; none of these forces has a component along the motion of {}",
             name(&slide.body),
             name(&slide.on),
             name(&slide.on)
@@ -138,7 +138,7 @@ fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) -> Option<S
         }
         (Stage::Taut(_) | Stage::Connected(_), _) => during(format!("{body} {is} acted on by the string")),
         (Stage::Tow(tow), _) => during(format!(
-            "{} acts on {} with equal and opposite forces; all else comes from outside",
+            "{} acts on {} with equal and opposite forces; all other forces are external",
             tow.joint(),
             list(&tow.both().map(|own| name(&own.body)))
         )),

@@ -20,7 +20,7 @@ pub(super) fn notes(display: Display<'_>) -> Vec<Block> {
         let name = Inline::Math(display.name(number.symbol));
         let mut words = vec![name, Inline::Text(" is ".into()), shown(answer.value.to_string())];
         if answer.error.is_finite() {
-            words.extend([Inline::Text(", in error by at most ".into()), shown(printed(answer.error, 2))]);
+            words.extend([Inline::Text(", with an error of at most ".into()), shown(printed(answer.error, 2))]);
         } else {
             words.push(Inline::Text("; no bound on its error can be given".into()));
         }
@@ -45,7 +45,7 @@ pub(super) fn notes(display: Display<'_>) -> Vec<Block> {
         let checks = leaf.audit.checks.len();
         let audit = leaf.audit.plan.steps.len() - leaf.audit.answer_steps;
         blocks.push(text(&format!(
-            "Equations of the answer plan, {} in all: {}. The audit solves {audit} more quantities and holds {checks} further equations against the answer.",
+            "Equations of the answer plan, {} in all: {}. The audit solves for {audit} more quantities and checks the answer against {checks} further equations.",
             used.len(),
             list(&counted(&used)),
         )));

@@ -52,7 +52,7 @@ fn words(display: Display<'_>, derivation: &Derivation, line: &Line) -> Vec<Inli
             words
         }
         Origin::Put { what, into } => said(format!("Put {} into {}", named(*what), named(*into))),
-        Origin::Integrate(_) => said("With the integral worked out".into()),
+        Origin::Integrate(_) => said("Evaluating the integral".into()),
         Origin::Square(of) => said(format!("Square both sides of {}", named(*of))),
         Origin::Component([first, second]) => said(format!("From {} and {}", named(*first), named(*second))),
         Origin::Solve { of, unknown } => {

@@ -142,7 +142,7 @@ fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
         }
         Stage::Connected(connected) => {
             let [leading, trailing] = [&connected.leading, &connected.trailing].map(|strand| name(&strand.body));
-            format!("{leading} draws {trailing} along by the string")
+            format!("{leading} pulls {trailing} along by the string")
         }
         Stage::Tow(tow) => {
             let [front, rear] = tow.both().map(|own| name(&own.body));

@@ -21,8 +21,8 @@ impl fmt::Display for Follows {
         let (from, by) = (self.from.join(" and "), self.by.join(" and "));
         write!(out, "This follows from your own {from} by {by}; the step itself is right.")?;
         match &self.unphysical {
-            Some(reason) => write!(out, " But look at your {from}: with it, {reason}."),
-            None => write!(out, " Look at {from} again."),
+            Some(reason) => write!(out, " But check your {from}: with it, {reason}."),
+            None => write!(out, " Check {from}."),
         }
     }
 }

@@ -10,7 +10,7 @@ use serde::Serialize;
 /// ```
 /// use momentous::grade::RowCounts;
 /// let counts = RowCounts { read: 3, marked: 2, answers: 6, refused: 1, not_issued: 1 };
-/// assert_eq!(counts.to_string(), "3 rows read: 2 marked (6 answers), 1 refused; 1 of the marked is of a sheet that was not issued");
+/// assert_eq!(counts.to_string(), "3 rows read: 2 marked (6 answers), 1 refused; 1 of the marked rows belongs to a sheet that was not issued");
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct RowCounts {
@@ -52,8 +52,8 @@ impl fmt::Display for RowCounts {
         write!(out, "{rows} read: {marked} marked ({answers}), {refused} refused")?;
         match not_issued {
             0 => Ok(()),
-            1 => out.write_str("; 1 of the marked is of a sheet that was not issued"),
-            _ => write!(out, "; {not_issued} of the marked are of sheets that were not issued"),
+            1 => out.write_str("; 1 of the marked rows belongs to a sheet that was not issued"),
+            _ => write!(out, "; {not_issued} of the marked rows belong to sheets that were not issued"),
         }
     }
 }

@@ -10,7 +10,7 @@ pub const ANGULAR_MOMENTUM: Law = Law {
     id: "angular-momentum",
     name: "the definition of angular momentum",
     statement: "The angular momentum of a particle about a fixed point is the moment of its momentum: perpendicular distance times momentum. That of a system is the sum over its particles.",
-    signs: "In a plane, from x towards y is positive; in space along each axis, by the right-hand rule.",
+    signs: "In a plane, the sense from x towards y is positive; in space, the right-hand rule holds for each axis.",
     when: "About a fixed point, or about the centre of mass.",
     source: "Definition, H = r x m v.",
     wrong: wrong::angular::ANGULAR_MOMENTUM,
@@ -23,7 +23,7 @@ pub const ANGULAR_IMPULSE: Law = Law {
     statement: "The angular momentum about a fixed point at the end equals that at the start plus the angular impulses of the moments about that point.",
     signs: "Counter-clockwise is positive.",
     when: "About a fixed point, or about the centre of mass.",
-    source: "Newton's second law, its moment integrated over time.",
+    source: "The moment of Newton's second law, integrated over time.",
     wrong: wrong::angular::ANGULAR_IMPULSE,
 };
 
@@ -32,7 +32,7 @@ pub const MOMENT: Law = Law {
     id: "moment-of-a-force",
     name: "the definition of the moment of a force",
     statement: "The moment of a force about a point is its perpendicular distance times the force; that of several forces is their sum.",
-    signs: "In a plane, from x towards y is positive; in space along each axis, by the right-hand rule.",
+    signs: "In a plane, the sense from x towards y is positive; in space, the right-hand rule holds for each axis.",
     when: "Always.",
     source: "Definition, M = r x F.",
     wrong: wrong::angular::MOMENT,
@@ -43,9 +43,9 @@ pub const RATE: Law = Law {
     id: "rate-of-angular-momentum",
     name: "the moment equation",
     statement: "The rate of change of the angular momentum about a fixed point is the sum of the moments of the forces about that point.",
-    signs: "As the moments.",
+    signs: "As for the moments.",
     when: "About a fixed point, or about the centre of mass.",
-    source: "Newton's second law, its moment taken.",
+    source: "The moment of Newton's second law.",
     wrong: wrong::angular::RATE,
 };
 
@@ -53,10 +53,10 @@ pub const RATE: Law = Law {
 pub const CONSERVATION: Law = Law {
     id: "conservation-of-angular-momentum",
     name: "conservation of angular momentum",
-    statement: "Where no moment acts on a system from outside about a fixed point, its angular momentum about that point stays the same.",
-    signs: "In a plane, from x towards y is positive; in space along each axis, by the right-hand rule.",
-    when: "No force from outside has a moment about the point; forces within the system cancel in pairs.",
-    source: "The principle of angular impulse and momentum, without an angular impulse.",
+    statement: "If no external moment about a fixed point acts on a system, its angular momentum about that point stays the same.",
+    signs: "In a plane, the sense from x towards y is positive; in space, the right-hand rule holds for each axis.",
+    when: "No external force has a moment about the point; the moments of internal forces cancel in pairs.",
+    source: "The principle of angular impulse and momentum, with no angular impulse.",
     wrong: wrong::angular::CONSERVATION,
 };
 

@@ -11,7 +11,7 @@ pub const BOUNCE_HEIGHT: Law = Law {
     name: "restitution and energy",
     statement: "Each bounce multiplies the speed by e, hence the height by the square of e.",
     signs: "Heights are positive.",
-    when: "Dropped from rest on a level fixed floor; air resistance is left out.",
+    when: "Dropped from rest on a level fixed floor; air resistance is neglected.",
     source: "Restitution at a surface, and energy between bounces.",
     wrong: wrong::bouncing::BOUNCE_HEIGHT,
 };
@@ -22,7 +22,7 @@ pub const BOUNCE_SPEED: Law = Law {
     name: "the law of restitution",
     statement: "Each bounce multiplies the speed by e.",
     signs: "Speeds are positive.",
-    when: "Dropped from rest on a level fixed floor; air resistance is left out.",
+    when: "Dropped from rest on a level fixed floor; air resistance is neglected.",
     source: "Restitution at a surface; the ball returns with the speed with which it left.",
     wrong: wrong::bouncing::BOUNCE_SPEED,
 };
@@ -32,8 +32,8 @@ pub const BOUNCE_TIME: Law = Law {
     id: "bounce-time",
     name: "the sum of a geometric series",
     statement: "After the first fall, each flight takes e times as long as the one before: a geometric series.",
-    signs: "Counted from the release.",
-    when: "Dropped from rest on a level fixed floor; air resistance is left out.",
+    signs: "Measured from the release.",
+    when: "Dropped from rest on a level fixed floor; air resistance is neglected.",
     source: "Restitution at a surface, and a geometric series.",
     wrong: wrong::bouncing::BOUNCE_TIME,
 };
@@ -44,7 +44,7 @@ pub const BOUNCE_PATH: Law = Law {
     name: "the sum of a geometric series",
     statement: "After the first fall, each flight goes up and down by the height of its bounce: a geometric series.",
     signs: "Lengths are positive.",
-    when: "Dropped from rest on a level fixed floor; air resistance is left out.",
+    when: "Dropped from rest on a level fixed floor; air resistance is neglected.",
     source: "The height after n bounces, and a geometric series.",
     wrong: wrong::bouncing::BOUNCE_PATH,
 };
@@ -53,9 +53,9 @@ pub const BOUNCE_PATH: Law = Law {
 pub const BOUNCE_FLIGHT: Law = Law {
     id: "bounce-flight",
     name: "restitution and the time of a flight",
-    statement: "A flight from the floor back to it lasts twice the speed away from the floor, divided by the part of g that acts towards the floor.",
+    statement: "A flight from the floor back to it lasts twice the speed away from the floor, divided by the component of g towards the floor.",
     signs: "Durations are positive.",
-    when: "A fixed smooth floor, level or sloping; air resistance is left out.",
+    when: "A fixed smooth floor, level or sloping; air resistance is neglected.",
     source: "Restitution at a surface; the velocity away from the floor changes its sign in the flight.",
     wrong: wrong::bouncing::BOUNCE_FLIGHT,
 };
@@ -64,10 +64,10 @@ pub const BOUNCE_FLIGHT: Law = Law {
 pub const BOUNCE_PLACE: Law = Law {
     id: "bounce-place",
     name: "the motion along the floor",
-    statement: "A smooth floor does not change the velocity along it. So a body keeps its velocity along a level floor through all bounces, and along a slope with the part of g that acts along it.",
-    signs: "Along the axis of the floor positive.",
-    when: "A fixed smooth floor; air resistance is left out.",
-    source: "No impulse of a smooth floor along itself, and the kinematics of a constant acceleration.",
+    statement: "A smooth floor does not change the velocity along it. Along a level floor a body keeps its velocity through all bounces; along a slope its acceleration is the component of g along the slope.",
+    signs: "Positive along the axis of the floor.",
+    when: "A fixed smooth floor; air resistance is neglected.",
+    source: "A smooth floor exerts no impulse along itself; the kinematics of constant acceleration.",
     wrong: wrong::bouncing::BOUNCE_PLACE,
 };
 
@@ -75,10 +75,10 @@ pub const BOUNCE_PLACE: Law = Law {
 pub const BOUNCE_RANGE: Law = Law {
     id: "bounce-range",
     name: "the range of one flight",
-    statement: "From one bounce to the next a body moves along the floor by its velocity along it times the time of the flight, and on a slope by half of its acceleration times the time squared besides.",
-    signs: "Along the axis of the floor positive.",
-    when: "A fixed smooth floor; air resistance is left out.",
-    source: "No impulse of a smooth floor along itself, and the kinematics of a constant acceleration.",
+    statement: "From one bounce to the next, a body moves along the floor by its velocity along it times the time of the flight, plus, on a slope, half its acceleration times the time squared.",
+    signs: "Positive along the axis of the floor.",
+    when: "A fixed smooth floor; air resistance is neglected.",
+    source: "A smooth floor exerts no impulse along itself; the kinematics of constant acceleration.",
     wrong: wrong::bouncing::BOUNCE_RANGE,
 };
 

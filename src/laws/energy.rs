@@ -21,7 +21,7 @@ pub const KINETIC: Law = Law {
 pub const LOSS: Law = Law {
     id: "energy-lost",
     name: "the balance of kinetic energy",
-    statement: "The kinetic energy lost is the kinetic energy before less the kinetic energy after.",
+    statement: "The kinetic energy lost is the kinetic energy before minus the kinetic energy after.",
     signs: "A loss is positive.",
     when: "Always; in an impact without a source of energy it is never negative.",
     source: "Definition.",
@@ -32,7 +32,7 @@ pub const LOSS: Law = Law {
 pub const GAIN: Law = Law {
     id: "energy-gained",
     name: "the balance of kinetic energy",
-    statement: "The kinetic energy gained is the kinetic energy after less the kinetic energy before.",
+    statement: "The kinetic energy gained is the kinetic energy after minus the kinetic energy before.",
     signs: "A gain is positive.",
     when: "Always; in a separation something supplies it: an explosive, a spring, muscles.",
     source: "Definition.",
@@ -43,7 +43,7 @@ pub const GAIN: Law = Law {
 pub const WORK_ENERGY: Law = Law {
     id: "work-energy",
     name: "the principle of work and energy",
-    statement: "The kinetic energy at the end equals that at the start plus the work of all forces on the way.",
+    statement: "The kinetic energy at the end equals that at the start plus the work done by all forces in between.",
     signs: "A force along the motion does positive work, one against it negative work.",
     when: "Always; forces at right angles to the motion do no work.",
     source: "Newton's second law, integrated over the distance.",
@@ -54,10 +54,10 @@ pub const WORK_ENERGY: Law = Law {
 pub const CONSERVATION: Law = Law {
     id: "conservation-of-energy",
     name: "conservation of energy",
-    statement: "Where only weight and springs do work, kinetic energy, energy of height and energy of the springs add up to the same sum.",
-    signs: "Heights count upwards; the energy of a spring is never negative.",
+    statement: "If only weight and springs do work, the sum of the kinetic energy and the potential energies of weight and springs stays the same.",
+    signs: "Heights are positive upwards; the energy of a spring is never negative.",
     when: "No friction and no impact between the two instants.",
-    source: "The principle of work and energy, for forces whose work depends on the place alone.",
+    source: "The principle of work and energy, for forces whose work depends on the positions alone.",
     wrong: wrong::energy::CONSERVATION,
 };
 

@@ -21,8 +21,8 @@ pub const IMPULSE: Law = Law {
 pub const MEAN_FORCE: Law = Law {
     id: "mean-force",
     name: "the definition of the average force",
-    statement: "The impulse of a force is its mean value times the time for which it acts.",
-    signs: "As the impulse.",
+    statement: "The impulse of a force is its average value times the time for which it acts.",
+    signs: "As for the impulse.",
     when: "Always.",
     source: "Definition.",
     wrong: wrong::force::MEAN_FORCE,
@@ -43,8 +43,8 @@ pub const WEIGHT: Law = Law {
 pub const NORMAL_FORCE: Law = Law {
     id: "normal-force",
     name: "the balance of forces across the floor",
-    statement: "A body that stays on a floor is pressed by it with the parts of its weight and of the other forces that point into the floor.",
-    signs: "The normal force is positive as a push of the floor.",
+    statement: "The normal force on a body that stays on a floor balances the components of its weight and of the other forces perpendicular to the floor.",
+    signs: "The normal force is positive where the floor pushes.",
     when: "The body does not leave the floor.",
     source: "Newton's second law across the floor, where nothing accelerates.",
     wrong: wrong::force::NORMAL_FORCE,
@@ -65,7 +65,7 @@ pub const BALANCE: Law = Law {
 pub const FRICTION: Law = Law {
     id: "kinetic-friction",
     name: "the law of kinetic friction",
-    statement: "A sliding body is held back by the coefficient of kinetic friction times the normal force.",
+    statement: "The friction on a sliding body is the coefficient of kinetic friction times the normal force.",
     signs: "The magnitude is positive; it acts against the motion.",
     when: "The body slides and does not change its direction during the stage.",
     source: "Coulomb's law of dry friction, an experimental law.",
@@ -87,7 +87,7 @@ pub const THRESHOLD: Law = Law {
 pub const HOOKE: Law = Law {
     id: "hookes-law",
     name: "Hooke's law",
-    statement: "A spring pushes or pulls with its stiffness times its deformation.",
+    statement: "The force of a spring is its stiffness times its deformation.",
     signs: "Magnitudes; the force acts against the deformation.",
     when: "The spring is light and not overstretched.",
     source: "Hooke's law, an experimental law.",
@@ -98,8 +98,8 @@ pub const HOOKE: Law = Law {
 pub const CORD: Law = Law {
     id: "tension-on-a-circle",
     name: "Newton's second law towards the centre of the circle",
-    statement: "The tension less the weight's component along the cord gives the mass its acceleration towards the centre, speed squared over radius.",
-    signs: "Positive towards the centre; the angle is counted from the vertical below the centre.",
+    statement: "The tension minus the weight's component along the cord is the mass times the acceleration towards the centre, which is the speed squared over the radius.",
+    signs: "Positive towards the centre; the angle is measured from the vertical below the centre.",
     when: "The body moves on a circle.",
     source: "Newton's second law and the acceleration of motion on a circle.",
     wrong: &[],
@@ -109,7 +109,7 @@ pub const CORD: Law = Law {
 pub const CONICAL: Law = Law {
     id: "conical-pendulum",
     name: "Newton's second law for a conical pendulum",
-    statement: "Upwards the cord carries the weight, and inwards it gives the acceleration of the circle: speed squared over the circle's radius is g times the tangent of the cord's angle with the vertical.",
+    statement: "The vertical component of the tension balances the weight; the horizontal one gives the acceleration towards the centre. So the speed squared over the radius is g times the tangent of the cord's angle with the vertical.",
     signs: "All are positive; the angle lies between the cord and the vertical.",
     when: "The body moves steadily round a horizontal circle.",
     source: "Newton's second law, along the vertical and towards the centre.",

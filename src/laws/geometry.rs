@@ -10,8 +10,8 @@ use super::wrong;
 pub const COMPONENTS: Law = Law {
     id: "components",
     name: "trigonometry",
-    statement: "A vector's component along an axis is its magnitude times the cosine of the angle between them; across it, times the sine.",
-    signs: "Angles are counted counter-clockwise from the axis.",
+    statement: "A vector's component along an axis is its magnitude times the cosine of the angle between them; perpendicular to the axis, times the sine.",
+    signs: "Angles are measured counter-clockwise from the axis.",
     when: "Always.",
     source: "Trigonometry.",
     wrong: wrong::geometry::COMPONENTS,
@@ -22,7 +22,7 @@ pub const ROTATION: Law = Law {
     id: "turned-axes",
     name: "trigonometry",
     statement: "Along an axis turned by an angle, a component is the sum of the old components times the cosine and the sine of that angle.",
-    signs: "n along the line, t at 90° to it, counter-clockwise.",
+    signs: "n points along the line, t at 90° counter-clockwise from it.",
     when: "Always.",
     source: "Trigonometry.",
     wrong: wrong::geometry::COMPONENTS,
@@ -55,7 +55,7 @@ pub const DIRECTION: Law = Law {
     id: "direction",
     name: "trigonometry",
     statement: "The tangent of the angle between a vector and an axis is its component across the axis over that along it.",
-    signs: "Angles are counted counter-clockwise; the signs of both components give the quadrant.",
+    signs: "Angles are measured counter-clockwise; the signs of both components give the quadrant.",
     when: "Always, along perpendicular axes.",
     source: "Trigonometry.",
     wrong: wrong::geometry::DIRECTION,
@@ -76,7 +76,7 @@ pub const BETWEEN: Law = Law {
 pub const ARC: Law = Law {
     id: "speed-on-a-circle",
     name: "the kinematics of motion on a circle",
-    statement: "A point on a circle moves with the radius times the angular velocity.",
+    statement: "The velocity of a point on a circle is the radius times the angular velocity.",
     signs: "Counter-clockwise is positive.",
     when: "The distance from the centre does not change at that instant.",
     source: "The length of an arc.",
@@ -87,10 +87,10 @@ pub const ARC: Law = Law {
 pub const TURNING: Law = Law {
     id: "acceleration-on-a-circle",
     name: "the kinematics of motion on a circle",
-    statement: "A point on a circle accelerates towards the centre with the square of its speed over the radius.",
+    statement: "The acceleration of a point on a circle towards the centre is the square of its speed over the radius.",
     signs: "Positive towards the centre.",
     when: "The point moves at right angles to the radius at that instant.",
-    source: "The change of the direction of a velocity.",
+    source: "The change in the direction of the velocity.",
     wrong: &[],
 };
 
@@ -98,7 +98,7 @@ pub const TURNING: Law = Law {
 pub const HEIGHT_ON_CIRCLE: Law = Law {
     id: "height-on-a-circle",
     name: "trigonometry",
-    statement: "A cord that makes an angle with the vertical ends lower than its fixed end by its length times the cosine of the angle.",
+    statement: "The lower end of a cord lies below its fixed end by the length of the cord times the cosine of its angle with the vertical.",
     signs: "Heights and lengths are positive.",
     when: "The cord is straight.",
     source: "Trigonometry.",
@@ -109,7 +109,7 @@ pub const HEIGHT_ON_CIRCLE: Law = Law {
 pub const HEIGHT_OF_SLOPE: Law = Law {
     id: "height-of-a-slope",
     name: "trigonometry",
-    statement: "A way along a slope leads up or down by its length times the sine of the slope's angle.",
+    statement: "The difference in height along a slope is the distance along it times the sine of the slope's angle.",
     signs: "Heights and lengths are positive.",
     when: "The slope is straight.",
     source: "Trigonometry.",
@@ -120,9 +120,9 @@ pub const HEIGHT_OF_SLOPE: Law = Law {
 pub const HEIGHT_IN_BOWL: Law = Law {
     id: "height-in-a-bowl",
     name: "trigonometry",
-    statement: "In a cone the height is the distance from the axis over the tangent of the angle between axis and wall; in a sphere the squares of the distance from the axis and of the depth below the centre add up to the square of the radius.",
+    statement: "In a cone the height above the apex is the distance from the axis over the tangent of the angle between axis and wall; in a sphere the squares of the distance from the axis and of the depth below the centre add up to the square of the radius.",
     signs: "Heights and lengths are positive.",
-    when: "The axis is vertical, and the place lies below the centre of the sphere.",
+    when: "The axis is vertical, and the position lies below the centre of the sphere.",
     source: "Trigonometry, and Pythagoras' theorem.",
     wrong: wrong::geometry::HEIGHT_IN_BOWL,
 };
@@ -131,9 +131,9 @@ pub const HEIGHT_IN_BOWL: Law = Law {
 pub const BOUNDARY: Law = Law {
     id: "boundary-of-a-condition",
     name: "the condition of the question",
-    statement: "A condition begins or ceases to hold where both of its sides are equal.",
-    signs: "As those of both sides.",
-    when: "Both sides change continuously with the quantity whose range is asked.",
+    statement: "A condition begins or ceases to hold where its two sides are equal.",
+    signs: "As for the two sides.",
+    when: "Both sides change continuously with the quantity whose range is asked for.",
     source: "The question.",
     wrong: &[],
 };

@@ -10,9 +10,9 @@ use super::wrong;
 pub const FALL_SPEED: Law = Law {
     id: "fall-speed",
     name: "conservation of energy in free fall",
-    statement: "The square of the speed grows by 2 g times the height fallen.",
+    statement: "The square of the speed increases by 2 g times the height fallen.",
     signs: "The height fallen is positive.",
-    when: "Weight is the only force; air resistance is left out.",
+    when: "Weight is the only force; air resistance is neglected.",
     source: "Work and energy with weight alone.",
     wrong: wrong::kinematics::FALL_SPEED,
 };
@@ -21,9 +21,9 @@ pub const FALL_SPEED: Law = Law {
 pub const FALL_TIME: Law = Law {
     id: "fall-time",
     name: "the principle of impulse and momentum for weight alone",
-    statement: "A falling body's downward velocity grows by g in each unit of time.",
+    statement: "A falling body's downward velocity increases by g times the time.",
     signs: "Velocities along the axis are positive.",
-    when: "Weight is the only force; air resistance is left out.",
+    when: "Weight is the only force; air resistance is neglected.",
     source: "The principle of impulse and momentum, divided by the mass.",
     wrong: wrong::kinematics::FALL_TIME,
 };
@@ -32,8 +32,8 @@ pub const FALL_TIME: Law = Law {
 pub const UNIFORM: Law = Law {
     id: "uniform-motion",
     name: "the kinematics of uniform motion",
-    statement: "A body that nothing acts on along an axis moves along it by its velocity times the time.",
-    signs: "Along the axis positive.",
+    statement: "If no force acts on a body along an axis, its displacement along the axis is its velocity times the time.",
+    signs: "Positive along the axis.",
     when: "No force acts along the axis.",
     source: "The definition of velocity, integrated over time.",
     wrong: wrong::kinematics::UNIFORM,
@@ -43,9 +43,9 @@ pub const UNIFORM: Law = Law {
 pub const FLIGHT_PLACE: Law = Law {
     id: "flight-place",
     name: "the kinematics of free flight",
-    statement: "In a time, a body in free flight moves by its first velocity times the time, and falls by half of g times the time squared besides.",
-    signs: "Along the axis positive; g counts as negative where the axis points up.",
-    when: "Weight is the only force; air resistance is left out.",
+    statement: "A body in free flight moves by its initial velocity times the time; vertically, it also falls by half of g times the time squared.",
+    signs: "Positive along the axis; g is negative where the axis points up.",
+    when: "Weight is the only force; air resistance is neglected.",
     source: "The velocity under constant acceleration, integrated over time.",
     wrong: wrong::kinematics::FLIGHT_PLACE,
 };
@@ -54,10 +54,10 @@ pub const FLIGHT_PLACE: Law = Law {
 pub const FLIGHT_SPEED: Law = Law {
     id: "flight-speed",
     name: "conservation of energy in free flight",
-    statement: "The square of the vertical velocity changes by 2 g times the height fallen; the horizontal velocity stays.",
-    signs: "Along the axis positive; g counts as negative where the axis points up.",
-    when: "Weight is the only force; air resistance is left out.",
-    source: "Work and energy with weight alone, less the kinetic energy of the horizontal motion, which stays.",
+    statement: "The square of the vertical velocity changes by 2 g times the height fallen; the horizontal velocity stays the same.",
+    signs: "Positive along the axis; g is negative where the axis points up.",
+    when: "Weight is the only force; air resistance is neglected.",
+    source: "Work and energy with weight alone, minus the kinetic energy of the horizontal motion, which stays the same.",
     wrong: wrong::kinematics::FALL_SPEED,
 };
 
@@ -66,7 +66,7 @@ pub const TOP: Law = Law {
     id: "top-of-the-path",
     name: "the condition at the top of the path",
     statement: "At the top of its path a body has no vertical velocity.",
-    signs: "As the velocities.",
+    signs: "As for the velocities.",
     when: "Always.",
     source: "The height is greatest where its rate of change is zero.",
     wrong: &[],
@@ -77,7 +77,7 @@ pub const UNTIL: Law = Law {
     id: "end-of-the-motion",
     name: "the condition at the end of the motion",
     statement: "The motion is followed until a body reaches a place, or bodies meet.",
-    signs: "As the positions.",
+    signs: "As for the positions.",
     when: "As the problem states.",
     source: "The problem.",
     wrong: &[],
@@ -88,7 +88,7 @@ pub const CLOCK: Law = Law {
     id: "times-add-up",
     name: "the sum of the times",
     statement: "The time from the start is the sum of the durations of all stages so far; impacts take no time.",
-    signs: "Counted from the start.",
+    signs: "Measured from the start.",
     when: "Always.",
     source: "The meaning of a duration.",
     wrong: &[],
@@ -98,8 +98,8 @@ pub const CLOCK: Law = Law {
 pub const REST: Law = Law {
     id: "rest",
     name: "the meaning of rest",
-    statement: "A body that has come to rest has no velocity.",
-    signs: "None are needed.",
+    statement: "A body at rest has zero velocity.",
+    signs: "None.",
     when: "At the instant of rest.",
     source: "Kinematics.",
     wrong: &[],
@@ -108,10 +108,10 @@ pub const REST: Law = Law {
 /// Bodies that move with one velocity.
 pub const TOGETHER: Law = Law {
     id: "same-velocity",
-    name: "the condition that both move with one velocity",
-    statement: "Bodies whose distance does not change at an instant have the same velocity along the line that joins them; so have the ends of a taut string.",
-    signs: "As the velocities.",
-    when: "A string is taut, or a spring between the bodies is deformed most.",
+    name: "the condition that both have the same velocity",
+    statement: "Bodies whose distance does not change at an instant have the same velocity along the line that joins them; so do the ends of a taut string.",
+    signs: "As for the velocities.",
+    when: "A string is taut, or a spring between the bodies has its greatest deformation.",
     source: "Kinematics.",
     wrong: &[],
 };
@@ -120,8 +120,8 @@ pub const TOGETHER: Law = Law {
 pub const STRANDS: Law = Law {
     id: "string-over-movable-pulleys",
     name: "the constraint of the string",
-    statement: "What a string of constant length loses on one side it gains on the other: the velocity of each body times the number of strands on which it hangs is the same.",
-    signs: "As the velocities, along the string.",
+    statement: "The length of the string is constant, so the velocity of each body times the number of strands on which it hangs is the same.",
+    signs: "As for the velocities, along the string.",
     when: "The string is taut and does not stretch, and the strands of a movable pulley are parallel.",
     source: "Kinematics: the time derivative of the string's length is zero.",
     wrong: wrong::kinematics::STRANDS,
@@ -131,8 +131,8 @@ pub const STRANDS: Law = Law {
 pub const DISPLACED: Law = Law {
     id: "place-after-a-displacement",
     name: "the definition of displacement",
-    statement: "A body is at the end where it was at the start, moved by its displacement.",
-    signs: "Along the axis positive.",
+    statement: "The final position of a body is its initial position plus its displacement.",
+    signs: "Positive along the axis.",
     when: "Always.",
     source: "The definition.",
     wrong: &[],

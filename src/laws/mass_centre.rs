@@ -11,7 +11,7 @@ pub const MASS_CENTRE: Law = Law {
     id: "mass-centre",
     name: "the definition of the centre of mass",
     statement: "The total mass times the velocity (or position) of the centre of mass is the sum of each mass times its velocity (or position).",
-    signs: "As the velocities.",
+    signs: "As for the velocities.",
     when: "Always.",
     source: "Definition.",
     wrong: wrong::mass_centre::MASS_CENTRE,
@@ -32,9 +32,9 @@ pub const MOTION: Law = Law {
 pub const PATH: Law = Law {
     id: "path-of-the-mass-centre",
     name: "the motion of the centre of mass",
-    statement: "In free flight the centre of mass of a system moves as a single body would, whatever its parts do to each other.",
-    signs: "Along the axis positive; g counts as negative where the axis points up.",
-    when: "Weight is the only force from outside, and no part has landed.",
+    statement: "In free flight the centre of mass of a system moves as a single body would, whatever forces its parts exert on each other.",
+    signs: "Positive along the axis; g is negative where the axis points up.",
+    when: "Weight is the only external force, and no part has landed.",
     source: "The principle of impulse and momentum for the whole system, integrated over time.",
     wrong: &[],
 };
@@ -43,9 +43,9 @@ pub const PATH: Law = Law {
 pub const REST: Law = Law {
     id: "mass-centre-at-rest",
     name: "the principle of the centre of mass",
-    statement: "Where no impulse from outside acts along an axis and the centre of mass is at rest, the masses times their displacements add up to zero.",
+    statement: "If no external impulse acts along an axis and the centre of mass is at rest, the sum of the masses times their displacements is zero.",
     signs: "Displacements along the axis are positive.",
-    when: "The system is at rest at first, and no force from outside acts along the axis.",
+    when: "The system is at rest at first, and no external force acts along the axis.",
     source: "The principle of impulse and momentum for the whole system, integrated over time.",
     wrong: &[],
 };
@@ -54,8 +54,8 @@ pub const REST: Law = Law {
 pub const RELATIVE: Law = Law {
     id: "velocity-relative-to-the-mass-centre",
     name: "the velocity relative to the centre of mass",
-    statement: "The velocity of a body relative to the centre of mass is its velocity less that of the centre of mass.",
-    signs: "As the velocities.",
+    statement: "The velocity of a body relative to the centre of mass is its velocity minus that of the centre of mass.",
+    signs: "As for the velocities.",
     when: "Always.",
     source: "Relative motion.",
     wrong: wrong::mass_centre::RELATIVE,
@@ -66,9 +66,9 @@ pub const NO_MOMENTUM: Law = Law {
     id: "no-momentum-relative-to-the-mass-centre",
     name: "the definition of the centre of mass",
     statement: "The momenta of a system relative to its centre of mass add up to zero.",
-    signs: "As the velocities.",
+    signs: "As for the velocities.",
     when: "Always.",
-    source: "The definition of the centre of mass, seen from it.",
+    source: "The definition of the centre of mass, with velocities relative to it.",
     wrong: wrong::mass_centre::NO_MOMENTUM,
 };
 
@@ -76,7 +76,7 @@ pub const NO_MOMENTUM: Law = Law {
 pub const ENERGY: Law = Law {
     id: "kinetic-energy-of-a-system",
     name: "Koenig's theorem",
-    statement: "The kinetic energy of a system is that of its whole mass moving with the centre of mass, plus that of the motion relative to the centre of mass.",
+    statement: "The kinetic energy of a system is that of its total mass moving with the centre of mass, plus that of the motion relative to the centre of mass.",
     signs: "Never negative.",
     when: "Always.",
     source: "The definition of kinetic energy; the mixed terms vanish because the momenta relative to the centre of mass add up to zero.",
@@ -87,10 +87,10 @@ pub const ENERGY: Law = Law {
 pub const ANGULAR: Law = Law {
     id: "angular-momentum-of-a-system",
     name: "Koenig's theorem",
-    statement: "The angular momentum of a system about a fixed point is the moment of its whole momentum placed at the centre of mass, plus its angular momentum about the centre of mass.",
-    signs: "In a plane, from x towards y is positive; in space along each axis, by the right-hand rule.",
+    statement: "The angular momentum of a system about a fixed point is the moment of its total momentum, taken at the centre of mass, plus its angular momentum about the centre of mass.",
+    signs: "In a plane, the sense from x towards y is positive; in space, the right-hand rule holds for each axis.",
     when: "Always.",
-    source: "The definition of angular momentum, with each place counted from the centre of mass.",
+    source: "The definition of angular momentum, with each position measured from the centre of mass.",
     wrong: wrong::mass_centre::ANGULAR,
 };
 

@@ -21,7 +21,7 @@ pub const IMPULSE_MOMENTUM: Law = Law {
 pub const THIRD_LAW: Law = Law {
     id: "action-reaction",
     name: "Newton's third law",
-    statement: "The impulses that two bodies give each other are equal and opposite.",
+    statement: "The impulses that two bodies exert on each other are equal and opposite.",
     signs: "Each impulse is positive along the axis.",
     when: "Always, for the impulses between two bodies.",
     source: "Newton's third law, integrated over time.",
@@ -43,7 +43,7 @@ pub const CONSERVATION: Law = Law {
 pub const SYSTEM: Law = Law {
     id: "impulse-momentum-of-a-system",
     name: "the principle of impulse and momentum for the system",
-    statement: "The total momentum of a system at the end equals that at the start plus the impulses from outside.",
+    statement: "The total momentum of a system at the end equals that at the start plus the external impulses.",
     signs: "Velocities and impulses along the axis are positive, against it negative.",
     when: "Always, for each axis; the impulses within the system cancel in pairs.",
     source: "The principle of impulse and momentum for each body, added up.",
@@ -66,7 +66,7 @@ pub const MOMENTUM: Law = Law {
     id: "momentum",
     name: "the definition of momentum",
     statement: "The momentum of a body is its mass times its velocity; that of a system is the sum over its bodies.",
-    signs: "As the velocity.",
+    signs: "As for the velocity.",
     when: "Always.",
     source: "Definition.",
     wrong: &[],

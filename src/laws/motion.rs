@@ -9,10 +9,10 @@ use super::wrong;
 /// The place at an instant.
 pub const PLACE: Law = Law {
     id: "place-as-told",
-    name: "the place as a function of the time",
-    statement: "The place at an instant is the value of the given function at that time.",
-    signs: "Along the axis positive.",
-    when: "The problem gives the place as a function of the time.",
+    name: "the position as a function of time",
+    statement: "The position at an instant is the value of the given function at that time.",
+    signs: "Positive along the axis.",
+    when: "The problem gives the position as a function of time.",
     source: "The problem.",
     wrong: &[],
 };
@@ -21,9 +21,9 @@ pub const PLACE: Law = Law {
 pub const VELOCITY: Law = Law {
     id: "velocity-as-told",
     name: "the velocity as a function",
-    statement: "The velocity at an instant is the value of the given function there; where the place is given, velocity is its rate of change.",
-    signs: "Along the axis positive.",
-    when: "The problem gives the velocity or the place as a function.",
+    statement: "The velocity at an instant is the value of the given function there; if the position is given, the velocity is its rate of change.",
+    signs: "Positive along the axis.",
+    when: "The problem gives the velocity or the position as a function.",
     source: "The problem; the definition of velocity.",
     wrong: wrong::motion::VELOCITY,
 };
@@ -32,8 +32,8 @@ pub const VELOCITY: Law = Law {
 pub const ACCELERATION: Law = Law {
     id: "acceleration-as-rate",
     name: "the definition of acceleration",
-    statement: "Acceleration is the rate of change of the velocity with the time; where the velocity is given by the place, it is the velocity times its rate of change with the place.",
-    signs: "Along the axis positive.",
+    statement: "Acceleration is the rate of change of velocity with time; if the velocity is given as a function of position, it is the velocity times its derivative with respect to position.",
+    signs: "Positive along the axis.",
     when: "The velocity is known as a function.",
     source: "Definition; the chain rule.",
     wrong: wrong::motion::ACCELERATION,
@@ -44,7 +44,7 @@ pub const NET_FORCE: Law = Law {
     id: "net-force",
     name: "Newton's second law",
     statement: "The sum of all forces on a body is its mass times its acceleration: the rate of change of its momentum.",
-    signs: "Along the axis positive.",
+    signs: "Positive along the axis.",
     when: "The mass does not change.",
     source: "The principle of impulse and momentum for a short time.",
     wrong: wrong::motion::NET_FORCE,
@@ -54,9 +54,9 @@ pub const NET_FORCE: Law = Law {
 pub const DISPLACEMENT: Law = Law {
     id: "displacement",
     name: "the integral of the velocity",
-    statement: "A body moves in a time by the integral of its velocity over the time: the area under the velocity-time curve.",
-    signs: "Along the axis positive.",
-    when: "The velocity is known as a function of the time.",
+    statement: "The displacement of a body is the integral of its velocity over time: the area under the velocity-time curve.",
+    signs: "Positive along the axis.",
+    when: "The velocity is known as a function of time.",
     source: "The definition of velocity, integrated.",
     wrong: wrong::motion::DISPLACEMENT,
 };
@@ -65,9 +65,9 @@ pub const DISPLACEMENT: Law = Law {
 pub const TIME_OF_WAY: Law = Law {
     id: "time-of-a-way",
     name: "the separation of variables",
-    statement: "The time that a way takes is the integral of the reciprocal of the velocity over the way.",
-    signs: "Along the axis positive.",
-    when: "The velocity is known as a function of the place, and does not become zero on the way.",
+    statement: "The time for a distance is the integral of the reciprocal of the velocity over that distance.",
+    signs: "Positive along the axis.",
+    when: "The velocity is known as a function of position, and is not zero anywhere in between.",
     source: "The definition of velocity, solved for the time and integrated.",
     wrong: wrong::motion::DISPLACEMENT,
 };

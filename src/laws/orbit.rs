@@ -10,8 +10,8 @@ use super::wrong;
 pub const ORBIT_ENERGY: Law = Law {
     id: "energy-under-gravity",
     name: "conservation of energy under gravity",
-    statement: "Half the square of the speed less GM over the distance from the centre stays the same.",
-    signs: "The energy of each unit of mass; negative on a closed orbit.",
+    statement: "Half the square of the speed minus GM over the distance from the centre stays the same.",
+    signs: "The energy per unit mass; negative on a closed orbit.",
     when: "The gravity of one centre is the only force.",
     source: "Work and energy with the force of gravity, GMm/r^2.",
     wrong: wrong::orbit::ENERGY,
@@ -21,7 +21,7 @@ pub const ORBIT_ENERGY: Law = Law {
 pub const VIS_VIVA: Law = Law {
     id: "energy-of-an-ellipse",
     name: "the energy of an elliptic orbit",
-    statement: "On an ellipse, half the square of the speed less GM over the distance is minus GM over the whole long axis.",
+    statement: "On an ellipse, half the square of the speed minus GM over the distance equals minus GM over the major axis, 2 a.",
     signs: "The semi-major axis is positive.",
     when: "The orbit is an ellipse.",
     source: "Conservation of energy, evaluated at the two apses.",
@@ -32,8 +32,8 @@ pub const VIS_VIVA: Law = Law {
 pub const ORBIT_SHAPE: Law = Law {
     id: "angular-momentum-of-an-orbit",
     name: "the angular momentum of an orbit",
-    statement: "Radius times transverse velocity is the root of GM times the parameter of the orbit: a (1 - eccentricity squared) on an ellipse, twice the least distance on a parabola.",
-    signs: "The body moves round counter-clockwise.",
+    statement: "Radius times transverse velocity is the square root of GM times the parameter of the orbit: a (1 - eccentricity squared) on an ellipse, twice the least distance on a parabola.",
+    signs: "Positive counter-clockwise, the sense in which the body revolves.",
     when: "The gravity of one centre is the only force.",
     source: "Conservation of energy and of angular momentum, at the apses.",
     wrong: wrong::orbit::SHAPE,

@@ -21,7 +21,7 @@ pub const RESTITUTION: Law = Law {
 pub const RESTITUTION_SURFACE: Law = Law {
     id: "restitution-at-a-surface",
     name: "the law of restitution at a surface",
-    statement: "Along the surface's normal, a body leaves a fixed surface with e times the speed with which it came.",
+    statement: "Along the surface's normal, a body leaves a fixed surface with e times the speed with which it arrived.",
     signs: "Velocities along the outward normal are positive.",
     when: "An impact on a surface too heavy to be moved, along its normal only.",
     source: "Newton's law of restitution with one very heavy body.",
@@ -32,8 +32,8 @@ pub const RESTITUTION_SURFACE: Law = Law {
 pub const PLASTIC: Law = Law {
     id: "plastic-impact",
     name: "the condition of a plastic impact",
-    statement: "Bodies that stay together have one velocity afterwards.",
-    signs: "As the velocities.",
+    statement: "Bodies that stay together have the same velocity afterwards.",
+    signs: "As for the velocities.",
     when: "The bodies stick, couple, or one is caught in the other (e = 0).",
     source: "Kinematics.",
     wrong: wrong::restitution::PLASTIC,
@@ -43,7 +43,7 @@ pub const PLASTIC: Law = Law {
 pub const COMMON: Law = Law {
     id: "greatest-deformation",
     name: "conservation of linear momentum",
-    statement: "At the end of the deformation both bodies have one velocity along the line of impact.",
+    statement: "At the end of the deformation both bodies have the same velocity along the line of impact.",
     signs: "Velocities along the line of impact, from the first body to the second, are positive.",
     when: "In every impact; with a fixed surface that velocity is the surface's.",
     source: "Conservation of momentum up to that instant.",
@@ -67,7 +67,7 @@ pub const PHASES: Law = Law {
     name: "the definition of the coefficient of restitution by impulses",
     statement: "The impulse of restitution is e times the impulse of deformation.",
     signs: "Magnitudes.",
-    when: "Along the line of impact of a smooth contact, where it says the same as the ratio of velocities.",
+    when: "Along the line of impact of a smooth contact, where it is equivalent to the ratio of velocities.",
     source: "Poisson's hypothesis.",
     wrong: &[],
 };

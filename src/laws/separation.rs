@@ -21,8 +21,8 @@ pub const MASS: Law = Law {
 pub const TOGETHER: Law = Law {
     id: "together-before",
     name: "the condition of moving together",
-    statement: "Bodies that move together have one velocity.",
-    signs: "As the velocities.",
+    statement: "Bodies that move together have the same velocity.",
+    signs: "As for the velocities.",
     when: "Before they part, the bodies do not move relative to each other.",
     source: "Kinematics.",
     wrong: &[],
@@ -32,9 +32,9 @@ pub const TOGETHER: Law = Law {
 pub const ENERGY: Law = Law {
     id: "energy-released",
     name: "the balance of energy",
-    statement: "The kinetic energy before, with the energy released into motion, is the kinetic energy after.",
+    statement: "The kinetic energy before plus the energy released into motion is the kinetic energy after.",
     signs: "Energy that becomes kinetic energy is positive.",
-    when: "The energy of an explosive, a spring or muscles becomes kinetic energy; any part that does not is left out of it.",
+    when: "The energy of an explosive, a spring or muscles becomes kinetic energy; any part that does not is not counted.",
     source: "The principle of work and energy for all bodies together.",
     wrong: wrong::separation::ENERGY,
 };
@@ -43,9 +43,9 @@ pub const ENERGY: Law = Law {
 pub const RELATIVE: Law = Law {
     id: "relative-velocity",
     name: "the definition of relative velocity",
-    statement: "The velocity of one body relative to another is its own velocity less that of the other.",
-    signs: "Along the axis positive, for the velocities and for the relative velocity.",
-    when: "Always; of the other body's velocity, the one at the instant for which the relative velocity is given.",
+    statement: "The velocity of one body relative to another is its own velocity minus that of the other.",
+    signs: "Positive along the axis, for the velocities and for the relative velocity.",
+    when: "Always, with the other body's velocity at the instant for which the relative velocity is given.",
     source: "Kinematics.",
     wrong: wrong::separation::RELATIVE,
 };
@@ -55,7 +55,7 @@ pub const GUIDE: Law = Law {
     id: "guided-motion",
     name: "the constraint of the guide",
     statement: "A guided body has no velocity at right angles to its guide.",
-    signs: "As the velocities.",
+    signs: "As for the velocities.",
     when: "The guide does not give way and the body does not leave it.",
     source: "Kinematics.",
     wrong: wrong::separation::GUIDE,
@@ -65,8 +65,8 @@ pub const GUIDE: Law = Law {
 pub const AT_REST: Law = Law {
     id: "start-from-rest",
     name: "the condition at the start",
-    statement: "A body that starts from rest has no velocity at the start.",
-    signs: "As the velocities.",
+    statement: "A body that starts from rest has zero velocity at the start.",
+    signs: "As for the velocities.",
     when: "As the problem states.",
     source: "The problem.",
     wrong: &[],
@@ -76,7 +76,7 @@ pub const AT_REST: Law = Law {
 pub const DESCENT: Law = Law {
     id: "energy-of-a-descent",
     name: "conservation of energy",
-    statement: "The kinetic energy of both bodies grows by the weight of the one that sinks times the height.",
+    statement: "The kinetic energy of both bodies increases by the weight of the one that sinks times the height.",
     signs: "A height through which a body sinks is positive.",
     when: "All contacts are smooth, and the support does no work.",
     source: "Work and energy for both bodies together.",
@@ -87,8 +87,8 @@ pub const DESCENT: Law = Law {
 pub const ALONG_FACE: Law = Law {
     id: "motion-along-a-face",
     name: "the constraint of the face",
-    statement: "Seen from the body on which it slides, a body moves along its face.",
-    signs: "As the velocities.",
+    statement: "Relative to the body on which it slides, a body moves along the face.",
+    signs: "As for the velocities.",
     when: "The bodies stay in contact.",
     source: "Kinematics.",
     wrong: &[],
@@ -98,8 +98,8 @@ pub const ALONG_FACE: Law = Law {
 pub const RELATIVE_WAY: Law = Law {
     id: "relative-displacement",
     name: "the definition of relative displacement",
-    statement: "The displacement of one body relative to another is its own displacement less that of the other.",
-    signs: "Along the axis positive.",
+    statement: "The displacement of one body relative to another is its own displacement minus that of the other.",
+    signs: "Positive along the axis.",
     when: "Always.",
     source: "Kinematics.",
     wrong: &[],

@@ -11,9 +11,9 @@ use super::wrong;
 pub const FLOW: Law = Law {
     id: "mass-flow",
     name: "the conservation of mass in a stream",
-    statement: "The mass that reaches a body in each unit of time is the density times the cross-section times the speed of the stream relative to the body.",
+    statement: "The mass that reaches a body per unit time is the density times the cross-section times the speed of the stream relative to the body.",
     signs: "A flow is positive.",
-    when: "The stream is steady. Where many vanes follow each other nothing passes by, and the whole speed of the stream counts.",
+    when: "The stream is steady. If many vanes follow each other, nothing passes between them and the full speed of the stream counts.",
     source: "The volume of the stream that arrives in a short time.",
     wrong: wrong::variable_mass::FLOW,
 };
@@ -34,7 +34,7 @@ pub const POWER: Law = Law {
     id: "power-of-a-force",
     name: "the definition of power",
     statement: "The power of a force is its component along the velocity of the body times the speed.",
-    signs: "Positive where the force drives the body.",
+    signs: "Positive if the force drives the body.",
     when: "Always.",
     source: "Definition.",
     wrong: &[],
@@ -55,10 +55,10 @@ pub const SUPPORT: Law = Law {
 pub const THRUST: Law = Law {
     id: "thrust",
     name: "the law of thrust",
-    statement: "The thrust of a rocket is the mass that it throws away in each unit of time, times the speed of this mass relative to the rocket.",
+    statement: "The thrust of a rocket is the mass that it expels per unit time, times the speed of this mass relative to the rocket.",
     signs: "Positive against the direction of the exhaust.",
     when: "The exhaust leaves with a steady speed relative to the rocket.",
-    source: "The principle of impulse and momentum for the rocket and what it throws away in a short time.",
+    source: "The principle of impulse and momentum for the rocket and what it expels in a short time.",
     wrong: &[],
 };
 
@@ -66,7 +66,7 @@ pub const THRUST: Law = Law {
 pub const ROCKET: Law = Law {
     id: "rocket-equation",
     name: "the rocket equation",
-    statement: "The velocity grows by the exhaust speed times the logarithm of the ratio of the masses before and after; weight takes g times the time from it.",
+    statement: "The velocity increases by the exhaust speed times the logarithm of the ratio of the masses before and after; weight reduces it by g times the time.",
     signs: "Positive along the axis; the exhaust speed is relative to the rocket.",
     when: "The exhaust leaves with a steady speed relative to the rocket, and no other force than weight acts.",
     source: "The thrust divided by the mass that is left, integrated over time.",
@@ -77,9 +77,9 @@ pub const ROCKET: Law = Law {
 pub const ROCKET_DRAG: Law = Law {
     id: "rocket-against-resistance",
     name: "the rocket equation with resistance, its variables separated",
-    statement: "Velocity on one side, mass on the other: the ratio of (w - v) to (w + v), w being the speed at which resistance equals the thrust, goes with a power of the mass.",
+    statement: "Velocity on one side, mass on the other: the ratio of (w - v) to (w + v), w being the speed at which resistance equals the thrust, is proportional to a power of the mass.",
     signs: "The velocity is positive in the direction of flight.",
-    when: "Flow and exhaust speed are steady, the resistance grows with the square of the speed, and weight has no part.",
+    when: "Flow and exhaust speed are steady, the resistance grows with the square of the speed, and weight has no component along the motion.",
     source: "m dv/dt = thrust - k v^2 with dm/dt = -flow, integrated.",
     wrong: &[],
 };
@@ -91,7 +91,7 @@ pub const EVEN_SPEED: Law = Law {
     statement: "At the speed w the resistance k w^2 equals the thrust.",
     signs: "Speeds are positive.",
     when: "The resistance grows with the square of the speed.",
-    source: "Newton's second law where nothing accelerates.",
+    source: "Newton's second law with zero acceleration.",
     wrong: &[],
 };
 
@@ -110,7 +110,7 @@ pub const USED: Law = Law {
 pub const LIFT_OFF: Law = Law {
     id: "lift-off",
     name: "the condition of lift-off",
-    statement: "A rocket lifts off as soon as its thrust equals the weight that is left.",
+    statement: "A rocket lifts off as soon as its thrust equals its remaining weight.",
     signs: "Magnitudes.",
     when: "The rocket stands on the ground until then.",
     source: "Newton's second law: the push of the ground becomes zero.",
@@ -121,7 +121,7 @@ pub const LIFT_OFF: Law = Law {
 pub const BURN_HEIGHT: Law = Law {
     id: "way-during-the-burn",
     name: "the rocket equation, integrated over time",
-    statement: "The way of a rocket while it burns is the integral of its velocity, whose logarithm gives one minus the remaining mass over the lost mass times the logarithm of the ratio of masses.",
+    statement: "The distance travelled during the burn is the integral of the velocity. The thrust contributes the exhaust speed times the time times 1 - m_2/(m_1 - m_2) ln(m_1/m_2), m_1 and m_2 being the masses before and after.",
     signs: "Positive along the axis.",
     when: "The flow and the exhaust speed are steady, and g does not change.",
     source: "The rocket equation, its logarithm integrated by parts.",

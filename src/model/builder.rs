@@ -129,7 +129,7 @@ impl<'s> Builder<'s> {
         let given = self.symbols.entry(symbol).dimension;
         if given != dimension && self.given.contains(&name) && self.defined.insert(format!("clash {name}")) {
             let [expected, found] = [dimension, given].map(dimension_name);
-            let message = format!("`{name}` is {expected} in this scene, but its unit makes it {found}");
+            let message = format!("`{name}` is {expected} in this scene, but its unit is one of {found}");
             let path = Path::root().key("given").key(name.as_str());
             self.faults.push(Fault::new(Code::Dimension, message).help("change the unit").at_path(path));
         }

@@ -180,7 +180,7 @@ fn collision(scene: &Scene, impact: &Impact, at: &Path) -> Vec<Fault> {
         faults.push(bad_body_name(name).at_path(at.key("becomes")));
     }
     if let [first, second, ..] = told_of_restitution(impact)[..] {
-        let message = format!("`{second}` cannot stand beside `{first}`: each says how the bodies part");
+        let message = format!("`{first}` and `{second}` cannot be used together: each says how the bodies separate");
         let fault = Fault::new(Code::OverDetermined, message);
         faults.push(fault.help(format!("remove `{first}` or `{second}`")).at_path(at.key(second)));
     }
@@ -193,8 +193,10 @@ fn names_of_instants(scene: &Scene) -> Vec<Fault> {
     let mut faults = Vec::new();
     for (index, name) in scene.instants.iter().enumerate() {
         let fault = if index > scene.stages.len() {
-            Fault::new(Code::Value, format!("there is no instant for the name `{name}`"))
-                .help(format!("instants lie before, between and after the stages: {} in all", scene.stages.len() + 1))
+            Fault::new(Code::Value, format!("there is no instant for the name `{name}`")).help(format!(
+                "the instants are before, between and after the stages: {} in all",
+                scene.stages.len() + 1
+            ))
         } else if scene.instants[..index].contains(name) {
             Fault::new(Code::Duplicate, format!("two instants are called `{name}`")).help("rename one of them")
         } else {
@@ -234,7 +236,7 @@ fn held(scene: &Scene, stage: &Stage) -> Option<Fault> {
     let one_axis = matches!(&scene.axes, Axes::Rectangular(axes) if axes.len() == 1);
     match stage {
         Stage::Spring(spring) if spring.ends().is_none() => {
-            let fault = Fault::new(Code::MissingKey, "a spring needs a body, or two bodies between which it lies");
+            let fault = Fault::new(Code::MissingKey, "a spring needs a body, or two bodies that it connects");
             Some(fault.help("write `body: A`, or `between: [A, B]`"))
         }
         Stage::Fall(_) => not_vertical(scene, "a fall"),
@@ -265,9 +267,9 @@ fn unions_without_a_name_of_their_own(scene: &Scene) -> Vec<Fault> {
     for (index, stage) in scene.stages.iter().enumerate() {
         let Stage::Impact(Impact { becomes: Some(union), .. }) = stage else { continue };
         if taken.contains(&union.as_str()) {
-            let fault = Fault::new(Code::Duplicate, format!("`{union}` is the name of another body already"));
+            let fault = Fault::new(Code::Duplicate, format!("`{union}` is already the name of another body"));
             let path = Path::root().key("scene").key("stages").index(index).key(stage.key()).key("becomes");
-            faults.push(fault.help("give what the two become a name of its own: `becomes: C`").at_path(path));
+            faults.push(fault.help("give the joined body a new name: `becomes: C`").at_path(path));
         }
         taken.push(union);
     }
@@ -336,8 +338,9 @@ fn is_body_name(name: &str) -> bool {
 }
 
 fn bad_body_name(name: &str) -> Fault {
-    Fault::new(Code::Value, format!("a body cannot be called `{name}`"))
-        .help("end its short name in a letter (digits number the instants; `G` is the centre of mass)")
+    Fault::new(Code::Value, format!("a body cannot be called `{name}`")).help(
+        "write a short name that ends in a letter (digits number the instants) and is not `G` (the centre of mass)",
+    )
 }
 
 pub(super) fn unknown(kind: &str, name: &str, known: &[&str]) -> Fault {

@@ -30,7 +30,7 @@ impl Builder<'_> {
         let entry = self.symbols.entry(symbol);
         if (entry.name.as_str(), entry.meaning.as_str()) == RUNNING {
             self.named_at(symbol, path);
-            self.collision(symbol, "the time that runs within a stage", "one that is fixed");
+            self.collision(symbol, "the running time of a stage", "a fixed time");
         }
     }
 
@@ -47,7 +47,7 @@ impl Builder<'_> {
         let given = || Path::root().key("given").name(name.as_str());
         let path =
             if self.given.contains(&name) { given() } else { self.named.get(&symbol).cloned().unwrap_or_default() };
-        let message = format!("`{name}` is the scene's own name for {own}, and cannot stand for {other} as well");
+        let message = format!("`{name}` stands for {own}; it cannot stand for {other} as well");
         let fault = Fault::new(Code::Duplicate, message).help("choose another name").at_path(path);
         if !self.faults.contains(&fault) {
             self.faults.push(fault);
@@ -78,7 +78,7 @@ impl Builder<'_> {
                 self.clock(instant);
                 continue;
             }
-            let own = format!("the time {}, counted from the start", self.when(instant));
+            let own = format!("the time {}, measured from the start", self.when(instant));
             let known = self.symbols.entry(symbol).meaning.clone();
             self.collision(symbol, &own, if known.is_empty() { "another time" } else { &known });
         }

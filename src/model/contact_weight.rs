@@ -75,11 +75,11 @@ impl Builder<'_> {
         }
         let acts = (0..self.axes.len()).any(|position| self.downwards(position).is_some());
         let wrong = if contact.duration.is_none() {
-            Some(("weight gives no impulse where it is not told how long the contact lasts", "write `duration: dt`"))
+            Some(("the impulse of weight cannot be found without the duration of the contact", "write `duration: dt`"))
         } else if !acts {
             Some(("weight does not act along the axes of this scene", "write `plane: vertical`, or remove `include`"))
         } else if self.guided(body).is_some() {
-            Some(("a guided body is carried by its guide", "remove `include`"))
+            Some(("the weight of a guided body is balanced by its guide", "remove `include`"))
         } else {
             None
         };
@@ -146,8 +146,7 @@ impl Builder<'_> {
             if !included {
                 let [weight, change] = own.squares();
                 let reason = format!(
-                    "weight would give {} 10 % or more of its change of momentum in {}, which leaves it out \
-                     (`include: [weight]` puts it into the balance)",
+                    "weight would give {} 10 % or more of its change of momentum in {}, where it is neglected (`include: [weight]` takes it into account)",
                     self.called(before),
                     self.stage_phrase(contact.index)
                 );

@@ -129,7 +129,7 @@ impl Builder<'_> {
     pub fn no_direction(&self, word: &str) -> Fault {
         let known = self.axes.iter().flat_map(|(_, senses)| [&senses.positive, &senses.negative]);
         let known: Vec<String> = known.map(|phrase| format!("`{phrase}`")).collect();
-        let help = format!("its directions are {}; the name of an angle must be given or asked", known.join(", "));
+        let help = format!("its directions are {}; the name of an angle must be given or asked for", known.join(", "));
         Fault::new(Code::UnknownName, format!("`{word}` is not a direction of this scene")).help(help)
     }
 
@@ -148,7 +148,7 @@ impl Builder<'_> {
             let known = known.collect::<Vec<_>>().join(", ");
             let fault = Fault::new(Code::Value, format!("`{}` is not a direction of this scene", base.trim()));
             let help = format!(
-                "count an angle from {known}, or write the axis with both of its directions: `x: [ahead, back]`"
+                "measure an angle from {known}, or write the axis with both of its directions: `x: [ahead, back]`"
             );
             self.faults.push(fault.help(help).at_path(path.clone()));
             Direction::axis(0, false)

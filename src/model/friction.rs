@@ -108,7 +108,7 @@ impl Builder<'_> {
             let meaning = format!("the normal force on {}", self.called(body));
             let name = format!("N_{body}{}", self.stage_suffix(index));
             let symbol = Expr::from(self.positive(name, Dimension::FORCE, meaning));
-            let because = "the floor carries what presses on it";
+            let because = "the normal force balances what presses on the floor";
             self.law(&force::NORMAL_FORCE, Some(index), because, (symbol.clone(), pressed));
             symbol
         };
@@ -121,15 +121,13 @@ impl Builder<'_> {
     fn sliding(&mut self, pushed: &Pushed<'_>, contact: &Contact) {
         let name = self.called(pushed.body);
         let mass = self.mass(pushed.body);
-        let because = format!(
-            "{} all the time, and friction acts against the motion",
-            self.does(pushed.body, ["slides", "slide"])
-        );
+        let because =
+            format!("{} throughout, and friction acts against the motion", self.does(pushed.body, ["slides", "slide"]));
         let Some(impulse) = self.net_impulse(&contact.net(), pushed.clock, &pushed.start, &pushed.end) else { return };
         let sides = momentum::impulse_momentum(&mass, &contact.before, &[impulse], &contact.after);
         self.law(&momentum::IMPULSE_MOMENTUM, Some(pushed.index), because, sides);
         if !pushed.stops {
-            let reason = format!("{name} would stop and friction would turn round before the end");
+            let reason = format!("{name} would stop and friction would reverse before the end");
             self.require(Warning::Reverses, contact.after.clone(), Relation::AtLeast, Expr::zero(), reason);
         }
         let reason = format!("{name} would have to slide forwards for friction to act backwards");
@@ -144,7 +142,7 @@ impl Builder<'_> {
         let at = |expr: &Expr, time: &Expr| expr.substitute(&|symbol| (symbol == pushed.clock).then(|| time.clone()));
         let changes = along.contains(pushed.clock) || threshold.contains(pushed.clock);
         let alternative = |what: String| Alternative { what, ..Alternative::default() };
-        let backwards = format!("the push exceeds static friction backwards, so that {name} does not stay at rest");
+        let backwards = format!("the push exceeds static friction backwards, so {name} does not stay at rest");
         let mut ways = Vec::new();
 
         // A push that does not change reaches the threshold at no time of its own.
@@ -162,7 +160,7 @@ impl Builder<'_> {
                 let held = -at(threshold, start);
                 moves.conditions.push(self.condition(at(along, start), Relation::AtLeast, held, backwards.clone()));
             }
-            let late = format!("the push never exceeds static friction, so that {name} stays at rest");
+            let late = format!("the push never exceeds static friction, so {name} stays at rest");
             moves.conditions.push(self.condition(begins.clone(), Relation::Less, end.clone(), late));
             ways.push(moves);
         }
@@ -179,7 +177,7 @@ impl Builder<'_> {
         let because = format!("the push stays below the greatest static friction, and {name} does not move");
         let sides = (contact.after.clone(), Expr::zero());
         stays.equations.push(self.stated(LAW_COST, &force::THRESHOLD, Some(index), because, sides, None));
-        let reason = format!("the push exceeds static friction, so that {name} does not stay at rest");
+        let reason = format!("the push exceeds static friction, so {name} does not stay at rest");
         stays.conditions.push(self.condition(at(along, end), Relation::AtMost, at(threshold, end), reason));
         stays.conditions.push(self.condition(at(along, end), Relation::AtLeast, -at(threshold, end), backwards));
         ways.push(stays);
@@ -201,7 +199,7 @@ impl Builder<'_> {
             low: begins.clone(),
             high: pushed.end.clone(),
         });
-        let because = format!("{since}the impulse is that of the push less kinetic friction");
+        let because = format!("{since}the impulse is that of the push minus kinetic friction");
         let sides = (gained.clone(), value);
         let impulse = self.stated(LAW_COST, &force::IMPULSE, Some(index), because, sides, integral);
         let because = format!("{name} starts from rest");

@@ -96,7 +96,7 @@ impl Builder<'_> {
         let suffix = self.stage_suffix(stage);
         let meaning = format!("the impulse of {} on {name}", guide.by);
         let reaction = Expr::from(self.symbol(format!("R_{}{suffix}", guide.body), Dimension::MOMENTUM, meaning));
-        let line = format!("at right angles to that line {name} is held by {}, with an impulse from outside", guide.by);
+        let line = format!("at right angles to that line, {name} receives an external impulse from {}", guide.by);
         let [from, to] = [&start, &end].map(|own| projected(own, &across));
         self.law(&momentum::SYSTEM, Some(stage), line, momentum::system(&from, &reaction, &to));
         let components = across.into_iter().map(|part| if part.is_zero() { part } else { reaction.clone() * part });

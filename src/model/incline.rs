@@ -103,7 +103,7 @@ impl Builder<'_> {
             return Some(vec![along, Fall::Towards { acceleration: -(gravity * slope.press), down: -1 }]);
         }
         if self.scene.plane == Plane::Horizontal {
-            let fault = Fault::new(Code::Value, "a body bounces on a floor only where weight acts");
+            let fault = Fault::new(Code::Value, "a body bounces repeatedly only if weight acts");
             self.faults.push(fault.help("write `plane: vertical` under `scene`").at_path(path.clone()));
             return None;
         }
@@ -129,8 +129,8 @@ impl Builder<'_> {
             (true, _) => 1,
             (_, true) => -1,
             _ => {
-                let fault = Fault::new(Code::Value, "it is not said to which side the floor rises");
-                let help = "write `alpha above +x` where it rises towards +x, `alpha below +x` where it falls";
+                let fault = Fault::new(Code::Value, "the side to which the floor rises is missing");
+                let help = "write `alpha above +x` if it rises towards +x, `alpha below +x` if it falls";
                 self.faults.push(fault.help(help).at_path(path.clone()));
                 1
             }

@@ -207,7 +207,7 @@ impl<'s> Builder<'s> {
         right: Expr,
     ) -> Equation {
         let tag = self.instances.len();
-        let sought = "the first whole number is sought for which";
+        let sought = "find the smallest whole number for which";
         let because = because.map_or_else(|| sought.to_owned(), |because| format!("{because}; {sought}"));
         self.instances.push(Instance { law: &kinematics::COUNT, because, stage: None, integral: None });
         Equation {
@@ -220,7 +220,7 @@ impl<'s> Builder<'s> {
     /// The equation of the boundary between where a comparison holds and where it does not; it is not added to the system.
     pub fn boundary(&mut self, left: Expr, right: Expr) -> Equation {
         let tag = self.instances.len();
-        let because = "the boundary lies where both of its sides are equal".to_owned();
+        let because = "the boundary is where both sides are equal".to_owned();
         self.instances.push(Instance { law: &geometry::BOUNDARY, because, stage: None, integral: None });
         Equation { statement: Statement::Equal { left, right }, tag, cost: builder::LAW_COST }
     }
@@ -243,10 +243,10 @@ impl<'s> Builder<'s> {
             }
             None => {
                 let turned = Expr::from(angle) - self.whole_angle(&start);
-                ("the angle is asked", if clockwise { -turned } else { turned })
+                ("the question asks for the angle", if clockwise { -turned } else { turned })
             }
         };
-        let because = format!("{because}, counted {sense} from {}", from.replace('-', "\u{2212}"));
+        let because = format!("{because}, measured {sense} from {}", from.replace('-', "\u{2212}"));
         self.law(&geometry::DIRECTION, None, because, (own.into(), value));
         Some(own)
     }

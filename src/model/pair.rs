@@ -43,15 +43,14 @@ impl Builder<'_> {
             None => (
                 &momentum::CONSERVATION,
                 format!(
-                    "{} gives {first} and {second} equal and opposite impulses, and no other acts along it",
+                    "{} exerts equal and opposite impulses on {first} and {second}, and no other impulse acts along it",
                     pair.link
                 ),
             ),
             Some(pulley) => (
                 &momentum::IMPULSE_MOMENTUM,
                 format!(
-                    "{} runs freely over {pulley} and pulls both equally, {first} forwards and {second} back along it, so that its \
-                     impulses drop out of the sum",
+                    "{} runs freely over {pulley} and pulls both equally, {first} forwards and {second} back along it, so its impulses cancel in the sum",
                     pair.link
                 ),
             ),

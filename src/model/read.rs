@@ -115,8 +115,8 @@ impl Builder<'_> {
         let unknown = resolver.unknown;
         match parsed {
             Ok(expr) if is_beyond_numbers(&expr) => {
-                let fault = Fault::new(Code::Value, format!("`{}` has a part that is no number", text.trim()));
-                let help = "write numbers below 1e300 in size, and divide by none that is zero";
+                let fault = Fault::new(Code::Value, format!("a part of `{}` has no value", text.trim()));
+                let help = "write numbers below 1e300 in magnitude, and do not divide by zero";
                 self.faults.push(fault.help(help).at_path(path.clone()));
                 Expr::zero()
             }
@@ -147,12 +147,12 @@ impl Builder<'_> {
             None if STAGED.contains(&name) && self.scene.stages.len() > 1 => {
                 let stages = 0..self.scene.stages.len();
                 let each: Vec<String> = stages.map(|stage| format!("`{name}{}`", self.stage_suffix(stage))).collect();
-                fault.help(format!("several stages could be meant: write {}", each.join(" or ")))
+                fault.help(format!("several stages have this quantity: write {}", each.join(" or ")))
             }
             None if is_bare_name(name) && !name.contains('_') => {
                 fault.help("give it under `given`, or name it at its place in the scene, as `restitution: e` does")
             }
-            None => fault.help("give it under `given`, or use a name that the scene makes, such as `v_A1`"),
+            None => fault.help("give it under `given`, or use a name that the scene defines, such as `v_A1`"),
         }
     }
 }

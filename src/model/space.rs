@@ -57,7 +57,7 @@ fn points<'a>(scene: &'a Scene, has: &'a dyn Fn(&str) -> bool) -> impl Iterator<
         scene.points.iter().flat_map(|(name, point)| point.at.axes().map(move |axis| (name, axis.letter())));
     coordinates.filter(|(_, letter)| !has(letter)).map(move |(name, letter)| {
         let fault = Fault::new(Code::Value, format!("the scene has no axis {letter}"));
-        fault.help("count places along the axes of the scene").at_path(at.key(name.as_str()).key("at").key(letter))
+        fault.help("give positions along the axes of the scene").at_path(at.key(name.as_str()).key("at").key(letter))
     })
 }
 

@@ -35,7 +35,7 @@ impl Builder<'_> {
                             self.read_positive(
                                 term,
                                 Dimension::TIME,
-                                "the time at which the force changes its law",
+                                "the time at which the force changes to its next piece",
                                 &at.key("until"),
                             )
                         });
@@ -44,13 +44,13 @@ impl Builder<'_> {
                     .collect();
                 let ends: Vec<Expr> = pieces.iter().filter_map(|(until, _)| until.clone()).collect();
                 for pair in ends.windows(2) {
-                    self.in_order(&pair[0], &pair[1], "the pieces of a force must follow each other in time");
+                    self.in_order(&pair[0], &pair[1], "the pieces of a force must be in order of time");
                 }
                 Expr::Piecewise(Arc::new(Piecewise { variable: clock, pieces }))
             }
             Strength::Components(_) => {
                 let fault = Fault::new(Code::Value, format!("{meaning} has one component here"));
-                self.faults.push(fault.help("write it as one term, such as `3*t`").at_path(path.clone()));
+                self.faults.push(fault.help("write it as a single term, such as `3*t`").at_path(path.clone()));
                 Expr::zero()
             }
             Strength::Graph(graph) => {
@@ -72,7 +72,7 @@ impl Builder<'_> {
                     self.faults.push(fault.help(help).at_path(path.key("points")));
                 }
                 for pair in points.windows(2) {
-                    self.in_order(&pair[0][0], &pair[1][0], "the points of a graph must follow each other in time");
+                    self.in_order(&pair[0][0], &pair[1][0], "the points of a graph must be in order of time");
                 }
                 // Two points at one time are a step, over which no time passes.
                 let pieces = points.windows(2).filter(|pair| pair[0][0] != pair[1][0]).map(|pair| {

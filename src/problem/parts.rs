@@ -350,7 +350,7 @@ fn counted(count: &Count, builder: &mut Builder<'_>, path: &Path, counts: &mut V
             let next = |side: &Expr| {
                 exponents_simplified(&side.substitute(&|own| (own == symbol).then(|| Expr::from(symbol) + Expr::one())))
             };
-            let over = "the last number is the first after which the condition fails";
+            let over = "the condition holds up to the last number and fails for the next";
             let because = because.map_or_else(|| over.to_owned(), |because| format!("{because}; {over}"));
             let (left, right) = (next(&left), next(&right));
             counts.push(builder.first_integer(Some(&because), symbol, 0, left, relation.opposite(), right));

@@ -191,7 +191,7 @@ fn drawing(
         let momenta: Vec<String> =
             place.velocity.iter().map(|(label, _)| product([mass.clone(), label.clone()]).plain()).collect();
         format!(
-            "{when}, {name} is at the distance {} from {centre}, with the momentum {}",
+            "{when}, {name} is at a distance {} from {centre}, with the momentum {}",
             place.radius.0.plain(),
             momenta.join(" and ")
         )

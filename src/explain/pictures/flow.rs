@@ -78,7 +78,7 @@ pub(super) fn leaving(quantities: &Quantities<'_>, compass: &Compass, stage: &Th
     let flow = Flow {
         what: "the exhaust",
         body: &stage.body,
-        does: "is thrown away",
+        does: "is expelled",
         before: (Math::subscripted("v", "before"), [0.0, 0.0]),
         after: (factor(&exhaust, quantities.symbolic(&exhaust)), times(along, quantities.evaluate(&exhaust)?)),
         force: force.map_or_else(
@@ -111,9 +111,9 @@ impl Flow<'_> {
             });
         let wording = Wording {
             title: format!("Impulse-momentum diagram of {what}"),
-            description: sentences([format!("for {what}, seen from {body}, {}", said.join("; "))]),
+            description: sentences([format!("for {what}, relative to {body}, {}", said.join("; "))]),
             caption: sentences([format!(
-                "{what}, seen from {body}: momentum before + impulse = momentum after, for the mass \u{394}m that {} in the time \u{394}t",
+                "{what}, relative to {body}: momentum before + impulse = momentum after, for the mass \u{394}m that {} in the time \u{394}t",
                 self.does
             )]),
         };

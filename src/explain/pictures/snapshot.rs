@@ -59,7 +59,7 @@ pub(super) fn in_space(quantities: &Quantities<'_>, compass: &Compass) -> Option
     let (name, centre) = (quantities.called(body), quantities.point(first));
     let what = if quantities.scope() == Scope::Given { "velocity" } else { "momentum" };
     let with = if vectors.is_empty() { String::new() } else { format!(" with its {what}") };
-    let seen = format!("{name}{with}, seen from {centre}");
+    let seen = format!("{name}{with}, relative to {centre}");
     let body = MovingBody { name: body_math(body), form: Form::Disc, vectors };
     let wording = Wording {
         title: capitalised(&format!("{name} and {centre}")),
@@ -117,8 +117,8 @@ fn about_point(quantities: &Quantities<'_>, compass: &Compass, body: &str, place
     };
     let wording = Wording {
         title: capitalised(&format!("{name} and {centre}")),
-        description: sentences([format!("{name}, seen from {centre}{arrows}")]),
-        caption: sentences([format!("{name} with its {what}, seen from {centre}")]),
+        description: sentences([format!("{name}, relative to {centre}{arrows}")]),
+        caption: sentences([format!("{name} with its {what}, relative to {centre}")]),
     };
     Situation { wording, layout: Layout::Central(central), axes: compass.marks() }.drawing()
 }
@@ -138,8 +138,8 @@ fn mass_centre(quantities: &Quantities<'_>, compass: &Compass, bodies: &[&str], 
     let (names, with) = (list(&names), if centre.is_some() { ", and their centre of mass G" } else { "" });
     let particles = bodies.iter().zip(places).map(|(body, place)| particle(body, *place)).collect();
     let wording = Wording {
-        title: format!("Places and velocities of {names}"),
-        description: sentences([format!("{names} at their places with their velocities{with}")]),
+        title: format!("Positions and velocities of {names}"),
+        description: sentences([format!("{names} at their positions with their velocities{with}")]),
         caption: sentences([format!("{names} with their velocities{with}")]),
     };
     MassCentre { wording, particles, centre, axes: compass.marks() }.drawing()

@@ -75,7 +75,7 @@ pub(super) fn diagram_wording(
             format!("{phrase}: momentum before + {impulses} = momentum after, for {whom}"),
             duration.unwrap_or_default(),
             if compass.is_oblique() { OBLIQUE.to_owned() } else { String::new() },
-            if in_one { format!("{RESULTANT} is the impulse of all forces together") } else { String::new() },
+            if in_one { format!("{RESULTANT} is the total impulse of all forces") } else { String::new() },
         ]),
     }
 }
@@ -100,11 +100,11 @@ impl Speak<'_> {
     /// `m_A v_A1, 8.00 kg m/s to the right`.
     fn vector(&self, vector: &Labelled) -> String {
         let name = match vector.label.bare() {
-            Math::Integral(..) if is_resultant(vector) => "the impulse of all forces together".to_owned(),
-            Math::Integral(..) => "the integral of F over the time".to_owned(),
+            Math::Integral(..) if is_resultant(vector) => "the total impulse of all forces".to_owned(),
+            Math::Integral(..) => "the integral of F over time".to_owned(),
             _ => vector.label.plain(),
         };
-        let Some(value) = vector.value else { return format!("{name}, not known") };
+        let Some(value) = vector.value else { return format!("{name}, unknown") };
         if size(value) <= NOTHING * self.largest {
             return format!("{name}, zero");
         }
@@ -178,7 +178,7 @@ pub(super) fn arrows(moving: &MovingBody, flat: bool) -> Vec<String> {
             _ => String::new(),
         };
         let angle =
-            moving.angle.as_ref().map_or_else(String::new, |angle| format!(", at the angle {}", angle.label.plain()));
+            moving.angle.as_ref().map_or_else(String::new, |angle| format!(", at an angle {}", angle.label.plain()));
         format!("the {kind} {label}{direction}{angle}")
     };
     moving.vectors.iter().map(arrow).collect()
@@ -211,16 +211,16 @@ pub(super) fn launch_wording(quantities: &Quantities<'_>, body: &str, moving: &M
     let lies = match target {
         Target::Top => String::new(),
         Target::Ground(depth) => ground(depth),
-        Target::Slope(_, angle) => format!("it starts on a slope{}", told(" at the angle", angle.as_ref())),
+        Target::Slope(_, angle) => format!("it starts on a slope{}", told(" at an angle", angle.as_ref())),
         Target::Wall(distance, depth) => {
-            let wall = format!("a wall stands in its way{}", told(", at the distance", distance.as_ref()));
+            let wall = format!("there is a wall in its path{}", told(", at a distance", distance.as_ref()));
             depth.as_ref().map_or_else(|| wall.clone(), |depth| format!("{wall}; {}", ground(depth)))
         }
     };
     let own = situation_wording(quantities, &[(body.to_owned(), moving.clone())], "at the start of its flight");
     Wording {
         description: format!("{} {}", own.description, sentence(&lies)).trim_end().to_owned(),
-        caption: format!("{}, whose path is a sketch.", own.caption.trim_end_matches('.')),
+        caption: format!("{}; the path is only sketched.", own.caption.trim_end_matches('.')),
         ..own
     }
 }
@@ -234,7 +234,7 @@ pub(super) fn about_wording(
     moment: Option<&Moment>,
 ) -> Wording {
     let (name, centre) = (quantities.called(body), quantities.point(about));
-    let distance = radius.map_or_else(String::new, |radius| format!(" at the distance {}", radius.plain()));
+    let distance = radius.map_or_else(String::new, |radius| format!(" at a distance {}", radius.plain()));
     let arrows = arrows(moving, true);
     let with = if arrows.is_empty() { String::new() } else { format!(", with {}", list(&arrows)) };
     let moment = moment.map_or_else(String::new, |moment| {
@@ -243,7 +243,7 @@ pub(super) fn about_wording(
     });
     Wording {
         title: capitalised(&format!("{name} and {centre}")),
-        description: sentences([format!("{name}, seen from {centre}{distance}{with}"), moment]),
+        description: sentences([format!("{name}, relative to {centre}{distance}{with}"), moment]),
         caption: sentences([format!("{name} about {centre}")]),
     }
 }
@@ -251,8 +251,8 @@ pub(super) fn about_wording(
 /// What is said of a fall and its bounces.
 pub(super) fn fall_wording(quantities: &Quantities<'_>, body: &str, height: Option<&Math>, bounces: u32) -> Wording {
     let name = quantities.called(body);
-    let height = height.map_or_else(String::new, |height| format!(" from the height {}", height.plain()));
-    let bounces = if bounces > 0 { ", then bounces up and down, each time less high" } else { "" };
+    let height = height.map_or_else(String::new, |height| format!(" from a height {}", height.plain()));
+    let bounces = if bounces > 0 { ", then bounces, rising less each time" } else { "" };
     let how = if quantities.scope() == Scope::Given { " (not to scale)" } else { "" };
     let (what, sideways) = match bounces {
         "" => (format!("the fall of {name}"), ""),

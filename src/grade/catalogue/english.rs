@@ -19,32 +19,34 @@ impl Catalogue for English {
             Message::RightRounded => "Right within the rounding of intermediate values.",
             Message::Agrees => "Right: it agrees numerically with the expected formula (not proven).",
             Message::RoundedNumber => "A number in it is rounded.",
-            Message::NoValue => "This formula has no value: look at its roots, divisions and functions.",
+            Message::NoValue => "This formula has no value: check its roots, divisions and functions.",
             Message::CannotBeJudged => {
-                "This formula cannot be judged: it has a value at too few points of the problem's range. Write it in another form."
+                "This formula cannot be judged: it is defined at too few points of the problem's range. Write it in another form."
             }
-            Message::NegativeMagnitude => "This quantity is a magnitude: it is written without a minus sign.",
-            Message::PoundsAsMass => "Pounds and the like are read as a mass here (`lbm`); elsewhere they are forces.",
-            Message::ZeroWithoutUnit => "A zero, too, is written with its unit.",
+            Message::NegativeMagnitude => "This quantity is a magnitude: write it without a minus sign.",
+            Message::PoundsAsMass => "Pounds and ounces are read as masses here (`lbm`); elsewhere they are forces.",
+            Message::ZeroWithoutUnit => "Write the unit of a zero, too.",
             Message::LastFigure => {
                 "Close, but the last figure is not right. Keep one more significant figure in intermediate steps."
             }
-            Message::RoundingSlip => "Nearly: where did you round? Keep one more significant figure until the end.",
-            Message::SomeValues => "Some of these values are right. Are they all, and is each of them a solution?",
+            Message::RoundingSlip => {
+                "Nearly right: where did you round? Keep one more significant figure until the end."
+            }
+            Message::SomeValues => "Some of these values are right. Are any missing, and is each of them a solution?",
             Message::Sense(None) => "The magnitude is right. What is its sign?",
-            Message::SenseReversed => "The magnitude is right. Look at the direction again.",
+            Message::SenseReversed => "The magnitude is right. Check the direction.",
             Message::NumberRight => "The number is right.",
             Message::UnitMissing => "The unit is missing.",
             Message::UnitPrefix => {
-                "This is off by the factor of a prefix. Look at the units again: grams or kilograms, metres or kilometres?"
+                "This is off by the factor of a prefix. Check the units: grams or kilograms, metres or kilometres?"
             }
-            Message::OrderOfMagnitude => "The digits are right. Look at the decimal point again.",
+            Message::OrderOfMagnitude => "The digits are right. Check the decimal point.",
             Message::NotWhole => "The answer is a whole number.",
             Message::Wrong => "Not right.",
             Message::ChoiceWrong => "Not this one.",
             Message::Unanswered => "No answer.",
-            Message::NotIssued => "These are not the numbers of your sheet: look at the seed at its foot.",
-            Message::NoAttemptLeft => "No attempt was left: this one does not count.",
+            Message::NotIssued => "This is not the sheet that you were given: check the seed at its foot.",
+            Message::NoAttemptLeft => "No attempts were left: this one does not count.",
             Message::BodiesSwapped => "Which body does this belong to?",
             Message::ComponentsExchanged { of_contact: false } => "Which component belongs to which axis?",
             Message::ComponentsExchanged { of_contact: true } => {
@@ -64,15 +66,15 @@ impl Catalogue for English {
 /// Slips that have nothing to fill in: each a question.
 fn slip(verdict: Verdict) -> &'static str {
     match verdict {
-        Verdict::AngleReversed => "This points the opposite way. Which way does the arrow go?",
-        Verdict::AngleOtherSense => "The size of the angle is right. In which sense is it counted?",
-        Verdict::AngleSupplement => "From which end of the axis is the angle counted?",
-        Verdict::AngleComplement | Verdict::AngleOtherAxis => "From which axis is the angle counted?",
+        Verdict::AngleReversed => "This points the opposite way. Which way does the arrow point?",
+        Verdict::AngleOtherSense => "The size of the angle is right. In which sense is it measured?",
+        Verdict::AngleSupplement => "From which end of the axis is the angle measured?",
+        Verdict::AngleComplement | Verdict::AngleOtherAxis => "From which axis is the angle measured?",
         Verdict::ComponentSign => "The sizes of the components are right. Which of them points the other way?",
-        Verdict::DirectionWrong => "The magnitude is right. Look at the direction again.",
-        Verdict::IntervalEnds => "The ends are right. Do they belong to the interval themselves?",
-        Verdict::IntervalHalf => "One end is right. What limits the other?",
-        Verdict::FormulaFactor => "The formula is right but for a constant factor. Where does it come from?",
+        Verdict::DirectionWrong => "The magnitude is right. Check the direction.",
+        Verdict::IntervalEnds => "The end points are right. Are they themselves part of the interval?",
+        Verdict::IntervalHalf => "One end point is right. What limits the other?",
+        Verdict::FormulaFactor => "The formula is right except for a constant factor. Where does it come from?",
         _ => "Not right.",
     }
 }
@@ -85,17 +87,17 @@ impl English {
             Message::TooFewFigures(asked) => format!("Write {asked} significant figures."),
             Message::TooManyFigures(asked) => format!("The data support no more than {asked} significant figures."),
             Message::Sense(Some([plus, minus])) => {
-                format!("The magnitude is right. Say its direction too: by a sign, or \"{plus}\" or \"{minus}\".")
+                format!("The magnitude is right. State its direction, too: by a sign, or \"{plus}\" or \"{minus}\".")
             }
-            Message::UnitNotAsked(unit) => format!("Right, but the question asks for it in {unit}."),
-            Message::UnitWrong(unit) => format!("Its unit is not {unit}."),
+            Message::UnitNotAsked(unit) => format!("Right, but the question asks for the answer in {unit}."),
+            Message::UnitWrong(unit) => format!("The unit is not {unit}."),
             Message::UnitWrongDimension { given, asked } => {
-                format!("Look at the unit: this is {given}, the question asks for {asked}.")
+                format!("Check the unit: this is {given}, but the question asks for {asked}.")
             }
             Message::FormulaDimension { given, asked } => {
-                format!("Look at the dimensions: this formula is {given}, the question asks for {asked}.")
+                format!("Check the dimensions: this formula is {given}, but the question asks for {asked}.")
             }
-            Message::FormulaClash(sentence) => format!("Look at the dimensions: {sentence}."),
+            Message::FormulaClash(sentence) => format!("Check the dimensions: {sentence}."),
             Message::Reduced(percent) => format!("Earlier attempts and hints cost {percent} % of the points."),
             Message::Unreadable(fault) => self.unreadable(fault),
             // Every message without anything to fill in has its words above.

@@ -5,22 +5,22 @@ use super::super::read::UnreadableKind;
 /// What is wrong, and what to write instead; it follows a colon.
 pub(super) fn sentence(kind: &UnreadableKind) -> String {
     let plain = match kind {
-        UnreadableKind::NotANumber => "a number must stand here, like `3.1`, `-0.4`, `1.2e3` or `3/4`.",
+        UnreadableKind::NotANumber => "a number is expected here, such as `3.1`, `-0.4`, `1.2e3` or `3/4`.",
         UnreadableKind::NameBefore => "write the value alone, without a name and `=` before it.",
         UnreadableKind::Underscore => "an underscore is not allowed in a number.",
         UnreadableKind::Marks => "this combination of points and commas is not a number.",
-        UnreadableKind::SecondNumber => "a second number stands here: write one value.",
+        UnreadableKind::SecondNumber => "there is a second number here: write one value.",
         UnreadableKind::MixedOrGrouped => {
-            "this can be a whole number and a fraction, or one grouped number: write it without the space, or as a decimal."
+            "this could be a whole number and a fraction, or one grouped number: write it without the space, or as a decimal."
         }
         UnreadableKind::LostExponent => {
-            "this can be a power of ten or a difference: write `10^-3`, or spaces around the minus sign."
+            "this could be a power of ten or a difference: write `10^-3`, or spaces around the minus sign."
         }
         UnreadableKind::RangeOrDifference => {
-            "this can be a range or a difference: write one value, or brackets around the difference with spaces beside the minus sign."
+            "this could be a range or a difference: write one value, or put the difference in brackets, with spaces around the minus sign."
         }
-        UnreadableKind::ProductAfterBar => "this can belong above or below the fraction bar: write brackets.",
-        UnreadableKind::TwoSigns => "two signs stand side by side.",
+        UnreadableKind::ProductAfterBar => "this could belong above or below the fraction bar: write brackets.",
+        UnreadableKind::TwoSigns => "there are two signs in a row.",
         UnreadableKind::OpenBracket => "this bracket is not closed.",
         UnreadableKind::TooDeep => "this is nested too deeply.",
         UnreadableKind::TooLarge => "this number is too large, too small or too long.",
@@ -30,28 +30,26 @@ pub(super) fn sentence(kind: &UnreadableKind) -> String {
         UnreadableKind::SignAndDirection => "write a sign or a direction, not both.",
         UnreadableKind::SeveralOptions => "this fits more than one option: write more of its text.",
         UnreadableKind::Direction => {
-            "this direction cannot be understood: write `40° below +x`, `36° N of E` or `-40°` behind an `@`."
+            "this direction cannot be understood: write `40° below +x`, `36° N of E` or, after an `@`, `-40°`."
         }
-        UnreadableKind::MixedUnits => "write one unit for the whole, or the same unit beside each value.",
-        UnreadableKind::Axis => "there is no further component along this axis.",
+        UnreadableKind::MixedUnits => "write one unit for the whole, or the same unit after each value.",
+        UnreadableKind::Axis => "no component is expected along this axis, or it is already given.",
         UnreadableKind::NotAnInterval => {
-            "write an interval or a condition, like `0 < e <= 0.5`, `e >= 0.3` or `(0, 0.5]`."
+            "write an interval or a condition, such as `0 < e <= 0.5`, `e >= 0.3` or `(0, 0.5]`."
         }
-        UnreadableKind::EmptyInterval => "the lower end is above the upper end: nothing lies in this interval.",
+        UnreadableKind::EmptyInterval => "the lower end is above the upper end, so the interval is empty.",
         UnreadableKind::NotEuler => {
             "`e` is not given here: write `exp(x)` for a power of 2.718, and `exp(1)` for 2.718 itself."
         }
-        UnreadableKind::InverseOrReciprocal => {
-            "this can be the inverse function or one over the function: write which one."
-        }
+        UnreadableKind::InverseOrReciprocal => "this could be the inverse function or the reciprocal: write which one.",
         UnreadableKind::Logarithm => {
             "`log` has two meanings: write `ln`, or `log10` for the logarithm to the base ten."
         }
-        UnreadableKind::NoArgument => "the argument of a function must stand here, best in brackets.",
-        UnreadableKind::NumberBehind => "a number stands behind a factor: write `*` or `^` before it, or put it first.",
+        UnreadableKind::NoArgument => "the argument of the function is expected here, preferably in brackets.",
+        UnreadableKind::NumberBehind => "a number follows a factor: write `*` or `^` before it, or put it first.",
         UnreadableKind::TooManyParts => "this formula has too many parts.",
         UnreadableKind::NotAFormula => "this is not allowed in a formula.",
-        UnreadableKind::NoTerm => "a name, a number or a bracket must stand here.",
+        UnreadableKind::NoTerm => "a name, a number or a bracket is expected here.",
         other => return filled(other),
     };
     plain.to_owned()
@@ -61,21 +59,21 @@ pub(super) fn sentence(kind: &UnreadableKind) -> String {
 fn filled(kind: &UnreadableKind) -> String {
     match kind {
         UnreadableKind::TooLong(most) => format!("an answer has at most {most} characters."),
-        UnreadableKind::OtherMark(mark) => format!("decimals begin with `{mark}` here."),
+        UnreadableKind::OtherMark(mark) => format!("the decimal mark is `{mark}` here."),
         UnreadableKind::AmbiguousMark([whole, decimal]) => {
             format!("this can be read in two ways: write `{whole}` or `{decimal}`.")
         }
         UnreadableKind::Ambiguous([one, other]) => format!("this can be read in two ways: write `{one}` or `{other}`."),
         UnreadableKind::Behind(rest) => {
-            format!("`{rest}` cannot be understood behind the number: write the value, its unit and nothing else.")
+            format!("`{rest}` cannot be understood after the number: write the value, its unit and nothing else.")
         }
         UnreadableKind::Unit(fault) => format!("{fault}; {}.", fault.help().trim_end_matches('?')),
         UnreadableKind::UnitOrDirection(letter) => {
-            format!("`{letter}` can be a unit or a direction: write the direction as a word.")
+            format!("`{letter}` could be a unit or a direction: write the direction as a word.")
         }
-        UnreadableKind::NoDirection(word) => format!("\"{word}\" says a direction, but this quantity has none."),
+        UnreadableKind::NoDirection(word) => format!("\"{word}\" is a direction, but this quantity has none."),
         UnreadableKind::OtherDirection { word, senses: [plus, minus] } => {
-            format!("\"{word}\" is none of the directions here: \"{plus}\" or \"{minus}\".")
+            format!("\"{word}\" is not one of the directions here: \"{plus}\" or \"{minus}\".")
         }
         UnreadableKind::NoOption(count) => {
             format!("choose one of the {count} options, by its letter, its number or its text.")
@@ -88,7 +86,9 @@ fn filled(kind: &UnreadableKind) -> String {
         UnreadableKind::OtherName(name) => format!("the question asks for `{name}`."),
         UnreadableKind::UnknownName { name, near } => match near {
             Some(near) => format!("`{name}` is not given here; did you mean `{near}`?"),
-            None => format!("`{name}` is not given here: write the answer in what the sheet gives."),
+            None => {
+                format!("`{name}` is not given here: write the answer in terms of the quantities that the sheet gives.")
+            }
         },
         UnreadableKind::AmbiguousName { name, readings } => {
             format!("`{name}` can be read as {}: write `*` between factors and `_` before an index.", either(readings))
@@ -96,7 +96,9 @@ fn filled(kind: &UnreadableKind) -> String {
         UnreadableKind::TwoReadings(readings) => {
             format!("this can be read as {}: write brackets.", either(readings))
         }
-        UnreadableKind::AskedName(name) => format!("`{name}` is what is asked: write it in what the sheet gives."),
+        UnreadableKind::AskedName(name) => {
+            format!("`{name}` is the quantity asked for: write it in terms of the quantities that the sheet gives.")
+        }
         // Every fault without anything to fill in has its words above.
         _ => String::new(),
     }

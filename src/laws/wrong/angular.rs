@@ -22,29 +22,29 @@ use super::rewrite::value_times_time;
 pub const RADIUS_FORGOTTEN: Misconception = Misconception {
     id: "arm-forgotten",
     does: "leaves the arm out of an angular momentum",
-    ask: "What makes an angular momentum out of a momentum?",
-    hint: "Check the units: a moment of momentum has a length in it.",
+    ask: "How is an angular momentum obtained from a momentum?",
+    hint: "Check the units: a moment of momentum contains a length.",
 };
 /// Distance for perpendicular distance.
 pub const DISTANCE: Misconception = Misconception {
     id: "distance-for-arm",
-    does: "takes the distance of the body for the arm of its momentum",
-    ask: "How far does the line along which the body moves pass from the point?",
+    does: "takes the distance of the body as the arm of its momentum",
+    ask: "At what distance from the point does the line pass along which the body moves?",
     hint: "The arm is the perpendicular distance of the line of motion, not the distance of the body.",
 };
 /// The two moments added.
 pub const MOMENTS_ADDED: Misconception = Misconception {
     id: "moments-added",
-    does: "adds the moments of both components whatever their sense",
+    does: "adds the moments of both components regardless of their sense",
     ask: "In which sense does each component of the momentum turn about the point?",
-    hint: "One of the two enters with a minus sign in the moment: draw both.",
+    hint: "One of the two moments may be negative: draw both components.",
 };
 /// Components with the wrong arms.
 pub const ARMS_EXCHANGED: Misconception = Misconception {
     id: "arms-exchanged",
     does: "multiplies each component by the coordinate along it",
     ask: "Does a component of the momentum have a moment about a point that lies straight ahead of it?",
-    hint: "The arm of each component is the coordinate across it.",
+    hint: "The arm of each component is the coordinate perpendicular to it.",
 };
 /// `J_M = H_2`.
 pub const START_FORGOTTEN: Misconception = Misconception {
@@ -56,16 +56,16 @@ pub const START_FORGOTTEN: Misconception = Misconception {
 /// A moment that speeds up counted as one that slows down.
 pub const REVERSED: Misconception = Misconception {
     id: "angular-impulse-reversed",
-    does: "counts the angular impulse in the opposite sense",
+    does: "takes the angular impulse in the opposite sense",
     ask: "Does the moment turn with the motion or against it?",
     hint: "Choose a positive sense, and give both the motion and the moment their signs.",
 };
 /// `H' = 0`.
 pub const TAKEN_AS_CONSERVED: Misconception = Misconception {
     id: "angular-momentum-taken-as-conserved",
-    does: "takes the angular momentum to stay the same, though a force has a moment about the point",
+    does: "assumes that the angular momentum is conserved, although a force has a moment about the point",
     ask: "Does any force have a moment about this point?",
-    hint: "Angular momentum about a point is conserved only where the moments of all forces about it add up to zero.",
+    hint: "Angular momentum about a point is conserved only if the moments of all forces about it add up to zero.",
 };
 /// Velocity kept as the radius changes.
 pub const VELOCITY_KEPT: Misconception = Misconception {
@@ -84,8 +84,8 @@ pub const RATE_KEPT: Misconception = Misconception {
 /// Radius squared with a linear velocity.
 pub const RADIUS_SQUARED: Misconception = Misconception {
     id: "radius-squared",
-    does: "squares the radius beside a velocity",
-    ask: "Does the square of the radius go with the velocity, or with the angular velocity?",
+    does: "squares the radius that multiplies a velocity",
+    ask: "Does the square of the radius belong to the velocity, or to the angular velocity?",
     hint: "Radius times transverse velocity is what stays the same.",
 };
 
@@ -93,8 +93,8 @@ pub const RADIUS_SQUARED: Misconception = Misconception {
 pub const FACTORS_EXCHANGED: Misconception = Misconception {
     id: "vector-product-reversed",
     does: "takes the factors of the vector product in the wrong order",
-    ask: "Which factor comes first in the moment: the place, or what acts there?",
-    hint: "The order decides the sign: the place vector comes first. Check it with the right-hand rule.",
+    ask: "Which factor comes first in the moment: the position, or the force or momentum there?",
+    hint: "The order decides the sign: the position vector comes first. Check it with the right-hand rule.",
 };
 
 /// Wrong forms of angular momentum.

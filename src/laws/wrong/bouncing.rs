@@ -14,26 +14,26 @@ pub const HEIGHT_BY_E: Misconception = Misconception {
     id: "height-by-e",
     does: "multiplies the height by e at each bounce",
     ask: "The coefficient multiplies the speed. What does that do to the height?",
-    hint: "The height goes with the square of the speed with which the body leaves the floor.",
+    hint: "The height is proportional to the square of the speed with which the body leaves the floor.",
 };
 /// `v' = e^2 v`.
 pub const SPEED_BY_E_SQUARED: Misconception = Misconception {
     id: "speed-by-e-squared",
     does: "multiplies a speed or a time by e\u{b2} at each bounce",
-    ask: "Which quantity goes with e, and which with its square?",
-    hint: "Speeds and times of flight go with e, heights and energies with its square.",
+    ask: "Which quantity is multiplied by e, and which by its square?",
+    hint: "Speeds and times of flight are multiplied by e, heights and energies by its square.",
 };
 /// One bounce too few or too many.
 pub const ONE_OFF: Misconception = Misconception {
     id: "bounces-miscounted",
     does: "counts one bounce too few or too many",
     ask: "How many bounces has the body made at this moment?",
-    hint: "Write the first two bounces down one by one, and begin with the release, when nothing has bounced yet.",
+    hint: "Write down the first two bounces one by one, starting at the release, before any bounce.",
 };
 /// Flights counted one way only.
 pub const ONE_WAY: Misconception = Misconception {
     id: "flights-one-way",
-    does: "counts only one way of each flight",
+    does: "counts only the rise or the fall of each flight",
     ask: "What does the body do between two bounces? How often does it pass each height?",
     hint: "After the first fall, every flight goes up and comes down again.",
 };
@@ -42,13 +42,13 @@ pub const FIRST_TWICE: Misconception = Misconception {
     id: "first-fall-doubled",
     does: "counts the first fall as a whole flight",
     ask: "How does the first part of the motion differ from all later flights?",
-    hint: "The body is let go from above: the first fall has no rise before it.",
+    hint: "The body is released from above: there is no rise before the first fall.",
 };
 
 /// Up, and not down again.
 pub const HALF_FLIGHT: Misconception = Misconception {
     id: "flight-up-only",
-    does: "takes the time to the top of a flight for the time of the whole flight",
+    does: "mistakes the time to the top of a flight for the time of the whole flight",
     ask: "What happens between the top of a flight and the next bounce?",
     hint: "By symmetry the way down takes as long as the way up.",
 };
@@ -57,7 +57,7 @@ pub const ALONG_BY_E: Misconception = Misconception {
     id: "velocity-along-by-e",
     does: "multiplies the velocity along the floor by e, too",
     ask: "Which component of the velocity does a smooth floor change?",
-    hint: "A smooth floor gives no impulse along itself.",
+    hint: "A smooth floor exerts no impulse along itself.",
 };
 
 /// Wrong forms of a bounce's height.

@@ -5,50 +5,50 @@ use super::Misconception;
 /// Energy is lost, so momentum is taken to be lost.
 pub const MOMENTUM_BY_ENERGY: Misconception = Misconception {
     id: "momentum-judged-by-energy",
-    does: "takes momentum for lost because kinetic energy is",
-    ask: "Does a change of kinetic energy say anything about momentum? Which impulses come from outside the system meanwhile?",
+    does: "assumes that momentum is lost because kinetic energy is",
+    ask: "Does a change of kinetic energy say anything about momentum? Which external impulses act on the system meanwhile?",
     hint: "The impulses of bodies on each other cancel in pairs, however much energy goes into deforming and heating them.",
 };
 /// Momentum is conserved, so energy is taken to be conserved.
 pub const ENERGY_BY_MOMENTUM: Misconception = Misconception {
     id: "energy-judged-by-momentum",
-    does: "takes kinetic energy for conserved because momentum is",
-    ask: "Momentum stays what it is here. What else has to hold for the kinetic energy to stay, too?",
+    does: "assumes that kinetic energy is conserved because momentum is",
+    ask: "Momentum is conserved here. What else must hold for kinetic energy to be conserved, too?",
     hint: "In an impact kinetic energy is conserved only if the bodies separate as fast as they approached each other.",
 };
 /// A body judged as if it were the system.
 pub const PART_FOR_SYSTEM: Misconception = Misconception {
     id: "part-for-system",
-    does: "takes the momentum of one body for conserved because that of all together is",
-    ask: "Which bodies belong to the system that is asked about? Does any other body push on it meanwhile?",
+    does: "assumes that the momentum of one body is conserved because the total momentum is",
+    ask: "Which bodies belong to the system in question? Does any other body push on it meanwhile?",
     hint: "Bodies that act on each other exchange momentum: what one of them gains, the others lose.",
 };
 /// A wall, a rail or weight left out of account.
 pub const OUTSIDE_OVERLOOKED: Misconception = Misconception {
     id: "outside-impulse-overlooked",
     does: "overlooks an impulse from outside the system",
-    ask: "What touches the system from outside, or acts on it from afar, and has a part along this direction?",
-    hint: "A floor, a wall or a rail that pushes, and weight that has the time to act, change the momentum of the system.",
+    ask: "What touches the system from outside, or acts on it from afar, and has a component along this direction?",
+    hint: "A floor, a wall or a rail that pushes, and weight if it has time to act, change the momentum of the system.",
 };
 /// The moment of a force judged by the force.
 pub const ANGULAR_BY_LINEAR: Misconception = Misconception {
     id: "angular-judged-by-linear",
-    does: "takes angular momentum for changed because a force acts",
-    ask: "Where does the line of the force pass? How long is its arm about this point?",
+    does: "assumes that angular momentum changes because a force acts",
+    ask: "Where does the line of action of the force pass? How long is its arm about this point?",
     hint: "A force through the point changes the momentum, but it has no moment about the point.",
 };
 /// Weight and the like taken for impulsive.
 pub const ORDINARY_AS_IMPULSIVE: Misconception = Misconception {
     id: "ordinary-force-as-impulsive",
-    does: "takes a force of ordinary size for an impulsive one",
+    does: "mistakes a force of ordinary size for an impulsive one",
     ask: "Would this force grow if the contact were ten times as short?",
-    hint: "The impulse of a force that keeps its size becomes smaller and smaller as the contact gets shorter.",
+    hint: "The impulse of a force of constant size becomes smaller as the contact gets shorter.",
 };
 /// The force of a contact taken for an ordinary one, or a long push for an impulsive one.
 pub const IMPULSIVE_AS_ORDINARY: Misconception = Misconception {
     id: "impulsive-force-as-ordinary",
-    does: "takes an impulsive force for one of ordinary size",
-    ask: "What has to stop or turn the body within so short a time?",
+    does: "mistakes an impulsive force for one of ordinary size",
+    ask: "What stops or deflects the body within so short a time?",
     hint: "The shorter the contact, the larger the force that gives the same impulse.",
 };
 

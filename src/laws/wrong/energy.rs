@@ -28,35 +28,35 @@ pub const SQUARE: Misconception = Misconception {
     id: "square-forgotten",
     does: "does not square the speed in a kinetic energy",
     ask: "How does the kinetic energy change when the speed is doubled?",
-    hint: "Kinetic energy goes with the square of the speed: look at the units of yours.",
+    hint: "Kinetic energy is proportional to the square of the speed: check the units of yours.",
 };
 /// The energy of one body for that of the system.
 pub const ONE_BODY: Misconception = Misconception {
     id: "energy-of-one-body",
     does: "counts the kinetic energy of one body only",
     ask: "Whose kinetic energies belong to the system?",
-    hint: "Energy lost is that of all bodies before less that of all bodies after.",
+    hint: "The energy lost is that of all bodies before minus that of all bodies after.",
 };
 /// What is left for what is lost.
 pub const REMAINDER: Misconception = Misconception {
     id: "remainder-for-loss",
     does: "gives the energy that is left for the energy that is lost",
-    ask: "Is it the energy lost that you found, or the energy that is left?",
-    hint: "Two energies make a loss: look which one you have written down.",
+    ask: "Did you find the energy that is lost, or the energy that is left?",
+    hint: "A loss is the difference between two energies: check which one you have written down.",
 };
 /// `(1 - e^2) T_1`.
 pub const SHARE: Misconception = Misconception {
     id: "loss-as-share-of-e",
     does: "takes 1 - e\u{b2} or 1 - e of the whole kinetic energy as lost",
     ask: "Can the bodies ever lose the energy with which their centre of mass moves?",
-    hint: "The coefficient says what happens to the relative motion only; the motion of the centre of mass goes on.",
+    hint: "The coefficient concerns only the relative motion; the motion of the centre of mass does not change.",
 };
 /// `m (v_1 - v_2)^2 / 2`.
 pub const DIFFERENCE: Misconception = Misconception {
     id: "difference-squared",
     does: "squares the difference of velocities instead of subtracting squares",
     ask: "Is the difference of two squares the square of the difference?",
-    hint: "Work out the energy before and the energy after each by itself, then subtract.",
+    hint: "Calculate the energy before and the energy after separately, then subtract.",
 };
 
 /// The work of weight left out.
@@ -70,15 +70,15 @@ pub const WEIGHT_WORK: Misconception = Misconception {
 pub const WEIGHT_WORK_REVERSED: Misconception = Misconception {
     id: "work-of-weight-reversed",
     does: "gives the work of the weight the wrong sign",
-    ask: "Does weight speed the body up or slow it down on this way?",
+    ask: "Does weight speed the body up or slow it down here?",
     hint: "Compare the direction of the weight with that in which the body moves.",
 };
 /// `k s^2`.
 pub const SPRING_HALF: Misconception = Misconception {
     id: "spring-half-forgotten",
     does: "leaves out the factor of one half in the energy of a spring",
-    ask: "The force of a spring grows from zero: what is its mean over the way?",
-    hint: "Draw the force over the deformation: the energy is the area of a triangle.",
+    ask: "The force of a spring grows from zero: what is its average over the distance?",
+    hint: "Draw the force against the deformation: the energy is the area of a triangle.",
 };
 
 /// Wrong forms of work and energy.

@@ -19,22 +19,22 @@ use super::rewrite::value_times_time;
 pub const VALUE_TIMES_TIME: Misconception = Misconception {
     id: "value-times-time",
     does: "multiplies one value of a changing force by the whole time",
-    ask: "Does the force have this value all the time? What does its graph over time look like?",
-    hint: "The impulse is the area under the curve: a rectangle only where the force stays the same.",
+    ask: "Does the force have this value all the time? What does its graph against time look like?",
+    hint: "The impulse is the area under the curve: a rectangle only if the force is constant.",
 };
 /// The mean of first and last.
 pub const ENDS_AVERAGED: Misconception = Misconception {
     id: "ends-averaged",
     does: "takes the mean of the first and the last value as the average force",
     ask: "Is the graph of the force over time a straight line?",
-    hint: "The mean of both ends is the mean over the time only for a straight line.",
+    hint: "The mean of the two end values is the average over time only for a straight line.",
 };
 /// The impulse of a push counted before anything moves.
 pub const FROM_ZERO: Misconception = Misconception {
     id: "sliding-from-the-start",
-    does: "lets the body slide, and kinetic friction act, from the start",
+    does: "assumes that the body slides, with kinetic friction, from the start",
     ask: "When does the body begin to slide? What holds it until then?",
-    hint: "While the body is at rest, static friction cancels the push, and no momentum is gained.",
+    hint: "While the body is at rest, static friction balances the push, and no momentum is gained.",
 };
 /// `F = J dt`.
 pub const MULTIPLIED: Misconception = Misconception {
@@ -47,29 +47,29 @@ pub const MULTIPLIED: Misconception = Misconception {
 pub const WEIGHT_AS_MASS: Misconception = Misconception {
     id: "weight-as-mass",
     does: "uses a weight as a mass",
-    ask: "Is what is given a weight or a mass? Which of the two belongs into momentum?",
+    ask: "Is a weight or a mass given? Which of the two enters the momentum?",
     hint: "A weight is a force; the mass is the weight divided by the acceleration of free fall.",
 };
 /// `N = m g` under an inclined push.
 pub const NORMAL_IS_WEIGHT: Misconception = Misconception {
     id: "normal-force-is-weight",
-    does: "takes the normal force to be the weight, though another force has a part across the floor",
-    ask: "Which forces act across the floor? Is the weight the only one that the floor must balance?",
+    does: "takes the normal force to be the weight, although another force has a component perpendicular to the floor",
+    ask: "Which forces act perpendicular to the floor? Is the weight the only one that the floor must balance?",
     hint: "An inclined push presses the body into the floor, or lifts it.",
 };
 /// A push that lifts taken to press.
 pub const NORMAL_REVERSED: Misconception = Misconception {
     id: "normal-force-reversed",
-    does: "lets a push that presses the body down relieve the floor, or the reverse",
+    does: "subtracts from the normal force a push that presses the body down, or the reverse",
     ask: "Does the inclined force press the body into the floor, or lift it?",
-    hint: "Draw the component of the force across the floor, and balance all forces there.",
+    hint: "Draw the component of the force perpendicular to the floor, and balance all forces in that direction.",
 };
 /// The coefficients of friction exchanged.
 pub const STATIC_KINETIC: Misconception = Misconception {
     id: "static-and-kinetic-exchanged",
     does: "uses the coefficient of kinetic friction for a body at rest",
-    ask: "Is the body at rest or sliding at this moment? Which coefficient belongs to that?",
-    hint: "Static friction decides when the body starts, kinetic friction acts afterwards.",
+    ask: "Is the body at rest or sliding at this moment? Which coefficient applies then?",
+    hint: "Static friction decides when the body starts to slide; kinetic friction acts afterwards.",
 };
 
 /// Wrong forms of a conical pendulum.

@@ -19,51 +19,51 @@ use super::rewrite::terms;
 pub const SINE_COSINE: Misconception = Misconception {
     id: "sine-cosine-exchanged",
     does: "exchanges sine and cosine",
-    ask: "From which line is the angle counted? Which component grows as the angle becomes small?",
-    hint: "Try the limit of a very small angle: the component along the line from which it is counted must be nearly the whole.",
+    ask: "From which line is the angle measured? Which component grows as the angle becomes small?",
+    hint: "Try the limit of a very small angle: the component along the line from which it is measured must be nearly the whole.",
 };
 /// Magnitudes of perpendicular parts added.
 pub const ADDED: Misconception = Misconception {
     id: "magnitudes-added",
     does: "adds perpendicular components as if they lay along one line",
-    ask: "At which angle do the two components stand to each other? How long is the arrow that they make?",
-    hint: "Perpendicular components make the sides of a right-angled triangle.",
+    ask: "What is the angle between the two components? How long is the arrow that they form?",
+    hint: "Perpendicular components are the legs of a right-angled triangle.",
 };
 /// The angle to the other axis.
 pub const OTHER_AXIS: Misconception = Misconception {
     id: "angle-from-other-axis",
-    does: "counts the angle from the other axis",
-    ask: "From which axis is the angle asked? Which component stands above in the tangent?",
-    hint: "The tangent of an angle is the component across its axis over that along it.",
+    does: "measures the angle from the other axis",
+    ask: "From which axis is the angle to be measured? Which component is in the numerator of the tangent?",
+    hint: "The tangent of an angle is the component perpendicular to its axis over that along it.",
 };
 /// Quadrant lost.
 pub const QUADRANT: Misconception = Misconception {
     id: "quadrant-lost",
     does: "leaves the signs of the components out of the direction",
     ask: "Draw the components with their signs. In which quadrant does the arrow lie?",
-    hint: "A calculator's inverse tangent knows only two of the four quadrants.",
+    hint: "A calculator's inverse tangent gives angles in only two of the four quadrants.",
 };
 /// The angle to a line of impact taken for that to the axis.
 pub const LINE_FORGOTTEN: Misconception = Misconception {
     id: "line-of-impact-as-axis",
-    does: "gives the angle to the line of impact as that to the axis",
-    ask: "From which line is your angle counted, and from which one is it asked?",
-    hint: "The components stand along and across the line of impact, which is itself turned.",
+    does: "gives the angle to the line of impact instead of that to the axis",
+    ask: "From which line is your angle measured, and from which one should it be?",
+    hint: "The components are along and across the line of impact, which is itself inclined.",
 };
 /// `omega = v r`.
 pub const RADIUS: Misconception = Misconception {
     id: "radius-multiplied",
     does: "multiplies by the radius where it divides, or the reverse",
     ask: "Two points on one arm: which of them is the faster, the inner or the outer one?",
-    hint: "Check the units: an angular velocity has no length in it.",
+    hint: "Check the units: an angular velocity contains no length.",
 };
 
 /// The tangent turned over.
 pub const TANGENT_INVERTED: Misconception = Misconception {
     id: "tangent-inverted",
     does: "divides by a tangent where it multiplies, or the reverse",
-    ask: "From which line is the angle counted, and which side lies opposite to it?",
-    hint: "Try a small angle: which of the two lengths is then much the smaller one?",
+    ask: "From which line is the angle measured, and which side lies opposite to it?",
+    hint: "Try a small angle: which of the two lengths is then much smaller?",
 };
 
 /// Wrong forms of a height in a bowl.

@@ -24,21 +24,21 @@ pub const TWO: Misconception = Misconception {
 /// `v = 2 g h`.
 pub const ROOT: Misconception = Misconception {
     id: "fall-root-forgotten",
-    does: "does not take the root in the speed of a fall",
+    does: "does not take the square root in the speed of a fall",
     ask: "What are the units of g times h? Are they those of a speed?",
     hint: "The energy of a fall gives the square of the speed.",
 };
 /// `a t^2`.
 pub const FALL_HALF: Misconception = Misconception {
     id: "fall-half-forgotten",
-    does: "leaves out the factor of one half in the way fallen",
-    ask: "The velocity of a fall grows from the first moment on: what is its mean over the time?",
-    hint: "Draw the velocity over the time: the way is the area under a triangle.",
+    does: "leaves out the factor of one half in the distance fallen",
+    ask: "The velocity of a fall grows from the first moment on: what is its average over the time?",
+    hint: "Draw the velocity against time: the distance is the area of a triangle.",
 };
 /// The first velocity left out.
 pub const FIRST_VELOCITY: Misconception = Misconception {
     id: "first-velocity-forgotten",
-    does: "leaves out the velocity with which the flight begins",
+    does: "leaves out the initial velocity of the flight",
     ask: "Does the body start from rest along this axis?",
     hint: "Without gravity, where would the body be after this time?",
 };
@@ -46,16 +46,16 @@ pub const FIRST_VELOCITY: Misconception = Misconception {
 /// The strands of the two bodies exchanged.
 pub const STRANDS_EXCHANGED: Misconception = Misconception {
     id: "strands-exchanged",
-    does: "lets the body on the movable pulley move faster than the string, not slower",
-    ask: "By how much does each strand of a movable pulley become shorter when the string is drawn by one metre?",
-    hint: "The length that is drawn is shared between the strands.",
+    does: "makes the body on the movable pulley move faster than the string, not slower",
+    ask: "By how much does each strand of a movable pulley become shorter when the string is pulled by one metre?",
+    hint: "The length that is pulled is shared between the strands.",
 };
 /// A movable pulley taken for a fixed one.
 pub const STRANDS_FORGOTTEN: Misconception = Misconception {
     id: "strands-forgotten",
-    does: "lets both bodies move equally fast, though one hangs by a movable pulley",
-    ask: "How far does the movable pulley rise when the string is drawn by one metre?",
-    hint: "The length that is drawn is shared between the strands.",
+    does: "gives both bodies the same speed, although one hangs from a movable pulley",
+    ask: "How far does the movable pulley rise when the string is pulled by one metre?",
+    hint: "The length that is pulled is shared between the strands.",
 };
 /// Wrong forms of the constraint of a string over movable pulleys.
 pub const STRANDS: &[WrongForm] = &[
@@ -66,16 +66,16 @@ pub const STRANDS: &[WrongForm] = &[
 /// Gravity that speeds a rising body up.
 pub const GRAVITY_REVERSED: Misconception = Misconception {
     id: "gravity-reversed",
-    does: "lets gravity act in the opposite direction",
+    does: "takes gravity in the opposite direction",
     ask: "Which way does the axis point, and which way does gravity?",
     hint: "Give the velocity and gravity their signs along the same axis.",
 };
 /// The place at the start left out.
 pub const START_PLACE: Misconception = Misconception {
     id: "start-place-forgotten",
-    does: "leaves out the place from which the motion begins",
-    ask: "Where is the body when the time begins to count?",
-    hint: "Velocity times time is how far the body moves, not yet where it is.",
+    does: "leaves out the initial position",
+    ask: "Where is the body at time zero?",
+    hint: "Velocity times time is how far the body moves, not where it is.",
 };
 
 /// Wrong forms of velocity and time in a fall.

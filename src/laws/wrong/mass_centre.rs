@@ -22,15 +22,15 @@ use super::separation::REVERSED;
 pub const PLAIN_AVERAGE: Misconception = Misconception {
     id: "plain-average",
     does: "takes the plain average instead of the mean weighted by mass",
-    ask: "Does each body count the same, whatever its mass?",
-    hint: "The centre of mass lies nearer to the heavier body: each body counts by its mass.",
+    ask: "Does each body count equally, whatever its mass?",
+    hint: "The centre of mass lies nearer to the heavier body: each body is weighted by its mass.",
 };
 /// The impulse on one body's mass.
 pub const ONE_MASS: Misconception = Misconception {
     id: "one-mass-for-system",
     does: "divides the impulse by the mass of one body instead of that of the system",
     ask: "The centre of mass of which system changes its velocity, and what is the mass of that system?",
-    hint: "An impulse from outside changes the momentum of the whole system.",
+    hint: "An external impulse changes the momentum of the whole system.",
 };
 
 /// Absolute velocities in the energy of relative motion.
@@ -38,14 +38,14 @@ pub const NOT_RELATIVE: Misconception = Misconception {
     id: "velocity-not-relative",
     does: "leaves the velocity of the centre of mass out of a relative velocity",
     ask: "Relative to what is the velocity taken?",
-    hint: "Seen from the centre of mass, a body moves with the difference of the two velocities.",
+    hint: "Relative to the centre of mass, a body moves with the difference of the two velocities.",
 };
 /// One of the two parts of Koenig's theorem left out.
 pub const PART_FORGOTTEN: Misconception = Misconception {
     id: "part-of-koenig-forgotten",
     does: "leaves out the part of the centre of mass, or the part relative to it",
-    ask: "Of which two parts is the motion of a system made up?",
-    hint: "There is a part of the whole mass at the centre of mass, and a part of the motion about it.",
+    ask: "Of which two parts does the motion of a system consist?",
+    hint: "One part is that of the total mass at the centre of mass, the other that of the motion relative to it.",
 };
 
 /// Wrong forms of a relative velocity.

@@ -18,7 +18,7 @@ use super::rewrite::terms;
 /// Speeds for velocities.
 pub const SIGN_LOST: Misconception = Misconception {
     id: "sign-lost",
-    does: "puts a speed where a velocity belongs",
+    does: "uses a speed where a velocity belongs",
     ask: "Which of the velocities point against the positive axis, and what does that do to their signs?",
     hint: "Draw the axis, and write each velocity with the sign that its direction gives it.",
 };
@@ -32,14 +32,14 @@ pub const START_FORGOTTEN: Misconception = Misconception {
 /// A force that opposes the motion counted as one that helps it.
 pub const IMPULSE_REVERSED: Misconception = Misconception {
     id: "impulse-reversed",
-    does: "counts the impulses in the opposite direction",
+    does: "takes the impulses in the opposite direction",
     ask: "In which direction does each force act, and does it make the momentum along the axis larger or smaller?",
-    hint: "Impulse is the momentum after less the momentum before, in that order, signs included.",
+    hint: "Impulse is the momentum after minus the momentum before, in that order, with their signs.",
 };
 /// Weight left out beside other forces.
 pub const WEIGHT_FORGOTTEN: Misconception = Misconception {
     id: "weight-forgotten",
-    does: "leaves out the impulse of the weight",
+    does: "leaves out the impulse of weight",
     ask: "Draw every force that acts on the body in this time. Is one missing from your sum?",
     hint: "Gravity acts all the time, and over this time its impulse is not small.",
 };
@@ -53,9 +53,9 @@ pub const FRICTION_FORGOTTEN: Misconception = Misconception {
 /// Friction along the motion.
 pub const FRICTION_REVERSED: Misconception = Misconception {
     id: "friction-reversed",
-    does: "lets friction push the body forward",
+    does: "makes friction push the body forward",
     ask: "Which way does the body slide, and which way does friction act on it?",
-    hint: "Kinetic friction always acts against the sliding.",
+    hint: "Kinetic friction always acts against the direction of sliding.",
 };
 /// Only one body of a system counted before.
 pub const PARTNER_FORGOTTEN: Misconception = Misconception {
@@ -69,19 +69,19 @@ pub const ENERGY_CONSERVED: Misconception = Misconception {
     id: "energy-for-momentum",
     does: "conserves kinetic energy through an impact in which it is lost",
     ask: "Which quantity stays the same when bodies stay together: momentum, or kinetic energy?",
-    hint: "In a plastic impact kinetic energy is lost, whatever its amount; what is conserved follows from the impulses.",
+    hint: "In a plastic impact kinetic energy is lost; what is conserved follows from the impulses.",
 };
 /// The common body with the mass of one part.
 pub const JOINT_MASS: Misconception = Misconception {
     id: "joint-mass-forgotten",
-    does: "gives the joined bodies the mass of only one of them",
+    does: "uses the mass of only one body for the joined bodies",
     ask: "What moves after the bodies have joined, and what is its mass?",
     hint: "After they have joined, both masses move with the common velocity.",
 };
 /// The mean of two velocities.
 pub const PLAIN_MEAN: Misconception = Misconception {
     id: "velocities-averaged",
-    does: "takes the plain average of the velocities as the common one",
+    does: "takes the plain average of the velocities as the common velocity",
     ask: "Does a heavy body count more than a light one for the common velocity?",
     hint: "Write momentum, mass times velocity, for each body; velocities alone do not add.",
 };
@@ -89,7 +89,7 @@ pub const PLAIN_MEAN: Misconception = Misconception {
 pub const SAME_SIGN: Misconception = Misconception {
     id: "reaction-same-direction",
     does: "gives action and reaction the same direction",
-    ask: "The two bodies push each other: in which directions?",
+    ask: "The two bodies push each other: in which direction is each pushed?",
     hint: "Action and reaction are opposite, so along one axis they have opposite signs.",
 };
 /// The heavier body hits harder.
@@ -97,22 +97,22 @@ pub const HEAVIER_HARDER: Misconception = Misconception {
     id: "heavier-hits-harder",
     does: "makes the two impulses of an impact unequal, the one on the heavier body larger",
     ask: "Compare the forces that the two bodies exert on each other at each moment of contact. Is one of them larger?",
-    hint: "Does Newton's third law know anything of masses?",
+    hint: "Do the masses appear in Newton's third law?",
 };
 /// Restitution along the surface as well.
 pub const WHOLE_VELOCITY: Misconception = Misconception {
     id: "restitution-on-whole-velocity",
     does: "applies the coefficient of restitution to the component along the surface too",
     ask: "In which direction does a smooth contact push, and which component of the velocity can it change?",
-    hint: "Restitution speaks of the line of impact only; across it, a smooth contact gives no impulse.",
+    hint: "Restitution concerns the line of impact only; across it, a smooth contact exerts no impulse.",
 };
 
 /// Weight beside an impact.
 pub const WEIGHT_IN_IMPACT: Misconception = Misconception {
     id: "weight-in-impact",
-    does: "counts the impulse of the weight during an impact",
-    ask: "How large is the impulse of the weight during the contact, beside that of the impact?",
-    hint: "A force that is not impulsive has next to no impulse in so short a time: weight is left out.",
+    does: "includes the impulse of weight during an impact",
+    ask: "How large is the impulse of weight during the contact, compared with that of the impact?",
+    hint: "A force that is not impulsive has a negligible impulse in so short a time: weight is neglected.",
 };
 
 /// Wrong forms of conservation.

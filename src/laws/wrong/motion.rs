@@ -18,7 +18,7 @@ pub const DIVIDED: Misconception = Misconception {
     id: "divided-by-the-time",
     does: "divides by the time where a rate of change is needed",
     ask: "Does the quantity change at a constant rate, so that its value over the time is also its rate of change?",
-    hint: "The rate of change at an instant is the derivative there; the value over the time is at best a mean.",
+    hint: "The rate of change at an instant is the derivative there; the value over the time is at best an average.",
 };
 /// The weight of a body for its mass, or the mass left out.
 pub const MASS_FORGOTTEN: Misconception = Misconception {

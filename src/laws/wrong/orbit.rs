@@ -14,36 +14,36 @@ use super::rewrite::one;
 pub const UNIFORM_GRAVITY: Misconception = Misconception {
     id: "gravity-by-radius-squared",
     does: "divides by the square of the distance in the energy of gravity",
-    ask: "Which goes with one over the distance squared: the force of gravity, or its energy?",
-    hint: "The energy is the force integrated over the distance: one power of the distance less.",
+    ask: "Which is proportional to one over the distance squared: the force of gravity, or its energy?",
+    hint: "The energy is the force integrated over the distance, so it has one power of the distance less.",
 };
 /// `-GM / a`.
 pub const AXIS: Misconception = Misconception {
     id: "whole-axis-for-half",
-    does: "confuses the semi-major axis with the whole axis",
+    does: "confuses the semi-major axis with the major axis",
     ask: "Is a the whole length of the orbit, from the nearest point to the farthest, or half of it?",
-    hint: "The nearest and the farthest distance add up to the whole axis, which is twice a.",
+    hint: "The nearest and the farthest distance add up to the major axis, which is twice a.",
 };
 /// `T^3 = 4 pi^2 a^2 / GM`.
 pub const POWERS: Misconception = Misconception {
     id: "keplers-powers-exchanged",
     does: "exchanges the powers in Kepler's third law",
-    ask: "Which power of the period goes with which power of the axis?",
+    ask: "Which power of the period is proportional to which power of the semi-major axis?",
     hint: "Check the units: GM is a length cubed over a time squared.",
 };
 /// `T^2 = 2 pi a^3 / GM`.
 pub const PI_SQUARE: Misconception = Misconception {
     id: "pi-not-squared",
-    does: "does not square the factor with pi beside the square of the period",
-    ask: "What does the factor with pi become when the equation of the period is squared?",
-    hint: "Write the period itself, as a factor times a root, and square all of it.",
+    does: "does not square the factor two pi in the square of the period",
+    ask: "What does the factor two pi become when the equation for the period is squared?",
+    hint: "Write the period as a factor times a square root, and square all of it.",
 };
 /// `1 - ecc`.
 pub const ECCENTRICITY: Misconception = Misconception {
     id: "eccentricity-not-squared",
     does: "does not square the eccentricity",
-    ask: "With which power does the eccentricity stand in the parameter of the orbit?",
-    hint: "Multiply the distances of the nearest and of the farthest point, in terms of the axis and the eccentricity.",
+    ask: "To which power is the eccentricity raised in the parameter of the orbit?",
+    hint: "Multiply the distances of the nearest and the farthest point, in terms of the semi-major axis and the eccentricity.",
 };
 
 /// Wrong forms of energy under gravity.

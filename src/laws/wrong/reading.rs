@@ -6,36 +6,36 @@ use super::geometry::OTHER_AXIS;
 /// Prefixes and multiples overlooked.
 pub const GRAMS: Misconception = Misconception {
     id: "grams-as-kilograms",
-    does: "puts grams where kilograms belong",
-    ask: "In which unit is the mass given, and in which must it enter?",
+    does: "uses grams where kilograms belong",
+    ask: "In which unit is the mass given, and in which must you use it?",
     hint: "Convert every mass to kilograms before you calculate.",
 };
 /// Tonnes as kilograms.
 pub const TONNES: Misconception = Misconception {
     id: "tonnes-as-kilograms",
-    does: "puts tonnes where kilograms belong",
-    ask: "In which unit is the mass given, and in which must it enter?",
+    does: "uses tonnes where kilograms belong",
+    ask: "In which unit is the mass given, and in which must you use it?",
     hint: "Convert every mass to kilograms before you calculate.",
 };
 /// Kilometres per hour as metres per second.
 pub const KILOMETRES_PER_HOUR: Misconception = Misconception {
     id: "kilometres-per-hour-as-metres-per-second",
-    does: "puts kilometres per hour where metres per second belong",
-    ask: "In which unit is the speed given, and in which must it enter?",
+    does: "uses kilometres per hour where metres per second belong",
+    ask: "In which unit is the speed given, and in which must you use it?",
     hint: "Convert every speed to metres per second before you calculate.",
 };
 /// Degrees as radians.
 pub const DEGREES: Misconception = Misconception {
     id: "degrees-as-radians",
-    does: "works out sines and cosines of degrees as if they were radians",
+    does: "calculates sines and cosines of degrees as if they were radians",
     ask: "Does your calculator work in degrees or in radians?",
-    hint: "Work out the sine of a right angle with it: it must be one.",
+    hint: "Calculate the sine of a right angle with it: it must be one.",
 };
 /// Lengths in a multiple of the metre.
 pub const LENGTHS: Misconception = Misconception {
     id: "lengths-not-in-metres",
-    does: "puts centimetres, millimetres or kilometres where metres belong",
-    ask: "In which unit is the length given, and in which must it enter?",
+    does: "uses centimetres, millimetres or kilometres where metres belong",
+    ask: "In which unit is the length given, and in which must you use it?",
     hint: "Convert every length to metres before you calculate.",
 };
 /// Areas in a multiple of the square metre.
@@ -43,42 +43,42 @@ pub const AREAS: Misconception = Misconception {
     id: "areas-converted-as-lengths",
     does: "converts an area with the factor of a length",
     ask: "How many square centimetres fill a square metre?",
-    hint: "Both sides of a square are converted: the factor of the length enters squared.",
+    hint: "Both sides of a square are converted: the factor of the length is squared.",
 };
 /// Times in a multiple of the second.
 pub const TIMES: Misconception = Misconception {
     id: "times-not-in-seconds",
-    does: "puts milliseconds or minutes where seconds belong",
-    ask: "In which unit is the time given, and in which must it enter?",
+    does: "uses milliseconds or minutes where seconds belong",
+    ask: "In which unit is the time given, and in which must you use it?",
     hint: "Convert every time to seconds before you calculate.",
 };
 /// Forces in a multiple of the newton.
 pub const FORCES: Misconception = Misconception {
     id: "forces-not-in-newtons",
-    does: "puts kilonewtons where newtons belong",
-    ask: "In which unit is the force or its moment given, and in which must it enter?",
+    does: "uses kilonewtons where newtons belong",
+    ask: "In which unit is the force or its moment given, and in which must you use it?",
     hint: "Convert every force to newtons before you calculate.",
 };
 /// Ounces as pounds.
 pub const OUNCES: Misconception = Misconception {
     id: "ounces-as-pounds",
-    does: "puts ounces where pounds belong",
-    ask: "In which unit is the weight given, and in which must it enter?",
+    does: "uses ounces where pounds belong",
+    ask: "In which unit is the weight given, and in which must you use it?",
     hint: "Convert every weight to pounds before you calculate.",
 };
 /// The direction of an answer lost.
 pub const DIRECTION: Misconception = Misconception {
     id: "direction-reversed",
     does: "gives the answer the opposite sign",
-    ask: "In which direction does your sign say that it points? Does the picture agree?",
-    hint: "Draw the axis and the arrow of your answer beside each other.",
+    ask: "Which direction does your sign mean? Does it agree with the picture?",
+    hint: "Draw the axis and the arrow of your answer next to each other.",
 };
 /// `180 deg - x`.
 pub const SUPPLEMENT: Misconception = Misconception {
     id: "angle-supplement",
-    does: "gives the angle to the other end of the line",
-    ask: "From which end of the axis is the angle counted?",
-    hint: "Draw the direction and the axis with its arrow, then count.",
+    does: "measures the angle from the other end of the line",
+    ask: "From which end of the axis is the angle measured?",
+    hint: "Draw the direction and the axis with its arrow, then measure the angle between the arrows.",
 };
 /// One more or less.
 pub const COUNT: Misconception = Misconception {

@@ -18,15 +18,15 @@ use super::rewrite::terms;
 pub const INVERTED: Misconception = Misconception {
     id: "restitution-inverted",
     does: "divides by the coefficient of restitution",
-    ask: "Which is the larger one in an impact that loses energy: the speed of approach, or that of separation?",
+    ask: "Which is larger in an impact that loses energy: the speed of approach, or that of separation?",
     hint: "The coefficient of restitution is at most one. Which of the two speeds does it multiply?",
 };
 /// Velocities in the wrong order.
 pub const ORDER: Misconception = Misconception {
     id: "separation-reversed",
     does: "subtracts the velocities of separation in the order of approach",
-    ask: "Which body is ahead after the impact, and whose velocity must then be the larger one?",
-    hint: "Approach is first minus second, separation second minus first.",
+    ask: "Which body is ahead after the impact, and whose velocity must then be larger?",
+    hint: "Approach is first minus second; separation is second minus first.",
 };
 /// A relative velocity as a sum.
 pub const ADDED: Misconception = Misconception {
@@ -38,9 +38,9 @@ pub const ADDED: Misconception = Misconception {
 /// e as the ratio of the velocities of one body.
 pub const ONE_BODY: Misconception = Misconception {
     id: "restitution-of-one-body",
-    does: "lets one body rebound with e times its own velocity",
+    does: "makes one body rebound with e times its own velocity",
     ask: "Does restitution compare the velocities of one body, or the relative velocities of two?",
-    hint: "Only a wall that does not move turns one body back with e times its own speed.",
+    hint: "Only from a fixed wall does a body rebound with e times its own speed.",
 };
 /// e left out.
 pub const ELASTIC: Misconception = Misconception {
@@ -52,38 +52,38 @@ pub const ELASTIC: Misconception = Misconception {
 /// Velocities exchanged, as of equal masses in an elastic impact.
 pub const EXCHANGED: Misconception = Misconception {
     id: "velocities-exchanged",
-    does: "lets the bodies exchange their velocities",
-    ask: "Under which two conditions do bodies simply exchange their velocities? Does each of them hold here?",
-    hint: "It takes equal masses and a perfectly elastic impact.",
+    does: "assumes that the bodies exchange their velocities",
+    ask: "Under which two conditions do bodies simply exchange their velocities? Do both hold here?",
+    hint: "The masses must be equal, and the impact perfectly elastic.",
 };
 /// e as a share of energy.
 pub const AS_ENERGY: Misconception = Misconception {
     id: "restitution-of-energy",
-    does: "takes the coefficient of restitution for a ratio of energies",
+    does: "mistakes the coefficient of restitution for a ratio of energies",
     ask: "Is the coefficient of restitution a ratio of speeds, or of energies?",
-    hint: "Energies go with the squares of speeds; the coefficient compares the speeds themselves.",
+    hint: "Energies are proportional to the squares of speeds; the coefficient compares the speeds themselves.",
 };
 /// Through the wall.
 pub const THROUGH: Misconception = Misconception {
     id: "rebound-sign-lost",
-    does: "lets the body go on in the direction in which it came",
+    does: "lets the body continue in its original direction",
     ask: "Which way does the body move along the normal before the impact, and which way after it?",
-    hint: "The component along the normal turns round, so its sign changes.",
+    hint: "The component along the normal reverses, so its sign changes.",
 };
 /// A moving surface taken to be at rest.
 pub const AT_REST: Misconception = Misconception {
     id: "surface-at-rest",
     does: "takes a moving surface to be at rest",
-    ask: "Does the surface itself move? With which velocity does the body come as seen from it?",
+    ask: "Does the surface itself move? What is the velocity of the body relative to it?",
     hint: "Restitution compares velocities relative to the surface.",
 };
 
 /// The body that strikes comes to rest.
 pub const STRIKER_STOPS: Misconception = Misconception {
     id: "striker-stops",
-    does: "lets the body that strikes come to rest, though the bodies stay together",
+    does: "assumes that the striking body comes to rest, although the bodies stay together",
     ask: "If the bodies stay together, can one of them be at rest while the other moves?",
-    hint: "Bodies that stay together have one velocity, and both masses move with it.",
+    hint: "Bodies that stay together have the same velocity, and both masses move with it.",
 };
 
 /// Wrong forms of a plastic impact.

@@ -14,37 +14,37 @@ use super::rewrite::terms;
 /// A relative velocity as one over the ground.
 pub const ABSOLUTE: Misconception = Misconception {
     id: "relative-velocity-as-absolute",
-    does: "takes a relative velocity for a velocity over the ground",
-    ask: "Relative to what is this velocity given, and does that move too?",
-    hint: "Momentum is counted with velocities over the ground: add the velocity of the body to which it is relative.",
+    does: "mistakes a relative velocity for a velocity relative to the ground",
+    ask: "Relative to what is this velocity given, and does that body move, too?",
+    hint: "Momentum is calculated with velocities relative to the ground: add the velocity of the body to which it is relative.",
 };
 /// The difference taken the wrong way round.
 pub const REVERSED: Misconception = Misconception {
     id: "relative-velocity-reversed",
     does: "subtracts the velocities of a relative one in the wrong order",
-    ask: "Which of the two bodies is looked at, and from which is it seen?",
-    hint: "The velocity of A relative to B is that of A less that of B.",
+    ask: "Which body's velocity is it, and relative to which other body?",
+    hint: "The velocity of A relative to B is that of A minus that of B.",
 };
 /// Kinetic energy before left out.
 pub const START: Misconception = Misconception {
     id: "start-energy-forgotten",
     does: "leaves out the kinetic energy that was there before",
     ask: "Did anything move before the energy was released?",
-    hint: "The energy released is added to the kinetic energy that the bodies had already.",
+    hint: "The energy released is added to the kinetic energy that the bodies already had.",
 };
 /// Energy released as energy lost.
 pub const SUBTRACTED: Misconception = Misconception {
     id: "released-energy-subtracted",
     does: "subtracts the energy that is released",
     ask: "Is there more kinetic energy after the separation, or less?",
-    hint: "What a spring or an explosive gives is gained by the motion.",
+    hint: "The energy of a spring or an explosive is added to the kinetic energy.",
 };
 
 /// Momentum conserved where a guide acts.
 pub const GUIDE_FORGOTTEN: Misconception = Misconception {
     id: "guide-forgotten",
-    does: "conserves the momentum at right angles to a guide, too, as if the guide gave no impulse",
-    ask: "Does anything from outside give an impulse at right angles to the guide?",
+    does: "conserves the momentum at right angles to a guide, too, as if the guide exerted no impulse",
+    ask: "Does any external impulse act at right angles to the guide?",
     hint: "Rails, a floor or a cord hold the body with whatever impulse is needed: momentum is conserved along the guide only.",
 };
 

@@ -19,48 +19,48 @@ pub const LEAVING_ADDED: Misconception = Misconception {
     id: "leaving-stream-added",
     does: "gives the momentum that leaves with the stream the wrong sign",
     ask: "Where does the stream go when it leaves the body, forwards or backwards?",
-    hint: "The force is the change: the velocity before less the velocity after, each with its sign.",
+    hint: "The force comes from the change: the velocity before minus the velocity after, each with its sign.",
 };
 /// What leaves a vane left out.
 pub const LEAVING_FORGOTTEN: Misconception = Misconception {
     id: "leaving-stream-forgotten",
-    does: "leaves out the momentum with which the stream goes away",
+    does: "leaves out the momentum that the stream has when it leaves",
     ask: "Does the stream have any momentum when it leaves the body?",
     hint: "Only a stream that spreads at right angles, or stays, leaves with no momentum along its old direction.",
 };
 /// The speed over the ground on a moving body.
 pub const BODY_SPEED: Misconception = Misconception {
     id: "speed-of-body-forgotten",
-    does: "takes the speed of the stream over the ground, though the body moves",
-    ask: "How fast does the stream move as seen from the body?",
-    hint: "Take the speed of the body away from that of the stream, for what arrives and for how fast it arrives.",
+    does: "uses the speed of the stream relative to the ground, although the body moves",
+    ask: "How fast does the stream move relative to the body?",
+    hint: "Subtract the speed of the body from that of the stream, both in the mass flow and in the change of velocity.",
 };
 /// A stream taken to come back.
 pub const RETURNED: Misconception = Misconception {
     id: "stream-taken-to-return",
-    does: "lets the stream come straight back, though it does not",
+    does: "assumes that the stream comes straight back, although it does not",
     ask: "Where does the stream go after it has met the body?",
-    hint: "A stream that comes straight back gives twice the force of one that spreads sideways, or stays.",
+    hint: "A stream that comes straight back exerts twice the force of one that spreads sideways, or stays.",
 };
 /// `q v / 2` for `q v`.
 pub const STREAM_ENERGY: Misconception = Misconception {
     id: "energy-for-momentum-of-stream",
-    does: "takes the force from the kinetic energy that the stream gains or loses",
+    does: "calculates the force from the kinetic energy that the stream gains or loses",
     ask: "Does all the work of the force become kinetic energy of the stream, or is some of it lost as the stream is slowed or dragged along?",
-    hint: "Use momentum: the force is the mass flow times the change of velocity, without a factor of a half.",
+    hint: "Use momentum: the force is the mass flow times the change of velocity, without a factor of one half.",
 };
 /// The mass taken to stay.
 pub const MASS_KEPT: Misconception = Misconception {
     id: "rocket-mass-kept",
     does: "divides the momentum of the exhaust by the mass at the start, as if the mass stayed the same",
     ask: "Does the thrust move the same mass at the end of the burn as at its start?",
-    hint: "The rocket becomes lighter all the time: small gains add up to a logarithm.",
+    hint: "The rocket becomes lighter all the time: the small gains in velocity add up to a logarithm.",
 };
 /// A logarithm to the base of ten.
 pub const BASE_TEN: Misconception = Misconception {
     id: "logarithm-to-base-ten",
-    does: "takes the logarithm to the base of ten",
-    ask: "Which logarithm comes of integrating one over the mass?",
+    does: "uses the logarithm to base ten",
+    ask: "Which logarithm results from integrating one over the mass?",
     hint: "The integral of one over the mass is the natural logarithm of the mass.",
 };
 

@@ -74,7 +74,7 @@ pub(super) fn moment_of_forces(builder: &mut Builder<'_>, name: &Name) -> Option
     let meaning = format!("{component}the moment of the forces about {centre} {}", builder.when(instant));
     let spelling = builder.spelling(name);
     let symbol = builder.symbol(spelling, Dimension::ENERGY, meaning);
-    let because = "each force is counted with its arm";
+    let because = "each force is multiplied by its arm";
     builder.law(&angular::MOMENT, None, because, (symbol.into(), Expr::sum(terms)));
     Some(symbol)
 }
@@ -157,7 +157,7 @@ impl Builder<'_> {
                 return;
             };
             let Some(moment) = angular::moments(&arm, velocity).into_iter().nth(turning) else { return };
-            let because = "the motion is that of the centre of mass and that about it";
+            let because = "the motion consists of that of the centre of mass and that about it";
             let sides = (whole.into(), mass.clone() * moment + Expr::from(about_centre));
             self.law_at(SECOND_COST, &mass_centre::ANGULAR, None, because, sides);
         }

@@ -55,7 +55,7 @@ pub(super) fn work(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let symbol = builder.symbol(format!("work{suffix}"), Dimension::ENERGY, meaning);
     let [before, after] = [stage + 1, stage + 2].map(|instant| builder.resolve(&format!("T_{instant}")));
     let sides = energy::work_energy(before?.into(), [symbol.into()], after?.into());
-    let because = "the work of all forces is what makes the kinetic energy change";
+    let because = "the work of all forces equals the change in kinetic energy";
     builder.law(&energy::WORK_ENERGY, Some(stage), because, sides);
     Some(symbol)
 }

@@ -34,7 +34,7 @@ impl Builder<'_> {
         let alive = self.timeline.alive(instant);
         let kept = alive.iter().filter(|body| self.timeline.since(body, instant).is_some_and(|since| since < instant));
         let kept: Vec<String> = kept.map(|body| self.called(body)).collect();
-        let whole = "the centre of mass carries the momentum of the whole system";
+        let whole = "the momentum of the system is its total mass times the velocity of the centre of mass";
         match &kept[..] {
             [] => whole.to_owned(),
             [only] => format!("{whole}, and {only} keeps its velocity"),
@@ -62,9 +62,9 @@ impl Builder<'_> {
         let parts = self.carriers(instant, axis);
         let total = mass_centre::total_mass(&parts);
         let because = if outside.is_empty() {
-            "no impulse from outside acts on the system, and the inner ones cancel".to_owned()
+            "no external impulse acts on the system, and the internal impulses cancel".to_owned()
         } else {
-            "the impulses within the system cancel, and only those from outside change the motion of its centre of mass"
+            "the internal impulses cancel, and only external impulses change the velocity of the centre of mass"
                 .to_owned()
         };
         let sides = momentum::impulse_momentum(&total, &before.into(), &outside, &after.into());
@@ -93,7 +93,7 @@ pub(super) fn mass_centre_position(builder: &mut Builder<'_>, name: &Name, insta
     builder.law(
         &mass_centre::MASS_CENTRE,
         None,
-        "the centre of mass is the mean position, each body counted by its mass",
+        "the position of the centre of mass is the average of the positions, weighted by mass",
         sides,
     );
     builder.path_of_mass_centre(instant, axis, symbol);
@@ -136,7 +136,7 @@ impl Builder<'_> {
             None => kinematics::uniform(&from, &velocity, &time, &after.into()),
         };
         let because =
-            "the forces within the system cancel, and the centre of mass moves as one body of the whole mass would";
+            "the internal forces cancel, and the centre of mass moves as a single body of the total mass would";
         self.law(&mass_centre::PATH, Some(index), because, sides);
     }
 }

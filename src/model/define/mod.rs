@@ -191,9 +191,9 @@ impl Builder<'_> {
     /// The time from the start to an instant.
     pub(super) fn clock(&mut self, instant: usize) -> Option<Symbol> {
         let time = self.time_until(instant)?;
-        let meaning = format!("the time {}, counted from the start", self.when(instant));
+        let meaning = format!("the time {}, measured from the start", self.when(instant));
         let symbol = self.symbol(format!("t_{instant}"), Dimension::TIME, meaning);
-        let because = "all durations are counted from the start";
+        let because = "all times are measured from the start";
         self.law(&kinematics::CLOCK, None, because, (symbol.into(), time));
         Some(symbol)
     }

@@ -23,7 +23,7 @@ pub(super) fn deformation(builder: &mut Builder<'_>, name: &Name) -> Option<Symb
     let Deformed { masses, before } = builder.deformed(stage)?;
     let (mass, start) = masses.into_iter().zip(before).find_map(|(mass, start)| Some((mass?, start)))?;
     let slowed = mass * (start - common.into());
-    let because = "until then it has given the first body its change of momentum";
+    let because = "the impulse of deformation is the first body's change of momentum up to that instant";
     builder.law(&restitution::DEFORMATION, Some(stage), because, (symbol.into(), slowed));
     Some(symbol)
 }
@@ -62,15 +62,14 @@ fn impulse(builder: &mut Builder<'_>, stage: usize, base: &str, phase: &str) -> 
 fn common_symbol(builder: &mut Builder<'_>, stage: usize) -> Option<Symbol> {
     let suffix = builder.stage_suffix(stage);
     let phrase = builder.stage_phrase(stage);
-    let meaning =
-        format!("the velocity that both have along the line of impact at the greatest deformation in {phrase}");
+    let meaning = format!("the common velocity along the line of impact at the greatest deformation in {phrase}");
     let symbol = builder.symbol(format!("v_common{suffix}"), Dimension::VELOCITY, meaning);
     let Deformed { masses: [first, second], before: [a, b] } = builder.deformed(stage)?;
     let common = Expr::from(symbol);
     let (because, sides) = match (first, second) {
         (Some(first), Some(second)) => {
             let start = first.clone() * a + second.clone() * b;
-            ("at the greatest deformation both have one velocity", (start, (first + second) * common))
+            ("at the greatest deformation both have the same velocity", (start, (first + second) * common))
         }
         _ => ("at the greatest deformation the body has the velocity of the surface", (common, b)),
     };

@@ -25,7 +25,12 @@ pub(super) fn relative_velocity(builder: &mut Builder<'_>, name: &Name) -> Optio
     );
     let symbol = builder.symbol(format!("v_rel_{body}{instant}{letter}"), Dimension::VELOCITY, meaning);
     let sides = (symbol.into(), own - Expr::from(centre));
-    builder.law(&mass_centre::RELATIVE, None, format!("{owner} is seen from the centre of mass"), sides);
+    builder.law(
+        &mass_centre::RELATIVE,
+        None,
+        format!("the velocity of {owner} is taken relative to the centre of mass"),
+        sides,
+    );
     if builder.defined.insert(format!("relative {instant}{letter}")) {
         let bodies: Vec<String> = builder.timeline.alive(instant).into_iter().map(str::to_owned).collect();
         let mut terms = Vec::new();
@@ -33,7 +38,7 @@ pub(super) fn relative_velocity(builder: &mut Builder<'_>, name: &Name) -> Optio
             let relative = builder.resolve(&format!("v_rel_{body}{instant}{letter}"))?;
             terms.push(builder.mass(&body) * Expr::from(relative));
         }
-        let because = "seen from the centre of mass, the system as a whole stands still";
+        let because = "relative to the centre of mass, the total momentum of the system is zero";
         builder.law_at(SECOND_COST, &mass_centre::NO_MOMENTUM, None, because, (Expr::sum(terms), Expr::zero()));
     }
     Some(symbol)
@@ -58,7 +63,7 @@ pub(super) fn relative_energy(builder: &mut Builder<'_>, name: &Name) -> Option<
     let because = "the velocities are those relative to the centre of mass";
     builder.law(&energy::KINETIC, None, because, (symbol.into(), Expr::sum(terms)));
     let [whole, centre] = ["T_", "T_G"].map(|base| builder.resolve(&format!("{base}{instant}")).map(Expr::from));
-    let because = "the motion is that of the centre of mass and that relative to it";
+    let because = "the motion consists of that of the centre of mass and that relative to it";
     builder.law(&mass_centre::ENERGY, None, because, (whole?, centre? + Expr::from(symbol)));
     Some(symbol)
 }
@@ -75,9 +80,9 @@ pub(super) fn energy_of_the_centre(builder: &mut Builder<'_>, instant: usize) ->
     let bodies: Vec<String> = builder.timeline.alive(instant).into_iter().map(str::to_owned).collect();
     let mass = Expr::sum(bodies.iter().map(|body| builder.mass(body)).collect::<Vec<_>>());
     let meaning =
-        format!("the kinetic energy of the whole mass moving with the centre of mass {}", builder.when(instant));
+        format!("the kinetic energy of the total mass moving with the centre of mass {}", builder.when(instant));
     let symbol = builder.symbol(format!("T_G{instant}"), Dimension::ENERGY, meaning);
-    let because = "the whole mass is counted with the velocity of the centre of mass";
+    let because = "the total mass is taken with the velocity of the centre of mass";
     builder.law(&energy::KINETIC, None, because, (symbol.into(), energy::kinetic(&mass, &velocity)));
     Some(symbol)
 }

@@ -100,7 +100,7 @@ impl Builder<'_> {
         if self.axes.len() == 2 && both_velocities {
             let [one, other] = [one, other].map(|name| self.resolve(&name.replacen("v_", "angle_", 1)));
             let apart = Expr::from(one?) - Expr::from(other?);
-            let because = "it is the difference of the directions, whichever way round it is counted";
+            let because = "it is the difference between the directions, without its sign";
             self.law_at(SECOND_COST, &geometry::BETWEEN, None, because, (apart.cos(), Expr::from(angle).cos()));
         }
         Some(angle)

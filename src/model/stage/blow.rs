@@ -68,7 +68,7 @@ impl Builder<'_> {
         } else if self.scene.plane == Plane::Vertical {
             self.neglect(
                 "weight during the blow",
-                "it is not impulsive: its impulse in so short a time is negligible beside that of the blow",
+                "it is not impulsive: its impulse in so short a time is negligible compared with that of the blow",
             );
         }
         self.weigh_contact(&contact, &[(body, body)], false);

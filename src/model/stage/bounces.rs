@@ -35,7 +35,7 @@ impl Builder<'_> {
             impulsive: true,
         });
         self.neglect("air resistance", "the problem does not mention any");
-        self.neglect("the duration of each contact", "it is short beside the time in the air");
+        self.neglect("the duration of each contact", "it is short compared with the time in the air");
     }
 
     /// Whether the height of a drop says how the body arrives: of the fall just before, or `h_0`.
@@ -50,7 +50,7 @@ impl Builder<'_> {
         let gravity = self.gravity();
         let drop = self.drop_height(index, &stage.body);
         if index > 0 {
-            let because = format!("{name} is let go from rest");
+            let because = format!("{name} is released from rest");
             for velocity in self.velocities(&stage.body, index) {
                 self.law(&kinematics::REST, Some(index), because.clone(), (velocity, Expr::zero()));
             }
@@ -90,7 +90,7 @@ impl Builder<'_> {
             law(
                 self,
                 (&bouncing::BOUNCE_TIME, &times),
-                ("t_n", Dimension::TIME, "the time of the n-th bounce, counted from the release".into()),
+                ("t_n", Dimension::TIME, "the time of the n-th bounce, measured from the release".into()),
                 time,
             );
         }
@@ -98,14 +98,14 @@ impl Builder<'_> {
         law(
             self,
             (&bouncing::BOUNCE_TIME, &times),
-            ("t_total", Dimension::TIME, format!("the time after which {name} lies still, counted from the release")),
+            ("t_total", Dimension::TIME, format!("the time at which {name} comes to rest, measured from the release")),
             total,
         );
         let path_length = bouncing::total_path(e, &drop);
         law(
             self,
             (&bouncing::BOUNCE_PATH, &heights),
-            ("path_total", Dimension::LENGTH, format!("the whole path of {name}")),
+            ("path_total", Dimension::LENGTH, format!("the total distance travelled by {name}")),
             path_length,
         );
     }

@@ -93,7 +93,7 @@ impl Builder<'_> {
         own.law(
             self,
             &bouncing::BOUNCE_FLIGHT,
-            &format!("{name} comes back to the floor as fast as it left it"),
+            &format!("{name} returns to the floor with the speed with which it left"),
             (flight, value),
         );
         let start = self.resolve(&format!("t_{}", own.index + 1)).map_or_else(Expr::zero, Expr::from);
@@ -115,7 +115,7 @@ impl Builder<'_> {
         let because = if level {
             format!("the floor is smooth and level: nothing changes the velocity of {} along it", own.name)
         } else {
-            format!("the floor is smooth: along it {} has the acceleration of its weight alone", own.name)
+            format!("the floor is smooth: along it, only weight accelerates {}", own.name)
         };
         let way = |time: &Expr| bouncing::along(&along.velocity, &along.acceleration, time);
         let times = [

@@ -131,7 +131,7 @@ impl Builder<'_> {
         let since = self.timeline.since(body, instant).unwrap_or(instant);
         let meaning = format!("the depth of {} below the centre of the bowl {}", self.called(body), self.when(since));
         let depth = Expr::from(self.symbol(format!("depth_{body}{since}"), Dimension::LENGTH, meaning));
-        let because = "the place lies on the sphere, below its centre";
+        let because = "the position is on the sphere, below its centre";
         let sides = (distance.clone().powi(2) + depth.clone().powi(2), radius.clone().powi(2));
         self.law(&geometry::HEIGHT_IN_BOWL, Some(index), because, sides);
         let reason = "it would lie above the centre of the bowl";
@@ -144,7 +144,7 @@ impl Builder<'_> {
     /// factor that is zero at the first level divided out, which leaves `v^2 a = 2 g b`.
     fn other_level(&mut self, index: usize, stage: &Bowl, a: Expr, b: Expr) {
         let (_, across) = self.polar_state(&stage.body, &stage.about, index + 1);
-        let because = "angular momentum is put into the balance of energy; the solution that is the first level itself is divided out";
+        let because = "angular momentum is substituted into the energy balance; the root that is the first level itself is divided out";
         let sides = (across.powi(2) * a, Expr::product([Expr::integer(2), self.gravity(), b]));
         self.law_at(SECOND_COST, &energy::CONSERVATION, Some(index), because, sides);
     }

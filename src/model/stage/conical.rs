@@ -41,7 +41,7 @@ impl Builder<'_> {
         self.neglect("the mass of the cord", "it is light");
         self.not_needed(
             format!("the motion of {name} while the cord is drawn in"),
-            "only the steady circles are asked about",
+            "the question concerns only the steady circles",
         );
     }
 
@@ -83,7 +83,7 @@ impl Builder<'_> {
         // With the speed put in, the angle alone is left: v^2 = g L sin tan.
         let tangent = Expr::apply(Function::Tan, angle.clone());
         let squares = [mass.powi(2), self.gravity(), length.powi(3), angle.sin().powi(3), tangent];
-        let because = "the speed of the steady circle is put into the square of the angular momentum";
+        let because = "the speed of the steady circle is substituted into the square of the angular momentum";
         let sides = (momentum.clone().powi(2), Expr::product(squares));
         self.law_at(SECOND_COST, &force::CONICAL, Some(index), because, sides);
         momentum

@@ -65,8 +65,7 @@ impl Builder<'_> {
             Expr::from(self.symbol(format!("tension{}", self.stage_suffix(index)), Dimension::FORCE, meaning));
         let sides = [&trailing, &leading];
         let because = format!(
-            "the string runs freely over {pulley} and pulls both equally, {} forwards and {} back along it, so that its impulses drop \
-             out of the sum",
+            "the string runs freely over {pulley} and pulls both equally, {} forwards and {} back along it, so its impulses cancel in the sum",
             trailing.name, leading.name
         );
         let masses =
@@ -83,7 +82,7 @@ impl Builder<'_> {
                 _ => ("the tension of each strand".to_owned(), side.of_string(&tension)),
             };
             let pull = Expr::integer(sign) * pull;
-            let because = format!("{what} and what else acts on {} along the string change its momentum", side.name);
+            let because = format!("{what} and the other forces on {} along the string change its momentum", side.name);
             let impulses = [(pull + side.drive.clone()) * duration.clone()];
             let sides = momentum::impulse_momentum(&side.mass, &side.before, &impulses, &side.after);
             self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
@@ -101,7 +100,7 @@ impl Builder<'_> {
             let run = leading.of_string(&distance);
             let works = sides
                 .map(|side| Expr::product([side.drive.clone(), run.clone(), side.strands.clone().powi(-1)]).simplify());
-            let because = "what the string does on one body it takes from the other, and it does no work in all";
+            let because = "the string does equal and opposite work on the two bodies, so its total work is zero";
             let sides =
                 energy::work_energy(kinetic(&|side| side.before.clone()), works, kinetic(&|side| side.after.clone()));
             self.law(&energy::WORK_ENERGY, Some(index), because, sides);
@@ -136,7 +135,7 @@ impl Builder<'_> {
         let weight = mass.clone() * self.gravity();
         let hung = (1..=MOST_STRANDS).contains(&strand.strands()) && (strand.strands() == 1 || strand.hangs());
         if !hung {
-            let message = format!("{name} does not hang on {} strands", strand.strands());
+            let message = format!("{name} cannot hang on {} strands", strand.strands());
             let help = format!("a body that hangs has 1 to {MOST_STRANDS} strands, and one that slides has one");
             self.faults.push(Fault::new(Code::Value, message).help(help).at_path(path.key("strands")));
         }

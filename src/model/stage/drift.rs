@@ -27,13 +27,13 @@ impl Builder<'_> {
         for body in &bodies {
             for (position, axis) in axes.iter().enumerate() {
                 if self.downwards(position).is_some() {
-                    let fault = Fault::new(Code::Value, "bodies do not keep their velocity where weight acts");
-                    self.faults.push(fault.help("use `flight`, or leave `plane: vertical` out").at_path(path.clone()));
+                    let fault = Fault::new(Code::Value, "bodies do not keep their velocity when weight acts");
+                    self.faults.push(fault.help("use `flight`, or remove `plane: vertical`").at_path(path.clone()));
                     return;
                 }
                 let [before, after] = [index + 1, index + 2].map(|instant| self.place(body, instant, *axis));
                 let velocity = self.velocity(body, index + 1, *axis);
-                let because = format!("nothing acts on {} during {phrase}", self.called(body));
+                let because = format!("no net force acts on {} during {phrase}", self.called(body));
                 let sides = kinematics::uniform(&before, &velocity, &time, &after);
                 if let Expr::Symbol(place) = after {
                     moved.insert(place, sides.1.clone());

@@ -26,7 +26,7 @@ impl Builder<'_> {
         for (position, axis) in axes.iter().enumerate() {
             let [before, after] = [index + 1, index + 2].map(|instant| self.velocity(body, instant, *axis));
             let Some(down) = self.downwards(position) else {
-                let because = format!("weight has no part along {}", axis.letter());
+                let because = format!("weight has no component along {}", axis.letter());
                 self.law(&crate::laws::momentum::NO_IMPULSE, Some(index), because, (after, before));
                 continue;
             };

@@ -79,7 +79,7 @@ impl Builder<'_> {
             let [from, to] = [index + 1, index + 2].map(|instant| self.place(body, instant, *axis));
             let along = if axes.len() > 1 { format!(" along {}", axis.letter()) } else { String::new() };
             let Some(gravity) = self.accelerates(position, falls) else {
-                let because = format!("nothing acts on {name}{along}");
+                let because = format!("no force acts on {name}{along}");
                 self.law(&crate::laws::momentum::NO_IMPULSE, Some(index), because.clone(), (after, before.clone()));
                 let sides = kinematics::uniform(&from, &before, time, &to);
                 self.law(&kinematics::UNIFORM, Some(index), because, sides);
@@ -130,14 +130,14 @@ impl Builder<'_> {
             let axis = upright.and_then(|position| Some(self.axes.get(position)?.0));
             for (body, axis) in bodies.iter().zip(axis) {
                 let velocity = self.velocity(body, index + 2, axis);
-                let because = format!("at the top of its path {} moves neither up nor down", self.called(body));
+                let because = format!("at the top of its path, {} moves neither up nor down", self.called(body));
                 self.law(&kinematics::TOP, Some(index), because, (velocity, Expr::zero()));
             }
             return;
         }
         let Some((left, right)) = text.split_once('=') else {
             let fault = Fault::new(Code::Syntax, format!("`{text}` does not say when a flight ends"));
-            let help = "write `top`, or an equation in the places then, such as `y = 0 m` or `x_A = d`";
+            let help = "write `top`, or an equation for the positions at that instant, such as `y = 0 m` or `x_A = d`";
             self.faults.push(fault.help(help).at_path(path.clone()));
             return;
         };

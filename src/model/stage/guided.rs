@@ -20,7 +20,7 @@ impl Builder<'_> {
         let index = contact.index;
         let frame = self.line_of_impact(contact);
         let (name_a, name_b) = (self.called(first), self.called(second));
-        let because = format!("the impulses that {name_a} and {name_b} give each other cancel");
+        let because = format!("the impulses that {name_a} and {name_b} exert on each other cancel");
         let Some(frame) = frame else {
             self.momentum_of_all(index, &because, [&[first, second], &[first, second]]);
             if contact.stage.loss.is_none() && !contact.stage.elastic {
@@ -55,12 +55,12 @@ impl Builder<'_> {
         }
         self.momentum_of_all(index, &because, [&[first, second], &[first, second]]);
         if let Some(e) = self.coefficient(contact) {
-            let because = "restitution acts along the line of impact only, whatever holds the bodies";
+            let because = "restitution acts along the line of impact only, whatever guides the bodies";
             let sides = restitution::restitution(&e, [&a1.along, &b1.along], [&a2.along, &b2.along]);
             self.law(&restitution::RESTITUTION, Some(index), because, sides);
         }
         self.parts_no_faster(contact, [&a1.along, &b1.along], [&a2.along, &b2.along]);
-        let reason = format!("{name_a} would not catch up with {name_b}, so that no impact would happen");
+        let reason = format!("{name_a} would not catch up with {name_b}, so there would be no impact");
         self.require(Warning::NoImpact, a1.along, Relation::Greater, b1.along, reason);
         let reason = format!("{name_a} would pass through {name_b}");
         self.require(Warning::PassesThrough, b2.along, Relation::AtLeast, a2.along, reason);
@@ -70,7 +70,7 @@ impl Builder<'_> {
     pub(super) fn guided_union(&mut self, contact: &Contact<'_>, first: &str, second: &str) {
         let index = contact.index;
         let (name_a, name_b) = (self.called(first), self.called(second));
-        let because = format!("the impulses that {name_a} and {name_b} give each other cancel");
+        let because = format!("the impulses that {name_a} and {name_b} exert on each other cancel");
         match &contact.stage.becomes {
             Some(union) => self.momentum_of_all(index, &because, [&[first, second], &[union]]),
             None => {

@@ -60,7 +60,7 @@ impl Builder<'_> {
             Some(Partners::Bodies(first, second)) => {
                 if !stage.include.is_empty() {
                     let fault = Fault::new(Code::Value, "an impact of two bodies cannot include weight");
-                    let help = "leave it out, and write `allow: [weight-neglected]` where it is not small";
+                    let help = "remove it; write `allow: [weight-neglected]` if weight is not small";
                     self.faults.push(fault.help(help).at_path(path.key("include")));
                 }
                 self.weigh_contact(&lasting, &[after(first), after(second)], false);
@@ -79,7 +79,7 @@ impl Builder<'_> {
             None => return,
         };
         if stage.loss.is_some() {
-            let reason = "a loss below zero would create kinetic energy";
+            let reason = "a negative loss would create kinetic energy";
             self.require(Warning::EnergyCreated, loss.clone(), Relation::AtLeast, Expr::zero(), reason);
         }
         let bodies: Vec<&str> = match stage.partners() {
@@ -124,8 +124,9 @@ impl Builder<'_> {
 
         let along = |split: &Split| split.along.clone();
         self.internal_impulse(contact, [first, second], &frame, [&mass_a, &mass_b], [&a1, &b1], [&a2, &b2]);
-        let because =
-            format!("the impulses that {name_a} and {name_b} give each other cancel, and no other impulse acts{line}");
+        let because = format!(
+            "the impulses that {name_a} and {name_b} exert on each other cancel, and no other impulse acts{line}"
+        );
         let sides = momentum::conservation(
             &[(mass_a.clone(), along(&a1)), (mass_b.clone(), along(&b1))],
             &[(mass_a, along(&a2)), (mass_b, along(&b2))],
@@ -142,7 +143,7 @@ impl Builder<'_> {
         for (body, start, end) in [(first, &a1, &a2), (second, &b1, &b2)] {
             self.smooth(index, body, start, end);
         }
-        let reason = format!("{name_a} would not catch up with {name_b}, so that no impact would happen");
+        let reason = format!("{name_a} would not catch up with {name_b}, so there would be no impact");
         self.require(Warning::NoImpact, along(&a1), Relation::Greater, along(&b1), reason);
         let reason = format!("{name_a} would pass through {name_b}");
         self.require(Warning::PassesThrough, along(&b2), Relation::AtLeast, along(&a2), reason);
@@ -198,7 +199,7 @@ impl Builder<'_> {
     pub(super) fn smooth(&mut self, index: usize, body: &str, before: &Split, after: &Split) {
         let (Some(start), Some(end)) = (&before.across, &after.across) else { return };
         let because =
-            format!("the contact is smooth and gives {} no impulse across the line of impact", self.called(body));
+            format!("the contact is smooth and exerts no impulse on {} across the line of impact", self.called(body));
         self.law(&momentum::NO_IMPULSE, Some(index), because, (end.clone(), start.clone()));
         self.neglect("friction between the bodies", "they are smooth");
     }
@@ -248,7 +249,7 @@ impl Builder<'_> {
             let end = after.map(|body| self.velocity(body, index + 2, *axis));
             let along = if axes.len() > 1 { format!(" along {}", axis.letter()) } else { String::new() };
             let because = format!(
-                "the impulses that {} and {} give each other cancel, and no other impulse acts{along}",
+                "the impulses that {} and {} exert on each other cancel, and no other impulse acts{along}",
                 names[0], names[1]
             );
             let pair = |values: &[Expr; 2]| [0, 1].map(|own| (masses[own].clone(), values[own].clone()));

@@ -14,8 +14,8 @@ use crate::scene::stage::Interact;
 impl Builder<'_> {
     pub(in crate::model) fn interact(&mut self, index: usize, stage: &Interact, path: &Path) {
         if self.scene.plane == Plane::Vertical {
-            let fault = Fault::new(Code::Value, "in a vertical plane weight acts on bodies from outside");
-            self.faults.push(fault.help("keep `plane: horizontal`").at_path(path.clone()));
+            let fault = Fault::new(Code::Value, "in a vertical plane, weight is an external force on the bodies");
+            self.faults.push(fault.help("write `plane: horizontal`").at_path(path.clone()));
         }
         let bodies: Vec<&str> = stage.between.iter().map(String::as_str).collect();
         let because = "the forces between the bodies cancel in pairs";

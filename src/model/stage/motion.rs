@@ -87,12 +87,11 @@ impl Builder<'_> {
             (Some(term), None) => {
                 let is_place = |word: &str| number == 1 && word == letter;
                 let by_place = term.0.split(|own: char| !own.is_alphanumeric() && own != '_').any(is_place);
-                let variable = if by_place { self.symbol(letter, Dimension::LENGTH, "the place") } else { clock };
+                let variable = if by_place { self.symbol(letter, Dimension::LENGTH, "the position") } else { clock };
                 let meaning = format!("the velocity{along}");
                 let velocity = self.read(term, Dimension::VELOCITY, &meaning, &path.key("velocity"));
                 if by_place && velocity.contains(clock) {
-                    let fault =
-                        Fault::new(Code::Value, "a velocity cannot be a function of both the time and the place");
+                    let fault = Fault::new(Code::Value, "a velocity cannot be a function of both time and position");
                     let help = format!("write it in `t` or in `{letter}`");
                     self.faults.push(fault.help(help).at_path(path.key("velocity")));
                     return None;
@@ -100,14 +99,14 @@ impl Builder<'_> {
                 Some(Course { axis, velocity, place: None, variable, by_place })
             }
             (None, Some(term)) => {
-                let meaning = format!("the place{along}");
+                let meaning = format!("the position{along}");
                 let place = self.read(term, Dimension::LENGTH, &meaning, &path.key("position"));
                 let velocity = place.differentiate(clock).simplify();
                 Some(Course { axis, velocity, place: Some(place), variable: clock, by_place: false })
             }
             (told, _) => {
                 let message = match told {
-                    Some(_) => format!("the motion{along} is given twice, by its velocity and by its place"),
+                    Some(_) => format!("the motion{along} is given twice, by its velocity and by its position"),
                     None => format!("the motion{along} is not given"),
                 };
                 let help = match number {
@@ -139,7 +138,7 @@ impl Builder<'_> {
                 self.law(&motion::PLACE, Some(index), because, (own, at(place, end)));
             }
             let because = match &course.place {
-                Some(_) => format!("the velocity of {name} is the rate of change of its place"),
+                Some(_) => format!("the velocity of {name} is the rate of change of its position"),
                 None => format!("the velocity of {name} is given as a function of time"),
             };
             let velocity = self.velocity(body, instant, course.axis);
@@ -147,12 +146,12 @@ impl Builder<'_> {
             let meaning = format!("the acceleration of {name}{along} {when}");
             let acceleration =
                 Expr::from(self.symbol(format!("a_{body}{instant}{letter}"), Dimension::ACCELERATION, meaning));
-            let with = if course.by_place { "its place" } else { "the time" };
-            let because = format!("the velocity of {name} changes with {with}");
+            let with = if course.by_place { "its position" } else { "the time" };
+            let because = format!("the velocity of {name} depends on {with}");
             self.law(&motion::ACCELERATION, Some(index), because, (acceleration.clone(), at(&rate, end)));
             let meaning = format!("the net force on {name}{along} {when}");
             let force = self.symbol(format!("F_{body}{instant}{letter}"), Dimension::FORCE, meaning);
-            let because = format!("all forces on {name} together accelerate it");
+            let because = format!("the net force on {name} accelerates it");
             self.law(&motion::NET_FORCE, Some(index), because, motion::net_force(&mass, &acceleration, &force.into()));
         }
     }
@@ -190,7 +189,7 @@ impl Builder<'_> {
         let because = format!("the impulse of all forces on {name} is its change of momentum{along}");
         let sides = momentum::impulse_momentum(&mass, &before, std::slice::from_ref(&impulse), &after);
         self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
-        let meaning = format!("the mean net force on {name}{along} during {phrase}");
+        let meaning = format!("the average net force on {name}{along} during {phrase}");
         let mean = Expr::from(self.symbol(format!("F_avg_{body}{letter}{suffix}"), Dimension::FORCE, meaning));
         let because = "the average force would give the same impulse in the same time";
         self.law(&force::MEAN_FORCE, Some(index), because, force::mean_force(&impulse, &mean, lasts));

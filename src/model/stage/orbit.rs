@@ -45,7 +45,7 @@ impl Builder<'_> {
             Some(Orbit::Parabola) => self.parabola(&round, energies),
             None => {}
         }
-        self.neglect("the gravity of everything else", "it is small, or acts alike on both");
+        self.neglect("the gravity of everything else", "it is small, or the same on both");
     }
 
     /// Least and, on an ellipse, greatest distance; heights above the surface where its radius is said.
@@ -89,7 +89,7 @@ impl Builder<'_> {
             let meaning = format!("the eccentric anomaly of {name} {}", self.when(instant));
             let anomaly = Expr::from(self.symbol(format!("E_{body}{instant}"), Dimension::NONE, meaning));
             let value = orbit::anomaly(&round.gravity, &axis, radius, radial);
-            self.law(&orbit::ORBIT_TIME, index, "it says how far along the ellipse it is", (anomaly.clone(), value));
+            self.law(&orbit::ORBIT_TIME, index, "it gives the position along the ellipse", (anomaly.clone(), value));
             let since = self.time_since_nearest(round, instant);
             let value = orbit::time_on_ellipse(&round.gravity, &axis, &anomaly, radius, radial);
             self.law(&orbit::ORBIT_TIME, index, "equal areas take equal times", (since.clone(), value));
@@ -126,17 +126,17 @@ impl Builder<'_> {
     }
 
     fn time_since_nearest(&mut self, round: &Round<'_>, instant: usize) -> Expr {
-        let meaning = format!("the time since {} was nearest, {}", round.name, self.when(instant));
+        let meaning = format!("the time since {} passed the nearest point, {}", round.name, self.when(instant));
         self.symbol(format!("t_{}{instant}", round.body), Dimension::TIME, meaning).into()
     }
 
     fn time_between(&mut self, round: &Round<'_>, times: &[Expr]) {
         let [before, after] = times else { return };
         let suffix = self.stage_suffix(round.index);
-        let meaning = "the time from the first place to the second";
+        let meaning = "the time from the first position to the second";
         let time = Expr::from(self.symbol(format!("dt{suffix}"), Dimension::TIME, meaning));
         self.lasting[round.index] = Some(time.clone());
         let sides = (time, after.clone() - before.clone());
-        self.law(&kinematics::CLOCK, Some(round.index), "both times are counted from the nearest point", sides);
+        self.law(&kinematics::CLOCK, Some(round.index), "both times are measured from the nearest point", sides);
     }
 }

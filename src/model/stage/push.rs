@@ -120,7 +120,7 @@ impl Builder<'_> {
             let because = if along.is_empty() {
                 format!("no impulse acts on {name} along {}", axis.letter())
             } else {
-                format!("the impulse of what acts on {name} changes its momentum")
+                format!("the impulse of the forces on {name} changes its momentum")
             };
             let sides = momentum::impulse_momentum(&mass, &before, &along, &after);
             self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
@@ -185,7 +185,7 @@ impl Builder<'_> {
         let works: Vec<Expr> = works.filter(|work| !work.is_zero()).collect();
         let end = if pushed.stops { Expr::zero() } else { after };
         let [start, stop] = [&before, &end].map(|speed| energy::kinetic(&mass, std::slice::from_ref(speed)));
-        let because = format!("what acts on {name} does work over the distance");
+        let because = format!("the forces on {name} do work over the distance");
         self.law(&energy::WORK_ENERGY, Some(pushed.index), because, energy::work_energy(start, works, stop));
         let [before, end] = [before, end].map(|velocity| Expr::integer(pushed.sign) * velocity);
         self.moves_along(pushed.index, pushed.body, [&before, &end]);
@@ -252,7 +252,7 @@ impl Builder<'_> {
     pub(in crate::model) fn told_throughout(&mut self, name: &str, strength: &Expr, end: &Expr) {
         let Expr::Piecewise(pieces) = strength else { return };
         if let Some((Some(last), _)) = pieces.pieces.last() {
-            self.in_order(end, last, &format!("the stage lasts longer than {name} is given"));
+            self.in_order(end, last, &format!("the stage lasts longer than the time for which {name} is given"));
         }
     }
 
@@ -268,7 +268,7 @@ impl Builder<'_> {
         let at = path.key("value");
         if let Strength::Components(components) = &pull.value {
             if pull.direction.is_some() {
-                let fault = Fault::new(Code::Value, format!("{name} has components, which say where it points"));
+                let fault = Fault::new(Code::Value, format!("{name} has components, which already give its direction"));
                 self.faults.push(fault.help("remove `direction`").at_path(path.key("direction")));
             }
             let parts = self.strengths(components, Dimension::FORCE, &name, &at).into_iter().enumerate();
@@ -306,8 +306,7 @@ impl Builder<'_> {
         let Some(value) = force.strength.definite(clock, start, end) else {
             let fault =
                 Fault::new(Code::Stuck, format!("{} cannot be integrated over time", wording::force_of(&force.name)));
-            let help = "use polynomials, sines, exponentials, pieces or points of a graph; powers within powers are multiplied \
-                        out only as far as they do not fill pages";
+            let help = "use polynomials, sines, exponentials, pieces or points of a graph; powers of long sums are expanded only up to a limit";
             let path = Path::root().key("scene").key("stages").index(index);
             self.faults.push(fault.help(help).at_path(path));
             return symbol.into();

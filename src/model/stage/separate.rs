@@ -31,7 +31,7 @@ impl Builder<'_> {
             None => self.together(index, &parts),
         }
         self.impulses_of_parts(index, stage, &before, &parts, path);
-        let because = "the impulses that the parts give each other cancel";
+        let because = "the impulses that the parts exert on each other cancel";
         self.momentum_of_all(index, because, [&before, &parts]);
         if let Some(term) = &stage.energy {
             let meaning = "the energy that becomes kinetic energy";
@@ -68,7 +68,7 @@ impl Builder<'_> {
         let (mass, sum) = (self.mass(whole), parts.iter().map(|part| self.mass(part)).collect::<Vec<_>>());
         let sum = Expr::sum(sum);
         if mass != sum {
-            let because = format!("{} comes apart into them", self.called(whole));
+            let because = format!("{} separates into them", self.called(whole));
             self.law(&separation::MASS, Some(index), because, (sum, mass));
         }
     }
@@ -88,7 +88,7 @@ impl Builder<'_> {
     fn driven_apart(&mut self, index: usize, stage: &Separate, strength: &Strength, path: &Path) {
         let ([_, ahead], 1) = (&stage.into[..], self.axes.len()) else {
             let fault = Fault::new(Code::Value, "a force drives two parts apart, along one axis");
-            let help = "say the energy or the relative velocity instead, or leave one axis and two parts";
+            let help = "give the energy or the relative velocity instead, or use one axis and two parts";
             self.faults.push(fault.help(help).at_path(path.key("force")));
             return;
         };
@@ -102,7 +102,7 @@ impl Builder<'_> {
         let own = format!("J_{ahead}{}", self.stage_suffix(index));
         let meaning = format!("the impulse on {}", self.called(ahead));
         let own = Expr::from(self.symbol(own, Dimension::MOMENTUM, meaning));
-        let because = format!("{name} drives {} forwards all the time", self.called(ahead));
+        let because = format!("{name} drives {} forwards throughout", self.called(ahead));
         self.law(&force::IMPULSE, Some(index), because, (own, impulse));
     }
 
@@ -167,7 +167,7 @@ impl Builder<'_> {
                     [(whole, index + 1), (part, index + 2)].map(|(own, at)| self.velocity(own, at, *axis));
                 // On a part that is guided, its guide acts, too.
                 if !held {
-                    let because = format!("what drives {name} off gives it its change of momentum{along}");
+                    let because = format!("the impulse on {name} is its change of momentum{along}");
                     let sides = momentum::impulse_momentum(&mass, &start, std::slice::from_ref(&impulse), &end);
                     self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
                 }

@@ -98,10 +98,10 @@ impl Builder<'_> {
                 "friction, \u{3bc} times the weight, is all that acts on {name} along the floor, and the mass cancels"
             ),
             (Some(_), false) => {
-                format!("friction and the part of the weight along the slope act on {name}, and the mass cancels")
+                format!("friction and the component of weight along the slope act on {name}, and the mass cancels")
             }
-            (None, true) => format!("nothing acts on {name} along the smooth floor"),
-            (None, false) => format!("the part of the weight along the slope acts on {name}, and the mass cancels"),
+            (None, true) => format!("no force acts on {name} along the smooth floor"),
+            (None, false) => format!("the component of weight along the slope acts on {name}, and the mass cancels"),
         };
         Retardation { parts, because }
     }
@@ -148,7 +148,7 @@ impl Builder<'_> {
         let mass = self.mass(body);
         let weight = mass * self.gravity();
         let sides = (normal.clone(), weight.clone() * incline.press.clone());
-        self.law(&force::NORMAL_FORCE, Some(index), "the floor carries what presses on it", sides);
+        self.law(&force::NORMAL_FORCE, Some(index), "the normal force balances what presses on the floor", sides);
         let zero = Expr::zero();
         let acts = Acts { stage: index, on: body, during: [&zero, duration] };
         let kinetic = friction.cloned().unwrap_or_else(Expr::zero);

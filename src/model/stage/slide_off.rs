@@ -25,7 +25,7 @@ impl Builder<'_> {
         let (body, on) = (stage.body.as_str(), stage.on.as_str());
         let [name, other] = [body, on].map(|own| self.called(own));
         let Some(guide) = self.guided(on) else {
-            let fault = Fault::new(Code::MissingKey, format!("`{on}` needs a guide along which it gives way"));
+            let fault = Fault::new(Code::MissingKey, format!("`{on}` needs a guide along which it can move"));
             let help = "write `guide: { along: x, by: the floor }` for the body, in a scene with two axes";
             self.faults.push(fault.help(help).at_path(path.key("on")));
             return;
@@ -43,8 +43,10 @@ impl Builder<'_> {
                 *velocity = part.clone();
             }
         }
-        let because =
-            format!("both start from rest, and along its way neither weight nor {} gives them an impulse", guide.by);
+        let because = format!(
+            "both start from rest, and along its path neither weight nor {} exerts an impulse on them",
+            guide.by
+        );
         let sides = (momentum::total(&projected(&end, &along)), Expr::zero());
         self.law(&momentum::CONSERVATION, Some(index), because, sides);
 
@@ -52,14 +54,14 @@ impl Builder<'_> {
         let height = self.read_positive(&stage.height, Dimension::LENGTH, &meaning, &path.key("height"));
         let work = Expr::product([self.mass(body), self.gravity(), height]);
         let energies: Vec<Expr> = end.iter().map(|(mass, velocity)| energy::kinetic(mass, velocity)).collect();
-        let because = format!("nothing rubs, and {} does no work because {other} moves along it", guide.by);
+        let because = format!("there is no friction, and {} does no work because {other} moves along it", guide.by);
         self.law(&separation::DESCENT, Some(index), because, separation::energy(&work, &[], &energies));
 
         let leaves = self.direction(&stage.direction, &path.key("direction"));
         let [cos, sin] = leaves.cosine_and_sine();
         let seen: Vec<Expr> = end[0].1.iter().zip(&end[1].1).map(|(own, its)| difference(own, its)).collect();
         let across = dot(&seen, &[-sin.clone(), cos.clone()]);
-        let because = format!("seen from {other}, {name} moves along its face at the end");
+        let because = format!("relative to {other}, {name} moves along its face at the end");
         self.law(&separation::ALONG_FACE, Some(index), because, (across, Expr::zero()));
         let reason = format!("{name} would slide back up {other}");
         self.require(Warning::Reverses, dot(&seen, &[cos, sin]), Relation::AtLeast, Expr::zero(), reason);

@@ -59,7 +59,7 @@ impl Builder<'_> {
         let to = format!("the deformation of the spring at the end of {phrase}");
         let before = length(self, stage.from.as_ref(), &from, "from");
         let after = length(self, stage.to.as_ref(), &to, "to");
-        let travel = length(self, stage.travel.as_ref(), "how much further the spring is deformed", "travel");
+        let travel = length(self, stage.travel.as_ref(), "the increase in the deformation of the spring", "travel");
         let before = match &stage.carried {
             Some(pan) => {
                 let own = before.unwrap_or_else(|| {
@@ -121,7 +121,7 @@ impl Builder<'_> {
             None => (&energy::CONSERVATION, format!("{what} work on {name}")),
             Some(_) => (
                 &energy::WORK_ENERGY,
-                format!("friction takes energy from {name} all along the way, and the spring stores some"),
+                format!("friction takes energy from {name} over the whole distance, and the spring stores some"),
             ),
         };
         self.law(law, Some(index), because, energy::work_energy(start, friction, end));
@@ -166,7 +166,7 @@ impl Builder<'_> {
         let because = format!("the spring alone does work on {first} and {second}");
         self.law(&energy::CONSERVATION, Some(index), because, sides);
         if stage.until == Some(Until::Rest) {
-            let because = format!("the spring is deformed most when {first} and {second} no longer near each other");
+            let because = format!("the spring is deformed most when {first} and {second} stop approaching each other");
             self.law(&kinematics::TOGETHER, Some(index), because, (after[1].clone(), after[0].clone()));
         }
         let [one, other] = if stage.releases() { [&after, &after] } else { [&before, &before] };
@@ -174,7 +174,7 @@ impl Builder<'_> {
             let reason = format!("{first} and {second} would not be pushed apart");
             (Warning::PassesThrough, &one[1], &other[0], reason)
         } else {
-            let reason = format!("{first} would not catch up with {second}, and the spring would not be pressed");
+            let reason = format!("{first} would not catch up with {second}, and the spring would not be compressed");
             (Warning::NoImpact, &one[0], &other[1], reason)
         };
         self.require(warning, greater.clone(), Relation::AtLeast, less.clone(), reason);

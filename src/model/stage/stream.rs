@@ -72,7 +72,10 @@ impl Builder<'_> {
         });
         self.neglect("friction between the stream and the body", "the problem does not mention any");
         if stage.drop.is_none() && self.axes.iter().enumerate().any(|(place, _)| self.downwards(place).is_some()) {
-            self.neglect(format!("the weight of {by} on its way"), "it is small beside the forces of the stream");
+            self.neglect(
+                format!("the weight of {by} before it arrives"),
+                "it is small compared with the forces of the stream",
+            );
         }
     }
 
@@ -106,7 +109,7 @@ impl Builder<'_> {
     /// The mass that reaches the body in each unit of time.
     fn stream_flow(&mut self, index: usize, stage: &Stream, arriving: &Expr, path: &Path) -> Option<Expr> {
         let name = self.called(&stage.body);
-        let meaning = format!("the mass of {} that reaches {name} in each unit of time", stage.by);
+        let meaning = format!("the mass of {} that reaches {name} per unit time", stage.by);
         let read = |builder: &mut Self, term: &Term, dimension, meaning: &str, key: &str| {
             builder.read_positive(term, dimension, meaning, &path.key(key))
         };
@@ -119,11 +122,12 @@ impl Builder<'_> {
                 density * area
             }
             (None, None, None, Some(line)) => {
-                let meaning = format!("the mass of each unit of length of {by}");
+                let meaning = format!("the mass of {by} per unit length");
                 read(self, line, Dimension::new(1, -1, 0), &meaning, "per_length")
             }
             _ => {
-                let fault = Fault::new(Code::MissingKey, "it must be said how much the stream brings, in one way");
+                let fault =
+                    Fault::new(Code::MissingKey, "the mass flow of the stream must be given in exactly one way");
                 let help = "write `flow`, or `density` and `area`, or `per_length`";
                 self.faults.push(fault.help(help).at_path(path.clone()));
                 return None;
@@ -132,8 +136,8 @@ impl Builder<'_> {
         let suffix = self.stage_suffix(index);
         let flow = Expr::from(self.positive(format!("flow_{}{suffix}", stage.body), FLOW, meaning));
         let because = match (&stage.moves, stage.series) {
-            (Some(_), true) => format!("nothing of {by} passes by, since one follows the other"),
-            (Some(_), false) => format!("only what catches up with {name} reaches it"),
+            (Some(_), true) => format!("none of {by} passes between them, since they follow each other closely"),
+            (Some(_), false) => format!("only the part that catches up with {name} reaches it"),
             (None, _) => format!("all of {by} reaches {name}"),
         };
         let sides = (flow.clone(), cross * arriving.clone());
@@ -153,8 +157,8 @@ impl Builder<'_> {
             (None, Some(term), false) => (None, self.restitution_coefficient(term, &path.key("restitution"))),
             (None, None, _) => (None, Expr::zero()),
             _ => {
-                let fault = Fault::new(Code::Value, "a stream is turned, or comes back, or stays: one of them");
-                self.faults.push(fault.help("leave one of `turned`, `restitution` and `stays`").at_path(path.clone()));
+                let fault = Fault::new(Code::Value, "a stream is turned, rebounds or stays: only one is possible");
+                self.faults.push(fault.help("keep one of `turned`, `restitution` and `stays`").at_path(path.clone()));
                 (None, Expr::zero())
             }
         }
@@ -218,7 +222,7 @@ impl Builder<'_> {
         let (Some(force), name) = (forces.get(position), self.called(&stage.body)) else { return };
         let caught = match (&stage.during, &stage.caught) {
             (Some(term), None) => {
-                let meaning = format!("how long {} has flowed", stage.by);
+                let meaning = format!("the time for which {} has flowed", stage.by);
                 flow.clone() * self.read_positive(term, Dimension::TIME, &meaning, &path.key("during"))
             }
             (None, Some(term)) => {
@@ -231,7 +235,7 @@ impl Builder<'_> {
         let mass = self.mass(&stage.body);
         let gravity = self.gravity();
         let suffix = self.stage_suffix(index);
-        let meaning = format!("the push of what carries {name}");
+        let meaning = format!("the force that supports {name}");
         let support = self.positive(format!("N_{}{suffix}", stage.body), Dimension::FORCE, meaning);
         let carried = (mass + caught) * gravity + Expr::integer(down) * force.clone();
         let because = format!("{name} stays at rest while {} comes to rest on it", stage.by);
@@ -242,11 +246,11 @@ impl Builder<'_> {
 /// Why the force is what it is.
 fn why(stage: &Stream, name: &str) -> String {
     let by = &stage.by;
-    let seen = if stage.moves.is_some() { format!(", seen from {name},") } else { String::new() };
+    let seen = if stage.moves.is_some() { format!(", relative to {name},") } else { String::new() };
     match (&stage.turned, &stage.restitution, stage.stays) {
         (Some(_), ..) => format!("{name} is smooth and turns {by}{seen} without changing its speed"),
-        (_, Some(_), _) => format!("{by}{seen} comes back with e times its speed"),
-        (_, _, true) => format!("{by} stays on {name} and takes on its velocity"),
-        _ => format!("{by} spreads over {name} and leaves it{seen} at right angles to the way it came"),
+        (_, Some(_), _) => format!("{by}{seen} rebounds with e times its speed"),
+        (_, _, true) => format!("{by} stays on {name} and takes its velocity"),
+        _ => format!("{by} spreads over {name} and leaves it{seen} at right angles to its original direction"),
     }
 }

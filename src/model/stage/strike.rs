@@ -69,13 +69,13 @@ impl Builder<'_> {
         self.require(Warning::NoImpact, v1.clone(), Relation::Differs, w1.clone(), reason);
         match (&stage.restitution, stage.plastic) {
             (Some(_), true) => {
-                let fault = Fault::new(Code::OverDetermined, "`plastic` cannot stand beside `restitution`");
+                let fault = Fault::new(Code::OverDetermined, "`plastic` and `restitution` cannot be used together");
                 self.faults.push(fault.help("remove one of them").at_path(path.key("plastic")));
             }
             (Some(term), false) => {
                 let e = self.restitution_coefficient(term, &path.key("restitution"));
                 let sides = restitution::restitution(&e, [v1, w1], [v2, w2]);
-                let because = format!("{name} and the place that it strikes separate again");
+                let because = format!("{name} and the point that it strikes separate again");
                 self.law(&restitution::RESTITUTION, Some(index), because, sides);
             }
             (None, true) => {
@@ -84,8 +84,9 @@ impl Builder<'_> {
             }
             (None, false) => {
                 let squared = |one: &Expr, other: &Expr| (one.clone() - other.clone()).powi(2);
-                let reason =
-                    format!("{name} would leave the arm faster than it came (e above 1), and energy would be created");
+                let reason = format!(
+                    "{name} would leave the arm faster than it arrived (e above 1), and energy would be created"
+                );
                 self.require(Warning::EnergyCreated, squared(v1, w1), Relation::AtLeast, squared(v2, w2), reason);
             }
         }

@@ -54,11 +54,11 @@ impl Builder<'_> {
         let [fallen, slid] = gained.as_ref().map_or([None, None], |gained| self.turned_into(gained, &frame));
         if let (Some(from), Some(to)) = (&start.across, &end.across) {
             if let Some(slid) = slid {
-                let because = format!("{wall} is smooth, and weight alone gives {name} an impulse along it");
+                let because = format!("{wall} is smooth, and only weight exerts an impulse on {name} along it");
                 let sides = momentum::impulse_momentum(&mass, from, &[mass.clone() * slid], to);
                 self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
             } else {
-                let because = format!("{wall} is smooth and gives {name} no impulse along it");
+                let because = format!("{wall} is smooth and exerts no impulse on {name} along it");
                 self.law(&momentum::NO_IMPULSE, Some(index), because, (to.clone(), from.clone()));
             }
             self.neglect(format!("friction with {wall}"), format!("{wall} is smooth"));
@@ -68,7 +68,7 @@ impl Builder<'_> {
         let impulse = Expr::from(self.symbol(format!("J_{body}{suffix}"), Dimension::MOMENTUM, meaning));
         let because = match fallen {
             None => format!("along the normal, the only impulse on {name} is that of {wall}"),
-            Some(_) => format!("along the normal, {wall} and weight give {name} impulses"),
+            Some(_) => format!("along the normal, {wall} and weight exert impulses on {name}"),
         };
         let acting: Vec<Expr> =
             [impulse.clone()].into_iter().chain(fallen.map(|gained| mass.clone() * gained)).collect();
@@ -91,7 +91,7 @@ impl Builder<'_> {
         if stage.restitution.is_none() && !stage.plastic {
             let [approach, separation] = [moves.clone() - start.along.clone(), end.along.clone() - moves.clone()];
             let reason =
-                format!("{name} would leave {wall} faster than it came (e above 1), and energy would be created");
+                format!("{name} would leave {wall} faster than it arrived (e above 1), and energy would be created");
             self.require(Warning::EnergyCreated, approach, Relation::AtLeast, separation, reason);
         }
         self.require(
@@ -108,9 +108,6 @@ impl Builder<'_> {
             moves,
             format!("{name} would pass through {wall}"),
         );
-        self.not_needed(
-            format!("the momentum of {wall}"),
-            format!("{wall} is held from outside, and the momentum of both together is not conserved"),
-        );
+        self.not_needed(format!("the momentum of {wall}"), format!("{wall} is held by external forces"));
     }
 }

@@ -56,7 +56,7 @@ impl Builder<'_> {
             }
         }
         self.acts(Influence::outside(index, body, "the cord").workless());
-        let words = "weight does work as the height changes, though the cord, at right angles to the motion, does none";
+        let words = "weight does work as the height changes, while the cord, at right angles to the motion, does none";
         self.acts(Influence::outside(index, body, "weight").works(Effect::Open, words));
         self.impulses.push(Impulse {
             stage: index,
@@ -106,7 +106,7 @@ impl Builder<'_> {
         for (position, component) in velocity.iter().enumerate() {
             if self.downwards(position).is_some() {
                 let because = format!(
-                    "at the lowest place {}",
+                    "at the lowest point, {}",
                     self.does(&stage.body, ["moves horizontally", "move horizontally"])
                 );
                 self.law(&geometry::COMPONENTS, Some(index), because, (component.clone(), Expr::zero()));

@@ -37,21 +37,25 @@ impl Builder<'_> {
         };
         let resolve = |builder: &Self, impulse: &Expr| builder.resolved(impulse, &frame);
         self.pair(&pair, if plane { ".n" } else { "" }, &resolve, stage.duration.as_ref(), path);
-        let because =
-            format!("the string does not stretch: once it is taut, {first} and {second} have one velocity along it");
+        let because = format!(
+            "the string does not stretch: once it is taut, {first} and {second} have the same velocity along it"
+        );
         let [one, other] = pair.after.clone();
         self.law(&kinematics::TOGETHER, Some(index), because, (other, one));
         for (body, (start, end)) in bodies.into_iter().zip(before.iter().zip(&after)) {
             let (Some(start), Some(end)) = (&start.across, &end.across) else { continue };
-            let because =
-                format!("the string pulls {} along itself, and gives it no impulse across", self.called(body));
+            let because = format!(
+                "the string pulls {} along its own direction, and exerts no impulse across it",
+                self.called(body)
+            );
             self.law(&momentum::NO_IMPULSE, Some(index), because, (end.clone(), start.clone()));
         }
         let reason = format!("{second} would not move away from {first}, and the string would stay slack");
         self.require(Warning::NoImpact, pair.before[1].clone(), Relation::AtLeast, pair.before[0].clone(), reason);
         self.neglect("the mass of the string", "it is light, and does not stretch");
         if stage.over.is_some() || self.scene.plane == Plane::Vertical {
-            let why = "it is not impulsive: its impulse during the short jerk is negligible beside that of the string";
+            let why =
+                "it is not impulsive: its impulse during the short jerk is negligible compared with that of the string";
             self.neglect("weight during the jerk", why);
         }
         let lasting = Lasting { index, duration: stage.duration.as_ref(), include: &[], path };

@@ -106,7 +106,7 @@ impl Builder<'_> {
     /// The exhaust speed and the whole flow, and the thrust that they give.
     fn read_exhaust(&mut self, index: usize, stage: &Thrust, thrust: &Expr, path: &Path) -> (Expr, Expr) {
         let name = self.called(&stage.body);
-        let meaning = format!("the mass that {name} throws away in each unit of time");
+        let meaning = format!("the mass that {name} expels per unit time");
         let suffix = self.stage_suffix(index);
         let flow = match &stage.flow {
             Some(term) => self.read_positive(term, FLOW, &meaning, &path.key("flow")),
@@ -117,7 +117,7 @@ impl Builder<'_> {
             Exhaust::Speed(term) => {
                 let meaning = "the speed of the exhaust relative to the body";
                 let speed = self.read_positive(term, Dimension::VELOCITY, meaning, &at);
-                let because = format!("what {name} throws away gives it the opposite momentum");
+                let because = format!("the exhaust that {name} expels gives it an opposite momentum");
                 let sides = (thrust.clone(), flow.clone() * speed.clone());
                 self.law(&variable_mass::THRUST, Some(index), because, sides);
                 return (speed, flow);
@@ -132,7 +132,7 @@ impl Builder<'_> {
         }
         let whole = Expr::sum(parts.iter().map(|(_, flow)| flow.clone()));
         let pushes = Expr::sum(parts.into_iter().map(|(speed, flow)| flow * speed));
-        let because = format!("all jets together make {name} lighter");
+        let because = format!("the mass of {name} decreases by the flow of all jets");
         self.law(&variable_mass::FLOW, Some(index), because, (flow.clone(), whole));
         let because = "each jet adds its own thrust".to_owned();
         self.law(&variable_mass::THRUST, Some(index), because, (thrust.clone(), pushes));
@@ -163,7 +163,7 @@ impl Builder<'_> {
         let part = self.components(&burn.direction).into_iter().next()?;
         let suffix = self.stage_suffix(burn.index);
         let (name, phrase) = (self.called(&burn.body), self.stage_phrase(burn.index));
-        let meaning = format!("the way of {name} during {phrase}");
+        let meaning = format!("the distance travelled by {name} during {phrase}");
         let way = self.symbol(format!("s_{}{suffix}", burn.body), Dimension::LENGTH, meaning);
         let before = self.velocity(&burn.body, burn.index + 1, axis);
         let driven = part * variable_mass::way(&burn.exhaust, [start, end], time);
@@ -172,7 +172,7 @@ impl Builder<'_> {
             Expr::product([Expr::ratio(down, 2), gravity, time.clone().powi(2)])
         });
         let [from, to] = [1, 2].map(|side| self.place(&burn.body, burn.index + side, axis));
-        let because = format!("{name} is then where its way has brought it");
+        let because = format!("the final position of {name} is its initial position plus the distance travelled");
         self.law(&variable_mass::BURN_HEIGHT, Some(burn.index), because, (to, from + Expr::from(way)));
         Some((way.into(), Expr::sum([before * time.clone(), driven].into_iter().chain(fallen))))
     }
@@ -182,7 +182,7 @@ impl Builder<'_> {
         let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
         let ([axis], Some(-1)) = (&axes[..], self.downwards(0)) else {
             let fault = Fault::new(Code::Value, "a rocket on the ground needs one axis that points upwards");
-            let help = "write `axes: { y: upwards }` and `plane: vertical`, or leave `on_ground` out";
+            let help = "write `axes: { y: upwards }` and `plane: vertical`, or remove `on_ground`";
             self.faults.push(fault.help(help).at_path(path.key("on_ground")));
             return;
         };
@@ -200,7 +200,7 @@ impl Builder<'_> {
         let all = self.burnt(burn, &burn.masses, &burn.time);
         self.rises(&mut at_once, burn, all, &burn.masses, &burn.time);
         let reason =
-            format!("the thrust is less than the weight at the start, so that {name} stays on the ground for a while");
+            format!("the thrust is less than the weight at the start, so {name} stays on the ground for a while");
         at_once.conditions.push(self.condition(burn.thrust.clone(), Relation::AtLeast, weight(start), reason));
 
         let mut waits = Alternative {
@@ -208,24 +208,24 @@ impl Builder<'_> {
             ..Alternative::default()
         };
         let left = start.clone() - burn.flow.clone() * begins.clone();
-        let because = format!("{name} rises as soon as the ground need not carry it any more");
+        let because = format!("{name} rises as soon as the ground no longer supports it");
         let sides = (burn.thrust.clone(), weight(&left));
         waits.equations.push(self.stated(LAW_COST, &variable_mass::LIFT_OFF, Some(index), because, sides, None));
         let (masses, time) = ([left, end.clone()], burn.time.clone() - begins);
         let all = self.burnt(burn, &masses, &time);
         self.rises(&mut waits, burn, all, &masses, &time);
-        let reason = format!("the thrust exceeds the weight from the start, so that {name} does not wait");
+        let reason = format!("the thrust exceeds the weight from the start, so {name} does not wait");
         waits.conditions.push(self.condition(burn.thrust.clone(), Relation::Less, weight(start), reason));
         let mut ways = vec![at_once, waits];
         if ends {
-            let reason = format!("even at the end the weight exceeds the thrust, so that {name} does not lift off");
+            let reason = format!("even at the end the weight exceeds the thrust, so {name} does not lift off");
             let lifts = self.condition(burn.thrust.clone(), Relation::Greater, weight(end), reason);
             ways[1].conditions.push(lifts);
             let mut never = Alternative { what: format!("{name} never lifts off"), ..Alternative::default() };
             let because = "the thrust stays below the weight to the end";
             let sides = (after, Expr::zero());
             never.equations.push(self.stated(LAW_COST, &variable_mass::LIFT_OFF, Some(index), because, sides, None));
-            let reason = format!("the thrust exceeds the weight before the end, so that {name} lifts off");
+            let reason = format!("the thrust exceeds the weight before the end, so {name} lifts off");
             never.conditions.push(self.condition(burn.thrust.clone(), Relation::AtMost, weight(end), reason));
             ways.push(never);
         }
@@ -248,7 +248,7 @@ impl Builder<'_> {
     fn against_resistance(&mut self, burn: &Burn, resistance: &Expr, path: &Path) {
         let (1, Plane::Horizontal, 0) = (self.axes.len(), self.scene.plane, burn.direction.quarters) else {
             let fault = Fault::new(Code::Value, "resistance needs one level axis, along the thrust");
-            self.faults.push(fault.help("leave one axis and a horizontal plane").at_path(path.clone()));
+            self.faults.push(fault.help("use one axis and a horizontal plane").at_path(path.clone()));
             return;
         };
         let (name, axis) = (self.called(&burn.body), self.axes[0].0);
@@ -263,7 +263,7 @@ impl Builder<'_> {
         let value = variable_mass::ratio_against_resistance(&even, resistance, &burn.flow, masses, &before);
         let meaning = "the ratio of w - v to w + v at the end";
         let ratio = Expr::from(self.symbol(format!("f{suffix}"), Dimension::NONE, meaning));
-        let because = "thrust less resistance accelerates the mass that is left";
+        let because = "thrust minus resistance accelerates the remaining mass";
         self.law(&variable_mass::ROCKET_DRAG, Some(burn.index), because, (ratio.clone(), value));
         let sides = (after, variable_mass::against_resistance(&even, &ratio));
         self.law(&variable_mass::ROCKET_DRAG, Some(burn.index), "the ratio f gives the velocity", sides);

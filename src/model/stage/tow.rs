@@ -53,11 +53,11 @@ impl Builder<'_> {
         let driven = Expr::sum(both.map(|own| own.drive.clone()));
         let masses =
             |velocity: &dyn Fn(&Member) -> Expr| momentum::total(&both.map(|own| (own.mass.clone(), velocity(own))));
-        let because = format!("{joint} acts on both with equal and opposite impulses, which drop out of the sum");
+        let because = format!("{joint} acts on both with equal and opposite impulses, which cancel in the sum");
         let start = Expr::sum([masses(&|own| own.before.clone()), driven * duration.clone()]);
         self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, (start, masses(&|own| own.after.clone())));
         for (own, sign) in [(&front, -1), (&rear, 1)] {
-            let because = format!("{joint} and what acts on {} from outside change its momentum", own.name);
+            let because = format!("{joint} and the external forces on {} change its momentum", own.name);
             let acting = Expr::sum([Expr::integer(sign) * tension.clone(), own.drive.clone()]);
             let sides = momentum::impulse_momentum(&own.mass, &own.before, &[acting * duration.clone()], &own.after);
             self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
@@ -69,7 +69,7 @@ impl Builder<'_> {
                 Expr::sum(both.map(|own| energy::kinetic(&own.mass, &[velocity(own)])))
             };
             let works = both.map(|own| (own.drive.clone() * distance.clone()).simplify());
-            let because = format!("what {joint} does on one body it takes from the other, and it does no work in all");
+            let because = format!("{joint} does equal and opposite work on the two bodies, so its total work is zero");
             let (start, end) = (kinetic(&|own| own.before.clone()), kinetic(&|own| own.after.clone()));
             self.law(&energy::WORK_ENERGY, Some(index), because, energy::work_energy(start, works, end));
         }
@@ -77,7 +77,7 @@ impl Builder<'_> {
             let reason = format!("{} would move the other way", front.name);
             self.require(Warning::Reverses, speed.clone(), Relation::AtLeast, Expr::zero(), reason);
         }
-        self.neglect(format!("the mass of {joint}"), "it is light beside the bodies that it joins");
+        self.neglect(format!("the mass of {joint}"), "it is light compared with the bodies that it joins");
         self.neglect("air resistance", "the problem does not mention any");
     }
 
@@ -156,17 +156,17 @@ impl Builder<'_> {
             let meaning = format!("the normal force on {name}");
             let normal = Expr::from(self.positive(format!("N_{body}{suffix}"), Dimension::FORCE, meaning));
             let sides = (normal.clone(), weight.clone() * incline.press.clone());
-            self.law(&force::NORMAL_FORCE, Some(index), "the floor carries what presses on it", sides);
+            self.law(&force::NORMAL_FORCE, Some(index), "the normal force balances what presses on the floor", sides);
             self.note_floor(acts, incline, weight, normal, friction.unwrap_or_else(Expr::zero), false);
         }
         if !acting.is_empty() {
             let drive = Expr::sum(acting.clone());
-            self.acts(Influence::outside(index, body, "what acts from outside").force(vec![drive]));
+            self.acts(Influence::outside(index, body, "the external forces").force(vec![drive]));
             self.impulses.push(Impulse {
                 stage: index,
                 on: body.to_owned(),
                 by: Agent::Outside,
-                called: "what acts from outside".into(),
+                called: "the external forces".into(),
                 components: Vec::new(),
                 impulsive: false,
             });

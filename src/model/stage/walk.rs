@@ -20,7 +20,7 @@ impl Builder<'_> {
         let bodies = [stage.body.as_str(), stage.on.as_str()];
         let [name, other] = bodies.map(|body| self.called(body));
         for [own, its] in [bodies, [bodies[1], bodies[0]]] {
-            let words = "who walks does work to set both in motion, and to stop them";
+            let words = "the walker does work to set both in motion and to stop them";
             let step = Influence::outside(index, own, self.called(its)).by(&[its]).works(Effect::Open, words);
             self.acts(step);
         }
@@ -38,7 +38,7 @@ impl Builder<'_> {
         let masses = bodies.map(|body| self.mass(body));
         let parts: Vec<(Expr, Expr)> = masses.into_iter().zip(displacements.clone()).collect();
         let because =
-            "no impulse from outside acts along the way, and the centre of mass, at rest before, stays where it is";
+            "no external impulse acts along the path, and the centre of mass, initially at rest, stays where it is";
         self.law(&mass_centre::REST, Some(index), because, (crate::laws::momentum::total(&parts), Expr::zero()));
         let meaning = format!("the displacement of {name} relative to {other}");
         let distance = self.read(&stage.distance, Dimension::LENGTH, &meaning, &path.key("distance"));
@@ -46,7 +46,7 @@ impl Builder<'_> {
         let because = format!("{name} walks along {other}, which moves meanwhile");
         self.law(&separation::RELATIVE_WAY, Some(index), because, separation::relative(own, its, &distance));
         self.not_needed(
-            "how fast the walk is, and whether it is even",
+            "the speed of the walk, and its changes",
             "the centre of mass stays where it is at every instant",
         );
         self.neglect("the resistance of what it floats on", "the problem does not mention any");

@@ -43,9 +43,9 @@ pub(in super::super) fn walk(
         return None;
     }
     let way = quantities.told(&stage.distance);
-    let told = way.as_ref().map(|way| format!("the way along it is {}", way.plain()));
+    let told = way.as_ref().map(|way| format!("the distance along it is {}", way.plain()));
     let moved =
-        (quantities.scope() == Scope::Solved).then(|| "the arrows are the displacements over the ground".into());
+        (quantities.scope() == Scope::Solved).then(|| "the arrows are the displacements relative to the ground".into());
     // The displacements take the place of the way in a solution.
     let face = Face::Deck {
         way: way.filter(|_| quantities.scope() == Scope::Given),

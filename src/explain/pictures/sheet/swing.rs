@@ -38,10 +38,10 @@ pub(in super::super) fn drawing(
     let ends = ends.into_iter().take(if shows_both { 2 } else { 1 }).collect();
     let name = quantities.called(&stage.body);
     let phrase = quantities.model().phrase(quantities.scene(), index);
-    let on_cord = length.as_ref().map_or_else(String::new, |length| format!(" of the length {}", length.plain()));
-    let rises = height
-        .as_ref()
-        .map_or_else(String::new, |height| format!("the height between the two places is {}", height.plain()));
+    let on_cord = length.as_ref().map_or_else(String::new, |length| format!(" of length {}", length.plain()));
+    let rises = height.as_ref().map_or_else(String::new, |height| {
+        format!("the difference in height between the two positions is {}", height.plain())
+    });
     let what = match quantities.scope() {
         Scope::Given => format!("{name} on its cord"),
         Scope::Solved => format!("{phrase}: the momentum of {name} at its start and at its end"),
