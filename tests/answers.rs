@@ -3,9 +3,10 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use momentous::grade::{DecimalMark, ExpectedKind, ExpectedNumber, read};
+use momentous::grade::{Called, DecimalMark, ExpectedKind, ExpectedNumber, read};
 use momentous::quantity::{Dimension, Printed, Unit, UnitSystem, coherent_unit};
 use proptest::prelude::*;
 
@@ -13,10 +14,14 @@ fn fixture(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures/answers").join(name)
 }
 
+/// A number in a unit, or `of` a quantity.
 fn number(unit: &str, senses: &str) -> ExpectedKind {
+    let multiple_of = unit.strip_prefix("of ").map(str::to_owned);
+    let unit = if multiple_of.is_some() { "" } else { unit };
+    let called = multiple_of.map(|own| Arc::new(Called { name: String::new(), axis: None, multiple_of: Some(own) }));
     let senses = senses.split_once(" | ").map(|(plus, minus)| [plus.to_owned(), minus.to_owned()]);
     let unit = Unit::parse(unit).unwrap_or_else(|fault| panic!("{unit}: {fault}"));
-    ExpectedKind::Number(ExpectedNumber { senses, ..ExpectedNumber::new(1.0, unit) })
+    ExpectedKind::Number(ExpectedNumber { senses, called, ..ExpectedNumber::new(1.0, unit) })
 }
 
 fn mark(name: &str) -> DecimalMark {

@@ -69,6 +69,20 @@ fn a_hundred_has_one_to_three_figures() {
     assert_eq!(verdict(&four, "100 m"), Verdict::FiguresFew);
 }
 
+/// One figure more than asked says nothing false yet; two do.
+#[test]
+fn one_figure_more_than_is_required_passes() {
+    let right = ExpectedNumber { writing: Writing::Require, ..number("3.1416", "m") };
+    for (answer, wanted) in [
+        ("3.1 m", Verdict::FiguresFew),
+        ("3.14 m", Verdict::Right),
+        ("3.142 m", Verdict::Right),
+        ("3.1416 m", Verdict::FiguresMany),
+    ] {
+        assert_eq!(verdict(&right, answer), wanted, "{answer}");
+    }
+}
+
 /// One per cent of zero is zero, and 1e-12 is arbitrary: the speeds of the problem say what is nothing.
 #[test]
 fn zero_is_judged_by_the_speed_of_approach() {

@@ -32,9 +32,11 @@ fn frame(name: &str) -> Frame {
     Frame { axes }
 }
 
+/// A vector in a frame, in m/s if no other unit is said: `plane in N s`.
 fn vector(name: &str) -> ExpectedKind {
+    let (name, own) = name.split_once(" in ").unwrap_or((name, "m/s"));
     let frame = frame(name);
-    let components = frame.axes.iter().map(|_| ExpectedNumber::new(1.0, unit("m/s"))).collect();
+    let components = frame.axes.iter().map(|_| ExpectedNumber::new(1.0, unit(own))).collect();
     ExpectedKind::Vector(ExpectedVector { components, frame })
 }
 
@@ -88,15 +90,12 @@ fn formula_among(names: &str) -> ExpectedKind {
     ExpectedKind::Formula(ExpectedFormula::new(formula, Arc::new(symbols), asked, domain))
 }
 
-fn interval() -> ExpectedKind {
-    let end =
-        |value, closed| Some(ExpectedEnd { number: ExpectedNumber::new(value, Unit::none()), closed, own: false });
-    ExpectedKind::Interval(Box::new(ExpectedInterval {
-        name: "e".to_owned(),
-        low: end(0.0, false),
-        high: end(0.5, true),
-        unit: Unit::none(),
-    }))
+/// An interval of e, or of a name with its unit: `v_A2:m/s`.
+fn interval(of: &str) -> ExpectedKind {
+    let (name, own) = of.split_once(':').unwrap_or(("e", ""));
+    let end = |value, closed| Some(ExpectedEnd { number: ExpectedNumber::new(value, unit(own)), closed, own: false });
+    let (name, unit) = (name.to_owned(), unit(own));
+    ExpectedKind::Interval(Box::new(ExpectedInterval { name, low: end(0.0, false), high: end(0.5, true), unit }))
 }
 
 fn mark(name: &str) -> DecimalMark {
@@ -158,8 +157,7 @@ fn formulas_in_other_names_are_read_as_the_table_says() {
 
 #[test]
 fn intervals_are_read_as_the_table_says() {
-    let asked = interval();
-    check("intervals.csv", 50, |row| outcome(row[1], &asked, mark(row[0])));
+    check("intervals.csv", 50, |row| outcome(row[2], &interval(row[0]), mark(row[1])));
 }
 
 #[test]
@@ -169,7 +167,7 @@ fn several_values_are_read_as_the_table_says() {
 
 #[test]
 fn hostile_answers_of_every_kind_are_answered_at_once() {
-    let kinds = [vector("plane"), heading("east"), formula(), interval()];
+    let kinds = [vector("plane"), heading("east"), formula(), interval("")];
     let pieces = [
         "(",
         "[",

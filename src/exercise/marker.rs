@@ -200,6 +200,11 @@ pub(super) fn widen(expected: &mut grade::Expected, worked: Worked<'_>, part: &P
 fn blank_number(rules: Rules<'_>, part: &Part, number: &NumberPart) -> grade::ExpectedNumber {
     let unit = number.plain_unit();
     let senses = rules.problem.senses(number.symbol);
+    let multiple_of = match number.unit {
+        AskedUnit::InTermsOf(symbol) => Some(rules.problem.name_of(symbol)),
+        AskedUnit::Unit(_) => None,
+    };
+    let called = grade::Called { name: part.id.clone(), axis: rules.problem.axis(number.symbol), multiple_of };
     grade::ExpectedNumber {
         cyclic: is_direction(rules, part, number) && unit.is_plain_angle(),
         tolerance: match &number.tolerance {
@@ -213,7 +218,7 @@ fn blank_number(rules: Rules<'_>, part: &Part, number: &NumberPart) -> grade::Ex
         figures: number.figures,
         senses: senses.map(|senses| [senses.positive, senses.negative]),
         whole: number.whole,
-        called: Some(Arc::new(grade::Called { name: part.id.clone(), axis: rules.problem.axis(number.symbol) })),
+        called: Some(Arc::new(called)),
         ..grade::ExpectedNumber::new(f64::NAN, unit)
     }
 }
@@ -232,13 +237,4 @@ fn fill(blank: &mut grade::ExpectedNumber, worked: Worked<'_>, number: &NumberPa
     (blank.value, blank.error) = (answer.value, answer.error);
     (blank.allowance, blank.scale) = (0.0, 0.0);
     blank.magnitude = blank.senses.is_none() && answer.value >= 0.0;
-}
-
-/// An answer in terms of a quantity is read as the number before it: `0.75 v_A1` as 0.75.
-pub(super) fn without_unit_quantity<'t>(worked: Worked<'_>, part: &Part, text: &'t str) -> &'t str {
-    let PartKind::Number(NumberPart { unit: AskedUnit::InTermsOf(symbol), .. }) = &part.kind else { return text };
-    let name = &worked.problem.name_of(*symbol);
-    let typed = text.trim_end();
-    let number = typed.strip_suffix(name.as_str()).or_else(|| typed.strip_suffix(&name.replace('_', "")));
-    number.map_or(text, |number| number.trim_end().trim_end_matches(['*', '·', '×']).trim_end())
 }

@@ -14,7 +14,6 @@ use super::Exercise;
 use super::marker::Blank;
 use super::marker::Marker;
 use super::marker::widen;
-use super::marker::without_unit_quantity;
 use super::roots::{joined, several, shared_out};
 use super::rules::Rules;
 
@@ -67,7 +66,6 @@ impl Marker {
         }
         for (position, (part, blank)) in worked.form.parts.iter().zip(blanks.iter_mut()).enumerate() {
             let text = answers.iter().find(|(id, _)| *id == part.id).map_or("", |(_, text)| *text);
-            let text = without_unit_quantity(worked, part, text);
             // Several roots of a part before this one have made the list longer.
             let place = marking.parts.len();
             let Some(expected) = marking.expected.get_mut(place) else { break };

@@ -89,6 +89,8 @@ pub struct Called {
     pub name: String,
     /// The axis along which it is counted, of a component: `-x` says its direction then, and `-y` does not.
     pub axis: Option<char>,
+    /// The quantity of which it is asked as a multiple.
+    pub multiple_of: Option<String>,
 }
 
 /// Which units of the right dimension will do.

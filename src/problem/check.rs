@@ -7,7 +7,7 @@ use serde_yaml::{Mapping, Number, Value};
 
 use crate::fault::{Code, Fault, Path, did_you_mean};
 
-use super::document::{Entry, Kind, Node, Scalar, Style};
+use super::document::{Entry, Kind, Node, Scalar, Style, usual_key};
 use super::shape::{Form, Keys, Place, Shapes};
 
 /// Reads a document by a schema. A scalar becomes a number or a truth value only where the schema allows no text,
@@ -151,7 +151,8 @@ impl<'s> Checker<'s> {
         let mut meant = Vec::new();
         let mut mapping = Mapping::new();
         for Entry { key, value, .. } in entries {
-            let Some(place) = keys.place(key) else {
+            let usual = if keys.place(key).is_some() { key.as_str() } else { usual_key(key) };
+            let Some(place) = keys.place(usual) else {
                 let known: Vec<&str> = keys.names().chain(keys.listed.iter().flatten().copied()).collect();
                 let free = known.iter().copied().filter(|name| entries.iter().all(|entry| entry.key != *name));
                 let free: Vec<&str> = free.collect();
@@ -171,9 +172,12 @@ impl<'s> Checker<'s> {
                 continue;
             };
             let child = self.value(value, place, &path.key(key.as_str()), What::Key(key));
-            mapping.insert(key.as_str().into(), child.unwrap_or_default());
+            if mapping.insert(usual.into(), child.unwrap_or_default()).is_some() {
+                let fault = Fault::new(Code::UnknownKey, format!("`{key}` stands beside another word for it"));
+                self.fault(fault.help(format!("keep `{usual}`")), &path.name(key.as_str()));
+            }
         }
-        let is_there = |name: &str| entries.iter().any(|entry| entry.key == name);
+        let is_there = |name: &str| entries.iter().any(|entry| entry.key == name || usual_key(&entry.key) == name);
         for name in keys.required.iter().filter(|name| !is_there(name) && !meant.contains(name)) {
             let place = keys.named(name);
             let about = place.and_then(|place| place.about).unwrap_or_default();
@@ -191,7 +195,7 @@ impl<'s> Checker<'s> {
         if let [only] = objects {
             return Some(only);
         }
-        let has = |name: &&str| entries.iter().any(|entry| entry.key == *name);
+        let has = |name: &&str| entries.iter().any(|entry| entry.key == *name || usual_key(&entry.key) == *name);
         let score = |keys: &Keys| (keys.required.iter().copied().filter(has).count(), keys.names().filter(has).count());
         let best = objects.iter().rev().max_by_key(|keys| score(keys)).copied()?;
         if score(best).0 > 0 || best.required.is_empty() && score(best).1 > 0 {

@@ -7,6 +7,9 @@ use crate::fault::{Code, Fault, Source, Span};
 /// How deep mappings and lists may lie in one another.
 const DEPTH_LIMIT: usize = 32;
 
+/// Keys that may be written in another word of the field, and what they are called here.
+pub(super) const SAME_KEYS: [(&str, &str); 2] = [("torque", "moment"), ("perfectly_inelastic", "plastic")];
+
 /// A part of a document.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Node {
@@ -67,6 +70,11 @@ pub struct Document {
     pub faults: Vec<Fault>,
 }
 
+/// What a key is called here: `moment` for `torque`.
+pub(super) fn usual_key(key: &str) -> &str {
+    SAME_KEYS.iter().find(|(other, _)| *other == key).map_or(key, |(_, usual)| usual)
+}
+
 impl Document {
     /// Reads a source. Of a key that stands twice the first is kept.
     #[must_use]
@@ -104,10 +112,11 @@ impl Node {
         }
     }
 
-    /// The entry of that key.
+    /// The entry of that key, perhaps in another word for it.
     #[must_use]
     pub fn entry(&self, key: &str) -> Option<&Entry> {
-        self.entries().iter().find(|entry| entry.key == key)
+        let find = |is_key: &dyn Fn(&Entry) -> bool| self.entries().iter().find(|entry| is_key(entry));
+        find(&|entry| entry.key == key).or_else(|| find(&|entry| usual_key(&entry.key) == key))
     }
 
     /// Whether nothing was written, or one of YAML's words for it.

@@ -7,13 +7,22 @@ use schemars::Schema;
 use schemars::generate::SchemaSettings;
 use schemars::transform::RecursiveTransform;
 use serde_json::Value;
+use serde_json::json;
 
+use super::document::SAME_KEYS;
 use super::draft::Draft;
 use super::settings::Course;
 use super::shape::Shapes;
 
 /// The schema, made once.
 static SCHEMA: LazyLock<Value> = LazyLock::new(|| schema_of::<Draft>("A problem for momentous"));
+
+/// The same for editors, with every word for a key.
+static PUBLISHED: LazyLock<Value> = LazyLock::new(|| {
+    let mut schema = SCHEMA.clone();
+    add_words(&mut schema);
+    schema
+});
 
 static COURSE_SCHEMA: LazyLock<Value> = LazyLock::new(|| schema_of::<Course>("The settings of a course for momentous"));
 
@@ -37,7 +46,7 @@ fn schema_of<T: JsonSchema>(title: &str) -> Value {
 /// ```
 #[must_use]
 pub fn json_schema() -> &'static Value {
-    &SCHEMA
+    &PUBLISHED
 }
 
 /// The JSON Schema of `course.yaml`.
@@ -68,4 +77,32 @@ fn without_null(schema: &mut Schema) {
         }
     }
     schema.remove("default");
+}
+
+/// Puts beside each key the other words for it: as a further key, or as a further form where it says which form it is.
+fn add_words(schema: &mut Value) {
+    for (word, usual) in SAME_KEYS {
+        let says_form = |form: &Value| form["required"] == json!([usual]);
+        let renamed = |form: &Value| {
+            let properties = json!({ word: form["properties"][usual] });
+            let mut form = form.clone();
+            (form["properties"], form["required"]) = (properties, json!([word]));
+            form
+        };
+        if let Some(forms) = schema.get_mut("oneOf").and_then(Value::as_array_mut) {
+            let more: Vec<Value> = forms.iter().filter(|form| says_form(form)).map(renamed).collect();
+            forms.extend(more);
+        }
+        if !says_form(schema)
+            && let Some(keys) = schema.get_mut("properties").and_then(Value::as_object_mut)
+            && let Some(own) = keys.get(usual).cloned()
+        {
+            keys.insert(word.to_owned(), own);
+        }
+    }
+    match schema {
+        Value::Array(items) => items.iter_mut().for_each(add_words),
+        Value::Object(entries) => entries.values_mut().for_each(add_words),
+        _ => {}
+    }
 }

@@ -64,6 +64,10 @@ fn filled(kind: &UnreadableKind) -> String {
             format!("this can be read in two ways: write `{whole}` or `{decimal}`.")
         }
         UnreadableKind::Ambiguous([one, other]) => format!("this can be read in two ways: write `{one}` or `{other}`."),
+        UnreadableKind::Uncertainty(reading) => {
+            format!("this can be read as `{reading}`, a value with its uncertainty, or as two values: write one value.")
+        }
+        UnreadableKind::Multiple(name) => format!("write a number times `{name}`, such as `0.75 {name}`."),
         UnreadableKind::Behind(rest) => {
             format!("`{rest}` cannot be understood after the number: write the value, its unit and nothing else.")
         }

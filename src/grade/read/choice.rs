@@ -7,15 +7,32 @@ use super::unreadable::{Unreadable, UnreadableKind};
 const YES: [&str; 4] = ["yes", "y", "true", "t"];
 const NO: [&str; 4] = ["no", "n", "false", "f"];
 
+/// What is called in several ways, and the word for it here.
+const SAME: [(&str, &str); 5] = [
+    ("perfectly inelastic", "perfectly plastic"),
+    ("completely inelastic", "perfectly plastic"),
+    ("totally inelastic", "perfectly plastic"),
+    ("perfectly elastic", "elastic"),
+    ("torque", "moment"),
+];
+
 /// Reads which of the options is meant.
 pub(super) fn read(answer: &str, options: &[String]) -> Result<ChoiceAnswer, Unreadable> {
-    let fault = |kind| Unreadable { at: 0, kind };
     if answer.chars().nth(MAX_LENGTH).is_some() {
         return Err(Unreadable { at: MAX_LENGTH, kind: UnreadableKind::TooLong(MAX_LENGTH) });
     }
-    let written = normal(answer);
+    let same = |text: String| SAME.iter().fold(text, |text, (other, word)| text.replace(other, word));
+    let found = meant(normal(answer), options, &normal);
+    found.or_else(|fault| match fault.kind {
+        UnreadableKind::NoOption(_) => meant(same(normal(answer)), options, &|option| same(normal(option))),
+        _ => Err(fault),
+    })
+}
+
+fn meant(written: String, options: &[String], plain: &dyn Fn(&str) -> String) -> Result<ChoiceAnswer, Unreadable> {
+    let fault = |kind| Unreadable { at: 0, kind };
     let found = |option: usize| options.get(option).map(|text| ChoiceAnswer { option, text: text.clone() });
-    let texts: Vec<String> = options.iter().map(|option| normal(option)).collect();
+    let texts: Vec<String> = options.iter().map(|option| plain(option)).collect();
     if let Some(exact) = texts.iter().position(|text| *text == written) {
         // `2` may be the second option or the option `2`.
         let by_place = place(&written, options.len()).filter(|place| *place != exact);

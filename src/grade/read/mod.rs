@@ -16,6 +16,7 @@ mod interval;
 mod known_units;
 mod latex;
 mod mixed;
+mod multiple;
 mod numeral;
 mod plain;
 mod quantity;

@@ -10,6 +10,7 @@ use super::answer::{NumberAnswer, Sense, echo_number};
 use super::arithmetic::{self, Form, Term};
 use super::direction::{self, Phrase};
 use super::heading;
+use super::multiple;
 use super::numeral::DecimalMark;
 use super::plain::Plain;
 use super::remarks;
@@ -22,6 +23,8 @@ const MOST_WORDS: usize = 6;
 const LARGEST: f64 = 1e300;
 /// What says that an answer is not one value.
 const NOT_ONE_VALUE: [char; 7] = ['±', '<', '>', '≤', '≥', '∓', '≠'];
+/// Signs between a value and its uncertainty.
+const PLUS_MINUS: [&str; 4] = ["±", "+/-", "+-", "\\pm"];
 /// What may end an answer, as it ends a sentence.
 pub(super) const ENDS: [char; 5] = [' ', ',', '.', '!', ';'];
 /// What reading may know of what is asked.
@@ -51,7 +54,7 @@ impl<'a> Asked<'a> {
 
 /// Reads a number with its unit and direction.
 pub(super) fn read(answer: &str, asked: &ExpectedNumber, mark: DecimalMark) -> Result<NumberAnswer, Unreadable> {
-    let plain = Plain::new(answer)?;
+    let plain = Plain::new(&multiple::without(answer, asked)?)?;
     let text = plain.text();
     let own = Asked::of(asked);
     let found = read_plain(text, own, mark).or_else(|fault| remarks::read(text, own, mark, fault));
@@ -62,7 +65,7 @@ pub(super) fn read(answer: &str, asked: &ExpectedNumber, mark: DecimalMark) -> R
         }),
         None => found,
     };
-    found.map_err(|(at, kind)| plain.fault(at, kind))
+    found.map_err(|(at, kind)| plain.fault(at, multiple::told(kind, asked)))
 }
 
 /// A direction in words, as the question counts it.
@@ -86,6 +89,12 @@ pub(super) fn read_plain(
     asked: Asked<'_>,
     mark: DecimalMark,
 ) -> Result<NumberAnswer, (usize, UnreadableKind)> {
+    if let Some((at, sign)) = PLUS_MINUS.iter().find_map(|sign| text.find(sign).map(|at| (at, sign))) {
+        let [value, error] = [&text[..at], &text[at + sign.len()..]].map(|side| side.trim_matches([' ', '=']));
+        let is_error = !value.is_empty() && arithmetic::begins_number(error);
+        let reading = || UnreadableKind::Uncertainty(format!("{value} ± {error}"));
+        return Err((at, if is_error { reading() } else { UnreadableKind::NotOneValue }));
+    }
     if let Some(at) = text.find(NOT_ONE_VALUE) {
         return Err((at, UnreadableKind::NotOneValue));
     }

@@ -10,6 +10,7 @@ use super::calculation;
 use super::numeral::DecimalMark;
 use super::quantity::{Asked, ENDS, read_plain};
 use super::unreadable::UnreadableKind;
+use super::vector::unit_vectors;
 
 /// Words before a number, the longer first.
 const BEFORE: [&str; 24] = [
@@ -78,6 +79,8 @@ const MINUS: [&str; 2] = ["minus ", "negative "];
 const ZERO: [&str; 3] = ["zero", "nil", "nought"];
 /// Words for no velocity.
 const REST: [&str; 6] = ["at rest", "stationary", "not moving", "does not move", "it stops", "stands still"];
+/// The axes of the unit vectors i, j and k.
+const AXES: [char; 3] = ['x', 'y', 'z'];
 /// The longest name before an equals sign, in bytes.
 const LONGEST_NAME: usize = 40;
 /// Signs that stand between a name and its value.
@@ -92,6 +95,9 @@ pub(super) fn read(
 ) -> At<NumberAnswer> {
     if fault.1.is_doubt() {
         return Err(fault);
+    }
+    if let Some(found) = along_unit_vector(text, asked, mark) {
+        return found;
     }
     let mut to = text.trim_end_matches(ENDS).len();
     let mut from = to - text[..to].trim_start().len();
@@ -127,6 +133,20 @@ pub(super) fn read(
         Some(found) => found.map_err(|(at, kind)| (from + at, kind)),
         None => Err(fault),
     })
+}
+
+/// `-3.2 î m/s`: a component with the unit vector of its axis.
+fn along_unit_vector(text: &str, asked: Asked<'_>, mark: DecimalMark) -> Option<At<NumberAnswer>> {
+    let [(axis, start, end)] = unit_vectors(text)[..] else { return None };
+    let (senses, letter) = (asked.senses?, AXES.get(axis)?);
+    if !text[..start].contains(|before: char| before.is_ascii_digit()) {
+        return None;
+    }
+    if asked.axis.unwrap_or(AXES[0]) != *letter {
+        let word = text[start..end].to_owned();
+        return Some(Err((start, UnreadableKind::OtherDirection { word, senses: senses.clone() })));
+    }
+    Some(read_plain(&format!("{}{:width$}{}", &text[..start], "", &text[end..], width = end - start), asked, mark))
 }
 
 /// Where the value begins behind its name and an equals sign; the fault is another name than the one that is asked.

@@ -61,6 +61,10 @@ pub enum UnreadableKind {
     AngleUnit,
     /// `±`, `<` and the like: not one value.
     NotOneValue,
+    /// `9.81 +/- 0.01`: a value with its uncertainty, as it is usually written.
+    Uncertainty(String),
+    /// Something else than a number times the quantity of which a multiple is asked.
+    Multiple(String),
     /// A unit that cannot be read.
     Unit(UnitFault),
     /// A unit that may also be the abbreviation of a direction: `5 N N`.
@@ -142,6 +146,8 @@ impl UnreadableKind {
                 | Self::Ambiguous(_)
                 | Self::ProductAfterBar
                 | Self::NotOneValue
+                | Self::Uncertainty(_)
+                | Self::Multiple(_)
                 | Self::UnitOrDirection(_)
                 | Self::SignAndDirection
                 | Self::OtherDirection { .. }
@@ -173,6 +179,8 @@ impl UnreadableKind {
             Self::Undefined => "undefined",
             Self::AngleUnit => "angle_unit",
             Self::NotOneValue => "not_one_value",
+            Self::Uncertainty(_) => "uncertainty",
+            Self::Multiple(_) => "multiple",
             Self::Unit(_) => "unit",
             Self::UnitOrDirection(_) => "unit_or_direction",
             Self::NoDirection(_) => "no_direction",

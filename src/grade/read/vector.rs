@@ -10,6 +10,7 @@ use super::arithmetic::At;
 use super::components::{self, Parts};
 use super::direction;
 use super::heading;
+use super::multiple;
 use super::numeral::DecimalMark;
 use super::plain::Plain;
 use super::quantity::{self, Asked};
@@ -28,7 +29,11 @@ const MOST_WORDS: usize = 16;
 
 /// Reads a vector.
 pub(super) fn read(answer: &str, asked: &ExpectedVector, mark: DecimalMark) -> Result<VectorAnswer, Unreadable> {
-    let plain = Plain::new(answer)?;
+    let answer = match asked.components.first() {
+        Some(component) => multiple::without(answer, component)?,
+        None => answer.into(),
+    };
+    let plain = Plain::new(&answer)?;
     read_plain(plain.text(), asked, mark).map_err(|(at, kind)| plain.fault(at, kind))
 }
 
@@ -194,7 +199,7 @@ fn together(parts: &Parts, behind: Option<Unit>, at: usize) -> At<VectorAnswer> 
 }
 
 /// Where unit vectors stand: the axis, and the bytes.
-fn unit_vectors(text: &str) -> Vec<(usize, usize, usize)> {
+pub(super) fn unit_vectors(text: &str) -> Vec<(usize, usize, usize)> {
     let mut found = Vec::new();
     let mut before = ' ';
     for (at, next) in text.char_indices() {

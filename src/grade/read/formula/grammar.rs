@@ -41,6 +41,8 @@ pub(super) struct Grammar<'a> {
     functions: usize,
     /// Whether the innermost bracket that is open is a bar.
     inside_bars: bool,
+    /// Whether `\over` is read like a plain fraction bar.
+    pub(super) plain_bars: bool,
 }
 
 /// Where reading may go back to.
@@ -59,11 +61,22 @@ impl Term {
 
 impl<'a> Grammar<'a> {
     pub(super) fn new(lexemes: &'a [Lexeme], end: usize, asked: &'a ExpectedFormula) -> Self {
-        Self { lexemes, next: 0, end, asked, depth: 0, parts: 0, steps: 0, functions: 0, inside_bars: false }
+        Self {
+            lexemes,
+            next: 0,
+            end,
+            asked,
+            depth: 0,
+            parts: 0,
+            steps: 0,
+            functions: 0,
+            inside_bars: false,
+            plain_bars: false,
+        }
     }
 
     pub(super) fn whole(&mut self) -> At<Expr> {
-        let formula = self.sum()?;
+        let formula = self.group(false)?;
         match self.peek() {
             None => Ok(formula.value),
             Some(Token::PlusMinus) => self.fault(UnreadableKind::NotOneValue),
@@ -111,7 +124,7 @@ impl<'a> Grammar<'a> {
         (self.next, self.parts, self.functions) = (mark.next, mark.parts, mark.functions);
     }
 
-    fn part(&mut self) -> At<()> {
+    pub(super) fn part(&mut self) -> At<()> {
         self.parts += 1;
         self.steps += 1;
         let many = self.parts > MAX_PARTS || self.steps > MAX_STEPS;
@@ -183,7 +196,7 @@ impl<'a> Grammar<'a> {
                     product = Term { bare: product.bare && factor.bare, value: product.value * factor.value };
                     divided = false;
                 }
-                Some(Token::Over) => {
+                Some(bar) if *bar == Token::Over || *bar == Token::WholeOver && self.plain_bars => {
                     self.advance();
                     self.part()?;
                     bracketed |= matches!(self.peek(), Some(Token::Open(_)));
@@ -342,7 +355,7 @@ impl<'a> Grammar<'a> {
         };
         self.advance();
         let outside = std::mem::replace(&mut self.inside_bars, close == Token::Bar);
-        let inner = self.sum()?;
+        let inner = self.group(close == Token::Close('}'))?;
         self.inside_bars = outside;
         if !self.take(&close) {
             return match self.peek() {

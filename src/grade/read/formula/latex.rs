@@ -63,7 +63,7 @@ const WRAPPERS: [&str; 15] = [
     "ensuremath",
 ];
 const FRACTIONS: [&str; 4] = ["frac", "dfrac", "tfrac", "cfrac"];
-const TOKENS: [(&str, Token); 18] = [
+const TOKENS: [(&str, Token); 19] = [
     ("cdot", Token::Times),
     ("times", Token::Times),
     ("ast", Token::Times),
@@ -71,6 +71,7 @@ const TOKENS: [(&str, Token); 18] = [
     ("bullet", Token::Times),
     ("div", Token::Over),
     ("slash", Token::Over),
+    ("over", Token::WholeOver),
     ("pm", Token::PlusMinus),
     ("mp", Token::PlusMinus),
     ("lvert", Token::Bar),

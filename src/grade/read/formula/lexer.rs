@@ -88,6 +88,10 @@ impl<'a> Lexer<'a> {
             '\\' => return self.command(at),
             '{' => return self.brace(at),
             '}' if self.braces.pop() == Some(true) => return Ok(()),
+            '+' if glued == Some('/') && self.peek(1) == Some('-') => {
+                self.at += 1;
+                self.pair(Token::PlusMinus)
+            }
             '+' if glued == Some('-') => self.pair(Token::PlusMinus),
             '-' if glued == Some('+') => self.pair(Token::PlusMinus),
             '*' if glued == Some('*') => self.pair(Token::Power),

@@ -8,6 +8,7 @@ mod latex;
 mod lexer;
 mod named;
 mod names;
+mod over;
 mod resolve;
 mod signs;
 mod token;
@@ -31,6 +32,18 @@ pub const MAX_FORMULA: usize = 1000;
 const MAX_DEPTH: usize = 24;
 /// The most decimals that are taken for rounded numbers.
 const MAX_DECIMALS: usize = 6;
+
+/// The letters of a name, in every way in which they are written.
+pub(super) fn spellings(name: &str) -> Vec<Vec<char>> {
+    let mut spellings = names::letters(name);
+    spellings.push(name.chars().filter(|sign| sign.is_alphanumeric()).collect());
+    spellings
+}
+
+/// The character that is meant, on the line.
+pub(super) fn lowered(character: char) -> char {
+    signs::unlowered(character).unwrap_or_else(|| signs::plain(character))
+}
 
 /// Reads a formula.
 pub(super) fn read(answer: &str, asked: &ExpectedFormula, mark: DecimalMark) -> Result<FormulaAnswer, Unreadable> {

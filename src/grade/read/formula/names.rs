@@ -102,7 +102,7 @@ impl<'a> Names<'a> {
 }
 
 /// The letters of a name, Greek ones as such: as the file spells it, and as it is printed where that differs.
-fn letters(name: &str) -> Vec<Vec<char>> {
+pub(super) fn letters(name: &str) -> Vec<Vec<char>> {
     let own = letters_alone(name);
     if name.contains('(') {
         return vec![own];

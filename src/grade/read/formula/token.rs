@@ -45,6 +45,8 @@ pub(super) enum Token {
     PlusMinus,
     Times,
     Over,
+    /// `\over`: a bar through the whole group in which it stands.
+    WholeOver,
     Power,
     /// An opening bracket; what closes it.
     Open(char),
