@@ -72,12 +72,12 @@ fn a_hundred_has_one_to_three_figures() {
 /// One figure more than asked says nothing false yet; two do.
 #[test]
 fn one_figure_more_than_is_required_passes() {
-    let right = ExpectedNumber { writing: Writing::Require, ..number("3.1416", "m") };
+    let right = ExpectedNumber { writing: Writing::Require, ..number("2.5013", "m") };
     for (answer, wanted) in [
-        ("3.1 m", Verdict::FiguresFew),
-        ("3.14 m", Verdict::Right),
-        ("3.142 m", Verdict::Right),
-        ("3.1416 m", Verdict::FiguresMany),
+        ("2.5 m", Verdict::FiguresFew),
+        ("2.50 m", Verdict::Right),
+        ("2.501 m", Verdict::Right),
+        ("2.5013 m", Verdict::FiguresMany),
     ] {
         assert_eq!(verdict(&right, answer), wanted, "{answer}");
     }

@@ -22,31 +22,31 @@ pub(super) fn read(answer: &str, options: &[String]) -> Result<ChoiceAnswer, Unr
         return Err(Unreadable { at: MAX_LENGTH, kind: UnreadableKind::TooLong(MAX_LENGTH) });
     }
     let same = |text: String| SAME.iter().fold(text, |text, (other, word)| text.replace(other, word));
-    let found = meant(normal(answer), options, &normal);
+    let found = meant(&normal(answer), options, &normal);
     found.or_else(|fault| match fault.kind {
-        UnreadableKind::NoOption(_) => meant(same(normal(answer)), options, &|option| same(normal(option))),
+        UnreadableKind::NoOption(_) => meant(&same(normal(answer)), options, &|option| same(normal(option))),
         _ => Err(fault),
     })
 }
 
-fn meant(written: String, options: &[String], plain: &dyn Fn(&str) -> String) -> Result<ChoiceAnswer, Unreadable> {
+fn meant(written: &str, options: &[String], plain: &dyn Fn(&str) -> String) -> Result<ChoiceAnswer, Unreadable> {
     let fault = |kind| Unreadable { at: 0, kind };
     let found = |option: usize| options.get(option).map(|text| ChoiceAnswer { option, text: text.clone() });
     let texts: Vec<String> = options.iter().map(|option| plain(option)).collect();
-    if let Some(exact) = texts.iter().position(|text| *text == written) {
+    if let Some(exact) = texts.iter().position(|text| text == written) {
         // `2` may be the second option or the option `2`.
-        let by_place = place(&written, options.len()).filter(|place| *place != exact);
+        let by_place = place(written, options.len()).filter(|place| *place != exact);
         return match by_place {
             Some(_) => Err(fault(UnreadableKind::SeveralOptions)),
             None => found(exact).ok_or(fault(UnreadableKind::NoOption(options.len()))),
         };
     }
-    let is_beginning = |text: &&String| !written.is_empty() && begins(text, &written);
-    let meant: Vec<usize> = match answer_of(&written) {
+    let is_beginning = |text: &&String| !written.is_empty() && begins(text, written);
+    let meant: Vec<usize> = match answer_of(written) {
         Some(meant) => positions(&texts, |text| answer_of(first_word(text)) == Some(meant)),
         None => Vec::new(),
     };
-    let meant = if meant.is_empty() { place(&written, options.len()).into_iter().collect() } else { meant };
+    let meant = if meant.is_empty() { place(written, options.len()).into_iter().collect() } else { meant };
     let meant = if meant.is_empty() { positions(&texts, |text| is_beginning(&text)) } else { meant };
     match meant.as_slice() {
         [one] => found(*one).ok_or(fault(UnreadableKind::NoOption(options.len()))),
