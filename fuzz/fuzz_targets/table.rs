@@ -1,9 +1,6 @@
 #![no_main]
 
-use libfuzzer_sys::fuzz_target;
+#[path = "../soak.rs"]
+mod soak;
 
-#[allow(dead_code, reason = "each target runs one of them")]
-#[path = "../../tests/fuzz/targets.rs"]
-mod targets;
-
-fuzz_target!(|bytes: &[u8]| targets::table(bytes));
+libfuzzer_sys::fuzz_target!(init: soak::prepare("table"), |bytes: &[u8]| soak::run("table", bytes));

@@ -1,60 +1,49 @@
-//! What bytes of any kind are turned into, and what must hold of it. The tests run each a bounded number of times; the crate in `fuzz/`
-//! runs the same functions for hours under a fuzzer that looks for new paths through the program.
+//! What text of any kind is tried as, and what must hold of it. The tests run each target a bounded number of times; the crate in
+//! `fuzz/` runs the same functions for hours under a fuzzer that looks for new paths through the program.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, LazyLock};
 
 use momentous::bank::Bank;
-use momentous::exercise::{Column, Exercise, Listed, Place, Submission, Table};
+use momentous::exercise::{Column, Exercise, Listed, Place, Student, Submission, Table};
+use momentous::explain::Audience;
 use momentous::fault::{Faults, Source};
 use momentous::grade::{DecimalMark, Verdict};
 use momentous::problem::{Part, PartKind, compile, load};
+use momentous::render::{Format, Page, Renderer, Solution};
 
-/// Pieces of problem files, between and in place of which others are put.
-const OF_FILES: &str = include_str!("files.txt");
+/// One kind of text that comes from outside.
+pub struct Target {
+    /// Its name.
+    pub name: &'static str,
+    /// Pieces of such texts, one on each line, where `⏎` is the end of a line and `␣` a space.
+    pub pieces: &'static str,
+    /// Tries a text; the number chooses what it is tried with.
+    pub run: fn(u8, &str),
+}
 
-/// Pieces of answers.
-const OF_ANSWERS: &str = include_str!("answers.txt");
-
-/// Pieces of formulas.
-const OF_FORMULAS: &str = include_str!("formulas.txt");
+/// All of them.
+pub const TARGETS: [Target; 5] = [
+    Target { name: "problem_file", pieces: include_str!("files.txt"), run: problem_file },
+    Target { name: "answer", pieces: include_str!("answers.txt"), run: answer },
+    Target { name: "formula", pieces: include_str!("formulas.txt"), run: formula },
+    Target { name: "table", pieces: TABLES, run: table },
+    Target { name: "roster", pieces: TABLES, run: roster },
+];
 
 /// Pieces of tables and of lines of JSON.
-const OF_TABLES: &str = include_str!("tables.txt");
+const TABLES: &str = include_str!("tables.txt");
 
-/// The pieces of a list, one on each line, where `⏎` is the end of a line and `␣` a space.
-fn pieces(list: &str) -> Vec<String> {
-    list.lines().map(|line| line.replace('⏎', "\n").replace('␣', " ")).collect()
-}
-
-/// Text made of pieces, one for each byte but a few, which stand for themselves.
-fn pieced(bytes: &[u8], list: &str) -> String {
-    let pieces = pieces(list);
-    let piece = |byte: &u8| pieces.get(usize::from(*byte)).cloned().unwrap_or_else(|| char::from(*byte).to_string());
-    bytes.iter().map(piece).collect()
-}
-
-/// The nearest boundary of characters at or below a place.
-fn boundary(text: &str, at: usize) -> usize {
-    (0..=at.min(text.len())).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0)
-}
-
-/// A file of the bank with a few places cut out, doubled, or filled with pieces of other files.
-fn spoilt(bytes: &[u8]) -> String {
-    let bank = Bank::built_in();
-    let sources: Vec<&Source> = bank.sources().collect();
-    let [chosen, edits @ ..] = bytes else { return String::new() };
-    let Some(source) = sources.get(usize::from(*chosen) % sources.len().max(1)) else { return String::new() };
-    let mut text = source.text.to_string();
-    let pieces = pieces(OF_FILES);
-    for edit in edits.chunks_exact(4).take(8) {
-        let [high, low, length, piece] = [edit[0], edit[1], edit[2], edit[3]].map(usize::from);
-        let from = boundary(&text, (high << 8 | low) % (text.len() + 1));
-        let to = boundary(&text, from + length % 64).max(from);
-        let piece = pieces.get(piece).cloned().unwrap_or_else(|| text[from..to].repeat(2));
-        text.replace_range(from..to, &piece);
+impl Target {
+    /// The target with that name.
+    pub fn named(name: &str) -> Self {
+        TARGETS.into_iter().find(|own| own.name == name).expect("there is such a target")
     }
-    text
+
+    /// Its pieces.
+    pub fn pieces(&self) -> Vec<String> {
+        self.pieces.lines().map(|line| line.replace('⏎', "\n").replace('␣', " ")).collect()
+    }
 }
 
 fn within(faults: &Faults, length: usize) {
@@ -64,39 +53,53 @@ fn within(faults: &Faults, length: usize) {
     }
 }
 
-/// A problem file loads, compiles and draws, or says what is wrong and where.
-pub fn problem_file(bytes: &[u8]) {
-    let text = spoilt(bytes);
-    let loaded = match load(Source::new("fuzz.yaml", &text)) {
+thread_local! {
+    /// Slow to make; each thread has its own.
+    static RENDERER: Renderer = Renderer::new(None).expect("the built-in templates are well formed");
+}
+
+/// A problem file loads, compiles, draws and is printed with its solution, or says what is wrong and where.
+fn problem_file(chosen: u8, text: &str) {
+    let loaded = match load(Source::new("fuzz.yaml", text)) {
         Ok(loaded) => loaded,
         Err(faults) => return within(&faults, text.len()),
     };
-    match compile(loaded, None) {
-        Ok(problem) => drop(Exercise::draw(&Arc::new(problem), 0, 1)),
-        Err(faults) => within(&faults, text.len()),
+    let problem = match compile(loaded, None) {
+        Ok(problem) => Arc::new(problem),
+        Err(faults) => return within(&faults, text.len()),
+    };
+    let form = usize::from(chosen) % problem.forms().len().max(1);
+    let Ok(exercise) = Exercise::draw(&problem, form, u64::from(chosen)) else { return };
+    if let Err(faults) = exercise.printable() {
+        return within(&faults, text.len());
     }
+    let (audience, faded) = (Audience::Instructor, None);
+    let solution = Solution { outline: exercise.outline(audience), identity: exercise.identity(), audience, faded };
+    let format = Format::ALL[usize::from(chosen) % Format::ALL.len()];
+    let pages = [Page::Sheet(exercise.sheet()), Page::Solution(solution)];
+    let printed = RENDERER.with(|renderer| renderer.render(&pages, format));
+    assert!(printed.is_ok_and(|document| !document.text.is_empty()), "what is printable is printed:\n{text}");
 }
 
 /// One variant of every form of the bank.
 static BANK: LazyLock<Vec<Exercise>> = LazyLock::new(|| {
     let mut exercises = Vec::new();
     for source in Bank::built_in().sources() {
-        let Some(problem) = load(source.clone()).ok().and_then(|loaded| compile(loaded, None).ok()).map(Arc::new)
-        else {
-            continue;
-        };
+        let problem = load(source.clone()).ok().and_then(|loaded| compile(loaded, None).ok()).map(Arc::new);
+        let Some(problem) = problem else { continue };
         exercises.extend((0..problem.forms().len()).filter_map(|form| Exercise::draw(&problem, form, 1).ok()));
     }
     exercises
 });
 
-/// Marks a text as the answer to a part of the bank: it gets a verdict, and its marks lie between none and all.
-fn mark(text: &str, chosen: u8, asks: impl Fn(&Part) -> bool) {
-    let parts: Vec<(&Exercise, &Part)> = BANK
-        .iter()
-        .flat_map(|exercise| exercise.worked().form.parts.iter().map(move |part| (exercise, part)))
-        .filter(|(_, part)| asks(part))
-        .collect();
+/// Its parts, each with its variant: those that ask for no formula, and those that do.
+static PARTS: LazyLock<[Vec<(&Exercise, &Part)>; 2]> = LazyLock::new(|| {
+    let parts = |exercise: &'static Exercise| exercise.worked().form.parts.iter().map(move |part| (exercise, part));
+    BANK.iter().flat_map(parts).partition(|(_, part)| !matches!(part.kind, PartKind::Formula(_))).into()
+});
+
+/// Marks a text as the answer to one of these parts: it gets a verdict, and its marks lie between none and all.
+fn mark(text: &str, chosen: u8, parts: &[(&Exercise, &Part)]) {
     let Some((exercise, part)) = parts.get(usize::from(chosen) * parts.len() / 256) else { return };
     for decimal in [DecimalMark::Point, DecimalMark::Comma] {
         let report = exercise.grade(&BTreeMap::from([(part.id.clone(), text.to_owned())]), decimal);
@@ -108,27 +111,28 @@ fn mark(text: &str, chosen: u8, asks: impl Fn(&Part) -> bool) {
 }
 
 /// An answer that is no formula is marked, or it is said why it cannot be read.
-pub fn answer(bytes: &[u8]) {
-    let [chosen, rest @ ..] = bytes else { return };
-    mark(&pieced(rest, OF_ANSWERS), *chosen, |part| !matches!(part.kind, PartKind::Formula(_)));
+fn answer(chosen: u8, text: &str) {
+    mark(text, chosen, &PARTS[0]);
 }
 
 /// The same for a formula.
-pub fn formula(bytes: &[u8]) {
-    let [chosen, rest @ ..] = bytes else { return };
-    mark(&pieced(rest, OF_FORMULAS), *chosen, |part| matches!(part.kind, PartKind::Formula(_)));
+fn formula(chosen: u8, text: &str) {
+    mark(text, chosen, &PARTS[1]);
 }
 
-/// Every row of a table of submissions is a submission, or is refused with a reason; the same for lines of JSON.
-pub fn table(bytes: &[u8]) {
-    let text = format!("student,problem,seed,form,v_A2\n{}", pieced(bytes, OF_TABLES));
-    submissions(&text);
-    submissions(&pieced(bytes, OF_TABLES));
-    for (number, line) in (1..).zip(text.lines().skip(1)) {
-        match Submission::of_json(Place::Line(number), &format!("{{\"problem\":\"impact/two-carts\",{line}")) {
-            Ok(submission) => assert!(submission.answers().count() <= line.len()),
-            Err(reason) => assert!(!reason.is_empty(), "{line:?}"),
-        }
+/// Every row of a table of submissions is a submission, or is refused with a reason; the same for lines of JSON, and for a file of YAML.
+fn table(_: u8, text: &str) {
+    submissions(text);
+    for (number, line) in (1..).zip(text.lines()) {
+        submission(Submission::of_json(Place::Line(number), line), line);
+    }
+    submission(Submission::of_yaml(Place::Line(1), &Source::new("fuzz.yaml", text)), text);
+}
+
+fn submission(read: Result<Submission, String>, text: &str) {
+    match read {
+        Ok(submission) => assert!(submission.answers().count() <= text.len()),
+        Err(reason) => assert!(!reason.is_empty(), "{text:?}"),
     }
 }
 
@@ -146,11 +150,23 @@ fn submissions(text: &str) {
     }
 }
 
-/// A list of who has which sheet is read, or every fault of it is said.
-pub fn roster(bytes: &[u8]) {
-    let text = format!("student,problem,digest,form,seed,derivation\n{}", pieced(bytes, OF_TABLES));
-    let Ok(table) = Table::read(text.as_bytes()) else { return };
-    if let Err(faults) = Listed::read(table) {
+/// A roster, and a table of who has which sheet, is read, or every fault of it is said. Each student has a name and an identity that is
+/// no other's.
+fn roster(_: u8, text: &str) {
+    let faults = |faults: Vec<String>| {
         assert!(!faults.is_empty() && faults.iter().all(|fault| !fault.is_empty()), "{text:?}");
+    };
+    let read = || Table::read(text.as_bytes());
+    let Ok((students, sheets)) = read().and_then(|roster| Ok((Student::all(roster), Listed::read(read()?)))) else {
+        return;
+    };
+    sheets.map_or_else(faults, drop);
+    match students {
+        Ok(students) => {
+            let names: BTreeMap<&str, &str> =
+                students.iter().map(|student| (student.id.as_str(), student.name.as_str())).collect();
+            assert!(names.len() == students.len() && names.iter().all(|(id, name)| !id.is_empty() && !name.is_empty()));
+        }
+        Err(own) => faults(own),
     }
 }

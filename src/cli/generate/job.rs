@@ -14,7 +14,7 @@ use crate::render::KeyRow;
 use crate::render::Sheet;
 
 use super::names;
-use super::roster::Student;
+use super::roster::Sitter;
 
 /// A problem with the form in which it is asked.
 #[derive(Clone, Debug)]
@@ -22,7 +22,7 @@ pub(super) struct Asked {
     pub problem: Arc<Problem>,
     pub form: usize,
     /// Its part of the names of files: `impact-two-carts-find-e`.
-    stem: String,
+    pub stem: String,
 }
 
 impl Asked {
@@ -55,14 +55,7 @@ fn said(problem: &Problem, form: usize) -> String {
 pub(super) struct Job {
     asked: Asked,
     seed: u64,
-    student: Option<Student>,
-}
-
-impl Student {
-    /// The name of the student's files without an ending.
-    pub(super) fn file_stem(&self, asked: &Asked) -> String {
-        format!("{}-{}", self.stem, asked.stem)
-    }
+    sitter: Option<Sitter>,
 }
 
 impl Job {
@@ -76,7 +69,7 @@ impl Job {
         let last = last.ok_or_else(|| Failure::unusable(format!("there are not {count} seeds from {first} on")))?;
         let of = move |asked: &'_ Asked| {
             let asked = asked.clone();
-            (first..=last).map(move |seed| Self { asked: asked.clone(), seed, student: None })
+            (first..=last).map(move |seed| Self { asked: asked.clone(), seed, sitter: None })
         };
         Ok(Box::new(asked.iter().flat_map(of)))
     }
@@ -84,16 +77,16 @@ impl Job {
     /// For each student every problem.
     pub(super) fn for_students<'a>(
         asked: &'a [Asked],
-        students: &'a [Student],
+        sitters: &'a [Sitter],
         seeds: SeedSource<'a>,
     ) -> Box<dyn Iterator<Item = Self> + 'a> {
-        let of = move |student: &'a Student| {
+        let of = move |sitter: &'a Sitter| {
             asked.iter().map(move |asked| {
-                let seed = student.variant(asked, seeds).seed;
-                Self { asked: asked.clone(), seed, student: Some(student.clone()) }
+                let seed = sitter.variant(asked, seeds).seed;
+                Self { asked: asked.clone(), seed, sitter: Some(sitter.clone()) }
             })
         };
-        Box::new(students.iter().flat_map(of))
+        Box::new(sitters.iter().flat_map(of))
     }
 
     /// The variant, solved.
@@ -103,21 +96,26 @@ impl Job {
             .map_err(|reason| Failure::no_variant(problem.id(), self.seed, &reason))
     }
 
+    /// The student, as documents show him or her.
+    fn shown(&self) -> Option<String> {
+        self.sitter.as_ref().map(|sitter| sitter.student.shown())
+    }
+
     /// The sheet, with the student's name.
     pub(super) fn sheet(&self, exercise: &Exercise) -> Sheet {
-        Sheet { student: self.student.as_ref().map(Student::shown), ..exercise.sheet() }
+        Sheet { student: self.shown(), ..exercise.sheet() }
     }
 
     /// The answers, with the student's name.
     pub(super) fn key(&self, exercise: &Exercise) -> Vec<KeyRow> {
-        let named = |row: KeyRow| KeyRow { student: self.student.as_ref().map(Student::shown), ..row };
+        let named = |row: KeyRow| KeyRow { student: self.shown(), ..row };
         exercise.key().into_iter().map(named).collect()
     }
 
     /// The data, with the student.
     pub(super) fn record(&self, exercise: &Exercise, solution: Option<String>) -> Value {
         let mut record = exercise.record(solution);
-        if let (Some(student), Some(object)) = (&self.student, record.as_object_mut()) {
+        if let (Some(Sitter { student, .. }), Some(object)) = (&self.sitter, record.as_object_mut()) {
             object.insert("student".to_owned(), json!({ "id": student.id, "name": student.name }));
         }
         record
@@ -125,8 +123,8 @@ impl Job {
 
     /// The name of its files without an ending: `impact-two-carts-find-e-seed-7`, or `student-17-impact-two-carts-find-e`.
     pub(super) fn file_stem(&self) -> String {
-        match &self.student {
-            Some(student) => student.file_stem(&self.asked),
+        match &self.sitter {
+            Some(sitter) => sitter.file_stem(&self.asked),
             None => format!("{}-seed-{}", self.asked.stem, self.seed),
         }
     }
@@ -134,8 +132,8 @@ impl Job {
     /// What it is, in a message.
     pub(super) fn said(&self) -> String {
         let asked = said(&self.asked.problem, self.asked.form);
-        match &self.student {
-            Some(student) => format!("{asked} of {}", student.id),
+        match &self.sitter {
+            Some(sitter) => format!("{asked} of {}", sitter.student.id),
             None => asked,
         }
     }

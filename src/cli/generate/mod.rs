@@ -37,7 +37,8 @@ use destination::SEEDS;
 use earlier::Earlier;
 use job::Asked;
 use job::Job;
-pub(super) use roster::Roster;
+use roster::Roster;
+pub(super) use roster::students;
 
 const HELP: &str = "\
 Examples:
@@ -112,7 +113,7 @@ impl Generate {
         let seeds = SeedSource { derivation: self.derivation, secret: secret.as_deref() };
         let first = asked.first().map_or(Ok(self.seed.number), |own| open::seed(&self.seed, &own.problem))?;
         let jobs = |count| match &roster {
-            Some(roster) => Ok(Job::for_students(&asked, &roster.students, seeds)),
+            Some(roster) => Ok(Job::for_students(&asked, &roster.0, seeds)),
             None => Job::for_seeds(&asked, first, count),
         };
         let earlier = match &roster {
@@ -125,7 +126,7 @@ impl Generate {
             files = self.names(jobs(1)?)?;
         }
         let jobs = jobs(self.count)?;
-        let each = roster.as_ref().map_or(self.count, |roster| roster.students.len() as u64);
+        let each = roster.as_ref().map_or(self.count, |roster| roster.0.len() as u64);
         match self.format.document() {
             None => self.stream(jobs, each.saturating_mul(asked.len() as u64), &destination)?,
             Some(format) => self.documents(jobs, format, &destination)?,

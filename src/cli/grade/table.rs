@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::cli::exit::Exit;
 use crate::cli::failure::{Failure, tell};
-use crate::cli::generate::Roster;
+use crate::cli::generate;
 use crate::cli::table;
 use crate::exercise::Derived;
 use crate::exercise::Listed;
@@ -91,7 +91,7 @@ impl Grade {
             return Ok(Some(Sheets::Listed(listed)));
         }
         let Some(path) = &self.roster else { return Ok(None) };
-        let students = Roster::read(path)?.students.into_iter().map(|student| student.id).collect();
+        let students = generate::students(path)?.into_iter().map(|student| student.id).collect();
         let secret = secret.map(<[u8]>::to_vec);
         Ok(Some(Sheets::Derived(Derived { students, derivation: self.derivation, secret })))
     }
