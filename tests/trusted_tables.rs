@@ -192,6 +192,22 @@ fn attempts_that_stand_apart_can_be_brought_together() {
 }
 
 #[test]
+fn a_number_of_an_attempt_stands_there_once() {
+    let room = Room::empty();
+    let attempt = |student: &str, number: &str| format!("{},{number}\n", row(student, "1", "forward"));
+    let rows = [attempt("s", "1"), attempt("s", "2"), attempt("s", "01"), attempt("s", "1"), attempt("t", "1")];
+    fs::write(room.path("class.csv"), format!("{HEAD},attempt\n{}", rows.concat())).unwrap();
+    for more in [&[][..], &["--any-order"]] {
+        let ran = room.run(&[&["grade", "class.csv", "-o", "marks.csv"], more].concat());
+        for line in [4, 5] {
+            let message = format!("class.csv:{line}: `s` has an attempt 1 at this sheet of impact/two-carts already, at 2");
+            assert!(ran.err.contains(&message), "{}", ran.err);
+        }
+        assert!(ran.code == 2 && ran.err.contains("5 rows read: 3 marked (9 answers), 2 refused"), "{}", ran.err);
+    }
+}
+
+#[test]
 fn an_open_quotation_mark_costs_one_row() {
     let room = Room::empty();
     let mut rows = vec!["ann,impact/two-carts,1,forward,-0.500 m/s,4.00 m/s,\"33.8 J".to_owned()];

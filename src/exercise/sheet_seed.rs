@@ -41,6 +41,22 @@ impl SheetSeed {
     }
 }
 
+impl SheetSeed {
+    /// The seed as it was copied from a sheet: one of a sheet that was drawn with a secret has its mark.
+    ///
+    /// # Errors
+    /// As [`SheetSeed::of`]; and where the mark is missing, so that nobody knows whether it is a sheet of this secret.
+    pub fn of_a_sheet(&self, problem: &Problem) -> Result<u64, String> {
+        match (&self.mark, problem.secret_mark()) {
+            (None, Some(given)) => Err(format!(
+                "the seed {self} has no mark, and on sheets of the secret given it is {self}-{given}\n\
+                 help: write it as it stands on the sheet; sheets without a mark are marked without --secret"
+            )),
+            _ => self.of(problem),
+        }
+    }
+}
+
 impl fmt::Display for SheetSeed {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(out, "{}", self.number)?;

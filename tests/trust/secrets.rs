@@ -56,7 +56,7 @@ fn answers(seeds: [&str; 3]) -> String {
 
 #[test]
 fn a_table_is_not_marked_with_another_secret_or_none() {
-    let all = answers(["1-jdrgqf", "2-jdrgqf", "3"]);
+    let all = answers(["1-jdrgqf", "2-jdrgqf", "3-jdrgqf"]);
     let one = answers(["1-jdrgqf", "2", "3"]);
     let room = Room::with(&[WEAK, ("all.csv", &all), ("one.csv", &one), ("class.csv", "id\ns1\n")]);
     room.fine(&["secret", "other.txt"]);
@@ -66,11 +66,11 @@ fn a_table_is_not_marked_with_another_secret_or_none() {
         let ran = grade(&[&["all.csv", "-o", "none.csv"], more].concat());
         assert!(ran.code == 2 && ran.err.contains(message) && ran.err.contains("nothing was marked"), "{}", ran.err);
         assert!(!room.path("none.csv").exists());
-        // One row among many is refused by itself.
-        let ran = grade(&[&["one.csv"], more].concat());
-        assert!(ran.code == 2 && ran.err.contains("one.csv:2: ") && ran.err.contains(message), "{}", ran.err);
-        assert_eq!(ran.out.lines().filter(|row| row.contains(",v_A2,")).count(), 2, "{}", ran.out);
     }
+    // One row among many is refused by itself.
+    let ran = grade(&["one.csv"]);
+    assert!(ran.code == 2 && ran.err.contains("one.csv:2: ") && ran.err.contains("give it with --secret"), "{}", ran.err);
+    assert_eq!(ran.out.lines().filter(|row| row.contains(",v_A2,")).count(), 2, "{}", ran.out);
     // The table of seeds says it before any row is looked at.
     room.fine(&["generate", "impact/two-carts", "--roster", "class.csv", "--secret", "weak.txt", "-o", "s/"]);
     let sheets = ["one.csv", "--sheets", "s-teacher/seeds.csv"];
@@ -84,6 +84,35 @@ fn a_table_is_not_marked_with_another_secret_or_none() {
     room.fine(&["generate", "impact/two-carts", "--roster", "class.csv", "-o", "open/"]);
     let open = ["one.csv", "--sheets", "open-teacher/seeds.csv", "--secret", "weak.txt"];
     assert!(grade(&open).err.contains("drawn without a secret"));
+}
+
+#[test]
+fn with_a_secret_a_seed_is_known_by_its_mark_or_by_who_was_given_it() {
+    let some = answers(["1-jdrgqf", "2-jdrgqf", "3"]);
+    let none = answers(["1", "2", "3"]);
+    let room = Room::with(&[WEAK, ("some.csv", &some), ("none.csv", &none), ("class.csv", "id\ns1\n")]);
+    let grade = |more: &[&str]| room.run(&[&["grade", "--secret", "weak.txt"], more].concat());
+    let ran = grade(&["some.csv"]);
+    assert!(ran.code == 2 && ran.err.contains("some.csv:4: the seed 3 has no mark"), "{}", ran.err);
+    assert!(ran.err.contains("on sheets of the secret given it is 3-jdrgqf"), "{}", ran.err);
+    assert_eq!(ran.out.lines().filter(|row| row.contains(",v_A2,")).count(), 2, "{}", ran.out);
+    let ran = grade(&["none.csv", "-o", "marks.csv"]);
+    assert!(ran.code == 2 && ran.err.contains("nothing was marked"), "{}", ran.err);
+    assert!(!room.path("marks.csv").exists());
+    // Who was given which sheet says as much as the mark.
+    let generate = ["generate", "impact/two-carts", "--roster", "class.csv", "--secret", "weak.txt", "-o", "sheets/"];
+    room.fine(&generate);
+    let table = room.read("sheets-teacher/seeds.csv");
+    let seed = table.lines().nth(1).unwrap().split(',').nth(5).unwrap().to_owned();
+    std::fs::write(room.path("own.csv"), format!("student,problem,seed,v_A2\ns1,impact/two-carts,{seed},1 m/s\n")).unwrap();
+    for known in [["--sheets", "sheets-teacher/seeds.csv"], ["--roster", "class.csv"]] {
+        let ran = grade(&[&["own.csv"][..], &known].concat());
+        assert!(ran.code == 1 && ran.err.contains("1 row read: 1 marked"), "{}", ran.err);
+    }
+    let single = grade(&["--problem", "impact/two-carts", "--seed", "7", "--answer", "v_A2=1 m/s"]);
+    assert!(single.code == 2 && single.out.is_empty() && single.err.contains("it is 7-jdrgqf"), "{}", single.err);
+    // To make a sheet or its solution, the secret and a number are enough.
+    room.fine(&["solve", "impact/two-carts", "--seed", "7", "--secret", "weak.txt"]);
 }
 
 #[test]

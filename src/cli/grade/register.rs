@@ -1,5 +1,6 @@
 //! What is looked at before a submission is marked: the sheet that it answers, whose sheet that is, and which attempt it is.
 
+use std::collections::BTreeMap;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
@@ -61,14 +62,24 @@ pub(super) struct Register {
     looked_at: u64,
     of_other_secrets: u64,
     other_secret: Option<String>,
+    /// Where the numbered attempts of the student stand whose sheet was looked at last.
+    numbered: BTreeMap<u32, u64>,
     /// Problems that were changed after their sheets were made, by their positions; each is told once.
     changed: BTreeSet<usize>,
 }
 
 impl Register {
     pub(super) fn new(problems: Problems, sheets: Option<Sheets>) -> Self {
-        let (together, changed) = (Together::default(), BTreeSet::new());
-        Self { problems, sheets, together, looked_at: 0, of_other_secrets: 0, other_secret: None, changed }
+        Self {
+            problems,
+            sheets,
+            together: Together::default(),
+            looked_at: 0,
+            of_other_secrets: 0,
+            other_secret: None,
+            numbered: BTreeMap::new(),
+            changed: BTreeSet::new(),
+        }
     }
 
     /// Whether the secret is that of most sheets so far: a few rows with another may be slips, or come of ill will.
@@ -117,7 +128,9 @@ impl Register {
     fn facts(&mut self, submission: &Submission, number: u64, place: impl Fn(u64) -> Place) -> Result<Facts, String> {
         let met = self.problems.find(submission.key(Key::Problem))?;
         self.looked_at += 1;
-        if let Some(Err(message)) = seed_of(submission).ok().map(|seed| seed.of(&met.problem)) {
+        // Where it is known whose sheet is whose, a number says enough.
+        let drawn = if self.sheets.is_some() { SheetSeed::of } else { SheetSeed::of_a_sheet };
+        if let Some(Err(message)) = seed_of(submission).ok().map(|seed| drawn(&seed, &met.problem)) {
             self.of_other_secrets += 1;
             self.other_secret = Some(message.clone());
             return Err(message);
@@ -142,6 +155,19 @@ impl Register {
                 ));
             }
         };
+        if !is_beside {
+            self.numbered.clear();
+        }
+        if let Some(own) = attempt {
+            let first = *self.numbered.entry(own).or_insert(number);
+            if first != number {
+                let (student, problem, first) = (excerpt(student), variant.problem, place(first));
+                return Err(format!(
+                    "`{student}` has an attempt {own} at this sheet of {problem} already, at {first}\n\
+                     help: give each attempt a number of its own"
+                ));
+            }
+        }
         Ok(Facts { question, not_issued, is_beside, attempt, hints: hints.unwrap_or(0) })
     }
 

@@ -21,7 +21,7 @@ impl Grade {
         let secret = self.secret.read()?;
         let problem = open::problem(name, secret.as_deref())?;
         let form = open::form(&problem, self.form.as_deref())?;
-        let seed = open::seed(seed, &problem)?;
+        let seed = seed.of_a_sheet(&problem).map_err(|message| Failure::unusable(format!("--seed: {message}")))?;
         let exercise = Exercise::draw(&problem, form, seed);
         let exercise = exercise.map_err(|reason| Failure::no_variant(problem.id(), seed, &reason))?;
         let answers = self.answers(&exercise)?;
