@@ -13,8 +13,14 @@ const LONG: usize = 6;
 /// Guesses that one may make, as a power of two, before a secret is safe: a thousand computers make fewer in a year.
 const SAFE: f64 = 64.0;
 
-/// What a word adds, as a power of two: there are a few thousand usual ones.
+/// What a word adds, as a power of two: there are a few thousand usual ones. What stood there before adds no more.
 const WORD: f64 = 11.0;
+
+/// So many bytes are looked at.
+const LOOKED_AT: usize = 256;
+
+/// So many bytes together are no chance where they stood there before.
+const REPEATED: usize = 3;
 
 /// The mark of a secret: the same for the same secret, and no help to find it.
 ///
@@ -32,7 +38,8 @@ pub fn secret_mark(secret: &[u8]) -> String {
     digest.iter().take(LONG).map(|byte| char::from(LETTERS[usize::from(byte % 16)])).collect()
 }
 
-/// Whether somebody with one sheet may find the secret by trying: it is short, or made of words and simple rows.
+/// Whether somebody with one sheet may find the secret by trying: it is short, or made of words, simple rows and repetitions. Every
+/// secret of less than 13 bytes is.
 ///
 /// ```
 /// use momentous::problem::is_guessable;
@@ -41,24 +48,37 @@ pub fn secret_mark(secret: &[u8]) -> String {
 /// ```
 #[must_use]
 pub fn is_guessable(secret: &[u8]) -> bool {
+    let secret = &secret[..secret.len().min(LOOKED_AT)];
     let mut guesses = 0.0;
-    let mut rest = secret;
-    while let Some(first) = rest.first() {
-        let word = rest.iter().take_while(|byte| byte.is_ascii_lowercase()).count();
+    let mut place = 0;
+    while let Some(rest) = secret.get(place..).filter(|rest| !rest.is_empty()) {
+        let of = |is_one: fn(&u8) -> bool| rest.iter().take_while(|byte| is_one(byte)).count();
+        let word = of(u8::is_ascii_lowercase).max(of(u8::is_ascii_uppercase));
         // Equal bytes, and those that follow each other as in `12345`, are one.
         let row = 1 + rest.windows(2).take_while(|pair| pair[0].abs_diff(pair[1]) <= 1).count();
-        let letter: f64 = match first {
-            b'0'..=b'9' => 3.3,
-            b'a'..=b'z' | b'A'..=b'Z' => 4.7,
-            b' ' | b'-' | b'_' | b'.' | b',' => 1.0,
-            _ => 5.0,
+        let is_there = |length: &usize| (0..place).any(|start| secret[start..].starts_with(&rest[..*length]));
+        let repeated = (REPEATED..=rest.len()).take_while(is_there).last().unwrap_or(0);
+        let letters = |count: usize| rest.iter().take(count).map(|byte| bits(*byte)).sum::<f64>();
+        let (length, own) = if row >= word.max(repeated) {
+            (row, letters(1))
+        } else {
+            let length = word.max(repeated);
+            (length, letters(length).min(WORD))
         };
-        #[allow(clippy::cast_precision_loss, reason = "a secret is short")]
-        let (length, own) = if word > row { (word, (letter * word as f64).min(WORD)) } else { (row, letter) };
         guesses += own;
-        rest = rest.get(length..).unwrap_or_default();
+        place += length;
     }
     guesses < SAFE
+}
+
+/// What a byte adds where it is neither of a word nor of a row, as a power of two.
+fn bits(byte: u8) -> f64 {
+    match byte {
+        b'0'..=b'9' => 3.3,
+        b'a'..=b'z' | b'A'..=b'Z' => 4.7,
+        b' ' | b'-' | b'_' | b'.' | b',' => 1.0,
+        _ => 5.0,
+    }
 }
 
 #[cfg(test)]
@@ -84,6 +104,11 @@ mod tests {
             "qwertyuiopasdfghjklzxcvbnm",
             "abcdefghijklmnopqrstuvwxyz0123456789",
             "momentum-and-impulse-2026-11-23",
+            "CORRECT HORSE BATTERY STAPLE",
+            "7x7x7x7x7x7x7x7x7x7x7x7x7x7x",
+            "mary1998!mary1998!mary1998!mary1998!",
+            "éèéèéèéèéèéèéèéèéè",
+            "~:|^~#@%$!?*",
         ];
         for secret in weak {
             assert!(is_guessable(secret.as_bytes()), "{secret}");
