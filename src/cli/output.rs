@@ -121,10 +121,14 @@ impl Write for Output {
     }
 }
 
+/// The bytes of a name's part: a student's and a problem's, with digits and endings, fit into the 255 of most file systems.
+const LONGEST_STEM: usize = 100;
+
 /// What somebody typed or a file said, as a part of a file's name: no separators, and nothing hidden.
 pub(super) fn file_stem(text: &str) -> String {
     let plain = |letter: char| if letter.is_alphanumeric() || "-_.".contains(letter) { letter } else { '-' };
-    let stem: String = text.trim().chars().map(plain).take(100).collect();
+    let mut stem: String = text.trim().trim_start_matches(['.', '-']).chars().map(plain).collect();
+    stem.truncate(stem.floor_char_boundary(LONGEST_STEM));
     let stem = stem.trim_start_matches(['.', '-']);
     if stem.is_empty() { "unnamed".to_owned() } else { stem.to_owned() }
 }
@@ -220,5 +224,6 @@ mod tests {
     fn a_stem_leaves_no_folder() {
         let stems = ["../../etc/passwd", "Ana María", ".hidden", "", "a/b c"].map(file_stem);
         assert_eq!(stems, ["etc-passwd", "Ana-María", "hidden", "unnamed", "a-b-c"]);
+        assert_eq!(file_stem(&"한".repeat(100)).len(), 99);
     }
 }
