@@ -180,3 +180,97 @@ impl Done {
         self.marked.push(Marked::Refused(place, message));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+    use std::path::Path;
+
+    use super::super::problems::Problems;
+    use super::super::reader::Reader;
+    use super::super::register::Register;
+    use super::super::source::Source;
+    use super::*;
+    use crate::grade::DecimalMark;
+
+    /// How many tables are marked; `MOMENTOUS_TABLES=10000` marks a million rows.
+    const TABLES: u64 = 250;
+
+    /// The rows of each.
+    const ROWS: u64 = 100;
+
+    /// Rows behind their students, in which something may be wrong.
+    const KINDS: [&str; 12] = [
+        "concepts/who-is-fastest,1,,,A",
+        "concepts/who-is-fastest,01,,1,B",
+        "concepts/who-is-fastest,1,,2,",
+        "concepts/who-is-fastest,2,,,?",
+        "concepts/who-is-fastest,2-kmbtrs,,,A",
+        "concepts/who-is-fastest,x,,,A",
+        "concepts/who-is-fastest,1,backward,,A",
+        "concepts/who-is-fastest,1,,0,A",
+        "concepts/who-is-fastest,1,,,A,B",
+        "concepts/who-is-fast,1,,,A",
+        ",,,,",
+        "concepts/who-is-fastest,1,,,\"A",
+    ];
+
+    /// A table that looks like chance (`SplitMix64`), the same for the same number.
+    fn table(number: u64) -> String {
+        let mut state = number.wrapping_mul(ROWS);
+        let rows = (0..ROWS).map(|_| {
+            state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+            let mut word = state;
+            word = (word ^ (word >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+            word = (word ^ (word >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+            let kind = KINDS[usize::try_from((word >> 32) % KINDS.len() as u64).unwrap()];
+            format!("s{},{kind}\n{}", word % 30, if word % 7 == 0 { "\r\n" } else { "" })
+        });
+        format!("student,problem,seed,form,attempt,fastest\n{}", rows.collect::<String>())
+    }
+
+    /// What becomes of the rows of a file.
+    fn counted(path: &Path, problems: Problems) -> RowCounts {
+        let mut reader = Reader::new(Source::open(path).unwrap(), Register::new(problems, None));
+        let mut counts = RowCounts::default();
+        let (mut written, mut refused) = (0, BTreeSet::new());
+        loop {
+            let chunk = reader.chunk();
+            if chunk.is_empty() {
+                break;
+            }
+            for portion in marked(chunk, &reader.problems(), MarksFormat::Csv, false).unwrap() {
+                counts += portion.counts;
+                written += portion.rows.iter().filter(|byte| **byte == b'\n').count() as u64;
+                refused.extend(portion.marked.into_iter().filter_map(|own| match own {
+                    Marked::Refused(Place::Line(line), _) => Some(line),
+                    _ => None,
+                }));
+            }
+        }
+        counts.read = reader.read;
+        assert_eq!((written, refused.len() as u64), (counts.answers, counts.refused), "{}", path.display());
+        counts
+    }
+
+    #[test]
+    fn of_many_random_tables_every_row_is_marked_or_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut problems = Problems::here(&[], None, DecimalMark::Point).unwrap();
+        let part = problems.find("concepts/who-is-fastest").unwrap().problem.forms()[0].parts[0].id.clone();
+        let tables = std::env::var("MOMENTOUS_TABLES").ok().and_then(|count| count.parse().ok()).unwrap_or(TABLES);
+        let all: Vec<RowCounts> = (0..tables)
+            .into_par_iter()
+            .map_with(problems, |problems, number| {
+                let path = folder.path().join(format!("{number}.csv"));
+                std::fs::write(&path, table(number).replacen("fastest", &part, 1)).unwrap();
+                let counts = counted(&path, problems.clone());
+                std::fs::remove_file(&path).unwrap();
+                assert!(counts.read == ROWS && counts.is_complete(), "table {number}: {counts}\n{}", table(number));
+                counts
+            })
+            .collect();
+        let sum = |of: fn(&RowCounts) -> u64| all.iter().map(of).sum::<u64>();
+        assert!(sum(|counts| counts.marked) > tables * 10 && sum(|counts| counts.refused) > tables * 10);
+    }
+}

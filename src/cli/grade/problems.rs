@@ -16,6 +16,7 @@ use crate::problem::Problem;
 const MOST_SUGGESTIONS: u32 = 100;
 
 /// The problems that were met so far.
+#[derive(Clone)]
 pub(super) struct Problems {
     bank: Bank,
     secret: Option<Vec<u8>>,
