@@ -181,8 +181,9 @@ fn a_roster_gives_each_student_numbers_that_only_the_secret_tells() {
     let arguments = ["generate", "impact/two-carts", "--roster", "class.csv", "--format", "json"];
     let with = |more: &[&str]| room.fine(&[&arguments[..], more].concat());
     with(&["--secret", "secret.txt", "-o", "a/"]);
-    assert_eq!(room.names("a"), ["s1-impact-two-carts-forward.json", "s2-impact-two-carts-forward.json"]);
-    let record = &lines(&room.read("a/s1-impact-two-carts-forward.json"))[0];
+    let files = ["s1-impact-two-carts-forward.json", "s2-impact-two-carts-forward.json", "seeds.csv"];
+    assert_eq!(room.names("a-teacher"), files);
+    let record = &lines(&room.read("a-teacher/s1-impact-two-carts-forward.json"))[0];
     assert_eq!((&record["student"]["name"], &record["student"]["id"]), (&"Ada".into(), &"s1".into()));
     let seed = record["seed"].to_string();
     assert!(
@@ -234,7 +235,8 @@ fn grade_marks_a_table_and_keeps_going_at_a_bad_row() {
     let digest = record["digest"].as_str().unwrap();
     let head = "student,problem,digest,seed,form,attempt,v_A2,v_B2,T_lost";
     let good = format!("s1,impact/two-carts,{digest},7,forward,1,{}", cells.join(","));
-    fs::write(room.path("good.csv"), format!("{head}\n{good}\n{good}\n")).unwrap();
+    let again = good.replacen("forward,1,", "forward,2,", 1);
+    fs::write(room.path("good.csv"), format!("{head}\n{good}\n{again}\n")).unwrap();
     let marks = room.fine(&["grade", "good.csv"]);
     assert_eq!(marks.lines().count(), 1 + 2 * 3);
     assert!(marks.lines().nth(1).unwrap().starts_with("2,s1,impact/two-carts,7,forward,1,v_A2,2,2,right,"), "{marks}");

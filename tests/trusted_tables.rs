@@ -200,7 +200,8 @@ fn a_number_of_an_attempt_stands_there_once() {
     for more in [&[][..], &["--any-order"]] {
         let ran = room.run(&[&["grade", "class.csv", "-o", "marks.csv"], more].concat());
         for line in [4, 5] {
-            let message = format!("class.csv:{line}: `s` has an attempt 1 at this sheet of impact/two-carts already, at 2");
+            let message =
+                format!("class.csv:{line}: `s` has an attempt 1 at this sheet of impact/two-carts already, at 2");
             assert!(ran.err.contains(&message), "{}", ran.err);
         }
         assert!(ran.code == 2 && ran.err.contains("5 rows read: 3 marked (9 answers), 2 refused"), "{}", ran.err);

@@ -35,6 +35,11 @@ pub(super) struct Secret {
 }
 
 impl Secret {
+    /// Whether there is one.
+    pub(super) fn is_given(&self) -> bool {
+        self.secret.is_some()
+    }
+
     /// The secret, without the line end that an editor leaves.
     pub(super) fn read(&self) -> Result<Option<Vec<u8>>, Failure> {
         let Some(path) = &self.secret else { return Ok(None) };

@@ -20,7 +20,8 @@ pub fn of(target: &str, root: &Path) -> Vec<String> {
 
 /// Files of problems, good and bad ones.
 fn files(root: &Path) -> Vec<String> {
-    let folders = ["bad_problems", "found", "pictures", "problems"].map(|folder| root.join("tests/fixtures").join(folder));
+    let folders =
+        ["bad_problems", "found", "pictures", "problems"].map(|folder| root.join("tests/fixtures").join(folder));
     let short = |path: &PathBuf| path.metadata().is_ok_and(|file| file.is_file() && file.len() < LONGEST);
     let paths = folders.iter().flat_map(|folder| listed(folder)).filter(short);
     paths.filter_map(|path| fs::read_to_string(path).ok()).collect()

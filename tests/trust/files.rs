@@ -44,6 +44,34 @@ fn what_is_the_teachers_lies_apart_and_only_its_owner_reads_it() {
 
 #[cfg(unix)]
 #[test]
+fn solutions_and_json_of_a_class_lie_in_the_teachers_folder() {
+    use std::os::unix::fs::PermissionsExt;
+    let room = Room::with(&[("class.csv", "id\ns1\n"), ("secret.txt", "b289213b44e2929520550277c6eb28ad\n")]);
+    let rest = [&["--roster", "class.csv"][..], &["--seed", "1", "--secret", "secret.txt"]];
+    for (own, folder) in rest.iter().zip(["class/", "one/"]) {
+        let generate = |more: &[&str]| {
+            room.fine(&[&["generate", "impact/two-carts", "-o", folder], *own, more].concat());
+        };
+        generate(&["--solution"]);
+        generate(&["--format", "json"]);
+        let teacher = format!("{}-teacher", folder.trim_end_matches('/'));
+        for name in room.names(folder) {
+            assert!(!name.contains("solution") && !name.contains("json"), "{folder}{name}");
+        }
+        let apart = room.names(&teacher);
+        for ending in ["-solution.md", "-solution-1.svg", ".json"] {
+            let found = apart.iter().find(|name| name.ends_with(ending)).expect(ending);
+            let mode = fs::metadata(room.path(&format!("{teacher}/{found}"))).unwrap().permissions().mode();
+            assert_eq!(mode & 0o777, 0o600, "{found}");
+        }
+    }
+    // What everybody can draw has its solution beside it.
+    room.fine(&["generate", "impact/two-carts", "--solution", "-o", "open/"]);
+    assert!(room.names("open").iter().any(|name| name.ends_with("-solution.md")));
+}
+
+#[cfg(unix)]
+#[test]
 fn a_link_that_waits_for_the_temporary_file_is_not_followed() {
     let room = Room::with(&[("class.csv", "problem,seed,v_A2\nimpact/two-carts,1,1 m/s\n"), ("victim", "precious")]);
     fs::create_dir(room.path("shared")).unwrap();
@@ -96,11 +124,13 @@ fn every_student_has_a_file_of_his_own() {
             "-o",
             &format!("{format}/"),
         ]);
-        let names = room.names(format);
+        let folder = if format == "json" { "json-teacher" } else { format };
+        let mut names = room.names(folder);
+        names.retain(|name| name != "seeds.csv");
         let capitals: std::collections::BTreeSet<String> = names.iter().map(|name| name.to_lowercase()).collect();
         assert_eq!((names.len(), capitals.len()), (4, 4), "{names:?}");
         for student in ["Alice", "Bob", "Carol", "Dora"] {
-            let own = |name: &&String| room.read(&format!("{format}/{name}")).contains(student);
+            let own = |name: &&String| room.read(&format!("{folder}/{name}")).contains(student);
             assert_eq!(names.iter().filter(own).count(), 1, "{student}");
         }
         // The table says which is whose.
@@ -172,7 +202,7 @@ fn a_table_of_seeds_is_not_lost_and_old_sheets_are_named() {
     fs::write(room.path("class.csv"), "id\ns2\ns3\n").unwrap();
     let later = generate(&["impact/two-carts", "bouncing/rubber-ball"]);
     assert_eq!(later.code, 0, "{}", later.err);
-    for left in ["sheets/s1-impact-two-carts-forward.md", "sheets/s1-impact-two-carts-forward-solution.md"] {
+    for left in ["sheets/s1-impact-two-carts-forward.md", "sheets-teacher/s1-impact-two-carts-forward-solution.md"] {
         assert!(later.err.contains(left), "{left}\n{}", later.err);
     }
     assert!(!later.err.contains("s2-") && !later.err.contains("s3-"), "{}", later.err);

@@ -69,7 +69,11 @@ fn a_table_is_not_marked_with_another_secret_or_none() {
     }
     // One row among many is refused by itself.
     let ran = grade(&["one.csv"]);
-    assert!(ran.code == 2 && ran.err.contains("one.csv:2: ") && ran.err.contains("give it with --secret"), "{}", ran.err);
+    assert!(
+        ran.code == 2 && ran.err.contains("one.csv:2: ") && ran.err.contains("give it with --secret"),
+        "{}",
+        ran.err
+    );
     assert_eq!(ran.out.lines().filter(|row| row.contains(",v_A2,")).count(), 2, "{}", ran.out);
     // The table of seeds says it before any row is looked at.
     room.fine(&["generate", "impact/two-carts", "--roster", "class.csv", "--secret", "weak.txt", "-o", "s/"]);
@@ -104,7 +108,8 @@ fn with_a_secret_a_seed_is_known_by_its_mark_or_by_who_was_given_it() {
     room.fine(&generate);
     let table = room.read("sheets-teacher/seeds.csv");
     let seed = table.lines().nth(1).unwrap().split(',').nth(5).unwrap().to_owned();
-    std::fs::write(room.path("own.csv"), format!("student,problem,seed,v_A2\ns1,impact/two-carts,{seed},1 m/s\n")).unwrap();
+    std::fs::write(room.path("own.csv"), format!("student,problem,seed,v_A2\ns1,impact/two-carts,{seed},1 m/s\n"))
+        .unwrap();
     for known in [["--sheets", "sheets-teacher/seeds.csv"], ["--roster", "class.csv"]] {
         let ran = grade(&[&["own.csv"][..], &known].concat());
         assert!(ran.code == 1 && ran.err.contains("1 row read: 1 marked"), "{}", ran.err);

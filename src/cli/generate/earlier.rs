@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 use std::path::Path;
+use std::path::PathBuf;
 
 use serde::Deserialize;
 
@@ -54,10 +55,11 @@ impl Earlier {
         )))
     }
 
-    /// Names the files in that folder of sheets that nobody has any more: those of rows whose names are not these.
-    pub(super) fn tell_what_is_left(&self, folder: &Path, now: &BTreeSet<String>) {
+    /// Names the files in these folders of sheets that nobody has any more: those of rows whose names are not these.
+    pub(super) fn tell_what_is_left(&self, folders: &[PathBuf], now: &BTreeSet<String>) {
         let gone = self.0.iter().filter(|row| !row.file.is_empty() && !now.contains(&row.file));
-        let files = gone.flat_map(|row| ENDINGS.map(|ending| folder.join(format!("{}{ending}", row.file))));
+        let names = gone.flat_map(|row| ENDINGS.map(|ending| format!("{}{ending}", row.file)));
+        let files = names.flat_map(|name| folders.iter().map(move |folder| folder.join(&name)));
         let files: Vec<String> =
             files.filter(|path| path.is_file()).map(|path| format!("\n  {}", path.display())).collect();
         if !files.is_empty() {

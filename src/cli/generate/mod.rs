@@ -52,8 +52,8 @@ Examples:
 
 A roster is a CSV file with a column `id`, or `name`, or both. Each student gets numbers of his or her own, and
 seeds.csv says who has which seed. A folder named by -o ends with a slash, or is there already. The key and seeds.csv
-go beside it, into a folder of their own for the teacher: sheets-teacher/. The same problem, seed and form give the
-same numbers on every computer.";
+go beside it, into a folder of their own for the teacher: sheets-teacher/. With --roster or --secret so do solutions and
+JSON, which hold answers, too. The same problem, seed and form give the same numbers on every computer.";
 
 /// What the name of a solution has behind that of its sheet.
 const SOLUTION: &str = "-solution";
@@ -138,9 +138,14 @@ impl Generate {
             }
         }
         if let (Some(earlier), Destination::Folder(folder)) = (earlier, &destination) {
-            earlier.tell_what_is_left(folder, &files);
+            earlier.tell_what_is_left(&[folder.clone(), destination.for_teacher()?], &files);
         }
         Ok(Exit::Fine)
+    }
+
+    /// Whether sheets may be handed out as they lie there, so that what holds answers goes elsewhere.
+    fn is_for_students(&self) -> bool {
+        self.roster.is_some() || self.secret.is_given()
     }
 
     /// The names of files without their endings; two documents with one name are refused.
@@ -182,15 +187,21 @@ impl Generate {
                 pages.extend(solution);
                 continue;
             };
-            let documents = [(Some(sheet), ""), (solution, SOLUTION)];
-            for (page, ending) in documents.into_iter().filter_map(|(page, ending)| Some((page?, ending))) {
+            let documents = [(Some(sheet), "", false), (solution, SOLUTION, self.is_for_students())];
+            for (page, ending, is_apart) in documents {
+                let Some(page) = page else { continue };
                 let name = format!("{}{ending}", job.file_stem());
                 renderer = renderer.figures(Figures::Beside(name.clone()));
                 let document = renderer.render(&[page], format)?;
-                for beside in &document.beside {
-                    Output::whole(Some(&folder.join(&beside.name)), &beside.text)?;
-                }
-                Output::whole(Some(&folder.join(format!("{name}.{}", format.extension()))), &document.text)?;
+                let write = |name: &str, text: &str| {
+                    if is_apart {
+                        destination.write_for_teacher(name, text)
+                    } else {
+                        Output::whole(Some(&folder.join(name)), text)
+                    }
+                };
+                document.beside.iter().try_for_each(|beside| write(&beside.name, &beside.text))?;
+                write(&format!("{name}.{}", format.extension()), &document.text)?;
             }
         }
         let key = Page::Key(Key { title: "Answers".to_owned(), rows });

@@ -5,6 +5,7 @@ use std::io::Write;
 use rayon::prelude::*;
 
 use crate::cli::failure::Failure;
+use crate::cli::failure::tell;
 use crate::cli::output::Output;
 use crate::cli::pages;
 use crate::cli::progress;
@@ -27,8 +28,16 @@ impl Generate {
         let renderer = pages::renderer()?;
         let make = |job: &Job| self.record(job, &job.exercise()?, &renderer);
         if let Destination::Folder(folder) = destination {
+            if self.is_for_students() {
+                tell(&format!("note: JSON holds the answers; it lies in {}", destination.for_teacher()?.display()));
+            }
             return jobs.try_for_each(|job| {
-                Output::whole(Some(&folder.join(format!("{}.json", job.file_stem()))), &format!("{}\n", make(&job)?))
+                let (name, text) = (format!("{}.json", job.file_stem()), format!("{}\n", make(&job)?));
+                if self.is_for_students() {
+                    destination.write_for_teacher(&name, &text)
+                } else {
+                    Output::whole(Some(&folder.join(name)), &text)
+                }
             });
         }
         let bar = progress::bar(count, *destination == Destination::Stdout);
