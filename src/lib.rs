@@ -47,6 +47,7 @@
 //! `docs/architecture.md`.
 
 pub mod bank;
+#[cfg(feature = "cli")]
 pub mod cli;
 pub mod exercise;
 pub mod explain;
@@ -62,3 +63,4 @@ pub mod render;
 pub mod scene;
 pub mod simulate;
 pub mod solve;
+pub mod witness;

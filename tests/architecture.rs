@@ -22,7 +22,7 @@ const ORDER: &[&[&str]] = &[
     &["model"],
     &["problem"],
     &["figure", "simulate"],
-    &["explain", "grade"],
+    &["explain", "grade", "witness"],
     &["render"],
     &["exercise"],
     &["bank"],

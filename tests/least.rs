@@ -6,11 +6,11 @@
 #[path = "support/variants.rs"]
 mod variants;
 
-use momentous::bank::staged;
 use momentous::problem::{Problem, Sampler};
 use momentous::simulate::least::{Class, Request, choose, classify, costs};
 use momentous::simulate::scene::Experiment;
 use momentous::simulate::{EventDriven, IN_THE_PLANE, Method, ON_A_LINE, RungeKutta, Task};
+use momentous::witness::staged;
 
 /// The requests.
 const ACCURACIES: [f64; 4] = [1e-2, 1e-4, 1e-7, 1e-10];

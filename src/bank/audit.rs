@@ -12,6 +12,7 @@ use crate::problem::compile;
 use crate::problem::digest;
 use crate::render::Renderer;
 
+use super::agreement::agrees;
 use super::answers;
 use super::answers::noted;
 use super::course::load_in_course;
@@ -23,7 +24,6 @@ use super::repeat;
 use super::report::Audit;
 use super::report::FormAudit;
 use super::sample::Samples;
-use super::simulation;
 use super::wrong_forms;
 
 /// Below this share of draws that are not rejected, the author is told.
@@ -73,7 +73,7 @@ fn form_audit(
     let samples = Samples::draw(problem, position, drawn)?;
     let columns = answers::columns(&form.parts, &samples);
     let variants = samples.variants();
-    let (witnessed, simulated) = simulation::agrees(problem, position, seeds.simulated.min(drawn));
+    let (witnessed, simulated) = agrees(problem, position, seeds.simulated.min(drawn));
     let look = |promise: Promise| match promise {
         // It is compiled, or there would be no form to look at.
         Promise::Compiles => Outcome::Kept,

@@ -1,16 +1,20 @@
 //! The settings of the course to which a problem file belongs.
 
-use std::fs;
+#[cfg(feature = "files")]
 use std::path::Path;
 
 use crate::fault::Faults;
 use crate::fault::Source;
+#[cfg(feature = "files")]
 use crate::problem::Course;
 use crate::problem::Loaded;
 use crate::problem::load;
 
-use super::collection::FOLDER;
-use super::collection::read;
+#[cfg(feature = "files")]
+use super::files::read;
+
+/// The folder in which a course keeps its problems.
+pub const FOLDER: &str = "problem_bank";
 
 /// The name of the file with a course's settings.
 pub const COURSE_FILE: &str = "course.yaml";
@@ -20,6 +24,7 @@ pub const COURSE_FILE: &str = "course.yaml";
 ///
 /// # Errors
 /// Every fault of the problem file; if it has none, those of the settings.
+#[cfg(feature = "files")]
 pub fn load_in_course(source: Source) -> Result<Loaded, Faults> {
     let course = settings_for(Path::new(&*source.name));
     let loaded = load(source)?;
@@ -29,12 +34,22 @@ pub fn load_in_course(source: Source) -> Result<Loaded, Faults> {
     })
 }
 
+/// Reads a problem file. Without the feature `files` there are no folders, and so no settings of a course.
+///
+/// # Errors
+/// Every fault of the file.
+#[cfg(not(feature = "files"))]
+pub fn load_in_course(source: Source) -> Result<Loaded, Faults> {
+    load(source)
+}
+
+#[cfg(feature = "files")]
 fn settings_for(file: &Path) -> Result<Option<Course>, Faults> {
     let folders: Vec<&Path> = file.ancestors().skip(1).collect();
     let is_bank = |folder: &&Path| folder.file_name().is_some_and(|name| name == FOLDER);
     let searched = folders.iter().position(is_bank).map_or(1, |top| top + 1);
     let candidates = folders.into_iter().take(searched).map(|folder| folder.join(COURSE_FILE));
-    match candidates.into_iter().find(|path| fs::exists(path).unwrap_or(false)) {
+    match candidates.into_iter().find(|path| std::fs::exists(path).unwrap_or(false)) {
         Some(path) => Course::read(&read(&path)?).map(Some),
         None => Ok(None),
     }

@@ -2,9 +2,8 @@
 //! compared with what they did.
 
 use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 use std::sync::Arc;
-
-use rayon::prelude::*;
 
 use crate::exercise::Exercise;
 use crate::fault::Faults;
@@ -14,6 +13,7 @@ use crate::problem::Problem;
 use crate::problem::compile;
 
 use super::course::load_in_course;
+use super::each::each;
 
 /// What became of simulated students.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -76,15 +76,13 @@ pub fn diagnosed(source: &Source, seeds: u64) -> Result<Diagnosed, Faults> {
     let problem = Arc::new(compile(load_in_course(source.clone())?, None)?);
     let forms = 0..problem.forms().len();
     let students: Vec<(usize, u64)> = forms.flat_map(|form| (1..=seeds).map(move |seed| (form, seed))).collect();
-    let tally = students.into_par_iter().map(|(form, seed)| of_seed(&problem, form, seed));
-    let (tally, mut mistakes) = tally.reduce(Default::default, |(tally, mut codes), (other, more)| {
-        codes.extend(more);
-        codes.sort_unstable();
-        codes.dedup();
-        (tally.plus(&other), codes)
-    });
-    mistakes.sort_unstable();
-    mistakes.dedup();
+    let mut tally = Tally::default();
+    let mut mistakes = BTreeSet::new();
+    for (own, codes) in each(students, |(form, seed)| of_seed(&problem, form, seed)) {
+        tally = tally.plus(&own);
+        mistakes.extend(codes);
+    }
+    let mistakes = mistakes.into_iter().collect();
     Ok(Diagnosed { problem: problem.id().to_owned(), mistakes, tally })
 }
 

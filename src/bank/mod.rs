@@ -1,24 +1,28 @@
 //! Finding and listing problems, and the audit behind `momentous check`.
 
+mod agreement;
 mod answers;
 mod audit;
 mod collection;
 mod course;
 mod diagnosis;
+mod each;
 mod entry;
+#[cfg(feature = "files")]
+mod files;
 mod printed;
 mod promise;
 mod repeat;
 mod report;
 mod sample;
-mod simulation;
 mod wrong_forms;
 
 pub use audit::{Seeds, audit};
-pub use collection::{Bank, FOLDER, files_under};
-pub use course::{COURSE_FILE, load_in_course};
+pub use collection::Bank;
+pub use course::{COURSE_FILE, FOLDER, load_in_course};
 pub use diagnosis::{Diagnosed, Tally, diagnosed};
 pub use entry::Card;
+#[cfg(feature = "files")]
+pub use files::files_under;
 pub use promise::{Finding, Outcome, Promise};
 pub use report::{AnswerSpread, Audit, FormAudit};
-pub use simulation::{Simulated, followed, staged};

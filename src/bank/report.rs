@@ -2,12 +2,12 @@
 
 use std::collections::BTreeMap;
 
+use crate::witness::Simulated;
 use serde::Serialize;
 
 use super::promise::Finding;
 use super::promise::Outcome;
 use super::promise::Promise;
-use super::simulation::Simulated;
 
 /// What was found of one problem; the keys of `momentous check --format json`.
 #[derive(Clone, Debug, Serialize)]

@@ -5,8 +5,6 @@ use std::hash::DefaultHasher;
 use std::hash::Hash;
 use std::hash::Hasher;
 
-use rayon::prelude::*;
-
 use crate::model::ContactWeight;
 use crate::problem::NoVariant;
 use crate::problem::NumberPart;
@@ -18,6 +16,8 @@ use crate::problem::Variant;
 use crate::problem::Worked;
 use crate::quantity::Printed;
 use crate::solve::Bounded;
+
+use super::each::each;
 
 /// Seeds that one thread draws before it takes others. The outcome does not depend on it.
 const CHUNK: u64 = 64;
@@ -71,7 +71,7 @@ impl Samples {
     pub(super) fn draw(problem: &Problem, form: usize, seeds: u64) -> Result<Self, NoVariant> {
         let starts: Vec<u64> = (0..seeds.div_ceil(CHUNK)).map(|chunk| chunk * CHUNK + 1).collect();
         let chunk = |start: u64| Self::of_range(problem, form, start, (start + CHUNK).min(seeds + 1));
-        let chunks: Vec<Self> = starts.into_par_iter().map(chunk).collect::<Result<_, _>>()?;
+        let chunks: Vec<Self> = each(starts, chunk).into_iter().collect::<Result<_, _>>()?;
         let mut all = Self::default();
         for chunk in chunks {
             all.drawn.extend(chunk.drawn);

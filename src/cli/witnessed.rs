@@ -4,7 +4,7 @@ use std::io::Write;
 
 use crate::bank::Audit;
 use crate::bank::FormAudit;
-use crate::bank::Simulated;
+use crate::witness::Simulated;
 
 use super::failure::Failure;
 use super::output::Output;

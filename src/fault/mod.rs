@@ -1,10 +1,12 @@
 //! Files that are read, and what an author did wrong in them: what, where (file, line, column), and the way out.
 
+#[cfg(feature = "files")]
 mod input;
 mod path;
 mod source;
 mod suggest;
 
+#[cfg(feature = "files")]
 pub use input::Input;
 pub use path::{Path, Segment};
 pub use source::{Source, Span};

@@ -9,6 +9,7 @@ use tera::{Delimiters, Error, ErrorKind, Tera};
 use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Faults;
+#[cfg(feature = "files")]
 use crate::fault::Input;
 use crate::fault::Source;
 use crate::fault::Span;
@@ -114,9 +115,11 @@ fn engine(format: Format) -> Tera {
 }
 
 /// The longest template that is read, in bytes.
+#[cfg(feature = "files")]
 const LARGEST: u64 = 1 << 20;
 
 /// Adds the user's files of that format: each `.tera` file of its folder, and the style sheet.
+#[cfg(feature = "files")]
 fn add_overrides(format: Format, folder: &Path, sources: &mut BTreeMap<String, Source>) -> Result<(), Faults> {
     let unreadable = |path: &Path, error: &std::io::Error| Faults {
         source: Source::new(&path.display().to_string(), ""),
@@ -138,6 +141,13 @@ fn add_overrides(format: Format, folder: &Path, sources: &mut BTreeMap<String, S
         sources.insert(key, Source::new(&path.display().to_string(), &text));
     }
     Ok(())
+}
+
+/// Without the feature `files` there is nothing to add from.
+#[cfg(not(feature = "files"))]
+fn add_overrides(_: Format, folder: &Path, _: &mut BTreeMap<String, Source>) -> Result<(), Faults> {
+    let fault = Fault::new(Code::Unreadable, "this build of momentous reads no files");
+    Err(Faults { source: Source::new(&folder.display().to_string(), ""), list: vec![fault] })
 }
 
 /// A fault of tera's as ours, at its file and place.

@@ -19,6 +19,7 @@ pub mod scene;
 mod shown;
 mod simultaneous;
 pub mod stability;
+#[cfg(feature = "cli")] // it reads the clock
 mod sweep;
 mod task;
 mod trajectory;
@@ -40,6 +41,7 @@ pub use point_impact::{PointImpact, PointOutcome, RestitutionLaw};
 pub use record::{Moment, Record, Recorded, RecordedImpact};
 pub use refusal::Refusal;
 pub use shown::Shown;
+#[cfg(feature = "cli")]
 pub use sweep::{JITTERED_SCENES, Point, sweep};
 pub use task::{Case, IN_THE_PLANE, ON_A_LINE, Task};
 pub use trajectory::{Ending, Impact, Motion, Segment, Trajectory};

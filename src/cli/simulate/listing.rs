@@ -1,17 +1,11 @@
-//! The table of impacts as text and as comma-separated values, and everything as JSON.
+//! The table of impacts as text and as comma-separated values.
 
 use std::fmt::Write;
 
-use serde_json::Value;
-use serde_json::json;
-
-use crate::problem::Problem;
-use crate::problem::Variant;
-use crate::simulate::Moment;
 use crate::simulate::RecordedImpact;
+use crate::witness::{AT_ITS_TIME, Film, Shot};
 
 use super::super::failure::Failure;
-use super::film::{AT_ITS_TIME, Film, Shot};
 
 /// The headings of the table of impacts.
 pub(super) const HEADINGS: [&str; 5] =
@@ -100,64 +94,6 @@ pub(super) fn csv(shot: &Shot) -> Result<Vec<u8>, Failure> {
     table.flush()?;
     drop(table);
     Ok(bytes)
-}
-
-/// Everything, in SI units.
-pub(super) fn json(problem: &Problem, variant: &Variant, shot: &Shot) -> Result<String, Failure> {
-    let nothing: Vec<Value> =
-        shot.nothing.iter().map(|(stage, reason)| json!({ "stage": stage, "reason": reason })).collect();
-    Ok(serde_json::to_string(&json!({
-        "problem": problem.id(),
-        "seed": variant.seed(),
-        "form": problem.forms()[variant.form()].question.name,
-        "stages": shot.films.iter().map(film).collect::<Vec<_>>(),
-        "not_simulated": nothing,
-    }))?)
-}
-
-fn film(film: &Film) -> Value {
-    let bodies: Vec<Value> =
-        film.record.bodies.iter().map(|body| json!({ "name": body.name, "mass": body.mass })).collect();
-    json!({
-        "stage": film.stage,
-        "axes": film.axes.iter().map(|axis| axis.letter).collect::<Vec<_>>(),
-        "class": film.choice.class.name(),
-        "method": film.choice.method.name(),
-        "setting": film.choice.setting,
-        "why": film.choice.to_string(),
-        "ends": film.ending,
-        "bodies": bodies,
-        "mass_not_told": film.unweighed,
-        "notes": film.notes,
-        "impacts": film.record.impacts.iter().map(impact).collect::<Vec<_>>(),
-        "moments": film.record.moments.iter().map(moment).collect::<Vec<_>>(),
-    })
-}
-
-fn impact(impact: &RecordedImpact) -> Value {
-    json!({
-        "time": impact.time,
-        "between": impact.contact,
-        "impulse": impact.impulse,
-        "energy_before": impact.energy_before,
-        "energy_after": impact.energy_after,
-    })
-}
-
-fn moment(moment: &Moment) -> Value {
-    json!({
-        "time": moment.time,
-        "masses": moment.masses,
-        "positions": moment.positions,
-        "velocities": moment.velocities,
-        "mass_centre": moment.centre,
-        "momentum": moment.momentum,
-        "impulse_from_outside": moment.outside,
-        "kinetic_energy": moment.kinetic,
-        "potential_energy": moment.potential,
-        "energy_lost": moment.lost,
-        "work": moment.work,
-    })
 }
 
 #[cfg(test)]

@@ -1,6 +1,5 @@
 //! `momentous simulate`
 
-mod film;
 mod listing;
 mod plots;
 mod request;
@@ -14,6 +13,7 @@ use clap::ValueEnum;
 use crate::exercise::Exercise;
 use crate::exercise::SheetSeed;
 use crate::simulate::least::Request;
+use crate::witness::shoot;
 
 use super::exit::Exit;
 use super::failure::Failure;
@@ -92,12 +92,12 @@ impl Simulate {
         let exercise = drawn.map_err(|reason| Failure::no_variant(problem.id(), seed, &reason))?;
         let request =
             Request { accuracy: self.accuracy, budget: self.budget, method: self.method.map(request::Named::kind) };
-        let shot = film::shoot(&problem, exercise.variant(), &request)?;
+        let shot = shoot(&problem, exercise.variant(), &request).map_err(|why| Failure::unusable(why.to_string()))?;
         let title = format!("{}, seed {}", problem.id(), self.seed);
         let bytes = match self.format {
             Look::Text => listing::text(&title, &shot).into_bytes(),
             Look::Csv => listing::csv(&shot)?,
-            Look::Json => format!("{}\n", listing::json(&problem, exercise.variant(), &shot)?).into_bytes(),
+            Look::Json => format!("{}\n", shot.record(&problem, exercise.variant())).into_bytes(),
             Look::Svg => plots::page(&title, &shot.films).svg(Theme::Either).into_bytes(),
             Look::Png => png(&plots::page(&title, &shot.films), if self.dark { Theme::Dark } else { Theme::Light })?,
         };

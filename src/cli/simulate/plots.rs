@@ -3,13 +3,13 @@
 use crate::simulate::Moment;
 use crate::simulate::Record;
 use crate::simulate::scene::Component;
+use crate::witness::Film;
 
 use super::super::plot::Axis;
 use super::super::plot::Curve;
 use super::super::plot::Page;
 use super::super::plot::Panel;
 use super::super::plot::Table;
-use super::film::Film;
 use super::listing::{HEADINGS, rows};
 
 /// The height of a panel, in pixels.

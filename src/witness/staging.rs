@@ -9,8 +9,8 @@ use crate::simulate::scene::follow;
 use crate::simulate::scene::translate;
 
 use super::TOLERANCES;
-use super::witness::Case;
-use super::witness::Witness;
+use super::simulation::Case;
+use super::simulation::Witness;
 
 /// The motions of a stage that is integrated in time as it is, counted from 0; or why there are none.
 ///

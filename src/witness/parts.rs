@@ -13,9 +13,9 @@ use crate::problem::Worked;
 use super::choices::chosen;
 use super::choices::is_first;
 use super::choices::taken_root;
-use super::witness::Case;
-use super::witness::Comparison;
-use super::witness::Witness;
+use super::simulation::Case;
+use super::simulation::Comparison;
+use super::simulation::Witness;
 
 /// The share by which an answer is put wrong, to see that the simulation finds it out.
 const WRONG: f64 = 1e-3;
@@ -76,7 +76,7 @@ pub(super) fn comparisons(worked: &Worked<'_>, witness: &Witness<'_>) -> BTreeMa
             }
             (_, PartKind::Range(range)) => {
                 let sides = [&range.claim.left, &range.claim.right].map(|side| (side, witness.evaluated(side)));
-                let at = |(side, seen): &(&crate::expr::Expr, Option<super::witness::Seen>)| {
+                let at = |(side, seen): &(&crate::expr::Expr, Option<super::simulation::Seen>)| {
                     let said =
                         || side.evaluate(&|symbol| worked.variant.value(symbol).map_or(f64::NAN, |own| own.value));
                     seen.map_or_else(|| (said(), 0.0), |seen| (seen.value, seen.error))

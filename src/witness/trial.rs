@@ -1,20 +1,10 @@
-//! Variants simulated stage by stage, by methods that share no code with the laws: whatever is asked has to come out.
-//!
-//! What is told and what is answered is put in together, and every quantity that both the laws and the simulation know is
-//! compared. Whether an answer is witnessed at all is tried: put wrong by a thousandth, it has to be found out.
-
-mod choices;
-mod conserved;
-mod crossing;
-mod parts;
-mod staging;
-mod witness;
+//! Variants simulated and compared with the laws. Whether an answer is witnessed at all is tried: put wrong by a thousandth, it
+//! has to be found out.
 
 use std::collections::BTreeMap;
 use std::collections::BTreeSet;
 use std::ops::RangeInclusive;
 
-use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::problem::Problem;
@@ -23,21 +13,12 @@ use crate::problem::Worked;
 use crate::simulate::scene::NothingToSimulate;
 use crate::simulate::scene::Way;
 
-use super::promise::Outcome;
-
-pub use staging::followed;
-pub use staging::staged;
-
-use parts::Answer;
-use witness::Case;
-use witness::Comparison;
-use witness::Witness;
-
-/// Seeds that are simulated one after another; portions run beside each other.
-const PORTION: usize = 16;
-
-/// The tolerances of the two runs whose difference says how far the finer one may be off.
-const TOLERANCES: [f64; 2] = [1e-11, 1e-9];
+use super::TOLERANCES;
+use super::parts;
+use super::parts::Answer;
+use super::simulation::Case;
+use super::simulation::Comparison;
+use super::simulation::Witness;
 
 /// By which share of itself an input is changed to see what its own error does.
 const NUDGE: f64 = 1e-6;
@@ -74,7 +55,7 @@ impl Simulated {
     }
 
     /// Takes in what further seeds come to.
-    fn add(&mut self, other: Self) {
+    pub fn add(&mut self, other: Self) {
         self.seeds += other.seeds;
         self.compared += other.compared;
         self.apart = self.apart.max(other.apart);
@@ -84,18 +65,23 @@ impl Simulated {
     }
 }
 
-/// What the simulation of a few seeds comes to.
+/// What the simulation of a few seeds of a form comes to.
 #[derive(Default)]
-struct Portion {
-    simulated: Simulated,
-    ways: BTreeSet<Way>,
-    reason: Option<NothingToSimulate>,
-    broken: Option<String>,
+pub struct Portion {
+    /// What was found.
+    pub simulated: Simulated,
+    /// By which ways.
+    pub ways: BTreeSet<Way>,
+    /// Why something was not simulated.
+    pub reason: Option<NothingToSimulate>,
+    /// Where laws and simulation differ.
+    pub broken: Option<String>,
 }
 
 impl Portion {
     /// Simulates seeds one after another, until one is found that differs.
-    fn of(problem: &Problem, form: usize, seeds: RangeInclusive<u64>) -> Self {
+    #[must_use]
+    pub fn of(problem: &Problem, form: usize, seeds: RangeInclusive<u64>) -> Self {
         let (mut own, is_first) = (Self::default(), *seeds.start() == 1);
         let Ok(mut sampler) = Sampler::new(problem, form) else { return own };
         let scene = &problem.loaded().draft.scene;
@@ -122,36 +108,6 @@ impl Portion {
         }
         own
     }
-}
-
-/// Whether simulations of a form agree with its variants, and how that was found.
-pub(super) fn agrees(problem: &Problem, form: usize, seeds: u64) -> (Outcome, Simulated) {
-    let portions: Vec<u64> = (1..=seeds).step_by(PORTION).collect();
-    let portions: Vec<Portion> = portions
-        .into_par_iter()
-        .map(|first| Portion::of(problem, form, first..=seeds.min(first + PORTION as u64 - 1)))
-        .collect();
-    let (mut simulated, mut ways, mut reason) = (Simulated::default(), BTreeSet::new(), None);
-    for own in portions {
-        simulated.add(own.simulated);
-        ways.extend(own.ways);
-        reason = reason.or(own.reason);
-        if let Some(said) = own.broken {
-            return (Outcome::Broken(said), simulated);
-        }
-    }
-    simulated.ways = ways.into_iter().map(Way::called).collect();
-    let nothing = reason.unwrap_or(NothingToSimulate::NothingSolved).reason();
-    let outcome = match (simulated.witnessed.is_empty(), simulated.unseen.is_empty()) {
-        _ if simulated.seeds == 0 => Outcome::NotChecked("nothing was drawn"),
-        (true, _) => Outcome::NotChecked(nothing),
-        (false, true) => Outcome::Kept,
-        (false, false) => Outcome::Noted(format!("no simulation finds {}: {nothing}", simulated.unseen.join(", "))),
-    };
-    if !simulated.unseen.is_empty() {
-        simulated.nothing = Some(nothing);
-    }
-    (outcome, simulated)
 }
 
 /// One variant, simulated and compared, with a bound on how far each comparison may be off.
@@ -326,8 +282,8 @@ ask: [{ find: v_A2.x, unit: m/s }, { find: v_B2.y, unit: m/s }, { conserved: ene
 
     #[test]
     fn what_the_laws_find_is_what_a_simulation_finds() {
-        let (outcome, simulated) = agrees(&problem(), 0, 4);
-        assert_eq!(outcome, Outcome::Kept);
+        let Portion { simulated, broken, .. } = Portion::of(&problem(), 0, 1..=4);
+        assert_eq!(broken, None);
         assert_eq!((simulated.seeds, simulated.witnessed.len(), simulated.unseen.len()), (4, 3, 0));
         assert!(simulated.apart < 1e-9 && simulated.bound < 1e-6, "{simulated:?}");
     }

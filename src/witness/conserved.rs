@@ -8,8 +8,8 @@ use crate::simulate::scene::Reel;
 
 use super::choices::UNCHANGED;
 use super::choices::stage_of;
-use super::witness::Case;
-use super::witness::Witness;
+use super::simulation::Case;
+use super::simulation::Witness;
 
 /// A sum over bodies, and the sum of the sizes.
 type Total = (f64, f64);

@@ -1,7 +1,5 @@
 //! The stages of a variant, simulated one after another.
 
-use crate::bank::followed;
-use crate::bank::staged;
 use crate::problem::Problem;
 use crate::problem::Variant;
 use crate::scene::Axis;
@@ -21,13 +19,15 @@ use crate::simulate::scene::Experiment;
 use crate::simulate::scene::NothingToSimulate;
 use crate::simulate::scene::Reel;
 
-use super::super::failure::Failure;
+use super::staging::followed;
+use super::staging::staged;
 
 /// How a run that nothing cut short ends.
-pub(super) const AT_ITS_TIME: &str = "at its time";
+pub const AT_ITS_TIME: &str = "at its time";
 
 /// A part of a stage, simulated.
-pub(super) struct Film {
+#[derive(Clone, Debug)]
+pub struct Film {
     /// The stage, counted from 1.
     pub stage: usize,
     /// What the components are called.
@@ -46,7 +46,8 @@ pub(super) struct Film {
 
 impl Film {
     /// What a reader must know: of the motion, and of momenta and energies.
-    pub(super) fn cautions(&self) -> Vec<String> {
+    #[must_use]
+    pub fn cautions(&self) -> Vec<String> {
         let bodies = self.unweighed.join(" and ");
         let unweighed = format!("The mass of {bodies} is not given: impulses and energies are for 1 kg.");
         let notes = self.notes.iter().map(|note| (*note).to_owned());
@@ -55,14 +56,29 @@ impl Film {
 }
 
 /// All that could be simulated, and why the rest could not.
-pub(super) struct Shot {
+#[derive(Clone, Debug)]
+pub struct Shot {
+    /// What was simulated.
     pub films: Vec<Film>,
     /// Stages, counted from 1, with the reason.
     pub nothing: Vec<(usize, &'static str)>,
 }
 
+/// Why a scene is not simulated as is asked.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{what}\nhelp: {help}")]
+pub struct NotShown {
+    /// What is in the way.
+    pub what: String,
+    /// The way out.
+    pub help: &'static str,
+}
+
 /// Simulates every stage.
-pub(super) fn shoot(problem: &Problem, variant: &Variant, request: &Request) -> Result<Shot, Failure> {
+///
+/// # Errors
+/// Nothing in the scene can be simulated, or not by that method within that accuracy and time.
+pub fn shoot(problem: &Problem, variant: &Variant, request: &Request) -> Result<Shot, NotShown> {
     let scene = &problem.loaded().draft.scene;
     let mut shot = Shot { films: Vec::new(), nothing: Vec::new() };
     for (place, found) in staged(problem, variant).into_iter().enumerate() {
@@ -91,7 +107,7 @@ pub(super) fn shoot(problem: &Problem, variant: &Variant, request: &Request) -> 
     if shot.films.is_empty() {
         let reason = shot.nothing.first().map_or("nothing to simulate: nothing happens in the scene", |(_, why)| why);
         let help = "`momentous list` shows other problems; docs/methods.md says what can be simulated";
-        return Err(Failure::unusable(format!("{}: {reason}\nhelp: {help}", problem.id())));
+        return Err(NotShown { what: format!("{}: {reason}", problem.id()), help });
     }
     Ok(shot)
 }
@@ -102,7 +118,7 @@ fn integrated(
     variant: &Variant,
     stage: usize,
     request: &Request,
-) -> Result<Result<Vec<Film>, NothingToSimulate>, Failure> {
+) -> Result<Result<Vec<Film>, NothingToSimulate>, NotShown> {
     let Some(own) = problem.loaded().draft.scene.stages.get(stage - 1) else {
         return Ok(Err(NothingToSimulate::NoStage));
     };
@@ -120,12 +136,12 @@ fn integrated(
 }
 
 /// Nothing in the table of costs serves.
-fn out_of_reach(stage: usize, error: &NoChoice) -> Failure {
+fn out_of_reach(stage: usize, error: &NoChoice) -> NotShown {
     refused(stage, &error.to_string(), "ask for less accuracy, or give more time, or leave --method out")
 }
 
-fn refused(stage: usize, what: &str, help: &str) -> Failure {
-    Failure::unusable(format!("stage {stage}: {what}\nhelp: {help}"))
+fn refused(stage: usize, what: &str, help: &'static str) -> NotShown {
+    NotShown { what: format!("stage {stage}: {what}"), help }
 }
 
 /// Whether the mass of a body, or of each of its parts, is told or solved. A droplet is no body of the scene.
@@ -144,7 +160,7 @@ fn filmed<const D: usize>(
     scene: &Scene,
     stage: usize,
     request: &Request,
-) -> Result<Film, Failure> {
+) -> Result<Film, NotShown> {
     let other = "leave --method out, and the cheapest one that serves is taken";
     let found = |refusal: crate::simulate::Refusal| refused(stage, &refusal.to_string(), other);
     let shown = experiment.shown().map_err(found)?;

@@ -9,8 +9,8 @@ use crate::simulate::scene::observe_at;
 use crate::simulate::scene::value_of;
 use crate::solve::Relation;
 
-use super::witness::Seen;
-use super::witness::Witness;
+use super::simulation::Seen;
+use super::simulation::Witness;
 
 /// The crossings that are tried after the first.
 const MOST_LATER: usize = 3;

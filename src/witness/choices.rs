@@ -17,9 +17,9 @@ use crate::solve::Bounded;
 
 use super::conserved::is_conserved;
 use super::crossing::holds;
-use super::witness::Case;
-use super::witness::Seen;
-use super::witness::Witness;
+use super::simulation::Case;
+use super::simulation::Seen;
+use super::simulation::Witness;
 
 /// The share of a momentum or an energy below which a change of it is none: far above errors of runs, far below changes that
 /// anybody would ask for.

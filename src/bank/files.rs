@@ -1,0 +1,156 @@
+//! Problem files in folders.
+
+use std::fs;
+use std::io;
+use std::path::Path;
+use std::path::PathBuf;
+
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Faults;
+use crate::fault::Input;
+use crate::fault::Source;
+
+use super::collection::Bank;
+use super::collection::topic_of;
+use super::course::COURSE_FILE;
+use super::course::FOLDER;
+
+/// How deep folders may lie in each other; a bank has topics, and perhaps chapters.
+const DEEPEST: usize = 16;
+
+impl Bank {
+    /// The bank of the current folder's `problem_bank/`, else the one that is built in. A folder without problems sets only how
+    /// those are printed, by a `course.yaml`.
+    ///
+    /// # Errors
+    /// Where the folder is there and cannot be read.
+    pub fn here() -> Result<Self, Faults> {
+        let folder = Path::new(FOLDER);
+        let own = if folder.is_dir() { Self::in_folder(folder)? } else { Self { problems: Vec::new() } };
+        Ok(if own.problems.is_empty() { Self::built_in() } else { own })
+    }
+
+    /// Every problem file under a folder.
+    ///
+    /// # Errors
+    /// Where the folder or a file in it cannot be read, or two files have one identity.
+    pub fn in_folder(folder: &Path) -> Result<Self, Faults> {
+        let bank = Self::of(files_under(folder)?.iter().map(|path| read(path)).collect::<Result<_, _>>()?);
+        match bank.problems.windows(2).find(|pair| pair[0].0 == pair[1].0) {
+            None => Ok(bank),
+            Some(twins) => {
+                let [(id, first), (_, second)] = [&twins[0], &twins[1]];
+                let message = format!("`{id}` is also the identity of {}", first.name);
+                let fault = Fault::new(Code::Duplicate, message).help("give one of them another `id`");
+                Err(Faults { source: second.clone(), list: vec![fault] })
+            }
+        }
+    }
+
+    /// The file that a user means by an identity or by a path.
+    ///
+    /// # Errors
+    /// Where there is no such problem, or the file cannot be read.
+    pub fn open(&self, name: &str) -> Result<Source, Faults> {
+        if is_path(name) { read(Path::new(name)) } else { self.find(name).cloned() }
+    }
+
+    /// The files that a user means by identities, topics, paths of files and of folders; all of the bank where nothing is
+    /// named. Each name that cannot be followed is told.
+    ///
+    /// # Errors
+    /// Every name that means nothing.
+    pub fn select(&self, names: &[String]) -> Result<Vec<Source>, Vec<Faults>> {
+        if names.is_empty() {
+            return Ok(self.sources().cloned().collect());
+        }
+        let mut sources: Vec<Source> = Vec::new();
+        let mut faults = Vec::new();
+        for name in names {
+            let path = Path::new(name);
+            let found = if self.ids().any(|id| topic_of(id) == name) && !is_path(name) {
+                self.topic(name).map(|sources| sources.into_iter().cloned().collect())
+            } else if path.is_dir() {
+                Self::in_folder(path).map(|bank| bank.sources().cloned().collect())
+            } else {
+                self.open(name).map(|source| vec![source])
+            };
+            match found {
+                Ok(found) => {
+                    let new: Vec<Source> = found.into_iter().filter(|source| !sources.contains(source)).collect();
+                    sources.extend(new);
+                }
+                Err(found) => faults.push(found),
+            }
+        }
+        if faults.is_empty() { Ok(sources) } else { Err(faults) }
+    }
+}
+
+/// Every problem file under a folder, in the order of the paths. Folders that are links are not entered.
+///
+/// # Errors
+/// Where a folder cannot be read.
+pub fn files_under(folder: &Path) -> Result<Vec<PathBuf>, Faults> {
+    let mut files = Vec::new();
+    walk(folder, DEEPEST, &mut files).map_err(|error| unreadable(folder, &error))?;
+    files.sort();
+    Ok(files)
+}
+
+fn walk(folder: &Path, depth: usize, files: &mut Vec<PathBuf>) -> io::Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        let path = entry.path();
+        if entry.file_type()?.is_dir() {
+            if depth > 0 {
+                walk(&path, depth - 1, files)?;
+            }
+        } else if has_yaml_ending(&path) && entry.file_name() != COURSE_FILE && path.is_file() {
+            files.push(path);
+        }
+    }
+    Ok(())
+}
+
+fn has_yaml_ending(path: &Path) -> bool {
+    path.extension().is_some_and(|ending| ending == "yaml" || ending == "yml")
+}
+
+/// Whether a user means a file by this name rather than an identity.
+fn is_path(name: &str) -> bool {
+    let path = Path::new(name);
+    has_yaml_ending(path) || path.is_absolute() || name.starts_with('.') || path.is_file()
+}
+
+/// The longest file that is read as a problem, in bytes: a hundred times what the longest of the bank has.
+const LARGEST: u64 = 256 * 1024;
+
+pub(super) fn read(path: &Path) -> Result<Source, Faults> {
+    let text = Input::open(path).and_then(|file| file.text(LARGEST)).map_err(|error| unreadable(path, &error))?;
+    Ok(Source::new(&path.display().to_string(), &text))
+}
+
+fn unreadable(path: &Path, error: &io::Error) -> Faults {
+    let source = Source::new(&path.display().to_string(), "");
+    Faults { source, list: vec![Fault::new(Code::Unreadable, format!("this cannot be read: {error}"))] }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_that_mean_nothing_are_all_told() {
+        let names = ["zzz".into(), "impact".into(), "yyy".into()];
+        assert_eq!(Bank::built_in().select(&names).unwrap_err().len(), 2);
+    }
+
+    #[test]
+    fn names_that_overlap_select_a_file_once() {
+        let bank = Bank::built_in();
+        let once = bank.select(&["impact".into(), "impact/two-carts".into()]).unwrap();
+        assert_eq!(once.len(), bank.topic("impact").unwrap().len());
+    }
+}

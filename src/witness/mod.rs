@@ -1,0 +1,21 @@
+//! Variants simulated stage by stage, by methods that share no code with the laws: whatever is asked has to come out.
+//!
+//! What is told and what is answered is put in together, and every quantity that both the laws and the simulation know is
+//! compared ([`Portion`]). The same simulations are watched as films ([`shoot`]).
+
+mod choices;
+mod conserved;
+mod crossing;
+mod film;
+mod parts;
+mod record;
+mod simulation;
+mod staging;
+mod trial;
+
+pub use film::{AT_ITS_TIME, Film, NotShown, Shot, shoot};
+pub use staging::{followed, staged};
+pub use trial::{Portion, Simulated};
+
+/// The tolerances of the two runs whose difference says how far the finer one may be off.
+const TOLERANCES: [f64; 2] = [1e-11, 1e-9];
