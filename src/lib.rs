@@ -63,4 +63,6 @@ pub mod render;
 pub mod scene;
 pub mod simulate;
 pub mod solve;
+#[cfg(feature = "serve")]
+pub mod web;
 pub mod witness;

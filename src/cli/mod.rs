@@ -19,6 +19,8 @@ mod plot;
 mod progress;
 mod schema;
 mod secret;
+#[cfg(feature = "serve")]
+mod serve;
 mod simulate;
 mod snapshot;
 mod solve;
@@ -73,6 +75,8 @@ enum Command {
     Grade(grade::Grade),
     New(new::New),
     Secret(secret::Secret),
+    #[cfg(feature = "serve")]
+    Serve(serve::Serve),
     Snapshot(snapshot::Snapshot),
     Schema(schema::Schema),
     Completions(completions::Completions),
@@ -118,6 +122,8 @@ impl Command {
             Self::Grade(grade) => grade.run(),
             Self::New(new) => new.run(),
             Self::Secret(secret) => secret.run(),
+            #[cfg(feature = "serve")]
+            Self::Serve(serve) => serve.run(),
             Self::Snapshot(snapshot) => snapshot.run(),
             Self::Schema(schema) => schema.run(),
             Self::Completions(completions) => completions.run(),

@@ -36,7 +36,7 @@ impl Exercise {
     }
 
     /// The symbols in which an answer is written: that of which it is a multiple first, then all that are given.
-    fn letters(&self, formula: &FormulaPart) -> Vec<Symbol> {
+    pub(super) fn letters(&self, formula: &FormulaPart) -> Vec<Symbol> {
         let given = self.worked().alphabet().letters.into_iter().map(|(symbol, ..)| symbol);
         formula.in_terms_of.into_iter().chain(given.filter(|symbol| Some(*symbol) != formula.in_terms_of)).collect()
     }

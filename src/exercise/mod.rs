@@ -1,6 +1,7 @@
 //! The whole path of a problem as one type: a variant is drawn and solved, printed, explained and marked.
 
 mod attempts;
+pub mod calls;
 mod diagnosis;
 mod drawer;
 mod follow_through;
@@ -16,6 +17,7 @@ mod roster;
 mod rules;
 mod sheet_seed;
 mod sheets;
+mod student_sheet;
 mod students;
 mod submission;
 mod table;
@@ -66,6 +68,7 @@ pub use marking::Sitting;
 pub use roster::Student;
 pub use sheet_seed::SheetSeed;
 pub use sheets::{Derived, Listed, NotIssued, Sheets};
+pub use student_sheet::{Field, FieldKind, StudentSheet};
 pub use submission::{Column, Key, Place, Submission, excerpt};
 pub use table::{Line, Lines, Row, Rows, Table, defused};
 pub use together::{MOST_ATTEMPTS, Standing, Together};

@@ -15,6 +15,8 @@ const FONTS: &str = "'STIX Two Text','Times New Roman',Times,'Liberation Serif',
 const DASHES: &str = "5 3";
 /// To what the rules of figures are confined.
 const SCOPE: &str = ".momentous-figure";
+/// Areas have no edge. It comes last, for it overrules the roles.
+const AREA: &str = ".momentous-figure .area{stroke:none}\n";
 /// The room that a figure takes, in bytes, so that its text is not moved about as it grows.
 const USUAL_SIZE: usize = 8192;
 /// How much further a card reaches than its drawing.
@@ -39,7 +41,23 @@ const CARD_STYLE: &str = "\
 /// ```
 #[must_use]
 pub fn svg(drawing: &Drawing) -> String {
-    element(drawing, "", "")
+    element(drawing, Some(""), "")
+}
+
+/// The drawing as an SVG element for a page whose own style sheet holds the rules of all figures ([`style_sheet`]).
+#[must_use]
+pub fn svg_unstyled(drawing: &Drawing) -> String {
+    element(drawing, None, "")
+}
+
+/// The rules of all figures, for the style sheet of a page.
+///
+/// ```
+/// assert!(momentous::figure::style_sheet().contains(".momentous-figure text"));
+/// ```
+#[must_use]
+pub fn style_sheet() -> String {
+    format!("{}{}{AREA}", SHEET.general, SHEET.roles.concat())
 }
 
 /// The drawing as an SVG file. A picture cannot know the colour of the page that shows it (a page may be dark for a reader
@@ -57,10 +75,10 @@ pub fn svg(drawing: &Drawing) -> String {
 pub fn svg_file(drawing: &Drawing) -> String {
     let frame = Extent { low: drawing.low, high: drawing.high }.grown(CARD_MARGIN);
     let drawing = Drawing { low: frame.low, high: frame.high, ..drawing.clone() };
-    element(&drawing, CARD_STYLE, "<rect class=\"card\" width=\"100%\" height=\"100%\" rx=\"6\"/>\n")
+    element(&drawing, Some(CARD_STYLE), "<rect class=\"card\" width=\"100%\" height=\"100%\" rx=\"6\"/>\n")
 }
 
-fn element(drawing: &Drawing, style: &str, ground: &str) -> String {
+fn element(drawing: &Drawing, style: Option<&str>, ground: &str) -> String {
     let size = drawing.high - drawing.low;
     let mut page = Page { out: String::with_capacity(USUAL_SIZE), low: drawing.low, high: drawing.high };
     page.put(["<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" class=\"momentous-figure\" width=\""]);
@@ -75,9 +93,13 @@ fn element(drawing: &Drawing, style: &str, ground: &str) -> String {
     page.text(&drawing.title);
     page.put(["</title>\n<desc>"]);
     page.text(&drawing.description);
-    page.put(["</desc>\n<style>\n"]);
-    page.style_sheet(drawing);
-    page.put([style, "</style>\n", ground]);
+    page.put(["</desc>\n"]);
+    if let Some(style) = style {
+        page.put(["<style>\n"]);
+        page.style_sheet(drawing);
+        page.put([style, "</style>\n"]);
+    }
+    page.put([ground]);
     for shape in &drawing.shapes {
         page.shape(shape);
     }
@@ -178,7 +200,7 @@ impl Page {
                 self.put([rules]);
             }
         }
-        self.put([SCOPE, " .area{stroke:none}\n"]);
+        self.put([AREA]);
     }
 
     /// SVG counts downwards from the upper left corner.

@@ -18,10 +18,8 @@ const LINES_PER_STEP: u32 = 3;
 /// "Laws", or else the last with an equation.
 #[must_use]
 pub fn fade(outline: &Outline, steps: usize) -> Outline {
-    let sections: Vec<&Section> =
-        outline.sections.iter().filter(|section| section.audience == Audience::Everyone).collect();
-    let headed = sections.iter().position(|section| section.heading == SOLVING);
-    let solving = headed.or_else(|| sections.iter().rposition(|section| section.blocks.iter().any(is_step)));
+    let sections = for_everyone(outline);
+    let solving = solving(&sections);
     let fade_one = |(index, section): (usize, &&Section)| {
         let blocks = match solving {
             Some(at) if index == at => first_steps(&section.blocks, steps),
@@ -31,6 +29,24 @@ pub fn fade(outline: &Outline, steps: usize) -> Outline {
         Section { blocks, ..(*section).clone() }
     };
     Outline { title: outline.title.clone(), sections: sections.iter().enumerate().map(fade_one).collect() }
+}
+
+/// How many steps of an outline can fade.
+#[must_use]
+pub fn steps(outline: &Outline) -> usize {
+    let sections = for_everyone(outline);
+    let solving = solving(&sections).and_then(|at| sections.get(at));
+    solving.map_or(0, |section| section.blocks.iter().filter(|block| is_step(block)).count())
+}
+
+fn for_everyone(outline: &Outline) -> Vec<&Section> {
+    outline.sections.iter().filter(|section| section.audience == Audience::Everyone).collect()
+}
+
+/// The position of the solving section.
+fn solving(sections: &[&Section]) -> Option<usize> {
+    let headed = sections.iter().position(|section| section.heading == SOLVING);
+    headed.or_else(|| sections.iter().rposition(|section| section.blocks.iter().any(is_step)))
 }
 
 fn is_step(block: &Block) -> bool {

@@ -117,6 +117,13 @@ impl Renderer {
         self.document(&pages, format)
     }
 
+    /// A page alone, as HTML.
+    pub(super) fn body(&self, page: &Page) -> Result<String, Faults> {
+        let mut view = View::new(Format::Html, &self.figures);
+        let context = view.document(&[PageView::from(page)])?;
+        self.templates(Format::Html)?.render_from("body.tera", &context)
+    }
+
     fn templates(&self, format: Format) -> Result<&Templates, Faults> {
         let [markdown, latex, html] = &self.templates;
         let kept = match format {

@@ -24,8 +24,9 @@ macro_rules! built_in {
 }
 
 /// Every built-in file by its path below `templates/`.
-const BUILT_IN: [(&str, &str); 17] = built_in![
+const BUILT_IN: [(&str, &str); 25] = built_in![
     "html/blocks.tera",
+    "html/body.tera",
     "html/document.tera",
     "html/key.tera",
     "html/sheet.tera",
@@ -42,6 +43,13 @@ const BUILT_IN: [(&str, &str); 17] = built_in![
     "markdown/key.tera",
     "markdown/sheet.tera",
     "markdown/solution.tera",
+    "web/field.tera",
+    "web/layout.tera",
+    "web/practice.tera",
+    "web/refused.tera",
+    "web/solution.tera",
+    "web/solve.tera",
+    "web/start.tera",
 ];
 
 /// The style sheet's path, which is not a template.
@@ -50,10 +58,10 @@ const STYLE: &str = "html/style.css";
 /// The template that a document starts from.
 const ROOT: &str = "document.tera";
 
-/// The templates of one format, compiled, and their sources for faults.
+/// The templates of one folder, compiled, and their sources for faults.
 pub(super) struct Templates {
     tera: Tera,
-    format: Format,
+    folder: &'static str,
     sources: BTreeMap<String, Source>,
     /// The style sheet; empty in formats without one.
     pub style: String,
@@ -62,20 +70,25 @@ pub(super) struct Templates {
 impl Templates {
     /// Loads the templates of a format, a user's file instead of the built-in one of the same path.
     pub fn load(format: Format, overrides: Option<&Path>) -> Result<Self, Faults> {
+        Self::load_folder(format.name(), format, overrides)
+    }
+
+    /// Loads the templates of a folder, which are written in that format.
+    pub fn load_folder(folder: &'static str, format: Format, overrides: Option<&Path>) -> Result<Self, Faults> {
         let mut sources = BTreeMap::new();
         for (path, text) in BUILT_IN {
-            if path.split('/').next() == Some(format.name()) {
+            if path.split('/').next() == Some(folder) {
                 sources.insert(path.to_owned(), Source::new(&format!("templates/{path}"), text));
             }
         }
-        if let Some(folder) = overrides {
-            add_overrides(format, folder, &mut sources)?;
+        if let Some(own) = overrides {
+            add_overrides(folder, own, &mut sources)?;
         }
         let style = sources.remove(STYLE).map(|source| source.text.to_string()).unwrap_or_default();
-        let mut templates = Self { tera: engine(format), format, sources, style };
+        let mut templates = Self { tera: engine(format), folder, sources, style };
         let texts: Vec<(&str, &str)> =
             templates.sources.iter().map(|(name, source)| (name.as_str(), source.text.as_ref())).collect();
-        templates.tera.add_raw_templates(texts).map_err(|error| locate(&error, format, &templates.sources))?;
+        templates.tera.add_raw_templates(texts).map_err(|error| locate(&error, folder, &templates.sources))?;
         Ok(templates)
     }
 
@@ -84,10 +97,10 @@ impl Templates {
         self.render_from(ROOT, context)
     }
 
-    /// Renders another template of the format.
+    /// Renders another template of the folder.
     pub fn render_from(&self, root: &str, context: &tera::Context) -> Result<String, Faults> {
-        let root = format!("{}/{root}", self.format.name());
-        self.tera.render(&root, context).map_err(|error| locate(&error, self.format, &self.sources))
+        let root = format!("{}/{root}", self.folder);
+        self.tera.render(&root, context).map_err(|error| locate(&error, self.folder, &self.sources))
     }
 }
 
@@ -118,22 +131,22 @@ fn engine(format: Format) -> Tera {
 #[cfg(feature = "files")]
 const LARGEST: u64 = 1 << 20;
 
-/// Adds the user's files of that format: each `.tera` file of its folder, and the style sheet.
+/// Adds the user's files of that name: each `.tera` file of its folder, and the style sheet.
 #[cfg(feature = "files")]
-fn add_overrides(format: Format, folder: &Path, sources: &mut BTreeMap<String, Source>) -> Result<(), Faults> {
+fn add_overrides(name: &str, folder: &Path, sources: &mut BTreeMap<String, Source>) -> Result<(), Faults> {
     let unreadable = |path: &Path, error: &std::io::Error| Faults {
         source: Source::new(&path.display().to_string(), ""),
         list: vec![Fault::new(Code::Unreadable, format!("these templates cannot be read: {error}"))],
     };
     std::fs::read_dir(folder).map_err(|error| unreadable(folder, &error))?;
-    let own = folder.join(format.name());
+    let own = folder.join(name);
     if !own.is_dir() {
         return Ok(());
     }
     for entry in std::fs::read_dir(&own).map_err(|error| unreadable(&own, &error))? {
         let path = entry.map_err(|error| unreadable(&own, &error))?.path();
-        let Some(name) = path.file_name().and_then(|name| name.to_str()) else { continue };
-        let key = format!("{}/{name}", format.name());
+        let Some(file) = path.file_name().and_then(|file| file.to_str()) else { continue };
+        let key = format!("{name}/{file}");
         if key != STYLE && path.extension().is_none_or(|extension| extension != "tera") {
             continue;
         }
@@ -145,13 +158,13 @@ fn add_overrides(format: Format, folder: &Path, sources: &mut BTreeMap<String, S
 
 /// Without the feature `files` there is nothing to add from.
 #[cfg(not(feature = "files"))]
-fn add_overrides(_: Format, folder: &Path, _: &mut BTreeMap<String, Source>) -> Result<(), Faults> {
+fn add_overrides(_: &str, folder: &Path, _: &mut BTreeMap<String, Source>) -> Result<(), Faults> {
     let fault = Fault::new(Code::Unreadable, "this build of momentous reads no files");
     Err(Faults { source: Source::new(&folder.display().to_string(), ""), list: vec![fault] })
 }
 
 /// A fault of tera's as ours, at its file and place.
-fn locate(error: &Error, format: Format, sources: &BTreeMap<String, Source>) -> Faults {
+fn locate(error: &Error, folder: &str, sources: &BTreeMap<String, Source>) -> Faults {
     let placed = match error.kind() {
         ErrorKind::SyntaxError(report) | ErrorKind::RenderingError(report) => {
             let range = &report.span().range;
@@ -164,7 +177,7 @@ fn locate(error: &Error, format: Format, sources: &BTreeMap<String, Source>) -> 
         kind => reports(&kind.to_string(), sources),
     };
     let file = placed.first().map_or_else(String::new, |first| first.file.clone());
-    let root = format!("{}/{ROOT}", format.name());
+    let root = format!("{folder}/{ROOT}");
     let source = sources.get(&file).or_else(|| sources.get(&root)).cloned();
     let list = placed.into_iter().filter(|fault| fault.file == file).map(Placed::into_fault).collect();
     Faults { source: source.unwrap_or_else(|| Source::new(&root, "")), list }

@@ -25,6 +25,8 @@ pub(super) struct View<'a> {
     format: Format,
     /// Where figures go; only Markdown has the choice.
     beside_prefix: Option<&'a str>,
+    /// Whether the page around the document has the rules of figures.
+    unstyled: bool,
     /// The level of the headings of a page.
     level: usize,
     /// The files that go beside the document.
@@ -52,7 +54,8 @@ impl<'a> View<'a> {
             (Format::Markdown, Figures::Beside(prefix)) => Some(prefix.as_str()),
             _ => None,
         };
-        Self { writer: writer(format), format, beside_prefix, level: 1, beside: Vec::new() }
+        let unstyled = format == Format::Html && *figures == Figures::Unstyled;
+        Self { writer: writer(format), format, beside_prefix, unstyled, level: 1, beside: Vec::new() }
     }
 
     /// The values of the whole document: `title`, `level` and `pages`.
@@ -194,7 +197,11 @@ impl<'a> View<'a> {
         if let Some(name) = &file {
             self.beside.push(BesideFile { name: name.clone(), text: figure::svg_file(drawing) });
         }
-        let inline = if file.is_some() { String::new() } else { self.writer.figure(drawing) };
+        let inline = match file {
+            Some(_) => String::new(),
+            None if self.unstyled => figure::svg_unstyled(drawing),
+            None => self.writer.figure(drawing),
+        };
         map([
             ("title", drawing.title.as_str().into()),
             ("description", drawing.description.as_str().into()),

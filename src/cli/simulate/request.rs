@@ -1,6 +1,5 @@
 //! What is asked of the method, as it is typed.
 
-use crate::fault::did_you_mean;
 use crate::quantity::Dimension;
 use crate::quantity::Quantity;
 use crate::simulate::MethodKind;
@@ -15,22 +14,9 @@ impl Named {
     }
 }
 
-/// The name of a method as it is typed: small letters, hyphens for spaces, no order in brackets or at the end.
-fn typed(method: MethodKind) -> String {
-    method.name().trim_end_matches(" 5(4)").to_lowercase().replace(' ', "-")
-}
-
 /// Reads the name of a method.
 pub(super) fn method(text: &str) -> Result<Named, String> {
-    let wanted = text.trim().to_lowercase().replace([' ', '_'], "-");
-    if let Some(found) = MethodKind::ALL.iter().find(|method| typed(**method) == wanted) {
-        return Ok(Named(*found));
-    }
-    let names: Vec<String> = MethodKind::ALL.iter().map(|method| typed(*method)).collect();
-    match did_you_mean(&wanted, names.iter().map(String::as_str)) {
-        Some(near) => Err(format!("there is no such method; did you mean `{near}`?")),
-        None => Err(format!("the methods are {}", names.join(", "))),
-    }
+    MethodKind::named(text).map(Named)
 }
 
 /// Reads a relative error.

@@ -1,5 +1,8 @@
 //! A written number: digits, their grouping, the decimal mark and the power of ten.
 
+use serde::Deserialize;
+use serde::Serialize;
+
 use crate::quantity::Decimal;
 use crate::quantity::DecimalFault;
 
@@ -11,7 +14,8 @@ const GROUP: usize = 3;
 /// Which mark begins the decimals.
 ///
 /// Where nothing was chosen, whatever has only one reading is read, and the rest is asked back.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default, Deserialize, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum DecimalMark {
     /// Nothing was chosen: `3.1` and `3,14` and `1,200.5` are read, `1,200` is asked back.
     #[default]

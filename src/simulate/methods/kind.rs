@@ -1,5 +1,6 @@
 //! The methods by name, so that a table or a user can choose one.
 
+use crate::fault::did_you_mean;
 use crate::simulate::method::Method;
 
 use super::{
@@ -64,6 +65,33 @@ impl MethodKind {
     #[must_use]
     pub fn name(self) -> &'static str {
         Method::<1>::name(self.with::<1>(1.0).as_ref())
+    }
+
+    /// The name as it is typed: small letters, hyphens for spaces, no order in brackets or at the end.
+    #[must_use]
+    pub fn typed(self) -> String {
+        self.name().trim_end_matches(" 5(4)").to_lowercase().replace(' ', "-")
+    }
+
+    /// The method of that name.
+    ///
+    /// ```
+    /// use momentous::simulate::MethodKind;
+    /// assert_eq!(MethodKind::named("Runge_Kutta"), Ok(MethodKind::RungeKutta));
+    /// ```
+    ///
+    /// # Errors
+    /// What is meant, or which methods there are.
+    pub fn named(text: &str) -> Result<Self, String> {
+        let wanted = text.trim().to_lowercase().replace([' ', '_'], "-");
+        if let Some(found) = Self::ALL.iter().find(|method| method.typed() == wanted) {
+            return Ok(*found);
+        }
+        let names: Vec<String> = Self::ALL.iter().map(|method| method.typed()).collect();
+        Err(match did_you_mean(&wanted, names.iter().map(String::as_str)) {
+            Some(near) => format!("there is no such method; did you mean `{near}`?"),
+            None => format!("the methods are {}", names.join(", ")),
+        })
     }
 
     /// What its setting is.

@@ -1,0 +1,45 @@
+//! The givens of a form, for whoever wants to put values of their own in their place.
+
+use serde::Serialize;
+
+use crate::problem::say_quantity;
+use crate::render::Fragment;
+
+use super::Engine;
+use super::refused::Refused;
+use super::variant::VariantRequest;
+
+/// Asks for the givens.
+pub type GivensRequest = VariantRequest;
+
+/// A quantity whose value is given, and may be set.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct GivenResponse {
+    /// Its name in the file.
+    pub name: String,
+    /// Its symbol.
+    pub symbol: Fragment,
+    /// Its value with this seed, as it may be typed.
+    pub value: String,
+}
+
+impl Engine<'_> {
+    /// What is given in a variant, in the order of the file; what is given by its symbol alone has no value to set.
+    ///
+    /// # Errors
+    /// As for a sheet.
+    pub fn givens(&self, request: &GivensRequest) -> Result<Vec<GivenResponse>, Refused> {
+        let exercise = request.draw(self)?;
+        let problem = exercise.problem();
+        let is_literal = |symbol| problem.model().literals.iter().any(|(own, _)| *own == symbol);
+        let given = exercise.variant().all_given();
+        let set =
+            given.iter().filter(|(symbol, ..)| !is_literal(*symbol) && !exercise.worked().form.free.contains(symbol));
+        let shown = set.map(|(symbol, value, unit)| GivenResponse {
+            name: problem.model().symbols.entry(*symbol).name.clone(),
+            symbol: Fragment::math(&problem.math_of(*symbol)),
+            value: say_quantity(value, unit),
+        });
+        Ok(shown.collect())
+    }
+}

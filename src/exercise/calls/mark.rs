@@ -1,0 +1,108 @@
+//! Answers, marked.
+
+use std::collections::BTreeMap;
+
+use serde::Deserialize;
+use serde::Serialize;
+
+use crate::grade::DecimalMark;
+use crate::grade::PartReport;
+use crate::grade::Points;
+
+use super::super::Sitting;
+use super::Engine;
+use super::refused::Refused;
+use super::variant::VariantRequest;
+
+/// Asks for marks.
+#[derive(Clone, Debug, Deserialize, PartialEq, Eq, Serialize)]
+pub struct MarkRequest {
+    /// The variant.
+    #[serde(flatten)]
+    pub variant: VariantRequest,
+    /// What was typed, by part.
+    pub answers: BTreeMap<String, String>,
+    /// What stands between whole and decimal digits.
+    #[serde(default)]
+    pub decimal: DecimalMark,
+    /// How many further hints the student has asked for on wrong answers.
+    #[serde(default)]
+    pub hints: usize,
+    /// Whether no attempts are left: what follows from the student's own answers is then shown.
+    #[serde(default)]
+    pub closed: bool,
+}
+
+/// Marks, with the reason for each. Nothing in it holds a right value.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct MarkResponse {
+    /// The parts, in the order of the sheet.
+    pub parts: Vec<MarkedPart>,
+    /// The points reached.
+    pub total: Points,
+    /// The points that can be reached.
+    pub out_of: u32,
+    /// Whether every part is right.
+    pub right: bool,
+    /// Names in the answers that the question does not ask for.
+    pub not_asked: Vec<String>,
+}
+
+/// A part, marked.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct MarkedPart {
+    /// How the part is called in answers.
+    pub id: String,
+    /// The code of the verdict.
+    pub verdict: &'static str,
+    /// Whether the answer is right.
+    pub right: bool,
+    /// The points reached.
+    pub points: Points,
+    /// The points that can be reached.
+    pub out_of: u32,
+    /// What was understood of the answer.
+    pub understood: Option<String>,
+    /// What the student is told, the hints asked for included.
+    pub message: String,
+    /// Whether a further hint can be asked for.
+    pub more_hints: bool,
+    /// What would have followed from the student's own earlier answers, once the question is closed.
+    pub own_values: Option<String>,
+}
+
+impl MarkedPart {
+    fn of(part: PartReport, hints: usize) -> Self {
+        Self {
+            id: part.id,
+            verdict: part.verdict.code(),
+            right: part.verdict.is_right(),
+            points: part.points,
+            out_of: part.out_of,
+            understood: part.understood,
+            message: part.message.into_owned(),
+            more_hints: part.diagnosis.is_some_and(|own| own.hints.len() > hints + 1),
+            own_values: part.own_values,
+        }
+    }
+}
+
+impl Engine<'_> {
+    /// Marks answers to a variant.
+    ///
+    /// # Errors
+    /// As for a sheet.
+    pub fn mark(&self, request: &MarkRequest) -> Result<MarkResponse, Refused> {
+        let exercise = request.variant.draw(self)?;
+        let sitting = Sitting { hints: request.hints, closed: request.closed };
+        let report = exercise.mark(&request.answers, request.decimal, sitting);
+        let right = report.is_right();
+        Ok(MarkResponse {
+            parts: report.parts.into_iter().map(|part| MarkedPart::of(part, request.hints)).collect(),
+            total: report.total,
+            out_of: report.out_of,
+            right,
+            not_asked: report.not_asked,
+        })
+    }
+}

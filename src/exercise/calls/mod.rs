@@ -1,0 +1,95 @@
+//! What every face of the program can ask of the engine: typed requests and responses, with JSON in and out.
+//!
+//! A face (a page of the web application, a page that works offline) turns what its user does into one of these calls and
+//! shows the response. It knows no physics and marks nothing.
+
+mod givens;
+mod hint;
+mod mark;
+mod read;
+mod refused;
+mod sheet;
+mod simulate;
+mod solve;
+mod variant;
+
+use std::sync::Arc;
+
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
+use crate::problem::Problem;
+use crate::render::Renderer;
+
+pub use givens::{GivenResponse, GivensRequest};
+pub use hint::{HintRequest, HintResponse};
+pub use mark::{MarkRequest, MarkResponse, MarkedPart};
+pub use read::{ReadRequest, ReadResponse};
+pub use refused::{Refused, RefusedKind};
+pub use sheet::{FieldResponse, FigureResponse, SheetRequest, SheetResponse};
+pub use simulate::SimulateRequest;
+pub use solve::{SolveRequest, SolveResponse, SolvedPart};
+pub use variant::VariantRequest;
+
+/// The most bytes that a request may have.
+pub const LONGEST_REQUEST: usize = 64 * 1024;
+
+/// Where an engine finds problems by their identities.
+pub trait Problems {
+    /// The problem, compiled.
+    ///
+    /// # Errors
+    /// [`RefusedKind::Unknown`] where there is none, [`RefusedKind::Fault`] where its file does not load.
+    fn problem(&self, id: &str) -> Result<Arc<Problem>, Refused>;
+}
+
+/// The engine behind every face.
+pub struct Engine<'a> {
+    /// Where problems are found.
+    pub problems: &'a dyn Problems,
+    /// What turns solutions into pages.
+    pub renderer: &'a Renderer,
+}
+
+/// The names of the calls, as they stand in addresses.
+pub const CALLS: [&str; 7] = ["givens", "hint", "mark", "read", "sheet", "simulate", "solve"];
+
+impl Engine<'_> {
+    /// A call by its name, with JSON in and out.
+    ///
+    /// # Errors
+    /// Where there is no such call, the request is not one of its kind, or the call itself refuses.
+    pub fn call(&self, name: &str, request: &[u8]) -> Result<String, Refused> {
+        if request.len() > LONGEST_REQUEST {
+            return Err(Refused::new(RefusedKind::TooLarge, format!("a request has at most {LONGEST_REQUEST} bytes")));
+        }
+        match name {
+            "givens" => json(request, |request| self.givens(request)),
+            "hint" => json(request, |request| self.hint(request)),
+            "mark" => json(request, |request| self.mark(request)),
+            "read" => json(request, |request| self.read(request)),
+            "sheet" => json(request, |request| self.sheet(request)),
+            "simulate" => json(request, |request| self.simulate(request)),
+            "solve" => json(request, |request| self.solve(request)),
+            _ => {
+                let refused = Refused::new(RefusedKind::Unknown, format!("there is no call `{name}`"));
+                Err(refused.help(format!("the calls are {}", CALLS.join(", "))))
+            }
+        }
+    }
+}
+
+/// Reads a request, and writes what becomes of it.
+fn json<Request: DeserializeOwned, Response: Serialize>(
+    request: &[u8],
+    call: impl FnOnce(&Request) -> Result<Response, Refused>,
+) -> Result<String, Refused> {
+    let mut reader = serde_json::Deserializer::from_slice(request);
+    let request: Request = serde_path_to_error::deserialize(&mut reader).map_err(|error| {
+        let place = error.path().to_string();
+        let place = if place == "." { String::new() } else { format!("`{place}`: ") };
+        Refused::new(RefusedKind::Invalid, format!("{place}{}", error.inner()))
+    })?;
+    let response = call(&request)?;
+    serde_json::to_string(&response).map_err(|error| Refused::new(RefusedKind::Fault, error.to_string()))
+}

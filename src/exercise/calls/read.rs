@@ -1,0 +1,54 @@
+//! What is understood of an answer, before anybody judges it.
+
+use serde::Deserialize;
+use serde::Serialize;
+
+use crate::grade::DecimalMark;
+
+use super::Engine;
+use super::refused::{Refused, RefusedKind};
+use super::variant::VariantRequest;
+
+/// Asks how an answer is read.
+#[derive(Clone, Debug, Deserialize, PartialEq, Eq, Serialize)]
+pub struct ReadRequest {
+    /// The variant.
+    #[serde(flatten)]
+    pub variant: VariantRequest,
+    /// The part.
+    pub part: String,
+    /// What was typed.
+    pub text: String,
+    /// What stands between whole and decimal digits.
+    #[serde(default)]
+    pub decimal: DecimalMark,
+}
+
+/// How an answer is read. It says nothing of the right answer.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct ReadResponse {
+    /// What was understood, in words.
+    pub understood: Option<String>,
+    /// Why nothing was.
+    pub unreadable: Option<String>,
+}
+
+impl Engine<'_> {
+    /// How an answer to a part is read.
+    ///
+    /// # Errors
+    /// As for a sheet, and where the part is not asked.
+    pub fn read(&self, request: &ReadRequest) -> Result<ReadResponse, Refused> {
+        let exercise = request.variant.draw(self)?;
+        let part = exercise
+            .part(&request.part)
+            .ok_or_else(|| Refused::new(RefusedKind::Unknown, format!("`{}` is not asked here", request.part)))?;
+        Ok(match exercise.read(part, &request.text, request.decimal) {
+            None => ReadResponse::default(),
+            Some(reading) => match reading.answer {
+                Ok(_) => ReadResponse { understood: Some(reading.told), unreadable: None },
+                Err(_) => ReadResponse { understood: None, unreadable: Some(reading.told) },
+            },
+        })
+    }
+}

@@ -1,0 +1,118 @@
+//! The sheet of a variant, ready for a page.
+
+use serde::Serialize;
+
+use crate::figure::Drawing;
+use crate::render::Fragment;
+
+use super::super::{Exercise, Field, FieldKind, StudentSheet};
+use super::Engine;
+use super::refused::Refused;
+use super::variant::VariantRequest;
+
+/// The level of the author's own headings on a page with one title.
+const HEADINGS: usize = 2;
+
+/// Asks for a sheet.
+pub type SheetRequest = VariantRequest;
+
+/// A sheet: [`StudentSheet`] as HTML.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SheetResponse {
+    /// The problem's title.
+    pub title: String,
+    /// The statement.
+    pub statement: Fragment,
+    /// The figure.
+    pub figure: Option<FigureResponse>,
+    /// Room for each answer.
+    pub fields: Vec<FieldResponse>,
+    /// Constants and conventions to use; empty where there are none.
+    pub note: Fragment,
+    /// How many hints the author wrote.
+    pub hints: usize,
+}
+
+/// A figure with what stands under it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FigureResponse {
+    /// The figure as SVG.
+    pub svg: Fragment,
+    /// Its caption.
+    pub caption: String,
+}
+
+impl FigureResponse {
+    pub(super) fn of(drawing: &Drawing) -> Self {
+        Self { svg: Fragment::figure(drawing), caption: drawing.caption.clone() }
+    }
+}
+
+/// Room for an answer: [`Field`] as HTML.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FieldResponse {
+    /// How the part is called in answers.
+    pub id: String,
+    /// Its label without brackets.
+    pub label: String,
+    /// What is asked.
+    pub question: Fragment,
+    /// How it is answered: `number`, `count`, `vector`, `formula`, `interval`, `choice`.
+    pub kind: &'static str,
+    /// The unit that the answer is to be given in.
+    pub unit: Option<Fragment>,
+    /// What can be chosen.
+    pub options: Vec<String>,
+    /// The names that a formula may contain.
+    pub symbols: Vec<String>,
+    /// How many components a vector has.
+    pub components: usize,
+    /// What it is worth.
+    pub points: u32,
+}
+
+impl From<Field> for FieldResponse {
+    fn from(field: Field) -> Self {
+        let kind = field.kind.name();
+        let (options, components) = match field.kind {
+            FieldKind::Choice { options } => (options, 0),
+            FieldKind::Vector { components } => (Vec::new(), components),
+            FieldKind::Number | FieldKind::Count | FieldKind::Formula | FieldKind::Interval => (Vec::new(), 0),
+        };
+        Self {
+            id: field.id,
+            label: field.label,
+            question: Fragment::inline(&field.question),
+            kind,
+            unit: field.unit.as_ref().map(Fragment::math),
+            options,
+            symbols: field.symbols,
+            components,
+            points: field.points,
+        }
+    }
+}
+
+impl Engine<'_> {
+    /// The sheet of a variant.
+    ///
+    /// # Errors
+    /// Where there is no such problem or form, or the seed draws nothing.
+    pub fn sheet(&self, request: &SheetRequest) -> Result<SheetResponse, Refused> {
+        sheet_of(&request.draw(self)?)
+    }
+}
+
+/// The sheet of a variant that was drawn.
+pub(super) fn sheet_of(exercise: &Exercise) -> Result<SheetResponse, Refused> {
+    let StudentSheet { title, statement, figure, fields, note, hints } = exercise.student_sheet();
+    let name = format!("{}: text", exercise.problem().id());
+    Ok(SheetResponse {
+        statement: Fragment::authored(&name, &statement, HEADINGS).map_err(|faults| Refused::fault(&faults))?,
+        title,
+        figure: figure.as_ref().map(FigureResponse::of),
+        fields: fields.into_iter().map(FieldResponse::from).collect(),
+        note: Fragment::inline(&note),
+        hints: hints.len(),
+    })
+}

@@ -1,0 +1,48 @@
+//! A scene simulated, for whoever wants to watch it.
+
+use serde::Deserialize;
+use serde::Serialize;
+use serde_json::Value;
+
+use crate::simulate::MethodKind;
+use crate::simulate::least::Request;
+use crate::witness::shoot;
+
+use super::Engine;
+use super::refused::{Refused, RefusedKind};
+use super::solve::SolveRequest;
+
+/// Asks for a simulation.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub struct SimulateRequest {
+    /// The variant, with values of the user's own.
+    #[serde(flatten)]
+    pub variant: SolveRequest,
+    /// The name of a method, as `momentous simulate --method` has it; the cheapest that serves where none is named.
+    #[serde(default)]
+    pub method: Option<String>,
+    /// The greatest relative error.
+    #[serde(default)]
+    pub accuracy: Option<f64>,
+}
+
+impl Engine<'_> {
+    /// All that can be simulated of a variant: the object that `momentous simulate --format json` writes.
+    ///
+    /// # Errors
+    /// As for a solution, and where nothing can be simulated so.
+    pub fn simulate(&self, request: &SimulateRequest) -> Result<Value, Refused> {
+        let method = match &request.method {
+            None => None,
+            Some(name) => Some(MethodKind::named(name).map_err(|message| Refused::new(RefusedKind::Unknown, message))?),
+        };
+        if request.accuracy.is_some_and(|accuracy| !(accuracy > 0.0 && accuracy < 1.0)) {
+            return Err(Refused::new(RefusedKind::Invalid, "an accuracy is a number between 0 and 1, such as 1e-6"));
+        }
+        let exercise = request.variant.solve(self)?;
+        let wanted = Request { accuracy: request.accuracy, budget: None, method };
+        let shot = shoot(exercise.problem(), exercise.variant(), &wanted)
+            .map_err(|reason| Refused::new(RefusedKind::NotSimulated, reason.what).help(reason.help))?;
+        Ok(shot.record(exercise.problem(), exercise.variant()))
+    }
+}

@@ -1,0 +1,68 @@
+//! Pieces of HTML for pages that are not documents: everything in a fragment is escaped and complete by itself.
+
+use serde::Serialize;
+
+use crate::explain::Inline;
+use crate::expr::Math;
+use crate::fault::Faults;
+use crate::figure;
+use crate::figure::Drawing;
+
+use super::authored::Authored;
+use super::html::Html;
+use super::page::Page;
+use super::renderer::Renderer;
+use super::writer::Writer;
+
+/// A piece of HTML that is ready for a page. Only this room makes one, so whatever is in it has been escaped.
+///
+/// ```
+/// use momentous::explain::Inline;
+/// use momentous::render::Fragment;
+/// assert_eq!(Fragment::inline(&[Inline::Text("a < b".into())]).as_str(), "a &lt; b");
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(transparent)]
+pub struct Fragment(String);
+
+impl Fragment {
+    /// A run of text and mathematics.
+    #[must_use]
+    pub fn inline(run: &[Inline]) -> Self {
+        Self(Html.inline(run))
+    }
+
+    /// Mathematics within a line.
+    #[must_use]
+    pub fn math(math: &Math) -> Self {
+        Self(Html.math(math))
+    }
+
+    /// A figure as SVG that takes the style of its page, without its caption.
+    #[must_use]
+    pub fn figure(drawing: &Drawing) -> Self {
+        Self(figure::svg_unstyled(drawing))
+    }
+
+    /// Markdown that an author wrote; the name says in faults where it stands.
+    ///
+    /// # Errors
+    /// Where the text is not fit to print.
+    pub fn authored(name: &str, text: &str, level: usize) -> Result<Self, Faults> {
+        Ok(Self(Html.authored(&Authored::check(name, text)?, level)))
+    }
+
+    /// A whole page of a document, without the document around it.
+    ///
+    /// # Errors
+    /// Where an author's text is not fit to print, or a template fails.
+    pub fn page(renderer: &Renderer, page: &Page) -> Result<Self, Faults> {
+        renderer.body(page).map(Self)
+    }
+
+    /// The HTML.
+    #[must_use]
+    pub fn as_str(&self) -> &str {
+        &self.0
+    }
+}

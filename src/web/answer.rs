@@ -1,0 +1,83 @@
+//! From what a call gave to a response.
+
+use axum::Json;
+use axum::http::HeaderName;
+use axum::http::HeaderValue;
+use axum::http::StatusCode;
+use axum::http::header;
+use axum::response::Html;
+use axum::response::IntoResponse;
+use axum::response::Response;
+use serde::Serialize;
+
+use crate::exercise::calls::{Refused, RefusedKind};
+
+use super::app::{App, Shared};
+use super::headers::ANEW;
+use super::workers::NotDone;
+
+/// What a page that shows a refusal knows.
+#[derive(Serialize)]
+struct RefusedPage<'a> {
+    title: &'static str,
+    status: u16,
+    refused: &'a Refused,
+    sentences: Vec<String>,
+}
+
+/// What each kind of refusal is: its status, and the title of its page.
+fn kind(kind: RefusedKind) -> (StatusCode, &'static str) {
+    match kind {
+        RefusedKind::Unknown => (StatusCode::NOT_FOUND, "Not found"),
+        RefusedKind::Invalid => (StatusCode::BAD_REQUEST, "Not understood"),
+        RefusedKind::TooLarge => (StatusCode::PAYLOAD_TOO_LARGE, "Too large"),
+        RefusedKind::Values => (StatusCode::UNPROCESSABLE_ENTITY, "These values cannot be used"),
+        RefusedKind::NotSimulated => (StatusCode::UNPROCESSABLE_ENTITY, "Nothing to simulate"),
+        RefusedKind::Fault => (StatusCode::INTERNAL_SERVER_ERROR, "A fault in a file"),
+    }
+}
+
+const NO_CACHE: [(HeaderName, HeaderValue); 1] = [(header::CACHE_CONTROL, ANEW)];
+
+/// Makes a page on a worker.
+pub(super) async fn page(app: Shared, make: impl FnOnce(&App) -> Result<String, Refused> + Send + 'static) -> Response {
+    let own = Shared::clone(&app);
+    let made = app.workers.work(move || make(&own).or_else(|refused| refused_page(&own, &refused))).await;
+    match made {
+        Ok(Ok(text)) => (NO_CACHE, Html(text)).into_response(),
+        Ok(Err((status, text))) => (status, NO_CACHE, Html(text)).into_response(),
+        Err(reason) => not_done(reason).into_response(),
+    }
+}
+
+/// A page that says why there is none of the kind that was asked for.
+fn refused_page(app: &App, refused: &Refused) -> Result<String, (StatusCode, String)> {
+    let (status, title) = kind(refused.kind);
+    let page = RefusedPage { title, status: status.as_u16(), refused, sentences: refused.sentences() };
+    Err((status, app.page("refused", &page).unwrap_or_else(|_| title.to_owned())))
+}
+
+/// Makes a JSON object on a worker.
+pub(super) async fn json(app: Shared, make: impl FnOnce(&App) -> Result<String, Refused> + Send + 'static) -> Response {
+    let own = Shared::clone(&app);
+    match app.workers.work(move || make(&own)).await {
+        Ok(Ok(text)) => (NO_CACHE, [(header::CONTENT_TYPE, "application/json")], text).into_response(),
+        Ok(Err(refused)) => (kind(refused.kind).0, NO_CACHE, Json(refused)).into_response(),
+        Err(reason) => not_done(reason).into_response(),
+    }
+}
+
+fn not_done(reason: NotDone) -> (StatusCode, [(HeaderName, HeaderValue); 1], &'static str) {
+    match reason {
+        NotDone::Busy => (
+            StatusCode::TOO_MANY_REQUESTS,
+            [(header::RETRY_AFTER, HeaderValue::from_static("2"))],
+            "Many people are asking at this moment. Try again in a few seconds.",
+        ),
+        NotDone::Broken => (
+            StatusCode::INTERNAL_SERVER_ERROR,
+            NO_CACHE,
+            "Something went wrong here; nothing that you typed is at fault.",
+        ),
+    }
+}

@@ -1,0 +1,72 @@
+//! What all requests share.
+
+use std::sync::Arc;
+
+use serde::Serialize;
+
+use crate::exercise::calls::{Engine, Refused};
+use crate::fault::Faults;
+use crate::render::Figures;
+use crate::render::Renderer;
+use crate::render::Site;
+
+use super::assets::Assets;
+use super::library::Library;
+use super::settings::Settings;
+use super::workers::Workers;
+
+/// What all requests share: the problems, the templates, the files of the pages and the workers.
+pub struct App {
+    pub(super) settings: Settings,
+    pub(super) library: Library,
+    pub(super) assets: Assets,
+    pub(super) workers: Workers,
+    site: Site,
+    renderer: Renderer,
+}
+
+/// What every page knows besides its own.
+#[derive(Serialize)]
+struct Around<'a, Page> {
+    /// Where the pages begin.
+    base: &'a str,
+    /// Where scripts, styles and fonts are.
+    assets: String,
+    /// The state of the watched files; nothing where none are watched.
+    watch: Option<String>,
+    page: &'a Page,
+}
+
+impl App {
+    /// Everything that serving takes; templates are tried once before anybody asks for a page.
+    ///
+    /// # Errors
+    /// Where the bank or a template cannot be read.
+    pub fn new(settings: Settings) -> Result<Self, Faults> {
+        let templates = settings.templates.as_deref();
+        Ok(Self {
+            library: Library::open(settings.watch.as_deref())?,
+            assets: Assets::new(templates)?,
+            workers: Workers::new(),
+            site: Site::new(templates)?,
+            renderer: Renderer::new(templates)?.figures(Figures::Unstyled),
+            settings,
+        })
+    }
+
+    /// The engine.
+    pub(super) fn engine(&self) -> Engine<'_> {
+        Engine { problems: &self.library, renderer: &self.renderer }
+    }
+
+    /// A page through the template of that name.
+    pub(super) fn page(&self, name: &str, page: &impl Serialize) -> Result<String, Refused> {
+        let base = self.settings.base_path.as_str();
+        let watch = self.settings.watch.is_some().then(|| self.library.stamp().to_string());
+        let around = Around { base, assets: format!("{base}/static/{}", self.assets.digest), watch, page };
+        self.site.page(name, &around).map_err(|faults| Refused::fault(&faults))
+    }
+}
+
+/// The application as requests hold it.
+pub(super) type Shared = Arc<App>;

@@ -1,0 +1,107 @@
+//! Scripts, styles and fonts: in the program, under an address that changes with their contents, so that a browser keeps them.
+
+use std::borrow::Cow;
+use std::fmt::Write;
+use std::path::Path;
+
+use sha2::Digest;
+use sha2::Sha256;
+
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Faults;
+use crate::fault::Input;
+use crate::fault::Source;
+use crate::figure::style_sheet;
+
+macro_rules! built_in {
+    ($($name:literal),* $(,)?) => {
+        [$(($name, include_bytes!(concat!("../../templates/web/static/", $name)))),*]
+    };
+}
+
+/// Every file of `templates/web/static/`.
+const BUILT_IN: &[(&str, &[u8])] = &built_in!["engine.js", "icon.svg", "practice.js", "watch.js"];
+
+/// The style of documents, on which that of the pages builds.
+const DOCUMENTS: &str = include_str!("../../templates/html/style.css");
+
+/// The style of the pages.
+const PAGES: &[u8] = include_bytes!("../../templates/web/static/site.css");
+
+/// The name of the style sheet of all pages.
+const STYLE: &str = "site.css";
+
+/// Where these files are in a folder of templates.
+const FOLDER: &str = "web/static";
+
+/// The longest of them that is read from a folder, in bytes.
+const LONGEST: u64 = 1 << 20;
+
+/// The digits of the digest that stand in addresses.
+const DIGITS: usize = 16;
+
+/// The kinds of files, by their endings.
+const KINDS: [(&str, &str); 4] = [
+    (".css", "text/css; charset=utf-8"),
+    (".js", "text/javascript; charset=utf-8"),
+    (".woff2", "font/woff2"),
+    (".svg", "image/svg+xml"),
+];
+
+/// What pages refer to.
+pub(super) struct Assets {
+    files: Vec<(&'static str, Cow<'static, [u8]>)>,
+    /// The digest of all of them: one changes, and every address does, since scripts name each other.
+    pub digest: String,
+}
+
+impl Assets {
+    /// The built-in files, or those of the same name in `web/static/` of a folder of templates.
+    ///
+    /// # Errors
+    /// Where a file of that folder cannot be read.
+    pub(super) fn new(overrides: Option<&Path>) -> Result<Self, Faults> {
+        let own = |name: &str, built_in: &'static [u8]| match overrides {
+            None => Ok(Cow::Borrowed(built_in)),
+            Some(folder) => overridden(&folder.join(FOLDER).join(name), built_in),
+        };
+        let pages = own(STYLE, PAGES)?;
+        let style = [DOCUMENTS.as_bytes(), style_sheet().as_bytes(), &pages].join(&b'\n');
+        let mut files = vec![(STYLE, Cow::Owned(style))];
+        for (name, bytes) in BUILT_IN {
+            files.push((name, own(name, bytes)?));
+        }
+        let mut hasher = Sha256::new();
+        for (name, bytes) in &files {
+            hasher.update(name.as_bytes());
+            hasher.update((bytes.len() as u64).to_be_bytes());
+            hasher.update(bytes);
+        }
+        let digest = hasher.finalize().iter().fold(String::new(), |mut text, byte| {
+            // Writing to a string cannot fail.
+            let _ = write!(text, "{byte:02x}");
+            text
+        });
+        Ok(Self { files, digest: digest.chars().take(DIGITS).collect() })
+    }
+
+    /// A file with its kind.
+    pub(super) fn find(&self, name: &str) -> Option<(&'static str, &[u8])> {
+        let (_, bytes) = self.files.iter().find(|(own, _)| *own == name)?;
+        let (_, kind) = KINDS.iter().find(|(ending, _)| name.ends_with(ending))?;
+        Some((kind, bytes))
+    }
+}
+
+/// A file of a folder, or the built-in one where the folder has none of that name.
+fn overridden(path: &Path, built_in: &'static [u8]) -> Result<Cow<'static, [u8]>, Faults> {
+    if !path.exists() {
+        return Ok(Cow::Borrowed(built_in));
+    }
+    let read = Input::open(path).and_then(|file| file.bytes(LONGEST));
+    read.map(Cow::Owned).map_err(|error| Faults {
+        source: Source::new(&path.display().to_string(), ""),
+        list: vec![Fault::new(Code::Unreadable, format!("this file cannot be read: {error}"))],
+    })
+}

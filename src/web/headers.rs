@@ -1,0 +1,29 @@
+//! What every response says of itself.
+
+use axum::http::HeaderName;
+use axum::http::HeaderValue;
+use axum::http::header;
+
+/// Headers of every response. Pages load nothing from elsewhere and hold no code and no style of their own.
+pub(super) const HEADERS: [(HeaderName, HeaderValue); 5] = [
+    (
+        header::CONTENT_SECURITY_POLICY,
+        HeaderValue::from_static(
+            "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; font-src 'self'; \
+             connect-src 'self'; form-action 'self'; base-uri 'none'; frame-ancestors 'none'",
+        ),
+    ),
+    (header::X_CONTENT_TYPE_OPTIONS, HeaderValue::from_static("nosniff")),
+    (header::REFERRER_POLICY, HeaderValue::from_static("same-origin")),
+    (HeaderName::from_static("cross-origin-opener-policy"), HeaderValue::from_static("same-origin")),
+    (
+        HeaderName::from_static("permissions-policy"),
+        HeaderValue::from_static("camera=(), geolocation=(), microphone=()"),
+    ),
+];
+
+/// For pages: they follow their bank.
+pub(super) const ANEW: HeaderValue = HeaderValue::from_static("no-cache");
+
+/// For files whose address changes with their contents.
+pub(super) const FOR_EVER: HeaderValue = HeaderValue::from_static("public, max-age=31536000, immutable");

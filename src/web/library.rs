@@ -1,0 +1,119 @@
+//! The problems that a server shows, compiled when they are first wanted.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::Mutex;
+use std::sync::MutexGuard;
+use std::sync::PoisonError;
+use std::time::SystemTime;
+
+use crate::bank::Bank;
+use crate::bank::Card;
+use crate::bank::files_under;
+use crate::bank::load_in_course;
+use crate::exercise::calls::{Problems, Refused, RefusedKind};
+use crate::fault::Faults;
+use crate::problem::Problem;
+use crate::problem::compile;
+
+/// The problems of a bank. It holds no more compiled problems than the bank has files.
+pub(super) struct Library {
+    watched: Option<PathBuf>,
+    shelf: Mutex<Shelf>,
+}
+
+/// A bank as it was read.
+struct Shelf {
+    bank: Arc<Bank>,
+    /// What the watched files looked like.
+    stamp: u64,
+    compiled: BTreeMap<String, Arc<Problem>>,
+    cards: Option<Arc<Vec<Card>>>,
+}
+
+impl Library {
+    /// The bank of the current folder, or of the folder that is watched.
+    pub(super) fn open(watched: Option<&Path>) -> Result<Self, Faults> {
+        let stamp = watched.map_or(0, stamp);
+        let shelf = Shelf { bank: Arc::new(read(watched)?), stamp, compiled: BTreeMap::new(), cards: None };
+        Ok(Self { watched: watched.map(Path::to_owned), shelf: Mutex::new(shelf) })
+    }
+
+    /// What the watched files look like: it changes whenever one of them is saved.
+    pub(super) fn stamp(&self) -> u64 {
+        self.watched.as_deref().map_or(0, stamp)
+    }
+
+    /// The cards of all problems that load, in the order of their identities.
+    pub(super) fn cards(&self) -> Result<Arc<Vec<Card>>, Refused> {
+        let bank = {
+            let shelf = self.shelf()?;
+            if let Some(cards) = &shelf.cards {
+                return Ok(Arc::clone(cards));
+            }
+            Arc::clone(&shelf.bank)
+        };
+        let loaded = bank.sources().filter_map(|source| load_in_course(source.clone()).ok());
+        let cards = Arc::new(loaded.map(|loaded| Card::of(&loaded)).collect::<Vec<_>>());
+        self.shelf()?.cards = Some(Arc::clone(&cards));
+        Ok(cards)
+    }
+
+    /// The shelf; under watch it is read anew where a file was saved.
+    fn shelf(&self) -> Result<MutexGuard<'_, Shelf>, Refused> {
+        // Whoever panicked while holding it left it whole: every change is one assignment.
+        let mut shelf = self.shelf.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(folder) = &self.watched {
+            let seen = stamp(folder);
+            if seen != shelf.stamp {
+                let bank = read(Some(folder)).map_err(|faults| Refused::fault(&faults))?;
+                *shelf = Shelf { bank: Arc::new(bank), stamp: seen, compiled: BTreeMap::new(), cards: None };
+            }
+        }
+        Ok(shelf)
+    }
+}
+
+impl Problems for Library {
+    fn problem(&self, id: &str) -> Result<Arc<Problem>, Refused> {
+        let source = {
+            let shelf = self.shelf()?;
+            if let Some(problem) = shelf.compiled.get(id) {
+                return Ok(Arc::clone(problem));
+            }
+            shelf.bank.find(id).map_err(|faults| unknown(&faults))?.clone()
+        };
+        // Others are served while it compiles; where two compile it at once, both have the same.
+        let problem = load_in_course(source).and_then(|loaded| compile(loaded, None));
+        let problem = Arc::new(problem.map_err(|faults| Refused::fault(&faults))?);
+        self.shelf()?.compiled.insert(id.to_owned(), Arc::clone(&problem));
+        Ok(problem)
+    }
+}
+
+fn unknown(faults: &Faults) -> Refused {
+    let Some(fault) = faults.list.first() else { return Refused::fault(faults) };
+    let refused = Refused::new(RefusedKind::Unknown, fault.message.clone());
+    match fault.help.as_deref().filter(|help| help.starts_with("did you mean")) {
+        Some(help) => refused.help(help),
+        None => refused.help("the start page lists every problem"),
+    }
+}
+
+fn read(watched: Option<&Path>) -> Result<Bank, Faults> {
+    watched.map_or_else(Bank::here, Bank::in_folder)
+}
+
+/// A number that changes with the names, lengths and times of the files of a folder.
+fn stamp(folder: &Path) -> u64 {
+    use std::hash::{DefaultHasher, Hash, Hasher};
+    let mut hasher = DefaultHasher::new();
+    for path in files_under(folder).unwrap_or_default() {
+        let found = path.metadata();
+        let changed = found.as_ref().ok().and_then(|found| found.modified().ok()).unwrap_or(SystemTime::UNIX_EPOCH);
+        (path, found.map_or(0, |found| found.len()), changed).hash(&mut hasher);
+    }
+    hasher.finish()
+}

@@ -1,0 +1,19 @@
+//! The web application: a request in, a call of the engine, a page out. No physics and no marking stands here, nor in the
+//! scripts of its pages: a browser draws what the engine computed.
+
+mod answer;
+mod app;
+mod assets;
+mod headers;
+mod library;
+mod pages;
+mod parameters;
+mod routes;
+mod server;
+mod settings;
+mod workers;
+
+pub use app::App;
+pub use routes::router;
+pub use server::{NotServed, serve};
+pub use settings::Settings;

@@ -1,0 +1,77 @@
+//! The practice sheet: a field for each part, marks, messages and hints.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
+use crate::exercise::calls::{HintRequest, MarkRequest, MarkResponse, MarkedPart, Refused, SheetResponse};
+use crate::render::Fragment;
+
+use super::super::app::App;
+use super::super::parameters::Parameters;
+use super::Place;
+
+/// Before the name of a part in the names of fields.
+const ANSWER: &str = "answer.";
+
+#[derive(Serialize)]
+struct PracticePage {
+    title: String,
+    place: Place,
+    sheet: SheetResponse,
+    /// What was typed into each field, in their order.
+    typed: Vec<String>,
+    /// What marking says of each field, in their order; empty before anything is marked.
+    marked: Vec<Option<MarkedPart>>,
+    /// Marks of the whole sheet, once it is marked.
+    report: Option<MarkResponse>,
+    /// The author's hints that were asked for.
+    hints: Vec<Fragment>,
+    /// How many further hints on wrong answers were asked for.
+    further: usize,
+    /// Whether a further hint can be asked for.
+    more_further: bool,
+    decimal: String,
+}
+
+/// The practice sheet. With answers it is marked; what was typed stays.
+pub(in crate::web) fn practice(app: &App, problem: String, fields: &Parameters) -> Result<String, Refused> {
+    let engine = app.engine();
+    let variant = fields.variant(problem)?;
+    let sheet = engine.sheet(&variant)?;
+    let answers = fields.behind(ANSWER);
+    let asks = |what: &str| fields.get("do") == Some(what);
+    let further = fields.count("further")?.saturating_add(usize::from(asks("further")));
+    let shown = fields.count("hints")?.saturating_add(usize::from(asks("hint"))).min(sheet.hints);
+    let hints = (1..=shown)
+        .map(|number| engine.hint(&HintRequest { variant: variant.clone(), number }).map(|response| response.hint));
+    let hints = hints.collect::<Result<Vec<Fragment>, Refused>>()?;
+    let report = if answers.is_empty() {
+        None
+    } else {
+        let (answers, decimal) = (answers.clone(), fields.decimal());
+        Some(engine.mark(&MarkRequest { variant: variant.clone(), answers, decimal, hints: further, closed: false })?)
+    };
+    let page = PracticePage {
+        title: sheet.title.clone(),
+        place: Place::of(app, &variant)?,
+        typed: typed(&sheet, &answers),
+        marked: marked(&sheet, report.as_ref()),
+        more_further: report.iter().flat_map(|report| &report.parts).any(|part| part.more_hints),
+        report,
+        sheet,
+        hints,
+        further,
+        decimal: fields.get("decimal").unwrap_or_default().to_owned(),
+    };
+    app.page("practice", &page)
+}
+
+fn typed(sheet: &SheetResponse, answers: &BTreeMap<String, String>) -> Vec<String> {
+    sheet.fields.iter().map(|field| answers.get(&field.id).cloned().unwrap_or_default()).collect()
+}
+
+fn marked(sheet: &SheetResponse, report: Option<&MarkResponse>) -> Vec<Option<MarkedPart>> {
+    let of = |id: &str| report.and_then(|report| report.parts.iter().find(|part| part.id == id).cloned());
+    sheet.fields.iter().map(|field| of(&field.id)).collect()
+}

@@ -1,0 +1,45 @@
+//! The start page: every problem by topic, with a search.
+
+use serde::Serialize;
+
+use crate::bank::Card;
+use crate::exercise::calls::Refused;
+
+use super::super::app::App;
+use super::super::parameters::Parameters;
+
+#[derive(Serialize)]
+struct StartPage<'a> {
+    title: &'static str,
+    search: &'a str,
+    level: &'a str,
+    found: usize,
+    topics: Vec<Topic<'a>>,
+}
+
+#[derive(Serialize)]
+struct Topic<'a> {
+    name: &'a str,
+    problems: Vec<&'a Card>,
+}
+
+/// The start page; `search` and `level` narrow the list.
+pub(in crate::web) fn start(app: &App, fields: &Parameters) -> Result<String, Refused> {
+    let cards = app.library.cards()?;
+    let search = fields.get("search").unwrap_or_default();
+    let level = fields.get("level").unwrap_or_default();
+    let words: Vec<String> = search.split_whitespace().map(str::to_lowercase).collect();
+    let shown = |card: &&Card| {
+        let text = format!("{} {} {}", card.id, card.title, card.tags.join(" ")).to_lowercase();
+        (level.is_empty() || card.level == level) && words.iter().all(|word| text.contains(word))
+    };
+    let found: Vec<&Card> = cards.iter().filter(shown).collect();
+    let mut topics: Vec<Topic> = Vec::new();
+    for card in &found {
+        match topics.last_mut() {
+            Some(topic) if topic.name == card.topic => topic.problems.push(card),
+            _ => topics.push(Topic { name: &card.topic, problems: vec![card] }),
+        }
+    }
+    app.page("start", &StartPage { title: "Momentous", search, level, found: found.len(), topics })
+}

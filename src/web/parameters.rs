@@ -1,0 +1,67 @@
+//! The fields of an address or of a form.
+
+use std::collections::BTreeMap;
+
+use crate::exercise::calls::{Refused, RefusedKind, VariantRequest};
+use crate::grade::DecimalMark;
+
+/// The most fields that are read.
+const MOST: usize = 400;
+
+/// Names with their values, in the order in which they came.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Parameters(Vec<(String, String)>);
+
+impl Parameters {
+    /// The fields, where there are not too many.
+    pub(super) fn new(fields: Vec<(String, String)>) -> Result<Self, Refused> {
+        if fields.len() > MOST {
+            return Err(Refused::new(RefusedKind::TooLarge, format!("there are more than {MOST} fields")));
+        }
+        Ok(Self(fields))
+    }
+
+    /// The value of a name; nothing where it is empty.
+    pub(super) fn get(&self, name: &str) -> Option<&str> {
+        self.0.iter().find(|(own, _)| own == name).map(|(_, value)| value.as_str()).filter(|value| !value.is_empty())
+    }
+
+    /// A whole number, where there is one.
+    pub(super) fn number(&self, name: &str) -> Result<Option<u64>, Refused> {
+        let Some(text) = self.get(name) else { return Ok(None) };
+        let wrong = |_| {
+            let message = format!("`{name}` is a whole number from 0 to {}, not `{text}`", u64::MAX);
+            Refused::new(RefusedKind::Invalid, message)
+        };
+        text.trim().parse().map(Some).map_err(wrong)
+    }
+
+    /// A small whole number, 0 where there is none.
+    pub(super) fn count(&self, name: &str) -> Result<usize, Refused> {
+        Ok(usize::try_from(self.number(name)?.unwrap_or(0)).unwrap_or(usize::MAX))
+    }
+
+    /// What stands behind a prefix: `set.m_A` as `m_A`. Empty values are left out.
+    pub(super) fn behind(&self, prefix: &str) -> BTreeMap<String, String> {
+        let own = |(name, value): &(String, String)| {
+            let name = name.strip_prefix(prefix)?;
+            (!value.trim().is_empty()).then(|| (name.to_owned(), value.clone()))
+        };
+        self.0.iter().filter_map(own).collect()
+    }
+
+    /// The variant of a problem that the fields name.
+    pub(super) fn variant(&self, problem: String) -> Result<VariantRequest, Refused> {
+        let form = self.get("form").map(str::to_owned);
+        Ok(VariantRequest { problem, form, seed: self.number("seed")?.unwrap_or(1) })
+    }
+
+    /// The decimal mark that the reader writes.
+    pub(super) fn decimal(&self) -> DecimalMark {
+        match self.get("decimal") {
+            Some("point") => DecimalMark::Point,
+            Some("comma") => DecimalMark::Comma,
+            _ => DecimalMark::Either,
+        }
+    }
+}

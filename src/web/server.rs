@@ -1,0 +1,67 @@
+//! A server on an address, until it is told to stop.
+
+use std::io;
+use std::net::SocketAddr;
+use std::sync::Arc;
+
+use tokio::net::TcpListener;
+use tokio::runtime::Builder;
+
+use crate::fault::Faults;
+
+use super::app::App;
+use super::routes::router;
+use super::settings::Settings;
+
+/// Why nothing is served.
+#[derive(Debug, thiserror::Error)]
+pub enum NotServed {
+    /// A bank or a template is at fault.
+    #[error(transparent)]
+    Faults(#[from] Faults),
+    /// The address cannot be used.
+    #[error("{0} cannot be used: {1}")]
+    Address(SocketAddr, io::Error),
+    /// The server cannot start, or broke off.
+    #[error("the server cannot go on: {0}")]
+    Broken(#[from] io::Error),
+}
+
+/// Serves until the program is told to stop (Ctrl-C, or SIGTERM); requests under way are answered first. `ready` hears the address as
+/// soon as there is one.
+///
+/// # Errors
+/// Where the bank or a template cannot be read, or the address is taken.
+pub fn serve(settings: Settings, ready: impl FnOnce(SocketAddr)) -> Result<(), NotServed> {
+    let bind = settings.bind;
+    let app = Arc::new(App::new(settings)?);
+    Builder::new_multi_thread().enable_all().build()?.block_on(async {
+        let listener = TcpListener::bind(bind).await.map_err(|error| NotServed::Address(bind, error))?;
+        ready(listener.local_addr()?);
+        axum::serve(listener, router(app)).with_graceful_shutdown(told_to_stop()).await?;
+        Ok(())
+    })
+}
+
+#[cfg(unix)]
+async fn told_to_stop() {
+    use tokio::signal::unix::{SignalKind, signal};
+    let Ok(mut terminated) = signal(SignalKind::terminate()) else {
+        let _ = tokio::signal::ctrl_c().await;
+        return;
+    };
+    let (mut interrupted, mut terminated) = (Box::pin(tokio::signal::ctrl_c()), Box::pin(terminated.recv()));
+    std::future::poll_fn(|context| {
+        if interrupted.as_mut().poll(context).is_ready() || terminated.as_mut().poll(context).is_ready() {
+            std::task::Poll::Ready(())
+        } else {
+            std::task::Poll::Pending
+        }
+    })
+    .await;
+}
+
+#[cfg(not(unix))]
+async fn told_to_stop() {
+    let _ = tokio::signal::ctrl_c().await;
+}

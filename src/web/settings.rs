@@ -1,0 +1,23 @@
+//! How a server is set up.
+
+use std::net::SocketAddr;
+use std::path::PathBuf;
+
+/// How a server is set up.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Settings {
+    /// The address on which it listens.
+    pub bind: SocketAddr,
+    /// Where its pages begin, as a reader's browser sees it: the path that a proxy puts before them, without a slash at its end.
+    pub base_path: String,
+    /// A folder of problems that is followed as its files are saved.
+    pub watch: Option<PathBuf>,
+    /// A folder of templates in place of the built-in ones.
+    pub templates: Option<PathBuf>,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self { bind: SocketAddr::from(([127, 0, 0, 1], 8080)), base_path: String::new(), watch: None, templates: None }
+    }
+}
