@@ -146,7 +146,7 @@ impl Exercise {
             // Which letters and phrases there are hangs on the way in which the scene goes.
             blank.fill(&mut asked, worked, part);
         }
-        Reading::of(without_unit_quantity(worked, part, text), &asked.kind, mark)
+        Reading::of(text, &asked.kind, mark)
     }
 
     /// Marks answers to this variant, by part.
