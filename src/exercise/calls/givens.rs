@@ -29,7 +29,7 @@ impl Engine<'_> {
     /// # Errors
     /// As for a sheet.
     pub fn givens(&self, request: &GivensRequest) -> Result<Vec<GivenResponse>, Refused> {
-        let exercise = request.draw(self)?;
+        let exercise = self.draw(request)?;
         let problem = exercise.problem();
         let is_literal = |symbol| problem.model().literals.iter().any(|(own, _)| *own == symbol);
         let given = exercise.variant().all_given();

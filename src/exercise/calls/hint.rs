@@ -5,6 +5,7 @@ use serde::Serialize;
 
 use crate::render::Fragment;
 
+use super::super::Exercise;
 use super::Engine;
 use super::refused::{Refused, RefusedKind};
 use super::variant::VariantRequest;
@@ -34,15 +35,23 @@ impl Engine<'_> {
     /// # Errors
     /// As for a sheet, and where there is no such hint.
     pub fn hint(&self, request: &HintRequest) -> Result<HintResponse, Refused> {
-        let exercise = request.variant.draw(self)?;
-        let hints = exercise.student_sheet().hints;
-        let number = request.number;
+        HintResponse::of(&self.draw(&request.variant)?, request.number)
+    }
+}
+
+impl HintResponse {
+    /// A hint of a variant that was drawn, counted from 1.
+    ///
+    /// # Errors
+    /// Where there is no such hint, or its text is not fit to print.
+    pub fn of(exercise: &Exercise, number: usize) -> Result<Self, Refused> {
+        let hints = exercise.variant().hints(exercise.problem());
         let Some(text) = number.checked_sub(1).and_then(|place| hints.get(place)) else {
             let message = format!("there is no hint {number}");
             return Err(Refused::new(RefusedKind::Unknown, message).help(format!("there are {}", hints.len())));
         };
         let name = format!("{}: hint {number}", exercise.problem().id());
         let hint = Fragment::authored(&name, text, 3).map_err(|faults| Refused::fault(&faults))?;
-        Ok(HintResponse { hint, more: number < hints.len() })
+        Ok(Self { hint, more: number < hints.len() })
     }
 }

@@ -9,7 +9,7 @@ use crate::grade::DecimalMark;
 use crate::grade::PartReport;
 use crate::grade::Points;
 
-use super::super::Sitting;
+use super::super::{Exercise, Sitting};
 use super::Engine;
 use super::refused::Refused;
 use super::variant::VariantRequest;
@@ -93,16 +93,24 @@ impl Engine<'_> {
     /// # Errors
     /// As for a sheet.
     pub fn mark(&self, request: &MarkRequest) -> Result<MarkResponse, Refused> {
-        let exercise = request.variant.draw(self)?;
-        let sitting = Sitting { hints: request.hints, closed: request.closed };
-        let report = exercise.mark(&request.answers, request.decimal, sitting);
+        let MarkRequest { variant, answers, decimal, hints, closed } = request;
+        let sitting = Sitting { hints: *hints, closed: *closed };
+        Ok(MarkResponse::of(&self.draw(variant)?, answers, *decimal, sitting))
+    }
+}
+
+impl MarkResponse {
+    /// Marks answers to a variant that was drawn.
+    #[must_use]
+    pub fn of(exercise: &Exercise, answers: &BTreeMap<String, String>, decimal: DecimalMark, sitting: Sitting) -> Self {
+        let report = exercise.mark(answers, decimal, sitting);
         let right = report.is_right();
-        Ok(MarkResponse {
-            parts: report.parts.into_iter().map(|part| MarkedPart::of(part, request.hints)).collect(),
+        Self {
+            parts: report.parts.into_iter().map(|part| MarkedPart::of(part, sitting.hints)).collect(),
             total: report.total,
             out_of: report.out_of,
             right,
             not_asked: report.not_asked,
-        })
+        }
     }
 }

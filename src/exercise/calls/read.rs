@@ -39,7 +39,7 @@ impl Engine<'_> {
     /// # Errors
     /// As for a sheet, and where the part is not asked.
     pub fn read(&self, request: &ReadRequest) -> Result<ReadResponse, Refused> {
-        let exercise = request.variant.draw(self)?;
+        let exercise = self.draw(&request.variant)?;
         let part = exercise
             .part(&request.part)
             .ok_or_else(|| Refused::new(RefusedKind::Unknown, format!("`{}` is not asked here", request.part)))?;

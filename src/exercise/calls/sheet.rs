@@ -99,20 +99,25 @@ impl Engine<'_> {
     /// # Errors
     /// Where there is no such problem or form, or the seed draws nothing.
     pub fn sheet(&self, request: &SheetRequest) -> Result<SheetResponse, Refused> {
-        sheet_of(&request.draw(self)?)
+        SheetResponse::of(&self.draw(request)?)
     }
 }
 
-/// The sheet of a variant that was drawn.
-pub(super) fn sheet_of(exercise: &Exercise) -> Result<SheetResponse, Refused> {
-    let StudentSheet { title, statement, figure, fields, note, hints } = exercise.student_sheet();
-    let name = format!("{}: text", exercise.problem().id());
-    Ok(SheetResponse {
-        statement: Fragment::authored(&name, &statement, HEADINGS).map_err(|faults| Refused::fault(&faults))?,
-        title,
-        figure: figure.as_ref().map(FigureResponse::of),
-        fields: fields.into_iter().map(FieldResponse::from).collect(),
-        note: Fragment::inline(&note),
-        hints: hints.len(),
-    })
+impl SheetResponse {
+    /// The sheet of a variant that was drawn.
+    ///
+    /// # Errors
+    /// Where the author's text is not fit to print.
+    pub fn of(exercise: &Exercise) -> Result<Self, Refused> {
+        let StudentSheet { title, statement, figure, fields, note, hints } = exercise.student_sheet();
+        let name = format!("{}: text", exercise.problem().id());
+        Ok(Self {
+            statement: Fragment::authored(&name, &statement, HEADINGS).map_err(|faults| Refused::fault(&faults))?,
+            title,
+            figure: figure.as_ref().map(FigureResponse::of),
+            fields: fields.into_iter().map(FieldResponse::from).collect(),
+            note: Fragment::inline(&note),
+            hints: hints.len(),
+        })
+    }
 }

@@ -68,7 +68,7 @@ impl SolveRequest {
     /// The variant with the user's own values, solved.
     pub(super) fn solve(&self, engine: &Engine<'_>) -> Result<Exercise, Refused> {
         if self.set.is_empty() && self.find.is_empty() {
-            return self.variant.draw(engine);
+            return engine.draw(&self.variant);
         }
         if self.set.len() > MOST_VALUES || self.find.len() > MOST_VALUES {
             let message = format!("at most {MOST_VALUES} values can be set, and as many be sought");

@@ -48,10 +48,15 @@ impl VariantRequest {
         };
         Ok((problem, form))
     }
+}
 
-    /// The variant, drawn and solved.
-    pub(super) fn draw(&self, engine: &Engine<'_>) -> Result<Exercise, Refused> {
-        let (problem, form) = self.find(engine)?;
-        Ok(Exercise::draw(&problem, form, self.seed)?)
+impl Engine<'_> {
+    /// A variant, drawn and solved.
+    ///
+    /// # Errors
+    /// Where there is no such problem or form, or the seed draws nothing.
+    pub fn draw(&self, variant: &VariantRequest) -> Result<Exercise, Refused> {
+        let (problem, form) = variant.find(self)?;
+        Ok(Exercise::draw(&problem, form, variant.seed)?)
     }
 }

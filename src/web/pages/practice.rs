@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use crate::exercise::calls::{HintRequest, MarkRequest, MarkResponse, MarkedPart, Refused, SheetResponse};
+use crate::exercise::Sitting;
+use crate::exercise::calls::{HintResponse, MarkResponse, MarkedPart, Refused, SheetResponse};
 use crate::render::Fragment;
 
 use super::super::app::App;
@@ -36,22 +37,18 @@ struct PracticePage {
 
 /// The practice sheet. With answers it is marked; what was typed stays.
 pub(in crate::web) fn practice(app: &App, problem: String, fields: &Parameters) -> Result<String, Refused> {
-    let engine = app.engine();
     let variant = fields.variant(problem)?;
-    let sheet = engine.sheet(&variant)?;
+    let exercise = app.engine().draw(&variant)?;
+    let sheet = SheetResponse::of(&exercise)?;
     let answers = fields.behind(ANSWER);
     let asks = |what: &str| fields.get("do") == Some(what);
     let further = fields.count("further")?.saturating_add(usize::from(asks("further")));
     let shown = fields.count("hints")?.saturating_add(usize::from(asks("hint"))).min(sheet.hints);
-    let hints = (1..=shown)
-        .map(|number| engine.hint(&HintRequest { variant: variant.clone(), number }).map(|response| response.hint));
+    let hints = (1..=shown).map(|number| HintResponse::of(&exercise, number).map(|response| response.hint));
     let hints = hints.collect::<Result<Vec<Fragment>, Refused>>()?;
-    let report = if answers.is_empty() {
-        None
-    } else {
-        let (answers, decimal) = (answers.clone(), fields.decimal());
-        Some(engine.mark(&MarkRequest { variant: variant.clone(), answers, decimal, hints: further, closed: false })?)
-    };
+    let sitting = Sitting { hints: further, closed: false };
+    let is_answered = !answers.is_empty();
+    let report = is_answered.then(|| MarkResponse::of(&exercise, &answers, fields.decimal(), sitting));
     let page = PracticePage {
         title: sheet.title.clone(),
         place: Place::of(app, &variant)?,

@@ -1,0 +1,109 @@
+// A student at a practice sheet: with and without JavaScript, and by keyboard alone.
+
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { after, before, test } from "node:test";
+
+import { browse, program, start, strict_page } from "./server.js";
+
+/** @type {Awaited<ReturnType<typeof start>>} */
+let server;
+/** @type {import("playwright-core").Browser} */
+let browser;
+
+before(async () => {
+  [server, browser] = await Promise.all([start(), browse()]);
+});
+
+after(async () => {
+  await browser.close();
+  await server.stop();
+});
+
+const SHEET = "/practice/impact/two-carts?form=forward&seed=7";
+
+/**
+ * The answers of a variant, as the program prints them.
+ * @param {string} problem
+ * @param {string} form
+ * @param {number} seed
+ * @returns {Record<string, string>}
+ */
+function key(problem, form, seed) {
+  const arguments_ = ["solve", problem, "--form", form, "--seed", String(seed), "--format", "json"];
+  const { ask } = JSON.parse(execFileSync(program, arguments_, { cwd: server.folder, encoding: "utf8" }));
+  return Object.fromEntries(ask.map((/** @type {any} */ part) => [part.id, part.printed]));
+}
+
+test("what is typed is read while it is typed", async () => {
+  const { page, complaints, close } = await strict_page(browser);
+  await page.goto(server.url + SHEET);
+  const said = page.locator('[data-reading="v_A2"]');
+  await page.locator('[data-part="v_A2"]').fill("0,5 m/s left");
+  await page.locator('[data-reading="v_A2"][data-state="read"]').waitFor();
+  assert.equal(await said.textContent(), "Read as 0.5 metres per second to the left.");
+  await page.locator('[data-part="v_A2"]').fill("3..2 m/s");
+  await page.locator('[data-reading="v_A2"].unreadable').waitFor();
+  assert.match((await said.textContent()) ?? "", /not a number/);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+for (const javaScriptEnabled of [true, false]) {
+  const how = javaScriptEnabled ? "with" : "without";
+
+  test(`a sheet is answered, marked and explained ${how} JavaScript`, async () => {
+    const { page, complaints, close } = await strict_page(browser, { javaScriptEnabled });
+    const right = key("impact/two-carts", "forward", 7);
+    await page.goto(server.url + SHEET);
+    await page.locator('[name="answer.v_A2"]').fill("3..2 m/s");
+    await page.locator('[name="answer.v_B2"]').fill(right.v_B2 ?? "");
+    await page.getByRole("button", { name: "Check" }).click();
+    const verdict = (/** @type {string} */ part) =>
+      page.locator(`fieldset:has([name="answer.${part}"]) .verdict`).getAttribute("data-verdict");
+    assert.equal(await verdict("v_A2"), "unreadable");
+    assert.equal(await verdict("v_B2"), "right");
+    assert.equal(await verdict("T_lost"), "unanswered");
+    assert.equal(await page.locator('[name="answer.v_A2"]').inputValue(), "3..2 m/s", "what was typed stays");
+    await page.getByRole("button", { name: "Hint", exact: true }).click();
+    assert.equal(await page.locator("aside.hint").count(), 1);
+    assert.equal(await page.locator('[name="answer.v_B2"]').inputValue(), right.v_B2, "a hint keeps what was typed");
+    for (const [part, text] of Object.entries(right)) await page.locator(`[name="answer.${part}"]`).fill(text);
+    await page.getByRole("button", { name: "Check" }).click();
+    assert.match((await page.locator(".total").textContent()) ?? "", /5 of 5 points/);
+    await page.getByRole("link", { name: "Solution, step by step" }).click();
+    assert.match((await page.locator(".onward .main").textContent()) ?? "", /1 of \d+ shown/);
+    await page.locator(".onward .main").click();
+    assert.match((await page.locator(".onward .main").textContent()) ?? "", /2 of \d+ shown/);
+    await page.getByRole("link", { name: "Whole solution" }).click();
+    assert.equal(await page.locator(".space").count(), 0);
+    assert.deepEqual(complaints, []);
+    await close();
+  });
+}
+
+test("a sheet is answered by keyboard alone", async () => {
+  const { page, close } = await strict_page(browser);
+  const right = key("impact/two-carts", "forward", 7);
+  await page.goto(server.url + SHEET);
+  const focused = () => page.evaluate(() => document.activeElement?.getAttribute("name"));
+  for (const [part, text] of Object.entries(right)) {
+    for (let steps = 0; steps < 30 && (await focused()) !== `answer.${part}`; steps += 1) await page.keyboard.press("Tab");
+    await page.keyboard.type(text);
+  }
+  await Promise.all([page.waitForURL(/practice/), page.keyboard.press("Enter")]);
+  assert.match((await page.locator(".total").textContent()) ?? "", /5 of 5 points/);
+  await close();
+});
+
+test("hostile answers are shown as they were typed", async () => {
+  const { page, complaints, close } = await strict_page(browser);
+  await page.goto(server.url + SHEET);
+  const text = "\"><script>document.title='gone'</script>";
+  await page.locator('[name="answer.v_A2"]').fill(text);
+  await page.getByRole("button", { name: "Check" }).click();
+  assert.equal(await page.locator('[name="answer.v_A2"]').inputValue(), text);
+  assert.match(await page.title(), /Two carts/);
+  assert.deepEqual(complaints, []);
+  await close();
+});

@@ -1,0 +1,82 @@
+// The program under test, and a browser that looks at its pages.
+
+import { spawn } from "node:child_process";
+import { once } from "node:events";
+import { existsSync, mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { dirname, join, resolve } from "node:path";
+import { createInterface } from "node:readline";
+import { fileURLToPath } from "node:url";
+
+import { chromium } from "playwright-core";
+
+const project = resolve(dirname(fileURLToPath(import.meta.url)), "../..");
+
+/** The program: MOMENTOUS, else what the last build made. */
+export const program =
+  process.env.MOMENTOUS ??
+  ["release", "debug"].map((kind) => join(project, "target", kind, "momentous")).find(existsSync) ??
+  "momentous";
+
+/** The browser: CHROMIUM, else Debian's. */
+const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
+
+const FLAGS = [
+  "--no-sandbox",
+  "--disable-gpu",
+  "--disable-quic",
+  "--no-first-run",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+];
+
+/**
+ * Starts the program in an empty folder, on a port that is free.
+ * @param {string[]} [more] further arguments
+ * @returns {Promise<{ url: string, folder: string, stop: () => Promise<void> }>}
+ */
+export async function start(more = []) {
+  const folder = mkdtempSync(join(tmpdir(), "momentous-"));
+  const server = spawn(program, ["serve", "--bind", "127.0.0.1:0", ...more], {
+    cwd: folder,
+    stdio: ["ignore", "pipe", "inherit"],
+  });
+  const lines = createInterface({ input: server.stdout });
+  const first = await Promise.race([once(lines, "line"), once(server, "exit"), once(server, "error")]);
+  const url = String(first[0]).match(/http:\/\/\S+/)?.[0]?.replace(/\/$/, "");
+  if (!url) throw new Error(`${program} serve did not start: ${first[0]}`);
+  return {
+    url,
+    folder,
+    stop: async () => {
+      server.kill("SIGTERM");
+      if (server.exitCode === null) await once(server, "exit");
+      rmSync(folder, { recursive: true, force: true });
+    },
+  };
+}
+
+/** A headless browser. */
+export function browse() {
+  return chromium.launch({ executablePath, args: FLAGS });
+}
+
+/**
+ * A page that fails the test where anything is logged as an error, or the page's policy is broken.
+ * @param {import("playwright-core").Browser} browser
+ * @param {import("playwright-core").BrowserContextOptions} [options]
+ */
+export async function strict_page(browser, options = {}) {
+  const context = await browser.newContext(options);
+  const page = await context.newPage();
+  /** @type {string[]} */
+  const complaints = [];
+  page.on("console", (message) => {
+    // A refusal of the engine is answered with a status of its own, which Chromium logs.
+    const is_status = message.text().startsWith("Failed to load resource: the server responded with a status of 4");
+    if (message.type() === "error" && !is_status) complaints.push(message.text());
+  });
+  page.on("pageerror", (error) => complaints.push(String(error)));
+  return { page, complaints, close: () => context.close() };
+}
