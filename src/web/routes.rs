@@ -54,8 +54,13 @@ pub fn router(app: Arc<App>) -> Router {
     for (path, make) in OF_PROBLEMS {
         own = own.route(path, of_problem(make));
     }
-    let own = own.with_state(app).layer(DefaultBodyLimit::max(LONGEST_REQUEST));
-    let mut all = if base.is_empty() { own } else { Router::new().nest(&base, own) };
+    let own = own.with_state(Arc::clone(&app)).layer(DefaultBodyLimit::max(LONGEST_REQUEST));
+    let mut all = if base.is_empty() {
+        own
+    } else {
+        // Nested routes begin without the slash that the start page's address ends with.
+        Router::new().nest(&base, own).route(&format!("{base}/"), get(start).with_state(app))
+    };
     for (name, value) in HEADERS {
         all = all.layer(SetResponseHeaderLayer::overriding(name, value));
     }
