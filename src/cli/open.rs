@@ -1,5 +1,6 @@
 //! From what a user names to a compiled problem and one of its forms.
 
+use std::path::Path;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -35,9 +36,9 @@ pub(super) struct Secret {
 }
 
 impl Secret {
-    /// Whether there is one.
-    pub(super) fn is_given(&self) -> bool {
-        self.secret.is_some()
+    /// Where it lies, if there is one.
+    pub(super) fn path(&self) -> Option<&Path> {
+        self.secret.as_deref()
     }
 
     /// The secret, without the line end that an editor leaves.

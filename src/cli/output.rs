@@ -1,5 +1,6 @@
 //! Where results go: standard output, a file that appears whole or not at all, or a device that takes what comes.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::fs::File;
 use std::io;
@@ -84,6 +85,30 @@ impl Output {
             }
         }
     }
+}
+
+/// Refuses to write a result over what is read, or two results into one file.
+pub(super) fn keep_apart<'a>(
+    read: impl IntoIterator<Item = &'a Path>,
+    written: impl IntoIterator<Item = PathBuf>,
+) -> Result<(), Failure> {
+    let mut taken: BTreeMap<PathBuf, &str> =
+        read.into_iter().map(|path| (resolved(path), "is read by this command")).collect();
+    for path in written.into_iter().filter(|path| !is_device(path)) {
+        if let Some(why) = taken.insert(resolved(&path), "is to hold another result, too") {
+            let shown = path.display();
+            return Err(Failure::unusable(format!("{shown} {why}; it would be lost\nhelp: name another file")));
+        }
+    }
+    Ok(())
+}
+
+/// The same path for the same file, whether it is there or not.
+fn resolved(path: &Path) -> PathBuf {
+    let path = behind_links(path);
+    let (folder, name) = (path.parent().filter(|folder| !folder.as_os_str().is_empty()), path.file_name());
+    let folder = folder.unwrap_or(Path::new(".")).canonicalize();
+    path.canonicalize().ok().or_else(|| Some(folder.ok()?.join(name?))).unwrap_or(path)
 }
 
 /// Whether something is there that is neither a file nor a folder, and so has nothing beside it.

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::io::BufRead;
 
+use super::submission::excerpt;
 use super::table::Table;
 
 /// A student.
@@ -51,7 +52,7 @@ impl Student {
             if id.is_empty() {
                 fail("this student has no identity".to_owned());
             } else if let Some(first) = lines.insert(id.clone(), line) {
-                fail(format!("`{id}` stands in line {first} already"));
+                fail(format!("`{}` stands in line {first} already", excerpt(&id)));
             } else {
                 let name = name.map(cell).filter(|name| !name.is_empty()).unwrap_or_else(|| id.clone());
                 students.push(Self { id, name });

@@ -207,3 +207,50 @@ fn a_table_of_seeds_is_not_lost_and_old_sheets_are_named() {
     }
     assert!(!later.err.contains("s2-") && !later.err.contains("s3-"), "{}", later.err);
 }
+
+#[test]
+fn nothing_is_written_over_what_is_read() {
+    let table = "student,problem,seed,v_A2\ns,impact/two-carts,1,1 m/s\n";
+    let room = Room::with(&[("class.csv", "id\ns1\n"), ("a.csv", table), ("b/secret.txt", "course 2026\n")]);
+    problem(&room, "own.yaml", "own/carts");
+    let roster = ["generate", "impact/two-carts", "--roster", "class.csv"];
+    room.fine(&[&roster[..], &["-o", "sheets/"]].concat());
+    let grade = ["grade", "a.csv"];
+    let runs: [(&[&str], &[&str]); 9] = [
+        (&grade, &["-o", "a.csv"]),
+        (&grade, &["-o", "b/../a.csv"]),
+        (&grade, &["-o", "x.xml", "--junit", "./x.xml"]),
+        (&grade, &["-o", "x.json", "--summary", "x"]),
+        (&grade, &["-o", "sheets-teacher/seeds.csv", "--sheets", "sheets-teacher/seeds.csv"]),
+        (&grade, &["-o", "own.yaml", "--problem", "own.yaml"]),
+        (&roster, &["-o", "class.csv"]),
+        (&["generate", "own.yaml"], &["--secret", "b/secret.txt", "-o", "b/secret.txt"]),
+        (&["generate", "impact/two-carts", "--roster", "sheets-teacher/seeds.csv"], &["-o", "sheets/"]),
+    ];
+    let files = ["class.csv", "a.csv", "b/secret.txt", "own.yaml", "sheets-teacher/seeds.csv"];
+    let before = files.map(|name| room.read(name));
+    for (command, more) in runs {
+        let ran = room.run(&[command, more].concat());
+        assert!(ran.code == 2 && ran.err.contains("it would be lost"), "{command:?} {more:?}\n{}", ran.err);
+        assert_eq!(files.map(|name| room.read(name)), before, "{command:?} {more:?}");
+    }
+    assert!(!room.names(".").iter().any(|name| name.starts_with('x')), "{:?}", room.names("."));
+    // What is no file may be named as often as one likes.
+    #[cfg(unix)]
+    assert_eq!(room.run(&["grade", "a.csv", "-o", "/dev/null", "--junit", "/dev/null"]).code, 1);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_among_submissions_is_not_followed() {
+    let own = "student: s\nproblem: impact/two-carts\nseed: 1\nanswers: { v_A2: 1 m/s }\n";
+    let room = Room::with(&[("all/a.yaml", own), ("private.yaml", "password: swordfish\n")]);
+    std::os::unix::fs::symlink("../private.yaml", room.path("all/b.yaml")).unwrap();
+    let ran = room.run(&["grade", "all", "--junit", "junit.xml"]);
+    assert!(
+        ran.err.contains("all/b.yaml: this is a link") && ran.err.contains("1 marked (3 answers), 1 refused"),
+        "{}",
+        ran.err
+    );
+    assert!(![ran.err, room.read("junit.xml")].concat().contains("password"));
+}

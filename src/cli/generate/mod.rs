@@ -8,6 +8,7 @@ mod roster;
 mod stream;
 
 use std::collections::BTreeSet;
+use std::path::Path;
 use std::path::PathBuf;
 
 use clap::Args;
@@ -28,6 +29,7 @@ use super::failure::tell;
 use super::format::Paper;
 use super::open;
 use super::open::Secret;
+use super::output;
 use super::output::Output;
 use super::pages;
 use super::pages::Shown;
@@ -109,6 +111,7 @@ impl Generate {
         let problems = open::problems(&self.problems, secret.as_deref())?;
         let roster = self.roster.as_deref().map(Roster::read).transpose()?;
         let destination = Destination::of(self.output.as_deref());
+        self.keep_apart(&destination)?;
         let asked = Asked::all(&problems, self.form.as_deref())?;
         let seeds = SeedSource { derivation: self.derivation, secret: secret.as_deref() };
         let first = asked.first().map_or(Ok(self.seed.number), |own| open::seed(&self.seed, &own.problem))?;
@@ -143,9 +146,17 @@ impl Generate {
         Ok(Exit::Fine)
     }
 
+    /// Whether nothing that is read would be written over.
+    fn keep_apart(&self, destination: &Destination) -> Result<(), Failure> {
+        let seeds = self.roster.iter().filter_map(|_| Some(destination.for_teacher().ok()?.join(SEEDS)));
+        let named = self.problems.iter().map(Path::new).filter(|path| path.is_file());
+        let read = self.roster.as_deref().into_iter().chain(self.secret.path()).chain(named);
+        output::keep_apart(read, destination.file().map(Path::to_owned).into_iter().chain(seeds))
+    }
+
     /// Whether sheets may be handed out as they lie there, so that what holds answers goes elsewhere.
     fn is_for_students(&self) -> bool {
-        self.roster.is_some() || self.secret.is_given()
+        self.roster.is_some() || self.secret.path().is_some()
     }
 
     /// The names of files without their endings; two documents with one name are refused.

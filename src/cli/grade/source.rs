@@ -124,6 +124,10 @@ fn next_line(lines: &mut Lines<BufReader<Input>>, line: &mut Line) -> Option<(u6
 }
 
 fn file(path: &Path) -> Result<Submission, String> {
+    // Whoever hands in a link chooses what is read.
+    if path.is_symlink() {
+        return Err("this is a link, and is not followed: a submission is a file of its own".to_owned());
+    }
     let text = Input::open(path).and_then(|input| input.text(LONGEST)).map_err(|error| error.to_string())?;
     Submission::of_yaml(Place::File(path.to_owned()), &fault::Source::new(&path.display().to_string(), &text))
 }

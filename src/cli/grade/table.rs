@@ -5,6 +5,7 @@ use std::path::Path;
 use crate::cli::exit::Exit;
 use crate::cli::failure::{Failure, tell};
 use crate::cli::generate;
+use crate::cli::output;
 use crate::cli::table;
 use crate::exercise::Derived;
 use crate::exercise::Listed;
@@ -21,10 +22,12 @@ use super::readers::Readers;
 use super::register::Register;
 use super::sink::Sink;
 use super::source::Source;
+use super::summary;
 
 impl Grade {
     /// Marks a file or a folder of submissions.
     pub(super) fn table(&self, path: &Path) -> Result<Exit, Failure> {
+        self.keep_apart(path)?;
         let secret = self.secret.read()?;
         let sheets = self.sheets(secret.as_deref())?;
         if sheets.is_none() {
@@ -78,6 +81,15 @@ impl Grade {
             return Err(Failure::unusable("rows were lost: this is a fault of the program; please report it"));
         }
         Ok(if counts.refused > 0 { Exit::Unusable } else { exit })
+    }
+
+    /// Whether nothing that is read would be written over.
+    fn keep_apart(&self, path: &Path) -> Result<(), Failure> {
+        let read = [Some(path), self.sheets.as_deref(), self.roster.as_deref(), self.secret.path()];
+        let named = self.problem.iter().map(Path::new).filter(|path| path.is_file());
+        let summary = self.summary.iter().flat_map(|path| summary::paths(path));
+        let written = self.output.iter().chain(&self.junit).cloned().chain(summary);
+        output::keep_apart(read.into_iter().flatten().chain(named), written)
     }
 
     /// Whose sheet is whose, where that is told.

@@ -4,8 +4,11 @@ mod cell;
 mod lines;
 mod rows;
 
+use std::collections::BTreeMap;
 use std::io;
 use std::io::BufRead;
+
+use super::submission::excerpt;
 
 pub use cell::defused;
 pub use lines::{Line, Lines};
@@ -38,8 +41,9 @@ impl<R: BufRead> Table<R> {
         let mut rows = Rows::read(input)?;
         let (_, row) = rows.next_row().ok_or("there is nothing in it, not even headings")?;
         let headings: Vec<String> = row?.cells().map(str::to_owned).collect();
+        let mut places: BTreeMap<&str, usize> = BTreeMap::new();
         for (index, heading) in headings.iter().enumerate().filter(|(_, heading)| !heading.is_empty()) {
-            if let Some(first) = headings.iter().take(index).position(|own| own == heading) {
+            if let Some(first) = places.insert(heading, index) {
                 return Err(twice(heading, first, index));
             }
         }
@@ -96,6 +100,6 @@ impl<R: BufRead + io::Seek> Table<R> {
 
 /// Says which columns have the same heading; columns are counted from 1.
 pub(super) fn twice(heading: &str, first: usize, second: usize) -> String {
-    let (first, second) = (first + 1, second + 1);
+    let (heading, first, second) = (excerpt(heading), first + 1, second + 1);
     format!("two columns have the heading `{heading}`: {first} and {second}\nhelp: rename or remove one of them")
 }
