@@ -118,6 +118,41 @@ const ROWS: &[(&str, &str, &str, &str, &str, &str)] = &[
         "yes",
         "right angles",
     ),
+    // A force that is perpendicular to the path all the way does no work; on any other orbit it does.
+    (
+        POLAR,
+        ORBIT,
+        "GM: 400 m^3/s^2, r_A1: 4 m, v_A1.theta: 10 m/s, v_A1.r: 0 m/s, m_A: any kg",
+        OF_A,
+        "yes",
+        "perpendicular",
+    ),
+    (
+        POLAR,
+        ORBIT,
+        "GM: 400 m^3/s^2, r_A1: 4 m, v_A1.theta: 11 m/s, v_A1.r: 0 m/s, m_A: any kg",
+        OF_A,
+        "no",
+        "does work",
+    ),
+    (
+        POLAR,
+        ORBIT,
+        "GM: 400 m^3/s^2, r_A1: 4 m, v_A1.theta: 10 m/s, v_A1.r: 1 m/s, m_A: any kg",
+        OF_A,
+        "no",
+        "does work",
+    ),
+    (POLAR, ORBIT, "GM: 400 m^3/s^2, r_A1: 4 m, v_A1.theta: 10 m/s, v_A1.r: 0 m/s", MOMENTUM, "no", "an impulse"),
+    (POLAR, ORBIT, "GM: 400 m^3/s^2, r_A1: 4 m, v_A1.theta: 11 m/s, v_A1.r: 0 m/s", ABOUT_O, "yes", "no moment"),
+    (POLAR, LEASH, "k: 50 N/m, r_A1: 3 m, v_A1.theta: 10 m/s, v_A1.r: 0 m/s, m_A: 3 kg", OF_A, "yes", "perpendicular"),
+    (POLAR, LEASH, "k: 50 N/m, r_A1: 3 m, v_A1.theta: 10 m/s, v_A1.r: 0 m/s, m_A: 2 kg", OF_A, "no", "does work"),
+    (POLAR, "central: { body: A, about: O }", "r_A1: 3 m, v_A1.theta: 10 m/s, r_A2: 3 m", OF_A, "no", "does work"),
+    // What static friction holds does not move; what it cannot hold does.
+    (LINE, PUSHED, "m_A: 20 kg, F: 50 N", MOMENTUM, "yes", "block A stays at rest"),
+    (LINE, PUSHED, "m_A: 20 kg, F: 50 N", OF_A, "yes", "nothing moves"),
+    (LINE, PUSHED, "m_A: 20 kg, F: 150 N", MOMENTUM, "no", "friction gives"),
+    (LINE, PUSHED, "m_A: 20 kg, F: 150 N", OF_A, "no", "does work"),
     // Sudden stages, by identity, whatever the masses and velocities are.
     (LINE, "impact: { between: [A, B], elastic: true }", ANY, ENERGY, "yes", "elastic"),
     (LINE, "impact: { between: [A, B], elastic: true }", ANY, KIND, "elastic", "e = 1"),
@@ -226,6 +261,11 @@ const ROWS: &[(&str, &str, &str, &str, &str, &str)] = &[
     ),
 ];
 
+const POLAR: &str = "polar";
+const ORBIT: &str = "central: { body: A, about: O, gravity: GM }";
+const LEASH: &str = "central: { body: A, about: O, spring: { stiffness: k, unstretched: 1 m } }";
+const PUSHED: &str =
+    "push: { body: A, during: 2 s, forces: [{ value: F }, { friction: { static: 0.5, kinetic: 0.4 } }] }";
 const ABOUT_O: &str = "{ conserved: angular-momentum, of: [A], about: O }";
 const ABOUT_P: &str = "{ conserved: angular-momentum, of: [A], about: P }";
 const OF_A: &str = "{ conserved: energy, of: [A] }";

@@ -4,6 +4,7 @@ use crate::solve::Condition;
 use crate::solve::Equation;
 use crate::solve::System;
 
+use super::Builder;
 use super::Model;
 
 /// One of several ways in which a stage can go, with what holds only there.
@@ -15,6 +16,8 @@ pub struct Alternative {
     pub equations: Vec<Equation>,
     /// When it is the way that is taken.
     pub conditions: Vec<Condition>,
+    /// The stage, counted from 0, all through which a body stands still, and the short name of the body.
+    pub still: Option<(usize, String)>,
 }
 
 impl Model {
@@ -35,5 +38,17 @@ impl Model {
             all = all.iter().flat_map(extend).collect();
         }
         all
+    }
+}
+
+impl Builder<'_> {
+    /// The way in which a body stands still all through a stage: its choice, counted from 0, and what happens there.
+    #[must_use]
+    pub fn stands_still(&self, body: &str, stage: usize) -> Option<(usize, &str)> {
+        let is_meant = |way: &&Alternative| way.still.as_ref().is_some_and(|own| own.0 == stage && own.1 == body);
+        self.choices
+            .iter()
+            .enumerate()
+            .find_map(|(choice, ways)| Some((choice, ways.iter().find(is_meant)?.what.as_str())))
     }
 }

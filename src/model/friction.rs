@@ -174,6 +174,7 @@ impl Builder<'_> {
         ways.push(at_once);
 
         let mut stays = alternative(format!("{name} stays at rest"));
+        stays.still = Some((index, pushed.body.to_owned()));
         let because = format!("the push stays below the greatest static friction, and {name} does not move");
         let sides = (contact.after.clone(), Expr::zero());
         stays.equations.push(self.stated(LAW_COST, &force::THRESHOLD, Some(index), because, sides, None));

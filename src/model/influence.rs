@@ -43,6 +43,8 @@ pub enum Work {
     OfForce,
     /// Work where this is not zero, and how that is said.
     Where(Effect, String),
+    /// None where all of these are zero, for then the body moves round a circle about the centre of the force.
+    UnlessRound([Expr; 3]),
 }
 
 /// What an influence does to angular momentum.

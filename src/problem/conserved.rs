@@ -70,7 +70,8 @@ pub(super) fn conserved(loaded: &Loaded, ask: &Conserved, builder: &mut Builder<
     }
     let behind = misjudged::conserved(loaded, &balance, builder);
     let returns = if is_sudden { Vec::new() } else { lasting::returns(loaded, &balance, builder) };
-    let cases = vec![Case::new(0, tests, because), Case::new(1, Vec::new(), "")];
+    let still = lasting::still(&balance, builder);
+    let cases = still.into_iter().chain([Case::new(0, tests, because), Case::new(1, Vec::new(), "")]).collect();
     let choice = Judgement::new(&["yes", "no"], cases).with(behind, returns);
     Some((format!("Is {what} conserved during {phrase}?"), PartKind::Choice(choice)))
 }

@@ -27,6 +27,8 @@ pub struct Judgement {
 pub(super) struct Case {
     /// The position of the phrase.
     pub right: usize,
+    /// The ways that the scene has to go: each a choice, counted from 0, and what happens there.
+    pub ways: Vec<(usize, String)>,
     /// What has to hold.
     pub tests: Vec<Test>,
     /// Why it is right, as a sentence without a full stop; empty where that is what a test says that does not hold.
@@ -52,7 +54,16 @@ pub(super) struct Behind {
 
 impl Case {
     pub(super) fn new(right: usize, tests: Vec<Test>, because: impl Into<String>) -> Self {
-        Self { right, tests, because: because.into() }
+        Self { right, ways: Vec::new(), tests, because: because.into() }
+    }
+
+    /// The same where the scene goes these ways only.
+    pub(super) fn only(self, ways: Vec<(usize, String)>) -> Self {
+        Self { ways, ..self }
+    }
+
+    fn is_open(&self, worked: &Worked<'_>) -> bool {
+        self.ways.iter().all(|(choice, what)| worked.leaf().words.get(*choice) == Some(what))
     }
 }
 
@@ -111,7 +122,7 @@ impl Judgement {
 
     pub(super) fn decided(&self, worked: &Worked<'_>) -> Decision {
         let mut passed: Vec<&Test> = Vec::new();
-        for case in &self.cases {
+        for case in self.cases.iter().filter(|case| case.is_open(worked)) {
             let failing: Vec<&Test> = case.tests.iter().filter(|test| !test.holds(worked)).collect();
             if !failing.is_empty() {
                 passed.extend(failing);

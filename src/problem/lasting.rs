@@ -14,6 +14,7 @@ use super::conserved::Balance;
 use super::conserved::Verdict;
 use super::equality::Equality;
 use super::equality::Place;
+use super::judgement::Case;
 use super::judgement::Test;
 use super::load::Loaded;
 
@@ -23,7 +24,9 @@ const CLOCK: &str = "t";
 pub(super) fn momentum(loaded: &Loaded, balance: &Balance<'_>, builder: &Builder<'_>) -> Verdict {
     let outside = from_outside(balance, builder);
     let mut tests = Vec::new();
-    for position in &balance.axes {
+    // Polar axes have no fixed directions: along some, whatever acts from outside gives an impulse.
+    let axes = if balance.axes.is_empty() { &[0][..] } else { &balance.axes };
+    for position in axes {
         let acting = outside.iter().map(|own| (own.along(*position), impulse(own, builder)));
         tests.extend(net(loaded, balance, builder, acting));
     }
@@ -51,6 +54,23 @@ pub(super) fn energy(loaded: &Loaded, balance: &Balance<'_>, builder: &Builder<'
             tests.extend(net(loaded, balance, builder, std::iter::once((effect, words))));
         }
     }
+    let mut round = None;
+    for own in &acting {
+        if let Work::UnlessRound(gaps) = &own.work {
+            let words = work(own, builder);
+            let test =
+                |gap: &Expr| net(loaded, balance, builder, std::iter::once((&Effect::Of(gap.clone()), words.clone())));
+            let [radii, rest @ ..] = gaps.each_ref().map(test);
+            // Where the distance changes, nothing else need be known.
+            let changes = radii.as_ref().is_some_and(|own| matches!(own.equality, Equality::Never));
+            tests.extend(rest.into_iter().flatten().filter(|_| !changes));
+            tests.extend(radii.filter(|own| own.equality.quantities().is_empty()));
+            round = Some(format!(
+                "the path is a circle: {} is perpendicular to it at every moment and does no work",
+                own.called
+            ));
+        }
+    }
     let mut within: Vec<&str> = (acting.iter())
         .filter(|own| matches!(own.work, Work::OfForce) && own.is_within(&balance.ask.of))
         .map(|own| own.called.as_str())
@@ -66,6 +86,7 @@ pub(super) fn energy(loaded: &Loaded, balance: &Balance<'_>, builder: &Builder<'
         .map(|own| own.called.clone())
         .collect();
     let because = match (&across[..], tests.is_empty()) {
+        _ if round.is_some() => round.unwrap_or_default(),
         ([], true) => "nothing does work".to_owned(),
         ([], false) => "what does work takes as much as it gives at every moment".to_owned(),
         ([one], _) => format!("{one} acts at right angles to the motion, and nothing does work"),
@@ -122,6 +143,18 @@ pub(super) fn returns(loaded: &Loaded, balance: &Balance<'_>, builder: &mut Buil
         }
     };
     pairs.into_iter().map(|sides| Equality::at_the_end(loaded, builder, stage, sides)).collect()
+}
+
+/// The case in which nothing of the system moves all the way, where the scene may go so.
+pub(super) fn still(balance: &Balance<'_>, builder: &Builder<'_>) -> Option<Case> {
+    let stage = balance.stage;
+    let moving: Vec<&String> = balance.ask.of.iter().filter(|body| builder.is_changed_in(body, stage)).collect();
+    let ways = moving.iter().map(|body| builder.stands_still(body, stage));
+    let ways: Vec<(usize, String)> =
+        ways.map(|way| way.map(|(choice, what)| (choice, what.to_owned()))).collect::<Option<_>>()?;
+    let because = join(&ways.iter().map(|(_, what)| what.clone()).collect::<Vec<_>>());
+    let because = format!("{because}: what acts from outside cancels, and nothing moves");
+    (!ways.is_empty()).then(|| Case::new(0, Vec::new(), because).only(ways))
 }
 
 /// What acts on bodies of the system.

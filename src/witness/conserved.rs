@@ -10,6 +10,7 @@ use super::choices::UNCHANGED;
 use super::choices::stage_of;
 use super::simulation::Case;
 use super::simulation::Witness;
+use super::turning;
 
 /// A sum over bodies, and the sum of the sizes.
 type Total = (f64, f64);
@@ -19,11 +20,23 @@ type Total = (f64, f64);
 pub(super) fn is_conserved(case: &Case<'_>, witness: &Witness<'_>, ask: &Conserved) -> Option<bool> {
     let scene = case.scene;
     let stage = stage_of(scene, witness, ask.stage.as_deref()).filter(|stage| witness.has_run(*stage))?;
+    let lasts = scene.stages.get(stage).is_some_and(|own| !takes_no_time(own));
+    if lasts && ask.conserved == Conservable::AngularMomentum {
+        let reels = witness.watched(stage);
+        let stays = reels.and_then(|reels| turning::stays(witness, ask, about(scene, ask)?, stage, &reels));
+        // Equal ends alone prove nothing.
+        return stays.or_else(|| ends(scene, witness, ask, stage).filter(|same| !same));
+    }
     let ends = ends(scene, witness, ask, stage)?;
-    if !ends || scene.stages.get(stage).is_none_or(takes_no_time) {
+    if !ends || !lasts {
         return Some(ends);
     }
     Some(witness.watched(stage).is_none_or(|reels| stays(scene, ask, &reels)))
+}
+
+/// The point about which angular momentum is meant.
+fn about<'a>(scene: &'a Scene, ask: &'a Conserved) -> Option<&'a str> {
+    ask.about.as_deref().or_else(|| scene.points.keys().next().map(String::as_str))
 }
 
 fn takes_no_time(stage: &Stage) -> bool {
@@ -56,7 +69,7 @@ fn ends(scene: &Scene, witness: &Witness<'_>, ask: &Conserved, stage: usize) -> 
         }
         Conservable::Energy => total("T", "").map(same),
         Conservable::AngularMomentum => {
-            let point = ask.about.clone().or_else(|| scene.points.keys().next().cloned())?;
+            let point = about(scene, ask)?;
             let ends = [stage + 1, stage + 2].map(|instant| witness.seen(&format!("H_{point}{instant}")));
             match ends {
                 // Where all of it cancels, what is left is known to its error only.

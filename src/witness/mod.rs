@@ -12,6 +12,7 @@ mod record;
 mod simulation;
 mod staging;
 mod trial;
+mod turning;
 
 pub use film::{AT_ITS_TIME, Film, NotShown, Shot, shoot};
 pub use staging::{followed, staged};

@@ -8,6 +8,7 @@ use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Impulse;
 use crate::model::Influence;
+use crate::model::Work;
 use crate::quantity::Dimension;
 use crate::scene::stage::Central;
 use crate::scene::stage::CentralSpring;
@@ -29,8 +30,6 @@ impl Builder<'_> {
         );
         let sides = (rate.into(), Expr::product([Expr::ratio(1, 2), r1, v1]));
         self.law(&angular::AREAL, Some(index), "in a short time the radius sweeps out a thin triangle", sides);
-        let called = format!("the force towards {centre}");
-        self.acts(Influence::outside(index, body, called).through(point));
         self.impulses.push(Impulse {
             stage: index,
             on: body.to_owned(),
@@ -39,17 +38,35 @@ impl Builder<'_> {
             components: Vec::new(),
             impulsive: false,
         });
+        let mut strength = None;
         if let Some(spring) = &stage.spring {
-            self.central_spring(index, stage, spring, path);
+            strength = Some(self.central_spring(index, stage, spring, path));
         } else if stage.gravity.is_none() {
             let why = "the force's moment about the centre is zero, whatever its strength";
             self.not_needed("the radial motion in between", why);
         }
-        self.orbit(index, stage, path);
+        if let Some(gravity) = self.orbit(index, stage, path) {
+            let mass = self.mass(body);
+            let pull = mass * gravity / self.polar_state(body, point, index + 1).0.power(Expr::integer(2));
+            strength = Some(strength.map_or(pull.clone(), |spring| spring + pull));
+        }
+        let influence = Influence::outside(index, body, format!("the force towards {centre}")).through(point);
+        let work = strength.map_or(influence.work, |strength| self.unless_round(index, stage, strength));
+        self.acts(Influence { work, ..influence });
     }
 
-    /// Kinetic energy and that of the spring stay the same together.
-    fn central_spring(&mut self, index: usize, stage: &Central, spring: &CentralSpring, path: &Path) {
+    /// The force does no work where it just holds the body on a circle.
+    fn unless_round(&mut self, index: usize, stage: &Central, strength: Expr) -> Work {
+        let body = stage.body.as_str();
+        let [(start, across), (end, _)] =
+            [index + 1, index + 2].map(|instant| self.polar_state(body, &stage.about, instant));
+        let radial = self.resolve(&format!("v_{body}{}.r", index + 1)).map_or_else(Expr::zero, Expr::from);
+        let needed = self.mass(body) * across.power(Expr::integer(2)) / start.clone();
+        Work::UnlessRound([end - start, radial, (strength - needed).simplify()])
+    }
+
+    /// Kinetic energy and that of the spring stay the same together; the force of the spring at the start.
+    fn central_spring(&mut self, index: usize, stage: &Central, spring: &CentralSpring, path: &Path) -> Expr {
         let (body, name) = (stage.body.as_str(), self.called(&stage.body));
         let path = path.key("spring");
         let stiffness = self.read_positive(
@@ -75,6 +92,7 @@ impl Builder<'_> {
         let because = format!("only the spring does work on {name}");
         self.law(&energy::CONSERVATION, Some(index), because, (start, end));
         self.neglect("the mass of the spring", "it is light");
+        stiffness * (self.polar_state(body, &stage.about, index + 1).0 - natural)
     }
 
     /// How a point is called in a sentence.

@@ -23,8 +23,9 @@ struct Round<'a> {
 }
 
 impl Builder<'_> {
-    pub(in crate::model) fn orbit(&mut self, index: usize, stage: &Central, path: &Path) {
-        let Some(term) = &stage.gravity else { return };
+    /// The equations of an orbit, and gravity's parameter.
+    pub(in crate::model) fn orbit(&mut self, index: usize, stage: &Central, path: &Path) -> Option<Expr> {
+        let term = stage.gravity.as_ref()?;
         let (body, name, centre) = (stage.body.as_str(), self.called(&stage.body), self.point(&stage.about));
         let meaning = format!("gravity's parameter GM of {centre}");
         let gravity = self.read_positive(term, PARAMETER, &meaning, &path.key("gravity"));
@@ -46,6 +47,7 @@ impl Builder<'_> {
             None => {}
         }
         self.neglect("the gravity of everything else", "it is small, or the same on both");
+        Some(round.gravity)
     }
 
     /// Least and, on an ellipse, greatest distance; heights above the surface where its radius is said.

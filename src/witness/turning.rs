@@ -1,0 +1,74 @@
+//! Whether an angular momentum stays the same at every moment of a stage that is watched, so that no moment acts from outside.
+
+use crate::problem::Conserved;
+use crate::scene::Scene;
+use crate::scene::Stage;
+use crate::simulate::scene::Reel;
+use crate::simulate::scene::value_of;
+
+use super::choices::UNCHANGED;
+use super::simulation::Witness;
+
+/// Whether it stays; none where positions are not seen as the question counts them.
+pub(super) fn stays(witness: &Witness<'_>, ask: &Conserved, about: &str, stage: usize, reels: &[Reel]) -> Option<bool> {
+    let scene = witness.scene();
+    let (centre, upright) = match scene.stages.get(stage)? {
+        Stage::Rotate(own) => (Some(&own.about), false),
+        Stage::Central(own) => (Some(&own.about), false),
+        // What is round about an upright axis has no moment about it alone.
+        Stage::Bowl(own) => (Some(&own.about), true),
+        Stage::Conical(own) => (Some(&own.about), true),
+        Stage::Flight(_) => (None, false),
+        _ => return None,
+    };
+    // A motion round a point is watched from there.
+    let from = match centre {
+        Some(centre) => (centre == about).then_some([0.0; 3])?,
+        None => place(scene, witness, about)?,
+    };
+    let mut stays = true;
+    for reel in reels.iter().filter(|reel| reel.components.len() > 1) {
+        let totals: Vec<[f64; 4]> = reel
+            .record
+            .moments
+            .iter()
+            .map(|moment| {
+                let own = reel.record.bodies.iter().enumerate().filter(|(_, own)| ask.of.contains(&own.name));
+                own.fold([0.0; 4], |sum, (body, _)| {
+                    let part = |of: &[Vec<f64>], axis: usize| {
+                        of.get(body).and_then(|own| own.get(axis)).copied().unwrap_or(0.0)
+                    };
+                    let mass = moment.masses.get(body).copied().unwrap_or(0.0);
+                    let arm: [f64; 3] = std::array::from_fn(|axis| part(&moment.positions, axis) - from[axis]);
+                    let velocity: [f64; 3] = std::array::from_fn(|axis| part(&moment.velocities, axis));
+                    let turning =
+                        |one: usize, other: usize| mass * (arm[one] * velocity[other] - arm[other] * velocity[one]);
+                    let size = mass * libm::sqrt(square(arm) * square(velocity));
+                    let own =
+                        if upright { [0.0, 0.0, turning(0, 1)] } else { [turning(1, 2), turning(2, 0), turning(0, 1)] };
+                    [sum[0] + own[0], sum[1] + own[1], sum[2] + own[2], sum[3] + size]
+                })
+            })
+            .collect();
+        let size = totals.iter().map(|own| own[3]).fold(0.0, f64::max);
+        let first = totals.first()?;
+        stays &= totals.iter().all(|own| (0..3).all(|axis| (own[axis] - first[axis]).abs() <= UNCHANGED * size));
+    }
+    Some(stays)
+}
+
+fn square(vector: [f64; 3]) -> f64 {
+    vector.iter().map(|part| part * part).sum()
+}
+
+/// Where a fixed point is.
+fn place(scene: &Scene, witness: &Witness<'_>, point: &str) -> Option<[f64; 3]> {
+    let mut place = [0.0; 3];
+    let at = &scene.points.get(point)?.at;
+    for ((axis, _), own) in scene.axes.rectangular().iter().zip(&mut place) {
+        if let Some(term) = at.get(*axis) {
+            *own = value_of(scene, &term.0, &|name| witness.value(name))?;
+        }
+    }
+    Some(place)
+}
