@@ -48,12 +48,14 @@ impl Output {
             Ok(found) if found.is_dir() => {
                 Err(Failure::unusable(format!("{} is a folder; name a file", path.display())))
             }
-            Ok(found) if !found.is_file() => {
+            Ok(found) if !found.is_file() && readers == Readers::AsBefore => {
                 let device = File::options().write(true).open(path).map_err(written)?;
                 Ok(Self::Device(BufWriter::new(device), path.to_owned()))
             }
             found => {
-                let pending = Pending::at(behind_links(path), found.ok().as_ref(), readers);
+                // What is its owner's alone replaces a link or a pipe, which somebody else may have put there.
+                let own = if readers == Readers::Owner { path.to_owned() } else { behind_links(path) };
+                let pending = Pending::at(own, found.ok().as_ref(), readers);
                 Ok(Self::File(Box::new(pending.map_err(written)?)))
             }
         }

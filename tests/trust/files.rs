@@ -209,6 +209,46 @@ fn a_table_of_seeds_is_not_lost_and_old_sheets_are_named() {
 }
 
 #[test]
+fn seeds_of_another_secret_are_not_lost() {
+    let room =
+        Room::with(&[("class.csv", "id,name\ns1,\n=x,\n"), ("a.txt", "course 2026\n"), ("b.txt", "course 2027\n")]);
+    let generate = |more: &[&str]| {
+        room.run(&[&["generate", "impact/two-carts", "--roster", "class.csv", "-o", "sheets/"], more].concat())
+    };
+    let first = generate(&["--secret", "a.txt"]);
+    assert_eq!(first.code, 0, "{}", first.err);
+    let files = || (room.read("sheets-teacher/seeds.csv"), room.read("sheets/s1-impact-two-carts-forward.md"));
+    let before = files();
+    for other in [&["--secret", "b.txt"][..], &[], &["--secret", "a.txt", "--derivation", "1"]] {
+        let ran = generate(other);
+        assert!(ran.code == 2 && ran.err.contains("another secret or derivation"), "{other:?}: {}", ran.err);
+        assert_eq!(files(), before);
+    }
+    let again = generate(&["--secret", "a.txt"]);
+    assert_eq!((again.code, files()), (0, before), "{}", again.err);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_does_not_lead_the_key_elsewhere() {
+    let room = Room::with(&[("class.csv", "id\ns1\n"), ("precious", "precious"), ("class-teacher/old.csv", "")]);
+    std::os::unix::fs::symlink("../precious", room.path("class-teacher/key.md")).unwrap();
+    room.fine(&["generate", "impact/two-carts", "--roster", "class.csv", "--key", "-o", "class/"]);
+    assert_eq!(room.read("precious"), "precious");
+    assert!(
+        room.read("class-teacher/key.md").starts_with("# Answers") && !room.path("class-teacher/key.md").is_symlink()
+    );
+}
+
+#[test]
+fn no_sheet_is_made_where_nobody_will_know_whose_it_is() {
+    let room = Room::with(&[("class.csv", "id\ns1\n"), ("class-teacher", "a file\n")]);
+    let ran = room.run(&["generate", "impact/two-carts", "--roster", "class.csv", "-o", "class/"]);
+    assert!(ran.code == 2 && ran.err.contains("class-teacher cannot be made"), "{}", ran.err);
+    assert!(!room.path("class").exists());
+}
+
+#[test]
 fn nothing_is_written_over_what_is_read() {
     let table = "student,problem,seed,v_A2\ns,impact/two-carts,1,1 m/s\n";
     let room = Room::with(&[("class.csv", "id\ns1\n"), ("a.csv", table), ("b/secret.txt", "course 2026\n")]);

@@ -65,9 +65,14 @@ impl Destination {
 
     /// Writes a file that is the teacher's alone.
     pub(super) fn write_for_teacher(&self, name: &str, text: &str) -> Result<(), Failure> {
+        Output::private(&self.make_for_teacher()?.join(name), text)
+    }
+
+    /// Makes the folder for what is the teacher's alone.
+    pub(super) fn make_for_teacher(&self) -> Result<PathBuf, Failure> {
         let folder = self.for_teacher()?;
         make_private(&folder).map_err(|error| Failure::file(&folder, "made", &error))?;
-        Output::private(&folder.join(name), text)
+        Ok(folder)
     }
 }
 

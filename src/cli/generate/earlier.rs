@@ -9,6 +9,7 @@ use serde::Deserialize;
 use crate::cli::failure::Failure;
 use crate::cli::failure::tell;
 use crate::cli::table;
+use crate::exercise::SeedSource;
 
 use super::job::Asked;
 
@@ -19,8 +20,10 @@ const ENDINGS: [&str; 8] =
 /// A row of a table of seeds.
 #[derive(Debug, Deserialize)]
 struct Row {
+    student: String,
     problem: String,
     form: String,
+    seed: u64,
     /// The beginning of the names of its files; earlier versions did not write it.
     #[serde(default)]
     file: String,
@@ -31,8 +34,9 @@ struct Row {
 pub(super) struct Earlier(Vec<Row>);
 
 impl Earlier {
-    /// Reads the table that lies there, if there is one, and refuses to write over rows of what is not asked this time.
-    pub(super) fn at(path: &Path, asked: &[Asked]) -> Result<Self, Failure> {
+    /// Reads the table that lies there, if there is one, and refuses to write over rows of what is not asked this time, or of sheets
+    /// that were drawn from other seeds.
+    pub(super) fn at(path: &Path, asked: &[Asked], seeds: SeedSource<'_>) -> Result<Self, Failure> {
         if !path.exists() {
             return Ok(Self::default());
         }
@@ -44,7 +48,19 @@ impl Earlier {
         let lost: BTreeSet<[&str; 2]> =
             rows.iter().filter(|row| !is_asked(row)).map(|row| [row.problem.as_str(), &row.form]).collect();
         if lost.is_empty() {
-            return Ok(Self(rows));
+            let is_same = |row: &Row| {
+                // The table has an apostrophe where a spreadsheet would run the cell.
+                let student = row.student.strip_prefix('\'').unwrap_or(&row.student);
+                [student, &row.student].iter().any(|id| seeds.seed(id, &row.problem, &row.form) == row.seed)
+            };
+            if rows.iter().all(is_same) {
+                return Ok(Self(rows));
+            }
+            return Err(Failure::unusable(format!(
+                "{} has the seeds of sheets that were made with another secret or derivation, which would be lost\n\
+                 help: write into another folder, or give what those sheets were made with",
+                path.display()
+            )));
         }
         let lost: Vec<String> = lost.iter().map(|names| names.join(" ").trim_end().to_owned()).collect();
         Err(Failure::unusable(format!(

@@ -120,7 +120,7 @@ impl Generate {
             None => Job::for_seeds(&asked, first, count),
         };
         let earlier = match &roster {
-            Some(_) => Some(Earlier::at(&destination.for_teacher()?.join(SEEDS), &asked)?),
+            Some(_) => Some(Earlier::at(&destination.for_teacher()?.join(SEEDS), &asked, seeds)?),
             None => None,
         };
         let mut files = BTreeSet::new();
@@ -129,6 +129,10 @@ impl Generate {
             files = self.names(jobs(1)?)?;
         }
         let jobs = jobs(self.count)?;
+        if roster.is_some() {
+            // Where this cannot be, no sheets are made for which nobody knows whose they are.
+            destination.make_for_teacher()?;
+        }
         let each = roster.as_ref().map_or(self.count, |roster| roster.0.len() as u64);
         match self.format.document() {
             None => self.stream(jobs, each.saturating_mul(asked.len() as u64), &destination)?,
