@@ -9,6 +9,7 @@ use crate::problem::FormulaPart;
 use crate::problem::Mistake;
 use crate::problem::PartKind;
 use crate::problem::Simulated;
+use crate::problem::Worked;
 
 use super::marking::Marking;
 
@@ -38,7 +39,7 @@ impl Marking<'_> {
     fn misjudged(&self, place: usize) -> Option<Diagnosis> {
         let (PartKind::Choice(choice), ..) = self.answered(place)? else { return None };
         let behind = choice.decided(&self.worked).behind?;
-        let question = self.feedback(behind).unwrap_or_else(|| behind.ask.to_owned());
+        let question = feedback_on(self.worked, behind).unwrap_or_else(|| behind.ask.to_owned());
         Some(Diagnosis { codes: vec![behind.id], step: None, hints: vec![question, behind.hint.to_owned()] })
     }
 
@@ -97,7 +98,7 @@ impl Marking<'_> {
     /// What is said of the mistakes that lead to an answer; nothing where there are none.
     fn diagnosis(&self, mut found: Vec<&Mistake>) -> Option<Diagnosis> {
         // A law says more than a slip of the pen, and an author's own words more than ours.
-        found.sort_by_key(|mistake| (self.feedback(mistake.of).is_none(), mistake.instance.is_none()));
+        found.sort_by_key(|mistake| (feedback_on(self.worked, mistake.of).is_none(), mistake.instance.is_none()));
         let first = found.first()?;
         let mut codes: Vec<&'static str> = Vec::new();
         for mistake in &found {
@@ -105,36 +106,37 @@ impl Marking<'_> {
                 codes.push(mistake.of.id);
             }
         }
-        Some(Diagnosis { codes, step: self.step(first), hints: self.hints(first) })
+        Some(Diagnosis { codes, step: step(self.worked, first), hints: hints_on(self.worked, first) })
     }
+}
 
-    /// What the author says of a mistake.
-    fn feedback(&self, kind: &Misconception) -> Option<String> {
-        self.worked.variant.feedback(self.worked.problem, kind.id)
-    }
+/// What the author says of a mistake.
+pub(super) fn feedback_on(worked: Worked<'_>, kind: &Misconception) -> Option<String> {
+    worked.variant.feedback(worked.problem, kind.id)
+}
 
-    /// The step at which a law is got wrong: `the law of restitution, in the impact`.
-    fn step(&self, mistake: &Mistake) -> Option<String> {
-        let model = self.worked.problem.model();
-        let instance = model.instances.get(mistake.instance?)?;
-        let scene = &self.worked.problem.loaded().draft.scene;
-        let stage = instance.stage.filter(|_| scene.stages.len() > 1).map(|stage| model.phrase(scene, stage));
-        Some(match stage {
-            Some(stage) => format!("{}, in {stage}", instance.law.name),
-            None => instance.law.name.to_owned(),
-        })
-    }
+/// The step at which a law is got wrong: `the law of restitution, in the impact`.
+fn step(worked: Worked<'_>, mistake: &Mistake) -> Option<String> {
+    let model = worked.problem.model();
+    let instance = model.instances.get(mistake.instance?)?;
+    let scene = &worked.problem.loaded().draft.scene;
+    let stage = instance.stage.filter(|_| scene.stages.len() > 1).map(|stage| model.phrase(scene, stage));
+    Some(match stage {
+        Some(stage) => format!("{}, in {stage}", instance.law.name),
+        None => instance.law.name.to_owned(),
+    })
+}
 
-    fn hints(&self, mistake: &Mistake) -> Vec<String> {
-        let question = self.feedback(mistake.of).unwrap_or_else(|| mistake.of.ask.to_owned());
-        let first = match self.step(mistake) {
-            Some(step) => format!("Look at the step with {step}. {question}"),
-            None => question,
-        };
-        let law = mistake.instance.and_then(|own| self.worked.problem.model().instances.get(own)).map(|own| own.law);
-        let statement = law.map(|law| format!("{} {}", law.statement, law.signs));
-        [Some(first), Some(mistake.of.hint.to_owned()), statement].into_iter().flatten().collect()
-    }
+/// What is said of a mistake: a question first, each hint plainer than the one before. None holds the right value.
+pub(super) fn hints_on(worked: Worked<'_>, mistake: &Mistake) -> Vec<String> {
+    let question = feedback_on(worked, mistake.of).unwrap_or_else(|| mistake.of.ask.to_owned());
+    let first = match step(worked, mistake) {
+        Some(step) => format!("Look at the step with {step}. {question}"),
+        None => question,
+    };
+    let law = mistake.instance.and_then(|own| worked.problem.model().instances.get(own)).map(|own| own.law);
+    let statement = law.map(|law| format!("{} {}", law.statement, law.signs));
+    [Some(first), Some(mistake.of.hint.to_owned()), statement].into_iter().flatten().collect()
 }
 
 fn picked<'m>(mistakes: &[&'m Mistake], places: Vec<usize>) -> Vec<&'m Mistake> {

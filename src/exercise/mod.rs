@@ -8,6 +8,7 @@ mod follow_through;
 mod followed;
 mod formula;
 mod issued;
+mod item;
 mod marker;
 mod marking;
 mod printable;
@@ -63,6 +64,7 @@ use crate::solve::Bounded;
 
 pub use attempts::Try;
 pub use issued::{Derivation, SeedSource, VariantRef};
+pub use item::{Item, ItemAnswers, ItemPart, NumberItem, Window};
 pub use marker::Marker;
 pub use marking::Sitting;
 pub use roster::Student;

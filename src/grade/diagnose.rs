@@ -7,6 +7,7 @@ use crate::quantity::round_to_figures;
 use crate::quantity::unit_of_place;
 
 use super::expected::{ExpectedNumber, ExpectedVector};
+use super::judge::BESIDE_A_WHOLE_NUMBER;
 use super::read::{Answer, NumberAnswer};
 use super::verdict::Verdict;
 
@@ -111,17 +112,32 @@ fn distance(expected: &ExpectedNumber, one: f64, other: f64) -> f64 {
 pub fn matching(expected: &ExpectedNumber, answer: f64, suspects: &[f64]) -> Vec<usize> {
     let distance = |one: f64, other: f64| distance(expected, one, other);
     let rounding = |value: f64| if expected.whole { 0.0 } else { rounding(value, expected.figures) };
-    let is_right = |value: f64| distance(value, expected.value) <= rounding(expected.value).min(expected.allowance);
     let near = suspects
         .iter()
         .enumerate()
-        .filter(|(_, value)| is_near(expected, answer, **value) && !is_right(**value))
+        .filter(|(_, value)| is_near(expected, answer, **value) && !is_right(expected, **value))
         .map(|(place, value)| Suspect { place, size: value.abs(), away: distance(*value, answer) });
     let limit = |own: &Suspect| rounding(own.size);
     chosen(&near.collect::<Vec<_>>(), &limit, rounding(answer), !expected.whole)
 }
 
-/// The same for vectors: sizes and distances are those of vectors.
+/// The answers that lead to a suspect when they are rounded at the end; nothing where the suspect gives the right answer.
+#[must_use]
+pub fn window(expected: &ExpectedNumber, suspect: f64) -> Option<[f64; 2]> {
+    if is_right(expected, suspect) {
+        return None;
+    }
+    let reach = if expected.whole { BESIDE_A_WHOLE_NUMBER } else { rounding(suspect.abs(), expected.figures) };
+    Some([suspect - reach, suspect + reach])
+}
+
+/// Whether a suspect is the right answer, as it is rounded.
+fn is_right(expected: &ExpectedNumber, suspect: f64) -> bool {
+    let rounding = if expected.whole { 0.0 } else { rounding(expected.value, expected.figures) };
+    distance(expected, suspect, expected.value) <= rounding.min(expected.allowance)
+}
+
+/// [`matching`] for vectors: sizes and distances are those of vectors.
 #[must_use]
 pub fn matching_vectors(expected: &ExpectedVector, answer: &[f64], suspects: &[Vec<f64>]) -> Vec<usize> {
     let figures = expected.components.first().map_or(3, |first| first.figures);

@@ -8,6 +8,7 @@ mod interval;
 mod proof;
 mod slip;
 mod vector;
+mod windows;
 
 use std::borrow::Cow;
 
@@ -22,6 +23,8 @@ use super::number::Number;
 use super::read::{Answer, ChoiceAnswer, NumberAnswer, Written};
 use super::verdict::Verdict;
 use closeness::Target;
+
+pub use windows::{BESIDE_A_WHOLE_NUMBER, VerdictWindow, brought_near, windows};
 
 /// What was found about an answer.
 #[derive(Clone, Debug, PartialEq, Eq)]

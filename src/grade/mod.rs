@@ -30,7 +30,7 @@ pub use expected::{
 };
 pub use follow::Follows;
 pub use frequent::WrongAnswer;
-pub use judge::{Judgement, judge};
+pub use judge::{BESIDE_A_WHOLE_NUMBER, Judgement, VerdictWindow, brought_near, judge, windows};
 pub use messages::Message;
 pub use number::Number;
 pub use read::{Answer, DecimalMark, FormulaAnswer, Unreadable, UnreadableKind, read, read_several};

@@ -86,6 +86,11 @@ impl<'a> Target<'a> {
         self.tolerance + self.expected.error
     }
 
+    /// How far honest rounding may lead from the value that is known of the right one.
+    pub(super) fn allowance_reach(&self) -> f64 {
+        self.allowance + self.expected.error
+    }
+
     /// Whether the tolerance alone accepts the number.
     pub(super) fn within_tolerance(&self, number: &Number) -> bool {
         self.is_within(number, Limit::Tolerance)

@@ -4,6 +4,7 @@ use crate::quantity::Dimension;
 use crate::quantity::Rational;
 
 use super::super::number::Number;
+use super::super::verdict::Verdict;
 use super::closeness::Target;
 
 /// The largest slip that is looked for.
@@ -43,4 +44,16 @@ pub(super) fn power_of_ten(target: &Target, number: &Number) -> Option<isize> {
 pub(super) fn is_prefix(power: isize, dimension: Dimension) -> bool {
     let centimetres = isize::from(dimension.length) * 2;
     dimension != Dimension::NONE && (power % 3 == 0 || centimetres != 0 && power.abs() == centimetres.abs())
+}
+
+/// Every slip of the decimal point that may be found, each with its verdict; those between usual units come first.
+pub(super) fn shifted(target: &Target) -> impl Iterator<Item = (i32, Verdict)> {
+    let dimension = target.expected.unit.dimension();
+    let is_found = target.value() != 0.0;
+    let powers = (1..=LARGEST).flat_map(|power| [power, -power]).filter(move |_| is_found);
+    powers.map(move |power| {
+        let verdict = if is_prefix(power, dimension) { Verdict::UnitPrefix } else { Verdict::OrderOfMagnitude };
+        // There are no more than nine.
+        (i32::try_from(power).unwrap_or(0), verdict)
+    })
 }

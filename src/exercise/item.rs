@@ -1,0 +1,251 @@
+//! A variant with all that marks it elsewhere: what every export reads, and none computes.
+
+use crate::explain::Audience;
+use crate::explain::Outline;
+use crate::grade;
+use crate::grade::ExpectedKind;
+use crate::grade::Points;
+use crate::grade::Rubric;
+use crate::grade::Verdict;
+use crate::grade::VerdictWindow;
+use crate::grade::diagnose;
+use crate::problem::FormulaPart;
+use crate::problem::Mistake;
+use crate::problem::NumberPart;
+use crate::problem::Part;
+use crate::problem::PartKind;
+use crate::quantity::Unit;
+use crate::render::Identity;
+
+use super::Exercise;
+use super::diagnosis::{feedback_on, hints_on};
+use super::rules::Rules;
+use super::student_sheet::{Field, StudentSheet};
+
+/// Ends of windows that are nearer to each other than this share of them are one.
+const SAME: f64 = 1e-9;
+
+/// A variant with everything that a program without this engine needs to show, mark and explain it.
+#[derive(Clone, Debug)]
+pub struct Item {
+    /// What makes the same numbers again.
+    pub identity: Identity,
+    /// What the student sees.
+    pub sheet: StudentSheet,
+    /// What is asked, with the answers that earn something or have something said of them; in the order of the sheet's fields.
+    pub parts: Vec<ItemPart>,
+    /// The worked solution.
+    pub solution: Outline,
+}
+
+/// One part of an item.
+#[derive(Clone, Debug)]
+pub struct ItemPart {
+    /// The room for its answer.
+    pub field: Field,
+    /// The right answer as it is printed.
+    pub printed: String,
+    /// How answers are told apart.
+    pub answers: ItemAnswers,
+}
+
+/// How answers to a part are told apart.
+#[derive(Clone, Debug)]
+pub enum ItemAnswers {
+    /// By the number in the unit of the question.
+    Number(Box<NumberItem>),
+    /// By each component.
+    Vector(Vec<NumberItem>),
+    /// By the phrase.
+    Choice {
+        /// The phrases.
+        options: Vec<String>,
+        /// The position of the right one.
+        right: usize,
+        /// Why it is right.
+        because: String,
+    },
+    /// By the formula: the right one is the printed one.
+    Formula {
+        /// What usual mistakes lead to, each with what is said of it.
+        mistaken: Vec<(String, String)>,
+    },
+    /// By both ends: the right interval is the printed one.
+    Interval,
+}
+
+/// A number that is asked.
+#[derive(Clone, Debug)]
+pub struct NumberItem {
+    /// The right value.
+    pub right: f64,
+    /// The unit of the question.
+    pub unit: Unit,
+    /// A full turn, of a direction: whole turns more or less do not matter.
+    pub turn: Option<f64>,
+    /// Whether only whole numbers count.
+    pub whole: bool,
+    /// Which numbers earn something, or have something said of them: disjoint, from low to high.
+    pub windows: Vec<Window>,
+}
+
+/// Numbers that are marked alike; both ends belong to it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Window {
+    /// The lower end.
+    pub low: f64,
+    /// The upper end.
+    pub high: f64,
+    /// The verdict.
+    pub verdict: Verdict,
+    /// The points that it earns.
+    pub points: Points,
+    /// The usual mistakes that lead here, by their codes.
+    pub mistakes: Vec<&'static str>,
+    /// What is said of it: of a mistake a question first, then plainer.
+    pub feedback: Vec<String>,
+}
+
+impl Window {
+    /// Whether two windows differ in their ends only.
+    fn is_marked_as(&self, other: &Self) -> bool {
+        self.verdict == other.verdict && self.mistakes == other.mistakes && self.feedback == other.feedback
+    }
+}
+
+/// A mistake with the numbers that it leads to.
+struct Mistaken<'m> {
+    mistake: &'m Mistake,
+    low: f64,
+    high: f64,
+}
+
+impl Exercise {
+    /// This variant as an item. Marking decides in the same way: `tests/items.rs` holds them against each other.
+    #[must_use]
+    pub fn item(&self) -> Item {
+        let sheet = self.student_sheet();
+        let parts = self.worked().form.parts.iter().zip(&sheet.fields);
+        let parts = parts.map(|(part, field)| ItemPart {
+            field: field.clone(),
+            printed: self.printed(part),
+            answers: self.item_answers(part),
+        });
+        Item { identity: self.identity(), parts: parts.collect(), sheet, solution: self.outline(Audience::Everyone) }
+    }
+
+    fn item_answers(&self, part: &Part) -> ItemAnswers {
+        match (self.expected(part).kind, &part.kind) {
+            (ExpectedKind::Number(expected), PartKind::Number(number)) => {
+                let mistaken = self.mistaken(number, &expected);
+                ItemAnswers::Number(Box::new(self.number_item(part, &expected, &mistaken)))
+            }
+            (ExpectedKind::Vector(expected), _) => {
+                let component = |own: &grade::ExpectedNumber| self.number_item(part, own, &[]);
+                ItemAnswers::Vector(expected.components.iter().map(component).collect())
+            }
+            (ExpectedKind::Choice { options, right, because }, _) => ItemAnswers::Choice { options, right, because },
+            (_, PartKind::Formula(formula)) => ItemAnswers::Formula { mistaken: self.mistaken_formulas(part, formula) },
+            _ => ItemAnswers::Interval,
+        }
+    }
+
+    fn number_item(&self, part: &Part, expected: &grade::ExpectedNumber, mistaken: &[Mistaken<'_>]) -> NumberItem {
+        let worked = self.worked();
+        let rubric = Rules { problem: worked.problem, form: worked.form }.rubric();
+        NumberItem {
+            right: expected.value,
+            unit: expected.unit.clone(),
+            turn: turn(expected),
+            whole: expected.whole,
+            windows: self.windows(&grade::windows(expected), mistaken, part.points, &rubric),
+        }
+    }
+
+    /// What usual mistakes make of a number, rounded as students round.
+    fn mistaken(&self, number: &NumberPart, expected: &grade::ExpectedNumber) -> Vec<Mistaken<'_>> {
+        let worked = self.worked();
+        let simulated = worked.simulated();
+        let mut all = Vec::new();
+        for mistake in worked.mistakes() {
+            for value in simulated.answers(mistake, number) {
+                let window = diagnose::window(expected, value);
+                let near = match (window, turn(expected)) {
+                    (Some(window), Some(turn)) => grade::brought_near(window, expected.value, turn),
+                    (window, _) => window.into_iter().collect(),
+                };
+                all.extend(near.into_iter().map(|[low, high]| Mistaken { mistake, low, high }));
+            }
+        }
+        all
+    }
+
+    /// The windows of the judge and those of mistakes, cut where any of them begins or ends.
+    fn windows(
+        &self,
+        judged: &[VerdictWindow],
+        mistaken: &[Mistaken<'_>],
+        out_of: u32,
+        rubric: &Rubric,
+    ) -> Vec<Window> {
+        let ends = judged.iter().flat_map(|own| [own.low, own.high]);
+        let mut cuts: Vec<f64> = ends.chain(mistaken.iter().flat_map(|own| [own.low, own.high])).collect();
+        cuts.sort_by(f64::total_cmp);
+        // Ends that differ by rounding are one.
+        cuts.dedup_by(|next, kept| *next - *kept <= SAME * kept.abs().max(next.abs()));
+        let mut all: Vec<Window> = Vec::new();
+        for pair in cuts.windows(2) {
+            let [low, high] = [pair[0], pair[1]];
+            let middle = low + (high - low) / 2.0;
+            let found = judged.iter().find(|own| own.contains(middle)).map_or(Verdict::Wrong, |own| own.verdict);
+            let behind = mistaken.iter().filter(|own| (own.low..=own.high).contains(&middle));
+            let behind: Vec<&Mistake> = behind.map(|own| own.mistake).filter(|_| diagnose::is_open(found)).collect();
+            if found == Verdict::Wrong && behind.is_empty() {
+                continue;
+            }
+            let (mistakes, feedback) = self.said(behind);
+            let points = rubric.points(found, out_of);
+            let window = Window { low, high, verdict: found, points, mistakes, feedback };
+            match all.last_mut().filter(|last| last.high >= low && last.is_marked_as(&window)) {
+                Some(last) => last.high = high,
+                None => all.push(window),
+            }
+        }
+        all
+    }
+
+    /// The codes of mistakes, and what is said of the first: a law says more than a slip of the pen.
+    fn said(&self, mut behind: Vec<&Mistake>) -> (Vec<&'static str>, Vec<String>) {
+        let worked = self.worked();
+        behind.sort_by_key(|mistake| (feedback_on(worked, mistake.of).is_none(), mistake.instance.is_none()));
+        let feedback = behind.first().map(|mistake| hints_on(worked, mistake)).unwrap_or_default();
+        let mut codes: Vec<&'static str> = Vec::new();
+        for mistake in behind {
+            if !codes.contains(&mistake.of.id) {
+                codes.push(mistake.of.id);
+            }
+        }
+        (codes, feedback)
+    }
+
+    fn mistaken_formulas(&self, part: &Part, formula: &FormulaPart) -> Vec<(String, String)> {
+        let worked = self.worked();
+        let symbols = &self.problem.notation().table(&self.problem.model().symbols);
+        let right = self.printed(part);
+        let mut all: Vec<(String, String)> = Vec::new();
+        for mistake in worked.mistakes() {
+            for wrong in worked.mistaken_formulas(mistake, formula.symbol) {
+                let text = wrong.text(symbols);
+                if text != right && !all.iter().any(|(own, _)| *own == text) {
+                    all.push((text, hints_on(worked, mistake).into_iter().next().unwrap_or_default()));
+                }
+            }
+        }
+        all
+    }
+}
+
+/// A full turn in the unit of a direction.
+fn turn(expected: &grade::ExpectedNumber) -> Option<f64> {
+    expected.cyclic.then(|| std::f64::consts::TAU / expected.size)
+}

@@ -1,0 +1,86 @@
+//! Which numbers get which verdict: the judge's decisions on a bare number, as intervals. Programs that know nothing of this judge
+//! can mark by them.
+
+use super::super::expected::ExpectedNumber;
+use super::super::verdict::Verdict;
+use super::closeness::Target;
+use super::{angle, slip};
+
+/// How far the window of a whole number reaches to both sides.
+pub const BESIDE_A_WHOLE_NUMBER: f64 = 0.25;
+
+/// Numbers in the unit of the question that get one verdict; both ends belong to it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct VerdictWindow {
+    /// The lower end.
+    pub low: f64,
+    /// The upper end.
+    pub high: f64,
+    /// The verdict.
+    pub verdict: Verdict,
+}
+
+impl VerdictWindow {
+    fn around(middle: f64, reach: f64, verdict: Verdict) -> Self {
+        Self { low: middle - reach, high: middle + reach, verdict }
+    }
+
+    /// Whether a number belongs to it.
+    #[must_use]
+    pub fn contains(&self, number: f64) -> bool {
+        (self.low..=self.high).contains(&number)
+    }
+}
+
+/// An interval of directions, brought by whole turns to within half a turn of a right one. What reaches over the opposite
+/// direction stands at both ends.
+#[must_use]
+pub fn brought_near([low, high]: [f64; 2], right: f64, turn: f64) -> Vec<[f64; 2]> {
+    let away = low + (high - low) / 2.0 - right;
+    let turns = libm::round(away / turn) * turn;
+    let near = [low - turns, high - turns];
+    let mut all = vec![near];
+    if near[1] > right + turn / 2.0 {
+        all.push(near.map(|end| end - turn));
+    } else if near[0] < right - turn / 2.0 {
+        all.push(near.map(|end| end + turn));
+    }
+    all
+}
+
+/// The windows of a number, the more important first; where two overlap, the first decides. Directions are within half a turn of the
+/// right one. Whatever lies in none of them is wrong.
+///
+/// What depends on how a number is written (its figures, its unit) is no window: these are for the number alone. Of a whole number
+/// the windows reach a quarter to both sides, so that they have a width.
+#[must_use]
+pub fn windows(expected: &ExpectedNumber) -> Vec<VerdictWindow> {
+    let target = Target::new(expected);
+    let (right, tolerance, allowance) = (target.value(), target.reach(), target.allowance_reach());
+    let mut all = vec![
+        VerdictWindow::around(right, tolerance, Verdict::Right),
+        VerdictWindow::around(right, allowance, Verdict::RightRounded),
+    ];
+    if let Some(turn) = target.turn() {
+        for (verdict, wrong) in angle::slips(&target) {
+            let near = brought_near([wrong - target.tolerance(), wrong + target.tolerance()], right, turn);
+            all.extend(near.into_iter().map(|[low, high]| VerdictWindow { low, high, verdict }));
+        }
+        return all;
+    }
+    if expected.whole {
+        return vec![VerdictWindow::around(right, BESIDE_A_WHOLE_NUMBER, Verdict::Right)];
+    }
+    let opposite = match (expected.magnitude, right < 0.0) {
+        (true, _) => Verdict::RightWithNote,
+        // Without its sign, the number says nothing of the direction.
+        (false, true) => Verdict::Sense,
+        (false, false) => Verdict::SenseReversed,
+    };
+    all.push(VerdictWindow::around(-right, tolerance.max(allowance), opposite));
+    all.extend(slip::shifted(&target).map(|(power, verdict)| {
+        let scale = libm::pow(10.0, f64::from(power));
+        VerdictWindow::around(right * scale, tolerance * scale, verdict)
+    }));
+    all
+}
