@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::expr::Expr;
 use crate::expr::Math;
 use crate::expr::Operator;
 use crate::problem::AskedUnit;
@@ -73,7 +74,7 @@ fn sentence(display: Display<'_>, part: &Part) -> Vec<Inline> {
             let mut words = vec![Inline::Text(format!("{}: ", capitalised(&part.label)))];
             for (index, answer) in display.worked.answers(number).into_iter().enumerate() {
                 let mut equal = vec![display.name(number.symbol), Math::Operator(Operator::Equals)];
-                if index == 0 && is_converted(display, number) {
+                if index == 0 && is_converted(display, number) && display.has_number(number.symbol) {
                     equal.extend([display.quantity(number.symbol), Math::Operator(Operator::Equals)]);
                     equal.extend(to_the_unit(display, number, answer));
                 }
@@ -95,7 +96,7 @@ fn formula_sentence(display: Display<'_>, part: &Part, formula: &FormulaPart) ->
     let is = |math: Math| Inline::Math(Math::relation(display.name(formula.symbol), Operator::Equals, math));
     let mut words = vec![Inline::Text(format!("{}: ", capitalised(&part.label)))];
     words.extend(printed_formula(display.worked, formula).map(is));
-    if !display.is_free(formula.symbol) {
+    if !display.is_open(formula.symbol) {
         let figures = usize::from(display.worked.problem.loaded().draft.figures.unwrap_or(3));
         let value = Inline::Math(display.quantity_to(formula.symbol, figures));
         words.extend([Inline::Text(", here ".into()), value]);
@@ -115,8 +116,11 @@ pub fn printed_formula(worked: Worked<'_>, part: &FormulaPart) -> Option<Math> {
 
 /// Whether the answer is asked in another unit than the steps computed in.
 fn is_converted(display: Display<'_>, number: &NumberPart) -> bool {
-    let own = display.unit(number.symbol);
-    matches!(&number.unit, AskedUnit::Unit(unit) if unit != own && unit.factor() != own.factor())
+    let own = &display.manner(number.symbol).measured;
+    match &number.unit {
+        AskedUnit::Unit(unit) => *unit != own.unit && unit.factor() != own.unit.factor(),
+        AskedUnit::InTermsOf(letter) => own.letters != Some(Expr::from(*letter)),
+    }
 }
 
 /// The answer with more figures than are asked, where it does not come out with those: `32710 km`, which is about 32700 km.
@@ -166,10 +170,11 @@ pub(super) fn shown(number: &NumberPart, value: f64) -> Math {
 }
 
 /// The same, for whoever displays other quantities besides.
-fn printed(display: Display<'_>, number: &NumberPart, answer: Bounded) -> Math {
+pub(super) fn printed(display: Display<'_>, number: &NumberPart, answer: Bounded) -> Math {
     let shown = |value: f64| shown(number, value);
     match &number.unit {
         AskedUnit::Unit(_) => display.in_unit_of(number, shown(answer.for_print())),
+        AskedUnit::InTermsOf(_) if answer.is_zero() => shown(0.0),
         AskedUnit::InTermsOf(symbol) => {
             Math::Row(vec![shown(answer.for_print()), Math::Operator(Operator::Juxtapose), display.name(*symbol)])
         }

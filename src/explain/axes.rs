@@ -45,8 +45,8 @@ pub(super) fn axes(display: Display<'_>) -> Vec<Block> {
     let mut told: Vec<Vec<Inline>> = told
         .filter(|(symbol, ..)| used.contains(symbol) && !literals.iter().any(|(own, _)| own == symbol))
         .map(|given| {
-            let free = display.is_free(given.0);
-            vec![Inline::Math(if free { display.name(given.0) } else { value(display, given) })]
+            let is_open = display.is_open(given.0);
+            vec![Inline::Math(if is_open { display.name(given.0) } else { value(display, given) })]
         })
         .collect();
     told.extend(renamed(display));

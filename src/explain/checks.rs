@@ -27,6 +27,7 @@ use super::ledger::Ledger;
 use super::limits;
 use super::script::is_definition;
 use super::steps::text;
+use super::term::Measured;
 use super::term::Term;
 use super::wording::capitalised;
 
@@ -64,6 +65,8 @@ struct Balance {
 struct Condition {
     words: String,
     sides: [Term; 2],
+    /// The unit in which both are printed.
+    unit: Measured,
 }
 
 impl Checks {
@@ -83,7 +86,8 @@ pub(super) fn checks(display: Display<'_>) -> Vec<Block> {
         let lines = sides.iter().map(|side| evaluated(display, side, result)).collect();
         blocks.extend([words.clone(), Block::Equation { lines, number: None }]);
     }
-    blocks.extend(means(display));
+    let means: Vec<Vec<Inline>> = means(display).map(|mean| lies_between(display, mean)).collect();
+    blocks.extend((!means.is_empty()).then_some(Block::List(means)));
     blocks.extend(prepared(display).losses.iter().filter_map(|loss| loss.blocks(display)).flatten());
     blocks.extend(shown_conditions(display).map(|(place, condition)| condition.block(display, place)));
     blocks.extend(limits::limits(display));
@@ -95,7 +99,7 @@ fn prepared(display: Display<'_>) -> &Checks {
 }
 
 fn has_numbers(display: Display<'_>, sides: &[Term; 2]) -> bool {
-    sides.iter().flat_map(|side| &side.mentions).all(|symbol| display.has_number(*symbol))
+    sides.iter().all(|side| side.is_multiple && side.mentions.iter().all(|symbol| display.has_number(*symbol)))
 }
 
 /// The balances whose numbers are known, each with its place.
@@ -128,18 +132,27 @@ pub(super) fn enter(display: Display<'_>, ledger: &mut Ledger) {
     for (place, Balance { sides, .. }) in shown_balances(display) {
         let result = result(display, place, sides);
         if result == Item::Balance(place) {
-            display.enter_value(ledger, &sides[0].expr, sides[0].unit.size, result);
+            display.enter_value(ledger, &sides[0].expr, display.size(&sides[0].unit), result);
         }
         for side in sides {
             display.enter_term(ledger, side, result);
         }
     }
+    for mean in means(display) {
+        for symbol in mean {
+            display.enter(ledger, symbol);
+        }
+        let [least, centre, greatest] = mean.map(Item::Quantity);
+        ledger.ordered([least, centre], false);
+        ledger.ordered([centre, greatest], false);
+    }
+    limits::enter(display, ledger);
     for loss in &prepared(display).losses {
         loss.enter(display, ledger);
     }
-    for (place, Condition { sides, .. }) in shown_conditions(display) {
+    for (place, Condition { sides, unit, .. }) in shown_conditions(display) {
         for (side, term) in sides.iter().enumerate() {
-            display.enter_value(ledger, &term.expr, sides[0].unit.size, Item::Side(place, side));
+            display.enter_value(ledger, &term.expr, display.size(unit), Item::Side(place, side));
         }
     }
 }
@@ -172,43 +185,43 @@ fn balances(display: Display<'_>) -> Vec<Balance> {
     leaf.system.equations.iter().enumerate().filter_map(balance).collect()
 }
 
-/// That the position or velocity of a centre of mass lies between those of its bodies.
-fn means(display: Display<'_>) -> Option<Block> {
+/// The positions and velocities of centres of mass, each between the least and the greatest of those of its bodies.
+fn means(display: Display<'_>) -> impl Iterator<Item = [Symbol; 3]> {
     let model = display.worked.problem.model();
     let known = known(display);
-    let rows: Vec<Vec<Inline>> = (display.worked.leaf().system.equations.iter())
-        .filter(|equation| {
-            model.instances.get(equation.tag).is_some_and(|instance| instance.law.id == mass_centre::MASS_CENTRE.id)
-        })
-        .filter_map(|equation| {
-            let Statement::Equal { left: Expr::Product(left), right: Expr::Sum(terms) } = &equation.statement else {
-                return None;
-            };
-            let Expr::Symbol(centre) = left.last()? else { return None };
-            let dimension = model.symbols.entry(*centre).dimension;
-            let mut parts: Vec<Symbol> = terms
-                .iter()
-                .flat_map(Expr::symbols)
-                .filter(|symbol| model.symbols.entry(*symbol).dimension == dimension)
-                .collect();
-            let value = |symbol: Symbol| display.value_of(&symbol.into());
-            parts.sort_by(|a, b| value(*a).total_cmp(&value(*b)));
-            let (least, greatest) = (*parts.first()?, *parts.last()?);
-            let told = [*centre, least, greatest].into_iter().all(|symbol| known.contains(&symbol));
-            (told && value(least) < value(greatest)).then(|| {
-                let shown = |symbol: Symbol| Inline::Math(display.quantity(symbol));
-                vec![
-                    Inline::Math(display.name(*centre)),
-                    Inline::Text(" lies between the least, ".into()),
-                    shown(least),
-                    Inline::Text(", and the greatest, ".into()),
-                    shown(greatest),
-                    Inline::Text(", as an average must.".into()),
-                ]
-            })
-        })
-        .collect();
-    (!rows.is_empty()).then_some(Block::List(rows))
+    let stated = display.worked.leaf().system.equations.iter().filter(|equation| {
+        model.instances.get(equation.tag).is_some_and(|instance| instance.law.id == mass_centre::MASS_CENTRE.id)
+    });
+    stated.filter_map(move |equation| {
+        let Statement::Equal { left: Expr::Product(left), right: Expr::Sum(terms) } = &equation.statement else {
+            return None;
+        };
+        let Expr::Symbol(centre) = left.last()? else { return None };
+        let dimension = model.symbols.entry(*centre).dimension;
+        let mut parts: Vec<Symbol> = terms
+            .iter()
+            .flat_map(Expr::symbols)
+            .filter(|symbol| model.symbols.entry(*symbol).dimension == dimension)
+            .collect();
+        let value = |symbol: Symbol| display.value_of(&symbol.into());
+        parts.sort_by(|a, b| value(*a).total_cmp(&value(*b)));
+        let (least, greatest) = (*parts.first()?, *parts.last()?);
+        let mean = [least, *centre, greatest];
+        let told = mean.iter().all(|own| known.contains(own) && display.has_number(*own));
+        (told && value(least) < value(greatest)).then_some(mean)
+    })
+}
+
+fn lies_between(display: Display<'_>, [least, centre, greatest]: [Symbol; 3]) -> Vec<Inline> {
+    let shown = |symbol: Symbol| Inline::Math(display.quantity(symbol));
+    vec![
+        Inline::Math(display.name(centre)),
+        Inline::Text(" lies between the least, ".into()),
+        shown(least),
+        Inline::Text(", and the greatest, ".into()),
+        shown(greatest),
+        Inline::Text(", as an average must.".into()),
+    ]
 }
 
 fn words_of(display: Display<'_>, equation: &Equation) -> Option<&'static str> {
@@ -231,9 +244,9 @@ fn words_of(display: Display<'_>, equation: &Equation) -> Option<&'static str> {
 /// A term in symbols, with numbers, and its value.
 fn evaluated(display: Display<'_>, side: &Term, item: Item) -> Math {
     let value = display.evaluated(&side.expr, &side.unit, item);
-    let numbers = display.substituted(side);
+    let numbers = display.substituted(side).filter(|numbers| *numbers != value);
     let mut parts = vec![side.symbols.clone()];
-    if !matches!(side.expr, Expr::Symbol(_)) && numbers != value {
+    if let Some(numbers) = numbers.filter(|_| !matches!(side.expr, Expr::Symbol(_))) {
         parts.extend([Math::Operator(Operator::Equals), numbers]);
     }
     parts.extend([Math::Operator(Operator::Equals), value]);
@@ -245,7 +258,9 @@ fn conditions(display: Display<'_>) -> Vec<Condition> {
     let reasons = &display.worked.problem.model().reasons;
     let condition = |condition: &solve::Condition| {
         let reason = reasons.get(condition.tag).filter(|reason| reason.warning == Some(Warning::PassesThrough))?;
+        let (unit, _) = display.measure(&(condition.left.clone() - condition.right.clone()));
         Some(Condition {
+            unit,
             words: format!("{}: ", capitalised(&reason.text.replace("would pass", "does not pass"))),
             sides: [&condition.left, &condition.right].map(|side| display.term(side.clone())),
         })
@@ -257,8 +272,7 @@ impl Condition {
     /// The condition with the numbers.
     fn block(&self, display: Display<'_>, place: usize) -> Block {
         let in_symbols = self.sides.each_ref().map(|side| side.symbols.clone());
-        let number =
-            |side: usize| display.evaluated(&self.sides[side].expr, &self.sides[0].unit, Item::Side(place, side));
+        let number = |side: usize| display.evaluated(&self.sides[side].expr, &self.unit, Item::Side(place, side));
         let in_numbers = [number(0), number(1)];
         let at_least = |[left, right]: [Math; 2]| Inline::Math(Math::relation(left, Operator::AtLeast, right));
         Block::Paragraph(vec![

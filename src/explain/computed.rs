@@ -1,5 +1,6 @@
 //! Which lines a solution computes, and so how many figures its numbers have.
 
+use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::problem::AskedUnit;
 use crate::problem::NumberPart;
@@ -10,6 +11,7 @@ use crate::solve::Move;
 use crate::solve::Step;
 
 use super::checks;
+use super::counting;
 use super::display::Display;
 use super::display::Shown;
 use super::ledger::Figures;
@@ -78,7 +80,7 @@ fn enter_step(
         match (solved, closed, formula) {
             _ if without.contains(unknown) => display.enter(ledger, *unknown),
             (Some(coefficients), ..) => quadratic::enter(display, ledger, *unknown, coefficients),
-            (None, Closed::FirstInteger { .. }, _) => {}
+            (None, Closed::FirstInteger { .. }, _) => counting::enter(display, ledger, *unknown, closed),
             (None, _, Formula::Fixed(formula)) => {
                 if let Some(formula) = formula {
                     display.enter_term(ledger, formula, Item::Quantity(*unknown));
@@ -99,9 +101,18 @@ fn enter_answers(display: Display<'_>, ledger: &mut Ledger) {
         let PartKind::Number(number @ NumberPart { whole: false, .. }) = &part.kind else { continue };
         let item = Item::Quantity(number.symbol);
         let value = display.worked.variant.value(number.symbol).filter(|_| ledger.knows(item));
-        if let (AskedUnit::Unit(_), Some(value)) = (&number.unit, value) {
-            ledger.rounded(Item::Answer(number.symbol), value.for_print(), number.size, number.figures);
-            ledger.same(item, Item::Answer(number.symbol));
+        let (own, Some(value)) = (Item::Answer(number.symbol), value) else { continue };
+        match number.unit {
+            AskedUnit::Unit(_) => {
+                ledger.rounded(own, value.for_print(), number.size, number.figures);
+                ledger.same(item, own);
+            }
+            AskedUnit::InTermsOf(unit) => {
+                let ratio = Expr::from(number.symbol) / Expr::from(unit);
+                display.enter(ledger, unit);
+                ledger.rounded(own, display.worked.answer(number).for_print(), 1.0, number.figures);
+                ledger.term(&ratio, &[number.symbol, unit], own);
+            }
         }
     }
 }

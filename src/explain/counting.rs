@@ -10,70 +10,105 @@ use crate::solve::Relation;
 use super::Block;
 use super::Inline;
 use super::display::Display;
-use super::display::number_math;
-use super::display::printed;
-use super::display::with_unit;
+use super::ledger::Item;
+use super::ledger::Ledger;
 use super::script::operator;
-
-/// Figures of the values tried.
-const FIGURES: usize = 4;
 
 /// The number, and what the condition says of it and of the one before; nothing for a value that is not counted.
 pub(super) fn trials(display: Display<'_>, unknown: Symbol, closed: &Closed) -> Vec<Block> {
-    let Closed::FirstInteger { from, left, relation, right } = closed else { return Vec::new() };
-    let Some(found) = display.worked.variant.value(unknown).map(|value| value.value.round()) else {
-        return Vec::new();
-    };
-    let try_out = |number: f64| Trial { display, unknown, number, left, relation: *relation, right };
+    let Some(trials) = tried(display, unknown, closed) else { return Vec::new() };
+    let Some((found, _)) = trials.last() else { return Vec::new() };
+    let answer = Math::relation(display.name(unknown), Operator::Equals, found.counted());
     let mut words = Vec::new();
-    #[allow(clippy::cast_precision_loss)] // counts are small
-    if found > *from as f64 {
-        words.extend(try_out(found - 1.0).words(false));
-        words.push(Inline::Text("; ".into()));
+    for (place, (trial, holds)) in trials.iter().enumerate() {
+        words.extend((place > 0).then(|| Inline::Text("; ".into())));
+        words.extend(trial.words(*holds));
     }
-    words.extend(try_out(found).words(true));
     words.push(Inline::Text(".".into()));
-    let answer = Math::relation(display.name(unknown), Operator::Equals, Math::Number(format!("{found:.0}")));
     vec![Block::Paragraph(words), Block::Equation { lines: vec![answer], number: None }]
+}
+
+/// Enters the trials into the ledger of a solution.
+pub(super) fn enter(display: Display<'_>, ledger: &mut Ledger, unknown: Symbol, closed: &Closed) {
+    let Some(trials) = tried(display, unknown, closed) else { return };
+    for (trial, holds) in trials {
+        let items = [trial.enter(ledger, 0), trial.enter(ledger, 1)];
+        let relation = if holds { trial.relation } else { trial.relation.opposite() };
+        let [left, right] = items;
+        match relation {
+            Relation::Less => ledger.ordered([left, right], true),
+            Relation::AtMost => ledger.ordered([left, right], false),
+            Relation::Greater => ledger.ordered([right, left], true),
+            Relation::AtLeast => ledger.ordered([right, left], false),
+            Relation::Differs => {}
+        }
+    }
+}
+
+/// The number found and the one before it, each with whether the condition holds.
+fn tried<'a>(display: Display<'a>, unknown: Symbol, closed: &'a Closed) -> Option<Vec<(Trial<'a>, bool)>> {
+    let Closed::FirstInteger { from, left, relation, right } = closed else { return None };
+    let found = display.worked.variant.value(unknown)?.value.round();
+    #[allow(clippy::cast_possible_truncation, reason = "counts are small")]
+    let found = found as i64;
+    let sides = [left, right];
+    let trial = |number: i64| Trial { display, unknown, number, sides, relation: *relation };
+    let before = (found > *from).then(|| (trial(found - 1), false));
+    Some(before.into_iter().chain([(trial(found), true)]).collect())
 }
 
 /// One whole number put into the condition.
 struct Trial<'a> {
     display: Display<'a>,
     unknown: Symbol,
-    number: f64,
-    left: &'a Expr,
+    number: i64,
+    sides: [&'a Expr; 2],
     relation: Relation,
-    right: &'a Expr,
 }
 
 impl Trial<'_> {
+    fn counted(&self) -> Math {
+        Math::Number(self.number.to_string())
+    }
+
     /// `n = 3 gives 0.0824 m < 0.2 m`.
     fn words(&self, holds: bool) -> Vec<Inline> {
-        let number = Math::Number(format!("{:.0}", self.number));
         let (gives, relation) = if holds {
             (" gives ", operator(self.relation))
         } else {
             (" still gives ", operator(self.relation.opposite()))
         };
         vec![
-            Inline::Math(Math::relation(self.display.name(self.unknown), Operator::Equals, number)),
+            Inline::Math(Math::relation(self.display.name(self.unknown), Operator::Equals, self.counted())),
             Inline::Text(gives.into()),
-            Inline::Math(Math::relation(self.side(self.left), relation, self.side(self.right))),
+            Inline::Math(Math::relation(self.side(0), relation, self.side(1))),
         ]
     }
 
-    fn side(&self, side: &Expr) -> Math {
-        if let Expr::Symbol(symbol) = side
-            && *symbol != self.unknown
-        {
-            return self.display.quantity(*symbol);
+    /// A side with the number put in, and under which item its value stands.
+    fn tried(&self, place: usize) -> (Expr, Item) {
+        let side = self.sides[place];
+        let number = Expr::integer(self.number);
+        match side {
+            Expr::Symbol(symbol) if *symbol != self.unknown => (side.clone(), Item::Quantity(*symbol)),
+            _ => {
+                let tried = side.substitute(&|own| (own == self.unknown).then(|| number.clone()));
+                (tried, Item::Trial(self.unknown, self.number, place))
+            }
         }
-        let unit = self.display.unit_of(side);
-        let value = side.evaluate(&|symbol| {
-            let known = || self.display.worked.variant.value(symbol).map_or(f64::NAN, |value| value.value);
-            if symbol == self.unknown { self.number } else { known() }
-        });
-        with_unit(number_math(printed(value / unit.factor().to_f64(), FIGURES)), &unit)
+    }
+
+    fn side(&self, place: usize) -> Math {
+        let (side, item) = self.tried(place);
+        self.display.evaluated(&side, &self.display.measure(&side).0, item)
+    }
+
+    fn enter(&self, ledger: &mut Ledger, place: usize) -> Item {
+        let (side, item) = self.tried(place);
+        match item {
+            Item::Quantity(symbol) => self.display.enter(ledger, symbol),
+            _ => self.display.enter_value(ledger, &side, self.display.size(&self.display.measure(&side).0), item),
+        }
+        item
     }
 }

@@ -8,6 +8,8 @@ use crate::model::Omitted;
 use crate::problem::Worked;
 use crate::scene::Scene;
 use crate::scene::Stage;
+use crate::scene::stage::Connected;
+use crate::scene::stage::Strand;
 
 use super::Block;
 use super::Inline;
@@ -132,9 +134,8 @@ fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) -> Option<S
             name(&one.on),
             name(&other.on)
         ),
-        (Stage::Connected(_), [one, other]) => {
-            let both = list(&[one, other].map(|own| name(&own.on)));
-            during(format!("the string pulls {both} with the same tension, and weight acts on both"))
+        (Stage::Connected(connected), [one, other]) => {
+            during(connecting(scene, connected, &list(&[one, other].map(|own| name(&own.on)))))
         }
         (Stage::Taut(_) | Stage::Connected(_), _) => during(format!("{body} {is} acted on by the string")),
         (Stage::Tow(tow), _) => during(format!(
@@ -160,6 +161,17 @@ fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) -> Option<S
             during(format!("{body} {is} acted on by {}", first.called))
         }
     })
+}
+
+/// What acts on two bodies that a string connects.
+fn connecting(scene: &Scene, connected: &Connected, both: &str) -> String {
+    let lies = |strand: &&Strand| strand.on.as_ref().is_some_and(|on| on.0.trim() != "hanging");
+    let carried = [&connected.leading, &connected.trailing].into_iter().filter(lies);
+    let pushed = carried.map(|strand| {
+        let rubs = if strand.friction.is_some() { ", with friction" } else { "" };
+        format!("; {} is pushed by what carries it{rubs}", scene.called(&strand.body))
+    });
+    format!("the string pulls {both} with the same tension, and weight acts on both{}", pushed.collect::<String>())
 }
 
 /// What each guided body receives from its guide.

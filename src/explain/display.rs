@@ -2,9 +2,9 @@
 
 use std::cell::OnceCell;
 use std::cell::RefCell;
-use std::collections::BTreeSet;
 use std::sync::Arc;
 
+use crate::expr::Arrangement;
 use crate::expr::Expr;
 use crate::expr::Function;
 use crate::expr::Leaf;
@@ -17,6 +17,7 @@ use crate::problem::NumberPart;
 use crate::problem::Worked;
 use crate::quantity::Dimension;
 use crate::quantity::Printed;
+use crate::quantity::Rational;
 use crate::quantity::Unit;
 use crate::quantity::coherent_unit;
 use crate::solve::Bounded;
@@ -25,7 +26,10 @@ use crate::solve::Root;
 use crate::solve::Step;
 
 use super::algebra::has_angle_of_point;
+use super::algebra::positive_first;
 use super::ledger::Figures;
+use super::letters::Letters;
+use super::letters::Powers;
 use super::term::Measured;
 use super::term::Term;
 use super::term::suffix;
@@ -36,7 +40,7 @@ use super::way::Way;
 const SHORT_FRACTION: usize = 4;
 
 /// Units of the same size as a product of base units in which quantities are usually printed, by the beginnings of names.
-const USUAL: [(&str, &str); 4] = [("J_", "N s"), ("I_", "N s"), ("M_", "N m"), ("omega", "rad/s")];
+const USUAL: [(&str, &str); 3] = [("J_", "N s"), ("I_", "N s"), ("omega", "rad/s")];
 
 /// Shows the quantities of one variant.
 #[derive(Clone, Copy)]
@@ -57,14 +61,50 @@ pub(super) struct Shown {
 }
 
 impl<'a> Display<'a> {
-    /// Quantities that are shown by their symbols only, since they may have any value.
-    pub(super) fn free(self) -> &'a BTreeSet<Symbol> {
-        self.way.free.get_or_init(|| self.worked.free())
+    fn letters(self) -> &'a Letters {
+        self.way.letters.get_or_init(|| Letters::of(self.worked))
     }
 
-    /// Whether a quantity is shown by its symbol only.
+    /// Whether a quantity is shown by its symbol only, since no multiple of the letters that are left open is its value.
     pub(super) fn is_free(self, symbol: Symbol) -> bool {
-        self.free().contains(&symbol)
+        self.letters().is_free(symbol)
+    }
+
+    /// Whether a quantity hangs on letters that are left open.
+    pub(super) fn is_open(self, symbol: Symbol) -> bool {
+        self.letters().is_open(symbol)
+    }
+
+    /// The letters that are left open in the value of a term; none where it is no multiple of them.
+    pub(super) fn letters_of(self, term: &Expr) -> Option<Powers> {
+        self.letters().powers(self.worked, term)
+    }
+
+    /// How the value of a term is printed with that unit, and whether it is a number or a multiple of letters.
+    fn measured(self, term: &Expr, unit: impl FnOnce(Dimension) -> Unit) -> (Measured, bool) {
+        let letters = self.letters_of(term);
+        let is_multiple = letters.is_some();
+        let powers = letters.unwrap_or_default();
+        let symbols = &self.worked.problem.model().symbols;
+        let own = term.dimension(symbols).unwrap_or_default();
+        if powers.is_empty() {
+            return (Measured::new(unit(own)), is_multiple);
+        }
+        let mut powers: Vec<(Symbol, Rational)> = powers.into_iter().collect();
+        powers.sort_by_key(|(letter, _)| symbols.entry(*letter).dimension != Dimension::MASS);
+        let powers = powers.into_iter().map(|(letter, power)| Expr::from(letter).power(Expr::Number(power)));
+        let product = Expr::product(powers);
+        let rest = (term.clone() / product.clone()).dimension(symbols).unwrap_or_default();
+        // Not as `symbolic`, which asks for this very measure.
+        let named = |letter| Leaf { math: self.worked.problem.math_of(letter), kind: LeafKind::Name };
+        let math = product.layout(&named).shared();
+        (Measured::new(coherent_unit(rest, self.worked.problem.units())).with_letters(product, math), is_multiple)
+    }
+
+    /// The size of a unit in SI units, letters included.
+    pub(super) fn size(self, measured: &Measured) -> f64 {
+        let letters = measured.letters.as_ref().map_or(1.0, |letters| self.value_of(letters));
+        measured.unit.factor().to_f64() * letters
     }
 
     /// The unit in which explanations compute with a quantity: the system's own, degrees for angles.
@@ -77,11 +117,11 @@ impl<'a> Display<'a> {
         // There is a place for every symbol of the model.
         self.way.manners[symbol.index()].get_or_init(|| {
             let problem = self.worked.problem;
-            let unit = self.unit_chosen(symbol);
+            let (measured, _) = self.measured(&symbol.into(), |_| self.unit_chosen(symbol));
             let mut numbers = self.worked.form.parts.iter().flat_map(|part| part.kind.numbers());
             let is_literal = problem.model().literals.iter().any(|(own, _)| *own == symbol);
             Manner {
-                measured: Measured::new(unit),
+                measured,
                 name: (!is_literal).then(|| problem.math_of(symbol)),
                 senses: problem.senses(symbol),
                 is_whole: numbers.any(|number| number.whole && number.symbol == symbol),
@@ -136,8 +176,10 @@ impl<'a> Display<'a> {
         }
         let coherent = coherent_unit(entry.dimension, problem.units());
         let spoken_of = problem.unit_given(symbol).or_else(|| self.asked_unit(symbol));
-        let usual = USUAL.iter().filter(|(start, _)| entry.name.starts_with(start));
-        let usual = usual.filter_map(|(_, unit)| Unit::parse(unit).ok());
+        let usual = USUAL.iter().filter(|(start, _)| entry.name.starts_with(start)).map(|(_, unit)| *unit);
+        // Of the dimension of an energy, and none.
+        let moment = entry.meaning.contains("moment").then_some("N m");
+        let usual = usual.chain(moment).filter_map(|unit| Unit::parse(unit).ok());
         let mut candidates = spoken_of.into_iter().flat_map(|unit| [unit.without_prefixes(), unit]).chain(usual);
         let same = |unit: &Unit| unit.dimension() == entry.dimension && unit.factor() == coherent.factor();
         candidates.find(same).unwrap_or(coherent)
@@ -159,12 +201,17 @@ impl<'a> Display<'a> {
         coherent_unit(dimension, problem.units())
     }
 
-    /// Whether a term has a value of its own.
-    pub(super) fn has_value(self, expr: &Expr) -> bool {
-        expr.all_symbols(&|symbol| self.has_number(symbol))
+    /// How the value of a term is printed, and whether it is a number or a multiple of letters.
+    pub(super) fn measure(self, expr: &Expr) -> (Measured, bool) {
+        self.measured(expr, |dimension| coherent_unit(dimension, self.worked.problem.units()))
     }
 
-    /// Whether a quantity is shown by a number.
+    /// Whether a term has a value of its own.
+    pub(super) fn has_value(self, expr: &Expr) -> bool {
+        expr.all_symbols(&|symbol| self.has_number(symbol)) && self.letters_of(expr).is_some()
+    }
+
+    /// Whether a quantity is shown by a number, or by a multiple of letters.
     pub(super) fn has_number(self, symbol: Symbol) -> bool {
         !self.is_free(symbol) && self.worked.variant.value(symbol).is_some()
     }
@@ -198,9 +245,11 @@ impl<'a> Display<'a> {
     /// A term that many solutions show, in symbols and ready for numbers.
     pub(super) fn term(self, expr: Expr) -> Term {
         let arranged = expr.arranged();
+        let (unit, is_multiple) = self.measure(&expr);
         Term {
             symbols: arranged.with(&|symbol| self.named(symbol)).shared(),
-            unit: Measured::new(self.unit_of(&expr)),
+            unit,
+            is_multiple,
             mentions: expr.symbols().into_iter().collect(),
             has_angle: has_angle_of_point(&expr),
             arranged,
@@ -240,10 +289,39 @@ impl<'a> Display<'a> {
         passed.map(|until| Math::relation(self.symbolic(&piecewise.variable), Operator::Greater, self.symbolic(until)))
     }
 
-    /// A term with numbers and units in place of its symbols.
-    pub(super) fn substituted(self, term: &Term) -> Math {
+    /// A term with numbers and units in place of its symbols, what is zero and has a unit being left out; none where that leaves
+    /// nothing to compute.
+    pub(super) fn substituted(self, term: &Term) -> Option<Math> {
         let value = |symbol: Symbol| self.worked.variant.value(symbol).map_or(f64::NAN, Bounded::or_zero);
-        term.arranged.with_numbers(&|symbol| self.put_in(symbol), &value)
+        let put = |arranged: &Arrangement| arranged.with_numbers(&|symbol| self.put_in(symbol), &value);
+        if !self.has_zeros(term) {
+            return Some(put(&term.arranged));
+        }
+        let rest = self.without_zeros(&term.expr);
+        let size = match &rest {
+            Expr::Power(pair) if pair.1 == Expr::ratio(1, 2) => match &pair.0 {
+                Expr::Power(square) => square.0.clone(),
+                _ => rest.clone(),
+            },
+            _ => rest.clone(),
+        };
+        let computes = !rest.is_zero() && !matches!((-size.clone(), size), (Expr::Symbol(_), _) | (_, Expr::Symbol(_)));
+        computes.then(|| put(&positive_first(&rest).arranged()))
+    }
+
+    /// A term without what is zero and has a unit.
+    pub(super) fn without_zeros(self, term: &Expr) -> Expr {
+        term.substitute(&|symbol| self.is_nothing(symbol).then(Expr::zero))
+    }
+
+    /// Whether a quantity that is zero is left out of a term with numbers.
+    pub(super) fn has_zeros(self, term: &Term) -> bool {
+        term.mentions.iter().any(|symbol| self.is_nothing(*symbol))
+    }
+
+    fn is_nothing(self, symbol: Symbol) -> bool {
+        let has_unit = self.worked.problem.model().symbols.entry(symbol).dimension != Dimension::NONE;
+        has_unit && self.worked.variant.value(symbol).is_some_and(Bounded::is_zero)
     }
 
     /// Whether a term holds the angle of a point that a calculator's arctangent does not give for this variant: its

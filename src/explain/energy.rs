@@ -44,7 +44,7 @@ fn loss(display: Display<'_>, equation: &Equation) -> Option<Loss> {
     let Statement::Equal { left: Expr::Symbol(lost), right } = &equation.statement else { return None };
     let stage = instance.stage?;
     let phrase = display.worked.problem.model().phrase(&display.worked.problem.loaded().draft.scene, stage);
-    (!display.is_free(*lost)).then(|| Loss {
+    (!display.is_open(*lost)).then(|| Loss {
         lost: *lost,
         words: text(&format!("Kinetic energy lost in {phrase}:")).shared(),
         difference: display.term(right.clone()),
@@ -64,20 +64,21 @@ impl Loss {
 
     /// `T_1 - T_2 = 50.06 J - 16.31 J = 33.75 J`, that it is not negative, and what else it equals.
     pub(super) fn blocks(&self, display: Display<'_>) -> Option<Vec<Block>> {
-        if !self.difference.mentions.iter().all(|symbol| display.has_number(*symbol)) {
+        if !self.difference.is_multiple || !self.difference.mentions.iter().all(|symbol| display.has_number(*symbol)) {
             return None;
         }
         display.worked.variant.value(self.lost)?;
         let equals = || Math::Operator(Operator::Equals);
         let equation = |parts: Vec<Math>| Block::Equation { lines: vec![Math::Row(parts)], number: None };
-        let (sum, numbers) = (self.difference.symbols.clone(), display.substituted(&self.difference));
+        let numbers = display.substituted(&self.difference).map(|numbers| vec![equals(), numbers]);
+        let sum = [vec![self.difference.symbols.clone()], numbers.unwrap_or_default()].concat();
         let result = display.quantity(self.lost);
         let gains = display.worked.variant.value(self.lost).is_some_and(|lost| lost.value < -lost.error);
         if gains {
             let words = text("It is negative: kinetic energy is gained, so something supplies energy in the impact.");
-            return Some(vec![self.words.clone(), equation(vec![sum, equals(), numbers, equals(), result]), words]);
+            return Some(vec![self.words.clone(), equation([sum, vec![equals(), result]].concat()), words]);
         }
-        let mut blocks = vec![self.words.clone(), equation(vec![sum, equals(), numbers, equals(), result])];
+        let mut blocks = vec![self.words.clone(), equation([sum, vec![equals(), result]].concat())];
         let lost = display.worked.closeness_to_zero(&self.difference.expr);
         let is_elastic = lost.is_equal();
         blocks.push(text(match (lost, &self.formula) {

@@ -40,6 +40,10 @@ pub(super) enum Item {
     Side(usize, usize),
     /// An answer, in the unit of the question.
     Answer(Symbol),
+    /// A side of the condition by which a number is counted, with that number tried.
+    Trial(Symbol, i64, usize),
+    /// An answer in the extreme case of that place.
+    Extreme(Symbol, usize),
 }
 
 /// How many figures the numbers of a solution have.
@@ -121,6 +125,8 @@ enum Rule {
     Root { greater: bool },
     /// By another unit.
     Same,
+    /// It is compared: the operand is printed as less, or as not greater.
+    Above { strictly: bool },
 }
 
 struct Line {
@@ -147,16 +153,17 @@ impl Ledger {
 
     /// Enters a number with at least so many figures.
     pub(super) fn rounded(&mut self, item: Item, value: f64, unit: f64, figures: usize) {
-        let figures = at_least(figures, value / unit);
+        self.asked(item, value, unit, at_least(figures, value / unit));
+    }
+
+    /// Enters a number with that many figures, be they fewer than stand before the point.
+    pub(super) fn asked(&mut self, item: Item, value: f64, unit: f64, figures: usize) {
         self.enter(Entry::rounded(item, value, unit, figures, MOST.max(figures)));
     }
 
     fn enter(&mut self, entry: Entry) {
         if let Item::Quantity(symbol) = entry.item {
-            if self.places.len() <= symbol.index() {
-                self.places.resize(symbol.index() + 1, None);
-            }
-            self.places[symbol.index()] = Some(self.entries.len());
+            self.put(symbol, Some(self.entries.len()));
         }
         self.entries.push(entry);
     }
@@ -188,6 +195,24 @@ impl Ledger {
     /// The same number in another unit, or with other figures.
     pub(super) fn same(&mut self, item: Item, result: Item) {
         self.line(Rule::Same, self.place(item).map(|place| vec![place]), result);
+    }
+
+    /// Two numbers of which the first is said to be less than the second, or not greater.
+    pub(super) fn ordered(&mut self, [low, high]: [Item; 2], strictly: bool) {
+        self.line(Rule::Above { strictly }, self.place(low).map(|place| vec![place]), high);
+    }
+
+    /// The symbol of a quantity that is printed as another one.
+    pub(super) fn alias(&mut self, symbol: Symbol, other: Symbol) {
+        let place = self.place(Item::Quantity(other));
+        self.put(symbol, place);
+    }
+
+    fn put(&mut self, symbol: Symbol, place: Option<usize>) {
+        if self.places.len() <= symbol.index() {
+            self.places.resize(symbol.index() + 1, None);
+        }
+        self.places[symbol.index()] = place;
     }
 
     fn line(&mut self, rule: Rule, operands: Option<Vec<usize>>, result: Item) {
@@ -243,19 +268,38 @@ impl Line {
                 let root = if *greater == (a > 0.0) { root } else { -root };
                 (root - b) / (2.0 * a)
             }
-            Rule::Same => self.operands.first().map_or(f64::NAN, |place| value(*place)),
+            Rule::Same | Rule::Above { .. } => self.operands.first().map_or(f64::NAN, |place| value(*place)),
         }
     }
 
     fn holds(&self, entries: &[Entry], places: &[Option<usize>]) -> bool {
         let result = &entries[self.result];
+        if let Rule::Above { strictly } = self.rule {
+            let low = self.computed(entries, places, None);
+            return if strictly { low < result.printed } else { low <= result.printed };
+        }
         let off = (self.computed(entries, places, None) - result.printed).abs();
+        // 2.915 looks as if it were 2.92; only a number that is half-way itself may be rounded either way.
+        let is_half_way = |off: f64| off >= result.half * (1.0 - SLACK);
+        if let (Rule::Same, [own]) = (&self.rule, &self.operands[..])
+            && is_half_way(off)
+            && !is_half_way((entries[*own].value - result.printed).abs())
+        {
+            return false;
+        }
         off <= result.half * (1.0 + SLACK) + f64::EPSILON * result.value.abs()
     }
 
     /// One figure more for the operand that moves the result most; for the result itself where it lies close to half-way
     /// between two printed numbers. Whether there was anything to refine.
     fn refine(&self, entries: &mut [Entry], places: &[Option<usize>]) -> bool {
+        if matches!(self.rule, Rule::Above { .. }) {
+            let mut raised = false;
+            for place in self.operands.iter().copied().chain([self.result]) {
+                raised |= entries[place].raise();
+            }
+            return raised;
+        }
         let printed = self.computed(entries, places, None);
         let moved = |place: usize| {
             let moved = (printed - self.computed(entries, places, Some(place))).abs();
@@ -267,7 +311,14 @@ impl Line {
         let worst = moving.iter().filter(|(place, _)| entries[*place].figures < entries[*place].most);
         let worst = worst.max_by(|one, other| one.1.total_cmp(&other.1)).map(|(place, _)| *place);
         let little = total < LITTLE * entries[self.result].half;
-        let candidates = if little { [Some(self.result), worst] } else { [worst, None] };
+        let is_same = matches!(self.rule, Rule::Same);
+        let candidates = if is_same {
+            [worst, Some(self.result)]
+        } else if little {
+            [Some(self.result), worst]
+        } else {
+            [worst, None]
+        };
         candidates.into_iter().flatten().any(|place| entries[place].raise())
     }
 }
@@ -314,6 +365,30 @@ mod tests {
     fn what_eight_figures_do_not_give_is_told() {
         let ([.., c], figures) = difference(1.000_000_001_234_5, 0.999_999_999, 2.234_5e-9);
         assert_eq!(figures.stubborn, [c]);
+    }
+
+    #[test]
+    fn no_number_looks_half_way_to_its_answer() {
+        // 2.9146 is 2.91, and is not printed as 2.915, which would seem to be 2.92.
+        let ([a, ..], _) = difference(2.9146, 0.0, 2.9146);
+        let mut ledger = Ledger::default();
+        let Item::Quantity(symbol) = a else { panic!("a quantity") };
+        ledger.rounded(a, 2.9146, 1.0, FEWEST);
+        ledger.asked(Item::Answer(symbol), 2.9146, 1.0, 3);
+        ledger.same(a, Item::Answer(symbol));
+        let figures = ledger.settle();
+        assert_eq!((figures.of(a), figures.of(Item::Answer(symbol))), (Some(5), Some(3)));
+    }
+
+    #[test]
+    fn what_is_said_to_be_less_is_printed_as_less() {
+        let ([a, b, _], _) = difference(1.399_96, 1.4, 0.0);
+        let mut ledger = Ledger::default();
+        ledger.rounded(a, 1.399_96, 1.0, FEWEST);
+        ledger.exact(b, 1.4, 1.0, 0.05);
+        ledger.ordered([a, b], true);
+        // 1.400 and 1.4000 are not less.
+        assert_eq!(ledger.settle().of(a), Some(6));
     }
 
     #[test]

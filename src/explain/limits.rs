@@ -1,20 +1,26 @@
 //! The extremes of restitution: what the answers would be with e = 0 and with e = 1.
 
+use std::collections::BTreeMap;
+
+use crate::expr::Expr;
 use crate::expr::Math;
 use crate::expr::Operator;
 use crate::expr::Symbol;
+use crate::problem::AskedUnit;
 use crate::problem::NumberPart;
+use crate::problem::Variant;
 use crate::problem::Worked;
 use crate::quantity::Decimal;
 use crate::quantity::Dimension;
-use crate::quantity::Printed;
 use crate::quantity::Unit;
 use crate::scene::Stage;
 
 use super::Block;
 use super::Inline;
+use super::answers;
 use super::display::Display;
-use super::display::number_math;
+use super::ledger::Item;
+use super::ledger::Ledger;
 use super::wording::join;
 
 /// The two extremes, and what happens there: in one dimension, and in two.
@@ -25,21 +31,13 @@ const EXTREMES: [(i64, [&str; 2]); 2] = [
 
 /// A sentence on each extreme, where the coefficient of restitution is told and the answers exist there.
 pub(super) fn limits(display: Display<'_>) -> Vec<Block> {
-    let worked = display.worked;
-    let Some(e) = coefficient(worked) else { return Vec::new() };
-    let numbers: Vec<&NumberPart> = worked
-        .form
-        .parts
-        .iter()
-        .flat_map(|part| part.kind.numbers())
-        .filter(|number| !number.whole && !display.is_free(number.symbol))
-        .collect();
-    let oblique = worked.problem.loaded().draft.scene.axes.rectangular().len() > 1;
-    let sentences = EXTREMES.iter().filter_map(|(value, words)| {
-        let there = worked.at_limit(e, &Decimal::from(*value), &Unit::none())?;
-        let there = Worked::new(worked.problem, &there)?;
+    let oblique = display.worked.problem.loaded().draft.scene.axes.rectangular().len() > 1;
+    let numbers: Vec<&NumberPart> = numbers(display).collect();
+    let sentences = extremes(display).map(|Extreme { e, place, there }| {
+        let (value, words) = EXTREMES[place];
+        let there = Worked { variant: &there, ..display.worked };
         let results: Vec<Vec<Inline>> =
-            numbers.iter().map(|number| vec![Inline::Math(result(display, there, number))]).collect();
+            numbers.iter().map(|number| vec![Inline::Math(result(display, there, place, number))]).collect();
         let mut sentence = vec![
             Inline::Text("With ".into()),
             Inline::Math(Math::relation(display.name(e), Operator::Equals, Math::Number(value.to_string()))),
@@ -48,9 +46,54 @@ pub(super) fn limits(display: Display<'_>) -> Vec<Block> {
         sentence.push(Inline::Text(format!(" {words}: ")));
         sentence.extend(join(results));
         sentence.push(Inline::Text(".".into()));
-        Some(Block::Paragraph(sentence))
+        Block::Paragraph(sentence)
     });
     if numbers.is_empty() { Vec::new() } else { sentences.collect() }
+}
+
+/// Enters the answers in the extremes into the ledger of a solution, where they have formulas in what is told.
+pub(super) fn enter(display: Display<'_>, ledger: &mut Ledger) {
+    for Extreme { e, place, there } in extremes(display) {
+        let there = Worked { variant: &there, ..display.worked };
+        let values = BTreeMap::from([(e, Expr::integer(EXTREMES[place].0))]);
+        for number in numbers(display) {
+            let unit = match number.unit {
+                AskedUnit::Unit(_) => Some(Expr::one()),
+                AskedUnit::InTermsOf(unit) => there.in_givens(unit, &values),
+            };
+            let Some((whole, unit)) = there.in_givens(number.symbol, &values).zip(unit) else { continue };
+            let ratio = whole / unit;
+            let mentions: Vec<Symbol> = ratio.symbols().into_iter().collect();
+            for symbol in &mentions {
+                display.enter(ledger, *symbol);
+            }
+            let (item, size) = (Item::Extreme(number.symbol, place), number.size);
+            ledger.asked(item, there.answer(number).for_print() * size, size, number.figures);
+            ledger.term(&ratio, &mentions, item);
+        }
+    }
+}
+
+/// One extreme: the coefficient, the place in the table, and the numbers there.
+struct Extreme {
+    e: Symbol,
+    place: usize,
+    there: Variant,
+}
+
+fn extremes(display: Display<'_>) -> impl Iterator<Item = Extreme> {
+    let there = move |(e, place): (Symbol, usize)| {
+        let there = display.worked.at_limit(e, &Decimal::from(EXTREMES[place].0), &Unit::none())?;
+        Some(Extreme { e, place, there })
+    };
+    let e = coefficient(display.worked).into_iter();
+    e.flat_map(|e| (0..EXTREMES.len()).map(move |place| (e, place))).filter_map(there)
+}
+
+/// The answers that are told of an extreme.
+fn numbers(display: Display<'_>) -> impl Iterator<Item = &NumberPart> {
+    let numbers = display.worked.form.parts.iter().flat_map(|part| part.kind.numbers());
+    numbers.filter(move |number| !number.whole && display.has_number(number.symbol))
 }
 
 /// The told coefficient of restitution of the one impact of two bodies, where it is neither 0 nor 1.
@@ -64,9 +107,9 @@ fn coefficient(worked: Worked<'_>) -> Option<Symbol> {
     (inner && plain && worked.form.reveal.is_empty()).then_some(symbol)
 }
 
-fn result(display: Display<'_>, there: Worked<'_>, number: &NumberPart) -> Math {
-    let answer = there.answer(number);
-    let shown = Printed::new(answer.for_print(), number.figures)
-        .map_or(Math::Text("?".into()), |printed| number_math(printed.plain()));
-    Math::relation(display.name(number.symbol), Operator::Equals, display.in_unit_of(number, shown))
+fn result(display: Display<'_>, there: Worked<'_>, place: usize, number: &NumberPart) -> Math {
+    let settled = display.shown.figures.get();
+    let figures = settled.and_then(|figures| figures.of(Item::Extreme(number.symbol, place))).unwrap_or(number.figures);
+    let answer = answers::printed(display, &NumberPart { figures, ..number.clone() }, there.answer(number));
+    Math::relation(display.name(number.symbol), Operator::Equals, answer)
 }

@@ -14,6 +14,7 @@ mod energy;
 mod instructor;
 mod interval;
 mod ledger;
+mod letters;
 mod limits;
 mod lines;
 mod numbers;

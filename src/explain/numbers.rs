@@ -1,5 +1,7 @@
 //! The numbers of a solution: each quantity in one form, exactly or to the figures that the lines need.
 
+use std::collections::BTreeMap;
+
 use crate::expr::Expr;
 use crate::expr::Leaf;
 use crate::expr::LeafKind;
@@ -62,15 +64,21 @@ impl Display<'_> {
         if let Some((_, leaf)) = self.shown.leaves.borrow().iter().find(known) {
             return leaf.clone();
         }
+        if let Some(other) = self.same_as(symbol) {
+            return self.leaf(other);
+        }
         let measured = &self.manner(symbol).measured;
         let leaf = match self.exact(symbol) {
+            Some(Exact { math, .. }) if measured.letters.is_some() && math == Math::Number("1".into()) => {
+                Leaf { math: measured.put(math).shared(), kind: LeafKind::Name }
+            }
             Some(Exact { math, negative, .. }) => {
                 Leaf { math: measured.put(math).shared(), kind: LeafKind::Number { negative } }
             }
             None => {
                 let value = self.worked.variant.value(symbol).map_or(f64::NAN, Bounded::for_print);
-                let number =
-                    printed(value / measured.size, self.figures(Item::Quantity(symbol), value / measured.size));
+                let shown = value / self.size(measured);
+                let number = printed(shown, self.figures(Item::Quantity(symbol), shown));
                 let kind = LeafKind::Number { negative: number.starts_with('-') };
                 Leaf { math: measured.put(number_math(number)).shared(), kind }
             }
@@ -79,9 +87,18 @@ impl Display<'_> {
         leaf
     }
 
+    /// The quantity as which one is printed that always equals it.
+    fn same_as(self, symbol: Symbol) -> Option<Symbol> {
+        let (other, turned) = self.manner(symbol).equals?;
+        (!turned && self.unit(other) == self.unit(symbol) && self.has_number(other)).then_some(other)
+    }
+
     /// How a value is printed that is not rounded: what is given, counted, a plain fraction, or zero.
     pub(super) fn exact(self, symbol: Symbol) -> Option<Exact> {
         let manner = self.manner(symbol);
+        if let Some(letters) = &manner.measured.letters {
+            return self.multiple(symbol, letters);
+        }
         if let Some(math) = &manner.constant {
             return Some(Exact { math: math.clone(), negative: math.plain().starts_with('\u{2212}'), half: 0.0 });
         }
@@ -102,6 +119,21 @@ impl Display<'_> {
         let decimal = printed.to_decimal();
         let half = 0.5 * unit_of_place(-decimal.scale());
         Some(Exact { math: number_math(printed.plain()), negative: decimal.is_negative(), half })
+    }
+
+    /// Whether a quantity is a multiple of letters that is printed exactly.
+    pub(super) fn is_exact_multiple(self, symbol: Symbol) -> bool {
+        self.is_open(symbol) && self.exact(symbol).is_some()
+    }
+
+    /// A multiple of letters that is printed exactly: a whole one, or one that nothing but algebra gives.
+    fn multiple(self, symbol: Symbol, letters: &Expr) -> Option<Exact> {
+        let whole = self.worked.in_givens(symbol, &self.worked.alphabet().values)?;
+        let own = (whole.clone() / letters.clone()).simplify();
+        let is_algebra = own == (self.worked.in_givens(symbol, &BTreeMap::new())? / letters.clone()).simplify();
+        let number = own.as_number().filter(|number| number.is_int() || is_algebra)?;
+        let math = self.symbolic(&Expr::Number(number.clone()));
+        Some(Exact { negative: math.plain().starts_with('\u{2212}'), math, half: 0.05 })
     }
 
     /// To how many figures a number is printed.
@@ -126,7 +158,11 @@ impl Display<'_> {
         let item = Item::Quantity(symbol);
         let value = self.worked.variant.value(symbol).filter(|_| self.has_number(symbol) && !ledger.knows(item));
         let Some(value) = value else { return };
-        let unit = self.manner(symbol).measured.size;
+        if let Some(other) = self.same_as(symbol) {
+            self.enter(ledger, other);
+            return ledger.alias(symbol, other);
+        }
+        let unit = self.size(&self.manner(symbol).measured);
         match self.exact(symbol) {
             Some(Exact { half, .. }) => ledger.exact(item, value.or_zero(), unit, half * unit),
             None => ledger.rounded(item, value.for_print(), unit, self.usual(item)),
@@ -163,7 +199,7 @@ impl Display<'_> {
     /// An unknown as a formula in what is told exactly; none where it holds anything else.
     pub(super) fn in_what_is_told(self, unknown: Symbol) -> Option<Expr> {
         let whole = self.worked.in_givens(unknown, &self.worked.alphabet().values)?;
-        let is_told = |symbol: Symbol| self.worked.variant.given(symbol).is_some() && self.has_number(symbol);
+        let is_told = |symbol: Symbol| self.worked.variant.given(symbol).is_some() && !self.is_open(symbol);
         whole.all_symbols(&is_told).then(|| positive_first(&whole))
     }
 
@@ -188,7 +224,7 @@ impl Display<'_> {
         }
         let measured = &self.manner(symbol).measured;
         let value = self.worked.variant.value(symbol).map_or(f64::NAN, Bounded::for_print);
-        measured.put(number_math(printed(value / measured.size, figures)))
+        measured.put(number_math(printed(value / self.size(measured), figures)))
     }
 
     /// A term's value in a unit, as a number of the solution.
@@ -201,7 +237,7 @@ impl Display<'_> {
         if let Some(symbol) = named {
             return self.quantity(symbol);
         }
-        let shown = self.bounded(expr).for_print() / unit.size;
+        let shown = self.bounded(expr).for_print() / self.size(unit);
         unit.put(number_math(printed(shown, self.figures(item, shown))))
     }
 

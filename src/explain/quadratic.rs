@@ -6,7 +6,6 @@ use crate::expr::Expr;
 use crate::expr::Math;
 use crate::expr::Operator;
 use crate::expr::Symbol;
-use crate::quantity::Unit;
 use crate::solve::Move;
 use crate::solve::Step;
 
@@ -16,32 +15,38 @@ use super::algebra::positive_first;
 use super::display::Display;
 use super::display::number_math;
 use super::display::printed;
-use super::display::with_unit;
 use super::ledger::Item;
 use super::ledger::Ledger;
 use super::steps::text;
+use super::term::Measured;
 use super::wording::join;
 
-/// One coefficient: its value in its unit, the unit, and the figures to which it is printed.
+/// One coefficient: its value in its unit, the unit, its size, and the figures to which it is printed.
 struct Coefficient {
     value: f64,
-    unit: Unit,
+    unit: Arc<Measured>,
+    size: f64,
     figures: usize,
 }
 
 impl Coefficient {
     fn new(display: Display<'_>, term: &Expr, item: Item) -> Self {
-        let unit = display.unit_of(term);
-        let value = display.value_of(term) / unit.factor().to_f64();
-        Self { value, unit, figures: display.figures(item, value) }
+        let (unit, _) = display.measure(term);
+        let size = display.size(&unit);
+        let value = display.value_of(term) / size;
+        Self { value, unit: Arc::new(unit), size, figures: display.figures(item, value) }
     }
 
-    fn size(&self) -> Math {
-        with_unit(number_math(printed(self.value.abs(), self.figures)), &self.unit)
+    fn unsigned(&self) -> Math {
+        self.unit.put(number_math(printed(self.value.abs(), self.figures)))
     }
 
     fn signed(&self) -> Math {
-        with_unit(number_math(printed(self.value, self.figures)), &self.unit)
+        self.unit.put(number_math(printed(self.value, self.figures)))
+    }
+
+    fn turned(&self) -> Self {
+        Self { value: -self.value, unit: Arc::clone(&self.unit), ..*self }
     }
 
     fn bracketed(&self) -> Math {
@@ -111,14 +116,14 @@ pub(super) fn enter(display: Display<'_>, ledger: &mut Ledger, unknown: Symbol, 
         return;
     }
     for (place, term) in terms.iter().enumerate() {
-        let unit = display.unit_of(term).factor().to_f64();
+        let unit = display.size(&display.measure(term).0);
         display.enter_value(ledger, term, unit, Item::Coefficient(unknown, place));
     }
     let [a, b, c] = terms.each_ref().map(|term| display.value_of(term));
     let Some(taken) = display.worked.variant.value(unknown).map(|value| value.value) else { return };
     let other = other_root([a, b, c], taken);
     display.enter(ledger, unknown);
-    let unit = display.unit(unknown).factor().to_f64();
+    let unit = display.size(&display.manner(unknown).measured);
     display.enter_rounded(ledger, Item::OtherRoot(unknown), other, unit);
     ledger.root(unknown, taken >= other, Item::Quantity(unknown));
     ledger.root(unknown, other > taken, Item::OtherRoot(unknown));
@@ -156,15 +161,13 @@ fn without_zeros(display: Display<'_>, unknown: Symbol, coefficients: [Expr; 3])
 
 /// `+-sqrt(c/a)` with numbers, the root where nothing is linear in the unknown.
 fn pure_root(a: &Coefficient, c: &Coefficient) -> Math {
-    let minus_c = Coefficient { value: -c.value, unit: c.unit.clone(), figures: c.figures };
-    let fraction = Math::Fraction(Arc::new(minus_c.signed()), Arc::new(a.signed()));
+    let fraction = Math::Fraction(Arc::new(c.turned().signed()), Arc::new(a.signed()));
     Math::Row(vec![Math::Operator(Operator::PlusMinus), Math::Root(Arc::new(fraction))])
 }
 
 /// `-b/a` with numbers, the root that is not zero where nothing stands without the unknown.
 fn quotient(b: &Coefficient, a: &Coefficient) -> Math {
-    let minus_b = Coefficient { value: -b.value, unit: b.unit.clone(), figures: b.figures };
-    let fraction = Math::Fraction(Arc::new(minus_b.signed()), Arc::new(a.signed()));
+    let fraction = Math::Fraction(Arc::new(b.turned().signed()), Arc::new(a.signed()));
     Math::Row(vec![fraction, Math::Text(" or ".into()), Math::Number("0".into())])
 }
 
@@ -174,10 +177,10 @@ fn with_numbers([square, name]: [&Math; 2], a: &Coefficient, b: &Coefficient, c:
     let sign = |value: f64| Math::Operator(if value < 0.0 { Operator::Minus } else { Operator::Plus });
     let mut parts = vec![a.bracketed(), space.clone(), square.clone()];
     if b.value != 0.0 {
-        parts.extend([sign(b.value), Math::Bracketed(Arc::new(b.size())), space, name.clone()]);
+        parts.extend([sign(b.value), Math::Bracketed(Arc::new(b.unsigned())), space, name.clone()]);
     }
     if c.value != 0.0 {
-        parts.extend([sign(c.value), c.size()]);
+        parts.extend([sign(c.value), c.unsigned()]);
     }
     parts.extend([Math::Operator(Operator::Equals), Math::Number("0".into())]);
     Math::Row(parts)
@@ -189,19 +192,18 @@ fn formula(a: &Coefficient, b: &Coefficient, c: &Coefficient) -> Math {
     let product = [Math::Number("4".into()), a.bracketed(), c.bracketed()];
     let inside = [vec![square, Math::Operator(Operator::Minus)], product.to_vec()].concat();
     let root = Math::Root(Arc::new(Math::Row(inside)));
-    let minus_b = Coefficient { value: -b.value, unit: b.unit.clone(), figures: b.figures };
-    let above = Math::Row(vec![minus_b.signed(), Math::Operator(Operator::PlusMinus), root]);
+    let above = Math::Row(vec![b.turned().signed(), Math::Operator(Operator::PlusMinus), root]);
     let below = Math::Row(vec![Math::Number("2".into()), a.bracketed()]);
     Math::Fraction(Arc::new(above), Arc::new(below))
 }
 
 /// The value taken, and the other.
 fn roots(display: Display<'_>, unknown: Symbol, coefficients: [&Coefficient; 3]) -> Option<Math> {
-    let unit = display.unit(unknown);
+    let unit = &display.manner(unknown).measured;
     let taken = display.worked.variant.value(unknown)?.value;
-    let in_si = coefficients.map(|own| own.value * own.unit.factor().to_f64());
-    let other = other_root(in_si, taken) / unit.factor().to_f64();
+    let in_si = coefficients.map(|own| own.value * own.size);
+    let other = other_root(in_si, taken) / display.size(unit);
     let other = printed(other, display.figures(Item::OtherRoot(unknown), other));
-    let other = with_unit(number_math(other), unit);
+    let other = unit.put(number_math(other));
     Some(Math::Row(vec![display.quantity(unknown), Math::Text(" or ".into()), other]))
 }

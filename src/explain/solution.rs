@@ -21,6 +21,7 @@ use super::instructor;
 use super::script;
 use super::steps::Detail;
 use super::steps::Steps;
+use super::steps::WITHOUT_ZEROS;
 use super::steps::text;
 use super::way::Memory;
 use super::wording::capitalised;
@@ -206,7 +207,7 @@ fn without_repetition(blocks: Vec<Block>) -> Vec<Block> {
     let mut said: Option<usize> = None;
     let mut kept: Vec<Block> = Vec::with_capacity(blocks.len());
     for block in blocks {
-        if matches!(block.bare(), Block::Paragraph(_)) {
+        if matches!(block.bare(), Block::Paragraph(_)) && *block.bare() != text(WITHOUT_ZEROS) {
             if said.and_then(|place| kept.get(place)).map(Block::bare) == Some(block.bare()) {
                 continue;
             }

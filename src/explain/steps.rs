@@ -1,5 +1,7 @@
 //! The steps of the plan with their numbers: what the script of a way says, and what each variant fills in.
 
+use std::collections::BTreeSet;
+
 use crate::expr::Expr;
 use crate::expr::Math;
 use crate::expr::Operator;
@@ -19,7 +21,6 @@ use super::counting;
 use super::display::Display;
 use super::display::number_math;
 use super::display::printed;
-use super::display::with_unit;
 use super::ledger::Item;
 use super::quadratic;
 use super::script::Formula;
@@ -39,17 +40,25 @@ pub(super) enum Detail {
     Brief,
 }
 
+/// What is said once of the lines with numbers.
+pub(super) const WITHOUT_ZEROS: &str = "Terms that are zero are left out of the lines with numbers.";
+
 /// Writes the steps of one plan for a variant.
 pub(super) struct Steps<'a> {
     pub display: Display<'a>,
     pub detail: Detail,
     /// Whether the angle of a point has been explained.
     pub angle_explained: bool,
+    /// Whether it has been said that zeros are left out.
+    pub zeros_explained: bool,
+    /// The open letters of which it has been said that they drop out.
+    pub dropped: BTreeSet<Symbol>,
 }
 
 impl<'a> Steps<'a> {
     pub(super) fn new(display: Display<'a>, detail: Detail) -> Self {
-        Self { display, detail, angle_explained: detail == Detail::Brief }
+        let is_brief = detail == Detail::Brief;
+        Self { display, detail, angle_explained: is_brief, zeros_explained: is_brief, dropped: BTreeSet::new() }
     }
 
     /// One step, as blocks.
@@ -133,6 +142,7 @@ impl<'a> Steps<'a> {
             }
         };
         blocks.push(self.value(unknown, formula));
+        blocks.extend(formula.into_iter().flat_map(|formula| self.left_out(unknown, formula)).map(Block::Paragraph));
         blocks.extend(self.put_together(unknown, formula));
         let wants_quadrant = |formula: &Term| formula.has_angle && self.display.is_outside_arctangent(&formula.expr);
         if !self.angle_explained && formula.is_some_and(wants_quadrant) {
@@ -141,6 +151,30 @@ impl<'a> Steps<'a> {
                 "Choose the quadrant from the signs of the components: if the denominator is negative, add 180° to the calculator's arctangent; if it is zero, the angle is ±90°.",
             ));
         }
+    }
+
+    /// What is said where zeros or letters drop out for the first time.
+    fn left_out(&mut self, unknown: Symbol, formula: &Term) -> Vec<Vec<Inline>> {
+        let display = self.display;
+        if display.is_free(unknown) || display.is_exact_multiple(unknown) {
+            return Vec::new();
+        }
+        let left = display.letters_of(&unknown.into()).unwrap_or_default();
+        let letters = |symbol: &Symbol| display.letters_of(&(*symbol).into()).unwrap_or_default().into_keys();
+        let mut dropped: Vec<Symbol> =
+            display.without_zeros(&formula.expr).symbols().iter().flat_map(letters).collect();
+        dropped.retain(|letter| !left.contains_key(letter) && self.dropped.insert(*letter));
+        let mut said = Vec::new();
+        if !dropped.is_empty() {
+            let verb = if dropped.len() > 1 { " cancel." } else { " cancels." };
+            let names = dropped.iter().map(|letter| vec![Inline::Math(display.name(*letter))]).collect();
+            said.push([vec![Inline::Text("Here ".into())], join(names), vec![Inline::Text(verb.into())]].concat());
+        }
+        if display.has_zeros(formula) && !matches!(formula.expr, Expr::Symbol(_)) && !self.zeros_explained {
+            self.zeros_explained = true;
+            said.push(vec![Inline::Text(WITHOUT_ZEROS.into())]);
+        }
+        said
     }
 
     /// What an unknown equals for these numbers.
@@ -157,6 +191,9 @@ impl<'a> Steps<'a> {
     /// What is asked as a formula, with what the steps before found put in.
     fn put_together(&self, unknown: Symbol, formula: Option<&Term>) -> Vec<Block> {
         let Some(whole) = self.whole(unknown, formula.map(|formula| &formula.expr)) else { return Vec::new() };
+        if formula.is_some_and(|formula| self.without_zeros(formula) == whole) {
+            return Vec::new();
+        }
         let worked = self.display.worked;
         let mut lines = vec![self.display.equation(&unknown.into(), &whole)];
         let multiple = self.formula_part(unknown).filter(|part| part.in_terms_of.is_some());
@@ -169,7 +206,10 @@ impl<'a> Steps<'a> {
     /// The formula of what is asked as one in what is given, where the last step has another.
     pub(super) fn whole(&self, unknown: Symbol, formula: Option<&Expr>) -> Option<Expr> {
         self.formula_part(unknown)?;
-        self.in_givens(unknown).filter(|whole| formula != Some(whole))
+        let whole = self.in_givens(unknown).filter(|whole| formula != Some(whole))?;
+        // Then its value is the whole formula.
+        let is_printed = !self.display.is_free(unknown) && whole.all_symbols(&|own| self.display.is_open(own));
+        (!is_printed).then_some(whole)
     }
 
     /// The part that asks for an unknown as a formula.
@@ -194,26 +234,34 @@ impl<'a> Steps<'a> {
         let Some(formula) = formula else { return equation(vec![Math::relation(name, Operator::Equals, value())]) };
         // The speed on a line is written as what it is: |v| = |-5 m/s|.
         if name == formula.symbols && !self.display.is_free(unknown) {
-            let numbers = Math::relation(name, Operator::Equals, self.display.substituted(formula));
-            return equation(vec![Math::relation(numbers, Operator::Equals, value())]);
+            let numbers = self.display.substituted(formula).into_iter().chain([value()]);
+            return equation(vec![Math::chain([name].into_iter().chain(numbers), Operator::Equals)]);
         }
         let mut lines = vec![Math::relation(name, Operator::Equals, formula.symbols.clone())];
+        let also = |math| Math::Row(vec![Math::Operator(Operator::Equals), math]);
+        if self.display.is_free(unknown) {
+            let rest = self.without_zeros(formula);
+            lines.extend((rest != formula.expr).then(|| also(self.display.symbolic(&rest))));
+        }
         if self.display.is_free(unknown) || formula.expr.is_zero() {
             return equation(lines);
         }
         let (mut numbers, value) = (self.display.substituted(formula), value());
         if let Some(whole) = self.in_what_is_told(unknown) {
             lines.push(Math::Row(vec![Math::Operator(Operator::Equals), self.display.symbolic(&whole)]));
-            numbers = self.display.as_told(&whole);
+            numbers = Some(self.display.as_told(&whole));
         }
-        let also = |math| Math::Row(vec![Math::Operator(Operator::Equals), math]);
-        if numbers != formula.symbols && numbers != value {
-            lines.push(also(numbers));
-        }
+        let is_exact = self.display.is_exact_multiple(unknown);
+        let numbers = numbers.filter(|own| *own != formula.symbols && *own != value && !is_exact);
+        lines.extend(numbers.map(also));
         if lines.len() > 1 || formula.symbols != value {
             lines.push(also(value));
         }
         equation(lines)
+    }
+
+    fn without_zeros(&self, formula: &Term) -> Expr {
+        algebra::positive_first(&self.display.without_zeros(&formula.expr))
     }
 
     /// The formula in the givens of what does not come out of the rounded results before.
@@ -233,10 +281,10 @@ impl<'a> Steps<'a> {
                 .iter()
                 .zip(&dead.values)
                 .map(|(unknown, value)| {
-                    let unit = self.display.unit(*unknown);
-                    let shown = value.for_print() / unit.factor().to_f64();
+                    let unit = &self.display.manner(*unknown).measured;
+                    let shown = value.for_print() / self.display.size(unit);
                     let number = printed(shown, self.display.figures(Item::OtherRoot(*unknown), shown));
-                    let number = with_unit(number_math(number), unit);
+                    let number = unit.put(number_math(number));
                     vec![Inline::Math(Math::relation(self.display.name(*unknown), Operator::Equals, number))]
                 })
                 .collect();

@@ -1,8 +1,11 @@
 //! A term that the solutions of many variants show, and the unit in which its value is printed.
 
+use std::sync::Arc;
+
 use crate::expr::Arrangement;
 use crate::expr::Expr;
 use crate::expr::Math;
+use crate::expr::Operator;
 use crate::expr::Symbol;
 use crate::quantity::Unit;
 
@@ -14,6 +17,8 @@ pub(super) struct Term {
     pub symbols: Math,
     /// Its unit, from its dimension.
     pub unit: Measured,
+    /// Whether its value is a number, or a multiple of letters that are left open.
+    pub is_multiple: bool,
     /// The quantities in it.
     pub mentions: Vec<Symbol>,
     /// Whether it holds the angle of a point.
@@ -22,26 +27,43 @@ pub(super) struct Term {
     pub arranged: Arrangement,
 }
 
-/// A unit in which many values are printed.
+/// A unit in which many values are printed; where letters are left open, a unit with powers of these.
 #[derive(Debug)]
 pub(super) struct Measured {
     pub unit: Unit,
-    /// Its size in SI units.
-    pub size: f64,
+    /// The powers of letters, as a product.
+    pub letters: Option<Expr>,
     /// What follows the number; nothing for a pure number.
     suffix: Option<Math>,
+    /// The product of letters, set in symbols.
+    product: Option<Math>,
 }
 
 impl Measured {
     pub(super) fn new(unit: Unit) -> Self {
-        Self { size: unit.factor().to_f64(), suffix: suffix(&unit).map(Math::shared), unit }
+        Self { suffix: suffix(&unit).map(Math::shared), unit, letters: None, product: None }
+    }
+
+    pub(super) fn with_letters(self, letters: Expr, product: Math) -> Self {
+        Self { letters: Some(letters), product: Some(product), ..self }
     }
 
     /// A number followed by the unit.
     pub(super) fn put(&self, number: Math) -> Math {
-        match &self.suffix {
-            Some(suffix) => Math::Row(vec![number, suffix.clone()]),
-            None => number,
+        let is = |text: &str| matches!(number.bare(), Math::Number(digits) if digits == text);
+        let times = |number: Math, product: &Math| {
+            Math::Row(vec![number, Math::Operator(Operator::Juxtapose), product.clone()])
+        };
+        match (&self.suffix, &self.product) {
+            (None, None) => number,
+            (_, Some(_)) if is("0") => number,
+            (Some(suffix), None) => Math::Row(vec![number, suffix.clone()]),
+            (None, Some(product)) if is("1") => product.clone(),
+            (None, Some(product)) if is("-1") => Math::Row(vec![Math::Operator(Operator::Minus), product.clone()]),
+            (None, Some(product)) => times(number, product),
+            (Some(suffix), Some(product)) => {
+                times(Math::Bracketed(Arc::new(Math::Row(vec![number, suffix.clone()]))), product)
+            }
         }
     }
 }

@@ -12,6 +12,7 @@ use crate::scene::Senses;
 
 use super::Block;
 use super::checks::Checks;
+use super::letters::Letters;
 use super::pictures::Compass;
 use super::pictures::Plan;
 use super::script::Script;
@@ -27,8 +28,8 @@ pub(super) struct Memory {
 /// One way. Nothing here depends on the numbers of a variant.
 #[derive(Default)]
 pub(super) struct Way {
-    /// Quantities that are shown by their symbols only.
-    pub free: OnceLock<BTreeSet<Symbol>>,
+    /// What is shown in letters that the sheet leaves open.
+    pub letters: OnceLock<Letters>,
     /// How each quantity is shown.
     pub manners: Vec<OnceLock<Manner>>,
     /// The section on the system.

@@ -9,7 +9,7 @@ use super::wrong;
 /// Components of a vector of known magnitude and direction.
 pub const COMPONENTS: Law = Law {
     id: "components",
-    name: "trigonometry",
+    name: "the definition of sine and cosine",
     statement: "A vector's component along an axis is its magnitude times the cosine of the angle between them; perpendicular to the axis, times the sine.",
     signs: "Angles are measured counter-clockwise from the axis.",
     when: "Always.",
@@ -20,7 +20,7 @@ pub const COMPONENTS: Law = Law {
 /// The change to axes along and across a line.
 pub const ROTATION: Law = Law {
     id: "turned-axes",
-    name: "trigonometry",
+    name: "projection onto the turned axes",
     statement: "Along an axis turned by an angle, a component is the sum of the old components times the cosine and the sine of that angle.",
     signs: "n points along the line, t at 90° counter-clockwise from it.",
     when: "Always.",
@@ -53,12 +53,23 @@ pub const SPEED: Law = Law {
 /// The direction from the components.
 pub const DIRECTION: Law = Law {
     id: "direction",
-    name: "trigonometry",
+    name: "the definition of the tangent",
     statement: "The tangent of the angle between a vector and an axis is its component across the axis over that along it.",
     signs: "Angles are measured counter-clockwise; the signs of both components give the quadrant.",
     when: "Always, along perpendicular axes.",
     source: "Trigonometry.",
     wrong: wrong::geometry::DIRECTION,
+};
+
+/// A direction counted from another axis, or the other way round.
+pub const COUNTED: Law = Law {
+    id: "counted-direction",
+    name: "the way in which the angle is measured",
+    statement: "An angle measured from another axis is smaller by the angle of that axis; measured clockwise it has the opposite sign.",
+    signs: "Angles are measured counter-clockwise unless stated otherwise.",
+    when: "Always.",
+    source: "The sense in which angles are measured.",
+    wrong: &[],
 };
 
 /// The angle between two vectors.
@@ -76,7 +87,7 @@ pub const BETWEEN: Law = Law {
 pub const ARC: Law = Law {
     id: "speed-on-a-circle",
     name: "the kinematics of motion on a circle",
-    statement: "The velocity of a point on a circle is the radius times the angular velocity.",
+    statement: "The velocity of a point on a circle is perpendicular to the radius, and the radius times the angular velocity.",
     signs: "Counter-clockwise is positive.",
     when: "The distance from the centre does not change at that instant.",
     source: "The length of an arc.",
@@ -97,7 +108,7 @@ pub const TURNING: Law = Law {
 /// Height on a circle.
 pub const HEIGHT_ON_CIRCLE: Law = Law {
     id: "height-on-a-circle",
-    name: "trigonometry",
+    name: "the definition of the cosine",
     statement: "The lower end of a cord lies below its fixed end by the length of the cord times the cosine of its angle with the vertical.",
     signs: "Heights and lengths are positive.",
     when: "The cord is straight.",
@@ -108,7 +119,7 @@ pub const HEIGHT_ON_CIRCLE: Law = Law {
 /// Height of a slope.
 pub const HEIGHT_OF_SLOPE: Law = Law {
     id: "height-of-a-slope",
-    name: "trigonometry",
+    name: "the definition of the sine",
     statement: "The difference in height along a slope is the distance along it times the sine of the slope's angle.",
     signs: "Heights and lengths are positive.",
     when: "The slope is straight.",
@@ -119,7 +130,7 @@ pub const HEIGHT_OF_SLOPE: Law = Law {
 /// Height inside a cone or a bowl.
 pub const HEIGHT_IN_BOWL: Law = Law {
     id: "height-in-a-bowl",
-    name: "trigonometry",
+    name: "the shape of the wall",
     statement: "In a cone the height above the apex is the distance from the axis over the tangent of the angle between axis and wall; in a sphere the squares of the distance from the axis and of the depth below the centre add up to the square of the radius.",
     signs: "Heights and lengths are positive.",
     when: "The axis is vertical, and the position lies below the centre of the sphere.",
@@ -156,6 +167,7 @@ pub const LAWS: &[&Law] = &[
     &MAGNITUDE,
     &SPEED,
     &DIRECTION,
+    &COUNTED,
     &BETWEEN,
     &ARC,
     &TURNING,

@@ -235,19 +235,19 @@ impl<'s> Builder<'s> {
         let entry = self.symbols.entry(angle).clone();
         let sense = if clockwise { "clockwise" } else { "counter-clockwise" };
         let own = self.symbol(entry.name.replacen("angle", "phi", 1), Dimension::NONE, entry.meaning);
-        let (because, value) = match self.directions.get(&angle) {
+        let (law, because, value) = match self.directions.get(&angle) {
             Some([x, y]) => {
                 let [along, across] = start.from_axis(x, y);
                 let across = if clockwise { -across } else { across };
-                ("the components give the angle", across.atan2(along))
+                (&geometry::DIRECTION, "the components give the angle", across.atan2(along))
             }
             None => {
                 let turned = Expr::from(angle) - self.whole_angle(&start);
-                ("the question asks for the angle", if clockwise { -turned } else { turned })
+                (&geometry::COUNTED, "the question asks for the angle", if clockwise { -turned } else { turned })
             }
         };
         let because = format!("{because}, measured {sense} from {}", from.replace('-', "\u{2212}"));
-        self.law(&geometry::DIRECTION, None, because, (own.into(), value));
+        self.law(law, None, because, (own.into(), value));
         Some(own)
     }
 

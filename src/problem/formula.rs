@@ -243,6 +243,11 @@ impl Worked<'_> {
         Some((factor * Expr::from(unit)).simplify_where(&|own| self.is_positive(own)))
     }
 
+    /// The fixed values that are nothing.
+    pub fn zeros(&self) -> impl Iterator<Item = Symbol> {
+        zeros(self.problem.known()).map(|(symbol, _)| symbol)
+    }
+
     /// Whether a quantity is positive in every variant that goes this way.
     #[must_use]
     pub fn is_positive(&self, symbol: Symbol) -> bool {

@@ -1,5 +1,6 @@
 //! A compiled problem: its equations, what is known, and its forms, each with its plans.
 
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::sync::OnceLock;
@@ -7,9 +8,11 @@ use std::sync::OnceLock;
 use crate::expr::Math;
 use crate::expr::Notation;
 use crate::expr::Symbol;
+use crate::expr::SymbolEntry;
 use crate::laws::Law;
 use crate::model::Model;
 use crate::model::Name;
+use crate::quantity::Dimension;
 use crate::quantity::Unit;
 use crate::quantity::UnitSystem;
 
@@ -196,10 +199,19 @@ impl Problem {
     pub fn math_of(&self, symbol: Symbol) -> Math {
         let set = || {
             let name = &self.model.symbols.entry(symbol).name;
-            let math = self.notation.math(name);
+            let math = self.notation.math(&self.set_apart(name));
             if self.is_speed_on_line(name) { Math::Bars(Arc::new(math)) } else { math }
         };
         self.names.get(symbol.index()).map_or_else(set, |name| name.get_or_init(|| set().shared()).clone())
+    }
+
+    /// The name under which a quantity is typeset: a period has a letter of its own beside kinetic energies.
+    fn set_apart<'n>(&self, name: &'n str) -> Cow<'n, str> {
+        let is_energy = |entry: &SymbolEntry| entry.name.starts_with("T_") && entry.dimension == Dimension::ENERGY;
+        match name.strip_prefix("period") {
+            Some(rest) if self.model.symbols.iter().any(|(_, entry)| is_energy(entry)) => format!("tau{rest}").into(),
+            _ => name.into(),
+        }
     }
 
     /// Whether a name is that of a speed whose velocity is a single number: both would be written with the same letter.

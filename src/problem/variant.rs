@@ -1,10 +1,7 @@
 //! One variant of one form: the numbers of a seed, and everything that follows from them.
 
-use std::collections::BTreeSet;
-
 use crate::expr::Symbol;
 use crate::quantity::Decimal;
-use crate::quantity::Dimension;
 use crate::quantity::Unit;
 use crate::solve::Bounded;
 use crate::solve::Real;
@@ -167,24 +164,6 @@ impl<'a> Worked<'a> {
             return Bounded { value: f64::NAN, error: f64::INFINITY };
         };
         self.in_unit(value, number)
-    }
-
-    /// The quantities that have no value of their own because the sheet tells no value of something they depend on.
-    #[must_use]
-    pub fn free(&self) -> BTreeSet<Symbol> {
-        let mut free = self.form.free.clone();
-        if free.is_empty() {
-            return free;
-        }
-        for step in &self.leaf().audit.plan.steps {
-            for (unknown, closed) in step.roots.iter().flat_map(|root| &root.values) {
-                let pure = self.problem.model().symbols.entry(*unknown).dimension == Dimension::NONE;
-                if !pure && closed.symbols().iter().any(|symbol| free.contains(symbol)) {
-                    free.insert(*unknown);
-                }
-            }
-        }
-        free
     }
 
     /// Every answer to a part: the first, and those of further solutions where all roots are asked for.

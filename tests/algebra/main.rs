@@ -125,6 +125,18 @@ fn each_sentence_is_true_in_problems_of_others() {
 }
 
 #[test]
+fn what_may_be_anything_stays_a_letter_and_cancels() {
+    let text = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures/pictures/any_mass.yaml"));
+    let text = text.unwrap().replace("{ min: 0.3, max: 0.9, step: 0.05 }", "0.5");
+    let exercise = Exercise::draw(&Arc::new(variants::problem("test.yaml", &text)), 0, 1).unwrap();
+    let page = page_of(&exercise, &Renderer::new(None).unwrap());
+    // By hand, with B twice as heavy: v_B2 = (1 + e)/3 v_A1 and v_A2 = (1 - 2 e)/3 v_A1, which is nothing.
+    assert!(page.contains(r"=0.5000\,v_{A1}") && page.contains("Here $m_{A}$ cancels."), "{page}");
+    assert!(page.contains(r"=\frac{m_{A}\,v_{A1} + m_{A}\,(0.5)\,v_{A1}}{2\,m_{A} + m_{A}}"), "{page}");
+    assert!(!page.contains(r"(0\text{ m/s})"), "{page}");
+}
+
+#[test]
 fn a_gain_of_energy_is_not_called_a_loss() {
     let scene = "axes: { x: right }\nbodies:\n  A: { name: cart A }\n  B: { name: cart B }\nstages:\n  - impact: { between: [A, B] }";
     let masses = [("m_A", "1 kg"), ("m_B", "1 kg"), ("v_A1", "1.5 m/s"), ("v_B1", "0 m/s")];

@@ -109,7 +109,7 @@ impl Builder<'_> {
                     "at the lowest point, {}",
                     self.does(&stage.body, ["moves horizontally", "move horizontally"])
                 );
-                self.law(&geometry::COMPONENTS, Some(index), because, (component.clone(), Expr::zero()));
+                self.law(&geometry::ARC, Some(index), because, (component.clone(), Expr::zero()));
             } else {
                 let along = Expr::integer(sign) * component.clone();
                 let reason = format!("{name} would swing the other way");
