@@ -256,7 +256,7 @@ fn nothing_is_written_over_what_is_read() {
     let roster = ["generate", "impact/two-carts", "--roster", "class.csv"];
     room.fine(&[&roster[..], &["-o", "sheets/"]].concat());
     let grade = ["grade", "a.csv"];
-    let runs: [(&[&str], &[&str]); 9] = [
+    let runs: [(&[&str], &[&str]); 11] = [
         (&grade, &["-o", "a.csv"]),
         (&grade, &["-o", "b/../a.csv"]),
         (&grade, &["-o", "x.xml", "--junit", "./x.xml"]),
@@ -265,6 +265,8 @@ fn nothing_is_written_over_what_is_read() {
         (&grade, &["-o", "own.yaml", "--problem", "own.yaml"]),
         (&roster, &["-o", "class.csv"]),
         (&["generate", "own.yaml"], &["--secret", "b/secret.txt", "-o", "b/secret.txt"]),
+        (&["simulate", "own.yaml"], &["-o", "own.yaml"]),
+        (&["chart"], &["--from", "a.csv", "-o", "a.csv"]),
         (&["generate", "impact/two-carts", "--roster", "sheets-teacher/seeds.csv"], &["-o", "sheets/"]),
     ];
     let files = ["class.csv", "a.csv", "b/secret.txt", "own.yaml", "sheets-teacher/seeds.csv"];

@@ -17,6 +17,7 @@ use crate::simulate::stability::run_all;
 
 use super::exit::Exit;
 use super::failure::Failure;
+use super::output;
 use super::output::Output;
 use super::plot::Page;
 use super::plot::Theme;
@@ -97,6 +98,10 @@ fn step(text: &str) -> Result<f64, String> {
 
 impl Chart {
     pub(super) fn run(&self) -> Result<Exit, Failure> {
+        output::keep_apart(
+            [&self.certificates, &self.from].into_iter().flatten().map(PathBuf::as_path),
+            self.output.clone(),
+        )?;
         let look = self.format.unwrap_or(if self.stability { Look::Text } else { Look::Svg });
         let mut text = Vec::new();
         if self.costs {

@@ -5,6 +5,7 @@ mod plots;
 mod request;
 
 use std::io::Write;
+use std::path::Path;
 use std::path::PathBuf;
 
 use clap::Args;
@@ -19,6 +20,7 @@ use super::exit::Exit;
 use super::failure::Failure;
 use super::open;
 use super::open::Secret;
+use super::output;
 use super::output::Output;
 use super::plot::Theme;
 use super::plot::png;
@@ -84,6 +86,8 @@ enum Look {
 
 impl Simulate {
     pub(super) fn run(&self) -> Result<Exit, Failure> {
+        let own = Some(Path::new(&self.problem)).filter(|path| path.is_file());
+        output::keep_apart(own.into_iter().chain(self.secret.path()), self.output.clone())?;
         let secret = self.secret.read()?;
         let problem = open::problem(&self.problem, secret.as_deref())?;
         let form = open::form(&problem, self.form.as_deref())?;
