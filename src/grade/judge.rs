@@ -5,6 +5,7 @@ mod closeness;
 mod figures;
 mod formula;
 mod interval;
+mod known;
 mod proof;
 mod slip;
 mod vector;
@@ -43,7 +44,9 @@ pub fn judge(expected: &Expected, answer: &Answer) -> Judgement {
     match (&expected.kind, answer) {
         (ExpectedKind::Number(number), Answer::Number(answer)) => judge_number(number, answer),
         (ExpectedKind::Vector(vector), Answer::Vector(answer)) => vector::judge(vector, answer),
-        (ExpectedKind::Formula(formula), Answer::Formula(answer)) => formula::judge(formula, answer),
+        (ExpectedKind::Formula(formula), Answer::Formula(answer)) => {
+            known::judged(formula, answer, || formula::judge(formula, answer))
+        }
         (ExpectedKind::Interval(interval), Answer::Interval(answer)) => interval::judge(interval, answer),
         (ExpectedKind::Choice { right, because, .. }, Answer::Choice(answer)) => judge_choice(*right, because, answer),
         // Reading answers a part in its own kind; an answer of another kind is none to this part.

@@ -18,7 +18,7 @@ const DIRECTIONS: &[&[&str]] = &[
     &["backward", "backwards", "back"],
 ];
 
-/// Words that say nothing beside a direction, and so does `in` before `the`; alone it is an inch.
+/// Words that say nothing beside a direction, and so does `in` before `the` and `positive direction`; alone it is an inch.
 const FILLERS: &[&str] =
     &["to", "the", "toward", "towards", "direction", "axis", "along", "moving", "going", "directed", "pointing"];
 
@@ -104,7 +104,9 @@ fn bare(phrase: &str) -> String {
     let mut words = lower.split(' ').filter(|word| !word.is_empty()).peekable();
     let mut bare = String::with_capacity(lower.len());
     while let Some(word) = words.next() {
-        let filling = FILLERS.contains(&word) || word == "in" && words.peek() == Some(&"the");
+        let signed = |next: &str| ["positive", "negative"].contains(&next) && lower.contains("direction");
+        let is_beside = |next: &&str| *next == "the" || signed(next);
+        let filling = FILLERS.contains(&word) || word == "in" && words.peek().is_some_and(is_beside);
         if !filling {
             bare.push_str(if bare.is_empty() { "" } else { " " });
             bare.push_str(word);
