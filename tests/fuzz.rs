@@ -9,8 +9,6 @@ use momentous::bank::Bank;
 use momentous::fault::Source;
 use proptest::prelude::*;
 
-#[path = "fuzz/found.rs"]
-mod found;
 #[path = "fuzz/seeds.rs"]
 mod seeds;
 #[path = "fuzz/targets.rs"]
