@@ -135,7 +135,9 @@ fn solve_shows_how_in_every_format() {
     assert!(numbered(&brief) == 2 && numbered(&whole) > 2 && !brief.contains("Check:"), "{brief}");
     assert!(room.run(&["solve", "impact/two-carts", "--brief", "--faded", "1"]).code == 2);
     assert!(room.fine(&["solve", "impact/two-carts", "--format", "latex"]).contains("\\documentclass"));
-    assert!(room.fine(&["solve", "impact/two-carts", "--format", "html"]).starts_with("<!"));
+    let page = room.fine(&["solve", "impact/two-carts", "--format", "html"]);
+    let bare = room.fine(&["solve", "impact/two-carts", "--format", "html", "--no-font"]);
+    assert!(page.starts_with("<!") && page.contains("@font-face") && !bare.contains("@font-face"));
 }
 
 #[test]

@@ -14,7 +14,7 @@ use super::format::Paper;
 use super::open;
 use super::open::Secret;
 use super::output::Output;
-use super::pages;
+use super::pages::Held;
 use super::pages::Shown;
 
 const HELP: &str = "\
@@ -50,6 +50,8 @@ pub(super) struct Solve {
     #[command(flatten)]
     shown: Shown,
     #[command(flatten)]
+    held: Held,
+    #[command(flatten)]
     secret: Secret,
 }
 
@@ -66,7 +68,7 @@ impl Solve {
             let solved = Exercise::with_values(&problem, form, seed, &self.set, &self.find);
             solved.map_err(|faults| typed(&self.problem, faults))?
         };
-        let renderer = pages::renderer()?;
+        let renderer = self.held.renderer()?;
         let text = match self.format.document() {
             Some(format) => renderer.render(&[Page::Solution(self.shown.solution(&exercise))], format)?.text,
             None => format!("{}\n", exercise.record(Some(self.shown.markdown(&renderer, &exercise)?))),

@@ -7,6 +7,7 @@ use crate::fault::Faults;
 use crate::grade::Statistics;
 
 use super::document::{Document, Figures, Format};
+use super::font;
 use super::page::{Key, Page, PageView, Sheet, Solution};
 use super::templates::Templates;
 use super::view::View;
@@ -33,6 +34,8 @@ pub struct Renderer {
     templates: [OnceLock<Templates>; 3],
     figures: Figures,
     language: String,
+    /// A rule with the font of mathematics; empty where documents do without.
+    font: String,
 }
 
 impl Renderer {
@@ -52,7 +55,7 @@ impl Renderer {
                 kept.get_or_init(|| loaded);
             }
         }
-        Ok(Self { templates, figures: Figures::Inline, language: "en".to_owned() })
+        Ok(Self { templates, figures: Figures::Inline, language: "en".to_owned(), font: String::new() })
     }
 
     /// The same renderer, with the figures of Markdown documents elsewhere.
@@ -66,6 +69,16 @@ impl Renderer {
     #[must_use]
     pub fn language(mut self, tag: &str) -> Self {
         tag.clone_into(&mut self.language);
+        self
+    }
+
+    /// The same renderer, whose HTML documents hold the font of their mathematics where they have any.
+    ///
+    /// Without it, roots and brackets grow only where the reader's machine has such a font. It makes a document longer by
+    /// four thirds of [`super::MATH_FONT`].
+    #[must_use]
+    pub fn with_font(mut self) -> Self {
+        self.font = font::rule();
         self
     }
 
@@ -146,6 +159,7 @@ impl Renderer {
         let mut context = view.document(pages)?;
         context.insert("language", &self.language);
         context.insert_value("style", tera::Value::safe_string(&templates.style));
+        context.insert_value("font", tera::Value::safe_string(&self.font));
         let text = templates.render(&context)?;
         Ok(Document { text, beside: view.beside })
     }

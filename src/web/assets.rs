@@ -13,6 +13,7 @@ use crate::fault::Faults;
 use crate::fault::Input;
 use crate::fault::Source;
 use crate::figure::style_sheet;
+use crate::render::MATH_FONT;
 
 macro_rules! built_in {
     ($($name:literal),* $(,)?) => {
@@ -32,6 +33,9 @@ const PAGES: &[u8] = include_bytes!("../../templates/web/static/site.css");
 
 /// The name of the style sheet of all pages.
 const STYLE: &str = "site.css";
+
+/// The font of mathematics, to which the style refers by this name.
+const FONT: &str = "momentous-math.woff2";
 
 /// Where these files are in a folder of templates.
 const FOLDER: &str = "web/static";
@@ -69,7 +73,7 @@ impl Assets {
         };
         let pages = own(STYLE, PAGES)?;
         let style = [DOCUMENTS.as_bytes(), style_sheet().as_bytes(), &pages].join(&b'\n');
-        let mut files = vec![(STYLE, Cow::Owned(style))];
+        let mut files = vec![(STYLE, Cow::Owned(style)), (FONT, own(FONT, MATH_FONT)?)];
         for (name, bytes) in BUILT_IN {
             files.push((name, own(name, bytes)?));
         }
@@ -105,4 +109,24 @@ fn overridden(path: &Path, built_in: &'static [u8]) -> Result<Cow<'static, [u8]>
         source: Source::new(&path.display().to_string(), ""),
         list: vec![Fault::new(Code::Unreadable, format!("this file cannot be read: {error}"))],
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The font that the style names, and that pages ask for before they read the style, is there.
+    #[test]
+    fn the_font_is_found_where_the_pages_look_for_it() {
+        let assets = Assets::new(None).unwrap_or_else(|faults| panic!("{faults}"));
+        let (_, style) = assets.find(STYLE).unwrap_or_else(|| panic!("no style"));
+        let style = String::from_utf8_lossy(style);
+        let layout = include_str!("../../templates/web/layout.tera");
+        let in_style: Vec<&str> = style.split("url(\"").skip(1).filter_map(|rest| rest.split('"').next()).collect();
+        let in_layout =
+            layout.split("rel=\"preload\" href=\"{{ assets }}/").nth(1).and_then(|rest| rest.split('"').next());
+        assert_eq!(in_style, [FONT]);
+        assert_eq!(in_layout, Some(FONT));
+        assert_eq!(assets.find(FONT), Some(("font/woff2", MATH_FONT)));
+    }
 }

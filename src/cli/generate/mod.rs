@@ -31,7 +31,7 @@ use super::open;
 use super::open::Secret;
 use super::output;
 use super::output::Output;
-use super::pages;
+use super::pages::Held;
 use super::pages::Shown;
 
 use destination::Destination;
@@ -96,6 +96,8 @@ pub(super) struct Generate {
     output: Option<PathBuf>,
     #[command(flatten)]
     shown: Shown,
+    #[command(flatten)]
+    held: Held,
     #[command(flatten)]
     secret: Secret,
 }
@@ -186,7 +188,7 @@ impl Generate {
         format: Format,
         destination: &Destination,
     ) -> Result<(), Failure> {
-        let mut renderer = pages::renderer()?;
+        let mut renderer = self.held.renderer()?;
         let mut pages = Vec::new();
         let mut rows: Vec<KeyRow> = Vec::new();
         for job in jobs {
