@@ -7,6 +7,8 @@
 mod client;
 #[path = "web/hostile.rs"]
 mod hostile;
+#[path = "web/simulators.rs"]
+mod simulators;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;

@@ -24,7 +24,7 @@ macro_rules! built_in {
 }
 
 /// Every built-in file by its path below `templates/`.
-const BUILT_IN: [(&str, &str); 25] = built_in![
+const BUILT_IN: [(&str, &str); 28] = built_in![
     "html/blocks.tera",
     "html/body.tera",
     "html/document.tera",
@@ -43,10 +43,13 @@ const BUILT_IN: [(&str, &str); 25] = built_in![
     "markdown/key.tera",
     "markdown/sheet.tera",
     "markdown/solution.tera",
+    "web/collision.tera",
     "web/field.tera",
     "web/layout.tera",
     "web/practice.tera",
     "web/refused.tera",
+    "web/restitution.tera",
+    "web/simulator.tera",
     "web/solution.tera",
     "web/solve.tera",
     "web/start.tera",

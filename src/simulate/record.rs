@@ -101,6 +101,19 @@ impl Record {
     /// ```
     #[must_use]
     pub fn of<const D: usize>(world: &World<D>, run: &Trajectory<D>, origin: f64) -> Self {
+        Self::at(world, run, origin, instants(world, run))
+    }
+
+    /// The record of a run that kept everything, at the ends of its steps alone: between them a path is drawn, not computed.
+    #[must_use]
+    pub fn of_steps<const D: usize>(world: &World<D>, run: &Trajectory<D>) -> Self {
+        let ends: Vec<f64> = run.paths.first().into_iter().flatten().map(|segment| segment.end).collect();
+        let every = ends.len().div_ceil(INSTANTS).max(1);
+        let kept = [0.0].into_iter().chain(ends.into_iter().step_by(every));
+        Self::at(world, run, 0.0, kept.flat_map(|time| [(time, false), (time, true)]).collect())
+    }
+
+    fn at<const D: usize>(world: &World<D>, run: &Trajectory<D>, origin: f64, instants: Vec<Instant>) -> Self {
         let bodies = world.bodies.iter().map(|body| Recorded { name: body.name.clone(), mass: body.mass }).collect();
         let impacts = run.impacts.iter().map(|impact| RecordedImpact {
             time: impact.time - origin,
@@ -109,7 +122,7 @@ impl Record {
             energy_before: impact.energy_before,
             energy_after: impact.energy_after(),
         });
-        Self { bodies, moments: moments(world, run, origin), impacts: impacts.collect() }
+        Self { bodies, moments: moments(world, run, origin, instants), impacts: impacts.collect() }
     }
 }
 
@@ -144,13 +157,13 @@ fn state_at<const D: usize>(world: &World<D>, run: &Trajectory<D>, (time, after)
     state
 }
 
-fn moments<const D: usize>(world: &World<D>, run: &Trajectory<D>, origin: f64) -> Vec<Moment> {
+fn moments<const D: usize>(world: &World<D>, run: &Trajectory<D>, origin: f64, instants: Vec<Instant>) -> Vec<Moment> {
     let total: f64 = world.bodies.iter().map(|body| body.mass).sum();
     let at_start = potential(world, &world.start());
     let (mut impulse, mut work, mut lost): (Vector<D>, f64, f64) = (Vector::zeros(), 0.0, 0.0);
     let (mut done, mut last) = (0, 0.0);
     let mut all = Vec::new();
-    for instant in instants(world, run) {
+    for instant in instants {
         let (time, after) = instant;
         let (pushed, worked) = pushed(world, run, last, time);
         impulse += pushed;

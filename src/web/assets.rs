@@ -22,8 +22,17 @@ macro_rules! built_in {
 }
 
 /// Every file of `templates/web/static/`.
-const BUILT_IN: &[(&str, &[u8])] =
-    &built_in!["clock.js", "engine.js", "icon.svg", "plot.js", "practice.js", "watch.js"];
+const BUILT_IN: &[(&str, &[u8])] = &built_in![
+    "clock.js",
+    "engine.js",
+    "icon.svg",
+    "plot.js",
+    "practice.js",
+    "collision.js",
+    "restitution.js",
+    "simulator.js",
+    "watch.js"
+];
 
 /// The style of documents, on which that of the pages builds.
 const DOCUMENTS: &str = include_str!("../../templates/html/style.css");

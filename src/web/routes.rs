@@ -31,12 +31,13 @@ use super::parameters::Parameters;
 /// The fields of an address or of a form.
 type Fields = Vec<(String, String)>;
 
-/// What makes the page of a problem.
+/// What makes the page of a problem, or of a simulator by its name.
 type OfProblem = fn(&App, String, &Parameters) -> Result<String, Refused>;
 
-/// The pages of problems: `/practice/impact/two-carts`.
-const OF_PROBLEMS: [(&str, OfProblem); 3] = [
+/// The pages of problems, `/practice/impact/two-carts`, and of simulators.
+const OF_PROBLEMS: [(&str, OfProblem); 4] = [
     ("/practice/{*problem}", pages::practice),
+    ("/simulators/{*problem}", pages::simulator),
     ("/solution/{*problem}", pages::solution),
     ("/solve/{*problem}", pages::solve),
 ];

@@ -10,6 +10,7 @@ mod read;
 mod refused;
 mod sheet;
 mod simulate;
+mod simulators;
 mod solve;
 mod variant;
 
@@ -28,6 +29,10 @@ pub use read::{ReadRequest, ReadResponse};
 pub use refused::{Refused, RefusedKind};
 pub use sheet::{FieldResponse, FigureResponse, SheetRequest, SheetResponse};
 pub use simulate::SimulateRequest;
+pub use simulators::{
+    Amount, Balance, Bounce, COLLISION, CollisionBody, CollisionResponse, Compared, Control, Curve, Limits, LookedAt,
+    Meeting, Offered, Phase, ProblemOf, RESTITUTION, RestitutionResponse, Row, SimulatorRequest, USUAL_STEP,
+};
 pub use solve::{SolveRequest, SolveResponse, SolvedPart};
 pub use variant::VariantRequest;
 
@@ -52,7 +57,8 @@ pub struct Engine<'a> {
 }
 
 /// The names of the calls, as they stand in addresses.
-pub const CALLS: [&str; 7] = ["givens", "hint", "mark", "read", "sheet", "simulate", "solve"];
+pub const CALLS: [&str; 9] =
+    ["collision", "givens", "hint", "mark", "read", "restitution", "sheet", "simulate", "solve"];
 
 impl Engine<'_> {
     /// A call by its name, with JSON in and out.
@@ -64,10 +70,12 @@ impl Engine<'_> {
             return Err(Refused::new(RefusedKind::TooLarge, format!("a request has at most {LONGEST_REQUEST} bytes")));
         }
         match name {
+            "collision" => json(request, |request| self.collision(request)),
             "givens" => json(request, |request| self.givens(request)),
             "hint" => json(request, |request| self.hint(request)),
             "mark" => json(request, |request| self.mark(request)),
             "read" => json(request, |request| self.read(request)),
+            "restitution" => json(request, |request| self.restitution(request)),
             "sheet" => json(request, |request| self.sheet(request)),
             "simulate" => json(request, |request| self.simulate(request)),
             "solve" => json(request, |request| self.solve(request)),

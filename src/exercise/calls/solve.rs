@@ -87,7 +87,11 @@ impl Engine<'_> {
     /// # Errors
     /// As for a sheet, and where the values of the user's own cannot be read or leave no admissible solution.
     pub fn solve(&self, request: &SolveRequest) -> Result<SolveResponse, Refused> {
-        let exercise = request.solve(self)?;
+        self.solution_of(&request.solve(self)?, request)
+    }
+
+    /// The solution of an exercise, as the request wants to see it.
+    pub(super) fn solution_of(&self, exercise: &Exercise, request: &SolveRequest) -> Result<SolveResponse, Refused> {
         let outline = if request.brief { exercise.brief() } else { exercise.outline(Audience::Everyone) };
         let (title, all) = (outline.title.clone(), steps(&outline));
         let faded = request.steps.filter(|steps| *steps < all);
@@ -97,7 +101,7 @@ impl Engine<'_> {
             title,
             solution: solution.map_err(|faults| Refused::fault(&faults))?,
             steps: all,
-            answers: if faded.is_some() { Vec::new() } else { answers(&exercise) },
+            answers: if faded.is_some() { Vec::new() } else { answers(exercise) },
         })
     }
 }

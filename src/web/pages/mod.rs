@@ -1,10 +1,12 @@
 //! The pages: each takes the fields of its address or form, asks the engine, and fills a template.
 
 mod practice;
+mod simulator;
 mod solve;
 mod start;
 
 pub(super) use practice::practice;
+pub(super) use simulator::simulator;
 pub(super) use solve::{solution, solve};
 pub(super) use start::start;
 

@@ -1,0 +1,262 @@
+//! The collision simulator: two carts on a track, seen from before they meet.
+
+use serde::Serialize;
+
+use crate::simulate::{Body, Budget, EventDriven, Method, Moment, Record, World};
+
+use super::super::Engine;
+use super::compared::Compared;
+use super::controls::{COLLISION, SimulatorRequest, outside, set};
+use super::{Amount, Curve, Phase, ProblemOf, Refused, not_run};
+
+/// The problem whose scene this is.
+const PROBLEM: &str = "impact/two-carts";
+
+/// How far the carts are apart at the start, face to face, in m.
+const APART: f64 = 4.0;
+
+/// The radius of a cart of 1 kg, in m; it grows as that of a sphere does.
+const RADIUS: f64 = 0.16;
+
+/// How much longer than up to the impact the carts are watched.
+const WATCHED: f64 = 2.25;
+
+/// Where they never meet they are watched until the faster has gone so far (m), at most for so long (s).
+const WAY: f64 = 6.0;
+const LONGEST: f64 = 6.0;
+
+/// Everything that the page of the collision shows.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CollisionResponse {
+    /// What happens, in a sentence.
+    pub told: String,
+    /// What the carts do, one after another.
+    pub phases: Vec<Phase>,
+    /// The impact, where there is one.
+    pub meeting: Option<Meeting>,
+    /// The two carts.
+    pub bodies: Vec<CollisionBody>,
+    /// Momentum, energy and velocity before and after: of each cart and of both.
+    pub momentum: Vec<Balance>,
+    /// The same of the kinetic energy.
+    pub energy: Vec<Balance>,
+    /// The kinetic energy lost.
+    pub lost: Amount,
+    /// The same as a share.
+    pub lost_share: Amount,
+    /// How long the carts are watched, in s.
+    pub end: f64,
+    /// From where to where they go, in m.
+    pub track: [f64; 2],
+    /// Where the carts and their centre of mass are.
+    pub places: Vec<Curve>,
+    /// The same as a table: the time and the three places, at the start, at the impact and at the end.
+    pub table: Vec<Vec<Amount>>,
+    /// The scene as a problem.
+    pub problem: ProblemOf,
+    /// A method beside it.
+    pub compared: Option<Compared>,
+}
+
+/// The impact.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Meeting {
+    /// When, from the start of what is shown.
+    pub time: Amount,
+    /// The impulse on B; that on A is its opposite.
+    pub impulse: Amount,
+}
+
+/// A cart.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CollisionBody {
+    /// Its name.
+    pub name: &'static str,
+    /// Half its length, in m.
+    pub radius: f64,
+    /// Its velocity before.
+    pub before: Amount,
+    /// Its velocity after.
+    pub after: Amount,
+}
+
+/// A quantity before and after, with the lengths of its bars as shares of the greatest.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Balance {
+    /// Whose it is.
+    pub name: &'static str,
+    /// Before.
+    pub before: Amount,
+    /// After.
+    pub after: Amount,
+    /// Both as shares of the greatest in the table, -1 to 1.
+    pub bars: [f64; 2],
+}
+
+impl Engine<'_> {
+    /// The collision with these values.
+    ///
+    /// # Errors
+    /// Where a value makes no scene, lies outside its limits, or the method is unknown or would take too many steps.
+    pub fn collision(&self, request: &SimulatorRequest) -> Result<CollisionResponse, Refused> {
+        let values: [f64; 5] = request.values(COLLISION)?;
+        let problem = self.problem_of(PROBLEM, set(COLLISION, &values))?;
+        let [mass_a, velocity_a, mass_b, velocity_b, restitution] = values;
+        let mut world = World::<1>::new(restitution);
+        let (radius_a, radius_b) = (radius(mass_a), radius(mass_b));
+        world.bodies.push(Body::sphere("A", mass_a, radius_a, [-APART / 2.0 - radius_a], [velocity_a]));
+        world.bodies.push(Body::sphere("B", mass_b, radius_b, [APART / 2.0 + radius_b], [velocity_b]));
+        if let Err(reason) = world.check() {
+            // The laws say the same as the reader's own values would be told.
+            return Err(problem.reason.map_or_else(|| not_run(&reason), values_refused));
+        }
+        if let Some(refused) = outside(COLLISION, &values) {
+            return Err(refused);
+        }
+        let closing = velocity_a - velocity_b;
+        let fastest = velocity_a.abs().max(velocity_b.abs());
+        let end = if closing > 0.0 { WATCHED * APART / closing } else { (WAY / fastest).min(LONGEST) };
+        let run = EventDriven.run(&world, &Budget::until(end)).map_err(|reason| not_run(&reason))?;
+        let record = Record::of(&world, &run, 0.0);
+        if let (Some(reason), false) = (&problem.reason, record.impacts.is_empty()) {
+            return Err(values_refused(reason.clone()));
+        }
+        let compared = match &request.method {
+            None => None,
+            Some(name) => Some(Compared::of(&world, &record, name, request.step, usize::MAX)?),
+        };
+        Ok(shown(&world, &record, problem, compared))
+    }
+}
+
+fn values_refused(reason: String) -> Refused {
+    Refused::new(super::RefusedKind::Values, reason)
+}
+
+fn radius(mass: f64) -> f64 {
+    RADIUS * libm::cbrt(mass)
+}
+
+fn shown(world: &World<1>, record: &Record, problem: ProblemOf, compared: Option<Compared>) -> CollisionResponse {
+    let velocities = |moment: Option<&Moment>| -> Vec<f64> {
+        moment.map(|moment| moment.velocities.iter().flatten().copied().collect()).unwrap_or_default()
+    };
+    let (before, after) = (velocities(record.moments.first()), velocities(record.moments.last()));
+    let scale = before.iter().map(|velocity| velocity.abs()).fold(0.0, f64::max);
+    let end = record.moments.last().map_or(0.0, |moment| moment.time);
+    let meeting = record.impacts.first().map(|impact| Meeting {
+        time: Amount::new(impact.time, impact.time, "s"),
+        impulse: Amount::new(impact.impulse.first().copied().unwrap_or(0.0), 0.0, "N\u{a0}s"),
+    });
+    let answers = problem.solved.as_ref().map(|solved| solved.answers.as_slice()).unwrap_or_default();
+    let answer = |id: &str| answers.iter().find(|answer| answer.id == id);
+    let told =
+        |id: &str, value: f64, unit: &str| match answer(id).and_then(|answer| Some((answer.value?, &answer.printed))) {
+            Some((value, printed)) => Amount::told(value, printed),
+            None => Amount::new(value, scale, unit),
+        };
+    let bodies: Vec<CollisionBody> = ["A", "B"]
+        .into_iter()
+        .zip(["v_A2", "v_B2"])
+        .zip(&world.bodies)
+        .zip(before.iter().zip(&after))
+        .map(|(((name, id), body), (before, after))| CollisionBody {
+            name,
+            radius: body.radius,
+            before: Amount::new(*before, 0.0, "m/s"),
+            after: told(id, *after, "m/s"),
+        })
+        .collect();
+    let each = |of: &dyn Fn(f64, f64) -> f64, velocities: &[f64]| -> Vec<f64> {
+        world.bodies.iter().zip(velocities).map(|(body, velocity)| of(body.mass, *velocity)).collect()
+    };
+    let balance = |of: &dyn Fn(f64, f64) -> f64, unit: &str| balance(&each(of, &before), &each(of, &after), unit);
+    let momentum = balance(&|mass, velocity| mass * velocity, "kg\u{a0}m/s");
+    let energy = balance(&|mass, velocity| mass * velocity * velocity / 2.0, "J");
+    let total = |moment: Option<&Moment>| moment.map_or(0.0, |moment| moment.kinetic);
+    let (whole, left) = (total(record.moments.first()), total(record.moments.last()));
+    let lost = record.moments.last().map_or(0.0, |moment| moment.lost);
+    let told_lost = match answer("T_lost").and_then(|answer| Some((answer.value?, &answer.printed))) {
+        Some((value, printed)) => Amount::told(value, printed),
+        None => Amount::new(whole - left, whole, "J"),
+    };
+    let places = places(record);
+    let meeting_time = meeting.as_ref().map(|meeting| meeting.time.value);
+    CollisionResponse {
+        told: sentence(meeting.as_ref(), &problem),
+        phases: phases(meeting.as_ref(), end),
+        meeting,
+        bodies,
+        momentum,
+        energy,
+        lost: told_lost,
+        lost_share: Amount::share(lost, whole),
+        end,
+        table: table(&places, meeting_time, end),
+        track: track(world, &places, compared.as_ref()),
+        places,
+        problem,
+        compared,
+    }
+}
+
+fn sentence(meeting: Option<&Meeting>, problem: &ProblemOf) -> String {
+    match (meeting, &problem.reason) {
+        (Some(Meeting { time, impulse }), _) => {
+            format!("They meet after {}; B takes the impulse {} from A.", time.text, impulse.text)
+        }
+        (None, Some(reason)) => format!("No impact: {reason}."),
+        (None, None) => "No impact.".to_owned(),
+    }
+}
+
+fn phases(meeting: Option<&Meeting>, end: f64) -> Vec<Phase> {
+    match meeting {
+        None => vec![Phase { until: end, words: "no impact" }],
+        Some(meeting) => {
+            let (time, contact) = (meeting.time.value, 0.01 * end);
+            vec![
+                Phase { until: time - contact, words: "approaching" },
+                Phase { until: time + contact, words: "contact" },
+                Phase { until: end, words: "separating" },
+            ]
+        }
+    }
+}
+
+fn balance(before: &[f64], after: &[f64], unit: &str) -> Vec<Balance> {
+    let with_total = |each: &[f64]| [each, &[each.iter().sum()]].concat();
+    let (before, after) = (with_total(before), with_total(after));
+    let scale = before.iter().chain(&after).map(|value| value.abs()).fold(0.0, f64::max);
+    let amount = |value: &f64| Amount::new(*value, scale, unit);
+    let share = |amount: &Amount| if scale > 0.0 { amount.value / scale } else { 0.0 };
+    let rows = ["A", "B", "together"].into_iter().zip(before.iter().map(amount)).zip(after.iter().map(amount));
+    rows.map(|((name, before), after)| Balance { name, bars: [share(&before), share(&after)], before, after }).collect()
+}
+
+fn places(record: &Record) -> Vec<Curve> {
+    let centre = record.moments.iter().filter_map(|moment| Some([moment.time, *moment.centre.first()?]));
+    vec![
+        Curve::place("A", "body-0", record, 0),
+        Curve::place("B", "body-1", record, 1),
+        Curve::new("centre of mass", "centre", centre),
+    ]
+}
+
+fn table(places: &[Curve], meeting: Option<f64>, end: f64) -> Vec<Vec<Amount>> {
+    let row = |time: f64| {
+        let at = places.iter().filter_map(|curve| curve.at(time)).map(|place| Amount::new(place, APART, "m"));
+        [Amount::new(time, end, "s")].into_iter().chain(at).collect()
+    };
+    [Some(0.0), meeting, Some(end)].into_iter().flatten().map(row).collect()
+}
+
+/// What must be seen of the track: both bodies at all times, those of a wrong method included.
+fn track(world: &World<1>, places: &[Curve], compared: Option<&Compared>) -> [f64; 2] {
+    let radius = world.bodies.iter().map(|body| body.radius).fold(0.0, f64::max);
+    let wrong = compared.iter().flat_map(|compared| &compared.places);
+    let all = places.iter().chain(wrong).flat_map(|curve| &curve.points).map(|[_, place]| *place);
+    let (low, high) =
+        all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), place| (low.min(place), high.max(place)));
+    [low - radius, high + radius]
+}

@@ -1,0 +1,77 @@
+//! The two simulators: each a request with the values of its controls, and a response with everything that its page shows.
+
+mod amount;
+mod bounces;
+mod collision;
+mod compared;
+mod controls;
+mod curve;
+mod restitution;
+
+use serde::Serialize;
+
+use crate::simulate::Refusal;
+
+use super::Engine;
+use super::refused::{Refused, RefusedKind};
+use super::solve::{SolveRequest, SolveResponse};
+use super::variant::VariantRequest;
+
+pub use amount::Amount;
+pub use bounces::Bounce;
+pub use collision::{Balance, CollisionBody, CollisionResponse, Meeting};
+pub use compared::{Compared, Offered, Row, USUAL_STEP};
+pub use controls::{COLLISION, Control, RESTITUTION, SimulatorRequest};
+pub use curve::Curve;
+pub use restitution::{Limits, LookedAt, RestitutionResponse};
+
+/// What a body does until a time.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Phase {
+    /// Until when, in s.
+    pub until: f64,
+    /// What it does, in words.
+    pub words: &'static str,
+}
+
+/// The problem of the bank that is the scene of a simulator, with the values of the controls.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ProblemOf {
+    /// The problem's identity.
+    pub id: &'static str,
+    /// The values, as they may be set there.
+    pub set: Vec<(&'static str, String)>,
+    /// The worked solution; nothing where the values leave none.
+    pub solved: Option<SolveResponse>,
+    /// Why there is none.
+    pub reason: Option<String>,
+}
+
+impl Engine<'_> {
+    /// The problem with these values, solved by the laws.
+    fn problem_of(&self, id: &'static str, set: Vec<(&'static str, String)>) -> Result<ProblemOf, Refused> {
+        let request = SolveRequest {
+            variant: VariantRequest { problem: id.to_owned(), form: None, seed: 1 },
+            set: set.iter().map(|(name, text)| ((*name).to_owned(), text.clone())).collect(),
+            find: Vec::new(),
+            steps: None,
+            brief: false,
+        };
+        let mut problem = ProblemOf { id, set, solved: None, reason: None };
+        match request.solve(self) {
+            Ok(exercise) => problem.solved = Some(self.solution_of(&exercise, &request)?),
+            Err(refused) if refused.kind == RefusedKind::Values => {
+                // How often numbers were tried says nothing of values that are typed.
+                let reason = refused.message.split_once(" attempts: ").map(|(_, reason)| reason.to_owned());
+                problem.reason = Some(reason.unwrap_or(refused.message));
+            }
+            Err(refused) => return Err(refused),
+        }
+        Ok(problem)
+    }
+}
+
+/// A scene that no method runs, as a refusal of its values.
+fn not_run(reason: &Refusal) -> Refused {
+    Refused::new(RefusedKind::Values, reason.to_string())
+}

@@ -1,0 +1,129 @@
+//! The two simulators. The page is whole as it is served; its script asks the engine again as controls move.
+
+use serde::Serialize;
+
+use crate::exercise::calls::{
+    COLLISION, CollisionResponse, Control, Offered, RESTITUTION, Refused, RefusedKind, RestitutionResponse,
+    SimulatorRequest, USUAL_STEP,
+};
+
+use super::super::app::App;
+use super::super::parameters::Parameters;
+
+/// Values under a name, as they stand in an address.
+type Preset = (&'static str, &'static str);
+
+const OF_COLLISION: [Preset; 6] = [
+    ("Elastic", "e=1"),
+    ("Plastic", "e=0"),
+    ("Equal masses", "m_A=2&m_B=2&v_A=3&v_B=0&e=1"),
+    ("Heavy on light", "m_A=12&m_B=1&v_A=2&v_B=0&e=1"),
+    ("Light on heavy", "m_A=1&m_B=12&v_A=4&v_B=0&e=0.9"),
+    ("B at rest", "v_B=0"),
+];
+
+const OF_RESTITUTION: [Preset; 5] = [
+    ("Steel on steel", "e=0.95"),
+    ("Tennis ball", "h=2&e=0.73"),
+    ("Clay", "e=0"),
+    ("Nothing lost", "e=1"),
+    ("In air", "h=10&v_t=12"),
+];
+
+#[derive(Serialize)]
+struct SimulatorPage<Shown> {
+    title: &'static str,
+    /// The call of the engine, and the last part of the address.
+    call: &'static str,
+    controls: Vec<ControlField>,
+    presets: &'static [Preset],
+    methods: Vec<Offered>,
+    method: String,
+    step: f64,
+    shown: Option<Shown>,
+    /// Why nothing is shown, as sentences.
+    refused: Option<Vec<String>>,
+}
+
+#[derive(Serialize)]
+struct ControlField {
+    control: &'static Control,
+    value: String,
+}
+
+/// A simulator by its name, with the values of the address.
+#[expect(clippy::needless_pass_by_value, reason = "every page of the table of routes takes its part of the address so")]
+pub(in crate::web) fn simulator(app: &App, name: String, fields: &Parameters) -> Result<String, Refused> {
+    let engine = app.engine();
+    match name.as_str() {
+        "collision" => {
+            let page = page::<CollisionResponse>(("Collision", "collision"), COLLISION, &OF_COLLISION, fields);
+            app.page("collision", &page.filled(fields, |request| engine.collision(request))?)
+        }
+        "restitution" => {
+            let page =
+                page::<RestitutionResponse>(("Restitution", "restitution"), RESTITUTION, &OF_RESTITUTION, fields);
+            app.page("restitution", &page.filled(fields, |request| engine.restitution(request))?)
+        }
+        _ => {
+            let refused = Refused::new(RefusedKind::Unknown, format!("there is no simulator `{name}`"));
+            Err(refused.help("there are `collision` and `restitution`"))
+        }
+    }
+}
+
+fn page<Shown>(
+    (title, call): (&'static str, &'static str),
+    controls: &'static [Control],
+    presets: &'static [Preset],
+    fields: &Parameters,
+) -> SimulatorPage<Shown> {
+    let field = |control: &'static Control| ControlField {
+        control,
+        value: fields.get(control.name).map_or_else(|| control.usual.to_string(), str::to_owned),
+    };
+    SimulatorPage {
+        title,
+        call,
+        controls: controls.iter().map(field).collect(),
+        presets,
+        methods: Offered::all(),
+        method: fields.get("method").unwrap_or_default().to_owned(),
+        step: USUAL_STEP,
+        shown: None,
+        refused: None,
+    }
+}
+
+impl<Shown> SimulatorPage<Shown> {
+    /// The page with what the engine says; values that it refuses stay in their fields, with the reason.
+    fn filled(
+        mut self,
+        fields: &Parameters,
+        call: impl FnOnce(&SimulatorRequest) -> Result<Shown, Refused>,
+    ) -> Result<Self, Refused> {
+        let request = request(&self.controls, fields);
+        self.step = request.as_ref().ok().and_then(|request| request.step).unwrap_or(USUAL_STEP);
+        match request.and_then(|request| call(&request)) {
+            Ok(shown) => self.shown = Some(shown),
+            Err(refused) if refused.kind == RefusedKind::Fault => return Err(refused),
+            Err(refused) => self.refused = Some(refused.sentences()),
+        }
+        Ok(self)
+    }
+}
+
+fn request(controls: &[ControlField], fields: &Parameters) -> Result<SimulatorRequest, Refused> {
+    let mut request =
+        SimulatorRequest { method: fields.get("method").map(str::to_owned), ..SimulatorRequest::default() };
+    for ControlField { control, value } in controls {
+        request.values.insert(control.name.to_owned(), number(control.name, value)?);
+    }
+    request.step = fields.get("step").map(|step| number("step", step)).transpose()?;
+    Ok(request)
+}
+
+fn number(name: &str, text: &str) -> Result<f64, Refused> {
+    let wrong = |_| Refused::new(RefusedKind::Invalid, format!("`{name}` is a number, not `{text}`"));
+    text.trim().parse().map_err(wrong)
+}

@@ -1,0 +1,57 @@
+// @ts-check
+// The collision on its page.
+
+import { at } from "./plot.js";
+import { Simulator, move, one, told } from "./simulator.js";
+
+/** @typedef {import("./simulator.js").Amount} Amount */
+/** @typedef {import("./simulator.js").Shown & { bodies: { name: string, radius: number }[], table: Amount[][] }} Collision */
+
+const root = one(document, "[data-simulator]", HTMLElement);
+
+/** @param {Collision} shown */
+function filled({ track: [low, high], bodies, table }) {
+  const svg = one(root, "[data-track]", SVGSVGElement);
+  const tallest = 1.3 * Math.max(...bodies.map(({ radius }) => radius));
+  svg.setAttribute("viewBox", `${low} ${-tallest - 0.5} ${high - low} ${tallest + 0.85}`);
+  for (const [place, { radius }] of bodies.entries()) draw_cart(place, radius);
+  const rows = table.map((cells) => {
+    const made = document.createElement("tr");
+    for (const { text } of cells) made.insertCell().textContent = text;
+    return made;
+  });
+  one(root, '[data-cells="table"]', HTMLTableSectionElement).replaceChildren(...rows);
+}
+
+/**
+ * A cart of that size.
+ * @param {number} place
+ * @param {number} radius
+ */
+function draw_cart(place, radius) {
+  const cart = one(root, `[data-at="${place}"]`, SVGGElement);
+  const [box, name] = [cart.querySelector("rect"), cart.querySelector("text")];
+  const height = 1.3 * radius;
+  for (const [key, value] of Object.entries({ x: -radius, y: -height - 0.06, width: 2 * radius, height })) {
+    box?.setAttribute(key, String(value));
+  }
+  name?.setAttribute("y", String(-height - 0.16));
+  for (const [side, wheel] of cart.querySelectorAll("circle").entries()) {
+    wheel.setAttribute("cx", String((side - 0.5) * radius));
+  }
+}
+
+/**
+ * @param {Collision} shown
+ * @param {number} time
+ */
+function moved({ places, compared }, time) {
+  /** @param {number} place */
+  const across = (place) => `translate(${place} 0)`;
+  move(root, "at", places, time, across);
+  move(root, "ghost", compared?.places ?? [], time, across);
+  const said = places.map(({ name, points }) => `${name} at ${told(at(points, time))} m`);
+  return `${told(time)} s: ${said.join(", ")}`;
+}
+
+new Simulator(root, { filled, moved });

@@ -1,0 +1,332 @@
+// The simulators: what a page shows is what the program says, for many settings; and their time, by a clock in the test's hand.
+
+import assert from "node:assert/strict";
+import { execFile } from "node:child_process";
+import { writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { promisify } from "node:util";
+
+import { browse, program, start, strict_page } from "./server.js";
+
+const run = promisify(execFile);
+
+/** How many random settings of each simulator are compared. */
+const SETTINGS = 200;
+
+/** How many programs run at once. */
+const TOGETHER = 8;
+
+/** @type {Awaited<ReturnType<typeof start>>} */
+let server;
+/** @type {import("playwright-core").Browser} */
+let browser;
+
+before(async () => {
+  [server, browser] = await Promise.all([start(), browse()]);
+});
+
+after(async () => {
+  await browser.close();
+  await server.stop();
+});
+
+/** Random numbers that are the same in every run. */
+function generator(seed = 1) {
+  let state = seed;
+  return () => {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    return state / 2 ** 32;
+  };
+}
+
+/** @typedef {Record<string, number>} Setting */
+
+const random = generator();
+
+/**
+ * A number of a slider.
+ * @param {number} least
+ * @param {number} most
+ * @param {number} digits
+ */
+function slid(least, most, digits) {
+  // No negative zero.
+  return Number((least + random() * (most - least)).toFixed(digits)) + 0;
+}
+
+/** @returns {Setting} */
+function collision() {
+  return { m_A: slid(0.1, 20, 1), v_A: slid(-10, 10, 1), m_B: slid(0.1, 20, 1), v_B: slid(-10, 10, 1), e: slid(0, 1, 2) };
+}
+
+/** @returns {Setting} */
+function restitution() {
+  return { h: slid(0.1, 20, 1), e: slid(0, 0.99, 2), n: slid(1, 12, 0), v_t: 0 };
+}
+
+/**
+ * What the program says: the answers of the laws, and the impacts of the simulation, of the same scene as a file of its own.
+ * @param {string} name
+ * @param {string} scene
+ * @param {Record<string, string>} given
+ * @param {string[]} asked
+ */
+async function said(name, scene, given, asked) {
+  const file = join(server.folder, `${name}.yaml`);
+  const values = Object.entries(given).map(([own, value]) => `${own}: ${value}`);
+  const questions = asked.map((find) => `  - { find: ${find} }`).join("\n");
+  const text = `"${Object.keys(given).map((own) => `{{ ${own} }}`).join(", ")}"`;
+  writeFileSync(
+    file,
+    `id: tried/${name}\ntitle: Tried\nlevel: intro\n${scene}\ngiven: { ${values.join(", ")} }\ntext: ${text}\nask:\n${questions}\n`,
+  );
+  /** @param {string} command */
+  const ask = async (command) => {
+    const { stdout } = await run(program, [command, file, "--format", "json"], { cwd: server.folder, maxBuffer: 1 << 26 });
+    return JSON.parse(stdout);
+  };
+  const [solved, simulated] = await Promise.all([ask("solve"), ask("simulate")]);
+  return {
+    /** @type {Record<string, { value: number, printed: string }>} */
+    answers: Object.fromEntries(solved.ask.map((/** @type {any} */ part) => [part.id, part])),
+    /** @type {{ time: number, impulse: number[], energy_before: number, energy_after: number }[]} */
+    impacts: simulated.stages.at(-1).impacts,
+  };
+}
+
+const CARTS = `scene:
+  axes: { x: to the right }
+  bodies: { A: { name: cart A, mass: m_A }, B: { name: cart B, mass: m_B } }
+  stages: [ { impact: { between: [A, B], restitution: e } } ]`;
+
+const BALL = `scene:
+  axes: { y: upwards }
+  plane: vertical
+  bodies: { ball: { name: the ball } }
+  stages: [ { fall: { body: ball, height: h_0 } }, { bounces: { body: ball, restitution: e, count: n } } ]`;
+
+/**
+ * Sets the controls, and waits until the page shows what belongs to them.
+ * @param {import("playwright-core").Page} page
+ * @param {Setting} setting
+ */
+async function put(page, setting) {
+  await page.evaluate((setting) => {
+    for (const [name, value] of Object.entries(setting)) {
+      const field = document.getElementById(name);
+      if (!(field instanceof HTMLInputElement)) throw new Error(`no control ${name}`);
+      field.value = String(value);
+      field.dispatchEvent(new Event("input", { bubbles: true }));
+    }
+  }, setting);
+  const shown = new URLSearchParams(Object.entries(setting).map(([name, value]) => [name, String(value)]));
+  await page.locator(`[data-simulator][data-state="shown"][data-shown="${shown}"]`).waitFor();
+}
+
+/**
+ * A text of the page as the program prints it on a terminal.
+ * @param {string} text
+ */
+function plain(text) {
+  const digits = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+  const power = text.replace(/10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)/, (_, raised) => `10^${[...raised].map((one) => (one === "⁻" ? "-" : digits.indexOf(one))).join("")}`);
+  return power.replaceAll("\u2212", "-").replaceAll("\u00a0", " ");
+}
+
+/**
+ * The texts of places on the page.
+ * @param {import("playwright-core").Page} page
+ * @param {string[]} places
+ */
+async function texts(page, places) {
+  const found = await page.evaluate((places) => places.map((place) => document.querySelector(place)?.textContent ?? ""), places);
+  return found.map(plain);
+}
+
+/**
+ * The number of a text such as "-1.20 kg m/s" or "2 × 10^-7 m".
+ * @param {string | undefined} text
+ */
+function number(text) {
+  return Number.parseFloat(plain(text ?? "").replace(/ × 10\^/, "e"));
+}
+
+/**
+ * Whether a shown number is that one, to the figures that are shown.
+ * @param {string | undefined} text
+ * @param {number} value
+ * @param {string} where
+ */
+function same(text, value, where) {
+  assert.ok(Math.abs(number(text) - value) <= 0.0051 * Math.abs(value) + 1e-10, `${where}: shown ${text}, said ${value}`);
+}
+
+/**
+ * @template Item
+ * @param {Item[]} items
+ * @returns {Item[][]}
+ */
+function batches(items) {
+  return Array.from({ length: Math.ceil(items.length / TOGETHER) }, (_, place) => items.slice(place * TOGETHER, (place + 1) * TOGETHER));
+}
+
+/** @param {string} path */
+const show = (path) => `[data-show="${path}"]`;
+
+test("the collision shows what solve and simulate say", async () => {
+  const { page, complaints, close } = await strict_page(browser);
+  await page.goto(`${server.url}/simulators/collision`);
+  const all = Array.from({ length: SETTINGS }, collision);
+  for (const [batch, settings] of batches(all).entries()) {
+    const meeting = settings.map(({ v_A = 0, v_B = 0 }) => v_A > v_B);
+    const known = await Promise.all(
+      settings.map(({ m_A, v_A, m_B, v_B, e }, place) => {
+        const given = { m_A: `${m_A} kg`, m_B: `${m_B} kg`, v_A1: `${v_A} m/s`, v_B1: `${v_B} m/s`, e: `${e}` };
+        return meeting[place] ? said(`carts-${batch}-${place}`, CARTS, given, ["v_A2", "v_B2", "T_lost"]) : null;
+      }),
+    );
+    for (const [place, setting] of settings.entries()) {
+      const where = JSON.stringify(setting);
+      await put(page, setting);
+      const [told, v_A, v_B, lost, before, after] = await texts(page, [
+        show("told"),
+        show("bodies.0.after"),
+        show("bodies.1.after"),
+        show("lost"),
+        show("energy.2.before"),
+        show("energy.2.after"),
+      ]);
+      const own = known[place];
+      if (!own) {
+        assert.match(told ?? "", /^No impact: .*would not catch up/, where);
+        assert.equal(number(v_A), setting.v_A, where);
+        continue;
+      }
+      assert.deepEqual([v_A, v_B, lost], ["v_A2", "v_B2", "T_lost"].map((id) => own.answers[id]?.printed), where);
+      const [impact] = own.impacts;
+      assert.ok(impact);
+      same(before, impact.energy_before, where);
+      same(after, impact.energy_after, where);
+      same(told?.match(/impulse (\S+(?: × \S+)?)/)?.[1], impact.impulse[0] ?? NaN, where);
+    }
+  }
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("the bouncing ball shows what solve and simulate say", async () => {
+  const { page, complaints, close } = await strict_page(browser);
+  await page.goto(`${server.url}/simulators/restitution`);
+  const all = Array.from({ length: SETTINGS }, restitution);
+  for (const [batch, settings] of batches(all).entries()) {
+    const known = await Promise.all(
+      settings.map(({ h, e, n }, place) => {
+        const given = { v_ball1: "0 m/s", h_0: `${h} m`, e: `${e}`, n: `${n}` };
+        return said(`ball-${batch}-${place}`, BALL, given, ["h_n", "t_total", "path_total"]);
+      }),
+    );
+    for (const [place, setting] of settings.entries()) {
+      const where = JSON.stringify(setting);
+      await put(page, setting);
+      const [time, path] = await texts(page, [show("limits.time"), show("limits.path")]);
+      const rows = await page.evaluate(() =>
+        [...document.querySelectorAll("[data-bounces] tr")].map((row) => [...row.children].map((cell) => cell.textContent ?? "")),
+      );
+      const { answers, impacts } = known[place] ?? assert.fail();
+      assert.deepEqual([time, path], [answers.t_total?.printed, answers.path_total?.printed], where);
+      const looked_at = rows[setting.n ?? 0];
+      if (looked_at && impacts.length >= (setting.n ?? 0)) same(looked_at[3], answers.h_n?.value ?? NaN, where);
+      for (const [count, row] of rows.slice(1).entries()) {
+        const impact = impacts[count];
+        if (!impact) break;
+        same(row[1], impact.time, `${where}, bounce ${count + 1}`);
+        // Of 1 kg: v^2 = 2 T.
+        same(row[2], Math.sqrt(2 * impact.energy_after), `${where}, bounce ${count + 1}`);
+      }
+    }
+  }
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("time runs by the clock, and stops, steps and starts again", async () => {
+  const { page, complaints, close } = await strict_page(browser);
+  await page.addInitScript(() => {
+    /** @type {(() => void)[]} */
+    let waiting = [];
+    let now = 0;
+    Object.assign(globalThis, {
+      momentousClock: { now: () => now, frame: (/** @type {() => void} */ callback) => void waiting.push(callback) },
+      pass: (/** @type {number} */ time) => {
+        now += time;
+        const due = waiting;
+        waiting = [];
+        for (const callback of due) callback();
+      },
+    });
+  });
+  await page.goto(`${server.url}/simulators/collision?m_A=3&v_A=3&m_B=2&v_B=-2&e=0.7`);
+  await page.locator('[data-simulator][data-state="shown"]').waitFor();
+  const state = () => texts(page, ["[data-state-words]", "[data-now]"]);
+  /** @param {number} time */
+  const pass = (time) => page.evaluate((time) => Reflect.get(globalThis, "pass")(time), time);
+  assert.deepEqual(await state(), ["approaching", "0.00 s: A at -2.23 m, B at 2.20 m, centre of mass at -0.46 m"]);
+  await page.getByRole("button", { name: "Play" }).click();
+  await pass(500);
+  assert.deepEqual(await state(), ["approaching", "0.50 s: A at -0.73 m, B at 1.20 m, centre of mass at 0.04 m"]);
+  await pass(300);
+  assert.equal((await state())[0], "contact");
+  await page.getByRole("button", { name: "Pause" }).click();
+  await pass(500);
+  assert.match((await state())[1] ?? "", /^0\.80 s/);
+  await page.getByRole("button", { name: "One step" }).click();
+  assert.deepEqual((await state())[0], "separating");
+  await page.getByLabel("Speed").selectOption("0.1");
+  await page.getByRole("button", { name: "Play" }).click();
+  await pass(1000);
+  assert.match((await state())[1] ?? "", /^0\.93 s/, "slow motion");
+  await page.getByRole("button", { name: "Reset" }).click();
+  assert.match((await state())[1] ?? "", /^0\.00 s/);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("a preset, a method and the address go together", async () => {
+  const { page, complaints, close } = await strict_page(browser);
+  await page.goto(`${server.url}/simulators/collision`);
+  await page.locator('[data-simulator][data-state="shown"]').waitFor();
+  await page.getByRole("link", { name: "Plastic" }).click();
+  await page.locator('[data-shown="m_A=3&v_A=3&m_B=2&v_B=-2&e=0"][data-state="shown"]').waitFor();
+  assert.equal(new URL(page.url()).search, "?m_A=3&v_A=3&m_B=2&v_B=-2&e=0");
+  await page.getByLabel("Compare with a method").selectOption("penalty");
+  await page.locator('[data-shown$="method=penalty&step=0.06"][data-state="shown"]').waitFor();
+  assert.match((await texts(page, ["[data-method-refused]"]))[0] ?? "", /no calibration/);
+  await page.getByLabel("Compare with a method").selectOption("explicit-euler");
+  await page.locator('[data-shown$="method=explicit-euler&step=0.06"][data-state="shown"]').waitFor();
+  await page.reload();
+  await page.locator('[data-shown$="method=explicit-euler&step=0.06"][data-state="shown"]').waitFor();
+  assert.equal(await page.locator("#compared").textContent(), "The exact motion and explicit Euler");
+  await page.locator("#e").fill("1.5");
+  await page.locator('[data-simulator][data-state="refused"]').waitFor();
+  assert.match((await texts(page, ["[data-refused]"]))[0] ?? "", /above 1 would create energy/);
+  await page.locator("#e").fill("0.5");
+  await page.locator('[data-simulator][data-state="shown"]').waitFor();
+  assert.equal(await page.locator("[data-refused]").isVisible(), false);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("without JavaScript the same numbers are asked for by the form", async () => {
+  const { page, close } = await strict_page(browser, { javaScriptEnabled: false });
+  await page.goto(`${server.url}/simulators/collision`);
+  await page.locator("#e").fill("1");
+  await page.getByRole("button", { name: "Show" }).click();
+  assert.match((await page.locator(show("told")).textContent()) ?? "", /12\.0.N.s from A/);
+  assert.equal(await page.locator(show("lost")).textContent(), "0 J");
+  assert.ok((await page.locator('[data-plot="places"] polyline').count()) === 3);
+  await page.getByRole("link", { name: "Make a problem of this" }).click();
+  assert.match(page.url(), /solve\/impact\/two-carts\?set\.m_A=3\+kg/);
+  assert.match((await page.locator("article.solution").textContent()) ?? "", /Worked solution/);
+  await close();
+});

@@ -1,0 +1,163 @@
+//! The simulators: balances over random controls, and what cannot be.
+
+use proptest::prelude::*;
+use proptest::test_runner::{Config, TestRunner};
+use serde_json::{Value, json};
+
+use super::client::Client;
+
+/// What a call says to these values.
+fn shown(client: &Client, call: &str, values: &Value, method: Option<&str>) -> Value {
+    client.call(call, &json!({ "values": values, "method": method })).json(200)
+}
+
+fn at(value: &Value, pointer: &str) -> f64 {
+    value.pointer(pointer).and_then(Value::as_f64).unwrap_or_else(|| panic!("no number at {pointer}"))
+}
+
+fn is_near(left: f64, right: f64, scale: f64) -> bool {
+    (left - right).abs() <= 1e-9 * scale.abs().max(1e-12)
+}
+
+/// A number with few decimals, as a slider gives it.
+fn decimals(from: i32, to: i32, scale: f64) -> impl Strategy<Value = f64> {
+    (from..=to).prop_map(move |number| f64::from(number) / scale)
+}
+
+/// Runs a property on so many random values; the seed is fixed, so that a run can be repeated.
+fn over<S: Strategy>(values: &S, property: impl Fn(S::Value)) {
+    let config = Config { cases: 48, failure_persistence: None, ..Config::default() };
+    let mut runner = TestRunner::new_with_rng(
+        config,
+        proptest::test_runner::TestRng::deterministic_rng(proptest::test_runner::RngAlgorithm::ChaCha),
+    );
+    runner
+        .run(values, |value| {
+            property(value);
+            Ok(())
+        })
+        .unwrap();
+}
+
+#[test]
+fn a_collision_keeps_momentum_loses_energy_and_returns_e() {
+    let client = Client::new();
+    let speeds = (decimals(-100, 100, 10.0), decimals(-100, 100, 10.0));
+    let values = (decimals(1, 200, 10.0), decimals(1, 200, 10.0), speeds, decimals(0, 100, 100.0));
+    over(&values, |(mass_a, mass_b, (fast, slow), e)| {
+        let set = json!({ "m_A": mass_a, "m_B": mass_b, "v_A": fast, "v_B": slow, "e": e });
+        let shown = shown(&client, "collision", &set, None);
+        let size = (mass_a * fast).abs() + (mass_b * slow).abs();
+        assert!(is_near(at(&shown, "/momentum/2/before/value"), mass_a * fast + mass_b * slow, size), "{set}");
+        assert!(is_near(at(&shown, "/momentum/2/after/value"), mass_a * fast + mass_b * slow, size), "{set}");
+        let [after_a, after_b] = ["/bodies/0/after/value", "/bodies/1/after/value"].map(|place| at(&shown, place));
+        let energy = |a: f64, b: f64| (mass_a * a * a + mass_b * b * b) / 2.0;
+        let before = energy(fast, slow);
+        assert!(is_near(at(&shown, "/lost/value"), before - energy(after_a, after_b), before), "{set}");
+        if fast > slow {
+            assert!(is_near(after_b - after_a, e * (fast - slow), 20.0), "{set}");
+            // The reduced mass: T_lost = (1 - e^2) mu (v_A - v_B)^2 / 2.
+            let reduced = mass_a * mass_b / (mass_a + mass_b);
+            let lost = (1.0 - e * e) * reduced * (fast - slow) * (fast - slow) / 2.0;
+            assert!(is_near(at(&shown, "/lost/value"), lost, before), "{set}");
+            assert!(is_near(at(&shown, "/meeting/time/value"), 4.0 / (fast - slow), 40.0), "{set}");
+            assert!(is_near(at(&shown, "/meeting/impulse/value"), (1.0 + e) * reduced * (fast - slow), size), "{set}");
+        } else {
+            assert!(shown["meeting"].is_null() && shown["told"].as_str().unwrap().starts_with("No impact"), "{set}");
+            assert_eq!((after_a, after_b), (fast, slow), "{set}");
+        }
+    });
+}
+
+#[test]
+fn a_ball_bounces_in_a_geometric_sequence() {
+    let client = Client::new();
+    let values = (decimals(1, 200, 10.0), decimals(1, 99, 100.0), 1..=12);
+    over(&values, |(height, e, n)| {
+        let set = json!({ "h": height, "e": e, "n": n });
+        let shown = shown(&client, "restitution", &set, None);
+        let fall = (2.0 * height / 9.81_f64).sqrt();
+        assert!(is_near(at(&shown, "/limits/time/value"), fall * (1.0 + e) / (1.0 - e), fall / (1.0 - e)), "{set}");
+        assert!(
+            is_near(at(&shown, "/limits/path/value"), height * (1.0 + e * e) / (1.0 - e * e), height / (1.0 - e)),
+            "{set}"
+        );
+        for (bounce, power) in shown["bounces"].as_array().unwrap().iter().zip(0..) {
+            let kept = e.powi(power);
+            assert!(is_near(at(bounce, "/height/value"), height * kept * kept, height), "{set}: {bounce}");
+            if power > 0 {
+                assert!(
+                    is_near(at(bounce, "/after/value"), kept * (2.0 * 9.81 * height).sqrt(), 20.0),
+                    "{set}: {bounce}"
+                );
+            }
+        }
+        assert_eq!(at(&shown, "/bounces/0/height/value"), height);
+    });
+}
+
+#[test]
+fn air_takes_height_and_its_error_is_said() {
+    let client = Client::new();
+    let vacuum = shown(&client, "restitution", &json!({ "h": 10 }), None);
+    let air = shown(&client, "restitution", &json!({ "h": 10, "v_t": 12 }), None);
+    assert!(at(&air, "/bounces/1/height/value") < at(&vacuum, "/bounces/1/height/value"));
+    // v^2 = v_t^2 (1 - exp(-2 g h / v_t^2)) just before the first bounce.
+    let arrival = 12.0 * (1.0 - (-2.0 * 9.81 * 10.0 / 144.0_f64).exp()).sqrt();
+    assert!((at(&air, "/bounces/1/before/value") + arrival).abs() < 1e-7);
+    assert!(air["how"].as_str().unwrap().contains("Runge") && air["limits"].is_null());
+}
+
+#[test]
+fn methods_err_and_say_by_how_much() {
+    let client = Client::new();
+    for (call, method, errs) in [
+        ("collision", "event-driven", false),
+        ("collision", "explicit-euler", true),
+        ("collision", "penalty", true),
+        ("restitution", "runge-kutta", false),
+        ("restitution", "moreau-jean", true),
+        ("restitution", "sequential-impulses", true),
+    ] {
+        let values = if call == "collision" { json!({ "v_A": 3.1 }) } else { json!({}) };
+        let shown = shown(&client, call, &values, Some(method));
+        assert!(shown["compared"]["refused"].is_null(), "{method}");
+        assert_eq!(at(&shown, "/compared/rows/0/amount/value") > 1e-4, errs, "{method}: {}", shown["compared"]["rows"]);
+    }
+    let refused = shown(&client, "collision", &json!({ "e": 0 }), Some("penalty"));
+    assert!(refused["compared"]["refused"].as_str().unwrap().starts_with("no calibration"));
+}
+
+#[test]
+fn what_cannot_be_is_refused_with_the_reason() {
+    let client = Client::new();
+    for (call, request, reason) in [
+        ("collision", json!({ "values": { "e": 1.2 } }), "a coefficient of restitution above 1 would create energy"),
+        ("collision", json!({ "values": { "m_A": -1 } }), "`m_A` must be more than zero"),
+        ("collision", json!({ "values": { "m_B": 0 } }), "`m_B` must be more than zero"),
+        ("collision", json!({ "values": { "m_A": 1e300 } }), "`m_A` lies between 0.1 kg and 20 kg here"),
+        ("collision", json!({ "values": { "v_A": -1e300 } }), "`v_A` lies between -10 m/s and 10 m/s here"),
+        ("collision", json!({ "values": { "v_t": 1 } }), "`v_t` cannot be set here"),
+        ("collision", json!({ "method": "euler" }), "the methods are"),
+        ("collision", json!({ "method": "penalty", "step": -1 }), "a step is a positive time"),
+        ("collision", json!({ "method": "penalty", "step": 1e-9 }), "would take more than 20000 steps"),
+        ("restitution", json!({ "values": { "e": 1.01 } }), "a coefficient of restitution above 1 would create energy"),
+        ("restitution", json!({ "values": { "h": -4 } }), "`h_0` cannot be negative"),
+        ("restitution", json!({ "values": { "h": 1e9 } }), "`h` lies between 0.1 m and 20 m here"),
+        ("restitution", json!({ "values": { "n": 2.5 } }), "`n` is a number of bounces"),
+        ("restitution", json!({ "values": { "v_t": -1 } }), "`v_t` lies between 0 m/s and 60 m/s here"),
+    ] {
+        let answer = client.call(call, &request);
+        assert!((400..500).contains(&answer.status), "{call} {request}: {}", answer.status);
+        let said = answer.json(answer.status)["message"].as_str().unwrap().to_owned();
+        assert!(said.contains(reason), "{call} {request}: {said}");
+    }
+    let page = client.get("/simulators/collision?m_A=NaN");
+    let text = page.text(200);
+    assert!(
+        text.contains("value=\"NaN\"") && text.contains("is not a value for `m_A`"),
+        "the value stays, with the reason"
+    );
+    assert!(!text.contains("class=\"results\""));
+    assert_eq!(client.get("/simulators/pendulum").status, 404);
+}
