@@ -7,6 +7,7 @@ mod drawer;
 mod follow_through;
 mod followed;
 mod formula;
+mod issue;
 mod issued;
 mod item;
 mod marker;
@@ -63,6 +64,7 @@ use crate::render::SheetPart;
 use crate::solve::Bounded;
 
 pub use attempts::Try;
+pub use issue::{Issued, Remark};
 pub use issued::{Derivation, SeedSource, VariantRef};
 pub use item::{Item, ItemAnswers, ItemPart, NumberItem, Window};
 pub use marker::Marker;

@@ -1,0 +1,162 @@
+//! A variant as a person got it: enough to draw it again, and to tell whether a corrected problem still draws the same.
+
+use std::sync::Arc;
+
+use serde::Deserialize;
+use serde::Serialize;
+
+use crate::grade::DecimalMark;
+use crate::problem::NoVariant;
+use crate::problem::Problem;
+use crate::problem::say_quantity;
+
+use super::Exercise;
+use super::issued::Derivation;
+use super::student_sheet::StudentSheet;
+
+/// A variant as a person got it. It is written once, when the sheet is first seen, and never made anew.
+///
+/// ```
+/// use std::sync::Arc;
+/// use momentous::bank::Bank;
+/// use momentous::exercise::{Exercise, Remark};
+/// use momentous::fault::Source;
+/// use momentous::grade::DecimalMark;
+/// use momentous::problem::{compile, load};
+///
+/// let source = Bank::built_in().find("impact/two-carts")?.clone();
+/// let problem = Arc::new(compile(load(source.clone())?, None)?);
+/// let issued = Exercise::draw(&problem, 0, 7)?.issue(None, DecimalMark::Point);
+/// let corrected = Source::new("two-carts.yaml", &source.text.replace("level track", "long level track"));
+/// let corrected = Arc::new(compile(load(corrected)?, None)?);
+/// assert_eq!(issued.remark(&corrected), Remark::Same);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, Deserialize, PartialEq, Eq, Serialize)]
+pub struct Issued {
+    /// The problem's identity.
+    pub problem: String,
+    /// The digest of its file.
+    pub digest: String,
+    /// The scheme by which numbers are drawn.
+    pub scheme: u32,
+    /// The form's name, where it has one.
+    pub form: Option<String>,
+    /// The seed.
+    pub seed: u64,
+    /// The mark of the secret with which it was drawn.
+    pub secret: Option<String>,
+    /// The version by which the seed was derived from the person; nothing where it was chosen by hand.
+    pub derivation: Option<usize>,
+    /// What stands between whole and decimal digits in the person's answers.
+    pub decimal: DecimalMark,
+    /// The text of the sheet as it was shown.
+    pub statement: String,
+    given: Vec<(String, String)>,
+    parts: Vec<IssuedPart>,
+}
+
+/// What was asked.
+#[derive(Clone, Debug, Deserialize, PartialEq, Eq, Serialize)]
+struct IssuedPart {
+    id: String,
+    kind: String,
+    unit: Option<String>,
+}
+
+/// What becomes of a sheet when its problem was corrected.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Remark {
+    /// The corrected problem draws the same givens and asks the same parts in the same units: old answers can be marked by it.
+    Same,
+    /// It does not: the sheet that was handed out is no longer its sheet.
+    Differs,
+}
+
+impl Exercise {
+    /// This variant as it is handed out.
+    #[must_use]
+    pub fn issue(&self, derivation: Option<Derivation>, decimal: DecimalMark) -> Issued {
+        let identity = self.identity();
+        let StudentSheet { statement, fields, .. } = self.student_sheet();
+        let symbols = &self.problem.model().symbols;
+        let given = self.variant.all_given().into_iter();
+        Issued {
+            problem: identity.problem,
+            digest: identity.digest.unwrap_or_default(),
+            scheme: identity.scheme.unwrap_or_default(),
+            form: identity.form,
+            seed: identity.seed.unwrap_or_default(),
+            secret: identity.secret,
+            derivation: derivation.map(Derivation::number),
+            decimal,
+            statement,
+            given: given
+                .map(|(symbol, value, unit)| (symbols.entry(*symbol).name.clone(), say_quantity(value, unit)))
+                .collect(),
+            parts: fields
+                .into_iter()
+                .map(|field| IssuedPart {
+                    id: field.id,
+                    kind: field.kind.name().to_owned(),
+                    unit: field.unit.map(|unit| unit.latex()),
+                })
+                .collect(),
+        }
+    }
+}
+
+impl Issued {
+    /// The same variant of a problem, which may have been corrected.
+    ///
+    /// # Errors
+    /// Where the problem has no such form any more, or the seed draws nothing.
+    pub fn draw(&self, problem: &Arc<Problem>) -> Result<Exercise, NoVariant> {
+        let form = problem.form(self.form.as_deref()).ok_or(NoVariant::NoForm)?;
+        Exercise::draw(problem, form, self.seed)
+    }
+
+    /// Whether answers to this sheet can be marked by a problem that may have been corrected.
+    #[must_use]
+    pub fn remark(&self, problem: &Arc<Problem>) -> Remark {
+        let same = self.draw(problem).is_ok_and(|exercise| {
+            let now = exercise.issue(None, self.decimal);
+            now.secret == self.secret && now.given == self.given && now.parts == self.parts
+        });
+        if same { Remark::Same } else { Remark::Differs }
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test says bluntly what it expects")]
+mod tests {
+    use super::*;
+    use crate::fault::Source;
+    use crate::problem::{compile, load};
+
+    const FILE: &str = include_str!("../../problem_bank/impact/two-carts.yaml");
+
+    fn problem(text: &str) -> Arc<Problem> {
+        Arc::new(compile(load(Source::new("two-carts.yaml", text)).unwrap(), None).unwrap())
+    }
+
+    #[test]
+    fn a_corrected_problem_marks_old_sheets_only_where_it_draws_and_asks_the_same() {
+        let issued = Exercise::draw(&problem(FILE), 0, 7).unwrap().issue(None, DecimalMark::Point);
+        let kept: Issued = serde_json::from_str(&serde_json::to_string(&issued).unwrap()).unwrap();
+        assert_eq!(kept, issued);
+        let cases = [
+            ("They collide.", "Then they collide.", Remark::Same),
+            ("v_A2, unit: m/s, points: 2", "v_A2, unit: m/s, points: 3", Remark::Same),
+            ("v_A2, unit: m/s, points: 2", "v_A2, unit: km/h, points: 2", Remark::Differs),
+            ("{ find: T_lost, unit: J, points: 1 }", "{ find: p_A2, unit: N s, points: 1 }", Remark::Differs),
+            ("min: 1, max: 6, step: 0.5, unit: kg", "min: 11, max: 16, step: 0.5, unit: kg", Remark::Differs),
+            ("forward:", "onward:", Remark::Differs),
+        ];
+        for (old, new, expected) in cases {
+            assert!(FILE.contains(old), "{old}");
+            let corrected = problem(&FILE.replacen(old, new, 1));
+            assert_eq!(kept.remark(&corrected), expected, "{new}");
+        }
+    }
+}
