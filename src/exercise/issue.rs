@@ -80,7 +80,7 @@ impl Exercise {
         let identity = self.identity();
         let StudentSheet { statement, fields, .. } = self.student_sheet();
         let symbols = &self.problem.model().symbols;
-        let given = self.variant.all_given().into_iter();
+        let given = self.variant.all_given().iter();
         Issued {
             problem: identity.problem,
             digest: identity.digest.unwrap_or_default(),
