@@ -63,7 +63,7 @@ fn a_problem_that_is_there_is_left_alone() {
     let room = Room::empty();
     room.fine(&["new", "impact/my-carts"]);
     let ran = room.run(&["new", "impact/my-carts"]);
-    assert!(ran.code == 2 && ran.err.contains("my-carts.yaml is there already"), "{}", ran.err);
+    assert!(ran.code == 2 && ran.err.contains("my-carts.yaml already exists"), "{}", ran.err);
 }
 
 #[test]

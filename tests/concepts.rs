@@ -147,7 +147,13 @@ fn what_acts_along_the_way_decides() {
     let energy = "{ conserved: energy, of: [A, B] }";
     let both = "m_A: 1 kg, m_B: 1 kg, v_A1: 0 m/s, dt: 1 s";
     let rows = [
-        ("slide: { body: A, duration: 1 s }", "{ conserved: momentum, of: [A] }", "v_A1: 5 m/s", "yes", "none acts"),
+        (
+            "slide: { body: A, duration: 1 s }",
+            "{ conserved: momentum, of: [A] }",
+            "v_A1: 5 m/s",
+            "yes",
+            "no external impulse",
+        ),
         (
             "slide: { body: A, friction: 0.1, duration: 1 s }",
             "{ conserved: momentum, of: [A] }",

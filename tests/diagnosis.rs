@@ -317,13 +317,13 @@ fn faults_of_feedback_are_told() {
     };
     let unknown = faults("feedback: { restitution-inverte: What? }");
     assert!(
-        unknown.contains("no usual mistake") && unknown.contains("did you mean `restitution-inverted`?"),
+        unknown.contains("no common mistake") && unknown.contains("did you mean `restitution-inverted`?"),
         "{unknown}"
     );
     let telling = faults("feedback: { restitution-inverted: \"It is {{ v_A2 }}.\" }");
-    assert!(telling.contains("the feedback prints `v_A2`, which a form asks"), "{telling}");
+    assert!(telling.contains("the feedback prints `v_A2`, which a form asks for"), "{telling}");
     let listed = faults("discriminate: [nothing-known]");
-    assert!(listed.contains("there is no usual mistake `nothing-known`"), "{listed}");
+    assert!(listed.contains("there is no common mistake `nothing-known`"), "{listed}");
 }
 
 #[test]

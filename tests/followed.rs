@@ -9,10 +9,10 @@ mod variants;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use momentous::bank::{followed, staged};
 use momentous::problem::{Problem, Sampler, Variant};
 use momentous::simulate::Moment;
 use momentous::simulate::scene::Reel;
+use momentous::witness::{followed, staged};
 
 /// The tolerance of the integrations.
 const TOLERANCE: f64 = 1e-10;

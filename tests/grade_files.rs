@@ -64,7 +64,7 @@ fn a_table_json_lines_and_a_folder_get_the_same_marks() {
     for (source, place) in [("class.csv", "class.csv:4"), ("class.jsonl", "class.jsonl:3"), ("handed-in", "s3.yaml")] {
         let (code, _, errors) = momentous(folder.path(), &format!("grade {source} -o {source}.out.csv"));
         assert_eq!(code, 2, "{errors}");
-        assert!(errors.contains(place) && errors.contains("`one` is no seed"), "{errors}");
+        assert!(errors.contains(place) && errors.contains("`one` is not a seed"), "{errors}");
     }
     let marks = rows(folder.path(), "class.csv.out.csv");
     assert_eq!(marks.len(), 9);
@@ -105,14 +105,14 @@ fn a_changed_mark_is_listed() {
     let folder = folder();
     momentous(folder.path(), "grade class.csv -o marks.csv");
     let (_, same, _) = momentous(folder.path(), "grade class.csv -o again.csv --changes marks.csv");
-    assert_eq!(same, "0 of 9 marks moved\n");
+    assert_eq!(same, "0 of 9 marks changed\n");
     let marks = fs::read_to_string(folder.path().join("marks.csv")).unwrap();
     let old = marks.replacen("v_A2,1,2,sense", "v_A2,0,2,wrong", 1);
     assert_ne!(old, marks);
     fs::write(folder.path().join("old.csv"), old).unwrap();
     let (_, moved, _) = momentous(folder.path(), "grade class.csv -o again.csv --changes old.csv");
     let line = "line 3: s2, impact/two-carts `v_A2`: 0/2 [wrong] -> 1/2 [sense]\n";
-    assert_eq!(moved, format!("{line}1 of 9 marks moved\n"));
+    assert_eq!(moved, format!("{line}1 of 9 marks changed\n"));
 }
 
 #[test]
@@ -123,7 +123,7 @@ fn marks_of_other_submissions_are_refused() {
     fs::write(folder.path().join("other.csv"), other).unwrap();
     let (code, _, errors) = momentous(folder.path(), "grade other.csv -o new.csv --changes marks.csv");
     assert_eq!(code, 2);
-    assert!(errors.contains("marks.csv is not of these submissions: at line 5"), "{errors}");
+    assert!(errors.contains("marks.csv does not belong to these submissions: at line 5"), "{errors}");
     assert!(!folder.path().join("new.csv").exists(), "the output appears whole or not at all");
 }
 

@@ -157,7 +157,7 @@ v_B2: 1/2 [unit_missing] The number is right. The unit is missing.
 T_lost: 0/2 [unreadable] Character 2: this can be read in two ways: write `7650` or `7.650`.
 a: 0/1 [choice_wrong] Not this one.
     read as: conserved
-T_los: not asked
+T_los: not asked for
 total: 2/7
 ";
     assert_eq!(report.to_string(), expected);

@@ -55,6 +55,7 @@ const BEYOND_A_SCHEMA: &[&str] = &[
     "swing_in_a_horizontal_plane",
     "conditions_without_dimension",
     "fixed_values_untold",
+    "key_in_two_words",
     "name_of_the_scene",
     "weight_",
 ];

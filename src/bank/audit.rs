@@ -115,19 +115,19 @@ fn draws(samples: &Samples) -> Outcome {
     let acceptance = samples.acceptance();
     match samples.failed.as_slice() {
         [] if acceptance < LOW_ACCEPTANCE => {
-            Outcome::Noted(format!("only {:.1} % of the tries are not rejected", 100.0 * acceptance))
+            Outcome::Noted(format!("only {:.1} % of the attempts are not rejected", 100.0 * acceptance))
         }
         [] => Outcome::Kept,
         [first, ..] => {
             let why = samples.reason.as_ref().map_or_else(String::new, |reason| format!(" ({reason})"));
-            Outcome::Broken(format!("{} seeds draw nothing, seed {first} among them{why}", samples.failed.len()))
+            Outcome::Broken(format!("{} seeds give no variant, seed {first} among them{why}", samples.failed.len()))
         }
     }
 }
 
 /// A given that the text leaves out is a fault of the file; a value within the scene may be told in other words.
 fn told(problem: &Problem, form: &PlannedForm) -> Outcome {
-    let untold = |value: &str| format!("the text does not say {value}, which stands in the scene and is needed");
+    let untold = |value: &str| format!("the text does not print {value}, which is in the scene and is needed");
     noted(&problem.untold(form).into_iter().map(untold).collect::<Vec<_>>())
 }
 
@@ -138,14 +138,15 @@ fn neglected(samples: &Samples) -> Outcome {
         let own = largest.entry(of).or_default();
         *own = own.max(*share);
     }
-    let said = |(of, share): (&str, f64)| format!("weight, which is left out, gives up to {:.1} % {of}", 100.0 * share);
+    let said =
+        |(of, share): (&str, f64)| format!("weight, which is neglected, gives up to {:.1} % {of}", 100.0 * share);
     noted(&largest.into_iter().map(said).collect::<Vec<_>>())
 }
 
 /// Whether seeds differ, as far as their author does not mean them to be alike.
 fn variety(samples: &Samples, meant: &[Meant]) -> Outcome {
     if samples.drawn.len() < 2 {
-        return Outcome::NotChecked("one seed has nothing to differ from");
+        return Outcome::NotChecked("one seed cannot be compared with another");
     }
     if samples.sheets() == 1 && !meant.contains(&Meant::OneSheet) {
         return Outcome::Noted("every seed gives the same sheet; if that is meant, write `allow: [one-sheet]`".into());
@@ -164,8 +165,7 @@ fn determined(samples: &Samples) -> Outcome {
         _ if samples.drawn.is_empty() => Outcome::NotChecked("nothing was drawn"),
         None => Outcome::Kept,
         Some((seed, values)) => Outcome::Broken(format!(
-            "with seed {seed} there is {values}, and the precision of the data does not tell whether that is equal: give more figures, or \
-             other values"
+            "seed {seed} gives {values}, and the precision of the data does not decide whether these are equal: give more figures, or other values"
         )),
     }
 }

@@ -66,7 +66,7 @@ impl Bank {
             let topics = self.topics();
             let near = did_you_mean(topic, topics.iter().copied());
             let help = near.map_or_else(|| format!("topics are {}", topics.join(", ")), meant);
-            return Err(unknown(topic, format!("no problem is of the topic `{topic}`"), help));
+            return Err(unknown(topic, format!("no problem has the topic `{topic}`"), help));
         }
         Ok(found)
     }

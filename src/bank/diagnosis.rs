@@ -1,4 +1,4 @@
-//! How well usual mistakes are told apart: simulated students who make exactly one of them are marked, and the diagnosis is
+//! How well common mistakes are distinguished: simulated students who make exactly one of them are marked, and the diagnosis is
 //! compared with what they did.
 
 use std::collections::BTreeMap;

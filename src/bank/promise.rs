@@ -41,7 +41,7 @@ pub enum Promise {
     Sharp,
     /// A simulation that shares no code with the laws agrees.
     Simulation,
-    /// The usual wrong forms can be told from the truth.
+    /// The common mistakes can be distinguished from the right answer.
     WrongForms,
     /// Honest rounding reaches full marks.
     Rounding,
@@ -55,19 +55,23 @@ const SAID: &[(Promise, &str, &str)] = &[
         "names, dimensions, ranges and texts are right, and what is asked follows from the givens",
     ),
     (Promise::Prints, "prints", "texts, hints, solution and key can be written in every format"),
-    (Promise::Told, "told", "the sheet tells every value that the answers need"),
-    (Promise::Draws, "draws", "every seed draws within a bounded number of tries"),
+    (Promise::Told, "told", "the sheet prints every value that the answers need"),
+    (Promise::Draws, "draws", "every seed gives a variant within a bounded number of attempts"),
     (Promise::Determined, "determined", "what is asked has exactly one solution, and nothing in it is unphysical"),
     (Promise::Certified, "certified", "the error of every answer is bounded, and small"),
     (Promise::Varies, "varies", "no answer is the same for every seed"),
     (Promise::Variety, "variety", "seeds give different sheets, and different answers"),
-    (Promise::Neglected, "neglected", "what short contacts leave out is small beside what they do"),
+    (
+        Promise::Neglected,
+        "neglected",
+        "the impulses neglected in short contacts are small compared with those of the contacts",
+    ),
     (Promise::NotZero, "not-zero", "answers are not zero by accident"),
     (Promise::NotGiven, "not-given", "answers do not equal a given in most draws"),
     (
         Promise::FromTheSheet,
         "from-the-sheet",
-        "the problem solved with nothing but its printed numbers gives every printed answer",
+        "the problem solved with only its printed numbers gives every printed answer",
     ),
     (
         Promise::Reproduces,
@@ -75,11 +79,11 @@ const SAID: &[(Promise, &str, &str)] = &[
         "each line of the worked solution can be computed again from the numbers printed on it",
     ),
     (Promise::Requires, "requires", "every `require` rejects some draws"),
-    (Promise::KeyMarks, "key-marks", "the answers of the key reach full marks"),
-    (Promise::Sharp, "sharp", "rounding intermediate results moves no answer by more than 5 %"),
+    (Promise::KeyMarks, "key-marks", "the answers of the key get full marks"),
+    (Promise::Sharp, "sharp", "rounding intermediate results shifts no answer by more than 5 %"),
     (Promise::Simulation, "simulation", "an independent simulation agrees"),
-    (Promise::WrongForms, "wrong-forms", "the usual wrong forms can be distinguished from the right answer"),
-    (Promise::Rounding, "rounding", "parts rounded as a student rounds reach full marks"),
+    (Promise::WrongForms, "wrong-forms", "the common mistakes can be distinguished from the right answer"),
+    (Promise::Rounding, "rounding", "parts rounded as a student rounds get full marks"),
 ];
 
 impl Promise {

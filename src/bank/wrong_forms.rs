@@ -1,4 +1,4 @@
-//! Whether the usual mistakes can be told from the truth, and from each other, with the numbers that a form draws.
+//! Whether the common mistakes can be distinguished from the right answer, and from each other, with the numbers that a form draws.
 
 use std::collections::BTreeMap;
 use std::collections::BTreeSet;
@@ -32,7 +32,7 @@ pub(super) fn told_apart(problem: &Arc<Problem>, form: usize, seeds: u64) -> Out
         seen.look(&exercise);
     }
     if seen.seeds == 0 || seen.told.is_empty() {
-        return Outcome::NotChecked("no usual mistake can be made in it");
+        return Outcome::NotChecked("no common mistake applies to it");
     }
     let share = |count: u64| 100 * count / seen.seeds;
     let hidden = seen.told.iter().map(|(code, told)| (code, share(seen.seeds - told)));
@@ -42,7 +42,7 @@ pub(super) fn told_apart(problem: &Arc<Problem>, form: usize, seeds: u64) -> Out
         .filter(|(_, share)| *share >= WORTH_SAYING)
         .map(|((one, other), share)| format!("{one} and {other} ({share} %)"));
     let remarks = [
-        ("give the right answers on a share of the seeds", hidden.collect::<Vec<_>>()),
+        ("give the right answers for some seeds", hidden.collect::<Vec<_>>()),
         ("cannot be distinguished", alike.collect()),
     ];
     let remarks = remarks.iter().filter(|(_, found)| !found.is_empty());

@@ -33,8 +33,7 @@ Examples:
   momentous check my-problem.yaml my-folder/
   momentous check --format json | jq 'select(.faults)'
 
-It exits with 1 where a promise is broken, with 2 where a file does not load. A promise that this version does not look
-at is listed as not checked.";
+It exits with 1 if a promise is broken, and with 2 if a file does not load. A promise that this version does not check is listed as not checked.";
 
 /// Figures of printed answers.
 const FIGURES: usize = 4;
@@ -43,16 +42,16 @@ const FIGURES: usize = 4;
 #[derive(Args, Debug)]
 #[command(after_help = HELP)]
 pub(super) struct Check {
-    /// Identities, topics, files or folders; the whole bank where nothing is named
+    /// Identities, topics, files or folders; the whole bank if nothing is named
     #[arg(value_name = "PATH|PROBLEM")]
     problems: Vec<String>,
     /// How many seeds to draw for each form
     #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
     seeds: u64,
-    /// How many of these to simulate as well, by a method that shares no code with the laws; all of them where nothing is said
+    /// How many of these to simulate as well, by a method that shares no code with the laws [default: all]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
     simulated: Option<u64>,
-    /// For people, or one JSON object a line
+    /// For people, or one JSON object per line
     #[arg(long, value_name = "FORMAT", default_value = "text")]
     format: Listing,
 }

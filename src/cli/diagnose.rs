@@ -23,29 +23,28 @@ Examples:
   momentous diagnose                            the whole bank, 1000 seeds for each form
   momentous diagnose impact --seeds 100
   momentous diagnose impact/two-carts --confused
-  momentous diagnose --list                     the mistakes that are known, with their codes
+  momentous diagnose --list                     the known mistakes, with their codes
   momentous diagnose --format json
 
-For each form, part and seed one student makes one usual mistake and rounds the result to the figures that are asked; two
-more do everything right. It exits with 1 where one of those who did everything right loses a mark.";
+For each form, part and seed, one simulated student makes one common mistake and rounds the result to the required figures; two more do everything right. It exits with 1 if one of those who did everything right loses a mark.";
 
 /// Measure how well common mistakes are distinguished, using simulated students
 #[derive(Args, Debug)]
 #[command(after_help = HELP)]
 pub(super) struct Diagnose {
-    /// Identities, topics, files or folders; the whole bank where nothing is named
+    /// Identities, topics, files or folders; the whole bank if nothing is named
     #[arg(value_name = "PATH|PROBLEM")]
     problems: Vec<String>,
     /// How many seeds to draw for each form
     #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u64).range(1..=10_000_000))]
     seeds: u64,
-    /// Also say what mistakes were taken for
+    /// Also show which mistakes were diagnosed as which others
     #[arg(long)]
     confused: bool,
     /// List the mistakes instead
     #[arg(long, conflicts_with_all = ["seeds", "problems", "confused"])]
     list: bool,
-    /// For people, or one JSON object a line
+    /// For people, or one JSON object per line
     #[arg(long, value_name = "FORMAT", default_value = "text")]
     format: Listing,
 }

@@ -10,7 +10,7 @@ pub(super) enum Listing {
     /// For people.
     #[value(alias = "table")]
     Text,
-    /// One JSON object a line.
+    /// One JSON object per line.
     Json,
 }
 
@@ -21,9 +21,9 @@ pub(super) enum Paper {
     Markdown,
     /// A document for pdfLaTeX.
     Latex,
-    /// One page that needs no script and no network.
+    /// One page that needs neither scripts nor a network.
     Html,
-    /// One JSON object a line, one line a variant.
+    /// One JSON object per line, one line per variant.
     Json,
 }
 

@@ -26,10 +26,10 @@ Examples:
 #[derive(Args, Debug)]
 #[command(after_help = HELP)]
 pub(super) struct List {
-    /// Only problems of this topic: what stands before the slash
+    /// Only problems of this topic: the part before the slash
     #[arg(long, value_name = "TOPIC")]
     topic: Option<String>,
-    /// For people, or one JSON object a line
+    /// For people, or one JSON object per line
     #[arg(long, value_name = "FORMAT", default_value = "text")]
     format: Listing,
 }

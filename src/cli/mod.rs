@@ -48,14 +48,14 @@ struct Cli {
 
 const HELP: &str = "\
 A PROBLEM is an identity from `momentous list`, such as impact/two-carts, or the path of a YAML file.
-The bank is the folder problem_bank/ where there is one here, else the one that is built in.
+The bank is the folder problem_bank/ in the current folder; if there is none, the built-in bank.
 
 Examples:
-  momentous list                                          what there is
+  momentous list                                          the problems of the bank
   momentous generate impact/two-carts --seed 7 --solution a sheet and its worked solution
   momentous grade --problem impact/two-carts --seed 7 --answer \"v_A2=0.4 m/s\"
   momentous new impact/my-carts                           a problem of your own to start from
-  momentous check my-carts.yaml                           what it promises
+  momentous check my-carts.yaml                           whether it keeps every promise
 
 Exit codes:
   0  fine

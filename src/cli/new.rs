@@ -15,10 +15,10 @@ use super::output::Output;
 
 const HELP: &str = "\
 Examples:
-  momentous new impact/my-carts       in problem_bank/ where there is one here, else my-carts.yaml
+  momentous new impact/my-carts       in problem_bank/ if it exists here, else my-carts.yaml
   momentous new homework/carts.yaml   at that path
 
-A file that is there already is left alone.";
+An existing file is not changed.";
 
 /// The problem to start from.
 const TEMPLATE: &str = include_str!("new_problem.yaml");
@@ -27,7 +27,7 @@ const TEMPLATE: &str = include_str!("new_problem.yaml");
 #[derive(Args, Debug)]
 #[command(after_help = HELP)]
 pub(super) struct New {
-    /// The problem's identity, topic/name in small letters, digits and hyphens; or the path of the file
+    /// The problem's identity, topic/name in lower-case letters, digits and hyphens; or the path of the file
     name: String,
 }
 
@@ -36,7 +36,7 @@ impl New {
         let (id, path) = self.place();
         if !is_identity(&id) {
             return Err(Failure::unusable(format!(
-                "`{id}` cannot be the identity of a problem\nhelp: write small letters, digits and hyphens, with the topic before a slash: `impact/my-carts`"
+                "`{id}` cannot be the identity of a problem\nhelp: write lower-case letters, digits and hyphens, with the topic before a slash: `impact/my-carts`"
             )));
         }
         let written = |error: std::io::Error| Failure::file(&path, "written", &error);
@@ -45,7 +45,7 @@ impl New {
         }
         let mut file = fs::File::create_new(&path).map_err(|error| match error.kind() {
             std::io::ErrorKind::AlreadyExists => {
-                Failure::unusable(format!("{} is there already; it is left alone", path.display()))
+                Failure::unusable(format!("{} already exists; it was not changed", path.display()))
             }
             _ => written(error),
         })?;
@@ -53,7 +53,9 @@ impl New {
         let shown = path.display();
         Output::whole(
             None,
-            &format!("{shown} is written. Next:\n  momentous check {shown}\n  momentous generate {shown} --solution\n"),
+            &format!(
+                "{shown} has been written. Next:\n  momentous check {shown}\n  momentous generate {shown} --solution\n"
+            ),
         )?;
         Ok(Exit::Fine)
     }

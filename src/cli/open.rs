@@ -30,7 +30,7 @@ const LONGEST_SECRET: u64 = 64 * 1024;
 /// A secret of the course.
 #[derive(Args, Clone, Debug, Default)]
 pub(super) struct Secret {
-    /// A file with a secret of the course: with it, nobody who has the program alone can draw the same numbers
+    /// A file with the secret of the course: without it, nobody who has the program can draw the same numbers
     #[arg(long, value_name = "FILE")]
     secret: Option<PathBuf>,
 }
@@ -48,12 +48,12 @@ impl Secret {
         let bytes = bytes.map_err(|error| Failure::file(path, "read", &error))?;
         let secret = bytes.trim_ascii_end();
         if secret.is_empty() {
-            return Err(Failure::unusable(format!("{} holds no secret", path.display())));
+            return Err(Failure::unusable(format!("{} contains no secret", path.display())));
         }
         if is_guessable(secret) {
             tell(&format!(
-                "warning: {} may be guessed: whoever has one sheet can try secrets until its numbers come out\n\
-                 help: `momentous secret` writes one that cannot; sheets that were made with the old one keep needing it",
+                "warning: the secret in {} can be guessed: anyone with one sheet can try secrets until they give its numbers\n\
+                 help: `momentous secret` writes one that cannot be guessed; sheets made with the old secret still need the old one",
                 path.display()
             ));
         }
@@ -99,7 +99,7 @@ pub(super) fn unknown(name: &str, what: &str, known: &[&str]) -> Failure {
     let help = match did_you_mean(name, known.iter().copied()) {
         Some(near) => format!("did you mean `{near}`?"),
         None if known.is_empty() => "there are none".to_owned(),
-        None => format!("there are {}", known.join(", ")),
+        None => format!("choose one of {}", known.join(", ")),
     };
-    Failure::unusable(format!("`{name}` is no {what}\nhelp: {help}"))
+    Failure::unusable(format!("`{name}` is not a {what}\nhelp: {help}"))
 }

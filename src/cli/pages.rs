@@ -21,10 +21,10 @@ pub(super) struct Shown {
     /// Show the first K steps of each solution only, and leave the rest to the student
     #[arg(long, value_name = "K")]
     faded: Option<usize>,
-    /// Add what instructors want to know: the bounds on errors and the equations
+    /// Add information for instructors: the bounds on errors and the equations
     #[arg(long, conflicts_with = "faded")]
     instructor: bool,
-    /// Show the laws, the equations with numbers and the answers only
+    /// Show only the laws, the equations with numbers and the answers
     #[arg(long, conflicts_with_all = ["faded", "instructor"])]
     brief: bool,
 }

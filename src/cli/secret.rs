@@ -19,13 +19,12 @@ Examples:
   momentous secret secret.txt
   momentous generate impact/two-carts --roster class.csv --secret secret.txt -o sheets/
 
-The file has 256 random bits, and only its owner can read it. One that is there already is left alone: sheets that were
-made with a secret can be made again and marked with the same secret only. Keep a copy, and keep it to yourself.";
+The file has 256 random bits, and only its owner can read it. An existing file is not changed: sheets made with a secret can be made again and marked only with the same secret. Keep a copy, and keep it private.";
 
 /// The bytes of a secret.
 const BYTES: usize = 32;
 
-/// Write a secret of the course that nobody guesses
+/// Write a secret of the course that cannot be guessed
 #[derive(Args, Debug)]
 #[command(after_help = HELP)]
 pub(super) struct Secret {
@@ -49,13 +48,16 @@ impl Secret {
         #[cfg(unix)]
         std::os::unix::fs::OpenOptionsExt::mode(&mut options, 0o600);
         let mut file = options.open(&self.file).map_err(|error| match error.kind() {
-            io::ErrorKind::AlreadyExists => Failure::unusable(format!("{shown} is there already; it is left alone")),
+            io::ErrorKind::AlreadyExists => Failure::unusable(format!("{shown} already exists; it was not changed")),
             _ => Failure::file(&self.file, "written", &error),
         })?;
         let written = file.write_all(format!("{secret}\n").as_bytes()).and_then(|()| file.sync_all());
         written.map_err(|error| Failure::file(&self.file, "written", &error))?;
         let mark = secret_mark(secret.as_bytes());
-        Output::whole(None, &format!("{shown} is written. Sheets made with it have `-{mark}` behind their seeds.\n"))?;
+        Output::whole(
+            None,
+            &format!("{shown} has been written. Sheets made with it have `-{mark}` after their seeds.\n"),
+        )?;
         Ok(Exit::Fine)
     }
 }

@@ -43,20 +43,20 @@ const CONTEXT: usize = 3;
 /// The longest snapshot that is read, in bytes.
 const LARGEST: u64 = 1 << 24;
 
-/// Keep golden snapshots of problems, so that nothing changes unseen
+/// Keep golden snapshots of problems, so that no change goes unnoticed
 #[derive(Args, Debug)]
 #[command(after_help = HELP)]
 pub(super) struct Snapshot {
-    /// Identities, topics, files or folders; the whole bank where nothing is named
+    /// Identities, topics, files or folders; the whole bank if nothing is named
     #[arg(value_name = "PATH")]
     problems: Vec<String>,
-    /// Compare and show what differs; what happens where nothing is said
+    /// Compare and show what differs; this is the default
     #[arg(long)]
     check: bool,
-    /// Write what is new and what differs
+    /// Write new and changed snapshots
     #[arg(long, conflicts_with = "check")]
     accept: bool,
-    /// Where snapshots are kept
+    /// The folder of the snapshots
     #[arg(long, value_name = "FOLDER", default_value = "snapshots")]
     folder: PathBuf,
 }
@@ -121,16 +121,16 @@ fn report(before: &BTreeMap<String, String>, now: &BTreeMap<String, String>) -> 
             (Some(before), Some(now)) if before == now => continue,
             (Some(before), Some(now)) => write_diff(&mut output, style, name, before, now)?,
             (None, _) => writeln!(output, "{} {name}", style.note("new, not accepted yet:"))?,
-            (_, None) => writeln!(output, "{} {name}", style.note("no problem makes it any more:"))?,
+            (_, None) => writeln!(output, "{} {name}", style.note("no problem produces it any more:"))?,
         }
         differing += 1;
     }
     match differing {
-        0 => writeln!(output, "{} snapshots, all as they were", now.len())?,
+        0 => writeln!(output, "{} snapshots, all unchanged", now.len())?,
         _ => {
             writeln!(
                 output,
-                "{differing} of {} snapshots differ; `momentous snapshot --accept` takes them",
+                "{differing} of {} snapshots differ; `momentous snapshot --accept` accepts them",
                 now.len()
             )?;
         }

@@ -26,7 +26,7 @@ Examples:
 
 What --set does not give is drawn from the seed.";
 
-/// Solve a problem, with numbers of your own where you give some, and show how
+/// Solve a problem, optionally with your own numbers, and show how
 #[derive(Args, Debug)]
 #[command(after_help = HELP)]
 pub(super) struct Solve {
@@ -35,10 +35,10 @@ pub(super) struct Solve {
     /// The seed that draws the numbers
     #[arg(long, value_name = "S", default_value = "1", allow_negative_numbers = true)]
     seed: SheetSeed,
-    /// The form in which the problem is asked; the first where none is named
+    /// The form in which the problem is asked; the first if none is named
     #[arg(long, value_name = "FORM")]
     form: Option<String>,
-    /// A value of your own for a given, with its unit
+    /// Your own value for a given, with its unit
     #[arg(long, value_name = "NAME=VALUE", value_parser = assignment, conflicts_with = "secret")]
     set: Vec<(String, String)>,
     /// What to find, instead of what the form asks

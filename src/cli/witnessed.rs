@@ -24,7 +24,7 @@ pub(super) fn write_form(output: &mut Output, simulated: &Simulated) -> Result<(
         writeln!(output, "    a 0.1 % error would be detected in: {}", witnessed.join(", "))?;
     }
     if !unseen.is_empty() {
-        writeln!(output, "    not found out: {}", unseen.join(", "))?;
+        writeln!(output, "    not detected: {}", unseen.join(", "))?;
     }
     Ok(())
 }

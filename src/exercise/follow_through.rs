@@ -129,7 +129,7 @@ impl Marking<'_> {
                 Some(format!("{} by {}", format!("{value} {}", number.plain_unit()).trim_end(), laws.join(" and ")))
             })
             .collect();
-        Some(format!("From your own {} it would follow: {}.", chosen.join(" and "), said.join(", or ")))
+        Some(format!("With your own {}, the result would be {}.", chosen.join(" and "), said.join(", or ")))
     }
 }
 

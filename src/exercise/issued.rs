@@ -52,7 +52,7 @@ impl FromStr for Derivation {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let found = Self::ALL.into_iter().find(|own| own.to_string() == text.trim());
-        found.ok_or_else(|| format!("there are the versions 1 to {}", Self::ALL.len()))
+        found.ok_or_else(|| format!("the versions are 1 to {}", Self::ALL.len()))
     }
 }
 
@@ -128,6 +128,6 @@ mod tests {
         for version in Derivation::ALL {
             assert_eq!(version.to_string().parse(), Ok(version));
         }
-        assert_eq!("3".parse::<Derivation>(), Err("there are the versions 1 to 2".to_owned()));
+        assert_eq!("3".parse::<Derivation>(), Err("the versions are 1 to 2".to_owned()));
     }
 }

@@ -23,7 +23,7 @@ impl Student {
     /// let students = Student::all(Table::read("Name;ID\nAda;a\nBob;b\n".as_bytes())?).unwrap();
     /// assert_eq!(students[1].shown(), "Bob (b)");
     /// let faults = Student::all(Table::read("id\na\na\n".as_bytes())?).unwrap_err();
-    /// assert_eq!(faults, [":3: `a` stands in line 2 already"]);
+    /// assert_eq!(faults, [":3: `a` is already in line 2"]);
     /// # Ok::<(), String>(())
     /// ```
     ///
@@ -52,7 +52,7 @@ impl Student {
             if id.is_empty() {
                 fail("this student has no identity".to_owned());
             } else if let Some(first) = lines.insert(id.clone(), line) {
-                fail(format!("`{}` stands in line {first} already", excerpt(&id)));
+                fail(format!("`{}` is already in line {first}", excerpt(&id)));
             } else {
                 let name = name.map(cell).filter(|name| !name.is_empty()).unwrap_or_else(|| id.clone());
                 students.push(Self { id, name });
@@ -91,7 +91,7 @@ mod tests {
     fn every_row_that_is_wrong_is_told() {
         let faults = students("id,name\na,Ada\na,Again\n,Nobody\nc\n").unwrap_err();
         let expected = [
-            ":3: `a` stands in line 2 already",
+            ":3: `a` is already in line 2",
             ":4: this student has no identity",
             ":5: the row has 1 cell, and there are 2 headings",
         ];

@@ -32,7 +32,7 @@ impl SheetSeed {
             (None, _) => Ok(self.number),
             (Some(own), Some(given)) if own == given => Ok(self.number),
             (Some(own), Some(given)) => Err(format!(
-                "the sheet was drawn with another secret: its mark is `{own}`, that of the secret given is `{given}`"
+                "the sheet was drawn with another secret: its mark is `{own}`, but the mark of the secret given is `{given}`"
             )),
             (Some(own), None) => {
                 Err(format!("the sheet was drawn with a secret, whose mark is `{own}`; give it with --secret"))
@@ -49,8 +49,8 @@ impl SheetSeed {
     pub fn of_a_sheet(&self, problem: &Problem) -> Result<u64, String> {
         match (&self.mark, problem.secret_mark()) {
             (None, Some(given)) => Err(format!(
-                "the seed {self} has no mark, and on sheets of the secret given it is {self}-{given}\n\
-                 help: write it as it stands on the sheet; sheets without a mark are marked without --secret"
+                "the seed {self} has no mark; on sheets drawn with the secret given it is {self}-{given}\n\
+                 help: write it as on the sheet; for sheets without a mark, omit --secret"
             )),
             _ => self.of(problem),
         }

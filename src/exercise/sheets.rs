@@ -115,7 +115,8 @@ impl Listed {
         while let Some((line, row)) = table.next_row() {
             let read = row.and_then(|row| {
                 let cell = |column: Option<usize>| column.map_or("", |column| row.cell(column));
-                let seed = row.cell(seed).parse().map_err(|_| format!("`{}` is no seed", excerpt(row.cell(seed))))?;
+                let seed =
+                    row.cell(seed).parse().map_err(|_| format!("`{}` is not a seed", excerpt(row.cell(seed))))?;
                 let variant = VariantRef { problem: row.cell(problem), form: cell(form), seed };
                 listed.add(row.cell(student), variant);
                 if secret.is_some() && !listed.secrets.contains(cell(secret)) {
@@ -129,7 +130,7 @@ impl Listed {
             faults.extend(read.err().map(|message| format!("line {line}: {message}")));
         }
         if listed.sheets.is_empty() && faults.is_empty() {
-            faults.push("there is no sheet in it".to_owned());
+            faults.push("it contains no sheet".to_owned());
         }
         if faults.is_empty() { Ok(listed) } else { Err(faults) }
     }
@@ -199,7 +200,7 @@ impl fmt::Display for NotIssued {
             Self::OtherDerivation(version) => {
                 write!(
                     out,
-                    "the seed is the student's by version {version} of the derivation\nhelp: give --derivation {version}"
+                    "the seed is the student's in version {version} of the derivation\nhelp: give --derivation {version}"
                 )
             }
         }
@@ -234,9 +235,9 @@ mod tests {
     #[test]
     fn a_table_with_a_fault_is_no_table() {
         assert!(listed("student,problem\n").unwrap_err()[0].starts_with("there is no column `seed`"));
-        assert_eq!(listed("student,problem,seed\n").unwrap_err(), ["there is no sheet in it"]);
+        assert_eq!(listed("student,problem,seed\n").unwrap_err(), ["it contains no sheet"]);
         let faults = listed("student,problem,seed\ns1,a/b,x\ns1,a/b\ns1,a/b,1\n").unwrap_err();
-        assert_eq!(faults, ["line 2: `x` is no seed", "line 3: the row has 2 cells, and the headings are 3"]);
+        assert_eq!(faults, ["line 2: `x` is not a seed", "line 3: the row has 2 cells, and the headings are 3"]);
     }
 
     #[test]

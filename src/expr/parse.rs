@@ -66,7 +66,7 @@ const POWER: u8 = 40;
 /// Where the text is not a term: what was not understood, and where.
 pub fn parse(text: &str, names: &mut dyn Names) -> Result<Expr, ParseFault> {
     if text.len() > MAX_LENGTH {
-        let message = format!("a term of {} bytes; the longest that is read has {MAX_LENGTH}", text.len());
+        let message = format!("a term of {} bytes; the limit is {MAX_LENGTH}", text.len());
         return Err(ParseFault { start: 0, end: text.len(), message, help: None });
     }
     let mut parser = Parser { text, tokens: tokens(text)?, next: 0, depth: 0, names };
@@ -104,7 +104,7 @@ impl Parser<'_> {
             Kind::Close => ("this bracket was never opened".to_owned(), None),
             Kind::Comma => ("a comma outside a function".to_owned(), Some("write decimals with a point".to_owned())),
             Kind::Name | Kind::Number(_) | Kind::Open => {
-                let help = "write every product with `*`; a unit stands right after its number";
+                let help = "write every product with `*`, and a unit directly after its number";
                 (format!("an operator is missing before `{written}`"), Some(help.to_owned()))
             }
             Kind::Operator(_) => (format!("`{written}` needs a term on its left"), None),
@@ -216,7 +216,7 @@ impl Parser<'_> {
                 return Ok(Some(symbol));
             }
         }
-        let message = format!("`{}` after a number is not a unit that is known", self.written(&first));
+        let message = format!("`{}` after a number is not a known unit", self.written(&first));
         Self::fault(&first, message, Some("write a product with `*`".to_owned()))
     }
 
@@ -352,7 +352,7 @@ mod tests {
             ("sin(a, b)", 0..3, "`sin` takes 1 argument(s), not 2"),
             ("(a + b", 0..1, "this bracket is never closed"),
             ("a)", 1..2, "this bracket was never opened"),
-            ("2 furlong", 2..9, "`furlong` after a number is not a unit that is known"),
+            ("2 furlong", 2..9, "`furlong` after a number is not a known unit"),
             ("3..2", 0..4, "`3..2` is not a number"),
             ("1_200", 0..5, "`1_200` is not a number"),
             ("3,14", 1..2, "a comma outside a function"),
@@ -361,7 +361,7 @@ mod tests {
             ("1e999", 0..5, "a power of ten beyond 300"),
             ("\u{221a}2", 0..3, "`\u{221a}` has no meaning in a term"),
             (deep.as_str(), 100..101, "nested more than 100 deep"),
-            (long.as_str(), 0..3000, "a term of 3000 bytes; the longest that is read has 2000"),
+            (long.as_str(), 0..3000, "a term of 3000 bytes; the limit is 2000"),
         ] {
             let fault = AnyName::default().read(text).err();
             let found = fault.map(|fault| (fault.start..fault.end, fault.message));

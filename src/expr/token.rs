@@ -73,7 +73,7 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token>, ParseFault> {
 
 fn strange_help(other: char) -> Option<String> {
     let help = match other {
-        '=' => "an equation has its own key; here only one side is read",
+        '=' => "only one side of an equation can be written here",
         '[' | ']' => "square brackets only name a stage, as in `J_A[hit]`; group with round ones",
         '{' | '}' => "group with round brackets",
         '\u{b2}' | '\u{b3}' => "write a power with `^`, as in `v^2`",

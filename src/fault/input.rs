@@ -34,7 +34,7 @@ impl Input {
             return Err(io::Error::new(io::ErrorKind::IsADirectory, "it is a folder"));
         }
         if !found.is_file() {
-            let message = "it is no regular file; to read from a pipe, write `-` and give it as standard input";
+            let message = "it is not a regular file; to read from a pipe, write `-` and give it as standard input";
             return Err(io::Error::new(io::ErrorKind::InvalidInput, message));
         }
         File::open(path).map(Self::File)
@@ -113,7 +113,7 @@ mod tests {
         let pipe = folder.path().join("pipe");
         assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
         for path in [Path::new("/dev/zero"), &pipe] {
-            assert!(Input::open(path).unwrap_err().to_string().starts_with("it is no regular file"));
+            assert!(Input::open(path).unwrap_err().to_string().starts_with("it is not a regular file"));
         }
     }
 }

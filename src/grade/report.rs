@@ -244,7 +244,7 @@ impl fmt::Display for Report {
             }
         }
         for name in &self.not_asked {
-            writeln!(out, "{name}: not asked")?;
+            writeln!(out, "{name}: not asked for")?;
         }
         writeln!(out, "total: {}/{}", self.total, self.out_of)
     }

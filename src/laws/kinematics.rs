@@ -76,7 +76,7 @@ pub const TOP: Law = Law {
 pub const UNTIL: Law = Law {
     id: "end-of-the-motion",
     name: "the condition at the end of the motion",
-    statement: "The motion is followed until a body reaches a place, or bodies meet.",
+    statement: "The motion is followed until a body reaches a position, or bodies meet.",
     signs: "As for the positions.",
     when: "As the problem states.",
     source: "The problem.",

@@ -55,7 +55,7 @@ pub const CONIC: Law = Law {
     id: "orbit-by-angle",
     name: "the equation of the orbit",
     statement: "Distance times one plus the eccentricity times the cosine of the angle from the nearest point is the parameter of the orbit.",
-    signs: "The angle is counted from the nearest point, in the sense of the motion.",
+    signs: "The angle is measured from the nearest point, in the sense of the motion.",
     when: "The gravity of one centre is the only force.",
     source: "The equation of a conic section about its focus.",
     wrong: &[],

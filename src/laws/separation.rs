@@ -12,7 +12,7 @@ pub const MASS: Law = Law {
     name: "conservation of mass",
     statement: "The masses of the parts add up to that of the whole.",
     signs: "Masses are positive.",
-    when: "Nothing is lost when a body comes apart or bodies become one.",
+    when: "Nothing is lost when a body separates into parts or bodies join.",
     source: "Conservation of mass.",
     wrong: &[],
 };

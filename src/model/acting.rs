@@ -39,7 +39,7 @@ impl ActingForce {
 /// What a force is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ForceKind {
-    /// A push or a pull that the problem speaks of.
+    /// A push or a pull that the problem refers to.
     Pull,
     /// Weight.
     Weight,

@@ -63,7 +63,7 @@ pub struct Builder<'s> {
     pub(super) influences: Vec<Influence>,
     pub(super) flowing: Vec<Flowing>,
     pub(super) slopes: Vec<Slope>,
-    /// How long each stage lasts, where that is spoken of.
+    /// How long each stage lasts, where that is used.
     pub(super) lasting: Vec<Option<Expr>>,
     pub(super) literals: Vec<(Symbol, Quantity)>,
     pub(super) frames: Vec<Option<Frame>>,
@@ -281,7 +281,7 @@ impl<'s> Builder<'s> {
         }
     }
 
-    /// Makes the masses that are names of their own, where another mass is told in terms of them: `m` before `2*m`.
+    /// Makes the masses that are names of their own, where another mass is given in terms of them: `m` before `2*m`.
     pub(super) fn masses_by_name(&mut self) {
         let scene = self.scene;
         let is_name = |term: &crate::scene::Term| super::read::is_bare_name(term.0.trim());

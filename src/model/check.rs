@@ -158,7 +158,7 @@ fn stages_of_one_name(scene: &Scene) -> Vec<Fault> {
     faults
 }
 
-/// How an impact is told.
+/// How an impact is given.
 fn collision(scene: &Scene, impact: &Impact, at: &Path) -> Vec<Fault> {
     let mut faults = Vec::new();
     match impact.partners() {

@@ -54,7 +54,7 @@ impl Builder<'_> {
         }
     }
 
-    /// The time from the start to an instant as a sum of durations, where those of all stages before it are spoken of.
+    /// The time from the start to an instant as a sum of durations, where those of all stages before it are used.
     pub(super) fn time_until(&self, instant: usize) -> Option<Expr> {
         let lasting = self.lasting.iter().zip(&self.scene.stages).take(instant.checked_sub(1)?);
         let takes_time =

@@ -1,4 +1,4 @@
-//! The impulse of weight in a contact of which it is told how long it lasts: left out, or put into the balance.
+//! The impulse of weight in a contact of known duration: left out, or put into the balance.
 
 use crate::expr::Expr;
 use crate::fault::Code;
@@ -53,7 +53,7 @@ impl ContactWeight {
     }
 }
 
-/// A contact that may last as long as is told.
+/// A contact that may last as long as is given.
 pub(super) struct Lasting<'a> {
     pub index: usize,
     pub duration: Option<&'a Term>,

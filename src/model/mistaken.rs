@@ -1,4 +1,4 @@
-//! The system of a student who makes one usual mistake: the equations that the solution uses, a law among them in a wrong
+//! The system of a student who makes one common mistake: the equations that the solution uses, a law among them in a wrong
 //! form.
 
 use std::collections::BTreeSet;
@@ -38,7 +38,7 @@ struct Way {
 }
 
 impl Model {
-    /// Every system that comes of one usual mistake in these equations of a system: in one of them, or in each of them.
+    /// Every system that comes of one common mistake in these equations of a system: in one of them, or in each of them.
     #[must_use]
     pub fn mistaken(
         &self,

@@ -75,7 +75,7 @@ pub struct Model {
     pub omissions: Vec<Omission>,
     /// The impulses of each stage.
     pub impulses: Vec<Impulse>,
-    /// The weights that act in short contacts of which it is told how long they last.
+    /// The weights that act in short contacts of known duration.
     pub weights: Vec<ContactWeight>,
     /// The forces of each push.
     pub forces: Vec<ActingForce>,
@@ -311,7 +311,7 @@ fn each_once(faults: Vec<Fault>) -> Vec<Fault> {
 }
 
 impl Model {
-    /// Every quantity that an equation or a condition of the scene speaks of.
+    /// Every quantity that an equation or a condition of the scene refers to.
     #[must_use]
     pub fn mentioned(&self) -> BTreeSet<Symbol> {
         let ways = || self.choices.iter().flatten();

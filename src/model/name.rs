@@ -29,7 +29,7 @@ const JOINED: &[&str] =
     &["areal_rate", "H_rate", "T_rel", "v_rel", "T_lost", "T_gained", "J_def", "J_rest", "v_common", "F_avg"];
 
 impl Name {
-    /// Whether it speaks of no body, no instant and no stage, so that authors may use it for anything: `v`, `T`, `v_0`.
+    /// Whether it refers to no body, no instant and no stage, so that authors may use it for anything: `v`, `T`, `v_0`.
     #[must_use]
     pub fn is_plain(&self) -> bool {
         let no_instant = matches!(self.instant, None | Some(Instant::Number(0)));

@@ -65,7 +65,7 @@ impl<'s> Builder<'s> {
         &self.influences
     }
 
-    /// From when to when a stage lasts by its own clock, as far as that is spoken of.
+    /// From when to when a stage lasts by its own clock, as far as that is used.
     #[must_use]
     pub fn span_of(&self, stage: usize) -> Option<[Expr; 2]> {
         let pushed = self.forces.iter().find(|force| force.stage == stage).map(|force| force.during.clone());

@@ -91,7 +91,7 @@ impl Builder<'_> {
         }
     }
 
-    /// How fast two bodies, or a body and a surface, move apart just after an impact: along its line where that is told, else
+    /// How fast two bodies, or a body and a surface, move apart just after an impact: along its line where that is given, else
     /// along every axis.
     pub fn parting_velocity(&mut self, stage: usize) -> Vec<Expr> {
         let Some(Stage::Impact(impact)) = self.scene.stages.get(stage) else { return Vec::new() };

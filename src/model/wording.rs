@@ -23,7 +23,7 @@ const KINDS: &[(&str, &str, &str, &str)] = &[
     ("conical", "change of the cord", "before {}", "after {}"),
     ("bowl", "slide", "at the first level", "at the second level"),
     ("interact", "encounter", "before {}", "after {}"),
-    ("central", "motion", "at the first place", "at the second place"),
+    ("central", "motion", "at the first position", "at the second position"),
     ("fall", "fall", "at the start of {}", "at the end of {}"),
     ("slide_off", "slide", "at the start of {}", "at the end of {}"),
     ("motion", "motion", "at the start of {}", "at the end of {}"),

@@ -49,7 +49,8 @@ impl Allowed {
             if warning.is_none() && meant.is_none() {
                 let known = Warning::NAMES.iter().map(|(own, _)| *own).chain(Meant::NAMES.iter().map(|(own, _)| *own));
                 let near = did_you_mean(name, known.clone()).map(|near| format!("did you mean `{near}`?"));
-                let help = near.unwrap_or_else(|| format!("known are: {}", known.collect::<Vec<_>>().join(", ")));
+                let help =
+                    near.unwrap_or_else(|| format!("the warnings are: {}", known.collect::<Vec<_>>().join(", ")));
                 let fault = Fault::new(Code::UnknownName, format!("there is no warning `{name}`"));
                 builder.fault(fault.help(help).at_path(path.clone()));
             }

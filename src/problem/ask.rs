@@ -52,7 +52,7 @@ pub struct Find {
     #[serde(default)]
     #[schemars(range(min = 1, max = 12))]
     pub figures: Option<u8>,
-    /// `every` where all values are asked that the equations give for it, possible or not.
+    /// `every` if all values that the equations give for it are asked for, possible or not.
     #[serde(default)]
     pub roots: Option<AskedRoots>,
     /// Of an angle: the direction from which it is measured: `+x`.
@@ -61,7 +61,7 @@ pub struct Find {
     /// Of an angle: the sense in which it is measured.
     #[serde(default)]
     pub sense: Option<Turn>,
-    /// How the part is called on the sheet. Default: the meaning of the name.
+    /// The name of the part on the sheet. Default: the meaning of the name.
     #[serde(default)]
     pub label: Option<String>,
 }
@@ -87,7 +87,7 @@ pub struct Count {
     #[serde(default)]
     #[schemars(range(min = 0, max = 1000))]
     pub points: Option<u32>,
-    /// How the part is called on the sheet.
+    /// The name of the part on the sheet.
     #[serde(default)]
     pub label: Option<String>,
 }
@@ -114,7 +114,7 @@ pub struct Conserved {
     #[serde(default)]
     #[schemars(range(min = 0, max = 1000))]
     pub points: Option<u32>,
-    /// How the part is called on the sheet.
+    /// The name of the part on the sheet.
     #[serde(default)]
     pub label: Option<String>,
 }
@@ -133,7 +133,7 @@ pub struct Classify {
     #[serde(default)]
     #[schemars(range(min = 0, max = 1000))]
     pub points: Option<u32>,
-    /// How the part is called on the sheet.
+    /// The name of the part on the sheet.
     #[serde(default)]
     pub label: Option<String>,
 }
@@ -155,7 +155,7 @@ pub struct Impulsive {
     #[serde(default)]
     #[schemars(range(min = 0, max = 1000))]
     pub points: Option<u32>,
-    /// How the part is called on the sheet.
+    /// The name of the part on the sheet.
     #[serde(default)]
     pub label: Option<String>,
 }

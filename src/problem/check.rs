@@ -23,7 +23,7 @@ struct Checker<'s> {
     faults: Vec<Fault>,
 }
 
-/// How a fault speaks of a value.
+/// How a fault refers to a value.
 #[derive(Clone, Copy)]
 enum What<'w> {
     File,
@@ -161,10 +161,12 @@ impl<'s> Checker<'s> {
                 let help = match (rival, did_you_mean(key, known.iter().copied())) {
                     (true, _) => {
                         let own = keys.required.first().copied().unwrap_or_default();
-                        format!("it cannot stand beside `{own}`: begin a new item with `- `")
+                        format!("it cannot be combined with `{own}`: begin a new item with `- `")
                     }
                     (false, Some(name)) => format!("did you mean `{name}`?"),
-                    (false, None) if free.is_empty() => "all keys that can stand here do: remove this one".to_owned(),
+                    (false, None) if free.is_empty() => {
+                        "all possible keys are already here: remove this one".to_owned()
+                    }
                     (false, None) => format!("the keys here are {}", quoted(&free, "and")),
                 };
                 let fault = Fault::new(Code::UnknownKey, format!("`{key}` is not a key of {what}"));
@@ -173,7 +175,8 @@ impl<'s> Checker<'s> {
             };
             let child = self.value(value, place, &path.key(key.as_str()), What::Key(key));
             if mapping.insert(usual.into(), child.unwrap_or_default()).is_some() {
-                let fault = Fault::new(Code::UnknownKey, format!("`{key}` stands beside another word for it"));
+                let fault =
+                    Fault::new(Code::UnknownKey, format!("`{key}` is a second name for a key that is already here"));
                 self.fault(fault.help(format!("keep `{usual}`")), &path.name(key.as_str()));
             }
         }
@@ -215,7 +218,7 @@ impl<'s> Checker<'s> {
                 path.name(entry.key.as_str()),
             ),
             (None, _) => (
-                format!("{what} does not say of which kind it is"),
+                format!("the kind of {what} is missing"),
                 format!("add one of the keys {}", quoted(&heads, "or")),
                 path.clone(),
             ),

@@ -32,7 +32,7 @@ pub(super) fn holds(loaded: &Loaded, ask: &Holds, builder: &mut Builder<'_>, pat
 
 /// A comparison in words, and what it claims.
 pub(super) fn claim(loaded: &Loaded, text: &str, builder: &mut Builder<'_>, path: &Path) -> Option<(String, Claim)> {
-    let condition = condition(builder, text, "it is asked", path)?;
+    let condition = condition(builder, text, "the question asks for it", path)?;
     let (left, relation, right) = (condition.left, condition.relation, condition.right);
     let words = [&left, &right].map(|side| in_words(builder, side));
     let than = match relation {
@@ -79,7 +79,7 @@ pub(super) fn order(ask: &Order, builder: &mut Builder<'_>, path: &Path) -> Opti
             return None;
         };
         if symbols.contains(&symbol) {
-            let fault = Fault::new(Code::Duplicate, format!("`{name}` stands there a second time"));
+            let fault = Fault::new(Code::Duplicate, format!("`{name}` is listed twice"));
             builder.fault(fault.help("name each quantity once").at_path(path));
             return None;
         }
@@ -87,7 +87,7 @@ pub(super) fn order(ask: &Order, builder: &mut Builder<'_>, path: &Path) -> Opti
         if let Some(first) = symbols.first().copied().filter(|first| dimension(*first) != dimension(symbol)) {
             let [one, other] = [first, symbol].map(|symbol| dimension_name(dimension(symbol)));
             let fault = Fault::new(Code::Dimension, format!("`{name}` is {other}, `{}` is {one}", ask.order[0]));
-            builder.fault(fault.help("put quantities of one kind in order").at_path(path));
+            builder.fault(fault.help("only quantities of the same kind can be put in order").at_path(path));
             return None;
         }
         symbols.push(symbol);
@@ -103,6 +103,6 @@ fn in_words(builder: &Builder<'_>, side: &Expr) -> String {
             let entry = builder.symbols().entry(*symbol);
             if entry.meaning.is_empty() { entry.name.clone() } else { entry.meaning.clone() }
         }
-        _ => "what it is compared with".to_owned(),
+        _ => "the other side of the comparison".to_owned(),
     }
 }

@@ -79,7 +79,8 @@ fn contradictions(problem: &Problem) -> Vec<Fault> {
         };
         let why = reason.rejection().map_or_else(String::new, |why| format!(": {why}"));
         let fault = Fault::new(code, format!("the values have no admissible solution{why}"));
-        let help = "give fewer values, or others; what is meant to be unphysical is declared under `allow` or `expect`";
+        let help =
+            "give fewer or other values; if the result is meant to be unphysical, declare it under `allow` or `expect`";
         Some(fault.help(help).at_path(form.question.path.key("ask")))
     };
     problem.forms().iter().enumerate().filter_map(trouble).collect()
@@ -172,7 +173,7 @@ fn words_for_directions(loaded: &Loaded, drafts: &[FormDraft], builder: &mut Bui
     }
 }
 
-/// A given that no equation, condition or text speaks of is a slip of the pen.
+/// A given that no equation, condition or text refers to is a slip of the pen.
 fn idle(loaded: &Loaded, model: &Model, known: &[Known], forms: &[FormDraft], require: &[Condition]) -> Vec<Fault> {
     let mut used = model.mentioned();
     let conditions = forms.iter().flat_map(|form| &form.conditions).chain(require);
@@ -212,7 +213,7 @@ fn givens(loaded: &Loaded, builder: &mut Builder<'_>) -> Vec<Known> {
         let mut add = |builder: &mut Builder<'_>, name: &str, origin: Origin, unit: &Unit| {
             let Some(symbol) = builder.mention(name) else {
                 let fault = match given {
-                    Given::Any(_) => builder.unknown(name).help(format!("say what it is by a unit: `{name}: any kg`")),
+                    Given::Any(_) => builder.unknown(name).help(format!("give its unit: `{name}: any kg`")),
                     _ => builder.unknown(name),
                 };
                 builder.fault(fault.at_path(place.clone()));
@@ -221,7 +222,7 @@ fn givens(loaded: &Loaded, builder: &mut Builder<'_>) -> Vec<Known> {
             let dimension = builder.symbols().entry(symbol).dimension;
             if dimension != unit.dimension() && !matches!(given, Given::Any(None)) {
                 let [expected, found] = [dimension, unit.dimension()].map(dimension_name);
-                let message = format!("`{name}` is {expected}, but its unit makes it {found}");
+                let message = format!("`{name}` is {expected}, but its unit is one of {found}");
                 builder.fault(Fault::new(Code::Dimension, message).help("change the unit").at_path(path.clone()));
             }
             if let Some(fault) = unsound::too_small(builder, name, symbol, &origin) {

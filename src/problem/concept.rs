@@ -30,10 +30,10 @@ pub(super) fn yes_or_no((holds, because): Verdict, behind: Option<&'static Misco
 
 /// Forces that never have time to act in a short impact, whatever the scene.
 const ORDINARY: &[(&str, &str)] = &[
-    ("weight", "it stays as it is during the short contact, so its impulse is negligible"),
-    ("gravity", "it stays as it is during the short contact, so its impulse is negligible"),
+    ("weight", "it hardly changes during the short contact, so its impulse is negligible"),
+    ("gravity", "it hardly changes during the short contact, so its impulse is negligible"),
     ("friction", "it is bounded by the ordinary normal force, so in the short contact its impulse is negligible"),
-    ("normal force", "nothing impulsive presses the body into the ground, so it stays as it is"),
+    ("normal force", "nothing impulsive presses the body into the ground, so it hardly changes"),
     ("spring force", "it depends on the spring's length, which hardly changes during the short contact"),
     ("air resistance", "it stays small during the short contact, so its impulse is negligible"),
 ];
@@ -68,7 +68,7 @@ pub(super) fn impulsive(
                 builder.impulses().iter().filter(|own| own.stage == stage).map(|own| own.called.as_str()).collect();
             let all: Vec<&str> = ORDINARY.iter().map(|row| row.0).chain(known).collect();
             let help = did_you_mean(bare, all.iter().copied()).map(|near| format!("did you mean `{near}`?"));
-            let help = help.unwrap_or_else(|| format!("known here: {}", all.join(", ")));
+            let help = help.unwrap_or_else(|| format!("the forces here are: {}", all.join(", ")));
             let fault = Fault::new(Code::UnknownName, format!("no force called `{force}` acts in {phrase}"));
             builder.fault(fault.help(help).at_path(path.key("impulsive")));
             return None;
@@ -80,7 +80,7 @@ pub(super) fn impulsive(
     Some((format!("Is {named} impulsive during {phrase}?"), yes_or_no(verdict, behind)))
 }
 
-/// What must hold for a force to be too weak to be impulsive: the impulse of weight is small where it is told how long the
+/// What must hold for a force to be too weak to be impulsive: the impulse of weight is small where it is given how long the
 /// contact lasts.
 fn is_weak(ask: &Impulsive, builder: &mut Builder<'_>, stage: usize) -> Vec<Condition> {
     if !["weight", "gravity"].contains(&ask.impulsive.trim().trim_start_matches("the ")) {
@@ -91,8 +91,7 @@ fn is_weak(ask: &Impulsive, builder: &mut Builder<'_>, stage: usize) -> Vec<Cond
     let weights: Vec<ContactWeight> = builder.weights().iter().filter(meant).cloned().collect();
     let weak = |weight: ContactWeight| {
         let [weight, change] = weight.squares();
-        let reason =
-            "weight would give 10 % or more of the change of momentum, too much for it to be called negligible";
+        let reason = "weight would give 10 % or more of the change of momentum, too much to be called negligible";
         builder.compare(weight, Relation::Less, change, reason)
     };
     weights.into_iter().map(weak).collect()
@@ -128,11 +127,11 @@ pub(super) fn stage(name: Option<&str>, builder: &mut Builder<'_>, path: &Path) 
     if found.is_none() {
         let message = match name {
             _ if builder.scene().stages.is_empty() => "nothing happens in this scene: it has no stage".to_owned(),
-            None => "it is not said which stage is meant".to_owned(),
+            None => "the question does not name the stage".to_owned(),
             Some(name) => format!("there is no stage `{name}`"),
         };
         let help = if builder.scene().stages.is_empty() {
-            "say under `stages` what happens, as `- impact: { between: [A, B], restitution: e }`"
+            "describe what happens under `stages`, such as `- impact: { between: [A, B], restitution: e }`"
         } else {
             "give the stage a `name` and write it here: `stage: hit`"
         };

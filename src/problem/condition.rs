@@ -31,7 +31,7 @@ pub(super) fn are_comparable(builder: &mut Builder<'_>, text: &str, sides: [&Exp
     let message = match (left, right) {
         (Err(clash), _) | (_, Err(clash)) => {
             let unit = |dimension| coherent_unit(dimension, UnitSystem::Si).to_string();
-            format!("`{text}` cannot be worked out: {}", clash.sentence(symbols, &unit))
+            format!("`{text}` cannot be evaluated: {}", clash.sentence(symbols, &unit))
         }
         (Ok(one), Ok(other)) => {
             if one == other || sides.iter().any(|side| side.is_zero()) {

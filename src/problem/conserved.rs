@@ -58,8 +58,8 @@ pub(super) fn conserved(loaded: &Loaded, ask: &Conserved, builder: &mut Builder<
         (Conservable::AngularMomentum, _) => format!("the angular momentum of {whose}"),
     };
     let Some(Verdict { tests, because }) = verdict(loaded, &balance, ask.conserved, builder) else {
-        let fault = Fault::new(Code::Value, format!("the scene does not tell {what} in {phrase}"));
-        let help = "ask about the point about which the stage turns, and about all the bodies that take part";
+        let fault = Fault::new(Code::Value, format!("the scene does not determine {what} in {phrase}"));
+        let help = "ask about the point about which the bodies rotate, and about all bodies that take part";
         builder.fault(fault.help(help).at_path(path.key("about")));
         return None;
     };
@@ -84,7 +84,7 @@ pub(super) fn verdict(
     builder: &mut Builder<'_>,
 ) -> Option<Verdict> {
     if !balance.ask.of.iter().any(|body| builder.is_changed_in(body, balance.stage)) && balance.is_sudden {
-        return Some(Verdict { tests: Vec::new(), because: "nothing acts on it".into() });
+        return Some(Verdict { tests: Vec::new(), because: "no force acts on it".into() });
     }
     match (balance.is_sudden, quantity) {
         (true, Conservable::Momentum) => sudden::momentum(loaded, balance, builder),
@@ -152,7 +152,7 @@ fn about(ask: &Conserved, builder: &mut Builder<'_>, path: &Path) -> Option<Stri
         None if ask.conserved != Conservable::AngularMomentum => return Some(String::new()),
         None => match points[..] {
             [only] => return Some(only.clone()),
-            _ => Fault::new(Code::MissingKey, "it is not said about which point the angular momentum is meant")
+            _ => Fault::new(Code::MissingKey, "the point of the angular momentum is missing")
                 .help("name a point of the scene: `about: O`"),
         },
     };

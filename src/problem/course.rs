@@ -10,7 +10,7 @@ use crate::fault::Path;
 
 use super::text::is_name;
 
-/// The letters that a course writes. Names in the file keep the usual ones.
+/// The letters that a course uses. Names in the file keep the usual ones.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CourseSymbols {
@@ -42,7 +42,7 @@ impl CourseSymbols {
         ]
     }
 
-    /// These letters, and those of `other` where nothing is said here.
+    /// These letters, and those of `other` for the rest.
     #[must_use]
     pub(super) fn or(&self, other: &Self) -> Self {
         let either = |own: &Option<String>, other: &Option<String>| own.as_ref().or(other.as_ref()).cloned();

@@ -38,7 +38,7 @@ pub struct Decision {
     pub right: usize,
     /// Why it is right, as a sentence without a full stop.
     pub because: String,
-    /// The usual mistake that leads to another phrase, where there is one.
+    /// The common mistake that leads to another phrase, where there is one.
     pub behind: Option<&'static Misconception>,
 }
 
@@ -72,7 +72,7 @@ impl Decision {
 }
 
 impl ChoicePart {
-    /// Everything on which the choice depends, what is told included.
+    /// Everything on which the choice depends, what is given included.
     #[must_use]
     pub fn depends_on(&self) -> BTreeSet<Symbol> {
         match self {
@@ -102,7 +102,7 @@ impl ChoicePart {
         if let Self::Judged(choice) = self { choice.unclear(worked) } else { None }
     }
 
-    /// Whether values are taken as equal that are so only as closely as the data are told.
+    /// Whether values are taken as equal that are so only within the precision of the data.
     #[must_use]
     pub fn is_within_data(&self, worked: &Worked<'_>) -> bool {
         matches!(self, Self::Judged(choice) if choice.is_within_data(worked))

@@ -27,7 +27,7 @@ fn of_given((name, given): (&str, &Given)) -> Option<(String, Dimension)> {
     Some((name.to_owned(), unit.dimension()))
 }
 
-/// Names that are asked, and that the file speaks of only within longer terms of its scene and its relations: the unit in
+/// Names that are asked, and that the file refers to only within longer terms of its scene and its relations: the unit in
 /// which they are asked says what they are. A name that stands alone is told by its place.
 fn sought(loaded: &Loaded) -> impl Iterator<Item = (String, Dimension)> + '_ {
     let Spoken { within, alone } = &loaded.spoken;

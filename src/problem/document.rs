@@ -173,9 +173,12 @@ impl<'a> Reader<'a> {
 
     fn node(&mut self, (event, span): Spanned<'a>, depth: usize) -> Result<Node, Fault> {
         if depth > DEPTH_LIMIT {
-            return Err(Fault::new(Code::Syntax, format!("lists and mappings lie more than {DEPTH_LIMIT} deep"))
-                .help("a problem needs no such depth: is a bracket left open?")
-                .at(span));
+            return Err(Fault::new(
+                Code::Syntax,
+                format!("lists and mappings are nested more than {DEPTH_LIMIT} deep"),
+            )
+            .help("no problem needs such depth: is a bracket not closed?")
+            .at(span));
         }
         match event {
             Event::Scalar(text, style, anchor, tag) => {
@@ -225,8 +228,8 @@ impl<'a> Reader<'a> {
                 Kind::Scalar(scalar) => match entries.iter().find(|entry| entry.key == scalar.text) {
                     Some(first) => {
                         let line = self.text[..first.key_span.start].matches('\n').count() + 1;
-                        let fault = Fault::new(Code::Duplicate, format!("`{}` is here a second time", scalar.text));
-                        let help = format!("it stands on line {line} already: keep one of the two, or rename one");
+                        let fault = Fault::new(Code::Duplicate, format!("`{}` is repeated", scalar.text));
+                        let help = format!("it is already on line {line}: keep one of the two, or rename one");
                         self.faults.push(fault.help(help).at(key.span));
                     }
                     None => entries.push(Entry { key: scalar.text, key_span: key.span, value }),
@@ -250,7 +253,7 @@ impl<'a> Reader<'a> {
     fn refuse(&mut self, unwanted: bool, span: Span) {
         if unwanted {
             let fault =
-                Fault::new(Code::Syntax, "anchors `&`, aliases `*` and tags `!` have no place in a problem file");
+                Fault::new(Code::Syntax, "anchors `&`, aliases `*` and tags `!` are not allowed in a problem file");
             self.faults
                 .push(fault.help("write the value out; write a text that begins with such a mark in quotes").at(span));
         }
@@ -293,13 +296,13 @@ const HELP: &[(&str, Clue, &str)] = &[
     ),
     ("unexpected end of stream", Clue::InMessage, "close the quotes"),
     ("quoted scalar", Clue::InMessage, "close the quotes, on the same line"),
-    ("invalid indentation", Clue::InMessage, "is a bracket, a brace or a quote left open above?"),
+    ("invalid indentation", Clue::InMessage, "is a bracket, a brace or a quote above not closed?"),
     ("flow mapping", Clue::InMessage, "separate the entries with commas and close the brace `}`"),
     ("flow sequence", Clue::InMessage, "separate the items with commas and close the bracket `]`"),
     (
         "block mapping",
         Clue::InMessage,
-        "keys of one mapping begin in the same column, each with a colon and a blank after it",
+        "keys of one mapping begin in the same column, each followed by a colon and a space",
     ),
     ("block collection", Clue::InMessage, "items of one list begin in the same column, each with `- `"),
 ];

@@ -88,7 +88,7 @@ impl Grid {
             let scaled = decimal.to_scaled(scale).filter(|_| scale <= MOST_DECIMALS);
             scaled.and_then(|scaled| i64::try_from(scaled).ok()).ok_or_else(|| {
                 range(
-                    format!("{decimal} has too many digits to be drawn with these others"),
+                    format!("{decimal} has too many digits to be drawn together with the others"),
                     "choose a larger unit, or a coarser step".to_owned(),
                 )
             })
@@ -96,12 +96,12 @@ impl Grid {
         let (low, high, step_scaled) = (scaled(min)?, scaled(max)?, scaled(step)?);
         if step_scaled <= 0 {
             return Err(range(
-                format!("the step {step} is not above zero"),
-                "write a positive step, as `0.5`".to_owned(),
+                format!("the step {step} is not positive"),
+                "write a positive step, such as `0.5`".to_owned(),
             ));
         }
         if high < low {
-            let help = format!("exchange them: `min: {max}, max: {min}`");
+            let help = format!("swap them: `min: {max}, max: {min}`");
             return Err(range(format!("no value lies between min {min} and max {max}"), help));
         }
         let (width, step_wide) = (i128::from(high) - i128::from(low), i128::from(step_scaled));
@@ -197,13 +197,13 @@ mod tests {
                 ("1", "6", "0.7"),
                 "the step 0.7 does not lead from 1 to 6: write `max: 5.9` or `max: 6.6`, or another step",
             ),
-            (("6", "1", "1"), "no value lies between min 6 and max 1: exchange them: `min: 1, max: 6`"),
-            (("1", "6", "0"), "the step 0 is not above zero: write a positive step, as `0.5`"),
-            (("1", "6", "-1"), "the step -1 is not above zero: write a positive step, as `0.5`"),
+            (("6", "1", "1"), "no value lies between min 6 and max 1: swap them: `min: 1, max: 6`"),
+            (("1", "6", "0"), "the step 0 is not positive: write a positive step, such as `0.5`"),
+            (("1", "6", "-1"), "the step -1 is not positive: write a positive step, such as `0.5`"),
             (("0", "1", "1e-13"), "these are 10000000000001 values; a given has at most 2^40: choose a coarser step"),
             (
                 ("0", "1e30", "1"),
-                "1000000000000000000000000000000 has too many digits to be drawn with these others: choose a larger unit, or a coarser step",
+                "1000000000000000000000000000000 has too many digits to be drawn together with the others: choose a larger unit, or a coarser step",
             ),
         ];
         for ((min, max, step), message) in faults {

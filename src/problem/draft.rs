@@ -15,7 +15,7 @@ use super::rubric::Rubric;
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Draft {
-    /// The problem's identity, `topic/name` in small letters, digits and hyphens: `impact/two-carts`. Drawn numbers depend on it.
+    /// The problem's identity, `topic/name` in lower-case letters, digits and hyphens: `impact/two-carts`. Drawn numbers depend on it.
     #[schemars(regex(pattern = r"^[a-z0-9]+(-[a-z0-9]+)*(/[a-z0-9]+(-[a-z0-9]+)*)*$"))]
     pub id: String,
     /// The title on the sheet.
@@ -28,10 +28,10 @@ pub struct Draft {
     /// Where the problem comes from: a book, a page, a person.
     #[serde(default)]
     pub source: Option<String>,
-    /// The unit system of defaults, as that of gravity. Default: `SI`.
+    /// The unit system for defaults such as gravity. Default: `SI`.
     #[serde(default)]
     pub units: Units,
-    /// The letters that the course writes for some quantities: `{ momentum: L, impulse: I }`. Names in the file keep the usual ones.
+    /// The letters that the course uses for some quantities: `{ momentum: L, impulse: I }`. Names in the file keep the usual ones.
     #[serde(default)]
     pub symbols: CourseSymbols,
     /// What is there and what happens: axes, bodies and stages.
@@ -53,28 +53,28 @@ pub struct Draft {
     /// What is asked, of a problem without `forms`.
     #[serde(default)]
     pub ask: Vec<Ask>,
-    /// Names that are solved first and then told, rounded as they are printed; of a problem without `forms`.
+    /// Names that are solved first and then given, rounded as they are printed; of a problem without `forms`.
     #[serde(default)]
     pub reveal: Vec<String>,
-    /// Conditions that pick the solution that is meant among several true ones, in every form.
+    /// Conditions that choose the intended solution if several are true, in every form.
     #[serde(default, rename = "where")]
     pub conditions: Vec<String>,
-    /// `all` where every true solution is asked for, in every form.
+    /// `all` if every true solution is asked for, in every form.
     #[serde(default)]
     pub roots: Option<Roots>,
-    /// What this problem is meant to do although something speaks against it, by its names, in every form: `passes-through`, `one-sheet`.
+    /// What this problem intends although it would otherwise be refused or reported, by its name, in every form: `passes-through`, `one-sheet`.
     #[serde(default)]
     pub allow: Vec<String>,
-    /// `unphysical` where the problem is meant to end in something impossible, in every form.
+    /// `unphysical` if the problem is meant to end in something impossible, in every form.
     #[serde(default)]
     pub expect: Option<Expect>,
     /// Hints, shown one by one, in every form.
     #[serde(default)]
     pub hints: Vec<String>,
-    /// What a student is told who made a usual mistake, by the mistake's name: `momentous diagnose --list` lists them.
+    /// A message to a student who made a common mistake, by the mistake's name: `momentous diagnose --list` lists them.
     #[serde(default)]
     pub feedback: Entries<String>,
-    /// Usual mistakes, by their names, that must change some answer: numbers with which they do not are drawn again.
+    /// Common mistakes, by their names, that must change some answer: if they do not, the numbers are drawn again.
     #[serde(default)]
     pub discriminate: Vec<String>,
     /// Significant figures of printed answers. Default: 3.
@@ -97,24 +97,24 @@ pub struct Draft {
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Form {
-    /// The end of the text, after the story: what is told in this form, and the question.
+    /// The end of the text, after the story: what is given in this form, and the question.
     #[serde(default)]
     pub text: Option<String>,
     /// What is asked.
     pub ask: Vec<Ask>,
-    /// Names that are solved first and then told, rounded as they are printed.
+    /// Names that are solved first and then given, rounded as they are printed.
     #[serde(default)]
     pub reveal: Vec<String>,
-    /// Conditions that pick the solution that is meant among several true ones.
+    /// Conditions that choose the intended solution if several are true.
     #[serde(default, rename = "where")]
     pub conditions: Vec<String>,
-    /// `all` where every true solution is asked for.
+    /// `all` if every true solution is asked for.
     #[serde(default)]
     pub roots: Option<Roots>,
-    /// What this form is meant to do although something speaks against it, by its names: `passes-through`, `one-sheet`.
+    /// What this form intends although it would otherwise be refused or reported, by its name: `passes-through`, `one-sheet`.
     #[serde(default)]
     pub allow: Vec<String>,
-    /// `unphysical` where the form is meant to end in something impossible.
+    /// `unphysical` if the form is meant to end in something impossible.
     #[serde(default)]
     pub expect: Option<Expect>,
     /// Hints, shown one by one.

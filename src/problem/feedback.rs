@@ -1,4 +1,4 @@
-//! What an author says of usual mistakes: `feedback` and `discriminate` name mistakes that exist, and tell no answer.
+//! What an author says of common mistakes: `feedback` and `discriminate` name mistakes that exist, and tell no answer.
 
 use std::collections::BTreeSet;
 
@@ -28,7 +28,7 @@ pub(super) fn check(loaded: &Loaded, model: &Model, forms: &[Form]) -> Vec<Fault
         for placeholder in Text::read(text).unwrap_or_default().placeholders() {
             let message = match model.symbol_of(&placeholder.name) {
                 Some(symbol) if asked.contains(&symbol) => {
-                    format!("the feedback prints `{}`, which a form asks", placeholder.name)
+                    format!("the feedback prints `{}`, which a form asks for", placeholder.name)
                 }
                 Some(symbol) if forms.iter().all(|form| form.told.contains(&symbol)) => continue,
                 _ => format!("the feedback prints `{}`, which not every form gives", placeholder.name),
@@ -47,5 +47,5 @@ fn unknown(name: &str, path: Path) -> Option<Fault> {
     let names: Vec<&str> = wrong::all().into_iter().flat_map(|(_, kinds)| kinds).map(|kind| kind.id).collect();
     let near = did_you_mean(name, names).map(|near| format!("did you mean `{near}`?"));
     let help = near.unwrap_or_else(|| "`momentous diagnose --list` lists them".to_owned());
-    Some(Fault::new(Code::UnknownName, format!("there is no usual mistake `{name}`")).help(help).at_path(path))
+    Some(Fault::new(Code::UnknownName, format!("there is no common mistake `{name}`")).help(help).at_path(path))
 }

@@ -17,7 +17,7 @@ pub struct Question {
     pub text: Text,
     /// What is asked; the parts stand under `ask` at the form's path.
     pub ask: Vec<Ask>,
-    /// Names that are solved first and then told; they stand under `reveal` at the form's path.
+    /// Names that are solved first and then given; they stand under `reveal` at the form's path.
     pub reveal: Vec<String>,
     /// Conditions that pick among true solutions, each with its place: those for every form, then the form's own.
     pub conditions: Vec<(Path, String)>,

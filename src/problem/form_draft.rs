@@ -50,7 +50,7 @@ impl FormDraft {
             match builder.mention(name) {
                 Some(symbol) if read.wanted.contains(&symbol) => {
                     let fault =
-                        Fault::new(Code::Duplicate, format!("`{name}` is asked, so it cannot be given as well"));
+                        Fault::new(Code::Duplicate, format!("`{name}` is asked for, so it cannot be given as well"));
                     let help = "remove it from `reveal`, or ask for something else";
                     builder.fault(fault.help(help).at_path(question.path.key("reveal").index(index)));
                 }
@@ -137,8 +137,7 @@ impl FormDraft {
         )
         .map_err(|fault| match given.map(|symbol| &model.symbols.entry(*symbol).name) {
             Some(name) => fault.help(format!(
-                "`{name}` stands under `given`, and a form that asks for it must tell what it follows from: \
-                     `reveal: [...]`"
+                "`{name}` is listed under `given`, so a form that asks for it must say what it follows from: `reveal: [...]`"
             )),
             None => fault,
         })

@@ -63,7 +63,7 @@ impl<'a> Composer<'a> {
         Self { steps: leaf.answer_steps(), positive: &leaf.system.positive, written: start }
     }
 
-    /// A quantity in what is told; `None` where some step on the way has no formula, or one that is given piece by piece.
+    /// A quantity in what is given; `None` where some step on the way has no formula, or one that is given piece by piece.
     fn composed(&mut self, symbol: Symbol, choice: &dyn Fn(usize) -> usize) -> Option<Expr> {
         if let Some(known) = self.written.get(&symbol) {
             return Some(known.clone());
@@ -141,7 +141,7 @@ pub(super) fn check(known: &[Known], literals: &[(Symbol, crate::quantity::Quant
         let PartKind::Formula(formula) = &part.kind else { continue };
         let path = form.question.path.key("ask").index(index);
         if form.question.roots.is_some() {
-            let fault = Fault::new(Code::Value, "a formula is asked where every root is asked for");
+            let fault = Fault::new(Code::Value, "a formula cannot be asked for together with every root");
             faults.push(fault.help("pick one root with `where`, or ask for numbers").at_path(path));
             continue;
         }
@@ -153,7 +153,7 @@ pub(super) fn check(known: &[Known], literals: &[(Symbol, crate::quantity::Quant
                 None => Fault::new(Code::Stuck, format!("no single formula gives `{}`", part.id))
                     .help("ask for a number, or for another quantity"),
                 Some(found) if found.symbols().iter().any(strange) => {
-                    let message = format!("the formula of `{}` holds a value that has no symbol", part.id);
+                    let message = format!("the formula for `{}` contains a value that has no symbol", part.id);
                     Fault::new(Code::Value, message).help("give that value a name under `given`")
                 }
                 Some(_) => continue,
@@ -276,7 +276,7 @@ impl Worked<'_> {
         (0..roots).filter_map(composed).collect()
     }
 
-    /// Whether two terms are proven equal in every variant that goes this way: both written in what is told, step by step of the plan
+    /// Whether two terms are proven equal in every variant that goes this way: both written in what is given, step by step of the plan
     /// and of what only judging needs.
     #[must_use]
     pub fn are_equal(&self, left: &Expr, right: &Expr) -> bool {

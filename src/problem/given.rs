@@ -173,7 +173,7 @@ impl Reader {
             let place = path.index(index);
             let Some(value) = self.number(term, &place) else { continue };
             if values.iter().any(|known| known.compare(&value).is_eq()) {
-                let fault = Fault::new(Code::Duplicate, format!("{value} is among the choices already"));
+                let fault = Fault::new(Code::Duplicate, format!("{value} is already among the choices"));
                 self.take::<()>(Err(fault.help("remove it: each choice is as likely as the others")), &place);
             }
             values.push(value);

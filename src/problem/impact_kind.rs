@@ -57,6 +57,6 @@ pub(super) fn classify(loaded: &Loaded, ask: &Classify, builder: &mut Builder<'_
         builder.fault(fault.at_path(path.key("classify")));
         return None;
     }
-    let label = format!("Of which kind is {}?", builder.phrase_of(index));
+    let label = format!("Is {} elastic, inelastic or perfectly plastic?", builder.phrase_of(index));
     Some((label, PartKind::Choice(Judgement::new(&KINDS, cases).with(None, Vec::new()))))
 }

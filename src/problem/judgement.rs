@@ -115,7 +115,7 @@ impl Judgement {
         Some(own.in_words(worked).unwrap_or_else(|| "its two sides".to_owned()))
     }
 
-    /// Whether values are taken as equal that are so only as closely as the data are told.
+    /// Whether values are taken as equal that are so only within the precision of the data.
     pub(super) fn is_within_data(&self, worked: &Worked<'_>) -> bool {
         self.equalities().any(|own| own.closeness(worked) == Closeness::WithinData)
     }
@@ -152,11 +152,11 @@ impl Judgement {
         }
         let words = words.join(", and ");
         let returns = !self.returns.is_empty() && self.returns.iter().all(|own| own.closeness(worked).is_equal());
-        if returns { format!("it returns to its value, but {words}") } else { words }
+        if returns { format!("its final value equals its initial value, but {words}") } else { words }
     }
 }
 
-/// Why a case holds, with the values that are equal as closely as the data are told.
+/// Why a case holds, with the values that are equal within the precision of the data.
 fn accepted(worked: &Worked<'_>, case: &Case) -> String {
     let nearly = case.tests.iter().find(|test| test.equality.closeness(worked) == Closeness::WithinData);
     match nearly.map(|test| test.equality.in_words(worked)) {

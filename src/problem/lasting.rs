@@ -31,9 +31,9 @@ pub(super) fn momentum(loaded: &Loaded, balance: &Balance<'_>, builder: &Builder
         tests.extend(net(loaded, balance, builder, acting));
     }
     let because = if tests.is_empty() {
-        "the impulses within the system cancel in pairs, and none acts from outside along the axis"
+        "the impulses within the system cancel in pairs, and no external impulse acts along the axis"
     } else {
-        "what acts from outside along the axis cancels at every moment"
+        "the external forces along the axis cancel at every moment"
     };
     Verdict { tests, because: because.into() }
 }
@@ -78,7 +78,7 @@ pub(super) fn energy(loaded: &Loaded, balance: &Balance<'_>, builder: &Builder<'
     within.dedup();
     if let ([link], Some(first)) = (&within[..], tests.first().map(|test| test.otherwise.clone())) {
         for test in tests.iter_mut().filter(|test| test.otherwise == first) {
-            test.otherwise = format!("{link} takes from one body what it gives to another, but {first}");
+            test.otherwise = format!("the work of {link} on one body cancels that on the other, but {first}");
         }
     }
     let across: Vec<String> = (acting.iter())
@@ -87,10 +87,10 @@ pub(super) fn energy(loaded: &Loaded, balance: &Balance<'_>, builder: &Builder<'
         .collect();
     let because = match (&across[..], tests.is_empty()) {
         _ if round.is_some() => round.unwrap_or_default(),
-        ([], true) => "nothing does work".to_owned(),
-        ([], false) => "what does work takes as much as it gives at every moment".to_owned(),
-        ([one], _) => format!("{one} acts at right angles to the motion, and nothing does work"),
-        _ => format!("{} act at right angles to the motion, and nothing does work", join(&across)),
+        ([], true) => "no force does work".to_owned(),
+        ([], false) => "the total power of the forces is zero at every moment".to_owned(),
+        ([one], _) => format!("{one} acts at right angles to the motion, and no force does work"),
+        _ => format!("{} act at right angles to the motion, and no force does work", join(&across)),
     };
     Verdict { tests, because }
 }
@@ -118,7 +118,7 @@ pub(super) fn angular(loaded: &Loaded, balance: &Balance<'_>, builder: &Builder<
     }
     passing.dedup();
     let because = match &passing[..] {
-        [] => "nothing has a moment about the point".to_owned(),
+        [] => "no force has a moment about the point".to_owned(),
         [one] => format!("{one} has no moment about the point at any time"),
         _ => format!("{} have no moment about the point at any time", join(&passing)),
     };
@@ -153,7 +153,7 @@ pub(super) fn still(balance: &Balance<'_>, builder: &Builder<'_>) -> Option<Case
     let ways: Vec<(usize, String)> =
         ways.map(|way| way.map(|(choice, what)| (choice, what.to_owned()))).collect::<Option<_>>()?;
     let because = join(&ways.iter().map(|(_, what)| what.clone()).collect::<Vec<_>>());
-    let because = format!("{because}: what acts from outside cancels, and nothing moves");
+    let because = format!("{because}: the external forces cancel, and nothing moves");
     (!ways.is_empty()).then(|| Case::new(0, Vec::new(), because).only(ways))
 }
 
@@ -200,7 +200,7 @@ fn net<'e>(
 }
 
 fn impulse(own: &Influence, builder: &Builder<'_>) -> String {
-    format!("{} gives {} an impulse from outside the system", own.called, builder.name_of(&own.on))
+    format!("{} exerts an external impulse on {}", own.called, builder.name_of(&own.on))
 }
 
 fn work(own: &Influence, builder: &Builder<'_>) -> String {

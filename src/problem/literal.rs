@@ -41,7 +41,7 @@ impl Literal {
         let number = number(&text[start..end]).map_err(|fault| fault.within(Span { start, end }))?;
         if rest.starts_with(['_', ',']) && rest[1..].starts_with(|next: char| next.is_ascii_digit()) {
             let fault = Fault::new(Code::Value, format!("`{}` is not a number", text.trim()));
-            let help = "write digits without marks between them, and a decimal point: `1000`, `3.5`";
+            let help = "write digits without separators, and a decimal point: `1000`, `3.5`";
             return Err(fault.help(help).within(Span { start, end: text.trim_end().len() }));
         }
         Ok(unit(text, end)?.map(|unit| Self { components: vec![number], unit }))
@@ -68,7 +68,7 @@ pub fn number(text: &str) -> Result<Decimal, Fault> {
     }
     Decimal::parse(text).map_err(|error| match error {
         DecimalFault::NotANumber { .. } => {
-            fault(format!("`{text}` is not a number"), "write a decimal as `2`, `-0.5` or `1e3`".to_owned())
+            fault(format!("`{text}` is not a number"), "write a decimal such as `2`, `-0.5` or `1e3`".to_owned())
         }
         other => fault(other.to_string(), "choose a unit in which the number is shorter".to_owned()),
     })

@@ -136,7 +136,7 @@ fn id_fault(value: &Value) -> Option<Fault> {
         return None;
     }
     let fault = Fault::new(Code::Value, format!("`{id}` cannot be the identity of a problem"));
-    let help = "write small letters, digits and hyphens, with the topic before a slash: `impact/two-carts`";
+    let help = "write lower-case letters, digits and hyphens, with the topic before a slash: `impact/two-carts`";
     Some(fault.help(help).at_path(Path::root().key("id")))
 }
 
@@ -150,7 +150,7 @@ fn forms_faults(value: &Value) -> Vec<Fault> {
     let Some(forms) = value.get("forms") else {
         match value.get("ask") {
             None => faults.push(
-                Fault::new(Code::MissingKey, "the file asks nothing")
+                Fault::new(Code::MissingKey, "the file asks for nothing")
                     .help("add `ask:` with a list of parts as `- { find: v_A2, unit: m/s }`, or `forms:`")
                     .at_path(root),
             ),
@@ -160,7 +160,7 @@ fn forms_faults(value: &Value) -> Vec<Fault> {
     };
     for key in ["ask", "reveal"] {
         if value.get(key).is_some() {
-            let fault = Fault::new(Code::Duplicate, format!("`{key}` stands at the top beside `forms`"));
+            let fault = Fault::new(Code::Duplicate, format!("`{key}` is at the top level, beside `forms`"));
             faults.push(fault.help(format!("move `{key}` into the form to which it belongs")).at_path(root.name(key)));
         }
     }
@@ -174,7 +174,8 @@ fn forms_faults(value: &Value) -> Vec<Fault> {
 
 fn nothing_asked(ask: &Value, path: &Path) -> Option<Fault> {
     let empty = ask.as_sequence().is_some_and(Vec::is_empty);
-    let fault = Fault::new(Code::Value, "nothing is asked here").help("add a part as `- { find: v_A2, unit: m/s }`");
+    let fault =
+        Fault::new(Code::Value, "nothing is asked for here").help("add a part as `- { find: v_A2, unit: m/s }`");
     empty.then(|| fault.at_path(path.clone()))
 }
 

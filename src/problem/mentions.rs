@@ -1,4 +1,4 @@
-//! What the texts of a problem speak of: every placeholder names a quantity of which its filter has something to say.
+//! What the texts of a problem refer to: every placeholder names a quantity of which its filter has something to say.
 
 use crate::fault::Code;
 use crate::fault::Fault;
@@ -27,7 +27,7 @@ pub(super) fn mention_in_texts(loaded: &Loaded, builder: &mut Builder<'_>) {
                 if let [Some(_), Some(_)] = parts.each_ref().map(|part| builder.mention(part)) {
                     let [x, y] = parts;
                     fault = fault
-                        .help(format!("a text gives a vector by its components: `{{{{ {x} }}}}` and `{{{{ {y} }}}}`"));
+                        .help(format!("a text prints a vector by its components: `{{{{ {x} }}}}` and `{{{{ {y} }}}}`"));
                 }
                 let fault = fault.at_path(path.clone()).within(placeholder.span);
                 builder.fault(fault);
@@ -38,7 +38,7 @@ pub(super) fn mention_in_texts(loaded: &Loaded, builder: &mut Builder<'_>) {
     }
 }
 
-/// The fault of a filter that speaks of motion or direction where the quantity has none.
+/// The fault of a filter that refers to motion or direction where the quantity has none.
 fn without_direction(placeholder: &Placeholder, builder: &mut Builder<'_>) -> Option<Fault> {
     let symbol = builder.mention(&placeholder.name)?;
     let dimension = builder.symbols().entry(symbol).dimension;
@@ -48,6 +48,6 @@ fn without_direction(placeholder: &Placeholder, builder: &mut Builder<'_>) -> Op
         _ => return None,
     };
     let found = dimension_name(dimension);
-    let message = format!("`{}` is {found}, and this filter speaks of {of}", placeholder.name);
+    let message = format!("`{}` is {found}, but this filter is for {of}", placeholder.name);
     (!serves).then(|| Fault::new(Code::Text, message).help(format!("write `{{{{ {} }}}}` alone", placeholder.name)))
 }

@@ -1,4 +1,4 @@
-//! Which usual mistake is behind a wrong yes or no about a scene.
+//! Which common mistake is behind a wrong yes or no about a scene.
 
 use crate::laws::wrong::Misconception;
 use crate::laws::wrong::concept;

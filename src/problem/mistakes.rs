@@ -1,4 +1,4 @@
-//! The usual mistakes in one form of a problem, each as the program that makes it. They are planned once, when the first
+//! The common mistakes in one form of a problem, each as the program that makes it. They are planned once, when the first
 //! wrong answer asks for them; right answers never do.
 
 use std::cell::RefCell;
@@ -42,7 +42,7 @@ pub(super) struct Planned {
     pub(super) directed: Vec<Symbol>,
 }
 
-/// One way of making one usual mistake.
+/// One way of making one common mistake.
 #[derive(Clone, Debug)]
 pub struct Mistake {
     /// The mistake.
@@ -218,7 +218,7 @@ impl Problem {
 }
 
 impl<'a> Worked<'a> {
-    /// The usual mistakes that can be made with this variant's form. They are planned when this is first called.
+    /// The common mistakes that can be made with this variant's form. They are planned when this is first called.
     #[must_use]
     pub fn mistakes(&self) -> &'a [Mistake] {
         self.planned().map_or(&[], |planned| planned.list.as_slice())

@@ -38,7 +38,7 @@ pub enum Rejection {
     Condition(String),
     /// The boundary of a range that is asked is beyond what can be.
     #[error(
-        "where the condition on `{name}` begins to hold, {reason}: within what is possible it holds always, or never"
+        "where the condition on `{name}` begins to hold, {reason}: within the possible range, the condition always holds or never holds"
     )]
     Boundary {
         /// The quantity whose range is asked.
@@ -50,7 +50,7 @@ pub enum Rejection {
     #[error("`{0}` is zero, so nothing can be given in terms of it")]
     ZeroUnit(String),
     /// They make a vector zero whose direction is asked; the direction in words.
-    #[error("{0} is asked, but that vector is zero and has none; choose other numbers, or ask for its components")]
+    #[error("{0} is asked for, but that vector is zero and has none; choose other numbers, or ask for its components")]
     NoDirection(String),
     /// They leave several solutions.
     #[error("there are {0} solutions; pick one with `where`, or ask for all with `roots: all`")]

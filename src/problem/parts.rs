@@ -83,8 +83,8 @@ pub(super) fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'
         };
         let Some((id, label, kind)) = part else { continue };
         if read.parts.iter().any(|part| part.id == id) {
-            let fault = Fault::new(Code::Duplicate, format!("`{id}` is asked a second time"));
-            builder.fault(fault.help("ask it once: an answer is found by its name").at_path(path));
+            let fault = Fault::new(Code::Duplicate, format!("`{id}` is asked for twice"));
+            builder.fault(fault.help("ask for it once: answers are identified by their names").at_path(path));
             continue;
         }
         read.wanted.extend(kind.wanted());
@@ -100,7 +100,8 @@ pub(super) fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'
 fn check_alone(read: &Read, question: &Question, builder: &mut Builder<'_>) {
     let ranges = read.parts.iter().filter(|part| matches!(part.kind, PartKind::Range(_))).count();
     if ranges > 0 && read.wanted.len() > 1 {
-        let fault = Fault::new(Code::Value, "a range is asked beside other quantities, whose values it leaves open");
+        let fault =
+            Fault::new(Code::Value, "a range is asked for together with other quantities, whose values it leaves open");
         let help = "give the range a form of its own";
         builder.fault(fault.help(help).at_path(question.path.key("ask")));
     }
@@ -109,7 +110,7 @@ fn check_alone(read: &Read, question: &Question, builder: &mut Builder<'_>) {
 /// Every fraction of the rubric can be read; it is the same for all forms, so its faults are told once.
 fn check_rubric(loaded: &Loaded, builder: &mut Builder<'_>) {
     for (key, term) in loaded.draft.rubric.fractions().filter(|(_, term)| fraction(term).is_none()) {
-        let fault = Fault::new(Code::Value, format!("`{}` is no fraction of the points", term.0));
+        let fault = Fault::new(Code::Value, format!("`{}` is not a fraction of the points", term.0));
         let path = Path::root().key("rubric").key(key);
         builder.fault(fault.help("write a fraction from 0 to 1: `50 %`, `0.5` or `1/2`").at_path(path));
     }
@@ -169,7 +170,7 @@ fn formula_part(find: &Find, symbol: Symbol, builder: &mut Builder<'_>, path: &P
     let Some(unit) = &find.unit else { return Some(FormulaPart { symbol, in_terms_of: None }) };
     let Some(other) = builder.mention(unit).filter(|_| Unit::parse(unit).is_err()) else {
         let fault = Fault::new(Code::Value, "a formula has no unit");
-        let help = "remove it, or name a quantity in terms of which it is asked: `unit: v_A1`";
+        let help = "remove it, or name a quantity in terms of which it is asked for: `unit: v_A1`";
         builder.fault(fault.help(help).at_path(path.key("unit")));
         return None;
     };
@@ -197,7 +198,7 @@ pub(super) fn number_part(
                 let message = format!("`{}` is {expected}, but `{text}` is a unit of {found}", find.find);
                 builder.fault(
                     Fault::new(Code::Dimension, message)
-                        .help("ask for it in a unit of its own")
+                        .help("write a unit of its own dimension")
                         .at_path(path.key("unit")),
                 );
                 return None;
@@ -229,7 +230,7 @@ fn reference(find: &Find, symbol: Symbol, builder: &mut Builder<'_>, path: &Path
     let is_direction = builder.symbols().entry(symbol).name.starts_with("angle_") && builder.axis_letters().len() > 1;
     let (Some(from), Some(sense)) = (&find.from, find.sense) else {
         if is_direction {
-            let message = format!("it is not said from which axis and in which sense `{}` is counted", find.find);
+            let message = format!("the axis and the sense from which `{}` is measured are missing", find.find);
             let fault = Fault::new(Code::MissingKey, message).help("write `from: +x` and `sense: counter-clockwise`");
             builder.fault(fault.at_path(path.key("find")));
             return None;
@@ -243,7 +244,7 @@ fn reference(find: &Find, symbol: Symbol, builder: &mut Builder<'_>, path: &Path
         return None;
     };
     let words = if clockwise { "clockwise" } else { "counter-clockwise" };
-    Some((counted, format!(", counted {words} from {}", from.replace('-', "\u{2212}"))))
+    Some((counted, format!(", measured {words} from {}", from.replace('-', "\u{2212}"))))
 }
 
 /// The unit in which a quantity is asked where the file does not say: that in which it is given, else the system's own.

@@ -60,7 +60,7 @@ pub struct Form {
     pub told: BTreeSet<Symbol>,
     /// Of these, the quantities whose values the sheet does not tell: they may be anything, or are known by their symbols only.
     pub free: BTreeSet<Symbol>,
-    /// What is solved first and then told.
+    /// What is solved first and then given.
     pub reveal: Vec<Reveal>,
     /// Solves what is revealed.
     pub forward: Option<Regimes>,
@@ -70,7 +70,7 @@ pub struct Form {
     pub(super) trials: Vec<(Symbol, Regimes)>,
     /// Solves what weight does in short contacts, where the answers need it not.
     pub(super) weighed: Option<Regimes>,
-    /// What comes of the usual mistakes; planned when a wrong answer first asks for it.
+    /// What comes of the common mistakes; planned when a wrong answer first asks for it.
     pub(super) mistakes: Mistakes,
     /// How answers move with the values on the way; worked out when a wrong answer first asks for it.
     pub(super) sensitivities: Sensitivities,
@@ -84,14 +84,14 @@ pub struct Form {
     pub kept: Kept,
 }
 
-/// A value that is solved first and then told, rounded as it is printed.
+/// A value that is solved first and then given, rounded as it is printed.
 #[derive(Clone, Debug)]
 pub struct Reveal {
     /// Its name.
     pub name: String,
     /// Its quantity.
     pub symbol: Symbol,
-    /// The unit in which it is told.
+    /// The unit in which it is given.
     pub unit: Unit,
     /// To how many figures.
     pub figures: usize,
@@ -117,7 +117,7 @@ impl Form {
         })
     }
 
-    /// What the answer plans, and what is to be decided, use of what is told.
+    /// What the answer plans, and what is to be decided, use of what is given.
     #[must_use]
     pub fn needed(&self) -> BTreeSet<Symbol> {
         let mut needed = BTreeSet::new();

@@ -104,7 +104,7 @@ pub(super) fn read(
     let number = number_part(loaded, &find, symbol, builder, path)?;
     let (question, claim) = comparing::claim(loaded, &ask.condition, builder, &path.key("where"))?;
     if claim.relation == Relation::Differs {
-        let fault = Fault::new(Code::Value, "`!=` leaves no interval");
+        let fault = Fault::new(Code::Value, "`!=` does not define an interval");
         builder.fault(fault.help("compare with `<`, `<=`, `>` or `>=`").at_path(path.key("where")));
         return None;
     }
@@ -131,7 +131,7 @@ pub(super) fn trials(
         if !range.claim.symbols().contains(&symbol) && alone().is_ok() {
             let name = &model.symbols.entry(symbol).name;
             let message = format!("whether the condition holds does not depend on `{name}`");
-            let help = format!("ask it of something that changes with `{name}`: `where: v_A2 < 0 m/s`");
+            let help = format!("ask about something that depends on `{name}`: `where: v_A2 < 0 m/s`");
             return Err(Fault::new(Code::UnderDetermined, message).help(help));
         }
         let told = told.iter().copied().chain([symbol]).collect();

@@ -55,7 +55,7 @@ impl Leaf {
 }
 
 impl Regimes {
-    /// Plans how to find what is wanted from what is told, in every way in which the scene can go. A way in which the
+    /// Plans how to find what is wanted from what is given, in every way in which the scene can go. A way in which the
     /// question has no answer (when does it start to slide, where it does not) is left out: numbers that lead there are
     /// not drawn.
     pub(super) fn plan(
@@ -143,18 +143,18 @@ fn fault(model: &Model, system: &System, stuck: &Stuck) -> Fault {
             let ways: Vec<String> = enough.iter().filter(spoken).take(4).map(|set| names(set)).collect();
             let known: Vec<Symbol> = stuck.known.iter().copied().collect();
             let help = if ways.is_empty() {
-                format!("given are {}; say more of the scene, or give more values", names(&known))
+                format!("the givens are {}; describe the scene further, or give more values", names(&known))
             } else {
                 format!("give also {}", ways.join(", or "))
             };
             Fault::new(Code::UnderDetermined, message).help(help)
         }
         Reason::NoTactic { equations, unknowns } => {
-            let message = format!("no way is known to solve {} from {}", names(unknowns), laws(equations));
+            let message = format!("no known method gives {} from {}", names(unknowns), laws(equations));
             Fault::new(Code::Stuck, message).help("give one of these quantities, or ask for another")
         }
         Reason::Contradiction { equations } => {
-            let message = format!("what is given contradicts itself in {}", laws(equations));
+            let message = format!("the givens contradict each other in {}", laws(equations));
             Fault::new(Code::OverDetermined, message).help("remove one of the givens that these laws connect")
         }
     }

@@ -56,7 +56,7 @@ pub(super) fn check(form: &Form) -> Vec<Fault> {
             _ => continue,
         };
         if !form.solver.leaves().iter().any(|leaf| step_of(leaf, symbol).is_some()) {
-            let message = format!("the equations give one value only for what `{}` asks", part.id);
+            let message = format!("the equations give only one value for the question `{}`", part.id);
             let fault = Fault::new(Code::Value, message).help("ask for that value: `find: ...`");
             faults.push(fault.at_path(form.question.path.key("ask").index(index)));
         }
@@ -134,7 +134,7 @@ impl Worked<'_> {
             because: if both {
                 "both values satisfy the equations, and neither breaks a condition of the scene".into()
             } else {
-                "both values satisfy the equations, but only this one the conditions of the scene".into()
+                "both values satisfy the equations, but only this one satisfies the conditions of the scene".into()
             },
             behind: None,
         }

@@ -71,7 +71,7 @@ impl Worked<'_> {
         value.value.abs() <= value.error && (spread == 0.0 || spread <= NOTHING * self.cancelling(symbol))
     }
 
-    /// The size of what cancels in a quantity that is nothing, `sum |x_i dt/dx_i|` over what is told; where nothing cancels, the
+    /// The size of what cancels in a quantity that is nothing, `sum |x_i dt/dx_i|` over what is given; where nothing cancels, the
     /// problem's own scale.
     fn cancelling(&self, asked: Symbol) -> f64 {
         let mut total = 0.0;

@@ -23,13 +23,13 @@ pub struct Rubric {
     /// Off by the factor of a prefix: grams for kilograms. Default: `50 %`.
     #[serde(default)]
     pub unit_prefix: Option<Term>,
-    /// Right, in another unit than that of the question, with `other_units: refuse`. Default: `50 %`.
+    /// Right, but in another unit than that of the question, with `other_units: refuse`. Default: `50 %`.
     #[serde(default)]
     pub unit_not_asked: Option<Term>,
-    /// Off by a power of ten that is no usual prefix. Default: `0 %`.
+    /// Off by a power of ten that is not a usual prefix. Default: `0 %`.
     #[serde(default)]
     pub order_of_magnitude: Option<Term>,
-    /// The right magnitude, and the sign that says the direction is missing. Default: `50 %`.
+    /// The right magnitude without the sign or the word that gives the direction. Default: `50 %`.
     #[serde(default)]
     pub sense: Option<Term>,
     /// The right magnitude in the opposite direction. Default: `0 %`.

@@ -169,7 +169,7 @@ const DIRECTED: [&str; 9] = ["v", "v_rel", "v_common", "p", "J", "J_def", "J_res
 
 impl Problem {
     /// The words for the two directions between which the sign of a quantity decides; none where the sign is no direction,
-    /// as that of a place or an energy, or where the direction is told apart, as that of a thrust is.
+    /// as that of a place or an energy, or where the direction is given separately, as that of a thrust is.
     #[must_use]
     pub fn senses(&self, symbol: Symbol) -> Option<Senses> {
         let text = &self.model().symbols.entry(symbol).name;

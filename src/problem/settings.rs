@@ -18,7 +18,7 @@ use super::schema::COURSE_SHAPES;
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Course {
-    /// The letters that the course writes for some quantities: `{ momentum: L, impulse: I }`. A problem's own letters come first.
+    /// The letters that the course uses for some quantities: `{ momentum: L, impulse: I }`. A problem's own letters come first.
     #[serde(default)]
     pub symbols: CourseSymbols,
 }

@@ -1,4 +1,4 @@
-//! What comes of the usual mistakes with the numbers of one variant.
+//! What comes of the common mistakes with the numbers of one variant.
 
 use crate::expr::Expr;
 use crate::expr::Symbol;
@@ -19,7 +19,7 @@ use super::vector::VectorPart;
 /// A formula and a program give the same within this share.
 const SAME: f64 = 1e-9;
 
-/// What comes of every usual mistake with the numbers of a variant.
+/// What comes of every common mistake with the numbers of a variant.
 #[derive(Debug)]
 pub struct Simulated<'a> {
     worked: Worked<'a>,

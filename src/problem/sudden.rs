@@ -37,7 +37,7 @@ pub(super) fn momentum(loaded: &Loaded, balance: &Balance<'_>, builder: &mut Bui
     }
     let is_identity = tests.iter().all(|test| matches!(test.equality, Equality::Always));
     let because = if outside.is_empty() || is_identity {
-        "the impulses within the system cancel in pairs, and none acts from outside along the axis"
+        "the impulses within the system cancel in pairs, and no external impulse acts along the axis"
     } else {
         SAME
     };
@@ -82,7 +82,7 @@ fn outside(balance: &Balance<'_>, builder: &Builder<'_>) -> Vec<(String, Vec<Exp
     });
     let said = acts.map(|impulse| {
         let name = builder.name_of(&impulse.on);
-        (format!("{} gives {name} an impulse from outside the system", impulse.called), impulse.components.clone())
+        (format!("{} exerts an external impulse on {name}", impulse.called), impulse.components.clone())
     });
     said.collect()
 }
@@ -115,17 +115,18 @@ fn words_of_energy(balance: &Balance<'_>, builder: &Builder<'_>) -> (&'static st
                 "the bodies stay together, and part of the kinetic energy goes into deforming and heating them",
             ),
             _ if impact.restitution.is_some() => {
-                ("the impact is elastic (e = 1)", "with e below 1 part of the kinetic energy is lost in the impact")
+                ("the impact is elastic (e = 1)", "with e below 1, part of the kinetic energy is lost in the impact")
             }
             _ => ("the impact is elastic", "part of the kinetic energy is lost in the impact"),
         },
         Some(Stage::Strike(_)) if all => {
-            ("the impact is elastic", "in the impact kinetic energy is passed on, and part of it is lost")
+            ("the impact is elastic", "in the impact, kinetic energy is transferred, and part of it is lost")
         }
-        Some(Stage::Strike(_)) => (SAME, "in the impact kinetic energy is passed on"),
-        Some(Stage::Taut(_)) => {
-            (SAME, "the string ends with one velocity along it for both, and the jerk takes energy")
-        }
+        Some(Stage::Strike(_)) => (SAME, "in the impact, kinetic energy is transferred"),
+        Some(Stage::Taut(_)) => (
+            SAME,
+            "the string becomes taut inelastically: both bodies then have the same velocity along it, and kinetic energy is lost",
+        ),
         Some(Stage::Separate(_)) => (
             "the parts do not move away from each other",
             "the parts are pushed away from each other, and the forces that do so do work on them",

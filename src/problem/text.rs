@@ -105,7 +105,7 @@ impl Text {
             }
             let inside = &text[open + 2..];
             let Some(length) = inside.find("}}").filter(|length| !inside[..*length].contains("{{")) else {
-                let fault = Fault::new(Code::Text, "a placeholder is opened with `{{` and not closed");
+                let fault = Fault::new(Code::Text, "a placeholder is opened with `{{` but not closed");
                 faults.push(fault.help("close it: `{{ m_A }}`").within(Span { start: open, end: open + 2 }));
                 at = open + 2;
                 continue;
@@ -165,7 +165,7 @@ fn placeholder(inside: &str, offset: usize) -> Result<Placeholder, Wrong> {
         return Err(("a placeholder is empty".into(), "write the name of a quantity: `{{ m_A }}`".into(), whole));
     }
     if !is_name(written.trim()) {
-        let help = "a placeholder holds one name, as `m_A`, `v_A1.x`, `v_A@top` or `J_A[hit]`; give a computed value a name under `given`";
+        let help = "a placeholder contains one name, such as `m_A`, `v_A1.x`, `v_A@top` or `J_A[hit]`; give a computed value a name under `given`";
         return Err((format!("`{}` is not the name of a quantity", written.trim()), help.into(), span));
     }
     let filter = match filter {

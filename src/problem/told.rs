@@ -44,8 +44,9 @@ pub(super) fn check(loaded: &Loaded, model: &Model, known: &[Known], form: &Form
                 continue;
             }
             if asked.contains(&symbol) {
-                let fault = Fault::new(Code::Text, format!("the text prints `{}`, which is asked", placeholder.name));
-                let help = "leave it out of the text of this form, or ask for something else";
+                let fault =
+                    Fault::new(Code::Text, format!("the text prints `{}`, which is asked for", placeholder.name));
+                let help = "remove it from the text of this form, or ask for something else";
                 faults.push(fault.help(help).at_path(path.clone()).within(placeholder.span));
             } else if !form.told.contains(&symbol) && !solved_from_given(form, symbol) {
                 let message = format!("the text prints `{}`, which this form does not give", placeholder.name);
@@ -108,7 +109,7 @@ impl Problem {
     }
 }
 
-/// What the laws that lead to the answers speak of; what a question compares with, it says itself.
+/// What the laws that lead to the answers refer to; what a question compares with, it says itself.
 fn in_laws(model: &Model, form: &Form) -> BTreeSet<Symbol> {
     let asked = [&geometry::BOUNDARY, &kinematics::COUNT];
     let is_law = |equation: &&Equation| {
@@ -121,7 +122,7 @@ fn in_laws(model: &Model, form: &Form) -> BTreeSet<Symbol> {
     equations.filter(is_law).flat_map(Equation::symbols).collect()
 }
 
-/// Whether a quantity follows from what is told without being asked: a given that is an expression of others.
+/// Whether a quantity follows from what is given without being asked: a given that is an expression of others.
 fn solved_from_given(form: &Form, symbol: Symbol) -> bool {
     form.solver.leaves().iter().any(|leaf| leaf.audit.plan.steps.iter().any(|step| step.unknowns.contains(&symbol)))
 }

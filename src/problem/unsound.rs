@@ -34,7 +34,7 @@ pub(super) fn circles(loaded: &Loaded, builder: &mut Builder<'_>) {
         }
         if reached.contains(&symbol) {
             let fault = Fault::new(Code::OverDetermined, format!("`{name}` is given in terms of itself"));
-            builder.fault(fault.help("give one of the names in this circle a value").at_path(path));
+            builder.fault(fault.help("give one of the names in this cycle a value").at_path(path));
         }
     }
 }
@@ -50,7 +50,7 @@ pub(super) fn too_small(builder: &Builder<'_>, name: &str, symbol: Symbol, origi
         (Origin::Fixed(value), true) if !value.is_negative() => return None,
         (Origin::Drawn(_), true) => return None,
         (_, true) => format!("`{name}` cannot be negative"),
-        (_, false) => format!("`{name}` must be more than zero"),
+        (_, false) => format!("`{name}` must be greater than zero"),
     };
-    Some(Fault::new(Code::Unphysical, message).help("give it a value above zero, or values of which none is less"))
+    Some(Fault::new(Code::Unphysical, message).help("give it a positive value, or a range of positive values"))
 }

@@ -56,13 +56,13 @@ impl Variant {
         self.values.get(symbol.index()).copied().flatten()
     }
 
-    /// What is told of a quantity, exactly as it is printed: value and unit.
+    /// What is given of a quantity, exactly as it is printed: value and unit.
     #[must_use]
     pub fn given(&self, symbol: Symbol) -> Option<(Decimal, Unit)> {
         self.given.iter().find(|(own, ..)| *own == symbol).map(|(_, value, unit)| (value.clone(), unit.clone()))
     }
 
-    /// Everything that is told, in the order of the file, revealed values last.
+    /// Everything that is given, in the order of the file, revealed values last.
     #[must_use]
     pub fn all_given(&self) -> &[(Symbol, Decimal, Unit)] {
         &self.given

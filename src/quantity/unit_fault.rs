@@ -34,7 +34,7 @@ pub enum UnitFaultKind {
         readings: Vec<String>,
     },
     /// A character that has no place there.
-    #[error("`{0}` has no place here in a unit")]
+    #[error("`{0}` is not allowed here in a unit")]
     Unexpected(String),
     /// A unit is missing: after an operator, or between brackets.
     #[error("a unit is missing here")]
@@ -62,7 +62,7 @@ impl UnitFault {
         match &self.kind {
             UnitFaultKind::Unknown { near, .. } if !near.is_empty() => format!("did you mean {}?", quoted(near)),
             UnitFaultKind::Ambiguous { readings, .. } => format!("write {}", quoted(readings)),
-            _ => "units are written like `kg`, `m/s^2`, `N s`, `m/(s kg)` or `ft lb`".to_owned(),
+            _ => "write units such as `kg`, `m/s^2`, `N s`, `m/(s kg)` or `ft lb`".to_owned(),
         }
     }
 

@@ -43,7 +43,7 @@ impl From<QuantityFault> for Fault {
         match fault {
             QuantityFault::Unit(fault) => fault.into(),
             QuantityFault::Number(DecimalFault::NotANumber { at }) => {
-                let help = "a quantity is a number and a unit, like `3 kg`, `9.81 m/s^2` or `0.7`";
+                let help = "a quantity is a number and a unit, such as `3 kg`, `9.81 m/s^2` or `0.7`";
                 Fault::new(Code::Value, message).at(Span { start: at, end: at }).help(help)
             }
             QuantityFault::Number(_) => Fault::new(Code::Value, message),

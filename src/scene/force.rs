@@ -27,7 +27,7 @@ pub struct FrictionEntry {
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Friction {
-    /// The static coefficient, which decides whether and when a body at rest starts to move. Left out: the body slides all the time.
+    /// The static coefficient, which decides whether and when a body at rest starts to move. Default: the body slides all the time.
     #[serde(default, rename = "static")]
     pub at_rest: Option<Term>,
     /// The kinetic coefficient.

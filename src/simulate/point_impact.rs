@@ -164,7 +164,7 @@ impl PointImpact {
             return Ok(());
         }
         Err(Refusal::Invalid {
-            what: "the terms of inverse mass, the approach or the coefficients make no contact".to_owned(),
+            what: "the terms of inverse mass, the approach or the coefficients do not define a contact".to_owned(),
         })
     }
 

@@ -20,7 +20,7 @@ pub enum Refusal {
         time: f64,
     },
     /// Bodies stay in contact and press on each other, which is no impact.
-    #[error("lasting contact of {contact} from t = {time} s on: this method knows impacts only")]
+    #[error("lasting contact of {contact} from t = {time} s on: this method handles only impacts")]
     LastingContact {
         /// The contact.
         contact: String,
@@ -37,7 +37,7 @@ pub enum Refusal {
     #[error("no formula for the whole run: bodies may meet")]
     NoFormula,
     /// The method solves the impact of bodies that touch, and none do.
-    #[error("nothing touches: this method solves the impact itself, not the way to it")]
+    #[error("nothing touches: this method solves only the impact itself, not the motion before it")]
     NothingTouches,
     /// Bodies are inside each other, or further apart than their cord is long.
     #[error("overlap of {contact}: bodies are inside each other, or a cord is too short")]
@@ -52,13 +52,13 @@ pub enum Refusal {
         product: f64,
     },
     /// A spring and a dashpot cannot make this coefficient of restitution.
-    #[error("no calibration: a spring and a dashpot cannot return e = {restitution}")]
+    #[error("no calibration: a spring and a dashpot cannot reproduce e = {restitution}")]
     NoCalibration {
         /// The coefficient.
         restitution: f64,
     },
     /// No motion agrees with friction at the contact (Painlevé's paradox).
-    #[error("jamming: friction pushes the contact together faster than it can part, and no motion is consistent")]
+    #[error("jamming: friction presses the contact together faster than it can separate, and no motion is consistent")]
     Jamming,
     /// A rule would create energy.
     #[error("energy gain: {rule} would create {gain} J")]

@@ -236,7 +236,7 @@ impl<const D: usize> World<D> {
         let coefficients = self.restitutions.iter().map(|(_, value)| *value);
         let cords = self.cords.iter().map(|cord| cord.restitution);
         if coefficients.chain(cords).chain([self.restitution]).any(|e| !(0.0..=1.0).contains(&e)) {
-            return invalid("a coefficient of restitution lies outside 0 to 1".to_owned());
+            return invalid("a coefficient of restitution is outside the range 0 to 1".to_owned());
         }
         if !finite(&self.gravity) || self.forces.iter().any(|force| !force.is_sound(self.bodies.len())) {
             return invalid("a force is not finite, or acts on no body".to_owned());

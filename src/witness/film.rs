@@ -105,7 +105,7 @@ pub fn shoot(problem: &Problem, variant: &Variant, request: &Request) -> Result<
         film.unweighed = names.filter(|body| !is_weighed(problem, variant, body)).collect();
     }
     if shot.films.is_empty() {
-        let reason = shot.nothing.first().map_or("nothing to simulate: nothing happens in the scene", |(_, why)| why);
+        let reason = shot.nothing.first().map_or("nothing to simulate: the scene has no stage", |(_, why)| why);
         let help = "`momentous list` shows other problems; docs/methods.md says what can be simulated";
         return Err(NotShown { what: format!("{}: {reason}", problem.id()), help });
     }
@@ -137,7 +137,7 @@ fn integrated(
 
 /// Nothing in the table of costs serves.
 fn out_of_reach(stage: usize, error: &NoChoice) -> NotShown {
-    refused(stage, &error.to_string(), "ask for less accuracy, or give more time, or leave --method out")
+    refused(stage, &error.to_string(), "ask for less accuracy, allow more time, or omit --method")
 }
 
 fn refused(stage: usize, what: &str, help: &'static str) -> NotShown {
@@ -161,14 +161,15 @@ fn filmed<const D: usize>(
     stage: usize,
     request: &Request,
 ) -> Result<Film, NotShown> {
-    let other = "leave --method out, and the cheapest one that serves is taken";
+    let other = "omit --method to use the cheapest suitable method";
     let found = |refusal: crate::simulate::Refusal| refused(stage, &refusal.to_string(), other);
     let shown = experiment.shown().map_err(found)?;
     let classified = classify(&shown.world, &shown.budget).map_err(found)?;
     let choice = choose(&classified, request).map_err(|error| out_of_reach(stage, &error))?;
     let method: Box<dyn Method<D>> = choice.method.at(choice.setting, shown.budget.until);
     let run = method.run(&shown.world, &shown.budget);
-    let run = run.map_err(|refusal| refused(stage, &format!("{} refuses: {refusal}", choice.method.name()), other))?;
+    let run = run
+        .map_err(|refusal| refused(stage, &format!("{} is not applicable: {refusal}", choice.method.name()), other))?;
     let ending = match run.ending {
         Ending::Time | Ending::Impacts | Ending::NoMoreImpacts => AT_ITS_TIME,
         Ending::Rest { .. } => "at rest",

@@ -1,6 +1,6 @@
 //! Variants simulated stage by stage, by methods that share no code with the laws: whatever is asked has to come out.
 //!
-//! What is told and what is answered is put in together, and every quantity that both the laws and the simulation know is
+//! What is given and what is answered is put in together, and every quantity that both the laws and the simulation know is
 //! compared ([`Portion`]). The same simulations are watched as films ([`shoot`]).
 
 mod choices;

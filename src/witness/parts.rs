@@ -115,7 +115,7 @@ pub(super) fn agrees(
         Answer::Choice { part, ask, .. } => {
             let PartKind::Choice(choice) = &part.kind else { return None };
             let right = choice.decided(worked).right;
-            // What is equal only as closely as the data are told differs in a simulation.
+            // What is equal only within the precision of the data differs in a simulation.
             if choice.is_within_data(worked) {
                 return None;
             }

@@ -180,7 +180,7 @@ impl<'a> Trial<'a> {
             let apart = comparison.apart().abs();
             if is_beyond(own) {
                 return Some(format!(
-                    "`{name}` is {} by the laws and {} by simulation, {apart:e} apart where errors allow {bound:e}",
+                    "`{name}` is {} by the laws and {} by simulation: a difference of {apart:e}, where errors allow {bound:e}",
                     comparison.said, comparison.found
                 ));
             }
@@ -195,7 +195,7 @@ impl<'a> Trial<'a> {
             parts::agrees(self.worked, self.case, &self.witness, answer, TOLERANCES[0]) == Some(false)
         };
         let answer = Answer::all(self.worked).into_iter().find(wrong)?;
-        Some(format!("the answer to {} is another one by simulation", answer.id()))
+        Some(format!("the answer to {} is different by simulation", answer.id()))
     }
 
     /// Puts every answer wrong, one after another, and sorts them by whether that is found out.

@@ -54,8 +54,8 @@ impl Survey {
 
     pub fn page(&self) -> String {
         let mut page = String::from(
-            "# The bank\n\nWhat is in the program. `momentous generate ID --seed 1 --solution` prints a problem with its worked solution; \
-             `momentous list` prints this list. The table is made from the bank by `UPDATE_DOCS=1 cargo test --test book`.\n\n",
+            "# The bank\n\nThese problems are part of the program. `momentous generate ID --seed 1 --solution` prints a problem with its worked solution; \
+             `momentous list` prints this list. `UPDATE_DOCS=1 cargo test --test book` makes the table from the bank.\n\n",
         );
         page.push_str(&self.counts());
         let mut by_topic: BTreeMap<&str, Vec<&(Card, Arc<Problem>)>> = BTreeMap::new();

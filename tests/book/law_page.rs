@@ -29,7 +29,7 @@ pub fn page(chapter: &str, law: &Law, bank: &Survey) -> String {
         write!(page, "\n## {head}\n\n{text}\n").unwrap();
     }
     if !law.wrong.is_empty() {
-        page.push_str("\n## Usual mistakes\n\nA student is asked about these when an answer shows one; the [chapter on marking](../marking.md) says how.\n\n");
+        page.push_str("\n## Common mistakes\n\nIf an answer shows one of these, the student is asked the question beside it; see the [chapter on marking](../marking.md).\n\n");
     }
     for mistake in law.wrong.iter().map(|form| form.of) {
         writeln!(page, "- `{}`: the student {}. *{}*", mistake.id, mistake.does, mistake.ask).unwrap();
@@ -37,7 +37,7 @@ pub fn page(chapter: &str, law: &Law, bank: &Survey) -> String {
     let users = bank.using(law);
     page.push_str("\n## In the bank\n\n");
     if users.is_empty() {
-        page.push_str("No answer of the bank's problems needs it; a problem of your own may.\n");
+        page.push_str("No problem of the bank uses this law.\n");
     }
     for (id, title) in users {
         writeln!(page, "- `{id}`: {title}").unwrap();

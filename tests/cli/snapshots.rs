@@ -28,7 +28,7 @@ fn a_snapshot_without_a_problem_is_told_and_removed_and_other_files_stay() {
     let room = Room::with(&[("problem_bank/.keep", ""), ("golden/old.seed-1.md", "old"), ("golden/notes.md", "notes")]);
     room.fine(&["new", "a/b"]);
     let arguments = ["snapshot", "--folder", "golden"];
-    assert!(room.run(&arguments).out.contains("no problem makes it any more: old.seed-1.md"));
+    assert!(room.run(&arguments).out.contains("no problem produces it any more: old.seed-1.md"));
     room.fine(&["snapshot", "--folder", "golden", "--accept"]);
     assert!(!room.path("golden/old.seed-1.md").exists() && room.path("golden/notes.md").exists());
     room.fine(&arguments);

@@ -167,7 +167,7 @@ fn whether_kinetic_energy_lasts_is_told_with_what_does_work() {
             "no",
             "friction",
         ),
-        ("horizontal", "slide: { body: A, duration: 1 s }", "m_A: 1 kg, v_A1: 5 m/s", "A", "yes", "nothing does work"),
+        ("horizontal", "slide: { body: A, duration: 1 s }", "m_A: 1 kg, v_A1: 5 m/s", "A", "yes", "no force does work"),
         (
             "horizontal",
             "slide: { body: A, incline: 20 deg above +x, duration: 1 s }",

@@ -13,7 +13,7 @@ fn a_secret_is_random_private_and_never_written_over() {
     let [a, b] = ["a.txt", "b.txt"].map(|name| room.read(name));
     assert!(a != b && a.trim().len() == 64 && a.trim().bytes().all(|digit| digit.is_ascii_hexdigit()), "{a}");
     let again = room.run(&["secret", "a.txt"]);
-    assert!(again.code == 2 && again.err.contains("is there already") && room.read("a.txt") == a, "{}", again.err);
+    assert!(again.code == 2 && again.err.contains("already exists") && room.read("a.txt") == a, "{}", again.err);
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt;
@@ -26,7 +26,7 @@ fn a_secret_that_can_be_guessed_is_warned_about() {
     let room = Room::with(&[WEAK]);
     room.fine(&["secret", "good.txt"]);
     let warned =
-        |secret: &str| room.run(&["generate", "impact/two-carts", "--secret", secret]).err.contains("may be guessed");
+        |secret: &str| room.run(&["generate", "impact/two-carts", "--secret", secret]).err.contains("can be guessed");
     assert_eq!((warned("weak.txt"), warned("good.txt")), (true, false));
 }
 
@@ -98,7 +98,7 @@ fn with_a_secret_a_seed_is_known_by_its_mark_or_by_who_was_given_it() {
     let grade = |more: &[&str]| room.run(&[&["grade", "--secret", "weak.txt"], more].concat());
     let ran = grade(&["some.csv"]);
     assert!(ran.code == 2 && ran.err.contains("some.csv:4: the seed 3 has no mark"), "{}", ran.err);
-    assert!(ran.err.contains("on sheets of the secret given it is 3-jdrgqf"), "{}", ran.err);
+    assert!(ran.err.contains("on sheets drawn with the secret given it is 3-jdrgqf"), "{}", ran.err);
     assert_eq!(ran.out.lines().filter(|row| row.contains(",v_A2,")).count(), 2, "{}", ran.out);
     let ran = grade(&["none.csv", "-o", "marks.csv"]);
     assert!(ran.code == 2 && ran.err.contains("nothing was marked"), "{}", ran.err);

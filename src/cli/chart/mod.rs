@@ -26,11 +26,10 @@ use super::plot::png;
 use points::Row;
 
 const HELP: &str = "\
-Tasks: bounce, bounce-with-drag, half-sine-force, head-on, contact, chain, ramp-force, oblique, kepler; without any, all of
-them.
+Tasks: bounce, bounce-with-drag, half-sine-force, head-on, contact, chain, ramp-force, oblique, kepler; all of them if none is named.
 
 Each point is one method at one step or tolerance: the median error over 32 jittered scenes, with a line up to the greatest,
-against the time of one solve. Where scenes were refused or ended without the answer, a cross stands at the upper edge.
+against the time of one solve. Where scenes were refused or ended without an answer, there is a cross at the upper edge.
 
 Examples:
   momentous chart bounce -o bounce.svg                      measure and draw
@@ -43,7 +42,7 @@ Examples:
 #[derive(Args, Debug)]
 #[command(after_help = HELP)]
 pub(super) struct Chart {
-    /// The reference tasks; all where none is named
+    /// The reference tasks; all if none is named
     #[arg(value_name = "TASK")]
     tasks: Vec<String>,
     /// A drawing or the numbers; for --stability, text or csv
@@ -52,7 +51,7 @@ pub(super) struct Chart {
     /// The table of the stability suite instead
     #[arg(long, conflicts_with_all = ["tasks", "from"])]
     stability: bool,
-    /// Measure the table of costs anew, from which `momentous simulate` chooses
+    /// Measure again the table of costs from which `momentous simulate` chooses
     #[arg(long, conflicts_with_all = ["tasks", "from", "stability", "format"])]
     costs: bool,
     /// Draw the table of certificates and errors that `cargo test --test certificates` writes
@@ -64,7 +63,7 @@ pub(super) struct Chart {
     /// The finest step of the methods with a fixed step, in s
     #[arg(long, value_name = "SECONDS", default_value = "1e-5", value_parser = step)]
     finest_step: f64,
-    /// Solves of each scene, of which the fastest counts; short ones are solved more often
+    /// Solves per scene, of which the fastest counts; short ones are repeated more often
     #[arg(long, value_name = "COUNT", default_value = "5", value_parser = clap::value_parser!(u16).range(1..))]
     repetitions: u16,
     /// Colours for a dark page: for PNG; SVG has both

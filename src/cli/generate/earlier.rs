@@ -41,7 +41,7 @@ impl Earlier {
             return Ok(Self::default());
         }
         let rows: Vec<Row> = table::typed(path).map_err(|error| {
-            Failure::unusable(format!("{} is there, and is no table of seeds: {error}", path.display()))
+            Failure::unusable(format!("{} exists, but is not a table of seeds: {error}", path.display()))
         })?;
         let is_asked =
             |row: &Row| asked.iter().any(|own| own.problem.id() == row.problem && own.form_name() == row.form);
@@ -79,7 +79,7 @@ impl Earlier {
         let files: Vec<String> =
             files.filter(|path| path.is_file()).map(|path| format!("\n  {}", path.display())).collect();
         if !files.is_empty() {
-            tell(&format!("note: an earlier run left sheets that nobody on the roster has now:{}", files.concat()));
+            tell(&format!("note: an earlier run left sheets of students who are not on the roster:{}", files.concat()));
         }
     }
 }

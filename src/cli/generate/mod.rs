@@ -52,15 +52,13 @@ Examples:
   momentous generate impact/two-carts --roster class.csv --secret secret.txt --key -o sheets/
   momentous generate impact/two-carts --count 100000 --format json > variants.jsonl
 
-A roster is a CSV file with a column `id`, or `name`, or both. Each student gets numbers of his or her own, and
-seeds.csv says who has which seed. A folder named by -o ends with a slash, or is there already. The key and seeds.csv
-go beside it, into a folder of their own for the teacher: sheets-teacher/. With --roster or --secret so do solutions and
+A roster is a CSV file with a column `id`, or `name`, or both. Each student gets individual numbers, and seeds.csv says who has which seed. The name of a folder after -o ends with a slash, unless the folder exists. The key and seeds.csv are written next to it, into a separate folder for the teacher: sheets-teacher/. With --roster or --secret so do solutions and
 JSON, which hold answers, too. The same problem, seed and form give the same numbers on every computer.";
 
 /// What the name of a solution has behind that of its sheet.
 const SOLUTION: &str = "-solution";
 
-/// Make problem sheets, with solutions and a key where they are wanted
+/// Make problem sheets, with solutions and a key if wanted
 #[derive(Args, Debug)]
 #[command(after_help = HELP)]
 pub(super) struct Generate {
@@ -73,7 +71,7 @@ pub(super) struct Generate {
     /// How many variants: the seed and those after it
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..), conflicts_with = "roster")]
     count: u64,
-    /// The form in which problems are asked; the first of each where none is named
+    /// The form in which problems are asked; the first of each if none is named
     #[arg(long, value_name = "FORM")]
     form: Option<String>,
     /// The format of the documents
@@ -82,13 +80,13 @@ pub(super) struct Generate {
     /// Add the worked solution of each sheet
     #[arg(long)]
     solution: bool,
-    /// Add one key with all answers; JSON holds them anyway
+    /// Add one key with all answers; JSON always contains them
     #[arg(long)]
     key: bool,
     /// One sheet for each student of this table
     #[arg(long, value_name = "CSV", requires = "output")]
     roster: Option<PathBuf>,
-    /// How seeds of students are made: 2, or 1 to print sheets again that an earlier version of the program made
+    /// How students' seeds are derived: 2, or 1 to print sheets of an earlier version of the program again
     #[arg(long, value_name = "VERSION", default_value_t, requires = "roster")]
     derivation: Derivation,
     /// Write to this file, or files into this folder, instead of printing
@@ -106,7 +104,7 @@ impl Generate {
     pub(super) fn run(&self) -> Result<Exit, Failure> {
         if self.shown.is_said() && !self.solution {
             return Err(Failure::unusable(
-                "--faded, --instructor and --brief are about solutions\nhelp: add --solution",
+                "--faded, --instructor and --brief apply only to solutions\nhelp: add --solution",
             ));
         }
         let secret = self.secret.read()?;

@@ -54,7 +54,7 @@ pub(super) fn refuse_twins(documents: impl Iterator<Item = (String, String)>) ->
         if let Some(other) = named.insert(folded(&name), what.clone()) {
             return Err(Failure::unusable(format!(
                 "two documents would be written to `{name}`: {other}, and {what}\n\
-                 help: nothing was written; write them by two runs into two folders, or change an identity"
+                 help: nothing was written; write them in two runs into two folders, or change an identity"
             )));
         }
     }

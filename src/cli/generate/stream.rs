@@ -29,7 +29,10 @@ impl Generate {
         let make = |job: &Job| self.record(job, &job.exercise()?, &renderer);
         if let Destination::Folder(folder) = destination {
             if self.is_for_students() {
-                tell(&format!("note: JSON holds the answers; it lies in {}", destination.for_teacher()?.display()));
+                tell(&format!(
+                    "note: JSON contains the answers; it is written to {}",
+                    destination.for_teacher()?.display()
+                ));
             }
             return jobs.try_for_each(|job| {
                 let (name, text) = (format!("{}.json", job.file_stem()), format!("{}\n", make(&job)?));

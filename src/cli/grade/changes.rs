@@ -65,8 +65,8 @@ impl Changes {
             other => {
                 let place = other.map_or_else(|| "its end".to_owned(), |(place, _)| format!("line {place}"));
                 return Err(Failure::unusable(format!(
-                    "{} is not of these submissions: at {place} it does not have part `{}` of line {}\n\
-                     help: mark the same file that was marked then",
+                    "{} does not belong to these submissions: at {place}, part `{}` of line {} is missing\n\
+                     help: mark the same file as in that run",
                     self.name, part.id, submission.place
                 )));
             }
@@ -98,7 +98,7 @@ impl Changes {
     /// Says how many marks moved.
     pub(super) fn finish(mut self) -> Result<(), Failure> {
         let marks = if self.compared == 1 { "mark" } else { "marks" };
-        writeln!(self.output, "{} of {} {marks} moved", self.moved, self.compared)?;
+        writeln!(self.output, "{} of {} {marks} changed", self.moved, self.compared)?;
         self.output.finish()
     }
 }

@@ -50,33 +50,30 @@ other column is a part, named as in the JSON of `momentous generate`:
   student,problem,seed,form,attempt,v_A2,v_B2,T_lost
   s17,impact/two-carts,7,forward,1,-0.4 m/s,3.1 m/s,7.65 J
 
-The same keys may stand in JSON lines, `{\"problem\": \"impact/two-carts\", \"seed\": 7, \"answers\": {\"v_A2\": \"-0.4 m/s\"}}`, or in a
-folder of YAML files, one a submission.
+The same keys may be used in JSON Lines, `{\"problem\": \"impact/two-carts\", \"seed\": 7, \"answers\": {\"v_A2\": \"-0.4 m/s\"}}`, or in a folder of YAML files, one per submission.
 
-The cell `problem` is an identity: of the bank, or of a file that --problem names. --sheets or --roster says who was given
-which seed; a row with another one has the verdict `not_issued` and no points.
+The cell `problem` is an identity: of the bank, or of a file that --problem names. --sheets or --roster says who was given which seed; a row with another seed gets the verdict `not_issued` and no points.
 
 The result has a row for each part. A row that cannot be used is reported with its line number, and the others are
-marked; at the end it says how many rows were read, marked and refused. It exits with 0 where every answer is right, with 1 where one is not, with 2 where an answer given by --answer
-cannot be read or a row cannot be used.";
+marked; at the end it says how many rows were read, marked and refused. It exits with 0 if every answer is right, with 1 if one is not, and with 2 if an answer given by --answer cannot be read or a row cannot be used.";
 
 /// Mark answers, one set or a table of many
 #[derive(Args, Debug)]
 #[command(after_help = HELP, group = clap::ArgGroup::new("what").required(true).multiple(true).args(["submissions", "problem"]))]
 pub(super) struct Grade {
-    /// Submissions: a table, JSON lines (.jsonl), or a folder of YAML files
+    /// Submissions: a table, JSON Lines (.jsonl), or a folder of YAML files
     #[arg(value_name = "SUBMISSIONS", conflicts_with_all = ["seed", "form", "answer", "format"])]
     submissions: Option<PathBuf>,
-    /// The problem's identity, or the path of its file; for submissions, files and folders of problems besides those of the bank
+    /// The problem's identity, or the path of its file; for submissions, files and folders of problems in addition to the bank
     #[arg(long, value_name = "PROBLEM|FILE")]
     problem: Vec<String>,
     /// The seed that is printed on the sheet
     #[arg(long, value_name = "S", allow_negative_numbers = true, required_unless_present = "submissions")]
     seed: Option<SheetSeed>,
-    /// The form in which the problem was asked; the first where none is named
+    /// The form in which the problem was asked; the first if none is named
     #[arg(long, value_name = "FORM")]
     form: Option<String>,
-    /// What stands between whole and decimal digits
+    /// The mark between whole and decimal digits
     #[arg(long, value_name = "MARK", default_value = "point")]
     decimal: Mark,
     /// The answer to a part
@@ -88,13 +85,13 @@ pub(super) struct Grade {
     /// No attempts are left: show what would have followed from the student's own wrong answers
     #[arg(long, conflicts_with = "submissions")]
     closed: bool,
-    /// Of one set of answers: for people, or one JSON object
+    /// The format for one set of answers: for people, or one JSON object
     #[arg(long, value_name = "FORMAT", default_value = "text")]
     format: Listing,
     /// Write the marks of submissions to this file instead of printing them
     #[arg(short, long, value_name = "OUT", requires = "submissions")]
     output: Option<PathBuf>,
-    /// The format of the marks of submissions; by default what the name of the file says, else a table
+    /// The format of the marks of submissions; by default from the name of the file, else a table
     #[arg(long, value_name = "FORMAT", requires = "submissions")]
     marks: Option<MarksFormat>,
     /// Write statistics of the parts and the wrong answers to PATH.json and PATH.html
@@ -106,23 +103,23 @@ pub(super) struct Grade {
     /// Check whose sheet each row answers against this table, the seeds.csv that `momentous generate` wrote
     #[arg(long, value_name = "SEEDS.csv", requires = "submissions", conflicts_with = "roster")]
     sheets: Option<PathBuf>,
-    /// The same, where sheets were made for this roster: the seeds follow from it and --secret
+    /// The same for sheets that were made for this roster: the seeds follow from it and --secret
     #[arg(long, value_name = "CSV", requires = "submissions")]
     roster: Option<PathBuf>,
-    /// How seeds of students were made: 2, or 1 by an earlier version of the program
+    /// How students' seeds were derived: 2, or 1 by an earlier version of the program
     #[arg(long, value_name = "VERSION", default_value_t, requires = "roster")]
     derivation: Derivation,
-    /// Bring attempts of one student at one sheet together where they stand apart; the file is read twice
+    /// Bring together attempts of one student at one sheet that are not in adjacent rows; the file is read twice
     #[arg(long, requires = "submissions")]
     any_order: bool,
-    /// Print every mark that differs from these, which an earlier run wrote for the same submissions
+    /// Print every mark that differs from those in this file, which an earlier run wrote for the same submissions
     #[arg(long, value_name = "OLD.csv", requires = "output")]
     changes: Option<PathBuf>,
     #[command(flatten)]
     secret: Secret,
 }
 
-/// What stands between whole and decimal digits.
+/// The mark between whole and decimal digits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Mark {
     /// 3.14

@@ -53,7 +53,7 @@ impl Problems {
             let id = problem.id().to_owned();
             let met = own.add(problem);
             if own.met.insert(id.clone(), Ok(met)).is_some() {
-                let message = format!("two of the problems that are named have the identity `{id}`");
+                let message = format!("two of the problems named have the identity `{id}`");
                 return Err(Failure::unusable(format!("{message}\nhelp: give one of them another `id`")));
             }
         }
@@ -85,7 +85,7 @@ impl Problems {
                 (Ok(met.clone()), Ok(met))
             }
             // The faults of a file are told once, not with each row.
-            Err(failure) => (Err(format!("{id} does not load, as was said before")), Err(failure.to_string())),
+            Err(failure) => (Err(format!("{id} does not load; see the message above")), Err(failure.to_string())),
         };
         self.met.insert(id.to_owned(), kept);
         result

@@ -150,7 +150,7 @@ impl Register {
             Standing::Apart(first) => {
                 let (student, problem, first) = (excerpt(student), variant.problem, place(first));
                 return Err(format!(
-                    "this attempt of `{student}` at {problem} stands apart from the one before it, at {first}\n\
+                    "this attempt of `{student}` at {problem} is separated from the one before it, at {first}\n\
                      help: sort the rows by student, problem and seed, or give --any-order"
                 ));
             }
@@ -163,8 +163,8 @@ impl Register {
             if first != number {
                 let (student, problem, first) = (excerpt(student), variant.problem, place(first));
                 return Err(format!(
-                    "`{student}` has an attempt {own} at this sheet of {problem} already, at {first}\n\
-                     help: give each attempt a number of its own"
+                    "`{student}` already has an attempt {own} at this sheet of {problem}, at {first}\n\
+                     help: give each attempt a different number"
                 ));
             }
         }
@@ -211,7 +211,7 @@ impl Met {
         for (name, _) in submission.answers() {
             let id = self.problem.id();
             let part = marker.part(name).ok_or_else(|| {
-                format!("`{}` has an answer, and {id} does not ask for it in this form", excerpt(name))
+                format!("`{}` has an answer, but {id} does not ask for it in this form", excerpt(name))
             })?;
             if answered.contains(&part) {
                 return Err(format!("`{}` is answered twice", excerpt(name)));
@@ -228,5 +228,5 @@ fn seed_of(submission: &Submission) -> Result<SheetSeed, String> {
     if seed.is_empty() {
         return Err("the row has no seed".to_owned());
     }
-    seed.parse().map_err(|why| format!("`{}` is no seed: {why}", excerpt(seed)))
+    seed.parse().map_err(|why| format!("`{}` is not a seed: {why}", excerpt(seed)))
 }

@@ -48,7 +48,7 @@ impl Grade {
         for (name, text) in &self.answer {
             let own = exercise.usual_name(name);
             if !parts.contains(&own) {
-                failures.push(open::unknown(name, "part of what is asked", &parts));
+                failures.push(open::unknown(name, "part of this question", &parts));
             } else if answers.insert(own.to_owned(), text.clone()).is_some() {
                 failures.push(Failure::unusable(format!("`{name}` is answered twice")));
             }

@@ -39,9 +39,8 @@ impl Grade {
             if self.any_order { Reader::in_any_order(source, register)? } else { Reader::new(source, register) };
         let mut chunk = reader.chunk();
         reader.check_secret().map_err(|message| {
-            let nothing =
-                "help: nothing was marked; rows without a mark behind the seed are not known to be of any secret";
-            table::of(path, &format!("of most rows, {message}\n{nothing}"))
+            let nothing = "help: nothing was marked; rows without a mark after the seed cannot be assigned to a secret";
+            table::of(path, &format!("in most rows, {message}\n{nothing}"))
         })?;
         let mut sink = Sink::to(self.output.as_deref(), self.marks)?;
         let mut readers = Readers::of(self)?;
@@ -72,7 +71,7 @@ impl Grade {
         }
         counts.read = reader.read;
         if counts.read == 0 {
-            return Err(table::of(path, "there is no submission in it"));
+            return Err(table::of(path, "it contains no submission"));
         }
         sink.finish()?;
         readers.finish(self, counts)?;

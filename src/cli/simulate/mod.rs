@@ -32,10 +32,9 @@ Examples:
   momentous simulate impact/two-carts --method penalty --accuracy 1e-3
   momentous simulate my-problem.yaml --format json | jq '.stages[0].impacts'
 
-Each stage is run by the least model that serves: a formula, else formulas between impacts, else steps. --accuracy and --budget
-choose from a table of costs (docs/methods.md). Times count from the start of the stage, at an impact from the impact.";
+Each stage is run with the simplest suitable model: a formula, else formulas between impacts, else time steps. --accuracy and --budget choose from a table of costs (docs/methods.md). Times are measured from the start of the stage, in an impact from the impact.";
 
-/// Simulate a problem's scene by a numerical method, which knows nothing of the laws, and plot it
+/// Simulate a problem's scene by a numerical method that does not use the laws, and plot it
 #[derive(Args, Debug)]
 #[command(after_help = HELP)]
 pub(super) struct Simulate {
@@ -44,19 +43,19 @@ pub(super) struct Simulate {
     /// The seed that draws the numbers
     #[arg(long, value_name = "S", default_value = "1", allow_negative_numbers = true)]
     seed: SheetSeed,
-    /// The form in which the problem is asked; the first where none is named
+    /// The form in which the problem is asked; the first if none is named
     #[arg(long, value_name = "FORM")]
     form: Option<String>,
-    /// This method instead of the cheapest: event-driven, runge-kutta, penalty, ...
+    /// Use this method instead of the cheapest: event-driven, runge-kutta, penalty, ...
     #[arg(long, value_name = "M", value_parser = request::method)]
     method: Option<request::Named>,
-    /// The greatest relative error, 1e-9 where nothing is said
+    /// The greatest relative error [default: 1e-9]
     #[arg(long, value_name = "A", value_parser = request::accuracy)]
     accuracy: Option<f64>,
-    /// The longest time of a solve, by the table of costs: 10us, 2ms
+    /// The longest time per solve, by the table of costs: 10us, 2ms
     #[arg(long, value_name = "TIME", value_parser = request::budget)]
     budget: Option<f64>,
-    /// The table of impacts for people or as csv, plots as svg or png, everything as json
+    /// The table of impacts for people or as csv, plots as svg or png, or everything as json
     #[arg(long, value_name = "FORMAT", default_value = "text")]
     format: Look,
     /// Colours for a dark page: for PNG; SVG has both

@@ -42,7 +42,7 @@ impl Engine<'_> {
         let exercise = self.draw(&request.variant)?;
         let part = exercise
             .part(&request.part)
-            .ok_or_else(|| Refused::new(RefusedKind::Unknown, format!("`{}` is not asked here", request.part)))?;
+            .ok_or_else(|| Refused::new(RefusedKind::Unknown, format!("`{}` is not asked for here", request.part)))?;
         Ok(match exercise.read(part, &request.text, request.decimal) {
             None => ReadResponse::default(),
             Some(reading) => match reading.answer {

@@ -202,7 +202,11 @@ impl Submission {
             "" => Ok(None),
             text => match text.parse() {
                 Ok(number) if number >= least => Ok(Some(number)),
-                _ => Err(format!("`{}` under `{}` is no whole number from {least} on", excerpt(text), key.heading())),
+                _ => Err(format!(
+                    "`{}` under `{}` is not a whole number of at least {least}",
+                    excerpt(text),
+                    key.heading()
+                )),
             },
         }
     }

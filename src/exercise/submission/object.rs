@@ -130,7 +130,9 @@ impl Submission {
                 None => {
                     let known = KEYS.map(|(_, name)| name).join(", ");
                     let key = super::excerpt(&entry.key);
-                    return Err(format!("`{key}` is no key of a submission\nhelp: the keys are {known} and answers"));
+                    return Err(format!(
+                        "`{key}` is not a key of a submission\nhelp: the keys are {known} and answers"
+                    ));
                 }
             }
         }
@@ -215,9 +217,9 @@ mod tests {
         assert!(twice(r#"{"problem":"a","seed":1,"answers":{"v":"1","v":"2"}}"#).starts_with("`v` is answered twice"));
         assert!(twice(r#"{"problem":"a","seed":1,"seed":2}"#).starts_with("duplicate field `seed`"));
         assert!(
-            yaml("problem: a\nseed: 1\nanswers:\n  v: 1\n  v: 2\n").unwrap_err().starts_with("line 5: `v` is here")
+            yaml("problem: a\nseed: 1\nanswers:\n  v: 1\n  v: 2\n").unwrap_err().starts_with("line 5: `v` is repeated")
         );
-        assert!(yaml("problem: a\nseed: 1\nseed: 1\n").unwrap_err().starts_with("line 3: `seed` is here"));
+        assert!(yaml("problem: a\nseed: 1\nseed: 1\n").unwrap_err().starts_with("line 3: `seed` is repeated"));
     }
 
     #[test]
@@ -228,7 +230,7 @@ mod tests {
             Err("`v` is neither a text nor a number".into())
         );
         assert!(json(r#"{"problem":1,"seed":2,"mark":5}"#).unwrap_err().starts_with("unknown field `mark`"));
-        assert!(yaml("problem: a\nmark: 5\n").unwrap_err().starts_with("`mark` is no key of a submission"));
+        assert!(yaml("problem: a\nmark: 5\n").unwrap_err().starts_with("`mark` is not a key of a submission"));
         assert!(yaml("- a\n").unwrap_err().starts_with("a submission is a mapping"));
         assert!(yaml("a: &x 1\n").is_err() && yaml("").is_err());
         assert_eq!(yaml("problem: a\nseed: 1\nanswers:\n"), Ok("a 1 ".into()));

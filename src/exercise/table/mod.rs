@@ -39,7 +39,7 @@ impl<R: BufRead> Table<R> {
     /// Where there are none, one stands there twice, or they cannot be read.
     pub fn read(input: R) -> Result<Self, String> {
         let mut rows = Rows::read(input)?;
-        let (_, row) = rows.next_row().ok_or("there is nothing in it, not even headings")?;
+        let (_, row) = rows.next_row().ok_or("it is empty, without even headings")?;
         let headings: Vec<String> = row?.cells().map(str::to_owned).collect();
         let mut places: BTreeMap<&str, usize> = BTreeMap::new();
         for (index, heading) in headings.iter().enumerate().filter(|(_, heading)| !heading.is_empty()) {

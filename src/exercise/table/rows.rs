@@ -9,7 +9,7 @@ use super::lines::{LONGEST, Line, Lines};
 /// The lines over which one row may go: an answer that somebody typed goes over a few. Beyond them a quotation mark was left open.
 const MOST_LINES: usize = 100;
 
-const HELP: &str = "help: close a cell that is opened by a quotation mark; within it, write two for one";
+const HELP: &str = "help: close a quoted cell with a quotation mark; inside it, double each quotation mark";
 
 /// The rows of a file.
 #[derive(Debug)]
@@ -116,7 +116,7 @@ impl<R: BufRead> Rows<R> {
             let fits = |still: &bool| *still || self.width.is_none_or(|width| self.row.len() == width);
             let Some(still) = read.and_then(Result::ok).filter(fits) else {
                 self.lines.give_back(more.into_iter());
-                return Err(format!("a quotation mark is opened in cell {opened} and not closed\n{HELP}"));
+                return Err(format!("a quotation mark is opened in cell {opened} but not closed\n{HELP}"));
             };
             quoted = still;
         }
@@ -184,7 +184,7 @@ fn cells(row: &mut Row, line: &str, delimiter: u8, mut quoted: bool) -> Result<b
             Some(first) if *first == delimiter => rest = &after[1..],
             Some(_) => {
                 let cell = row.len();
-                return Err(format!("text stands after the closing quotation mark of cell {cell}\n{HELP}"));
+                return Err(format!("there is text after the closing quotation mark of cell {cell}\n{HELP}"));
             }
         }
     }
@@ -233,8 +233,8 @@ mod tests {
 
     #[test]
     fn an_open_quotation_mark_costs_its_own_row_only() {
-        let open = |cell: usize| Err(format!("a quotation mark is opened in cell {cell} and not closed"));
-        let after = Err("text stands after the closing quotation mark of cell 2".to_owned());
+        let open = |cell: usize| Err(format!("a quotation mark is opened in cell {cell} but not closed"));
+        let after = Err("there is text after the closing quotation mark of cell 2".to_owned());
         assert_eq!(all("a,\"b\nc,d\ne,f"), [(1, open(2)), row(2, &["c", "d"]), row(3, &["e", "f"])]);
         assert_eq!(all("a,\"b\nc,d\ne,\"f"), [(1, open(2)), row(2, &["c", "d"]), (3, open(2))]);
         assert_eq!(all("a,\"b\"c\nd,\"\""), [(1, after), row(2, &["d", ""])]);

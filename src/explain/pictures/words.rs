@@ -26,7 +26,7 @@ const NOTHING: f64 = 1e-9;
 /// How all impulses on a body in one are written in a caption.
 const RESULTANT: &str = "\u{222b}\u{3a3}F\u{2009}dt";
 /// How a drawing of three axes is to be read.
-pub(super) const OBLIQUE: &str = "oblique projection: what lies along the slanting axis is drawn shorter";
+pub(super) const OBLIQUE: &str = "oblique projection: lengths along the slanting axis are drawn shorter";
 /// Figures of the numbers in descriptions.
 const FIGURES: usize = 3;
 

@@ -24,7 +24,7 @@ const MARK_GAP: f64 = 9.0;
 const ANGLES: [f64; 2] = [0.35, 1.1];
 /// The direction in which the radius of a sphere is drawn.
 const RADIUS: f64 = 1.22 * PI;
-/// The least distance between two levels that can be told from each other, and the least depth of a place in a cone.
+/// The least distance between two levels that can be distinguished, and the least depth of a place in a cone.
 const APART: f64 = 26.0;
 
 /// The wall round a vertical axis.

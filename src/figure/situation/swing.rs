@@ -88,7 +88,7 @@ impl Swing {
         }
     }
 
-    /// The angles, far enough apart to be told from each other.
+    /// The angles, far enough apart to be distinguished.
     fn drawn_angles(&self) -> Vec<f64> {
         let mut drawn: Vec<f64> = Vec::new();
         for end in &self.ends {

@@ -26,7 +26,7 @@ pub const PART_FOR_SYSTEM: Misconception = Misconception {
 /// A wall, a rail or weight left out of account.
 pub const OUTSIDE_OVERLOOKED: Misconception = Misconception {
     id: "outside-impulse-overlooked",
-    does: "overlooks an impulse from outside the system",
+    does: "overlooks an external impulse on the system",
     ask: "What touches the system from outside, or acts on it from afar, and has a component along this direction?",
     hint: "A floor, a wall or a rail that pushes, and weight if it has time to act, change the momentum of the system.",
 };

@@ -1,4 +1,4 @@
-//! The usual mistakes, as data: what a student does, what to ask about it, and the equation that comes of it. A law's row
+//! The common mistakes, as data: what a student does, what to ask about it, and the equation that comes of it. A law's row
 //! names its wrong forms; [`reading`] holds the mistakes that are made before any law is used, and after.
 
 use std::collections::BTreeSet;
@@ -26,7 +26,7 @@ mod rewrite;
 pub mod separation;
 pub mod variable_mass;
 
-/// A usual mistake, as a row of its chapter's table.
+/// A common mistake, as a row of its chapter's table.
 #[derive(Debug)]
 pub struct Misconception {
     /// A stable name for tools, tables and an author's `feedback`: `restitution-inverted`.

@@ -110,7 +110,7 @@ pub const SURFACE: &[WrongForm] = &[
     WrongForm { of: &super::geometry::SINE_COSINE, write: sine_and_cosine },
 ];
 
-/// `v_A2 = 0`, where two bodies are spoken of.
+/// `v_A2 = 0`, where two bodies are used.
 fn striker_stops(law: &Taught<'_>) -> Vec<Wrong> {
     match law.quantities(Dimension::VELOCITY).len() {
         2 => one((law.right(), Expr::zero())),

@@ -61,7 +61,7 @@ pub const ENERGY: &[WrongForm] =
 /// Wrong forms of energy gained.
 pub const GAIN: &[WrongForm] = &[WrongForm { of: &START, write: gain_from_nothing }];
 
-/// The momentum across the guide, without the impulse of the guide, in place of the constraint. It speaks of components that
+/// The momentum across the guide, without the impulse of the guide, in place of the constraint. It refers to components that
 /// the right way has no need of, so that the turning of the axes comes with it.
 fn conserved_across(law: &Taught<'_>) -> Vec<Wrong> {
     let is_impulse = |term: &Expr| matches!(term, Expr::Symbol(symbol) if law.is(*symbol, Dimension::MOMENTUM));

@@ -112,7 +112,7 @@ fn returned(law: &Taught<'_>) -> Vec<Wrong> {
     }
 }
 
-/// The speed of the body, where it is spoken of, as zero.
+/// The speed of the body, where it is used, as zero.
 fn body_at_rest(law: &Taught<'_>) -> Vec<Wrong> {
     let moves = |symbol| law.symbols.entry(symbol).meaning.contains("along the stream");
     law.replaced(&|symbol| (law.is(symbol, Dimension::VELOCITY) && moves(symbol)).then(Expr::zero))

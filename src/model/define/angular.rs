@@ -102,7 +102,7 @@ impl Builder<'_> {
         }
     }
 
-    /// Which moment a name speaks of: the only one of a plane, or that of its component.
+    /// Which moment a name refers to: the only one of a plane, or that of its component.
     fn turning(&self, name: &Name) -> Option<usize> {
         match (self.axes.len(), &name.component) {
             (2, None) => Some(0),

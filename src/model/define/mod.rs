@@ -166,7 +166,7 @@ impl Builder<'_> {
         self.axes.iter().map(|(axis, _)| *axis).find(|axis| axis.letter() == letter)
     }
 
-    /// The axes that a name speaks of: the one of its component, or the only one.
+    /// The axes that a name refers to: the one of its component, or the only one.
     fn axis_of(&self, name: &Name) -> Option<Axis> {
         match (&name.component, &self.axes[..]) {
             (Some(letter), _) => self.axis(letter),
@@ -288,7 +288,7 @@ fn coordinate(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     }
 }
 
-/// `t_3`: the time from the start to an instant, where the durations of all stages before it are spoken of.
+/// `t_3`: the time from the start to an instant, where the durations of all stages before it are used.
 fn clock(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let instant = builder.number(name).filter(|_| name.subject.is_empty())?;
     builder.clock(instant)

@@ -80,7 +80,7 @@ fn common_symbol(builder: &mut Builder<'_>, stage: usize) -> Option<Symbol> {
 }
 
 impl Builder<'_> {
-    /// The impact that a name speaks of: the one in brackets, or the only one.
+    /// The impact that a name refers to: the one in brackets, or the only one.
     fn impact_of(&self, name: &Name) -> Option<usize> {
         let is_impact = |stage: &usize| matches!(self.scene.stages.get(*stage), Some(Stage::Impact(_)));
         let all: Vec<usize> = (0..self.scene.stages.len()).filter(is_impact).collect();

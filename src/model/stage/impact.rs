@@ -69,7 +69,7 @@ impl Builder<'_> {
         }
     }
 
-    /// The balance of energy, where the loss is told in place of a coefficient of restitution.
+    /// The balance of energy, where the loss is given instead of a coefficient of restitution.
     fn told_loss(&mut self, contact: &Contact<'_>) {
         let stage = contact.stage;
         let of_energy = stage.elastic && !self.has_coefficient(contact.index, stage);
@@ -94,7 +94,7 @@ impl Builder<'_> {
         self.law(&energy::LOSS, Some(contact.index), because, (start - loss, end));
     }
 
-    /// Whether an elastic impact is told by e = 1: along a line of impact, or at a surface.
+    /// Whether an elastic impact is given by e = 1: along a line of impact, or at a surface.
     fn has_coefficient(&self, index: usize, stage: &Impact) -> bool {
         stage.against.is_some() || self.frames.get(index).is_some_and(Option::is_some)
     }
@@ -359,7 +359,7 @@ impl Builder<'_> {
         }
     }
 
-    /// The average force of an impulse, where a duration is spoken of.
+    /// The average force of an impulse, where a duration is used.
     pub(in crate::model) fn mean_force(
         &mut self,
         index: usize,

@@ -23,7 +23,7 @@ struct Course {
     axis: Axis,
     /// The velocity as a function of `variable`.
     velocity: Expr,
-    /// The place as a function of the time, where that is told.
+    /// The place as a function of the time, where that is given.
     place: Option<Expr>,
     variable: Symbol,
     /// Whether the variable is the place.
@@ -76,7 +76,7 @@ impl Builder<'_> {
         });
     }
 
-    /// What is told along an axis.
+    /// What is given along an axis.
     fn course(&mut self, stage: &Motion, axis: Axis, clock: Symbol, path: &Path) -> Option<Course> {
         let letter = axis.letter();
         let along = if self.axes.len() > 1 { format!(" along {letter}") } else { String::new() };

@@ -97,7 +97,7 @@ impl Builder<'_> {
         }
     }
 
-    /// A push without friction: impulse and momentum along every axis, work and energy where a distance is spoken of.
+    /// A push without friction: impulse and momentum along every axis, work and energy where a distance is used.
     fn push_freely(&mut self, pushed: &Pushed<'_>, on_slope: bool) {
         let (index, body, [start, end]) = (pushed.index, pushed.body, [&pushed.start, &pushed.end]);
         let mass = self.mass(body);

@@ -1,4 +1,4 @@
-//! How precise what is told is: half a unit of the last place in which it is printed.
+//! How precise what is given is: half a unit of the last place in which it is printed.
 
 use crate::quantity::Decimal;
 use crate::quantity::Unit;

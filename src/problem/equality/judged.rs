@@ -23,7 +23,7 @@ use super::data::half_of_last_place;
 pub enum Closeness {
     /// Equal, exactly.
     Exact,
-    /// Equal as closely as the data are told.
+    /// Equal within the precision of the data.
     WithinData,
     /// Neither equal within the data nor clearly different.
     Between,
@@ -120,7 +120,7 @@ fn value_of(worked: &Worked<'_>, symbol: Symbol) -> Bounded {
     worked.variant.value(symbol).unwrap_or_else(Bounded::not_real)
 }
 
-/// How far the precision of the data lets a difference be off: the sum of its slopes by what is told, each times half a unit of the
+/// How far the precision of the data lets a difference be off: the sum of its slopes by what is given, each times half a unit of the
 /// last place.
 fn reach(worked: &Worked<'_>, whole: &Expr) -> f64 {
     let model = worked.problem.model();

@@ -75,7 +75,7 @@ impl Equality {
             match (undecided.pop(), undecided.is_empty()) {
                 // Fixed numbers alone decide nothing for every value.
                 (None, _) if is_of_stage => return Self::Never,
-                // A single factor of what is told, such as 1 - e^2, needs nothing to be solved.
+                // A single factor of what is given, such as 1 - e^2, needs nothing to be solved.
                 (Some(only), true) if stage.is_some() && is_told(loaded, builder, &only) => open = open.or(Some(only)),
                 _ => {}
             }
@@ -132,8 +132,8 @@ impl Equality {
         let names: BTreeSet<String> = undecided.iter().flat_map(Expr::symbols).filter_map(|own| any(&own)).collect();
         (!names.is_empty()).then(|| {
             let names = names.into_iter().collect::<Vec<_>>().join(", ");
-            Fault::new(Code::UnderDetermined, format!("{question} hangs on {names}, which may be anything"))
-                .help("give it a value, or say more of the stage, such as its coefficient of restitution")
+            Fault::new(Code::UnderDetermined, format!("{question} depends on {names}, which can have any value"))
+                .help("give it a value, or describe the stage further, such as by its coefficient of restitution")
         })
     }
 }

@@ -7,7 +7,7 @@ use crate::scene::Term;
 
 use super::Included;
 
-/// A body is struck, caught or thrown: only the impulse, or the average force and the duration, is spoken of.
+/// A body is struck, caught or thrown: only the impulse, or the average force and the duration, is considered.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Blow {
@@ -18,7 +18,7 @@ pub struct Blow {
     pub body: String,
     /// What strikes it, as it is called in a sentence: `the bat`.
     pub by: String,
-    /// How long it lasts, where the average force is spoken of.
+    /// How long it lasts, if the average force is wanted.
     #[serde(default)]
     pub duration: Option<Term>,
     /// What the balance includes although a short contact usually leaves it out: `[weight]`. It needs the `duration`.

@@ -20,7 +20,7 @@ pub struct Bowl {
     pub about: String,
     /// Whether the body goes `up` or `down` from the first level to the second.
     pub way: Way,
-    /// The height between the two levels. Left out: it is called `h_` and the body's short name.
+    /// The height between the two levels. Default: `h_` and the body's short name.
     #[serde(default)]
     pub height: Option<Term>,
     /// The angle between the axis and the wall, where the surface is a cone that opens upwards.

@@ -22,7 +22,7 @@ pub struct Central {
     /// The spring, or the elastic cord, that holds the particle to the point, where its force is the one that acts.
     #[serde(default)]
     pub spring: Option<CentralSpring>,
-    /// What the orbit is, where its shape, its period or times are spoken of.
+    /// The shape of the orbit, if its shape, its period or times are wanted.
     #[serde(default)]
     pub orbit: Option<Orbit>,
 }

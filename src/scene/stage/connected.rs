@@ -22,13 +22,13 @@ pub struct Connected {
     /// How the pulley is called in a sentence. Default: the pulley.
     #[serde(default)]
     pub over: Option<String>,
-    /// How long. Left out: it is called `dt`.
+    /// How long. Default: `dt`.
     #[serde(default)]
     pub duration: Option<Term>,
     /// How far each of them moves.
     #[serde(default)]
     pub distance: Option<Term>,
-    /// `rest` where they move until they are at rest.
+    /// `rest` if they move until they are at rest.
     #[serde(default)]
     pub until: Option<Until>,
 }
@@ -49,7 +49,7 @@ pub struct Strand {
     /// tensions, and moves by that fraction of what the string runs. Default: 1.
     #[serde(default)]
     pub strands: Option<u8>,
-    /// The coefficient of kinetic friction on its floor or slope. Left out: smooth.
+    /// The coefficient of kinetic friction on its floor or slope. Default: smooth.
     #[serde(default)]
     pub friction: Option<Term>,
 }

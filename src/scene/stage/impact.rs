@@ -29,7 +29,7 @@ pub struct Impact {
     /// Whether no kinetic energy is lost: e = 1 along a line of impact, and a balance of energy where no line is known.
     #[serde(default)]
     pub elastic: bool,
-    /// The kinetic energy lost, where it is told in place of e: `40 J`, `T_A1/2`.
+    /// The kinetic energy lost, where it is given instead of e: `40 J`, `T_A1/2`.
     #[serde(default)]
     pub loss: Option<Term>,
     /// Whether the bodies stay together.
@@ -41,7 +41,7 @@ pub struct Impact {
     /// In two dimensions, the direction of the line of impact, from the first body to the second: `30 deg above +x`.
     #[serde(default)]
     pub line_of_impact: Option<Term>,
-    /// How long the contact lasts, where the average force is spoken of.
+    /// How long the contact lasts, if the average force is wanted.
     #[serde(default)]
     pub duration: Option<Term>,
     /// What the balance includes although a short contact usually leaves it out: `[weight]`. It needs the `duration`.

@@ -17,7 +17,7 @@ pub struct Interact {
     /// Whether no kinetic energy is lost.
     #[serde(default)]
     pub elastic: bool,
-    /// How much kinetic energy is lost, where that is told.
+    /// The kinetic energy lost, if it is given.
     #[serde(default)]
     pub loss: Option<Term>,
 }

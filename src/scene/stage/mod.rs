@@ -81,7 +81,7 @@ pub enum Stage {
     Connected(Connected),
     /// Two bodies in a row move together while forces act.
     Tow(Tow),
-    /// A blow of unknown history: only its impulse, or its average force and duration, is spoken of.
+    /// A blow of unknown history: only its impulse, or its average force and duration, is considered.
     Blow(Blow),
     /// Particles are held on an arm about a fixed point, and a moment acts.
     Rotate(Rotate),

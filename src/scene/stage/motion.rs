@@ -17,7 +17,7 @@ pub struct Motion {
     pub name: Option<String>,
     /// The body.
     pub body: String,
-    /// How long: a duration, or the start and the end on the body's own clock (`[t_1, t_2]`). Left out: it is called `dt`.
+    /// How long: a duration, or the start and the end on the body's own clock (`[t_1, t_2]`). Default: `dt`.
     #[serde(default)]
     pub during: Option<During>,
     /// The velocity: `b*t - c*t^2`; with several axes `{ x: b*t, y: v_0 }`; along one axis perhaps a term in the place `x`: `k*x`.

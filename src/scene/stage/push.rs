@@ -16,8 +16,7 @@ pub struct Push {
     pub name: Option<String>,
     /// The body.
     pub body: String,
-    /// How long: a duration (`dt`, `4 s`), or the start and the end on the body's own clock (`[0 s, t_2]`). Left out: the
-    /// duration is called `dt`.
+    /// How long: a duration (`dt`, `4 s`), or the start and the end on the body's own clock (`[0 s, t_2]`). Default: `dt`.
     #[serde(default)]
     pub during: Option<During>,
     /// Over which distance the forces act, along one axis; they must not change with time.
@@ -26,7 +25,7 @@ pub struct Push {
     /// Which way the body moves, along one axis, where there is a distance or friction: `downwards`. Default: along the axis.
     #[serde(default)]
     pub direction: Option<Term>,
-    /// `rest` where the forces act until the body is at rest.
+    /// `rest` if the forces act until the body is at rest.
     #[serde(default)]
     pub until: Option<Until>,
     /// The slope of the floor against the level, along one axis: `alpha above +x` where the floor rises towards +x; the angle

@@ -30,7 +30,7 @@ pub struct Rotate {
     /// The moment about the point: a term that may contain the time `t`, pieces or a graph. Default: none.
     #[serde(default)]
     pub moment: Option<Strength>,
-    /// How long the moment acts. Left out: the duration is called `dt`.
+    /// How long the moment acts. Default: `dt`.
     #[serde(default)]
     pub during: Option<During>,
 }

@@ -16,7 +16,7 @@ pub struct Separate {
     #[serde(default)]
     pub called: Option<String>,
     /// The short name of the whole before: a body of the scene, or a name of its own, whose mass is the sum of the parts.
-    /// Left out: the parts are bodies before, too, and have one velocity.
+    /// Default: the parts are bodies before, too, and have the same velocity.
     #[serde(default)]
     pub from: Option<String>,
     /// The parts, two or more; in one dimension with `energy`, in the order in which they lie along the axis.
@@ -28,21 +28,21 @@ pub struct Separate {
     #[serde(default)]
     pub relative: Option<Relative>,
     /// The force with which two parts push each other apart along one axis, the second forwards: a term in the time `t`, pieces, or
-    /// points of a graph. It acts for the `duration`, which is called `dt` where nothing is said.
+    /// points of a graph. It acts for the `duration`, by default `dt`.
     #[serde(default)]
     pub force: Option<Strength>,
-    /// How long it takes, where a force is spoken of.
+    /// How long it takes, if a force is given or wanted.
     #[serde(default)]
     pub duration: Option<Term>,
 }
 
-/// The velocity of one part relative to another: that of the first less that of the second.
+/// The velocity of one part relative to another: that of the first minus that of the second.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Relative {
     /// The part that moves off: `the person`.
     pub of: String,
-    /// The part from which its velocity is seen: `the boat`.
+    /// The part to which its velocity is relative: `the boat`.
     pub to: String,
     /// The relative velocity along `direction`: a name, a value or an expression.
     pub velocity: Term,

@@ -8,7 +8,7 @@ use crate::scene::Term;
 use super::Until;
 use super::Way;
 
-/// A body slides over a level floor, or up or down a slope; friction and weight alone act along its way.
+/// A body slides over a level floor, or up or down a slope; only friction and weight act along its path.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Slide {
@@ -17,29 +17,29 @@ pub struct Slide {
     pub name: Option<String>,
     /// The body.
     pub body: String,
-    /// The coefficient of kinetic friction. Left out: the floor is smooth.
+    /// The coefficient of kinetic friction. Default: the floor is smooth.
     #[serde(default)]
     pub friction: Option<Term>,
     /// How far it slides.
     #[serde(default)]
     pub distance: Option<Term>,
-    /// How long it slides. Left out: it is called `dt`.
+    /// How long it slides. Default: `dt`.
     #[serde(default)]
     pub duration: Option<Term>,
     /// The slope against the level: `alpha above +x` where the floor rises towards +x, `alpha below +x` where it falls; the
-    /// angle alone where the axis points up or down the slope. Left out: the floor is level.
+    /// angle alone where the axis points up or down the slope. Default: the floor is level.
     #[serde(default)]
     pub incline: Option<Term>,
     /// The height between the two ends of the slide, where the floor is not level.
     #[serde(default)]
     pub height: Option<Term>,
-    /// `up` or `down` where there is a height and no incline: the way on a smooth ramp of any shape. Default: down.
+    /// `up` or `down` if there is a height and no incline: the way on a smooth ramp of any shape. Default: down.
     #[serde(default)]
     pub way: Option<Way>,
     /// Which way it slides, along one axis: `to the left`. Default: along the axis.
     #[serde(default)]
     pub direction: Option<Term>,
-    /// `rest` where it slides until it is at rest.
+    /// `rest` if it slides until it is at rest.
     #[serde(default)]
     pub until: Option<Until>,
 }

@@ -5,7 +5,7 @@ use serde::Deserialize;
 
 use crate::scene::Term;
 
-/// A body slides from rest down a smooth body that gives way along its guide: a block on a wedge with wheels, a bead in a bowl on ice.
+/// A body slides from rest down a smooth body that can move along its guide: a block on a wedge with wheels, a bead in a bowl on ice.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SlideOff {
@@ -18,6 +18,6 @@ pub struct SlideOff {
     pub on: String,
     /// The height through which it sinks.
     pub height: Term,
-    /// Where it moves at the end, as seen from what it slides on: `30 deg below +x`, `to the right`.
+    /// Where it moves at the end, relative to what it slides on: `30 deg below +x`, `to the right`.
     pub direction: Term,
 }

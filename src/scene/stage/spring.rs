@@ -28,13 +28,13 @@ pub struct Spring {
     /// By how much the spring is deformed at the end. Default: not at all, unless `travel` says otherwise.
     #[serde(default)]
     pub to: Option<Term>,
-    /// How much further the spring is deformed during the stage; instead of `to`.
+    /// The increase in the deformation of the spring during the stage; instead of `to`.
     #[serde(default)]
     pub travel: Option<Term>,
     /// The body (a pan, a platform) that the spring carried at rest before the stage, whose weight deforms it at the start.
     #[serde(default)]
     pub carried: Option<String>,
-    /// The coefficient of kinetic friction between the body and the floor. Left out: the floor is smooth.
+    /// The coefficient of kinetic friction between the body and the floor. Default: the floor is smooth.
     #[serde(default)]
     pub friction: Option<Term>,
     /// The slope of the floor against the level, as in a slide.
@@ -43,7 +43,7 @@ pub struct Spring {
     /// Which way the body moves, along one axis: `downwards`. Default: along the axis.
     #[serde(default)]
     pub direction: Option<Term>,
-    /// `rest` where the spring is deformed most, and the body is at rest.
+    /// `rest` if the spring is deformed most, and the body is at rest.
     #[serde(default)]
     pub until: Option<Until>,
 }

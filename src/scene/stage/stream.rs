@@ -5,7 +5,7 @@ use serde::Deserialize;
 
 use crate::scene::Term;
 
-/// A steady stream meets a body that is at rest or moves evenly, and exerts a force on it. How much arrives is said by `flow`, or by
+/// A steady stream meets a body that is at rest or moves at constant velocity, and exerts a force on it. How much arrives is given by `flow`, or by
 /// `density` and `area`, or by `per_length`. Without `turned`, `restitution` or `stays` it spreads sideways over the body.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -23,13 +23,13 @@ pub struct Stream {
     /// The height through which the stream falls from rest before it meets the body, instead of its speed.
     #[serde(default)]
     pub drop: Option<Term>,
-    /// Where the stream goes: `to the right`, `downwards`. Default: along the first axis.
+    /// The direction of the stream: `to the right`, `downwards`. Default: along the first axis.
     #[serde(default)]
     pub direction: Option<Term>,
     /// The speed of the body along the stream, where it moves.
     #[serde(default)]
     pub moves: Option<Term>,
-    /// The mass that reaches the body in each unit of time.
+    /// The mass that reaches the body per unit time.
     #[serde(default)]
     pub flow: Option<Term>,
     /// The density of the stream, with `area`.
@@ -38,7 +38,7 @@ pub struct Stream {
     /// The cross-section of the stream, with `density`.
     #[serde(default)]
     pub area: Option<Term>,
-    /// The mass of each unit of length, of a chain or a rope.
+    /// The mass per unit length, of a chain or a rope.
     #[serde(default)]
     pub per_length: Option<Term>,
     /// Whether many bodies follow each other (a wheel of vanes), so that all of the stream is used even where they move.
@@ -47,7 +47,7 @@ pub struct Stream {
     /// The angle through which a smooth vane turns the stream, counter-clockwise positive: 180° sends it back.
     #[serde(default)]
     pub turned: Option<Term>,
-    /// The coefficient of restitution, where the stream comes back from the body: hail, bullets.
+    /// The coefficient of restitution, where the stream rebounds from the body: hail, bullets.
     #[serde(default)]
     pub restitution: Option<Term>,
     /// Whether what arrives stays on the body: sand on a belt, water in a bucket, a chain on a scale.

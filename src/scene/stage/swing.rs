@@ -7,9 +7,9 @@ use crate::scene::Term;
 
 use super::Until;
 
-/// A body on a light cord swings freely between its lowest place and another, or between two places. Needs a vertical plane.
+/// A body on a light cord swings freely between its lowest point and another point, or between two points. Needs a vertical plane.
 ///
-/// Without `from` it starts at its lowest place. Without `to` it ends at its lowest place if it has `from`, and otherwise
+/// Without `from` it starts at its lowest point. Without `to` it ends at its lowest point if it has `from`, and otherwise
 /// where it comes to rest.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -19,10 +19,10 @@ pub struct Swing {
     pub name: Option<String>,
     /// The body.
     pub body: String,
-    /// The length of the cord, from the fixed end to the body. Left out: only heights are spoken of.
+    /// The length of the cord, from the fixed end to the body. Default: none; only heights are then used.
     #[serde(default)]
     pub length: Option<Term>,
-    /// The height between the two ends of the swing. Left out: it is called `h_` and the body's short name.
+    /// The height between the two ends of the swing. Default: `h_` and the body's short name.
     #[serde(default)]
     pub height: Option<Term>,
     /// The angle between the cord and the vertical at the start.
@@ -31,13 +31,13 @@ pub struct Swing {
     /// The angle between the cord and the vertical at the end.
     #[serde(default)]
     pub to: Option<Term>,
-    /// `down` where the body swings down to its lowest place and only the height says from where. Default: up.
+    /// `down` if the body swings down to its lowest point and only the height says from where. Default: up.
     #[serde(default)]
     pub way: Way,
-    /// Which way the body moves at its lowest place, along the horizontal axis: `to the left`. Default: along the axis.
+    /// Which way the body moves at its lowest point, along the horizontal axis: `to the left`. Default: along the axis.
     #[serde(default)]
     pub direction: Option<Term>,
-    /// `rest` where the body comes to rest at the angle `to`.
+    /// `rest` if the body comes to rest at the angle `to`.
     #[serde(default)]
     pub until: Option<Until>,
 }
@@ -56,9 +56,9 @@ pub enum Way {
 /// Where an end of a swing lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place<'a> {
-    /// At the lowest place.
+    /// At the lowest point.
     Lowest,
-    /// At the angle that the author names, or at one that the scene names.
+    /// At the angle given by the author, or at one that the scene names.
     Angle(Option<&'a Term>),
 }
 

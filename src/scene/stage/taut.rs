@@ -21,7 +21,7 @@ pub struct Taut {
     /// In two dimensions, the direction of the string, from the first body to the second: `30 deg above +x`.
     #[serde(default)]
     pub along: Option<Term>,
-    /// How long the jerk lasts, where the mean tension is spoken of.
+    /// How long the jerk lasts, if the average tension is wanted.
     #[serde(default)]
     pub duration: Option<Term>,
 }

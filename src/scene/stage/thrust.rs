@@ -5,7 +5,7 @@ use serde::Deserialize;
 
 use crate::scene::Term;
 
-/// A body is driven by mass that it throws away steadily. Several stages of a rocket are several stages of this kind, each with its
+/// A body is driven by mass that it expels steadily. Several stages of a rocket are several stages of this kind, each with its
 /// own masses.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -17,21 +17,21 @@ pub struct Thrust {
     pub body: String,
     /// Its whole mass at the start and at the end, fuel included: `[m_0, m_1]`; or the mass at the start alone.
     pub mass: BurningMass,
-    /// The speed of what is thrown away, relative to the body; or several jets, each with its `speed` and its `flow`.
+    /// The speed of the exhaust, relative to the body; or several jets, each with its `speed` and its `flow`.
     pub exhaust: Exhaust,
-    /// The mass thrown away in each unit of time, where times or forces are spoken of.
+    /// The mass expelled per unit time, if times or forces are wanted.
     #[serde(default)]
     pub flow: Option<Term>,
-    /// The thrust, where it is spoken of.
+    /// The thrust, if it is given or wanted.
     #[serde(default)]
     pub force: Option<Term>,
-    /// How long it burns, where that is spoken of. In a vertical plane weight acts all this time.
+    /// How long it burns, if that is given or wanted. In a vertical plane weight acts all this time.
     #[serde(default)]
     pub during: Option<Term>,
-    /// Where the thrust pushes: `upwards`. Default: along the first axis.
+    /// The direction of the thrust: `upwards`. Default: along the first axis.
     #[serde(default)]
     pub direction: Option<Term>,
-    /// Whether it stands on the ground at the start, so that it waits until the thrust exceeds the weight that is left.
+    /// Whether it stands on the ground at the start, so that it lifts off only when the thrust exceeds its remaining weight.
     #[serde(default)]
     pub on_ground: bool,
     /// The resistance divided by the square of the speed, where there is any; along a single level axis.
@@ -49,7 +49,7 @@ pub enum BurningMass {
     Start(Term),
 }
 
-/// What a body throws away.
+/// What a body expels.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(untagged)]
 pub enum Exhaust {
@@ -65,6 +65,6 @@ pub enum Exhaust {
 pub struct Jet {
     /// Its speed relative to the body.
     pub speed: Term,
-    /// The mass that it carries away in each unit of time.
+    /// The mass that it carries away per unit time.
     pub flow: Term,
 }

@@ -22,16 +22,16 @@ pub struct Tow {
     /// What joins them, as it is called in a sentence. Default: the coupling.
     #[serde(default)]
     pub by: Option<String>,
-    /// The angle of the slope on which both are. Left out: the way is level, or vertical where the axis is.
+    /// The angle of the slope on which both are. Default: the path is level, or vertical where the axis is.
     #[serde(default)]
     pub incline: Option<Term>,
-    /// How long. Left out: it is called `dt`.
+    /// How long. Default: `dt`.
     #[serde(default)]
     pub duration: Option<Term>,
     /// How far they move.
     #[serde(default)]
     pub distance: Option<Term>,
-    /// `rest` where they move until they are at rest.
+    /// `rest` if they move until they are at rest.
     #[serde(default)]
     pub until: Option<Until>,
 }
@@ -42,10 +42,10 @@ pub struct Tow {
 pub struct Towed {
     /// The body.
     pub body: String,
-    /// A steady force on it along the axis: that of an engine is positive, that of a brake negative (`-B`). Left out: none.
+    /// A steady force on it along the axis: that of an engine is positive, that of a brake negative (`-B`). Default: none.
     #[serde(default)]
     pub force: Option<Term>,
-    /// The coefficient of kinetic friction on its floor, or of its resistance to rolling. Left out: smooth.
+    /// The coefficient of kinetic friction on its floor, or of its resistance to rolling. Default: smooth.
     #[serde(default)]
     pub friction: Option<Term>,
 }

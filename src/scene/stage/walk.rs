@@ -16,6 +16,6 @@ pub struct Walk {
     pub body: String,
     /// What it walks on.
     pub on: String,
-    /// How far it walks as seen from what it walks on, positive along the first axis.
+    /// How far it walks relative to what it walks on, positive along the first axis.
     pub distance: Term,
 }

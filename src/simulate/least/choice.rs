@@ -57,7 +57,7 @@ pub enum NoChoice {
     },
 }
 
-/// The cheapest row of the table that meets the request for a scene of this class; where only a budget of time is told, the most
+/// The cheapest row of the table that meets the request for a scene of this class; where only a budget of time is given, the most
 /// accurate one within it. Where there is a closed form, it is taken.
 ///
 /// ```
@@ -119,7 +119,7 @@ fn nearest(rows: &[&Cost], most_accurate: &Cost) -> String {
     let cheapest =
         rows.first().map(|cost| format!("; the cheapest, {}, takes {}", cost.method.name(), time(cost.seconds)));
     format!(
-        "the most accurate, {}, errs by up to {:.0e} in {}{}",
+        "the most accurate, {}, has an error of up to {:.0e} in {}{}",
         most_accurate.method.name(),
         most_accurate.error,
         time(most_accurate.seconds),

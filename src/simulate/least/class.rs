@@ -108,15 +108,15 @@ pub fn classify<const D: usize>(world: &World<D>, budget: &Budget) -> Result<Cla
             let reason = format!("no formula here gives the motion under {force}");
             return Ok(Classified::new(Class::OdeNeeded, reason));
         }
-        Ok(_) if central => return said(Class::ClosedForm, "an orbit about one centre is a conic"),
+        Ok(_) if central => return said(Class::ClosedForm, "an orbit about one centre is a conic section"),
         _ => {}
     }
     match ClosedForm.run(world, &glance) {
         Ok(_) if contacts.is_empty() => {
-            said(Class::ClosedForm, "nothing meets, and the motion is a polynomial in the time")
+            said(Class::ClosedForm, "nothing collides, and the motion is a polynomial in time")
         }
         Ok(_) => said(Class::ClosedForm, "the bounces of one body on a level floor are a geometric sequence"),
-        Err(_) => said(Class::Piecewise, "between impacts the motion is a polynomial in the time"),
+        Err(_) => said(Class::Piecewise, "between impacts, the motion is a polynomial in time"),
     }
 }
 

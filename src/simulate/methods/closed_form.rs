@@ -65,7 +65,7 @@ impl<'a, const D: usize> Bouncing<'a, D> {
         let geometry = self.world.geometry(FLOOR, &run.last);
         let rate = normal.dot(&body.velocity);
         let Some(first) = first_contact(geometry.gap.max(0.0), rate, self.acceleration) else {
-            let what = "the body never comes to the floor".to_owned();
+            let what = "the body never reaches the floor".to_owned();
             return Err(Refusal::Breakdown { time: 0.0, what });
         };
         let on_floor = body.position - normal * geometry.gap;

@@ -1,5 +1,5 @@
 //! A well-known game engine, Rapier in doubles, as a peer in the charts. It gets the scene as its users would give it: discs and
-//! half-planes without friction, its own defaults for everything else, and the step as it is told.
+//! half-planes without friction, its own defaults for everything else, and the step as it is given.
 
 use std::collections::BTreeMap;
 
@@ -58,7 +58,7 @@ enum Place {
 }
 
 fn refused(what: &str) -> Refusal {
-    Refusal::Invalid { what: format!("Rapier is not given {what} here") }
+    Refusal::Invalid { what: format!("Rapier is not used here for {what}") }
 }
 
 fn pair<const D: usize>(vector: &Vector<D>) -> Pair {
@@ -80,7 +80,7 @@ impl<const D: usize> Engine<D> {
         }
         let particles = world.bodies.iter().filter(|body| body.radius == 0.0).count();
         if particles > 0 && (particles < world.bodies.len() || D > 1 && particles > 1) {
-            return Err(refused("particles beside other bodies"));
+            return Err(refused("particles together with other bodies"));
         }
         let mut inner = PhysicsWorld { gravity: Pair::ZERO, ..PhysicsWorld::default() };
         let surface = |builder: ColliderBuilder| {

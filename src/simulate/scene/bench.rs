@@ -147,7 +147,7 @@ impl<'a> Bench<'a> {
         }
     }
 
-    /// Notes the impulse on a body, and the average force where it is told how long it acted.
+    /// Notes the impulse on a body, and the average force where it is given how long it acted.
     pub(super) fn note_impulse(&mut self, body: &str, impulse: Vector, duration: Option<&Term>) {
         self.note_vector(&format!("J_{body}"), impulse);
         if let Some(time) = duration.and_then(|term| self.values.term(term).ok()) {

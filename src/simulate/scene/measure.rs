@@ -75,7 +75,7 @@ pub(super) fn of_centre(
     Some((part(mean, along(values, asked)?), scale))
 }
 
-/// Which moment a name speaks of: the only one of a plane, or that of its component.
+/// Which moment a name refers to: the only one of a plane, or that of its component.
 pub(super) fn turning(values: &Values<'_>, asked: Asked<'_>, moment: Vector) -> Option<f64> {
     match (values.axes().len(), asked.component) {
         (2, None) => Some(moment[2]),

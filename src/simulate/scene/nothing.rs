@@ -9,11 +9,11 @@ pub enum NothingToSimulate {
     NothingSolved,
     /// Velocities stay what they are.
     NothingChanges,
-    /// Only the impulse is spoken of.
+    /// Only the impulse is used.
     UnknownHistory,
-    /// The line of impact, which a smooth contact needs in a plane, is not told.
+    /// The line of impact, which a smooth contact needs in a plane, is not given.
     NoLineOfImpact,
-    /// Neither a coefficient of restitution nor staying together is told.
+    /// Neither a coefficient of restitution nor staying together is given.
     NoRestitution,
     /// A quantity that the simulation needs is neither given nor solved in this form.
     ValueMissing,
@@ -30,8 +30,10 @@ impl NothingToSimulate {
     #[must_use]
     pub fn reason(self) -> &'static str {
         match self {
-            Self::NoStage => "nothing to simulate: nothing happens in the scene",
-            Self::NothingSolved => "nothing to simulate: what a simulation finds is not solved in this form",
+            Self::NoStage => "nothing to simulate: the scene has no stage",
+            Self::NothingSolved => {
+                "nothing to simulate: the quantities that a simulation gives are not solved in this form"
+            }
             Self::NothingChanges => "nothing to simulate: no velocity changes",
             Self::UnknownHistory => "nothing to simulate: the force of a blow is not known, only its impulse",
             Self::NoLineOfImpact => "nothing to simulate: the line of impact is not given",
@@ -39,7 +41,7 @@ impl NothingToSimulate {
             Self::ValueMissing => "nothing to simulate: a quantity that it needs is neither given nor solved",
             Self::NotShown => "not shown: `momentous check` simulates it, but not as a motion of the bodies",
             Self::NoMethod => "nothing to simulate: no method of this version integrates such a motion",
-            Self::Unread => "nothing to simulate: it does not read such a term or direction",
+            Self::Unread => "nothing to simulate: a term or direction of this kind is not supported",
         }
     }
 }

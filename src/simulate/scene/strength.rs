@@ -1,4 +1,4 @@
-//! The strength of a force as it is told: at any time, and as polynomials in the time where it is nothing else.
+//! The strength of a force as it is given: at any time, and as polynomials in the time where it is nothing else.
 
 use std::sync::Arc;
 

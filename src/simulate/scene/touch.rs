@@ -186,7 +186,7 @@ impl Touch {
             all = integrator.until(begun, all, phase.end, &slope)?;
             begun = phase.end;
         }
-        bench.remark("The duration of the contact is not given: it is drawn as seconds. Each position counts from where the bodies meet.");
+        bench.remark("The duration of the contact is not given: it is drawn as seconds. Each position is measured from where the bodies meet.");
         Ok(())
     }
 

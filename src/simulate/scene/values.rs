@@ -155,7 +155,7 @@ impl Values<'_> {
         if whole > 0.0 { Ok(whole) } else { Err(NothingToSimulate::ValueMissing) }
     }
 
-    /// The mass of a body whose motion does not depend on it: 1 kg where it is neither told nor solved.
+    /// The mass of a body whose motion does not depend on it: 1 kg where it is neither given nor solved.
     pub(super) fn any_mass(&self, body: &str) -> f64 {
         self.mass(body).unwrap_or(1.0)
     }

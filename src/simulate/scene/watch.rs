@@ -54,7 +54,7 @@ struct Watched<'a> {
 }
 
 impl Watched<'_> {
-    /// Where a body is when it has gone on for a time, seen from a point. Where only velocities are spoken of, all may start
+    /// Where a body is when it has gone on for a time, seen from a point. Where only velocities are used, all may start
     /// at the same place.
     fn at(&self, body: &str, time: f64, from: Option<&str>) -> Option<Vector> {
         let own = |body: &str| {

@@ -29,7 +29,7 @@ pub(super) fn motion_from<const D: usize>(
         match force {
             Force::Constant { force, .. } => acceleration += force / mass,
             Force::Varying { strength: Strength::Function(_), .. } => {
-                return Err(refusal("a force that is no polynomial in the time"));
+                return Err(refusal("a force that is not a polynomial in time"));
             }
             Force::Varying { direction, strength: Strength::Pieces(pieces), .. } => {
                 let Some(piece) = pieces.iter().find(|piece| time < piece.until) else { continue };

@@ -340,7 +340,7 @@ impl<'a, const D: usize> Run<'a, D> {
         contacts.dedup();
         let time = self.now.seconds();
         if contacts.iter().all(|contact| self.world.restitution_of(*contact) >= 1.0) {
-            let what = "impacts follow each other faster than the time can tell them apart".to_owned();
+            let what = "impacts follow each other too quickly to be resolved in time".to_owned();
             return Refusal::Breakdown { time, what };
         }
         let contacts = contacts.into_iter().map(|contact| self.world.name_of(contact)).collect();

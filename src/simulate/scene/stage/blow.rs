@@ -55,7 +55,7 @@ impl Bench<'_> {
         Ok(())
     }
 
-    /// How strong the blow has to be along an axis for the velocity or the impulse that is told; a blow of 1 N says how much
+    /// How strong the blow has to be along an axis for the velocity or the impulse that is given; a blow of 1 N says how much
     /// comes of it.
     fn strength(&mut self, body: &str, axis: Axis, mass: f64, start: f64) -> Result<f64, NothingToSimulate> {
         let [gained, given] = self.struck(mass, 0.0, 1.0)?;

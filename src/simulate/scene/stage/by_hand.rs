@@ -16,7 +16,7 @@ const SPACE: &str = r#"{"x":"to the right","y":"away from you","z":"upwards"}"#;
 
 type Row = (&'static str, &'static str, &'static str, &'static str);
 
-/// Axes, a stage, what is told, and what comes out, all worked out by hand with g = 10 m/s².
+/// Axes, a stage, what is given, and what comes out, all worked out by hand with g = 10 m/s².
 const BY_HAND: &[Row] = &[
     (UPHILL, r#"{"slide":{"body":"A","incline":"30 deg","distance":"d","until":"rest"}}"#, "v_A1 6", "d 3.6, dt 1.2"),
     (RIGHT, r#"{"slide":{"body":"A","friction":0.5,"distance":"d","until":"rest"}}"#, "v_A1 10", "d 10, dt 2, v_A2 0"),
@@ -317,7 +317,7 @@ fn numbers(text: &str) -> Vec<(&str, f64)> {
     rows.map(|(name, value)| (name, value.parse().unwrap())).collect()
 }
 
-/// Looks at a stage with what is told of it, and g = 10 m/s².
+/// Looks at a stage with what is given of it, and g = 10 m/s².
 fn with<T>(axes: &str, stage: &str, told: &str, look: impl FnOnce(&Scene, &dyn Fn(&str) -> Option<f64>) -> T) -> T {
     let told = numbers(told);
     let value = |name: &str| {

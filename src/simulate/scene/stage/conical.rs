@@ -48,7 +48,7 @@ impl Bench<'_> {
         };
         let (names, components) = (&[body], upright_space());
         self.film(&Motion { names, components, start: (0.0, start), end: turn, slope: &slope, look: &look })?;
-        self.remark("How fast the cord is drawn in is not given: it is drawn in at a constant rate, within one turn. Places count from the pivot.");
+        self.remark("How fast the cord is drawn in is not given: it is drawn in at a constant rate, within one turn. Positions are measured from the pivot.");
         let swept = around(&end) * distance(&end);
         let after = Circle::with(short, gravity, swept, &|own| own.speed * own.radius());
         for (instant, circle) in [(first, circle), (first + 1, after)] {

@@ -71,7 +71,7 @@ impl Bench<'_> {
         };
         let components = vec![Component { letter: "s", vertical: false }];
         self.film(&Motion { names: &bodies, components, start: (0.0, start), end: time, slope: &slope, look: &look })?;
-        self.remark("s is counted along the string, towards the leading body, for both bodies.");
+        self.remark("s is measured along the string, towards the leading body, for both bodies.");
         for (body, velocity) in bodies.into_iter().zip([end[1], end[2]]) {
             self.note_velocity(body, times(velocity, unit(axis)), speed);
         }

@@ -56,7 +56,7 @@ impl Bench<'_> {
         Ok(())
     }
 
-    /// The coefficient of restitution: told, or found by trying which one loses the energy that is told.
+    /// The coefficient of restitution: given, or found by trying which one loses the energy that is given.
     fn restitution(&mut self, stage: &Impact, touch: &Touch) -> Result<f64, NothingToSimulate> {
         let Some(term) = &stage.loss else { return self.values.coefficient(stage) };
         let loss = self.values.term(term)?;
@@ -92,7 +92,7 @@ impl Bench<'_> {
         let touch = Touch { parties, normal, restitution: self.values.coefficient(stage)? };
         let mut parted = touch.run(self)?;
         parted.common = -parted.common;
-        // What is told of the contact is what it does together with weight.
+        // What is given of the contact is what it does together with weight.
         let weight = self.weight_in_contact(mass, &stage.include, stage.duration.as_ref())?;
         parted.impulses[0] = less(parted.impulses[0], weight);
         if !stage.include.is_empty() {

@@ -35,7 +35,7 @@ impl Bench<'_> {
         let placed: Result<Vec<Vector>, _> = bodies.iter().map(|body| place(self.values, body)).collect();
         for (own, body) in bodies.iter().enumerate() {
             masses.push(self.values.mass(body)?);
-            // Where no places are spoken of, they stand in a row.
+            // Where no places are used, they stand in a row.
             #[allow(clippy::cast_precision_loss, reason = "a handful of bodies")]
             let at = placed.as_ref().map_or([own as f64, 0.0, 0.0], |placed| placed[own]);
             put(&mut start, own, at);
@@ -79,7 +79,7 @@ impl Bench<'_> {
         };
         let (names, components) = (&bodies[..], values.components());
         self.film(&Motion { names, components, start: (0.0, start), end: time, slope: &slope, look: &look })?;
-        self.remark("The forces between the bodies are not given: springs between all of them stand in for them.");
+        self.remark("The forces between the bodies are not given: they are replaced by springs between all bodies.");
         let momenta: Vec<Vector> = (0..bodies.len()).map(|own| times(masses[own], vector(&end, MOST + own))).collect();
         let total = momenta.iter().fold(ZERO, |all, own| add(all, *own));
         let scale = momenta.iter().map(|own| size(*own)).fold(0.0, f64::max);

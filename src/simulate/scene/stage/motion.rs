@@ -1,4 +1,4 @@
-//! A motion that is told: walked along as the author wrote it, with what acts on the body read off how its velocity changes.
+//! A motion that is given: walked along as the author wrote it, with what acts on the body read off how its velocity changes.
 
 use crate::scene::Axis;
 use crate::scene::stage::Motion;
@@ -18,11 +18,11 @@ const SOON: [f64; 2] = [1e-3, 1e-2];
 /// The steps in which it is walked along, at least.
 const STEPS: f64 = 64.0;
 
-/// What is told of a motion.
+/// What is given of a motion.
 struct Told {
     /// Along each axis, as a function of the clock and the place along the only axis.
     courses: Vec<(Axis, OfSeveral)>,
-    /// Whether it is the place that is told, and not the velocity.
+    /// Whether it is the position that is given, and not the velocity.
     places: bool,
     start: f64,
     end: f64,
@@ -43,7 +43,7 @@ impl Told {
         Ok(Self { courses, places: stage.velocity.is_none(), start, end })
     }
 
-    /// What is told, at a time and a place.
+    /// What is given, at a time and a place.
     fn at(&self, time: f64, at: Vector) -> Vector {
         let along = |(axis, course): &(Axis, OfSeveral)| times(course(&[time, part(at, *axis)]), unit(*axis));
         self.courses.iter().map(along).fold(ZERO, add)

@@ -29,7 +29,7 @@ impl Bench<'_> {
         }
         let rated = self.note_rates(stage)?;
         let [start, end] = match self.during(stage.during.as_ref()) {
-            // How long the forces act may be left open where only what they begin with is spoken of.
+            // How long the forces act may be left open where only what they begin with is used.
             Err(NothingToSimulate::ValueMissing) if rated => return Ok(()),
             during => during?,
         };

@@ -104,7 +104,7 @@ impl Bench<'_> {
         };
         let (names, components, start) = (&names, values.components(), (0.0, [0.0; 11]));
         self.film(&Motion { names, components, start, end, slope: &all, look: &look })?;
-        self.remark("Each place counts from where its body starts.");
+        self.remark("Each position is measured from the starting point of its body.");
         Ok(())
     }
 }

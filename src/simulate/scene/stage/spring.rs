@@ -103,7 +103,7 @@ impl Bench<'_> {
         };
         let (names, components, start) = (&names, self.values.components(), (0.0, [from, a, b, 0.0, 0.0]));
         self.film(&Motion { names, components, start, end, slope: &slope, look: &look })?;
-        self.remark("Each body's place counts from where it starts.");
+        self.remark("Each position is measured from the starting point of its body.");
         Ok(())
     }
 

@@ -14,7 +14,7 @@ const DROPLETS: u32 = 1_000;
 
 /// What is watched of a stream.
 const DROPLET: &str = "droplet";
-const SEEN: &str = "One droplet of 1 kg is shown, as seen from the body that it meets; its duration is not given.";
+const SEEN: &str = "One droplet of 1 kg is shown, relative to the body that it meets; the duration is not given.";
 
 impl Bench<'_> {
     pub(super) fn stream(&mut self, stage: &Stream) -> Result<(), NothingToSimulate> {

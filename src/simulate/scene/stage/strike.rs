@@ -36,7 +36,7 @@ impl Bench<'_> {
         let parted = touch.run(self)?;
         touch.film(self, [body, "arm"])?;
         self.remark(
-            "Of the arm the place that is struck is shown, with the mass that resists there; its momentum is the angular momentum by the distance.",
+            "The arm is shown as the point that is struck, with its effective mass there; its momentum is the angular momentum divided by the distance.",
         );
         let [after, struck] = parted.velocities.map(|own| dot(own, along));
         let (mut ends, fast) = ([Vec::new(), Vec::new()], speed.abs() + (turning * distance).abs());

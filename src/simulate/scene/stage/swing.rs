@@ -23,7 +23,7 @@ impl Bench<'_> {
         let [from, to] = stage.places();
         let length = match (told(stage.length.as_ref()), height, &before) {
             (Some(length), ..) => length,
-            // Only heights are spoken of, so that the length may be anything that reaches them.
+            // Only heights are used, so that the length may be anything that reaches them.
             (None, Some(height), _) if stage.way == Way::Down => height / (1.0 - libm::cos(ANY_ANGLE)),
             (None, _, Ok(speed)) if *speed != 0.0 => speed * speed / gravity,
             _ => return Err(NothingToSimulate::ValueMissing),

@@ -148,7 +148,9 @@ impl Bench<'_> {
         };
         let (names, components, start) = (&[body], self.values.components(), (begun, state));
         self.film(&Motion { names, components, start, end: time, slope: &slope, look: &look })?;
-        self.remark("Momentum and energy are of what is left; what the exhaust takes with it counts as from outside.");
+        self.remark(
+            "Momentum and energy are those of the remaining mass; what the exhaust carries away counts as external.",
+        );
         self.note_velocity(body, times(speed, unit(axis)), before);
         self.note_here(&format!("s_{body}"), way, 0.0);
         match &stage.mass {

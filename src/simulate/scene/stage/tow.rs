@@ -77,7 +77,7 @@ impl Bench<'_> {
         };
         let (names, components) = (&bodies, self.values.components());
         self.film(&Motion { names, components, start: (0.0, state), end: time, slope: &slope, look: &look })?;
-        self.remark("Each place counts from where its body starts.");
+        self.remark("Each position is measured from the starting point of its body.");
         for (body, speed) in bodies.into_iter().zip([end[1], end[2]]) {
             self.note_velocity(body, times(speed, unit(axis)), start);
         }

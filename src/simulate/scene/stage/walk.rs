@@ -50,7 +50,7 @@ impl Bench<'_> {
         let (names, components, start) = (&names, self.values.components(), (0.0, [0.0; 4]));
         self.film(&Motion { names, components, start, end: 1.0, slope: &slope, look: &look })?;
         self.remark(
-            "The duration is not given: one second is assumed. Each position counts from where its body starts.",
+            "The duration is not given: one second is assumed. Each position is measured from the starting point of its body.",
         );
         Ok(())
     }
