@@ -299,11 +299,16 @@ test("a preset, a method and the address go together", async () => {
   await page.getByRole("link", { name: "Plastic" }).click();
   await page.locator('[data-shown="m_A=3&v_A=3&m_B=2&v_B=-2&e=0"][data-state="shown"]').waitFor();
   assert.equal(new URL(page.url()).search, "?m_A=3&v_A=3&m_B=2&v_B=-2&e=0");
+  assert.equal(await page.locator("[data-magnified]").isVisible(), false, "no spring and dashpot are plastic");
   await page.getByLabel("Compare with a method").selectOption("penalty");
   await page.locator('[data-shown$="method=penalty&step=0.06"][data-state="shown"]').waitFor();
   assert.match((await texts(page, ["[data-method-refused]"]))[0] ?? "", /no calibration/);
   await page.getByLabel("Compare with a method").selectOption("explicit-euler");
   await page.locator('[data-shown$="method=explicit-euler&step=0.06"][data-state="shown"]').waitFor();
+  await page.locator("#e").fill("0.7");
+  await page.locator('[data-shown*="&e=0.7&method="][data-state="shown"]').waitFor();
+  const contact = await page.locator("[data-magnified] tr").allTextContents();
+  assert.match(contact.find((row) => row.startsWith("Their ratio")) ?? "", /0\.70|0\.699/);
   await page.reload();
   await page.locator('[data-shown$="method=explicit-euler&step=0.06"][data-state="shown"]').waitFor();
   assert.equal(await page.locator("#compared").textContent(), "The exact motion and explicit Euler");
@@ -325,6 +330,7 @@ test("without JavaScript the same numbers are asked for by the form", async () =
   assert.match((await page.locator(show("told")).textContent()) ?? "", /12\.0.N.s from A/);
   assert.equal(await page.locator(show("lost")).textContent(), "0 J");
   assert.ok((await page.locator('[data-plot="places"] polyline').count()) === 3);
+  assert.ok((await page.locator('[data-plot="contact"] polyline').count()) === 2);
   await page.getByRole("link", { name: "Make a problem of this" }).click();
   assert.match(page.url(), /solve\/impact\/two-carts\?set\.m_A=3\+kg/);
   assert.match((await page.locator("article.solution").textContent()) ?? "", /Worked solution/);

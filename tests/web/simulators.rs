@@ -128,6 +128,20 @@ fn methods_err_and_say_by_how_much() {
     assert!(refused["compared"]["refused"].as_str().unwrap().starts_with("no calibration"));
 }
 
+/// 3 kg at 3 m/s meets 2 kg at -2 m/s: the reduced mass 6/5 kg and the speed of approach 5 m/s give 6 N s until both move alike.
+#[test]
+fn the_area_of_a_contact_is_its_impulse_and_its_parts_stand_to_each_other_as_e() {
+    let client = Client::new();
+    let shown = shown(&client, "collision", &json!({}), None);
+    for (row, expected) in [6.0, 4.2, 0.7, 10.2].into_iter().enumerate() {
+        let value = at(&shown, &format!("/contact/rows/{row}/amount/value"));
+        assert!((value / expected - 1.0).abs() < 4e-3, "row {row}: {value}");
+    }
+    for values in [json!({ "e": 0 }), json!({ "v_A": -3 })] {
+        assert!(self::shown(&client, "collision", &values, None)["contact"].is_null(), "{values}");
+    }
+}
+
 #[test]
 fn what_cannot_be_is_refused_with_the_reason() {
     let client = Client::new();

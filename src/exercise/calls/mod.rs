@@ -31,7 +31,7 @@ pub use sheet::{FieldResponse, FigureResponse, SheetRequest, SheetResponse};
 pub use simulate::SimulateRequest;
 pub use simulators::{
     Amount, Balance, Bounce, COLLISION, CollisionBody, CollisionResponse, Compared, Control, Curve, Limits, LookedAt,
-    Meeting, Offered, Phase, ProblemOf, RESTITUTION, RestitutionResponse, Row, SimulatorRequest, USUAL_STEP,
+    Magnified, Meeting, Offered, Phase, ProblemOf, RESTITUTION, RestitutionResponse, Row, SimulatorRequest, USUAL_STEP,
 };
 pub use solve::{SolveRequest, SolveResponse, SolvedPart};
 pub use variant::VariantRequest;

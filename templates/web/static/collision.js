@@ -2,15 +2,17 @@
 // The collision on its page.
 
 import { at } from "./plot.js";
-import { Simulator, move, one, told } from "./simulator.js";
+import { Simulator, move, one, plotted, told } from "./simulator.js";
 
 /** @typedef {import("./simulator.js").Amount} Amount */
-/** @typedef {import("./simulator.js").Shown & { bodies: { name: string, radius: number }[], table: Amount[][] }} Collision */
+/** @typedef {import("./plot.js").Curve} Curve */
+/** @typedef {{ bodies: { name: string, radius: number }[], table: Amount[][], contact: { force: Curve[] } | null }} Own */
+/** @typedef {import("./simulator.js").Shown & Own} Collision */
 
 const root = one(document, "[data-simulator]", HTMLElement);
 
 /** @param {Collision} shown */
-function filled({ track: [low, high], bodies, table }) {
+function filled({ track: [low, high], bodies, table, contact }) {
   const svg = one(root, "[data-track]", SVGSVGElement);
   const tallest = 1.3 * Math.max(...bodies.map(({ radius }) => radius));
   svg.setAttribute("viewBox", `${low} ${-tallest - 0.5} ${high - low} ${tallest + 0.85}`);
@@ -21,6 +23,21 @@ function filled({ track: [low, high], bodies, table }) {
     return made;
   });
   one(root, '[data-cells="table"]', HTMLTableSectionElement).replaceChildren(...rows);
+  one(root, "[data-magnified]", HTMLElement).hidden = !contact;
+  if (contact) magnify(contact.force);
+}
+
+/** @type {import("./plot.js").Plot | undefined} */
+let magnified;
+
+/**
+ * The force of the contact, all of it at once.
+ * @param {Curve[]} force
+ */
+function magnify(force) {
+  if (magnified) magnified.set(force);
+  else magnified = plotted(root, "contact", force);
+  magnified.show(Infinity);
 }
 
 /**

@@ -7,6 +7,7 @@ import { Plot, at } from "./plot.js";
 
 /** @typedef {import("./plot.js").Curve} Curve */
 /** @typedef {{ value: number, text: string }} Amount */
+/** @typedef {{ what: string, amount: Amount }} Row */
 /** @typedef {{ until: number, words: string }} Phase */
 /**
  * @typedef {object} Compared
@@ -14,7 +15,6 @@ import { Plot, at } from "./plot.js";
  * @property {string | null} refused
  * @property {Curve[]} places
  * @property {Curve[]} drifts
- * @property {{ what: string, amount: Amount }[]} rows
  */
 /**
  * What the engine says to both.
@@ -61,6 +61,18 @@ export function row(head, cells) {
   made.append(first);
   for (const text of cells) made.insertCell().textContent = text;
   return made;
+}
+
+/**
+ * A plot where the page has a place for it.
+ * @param {Element} root
+ * @param {string} name
+ * @param {Curve[]} curves
+ */
+export function plotted(root, name, curves) {
+  const svg = one(root, `[data-plot="${name}"]`, SVGSVGElement);
+  const { title = "", up = "", across = "" } = svg.dataset;
+  return new Plot(svg, { title, across, up, curves });
 }
 
 /**
@@ -231,6 +243,11 @@ export class Simulator {
     for (const bar of root.querySelectorAll("[data-bar]")) {
       bar.setAttribute("x2", String(found(shown, bar.getAttribute("data-bar") ?? "") ?? 0));
     }
+    for (const table of root.querySelectorAll("[data-rows]")) {
+      /** @type {Row[]} */
+      const rows = found(shown, table.getAttribute("data-rows") ?? "") ?? [];
+      table.replaceChildren(...rows.map(({ what, amount }) => row(what, [amount.text])));
+    }
     this.#show_method(shown);
     this.#show_problem(shown);
     this.#filled(shown);
@@ -247,8 +264,6 @@ export class Simulator {
     const refused = one(this.#root, "[data-method-refused]", HTMLElement);
     refused.hidden = !compared.refused;
     refused.textContent = compared.refused ? `It refuses this scene: ${compared.refused}.` : "";
-    const rows = compared.rows.map(({ what, amount }) => row(what, [amount.text]));
-    one(this.#root, '[data-rows="compared.rows"]', HTMLTableSectionElement).replaceChildren(...rows);
     this.#plot("drifts", compared.drifts);
   }
 
@@ -267,9 +282,7 @@ export class Simulator {
   #plot(name, curves) {
     const plot = this.#plots.get(name);
     if (plot) return plot.set(curves);
-    const svg = one(this.#root, `[data-plot="${name}"]`, SVGSVGElement);
-    const { title = "", up = "" } = svg.dataset;
-    this.#plots.set(name, new Plot(svg, { title, across: "time in s", up, curves }));
+    this.#plots.set(name, plotted(this.#root, name, curves));
   }
 
   /**

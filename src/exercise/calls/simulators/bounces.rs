@@ -35,7 +35,7 @@ pub struct Bounce {
 pub(super) fn bounces(run: &Trajectory<1>, released: f64, most: usize) -> Vec<Bounce> {
     let time_amount = |time: f64| Amount::new(time, 0.0, "s");
     let velocity = |value: f64| Amount::new(value, 0.0, "m/s");
-    let height = |value: f64| Amount::new(value, released, "m");
+    let height = |value: f64| Amount::new(value, 0.0, "m");
     let mut all = vec![Bounce {
         number: 0,
         time: time_amount(0.0),

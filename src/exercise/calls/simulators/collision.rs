@@ -7,6 +7,7 @@ use crate::simulate::{Body, Budget, EventDriven, Method, Moment, Record, World};
 use super::super::Engine;
 use super::compared::Compared;
 use super::controls::{COLLISION, SimulatorRequest, outside, set};
+use super::magnified::{Magnified, magnified};
 use super::{Amount, Curve, Phase, ProblemOf, Refused, not_run};
 
 /// The problem whose scene this is.
@@ -52,6 +53,8 @@ pub struct CollisionResponse {
     pub places: Vec<Curve>,
     /// The same as a table: the time and the three places, at the start, at the impact and at the end.
     pub table: Vec<Vec<Amount>>,
+    /// The contact, magnified; nothing without an impact, or where no spring and dashpot do the same.
+    pub contact: Option<Magnified>,
     /// The scene as a problem.
     pub problem: ProblemOf,
     /// A method beside it.
@@ -195,6 +198,7 @@ fn shown(world: &World<1>, record: &Record, problem: ProblemOf, compared: Option
         table: table(&places, meeting_time, end),
         track: track(world, &places, compared.as_ref()),
         places,
+        contact: record.impacts.first().and_then(|_| magnified(world)),
         problem,
         compared,
     }

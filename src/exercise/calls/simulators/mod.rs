@@ -6,6 +6,7 @@ mod collision;
 mod compared;
 mod controls;
 mod curve;
+mod magnified;
 mod restitution;
 
 use serde::Serialize;
@@ -23,6 +24,7 @@ pub use collision::{Balance, CollisionBody, CollisionResponse, Meeting};
 pub use compared::{Compared, Offered, Row, USUAL_STEP};
 pub use controls::{COLLISION, Control, RESTITUTION, SimulatorRequest};
 pub use curve::Curve;
+pub use magnified::Magnified;
 pub use restitution::{Limits, LookedAt, RestitutionResponse};
 
 /// What a body does until a time.
