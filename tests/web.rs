@@ -7,6 +7,8 @@
 mod client;
 #[path = "web/hostile.rs"]
 mod hostile;
+#[path = "web/played.rs"]
+mod played;
 #[path = "web/simulators.rs"]
 mod simulators;
 
@@ -57,7 +59,7 @@ fn every_form_of_the_bank_is_practised() {
 fn no_page_holds_code_or_style_of_its_own() {
     let client = Client::new();
     for problem in problems() {
-        for page in ["practice", "solution", "solve"] {
+        for page in ["play", "practice", "solution", "solve"] {
             let response = client.get(&format!("/{page}/{}", problem.id()));
             let policy = response.header("content-security-policy");
             assert!(policy.contains("default-src 'none'") && !policy.contains("unsafe"), "{policy}");

@@ -94,10 +94,20 @@ impl ForcePlot {
     /// ```
     #[must_use]
     pub fn drawing(&self) -> Drawing {
-        let points: Vec<Point> = self.points.iter().map(|[time, force]| Point::new(*time, *force)).collect();
-        let points: Vec<Point> =
-            points.into_iter().filter(|point| point.x.is_finite() && point.y.is_finite()).collect();
-        let frame = Frame::around(&points);
+        self.beside(&[])
+    }
+
+    /// The same with other curves on the same axes.
+    #[must_use]
+    pub fn beside(&self, others: &[(Vec<[f64; 2]>, Role)]) -> Drawing {
+        let finite = |points: &[[f64; 2]]| -> Vec<Point> {
+            let points = points.iter().map(|[time, force]| Point::new(*time, *force));
+            points.filter(|point| point.x.is_finite() && point.y.is_finite()).collect()
+        };
+        let points = finite(&self.points);
+        let mut all = points.clone();
+        all.extend(others.iter().flat_map(|(points, _)| finite(points)));
+        let frame = Frame::around(&all);
         let curve: Vec<Point> = points.iter().map(|point| frame.place(*point)).collect();
         let mut canvas = Canvas::default();
         let zero = frame.place(Point::ORIGIN).y;
@@ -109,6 +119,10 @@ impl ForcePlot {
         self.draw_axes(&mut canvas, &frame, zero);
         if curve.len() > 1 {
             canvas.draw(Shape::Line { points: curve.clone(), role: Role::Curve, dashed: false });
+        }
+        for (points, role) in others {
+            let points = finite(points).into_iter().map(|point| frame.place(point)).collect();
+            canvas.draw(Shape::Line { points, role: *role, dashed: true });
         }
         self.draw_marks(&mut canvas, &frame, &points, zero);
         if let Some(label) = &self.area {

@@ -24,7 +24,7 @@ macro_rules! built_in {
 }
 
 /// Every built-in file by its path below `templates/`.
-const BUILT_IN: [(&str, &str); 28] = built_in![
+const BUILT_IN: [(&str, &str); 29] = built_in![
     "html/blocks.tera",
     "html/body.tera",
     "html/document.tera",
@@ -46,6 +46,7 @@ const BUILT_IN: [(&str, &str); 28] = built_in![
     "web/collision.tera",
     "web/field.tera",
     "web/layout.tera",
+    "web/play.tera",
     "web/practice.tera",
     "web/refused.tera",
     "web/restitution.tera",

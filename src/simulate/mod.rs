@@ -38,7 +38,7 @@ pub use methods::{
 };
 pub use newton::direct_impact;
 pub use point_impact::{PointImpact, PointOutcome, RestitutionLaw};
-pub use record::{Moment, Record, Recorded, RecordedImpact};
+pub use record::{Moment, Pivot, Record, Recorded, RecordedImpact, RecordedWall};
 pub use refusal::Refusal;
 pub use shown::Shown;
 #[cfg(feature = "cli")]

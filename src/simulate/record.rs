@@ -3,7 +3,7 @@
 use super::contact::Contact;
 use super::force::Force;
 use super::trajectory::Trajectory;
-use super::world::{State, Vector, World};
+use super::world::{Body, State, Vector, World};
 
 /// The evenly spaced instants of a record.
 const EVENLY: u32 = 240;
@@ -20,6 +20,10 @@ pub(super) const GAUSS: [(f64, f64); 3] =
 pub struct Record {
     /// The bodies.
     pub bodies: Vec<Recorded>,
+    /// The walls and floors.
+    pub walls: Vec<RecordedWall>,
+    /// What all bodies move about.
+    pub pivot: Option<Pivot>,
     /// The common instants in order; that of an impact stands twice, just before and just after.
     pub moments: Vec<Moment>,
     /// The impacts in order.
@@ -33,6 +37,30 @@ pub struct Recorded {
     pub name: String,
     /// Its mass in kg, at the start.
     pub mass: f64,
+    /// Its radius in m; 0 where it is a particle.
+    pub radius: f64,
+}
+
+/// What all bodies of a record move about.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pivot {
+    /// Where it is, in m.
+    pub at: Vec<f64>,
+    /// Whether a cord goes from it to each body.
+    pub cord: bool,
+}
+
+/// A wall of a record.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RecordedWall {
+    /// Its name.
+    pub name: String,
+    /// The unit normal, towards the bodies.
+    pub normal: Vec<f64>,
+    /// Where its face is at time 0, along the normal, in m.
+    pub offset: f64,
+    /// The velocity of its face along the normal, in m/s.
+    pub velocity: f64,
 }
 
 /// Where everything is at an instant, and the two balances.
@@ -114,7 +142,14 @@ impl Record {
     }
 
     fn at<const D: usize>(world: &World<D>, run: &Trajectory<D>, origin: f64, instants: Vec<Instant>) -> Self {
-        let bodies = world.bodies.iter().map(|body| Recorded { name: body.name.clone(), mass: body.mass }).collect();
+        let recorded = |body: &Body<D>| Recorded { name: body.name.clone(), mass: body.mass, radius: body.radius };
+        let bodies = world.bodies.iter().map(recorded).collect();
+        let walls = world.walls.iter().map(|wall| RecordedWall {
+            name: wall.name.clone(),
+            normal: wall.normal.iter().copied().collect(),
+            offset: wall.face(origin),
+            velocity: wall.velocity,
+        });
         let impacts = run.impacts.iter().map(|impact| RecordedImpact {
             time: impact.time - origin,
             contact: world.name_of(impact.contact),
@@ -122,7 +157,8 @@ impl Record {
             energy_before: impact.energy_before,
             energy_after: impact.energy_after(),
         });
-        Self { bodies, moments: moments(world, run, origin, instants), impacts: impacts.collect() }
+        let walls = walls.collect();
+        Self { bodies, walls, pivot: None, moments: moments(world, run, origin, instants), impacts: impacts.collect() }
     }
 }
 
@@ -245,7 +281,7 @@ mod tests {
     use crate::simulate::force::Strength;
     use crate::simulate::method::Method;
     use crate::simulate::methods::{EventDriven, ExplicitEuler, RungeKutta};
-    use crate::simulate::world::{Body, Wall};
+    use crate::simulate::world::Wall;
 
     fn dropped() -> World<1> {
         let mut world = World::new(0.5);

@@ -26,11 +26,14 @@ const BUILT_IN: &[(&str, &[u8])] = &built_in![
     "clock.js",
     "engine.js",
     "icon.svg",
+    "collision.js",
+    "play.js",
     "plot.js",
     "practice.js",
-    "collision.js",
     "restitution.js",
     "simulator.js",
+    "stage.js",
+    "told.js",
     "watch.js"
 ];
 

@@ -35,7 +35,8 @@ type Fields = Vec<(String, String)>;
 type OfProblem = fn(&App, String, &Parameters) -> Result<String, Refused>;
 
 /// The pages of problems, `/practice/impact/two-carts`, and of simulators.
-const OF_PROBLEMS: [(&str, OfProblem); 4] = [
+const OF_PROBLEMS: [(&str, OfProblem); 5] = [
+    ("/play/{*problem}", pages::play),
     ("/practice/{*problem}", pages::practice),
     ("/simulators/{*problem}", pages::simulator),
     ("/solution/{*problem}", pages::solution),

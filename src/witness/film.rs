@@ -4,6 +4,7 @@ use crate::problem::Problem;
 use crate::problem::Variant;
 use crate::scene::Axis;
 use crate::scene::Scene;
+use crate::scene::Stage;
 use crate::simulate::Ending;
 use crate::simulate::Method;
 use crate::simulate::Record;
@@ -25,6 +26,20 @@ use super::staging::staged;
 /// How a run that nothing cut short ends.
 pub const AT_ITS_TIME: &str = "at its time";
 
+/// What the kinds of stages are called whose key in a file says too little.
+const KINDS: &[(&str, &str)] = &[
+    ("taut", "cord comes taut"),
+    ("connected", "on one string"),
+    ("rotate", "rotation"),
+    ("moment", "turning moment"),
+    ("conical", "on a cone"),
+    ("bowl", "in a bowl"),
+    ("interact", "mutual push"),
+    ("central", "central force"),
+    ("slide_off", "slide down"),
+    ("separate", "parting"),
+];
+
 /// A part of a stage, simulated.
 #[derive(Clone, Debug)]
 pub struct Film {
@@ -45,6 +60,14 @@ pub struct Film {
 }
 
 impl Film {
+    /// The kind of its stage, in a word or two.
+    #[must_use]
+    pub fn kind(&self, scene: &Scene) -> &'static str {
+        let stage = self.stage.checked_sub(1).and_then(|place| scene.stages.get(place));
+        let key = stage.map_or("motion", Stage::key);
+        KINDS.iter().find(|(own, _)| *own == key).map_or(key, |(_, words)| *words)
+    }
+
     /// What a reader must know: of the motion, and of momenta and energies.
     #[must_use]
     pub fn cautions(&self) -> Vec<String> {
@@ -105,7 +128,7 @@ pub fn shoot(problem: &Problem, variant: &Variant, request: &Request) -> Result<
         film.unweighed = names.filter(|body| !is_weighed(problem, variant, body)).collect();
     }
     if shot.films.is_empty() {
-        let reason = shot.nothing.first().map_or("nothing to simulate: the scene has no stage", |(_, why)| why);
+        let reason = shot.nothing.first().map_or_else(|| NothingToSimulate::NoStage.reason(), |(_, why)| why);
         let help = "`momentous list` shows other problems; docs/methods.md says what can be simulated";
         return Err(NotShown { what: format!("{}: {reason}", problem.id()), help });
     }
@@ -191,7 +214,7 @@ fn components<const D: usize>(experiment: &Experiment<D>, scene: &Scene) -> Vec<
     (0..D)
         .map(|place| match own.get(place) {
             Some(axis) => Component::along(scene, *axis),
-            None => Component { letter: "x", vertical: false },
+            None => Component::only("x"),
         })
         .collect()
 }

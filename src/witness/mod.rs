@@ -7,14 +7,17 @@ mod choices;
 mod conserved;
 mod crossing;
 mod film;
+mod impacts;
 mod parts;
 mod record;
 mod simulation;
 mod staging;
+mod together;
 mod trial;
 mod turning;
 
 pub use film::{AT_ITS_TIME, Film, NotShown, Shot, shoot};
+pub use impacts::IMPACTS;
 pub use staging::{followed, staged};
 pub use trial::{Portion, Simulated};
 

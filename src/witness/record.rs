@@ -5,6 +5,7 @@ use serde_json::json;
 
 use crate::problem::Problem;
 use crate::problem::Variant;
+use crate::scene::Scene;
 use crate::simulate::Moment;
 use crate::simulate::RecordedImpact;
 
@@ -17,28 +18,48 @@ impl Shot {
         let nothing: Vec<Value> =
             self.nothing.iter().map(|(stage, reason)| json!({ "stage": stage, "reason": reason })).collect();
         let form = problem.forms().get(variant.form()).and_then(|form| form.question.name.clone());
+        let scene = &problem.loaded().draft.scene;
         json!({
             "problem": problem.id(),
             "seed": variant.seed(),
             "form": form,
-            "stages": self.films.iter().map(film).collect::<Vec<_>>(),
+            "stages": self.films.iter().map(|own| film(own, scene)).collect::<Vec<_>>(),
             "not_simulated": nothing,
         })
     }
 }
 
-fn film(film: &Film) -> Value {
-    let bodies: Vec<Value> =
-        film.record.bodies.iter().map(|body| json!({ "name": body.name, "mass": body.mass })).collect();
+fn film(film: &Film, scene: &Scene) -> Value {
+    let bodies = film.record.bodies.iter();
+    let bodies: Vec<Value> = bodies
+        .map(|body| {
+            let called = scene.called(&body.name);
+            json!({ "name": body.name, "called": called, "mass": body.mass, "radius": body.radius })
+        })
+        .collect();
+    let directions = film.axes.iter().map(|axis| {
+        let positive = &axis.positive;
+        json!({ "letter": axis.letter, "positive": positive, "height": axis.vertical, "on_page": axis.on_page })
+    });
+    let walls = film.record.walls.iter().map(|wall| {
+        let (normal, offset, velocity) = (&wall.normal, wall.offset, wall.velocity);
+        json!({ "name": wall.name, "normal": normal, "offset": offset, "velocity": velocity })
+    });
+    let point = scene.points.values().next().filter(|_| scene.points.len() == 1).map(|point| &point.name);
+    let pivot = film.record.pivot.as_ref().map(|own| json!({ "at": own.at, "cord": own.cord, "name": point }));
     json!({
         "stage": film.stage,
+        "kind": film.kind(scene),
+        "pivot": pivot,
         "axes": film.axes.iter().map(|axis| axis.letter).collect::<Vec<_>>(),
+        "directions": directions.collect::<Vec<_>>(),
         "class": film.choice.class.name(),
         "method": film.choice.method.name(),
         "setting": film.choice.setting,
         "why": film.choice.to_string(),
         "ends": film.ending,
         "bodies": bodies,
+        "walls": walls.collect::<Vec<_>>(),
         "mass_not_told": film.unweighed,
         "notes": film.notes,
         "impacts": film.record.impacts.iter().map(impact).collect::<Vec<_>>(),
@@ -57,11 +78,15 @@ fn impact(impact: &RecordedImpact) -> Value {
 }
 
 fn moment(moment: &Moment) -> Value {
+    let own = moment.masses.iter().zip(&moment.velocities);
+    let momenta: Vec<Vec<f64>> =
+        own.map(|(mass, velocity)| velocity.iter().map(|part| mass * part).collect()).collect();
     json!({
         "time": moment.time,
         "masses": moment.masses,
         "positions": moment.positions,
         "velocities": moment.velocities,
+        "momenta": momenta,
         "mass_centre": moment.centre,
         "momentum": moment.momentum,
         "impulse_from_outside": moment.outside,
@@ -69,5 +94,6 @@ fn moment(moment: &Moment) -> Value {
         "potential_energy": moment.potential,
         "energy_lost": moment.lost,
         "work": moment.work,
+        "energy_balance": moment.balance(),
     })
 }

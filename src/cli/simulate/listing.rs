@@ -2,45 +2,9 @@
 
 use std::fmt::Write;
 
-use crate::simulate::RecordedImpact;
-use crate::witness::{AT_ITS_TIME, Film, Shot};
+use crate::witness::{AT_ITS_TIME, IMPACTS, Shot};
 
 use super::super::failure::Failure;
-
-/// The headings of the table of impacts.
-pub(super) const HEADINGS: [&str; 5] =
-    ["time in s", "between", "impulse in N s", "energy before in J", "energy after in J"];
-
-/// Figures in tables for people.
-const FIGURES: usize = 6;
-
-/// The rows of the table of impacts.
-pub(super) fn rows(film: &Film) -> Vec<Vec<String>> {
-    film.record.impacts.iter().map(row).collect()
-}
-
-fn row(impact: &RecordedImpact) -> Vec<String> {
-    let impulse = match impact.impulse.as_slice() {
-        [only] => figures(*only),
-        more => format!("({})", more.iter().map(|part| figures(*part)).collect::<Vec<_>>().join(", ")),
-    };
-    let [before, after] = [impact.energy_before, impact.energy_after].map(figures);
-    vec![figures(impact.time), impact.contact.clone(), impulse, before, after]
-}
-
-/// A number with six figures, as short as it can be written.
-fn figures(value: f64) -> String {
-    let rounded: f64 = format!("{value:.*e}", FIGURES - 1).parse().unwrap_or(value);
-    let size = rounded.abs();
-    let text = if size == 0.0 {
-        "0".to_owned()
-    } else if (1e-4..1e7).contains(&size) {
-        rounded.to_string()
-    } else {
-        format!("{rounded:e}")
-    };
-    text.replace('-', "\u{2212}")
-}
 
 /// For people.
 pub(super) fn text(title: &str, shot: &Shot) -> String {
@@ -56,14 +20,14 @@ pub(super) fn text(title: &str, shot: &Shot) -> String {
         if film.ending != AT_ITS_TIME {
             let _ = writeln!(out, "  it ends {}", film.ending);
         }
-        let rows = rows(film);
+        let rows = film.impacts();
         if rows.is_empty() {
             let _ = writeln!(out, "  no impact");
             continue;
         }
-        let all: Vec<Vec<String>> = std::iter::once(HEADINGS.map(str::to_owned).to_vec()).chain(rows).collect();
+        let all: Vec<Vec<String>> = std::iter::once(IMPACTS.map(str::to_owned).to_vec()).chain(rows).collect();
         let width = |column: usize| all.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
-        let widths: Vec<usize> = (0..HEADINGS.len()).map(width).collect();
+        let widths: Vec<usize> = (0..IMPACTS.len()).map(width).collect();
         for row in &all {
             let cells: Vec<String> = row.iter().zip(&widths).map(|(cell, width)| format!("{cell:width$}")).collect();
             let _ = writeln!(out, "  {}", cells.join("  ").trim_end());
@@ -94,17 +58,4 @@ pub(super) fn csv(shot: &Shot) -> Result<Vec<u8>, Failure> {
     table.flush()?;
     drop(table);
     Ok(bytes)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn figures_are_short() {
-        let cases = [(0.0, "0"), (-2.5, "\u{2212}2.5"), (1.0 / 3.0, "0.333333"), (6e24, "6e24"), (1e-5, "1e\u{2212}5")];
-        for (value, text) in cases {
-            assert_eq!(figures(value), text);
-        }
-    }
 }

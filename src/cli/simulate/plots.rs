@@ -3,14 +3,13 @@
 use crate::simulate::Moment;
 use crate::simulate::Record;
 use crate::simulate::scene::Component;
-use crate::witness::Film;
+use crate::witness::{Film, IMPACTS};
 
 use super::super::plot::Axis;
 use super::super::plot::Curve;
 use super::super::plot::Page;
 use super::super::plot::Panel;
 use super::super::plot::Table;
-use super::listing::{HEADINGS, rows};
 
 /// The height of a panel, in pixels.
 const HEIGHT: f64 = 270.0;
@@ -126,7 +125,7 @@ fn energies(record: &Record, named: &dyn Fn(&str) -> String) -> Panel {
 }
 
 fn impacts(film: &Film, named: &dyn Fn(&str) -> String) -> Table {
-    let mut rows = rows(film);
+    let mut rows = film.impacts();
     let more = rows.len().saturating_sub(MOST_ROWS);
     rows.truncate(MOST_ROWS);
     let mut notes = vec![film.choice.to_string()];
@@ -137,5 +136,5 @@ fn impacts(film: &Film, named: &dyn Fn(&str) -> String) -> Table {
     if more > 0 {
         notes.push(format!("{more} more follow."));
     }
-    Table { title: named("impacts"), headings: HEADINGS.to_vec(), rows, notes }
+    Table { title: named("impacts"), headings: IMPACTS.to_vec(), rows, notes }
 }

@@ -6,6 +6,7 @@
 mod givens;
 mod hint;
 mod mark;
+mod play;
 mod read;
 mod refused;
 mod sheet;
@@ -25,6 +26,7 @@ use crate::render::Renderer;
 pub use givens::{GivenResponse, GivensRequest};
 pub use hint::{HintRequest, HintResponse};
 pub use mark::{MarkRequest, MarkResponse, MarkedPart};
+pub use play::{FilmResponse, PlayResponse};
 pub use read::{ReadRequest, ReadResponse};
 pub use refused::{Refused, RefusedKind};
 pub use sheet::{FieldResponse, FigureResponse, SheetRequest, SheetResponse};

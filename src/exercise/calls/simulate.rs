@@ -6,8 +6,9 @@ use serde_json::Value;
 
 use crate::simulate::MethodKind;
 use crate::simulate::least::Request;
-use crate::witness::shoot;
+use crate::witness::{Shot, shoot};
 
+use super::super::Exercise;
 use super::Engine;
 use super::refused::{Refused, RefusedKind};
 use super::solve::SolveRequest;
@@ -24,6 +25,9 @@ pub struct SimulateRequest {
     /// The greatest relative error.
     #[serde(default)]
     pub accuracy: Option<f64>,
+    /// What was simulated axis by axis or body by body as one motion, for whoever draws it.
+    #[serde(default)]
+    pub together: bool,
 }
 
 impl Engine<'_> {
@@ -40,9 +44,18 @@ impl Engine<'_> {
             return Err(Refused::new(RefusedKind::Invalid, "an accuracy is a number between 0 and 1, such as 1e-6"));
         }
         let exercise = request.variant.solve(self)?;
-        let wanted = Request { accuracy: request.accuracy, budget: None, method };
-        let shot = shoot(exercise.problem(), exercise.variant(), &wanted)
-            .map_err(|reason| Refused::new(RefusedKind::NotSimulated, reason.what).help(reason.help))?;
+        let shot = shot(&exercise, &Request { accuracy: request.accuracy, budget: None, method })?;
+        let shot = if request.together { shot.together() } else { shot };
         Ok(shot.record(exercise.problem(), exercise.variant()))
     }
+}
+
+/// What was simulated of a variant.
+pub(super) fn shot(exercise: &Exercise, wanted: &Request) -> Result<Shot, Refused> {
+    shoot(exercise.problem(), exercise.variant(), wanted).map_err(|reason| {
+        // Its help is about the command line.
+        let own = format!("{}: ", exercise.problem().id());
+        let message = reason.what.strip_prefix(&own).unwrap_or(&reason.what);
+        Refused::new(RefusedKind::NotSimulated, message)
+    })
 }

@@ -10,8 +10,18 @@ use super::nothing::NothingToSimulate;
 use super::values::Values;
 use super::vector::{Vector, part, unit};
 
-/// The radius of bodies that are set beside each other; any will do.
-const RADIUS: f64 = 0.5;
+/// How far the centres of bodies that touch are apart, in m; any distance will do.
+const APART: f64 = 0.4;
+
+/// The least share of it that is the radius of one of them.
+const LEAST: f64 = 0.2;
+
+/// The radii of two bodies that touch, in m; the heavier one is seen to be so.
+fn radii(masses: [f64; 2]) -> [f64; 2] {
+    let [one, other] = masses.map(libm::cbrt);
+    let share = (one / (one + other)).clamp(LEAST, 1.0 - LEAST);
+    [share * APART, APART - share * APART]
+}
 
 impl Values<'_> {
     pub(super) fn impact(&self, stage: &Impact) -> Result<Staged, NothingToSimulate> {
@@ -40,14 +50,16 @@ impl Values<'_> {
     /// Bodies that stay together: whatever holds them stops their relative motion along each axis, one after another.
     fn union(&self, stage: &Impact, bodies: [&str; 2]) -> Result<Staged, NothingToSimulate> {
         let masses = [self.mass(bodies[0])?, self.mass(bodies[1])?];
+        let radii = radii(masses);
         let mut staged = Staged::default();
         for axis in self.axes() {
             let before = [self.velocity_before(bodies[0], axis)?, self.velocity_before(bodies[1], axis)?];
             // The one that is faster along the axis stands behind.
-            let behind = if before[0] >= before[1] { -RADIUS } else { RADIUS };
+            let side = if before[0] >= before[1] { -1.0 } else { 1.0 };
             let mut world = World::<1>::new(0.0);
-            for (own, place) in [(0, behind), (1, -behind)] {
-                world.bodies.push(Body::sphere(bodies[own], masses[own], RADIUS, [place], [before[own]]));
+            for (own, side) in [(0, side), (1, -side)] {
+                let place = side * radii[own];
+                world.bodies.push(Body::sphere(bodies[own], masses[own], radii[own], [place], [before[own]]));
             }
             let after = |own: usize| {
                 let body = stage.becomes.as_deref().unwrap_or(bodies[own]);
@@ -84,10 +96,11 @@ impl Values<'_> {
         bodies: [&str; 2],
     ) -> Result<Experiment<D>, NothingToSimulate> {
         let mut world = World::new(restitution);
-        for (body, sign) in bodies.into_iter().zip([-1.0, 1.0]) {
-            let place = axes.map(|axis| sign * RADIUS * part(line, axis));
-            let velocity = self.velocities_before(body, axes)?;
-            world.bodies.push(Body::sphere(body, self.mass(body)?, RADIUS, place, velocity));
+        let masses = [self.mass(bodies[0])?, self.mass(bodies[1])?];
+        for (own, (radius, sign)) in radii(masses).into_iter().zip([-1.0, 1.0]).enumerate() {
+            let place = axes.map(|axis| sign * radius * part(line, axis));
+            let velocity = self.velocities_before(bodies[own], axes)?;
+            world.bodies.push(Body::sphere(bodies[own], masses[own], radius, place, velocity));
         }
         Ok(self.one_impact(axes, world))
     }

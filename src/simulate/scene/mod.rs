@@ -4,6 +4,7 @@
 
 mod bench;
 mod bounces;
+mod component;
 mod direction;
 mod experiment;
 mod floor;
@@ -25,11 +26,12 @@ mod vector;
 mod watch;
 
 pub use bench::{Observed, Way};
+pub use component::Component;
 pub use experiment::{Experiment, Reached, Reading, Staged};
 pub use impulsive::is_impulsive;
 pub use measure::{Asked, measure};
 pub use nothing::NothingToSimulate;
-pub use reel::{Component, Reel};
+pub use reel::Reel;
 pub use vector::Vector;
 pub use watch::watch;
 

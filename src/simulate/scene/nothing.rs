@@ -30,7 +30,7 @@ impl NothingToSimulate {
     #[must_use]
     pub fn reason(self) -> &'static str {
         match self {
-            Self::NoStage => "nothing to simulate: the scene has no stage",
+            Self::NoStage => "nothing to simulate: the problem is about a single instant",
             Self::NothingSolved => {
                 "nothing to simulate: the quantities that a simulation gives are not solved in this form"
             }
@@ -39,7 +39,7 @@ impl NothingToSimulate {
             Self::NoLineOfImpact => "nothing to simulate: the line of impact is not given",
             Self::NoRestitution => "nothing to simulate: no coefficient of restitution is given",
             Self::ValueMissing => "nothing to simulate: a quantity that it needs is neither given nor solved",
-            Self::NotShown => "not shown: `momentous check` simulates it, but not as a motion of the bodies",
+            Self::NotShown => "not shown: it is simulated, but not as a motion of bodies that could be watched",
             Self::NoMethod => "nothing to simulate: no method of this version integrates such a motion",
             Self::Unread => "nothing to simulate: a term or direction of this kind is not supported",
         }

@@ -1,9 +1,9 @@
 //! What can be watched of a motion that is integrated: its bodies at common instants, and what acts on them meanwhile.
 
-use crate::scene::{Axis, Plane, Scene};
-use crate::simulate::record::{GAUSS, Moment, Record, Recorded};
+use crate::simulate::record::{GAUSS, Moment, Pivot, Record, Recorded};
 
 use super::bench::Bench;
+use super::component::Component;
 use super::integrate::{Integrator, Slope};
 use super::nothing::NothingToSimulate;
 use super::values::Values;
@@ -11,26 +11,6 @@ use super::vector::{Vector, part};
 
 /// The evenly spaced instants of a motion.
 const INSTANTS: u32 = 120;
-
-/// A component of positions and velocities.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Component {
-    /// Its letter: x.
-    pub letter: &'static str,
-    /// Whether it is the height.
-    pub vertical: bool,
-}
-
-impl Component {
-    /// The component along an axis of a scene.
-    #[must_use]
-    pub fn along(scene: &Scene, axis: Axis) -> Self {
-        let axes = scene.axes.rectangular();
-        let senses = axes.iter().find(|(other, _)| *other == axis);
-        let steep = senses.is_some_and(|(_, senses)| ["upwards", "downwards"].contains(&senses.positive.as_str()));
-        Self { letter: axis.letter(), vertical: steep && scene.plane == Plane::Vertical }
-    }
-}
 
 /// A motion that was watched.
 #[derive(Clone, Debug)]
@@ -86,17 +66,6 @@ impl Values<'_> {
     }
 }
 
-/// The components of a motion in a plane of its own: across, and in height where it stands upright.
-pub(super) fn plane(upright: bool) -> Vec<Component> {
-    vec![Component { letter: "x", vertical: false }, Component { letter: "y", vertical: upright }]
-}
-
-/// The components of a motion in space, with the height last.
-pub(super) fn upright_space() -> Vec<Component> {
-    let axes = [("x", false), ("y", false), ("z", true)];
-    axes.into_iter().map(|(letter, vertical)| Component { letter, vertical }).collect()
-}
-
 impl Bench<'_> {
     /// Watches a motion, where anybody does. One that goes on where the last one ended continues it; any other takes its place.
     pub(super) fn film<const N: usize>(&mut self, motion: &Motion<'_, N>) -> Result<(), NothingToSimulate> {
@@ -109,13 +78,26 @@ impl Bench<'_> {
         let before = reels.pop_if(same);
         let mut reel = before.filter(ended).unwrap_or_else(|| Reel {
             components: motion.components.clone(),
-            record: Record { bodies: Vec::new(), moments: Vec::new(), impacts: Vec::new() },
+            record: Record {
+                bodies: Vec::new(),
+                walls: Vec::new(),
+                pivot: None,
+                moments: Vec::new(),
+                impacts: Vec::new(),
+            },
             notes: Vec::new(),
         });
         let longest = (motion.end - motion.start.0) / f64::from(INSTANTS);
         motion.watch(Integrator { tolerance, longest }, &mut reel.record)?;
         reels.push(reel);
         Ok(())
+    }
+
+    /// Notes what the bodies of the last motion that was watched move about.
+    pub(super) fn about(&mut self, at: Vec<f64>, cord: bool) {
+        if let Some(reel) = self.reels.as_mut().and_then(|reels| reels.last_mut()) {
+            reel.record.pivot = Some(Pivot { at, cord });
+        }
     }
 
     /// Notes what a reader of the last motion that was watched must know.
@@ -138,7 +120,8 @@ impl<const N: usize> Motion<'_, N> {
         };
         if record.bodies.is_empty() {
             let named = self.names.iter().zip(&first.bodies);
-            record.bodies = named.map(|(name, body)| Recorded { name: (*name).to_owned(), mass: body.mass }).collect();
+            record.bodies =
+                named.map(|(name, body)| Recorded { name: (*name).to_owned(), mass: body.mass, radius: 0.0 }).collect();
         }
         let mut time = start;
         record.moments.push(moment(time, first, &outside, work));

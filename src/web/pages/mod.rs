@@ -1,10 +1,12 @@
 //! The pages: each takes the fields of its address or form, asks the engine, and fills a template.
 
+mod play;
 mod practice;
 mod simulator;
 mod solve;
 mod start;
 
+pub(super) use play::play;
 pub(super) use practice::practice;
 pub(super) use simulator::simulator;
 pub(super) use solve::{solution, solve};

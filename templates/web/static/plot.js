@@ -22,7 +22,7 @@ const HEIGHT = 150;
 /** The width before the page is laid out. */
 const WIDTH = 360;
 /** The distance of ticks that is aimed at. */
-const APART = { across: 58, up: 38 };
+const APART = { across: 58, up: 30 };
 
 let count = 0;
 

@@ -3,8 +3,9 @@
 use crate::scene::stage::{Bowl, Way};
 
 use crate::simulate::scene::bench::Bench;
+use crate::simulate::scene::component::upright_space;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::reel::{Look, Motion, Seen, upright_space};
+use crate::simulate::scene::reel::{Look, Motion, Seen};
 use crate::simulate::scene::revolution::{Revolution, State, around, distance, speed};
 use crate::simulate::scene::vector::{times, within};
 

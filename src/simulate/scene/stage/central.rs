@@ -3,9 +3,10 @@
 use crate::scene::stage::{Central, Orbit};
 
 use crate::simulate::scene::bench::Bench;
+use crate::simulate::scene::component::plane;
 use crate::simulate::scene::integrate::Integrator;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::reel::{Look, Motion, Seen, plane};
+use crate::simulate::scene::reel::{Look, Motion, Seen};
 
 /// Place, velocity, and the area that the radius has swept, in units of the distance and the speed at the start.
 type State = [f64; 5];
@@ -142,7 +143,9 @@ impl Bench<'_> {
         };
         let first = [start[0] * length, start[1] * length, start[2] * speed, start[3] * speed];
         let (names, start, end) = (&[body], (0.0, first), time * length / speed);
-        self.film(&Motion { names, components: plane(false), start, end, slope: &slope, look: &look })
+        self.film(&Motion { names, components: plane(false), start, end, slope: &slope, look: &look })?;
+        self.about(vec![0.0; 2], false);
+        Ok(())
     }
 
     fn note_there(&mut self, body: &str, instant: usize, state: &State, [length, speed]: [f64; 2]) {

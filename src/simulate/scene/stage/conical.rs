@@ -5,8 +5,9 @@ use core::f64::consts::TAU;
 use crate::scene::stage::Conical;
 
 use crate::simulate::scene::bench::Bench;
+use crate::simulate::scene::component::upright_space;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::reel::{Look, Motion, Seen, upright_space};
+use crate::simulate::scene::reel::{Look, Motion, Seen};
 use crate::simulate::scene::revolution::{Circle, Revolution, State, around, distance, parts};
 use crate::simulate::scene::vector::{dot, times, unit, within};
 
@@ -48,6 +49,7 @@ impl Bench<'_> {
         };
         let (names, components) = (&[body], upright_space());
         self.film(&Motion { names, components, start: (0.0, start), end: turn, slope: &slope, look: &look })?;
+        self.about(vec![0.0; 3], true);
         self.remark("How fast the cord is drawn in is not given: it is drawn in at a constant rate, within one turn. Positions are measured from the pivot.");
         let swept = around(&end) * distance(&end);
         let after = Circle::with(short, gravity, swept, &|own| own.speed * own.radius());

@@ -4,8 +4,9 @@ use crate::scene::Term;
 use crate::scene::stage::{Connected, Strand};
 
 use crate::simulate::scene::bench::Bench;
+use crate::simulate::scene::component::Component;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::reel::{Component, Look, Motion, Seen};
+use crate::simulate::scene::reel::{Look, Motion, Seen};
 use crate::simulate::scene::vector::{times, unit};
 
 /// One end of the string: the mass, and what drives it along the string towards the leading body.
@@ -69,7 +70,7 @@ impl Bench<'_> {
             power: -trailing.friction * own - leading.friction * other,
             ..Look::default()
         };
-        let components = vec![Component { letter: "s", vertical: false }];
+        let components = vec![Component::only("s")];
         self.film(&Motion { names: &bodies, components, start: (0.0, start), end: time, slope: &slope, look: &look })?;
         self.remark("s is measured along the string, towards the leading body, for both bodies.");
         for (body, velocity) in bodies.into_iter().zip([end[1], end[2]]) {

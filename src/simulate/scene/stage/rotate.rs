@@ -7,8 +7,9 @@ use core::f64::consts::PI;
 use crate::scene::stage::Rotate;
 
 use crate::simulate::scene::bench::Bench;
+use crate::simulate::scene::component::plane;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::reel::{Look, Motion, Seen, plane};
+use crate::simulate::scene::reel::{Look, Motion, Seen};
 use crate::simulate::scene::values::OfTime;
 use crate::simulate::scene::vector::{times, unit};
 
@@ -93,6 +94,7 @@ impl Bench<'_> {
             let look = |at: f64, state: &[f64; 3]| seen(&held, state, within(at, state), [at - start, span]);
             let (components, begun) = (plane(false), (time, state));
             self.film(&Motion { names: &names, components, start: begun, end: next, slope: &within, look: &look })?;
+            self.about(vec![0.0; 2], false);
             (state, time) = (integrator.until(time, state, next, &within)?, next);
         }
         if held.len() > 1 {

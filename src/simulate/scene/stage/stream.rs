@@ -4,8 +4,9 @@ use crate::scene::Axis;
 use crate::scene::stage::Stream;
 
 use crate::simulate::scene::bench::{Bench, Way};
+use crate::simulate::scene::component::plane;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::reel::{Look, Motion, Seen, plane};
+use crate::simulate::scene::reel::{Look, Motion, Seen};
 use crate::simulate::scene::touch::{Party, Touch};
 use crate::simulate::scene::vector::{Vector, ZERO, across, dot, part, times, unit};
 

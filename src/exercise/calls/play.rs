@@ -1,0 +1,109 @@
+//! What a page says of a scene beside its animation: how each part was found, its impacts, and plots that stand still.
+
+use serde::Serialize;
+
+use crate::expr::Math;
+use crate::figure::{ForcePlot, PlotAxis, Role, Wording};
+use crate::simulate::least::Request;
+use crate::simulate::scene::Component;
+use crate::witness::{AT_ITS_TIME, Film, IMPACTS};
+
+use super::super::Exercise;
+use super::refused::Refused;
+use super::sheet::FigureResponse;
+use super::simulate::shot;
+
+/// The looks of curves, and how a caption calls them.
+const LOOKS: [(Role, &str); 4] = [
+    (Role::Curve, "the solid curve"),
+    (Role::Momentum, "dashed blue"),
+    (Role::Impulse, "dashed red"),
+    (Role::Velocity, "dashed green"),
+];
+
+/// A scene that was simulated, in words.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PlayResponse {
+    /// Its parts in order, as they stand in the record that is simulated `together`.
+    pub films: Vec<FilmResponse>,
+    /// Stages that were not simulated, each with the reason.
+    pub nothing: Vec<(usize, &'static str)>,
+}
+
+/// A part of a scene that was simulated.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FilmResponse {
+    /// The stage, counted from 1.
+    pub stage: usize,
+    /// Its kind in a word or two.
+    pub kind: &'static str,
+    /// Which method ran it, and why.
+    pub why: String,
+    /// What a reader must know.
+    pub cautions: Vec<String>,
+    /// How it ended, where that is not at its time.
+    pub ending: Option<&'static str>,
+    /// The headings of the table of impacts.
+    pub headings: [&'static str; 5],
+    /// The table of impacts.
+    pub impacts: Vec<Vec<String>>,
+    /// Plots of the positions against time, one for each axis.
+    pub plots: Vec<FigureResponse>,
+}
+
+impl PlayResponse {
+    /// What is to be said of the simulation of a variant, beside its animation.
+    ///
+    /// # Errors
+    /// Where nothing of it can be simulated.
+    pub fn of(exercise: &Exercise) -> Result<Self, Refused> {
+        let shot = shot(exercise, &Request::default())?.together();
+        let scene = &exercise.problem().loaded().draft.scene;
+        let films = shot.films.iter().map(|film| {
+            let bodies: Vec<String> = film.record.bodies.iter().map(|body| scene.called(&body.name)).collect();
+            FilmResponse {
+                stage: film.stage,
+                kind: film.kind(scene),
+                why: film.choice.to_string(),
+                cautions: film.cautions(),
+                ending: Some(film.ending).filter(|ending| *ending != AT_ITS_TIME),
+                headings: IMPACTS,
+                impacts: film.impacts(),
+                plots: film.axes.iter().enumerate().map(|(place, axis)| plot(film, &bodies, place, axis)).collect(),
+            }
+        });
+        Ok(Self { films: films.collect(), nothing: shot.nothing.clone() })
+    }
+}
+
+/// The places of all bodies along an axis, against time.
+fn plot(film: &Film, bodies: &[String], place: usize, axis: &Component) -> FigureResponse {
+    let curve = |body: usize| -> Vec<[f64; 2]> {
+        let moments = film.record.moments.iter();
+        let points = moments.map(|moment| {
+            let value = moment.positions.get(body).and_then(|own| own.get(place)).copied();
+            [moment.time, value.unwrap_or(f64::NAN)]
+        });
+        points.collect()
+    };
+    let named: Vec<String> =
+        bodies.iter().zip(LOOKS.iter().cycle()).map(|(body, (_, look))| format!("{body} ({look})")).collect();
+    let what = if axis.vertical { "Height" } else { "Position" };
+    let positive = axis.positive.as_ref().map_or_else(String::new, |words| format!(", positive {words}"));
+    let caption = match bodies {
+        [only] => format!("{what} of {only} against time{positive}"),
+        _ => format!("{what} against time{positive}: {}", named.join(", ")),
+    };
+    let symbol = |name: &str| Math::Identifier(name.into());
+    let plot = ForcePlot {
+        wording: Wording { title: caption.clone(), description: String::new(), caption },
+        time: PlotAxis { symbol: symbol("t"), unit: "s".to_owned() },
+        force: PlotAxis { symbol: symbol(axis.letter), unit: "m".to_owned() },
+        points: curve(0),
+        area: None,
+        marks: Vec::new(),
+    };
+    let others = (1..bodies.len()).zip(LOOKS.iter().cycle().skip(1));
+    let others: Vec<(Vec<[f64; 2]>, Role)> = others.map(|(body, (role, _))| (curve(body), *role)).collect();
+    FigureResponse::of(&plot.beside(&others))
+}

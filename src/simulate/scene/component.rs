@@ -1,0 +1,141 @@
+//! The components of positions and velocities, and where each points on a page.
+
+use crate::scene::{Axis, Plane, Scene};
+
+/// To the right and upwards on the page.
+const RIGHT: [f64; 2] = [1.0, 0.0];
+const UP: [f64; 2] = [0.0, 1.0];
+/// Away from the reader where what is drawn has three axes: aslant, and shortened.
+const AWAY: [f64; 2] = [0.46, 0.34];
+
+/// Words for the positive direction of an axis of a scene with one or two axes, and where they point on a page.
+const WORDS: &[(&str, [f64; 2])] = &[
+    ("to the right", RIGHT),
+    ("east", RIGHT),
+    ("to the left", [-1.0, 0.0]),
+    ("west", [-1.0, 0.0]),
+    ("upwards", UP),
+    ("north", UP),
+    ("up the page", UP),
+    ("away from you", UP),
+    ("downwards", [0.0, -1.0]),
+    ("south", [0.0, -1.0]),
+    ("towards you", [0.0, -1.0]),
+];
+
+/// A component of positions and velocities.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Component {
+    /// Its letter: x.
+    pub letter: &'static str,
+    /// Whether it is the height.
+    pub vertical: bool,
+    /// Where it is positive, in words; none where the motion has axes of its own.
+    pub positive: Option<String>,
+    /// Where its unit points on a page: to the right, and upwards.
+    pub on_page: [f64; 2],
+}
+
+impl Component {
+    /// The component along an axis of a scene.
+    ///
+    /// ```
+    /// use momentous::scene::{Axis, Scene};
+    /// use momentous::simulate::scene::Component;
+    ///
+    /// let scene: Scene = serde_json::from_str(r#"{
+    ///     "axes": { "x": "to the left", "y": "towards the net" }, "bodies": { "A": { "name": "the ball" } }
+    /// }"#).unwrap();
+    /// assert_eq!(Component::along(&scene, Axis::X).on_page, [-1.0, 0.0]);
+    /// assert_eq!(Component::along(&scene, Axis::Y).on_page, [0.0, 1.0]);
+    /// ```
+    #[must_use]
+    pub fn along(scene: &Scene, axis: Axis) -> Self {
+        let axes = scene.axes.rectangular();
+        let words: Vec<&str> = axes.iter().map(|(_, senses)| senses.positive.as_str()).collect();
+        let place = axes.iter().position(|(other, _)| *other == axis);
+        let positive = place.and_then(|place| words.get(place));
+        let steep = positive.is_some_and(|words| ["upwards", "downwards"].contains(words));
+        Self {
+            letter: axis.letter(),
+            vertical: steep && scene.plane == Plane::Vertical,
+            positive: positive.map(|words| (*words).to_owned()),
+            on_page: place.and_then(|place| on_page(&words).get(place).copied()).unwrap_or(RIGHT),
+        }
+    }
+
+    /// A component of a motion with axes of its own.
+    pub(super) fn own(letter: &'static str, vertical: bool, on_page: [f64; 2]) -> Self {
+        Self { letter, vertical, positive: None, on_page }
+    }
+
+    /// The only component of a motion on a line of its own.
+    #[must_use]
+    pub fn only(letter: &'static str) -> Self {
+        Self::own(letter, false, RIGHT)
+    }
+}
+
+/// The components of a motion in a plane of its own: across, and in height where it stands upright.
+pub(super) fn plane(upright: bool) -> Vec<Component> {
+    vec![Component::only("x"), Component::own("y", upright, UP)]
+}
+
+/// The components of a motion in space, with the height last.
+pub(super) fn upright_space() -> Vec<Component> {
+    vec![Component::only("x"), Component::own("y", false, AWAY), Component::own("z", true, UP)]
+}
+
+/// Where axes with these positive directions point on a page.
+fn on_page(words: &[&str]) -> Vec<[f64; 2]> {
+    if let [_, _, _] = words {
+        return in_space(words);
+    }
+    let said = |words: &str| WORDS.iter().find(|(own, _)| *own == words).map(|(_, units)| *units);
+    let mut units: Vec<Option<[f64; 2]>> = words.iter().map(|words| said(words)).collect();
+    if let [first, second] = units.as_mut_slice() {
+        let turned = |[x, y]: [f64; 2]| [-y, x];
+        match (*first, *second) {
+            (None, None) => (*first, *second) = (Some(RIGHT), Some(UP)),
+            (None, Some([x, _])) => *first = Some(if x == 0.0 { RIGHT } else { UP }),
+            (Some(own), other) => {
+                let across = other.filter(|other| own[0] * other[0] + own[1] * other[1] == 0.0);
+                *second = across.or(Some(if own[0] == 0.0 { RIGHT } else { turned([own[0].abs(), 0.0]) }));
+            }
+        }
+    }
+    units.into_iter().map(|units| units.unwrap_or(RIGHT)).collect()
+}
+
+/// The same in space, right-handed, with what is upright drawn so.
+fn in_space(words: &[&str]) -> Vec<[f64; 2]> {
+    let upright = words.iter().position(|words| ["upwards", "downwards"].contains(words)).unwrap_or(2);
+    let sign = if words.get(upright) == Some(&"downwards") { -1.0 } else { 1.0 };
+    let (up, away) = ([0.0, sign], AWAY.map(|part| sign * part));
+    match upright {
+        0 => vec![up, RIGHT, away],
+        1 => vec![RIGHT, up, away.map(|part| -part)],
+        _ => vec![RIGHT, away, up],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn axes_point_where_their_words_say_and_never_along_each_other() {
+        let cases: [(&[&str], &[[f64; 2]]); 6] = [
+            (&["downwards"], &[[0.0, -1.0]]),
+            (&["down the track"], &[RIGHT]),
+            (&["to the right", "downwards"], &[RIGHT, [0.0, -1.0]]),
+            (&["down the slope", "away from the slope"], &[RIGHT, UP]),
+            (&["north", "towards the quay"], &[UP, RIGHT]),
+            (&["to the right", "east"], &[RIGHT, UP]),
+        ];
+        for (words, units) in cases {
+            assert_eq!(on_page(words), units, "{words:?}");
+        }
+        assert_eq!(on_page(&["to the right", "upwards", "towards you"]), [RIGHT, UP, [-0.46, -0.34]]);
+    }
+}

@@ -1,0 +1,33 @@
+//! A scene played: the animation asks for its record by itself; what the page says beside it stands here.
+
+use serde::Serialize;
+
+use crate::exercise::calls::{PlayResponse, Refused, RefusedKind, SheetResponse};
+
+use super::super::app::App;
+use super::super::parameters::Parameters;
+use super::Place;
+
+#[derive(Serialize)]
+struct PlayPage {
+    title: String,
+    place: Place,
+    sheet: SheetResponse,
+    played: Option<PlayResponse>,
+    /// Why nothing is played, as sentences.
+    refused: Option<Vec<String>>,
+}
+
+/// The scene of a variant, as an animation with plots.
+pub(in crate::web) fn play(app: &App, problem: String, fields: &Parameters) -> Result<String, Refused> {
+    let variant = fields.variant(problem)?;
+    let exercise = app.engine().draw(&variant)?;
+    let sheet = SheetResponse::of(&exercise)?;
+    let (played, refused) = match PlayResponse::of(&exercise) {
+        Ok(played) => (Some(played), None),
+        // Why there is nothing to play is part of the page.
+        Err(refused) if refused.kind == RefusedKind::NotSimulated => (None, Some(refused.sentences())),
+        Err(refused) => return Err(refused),
+    };
+    app.page("play", &PlayPage { title: sheet.title.clone(), place: Place::of(app, &variant)?, sheet, played, refused })
+}

@@ -1,0 +1,62 @@
+//! The table of impacts, for people.
+
+use crate::simulate::RecordedImpact;
+
+use super::film::Film;
+
+/// The headings of the table of impacts.
+pub const IMPACTS: [&str; 5] = ["time in s", "between", "impulse in N s", "energy before in J", "energy after in J"];
+
+/// The share of the length of a film below which a time is rounding.
+const ROUNDING: f64 = 1e-12;
+
+/// Figures in tables for people.
+const FIGURES: usize = 6;
+
+impl Film {
+    /// The rows of the table of impacts.
+    #[must_use]
+    pub fn impacts(&self) -> Vec<Vec<String>> {
+        let moments = &self.record.moments;
+        let length = moments.first().zip(moments.last()).map_or(0.0, |(first, last)| last.time - first.time);
+        // A time that is nothing but rounding is the origin.
+        let time = |time: f64| if time.abs() <= ROUNDING * length { 0.0 } else { time };
+        self.record.impacts.iter().map(|impact| row(impact, time(impact.time))).collect()
+    }
+}
+
+fn row(impact: &RecordedImpact, time: f64) -> Vec<String> {
+    let impulse = match impact.impulse.as_slice() {
+        [only] => figures(*only),
+        more => format!("({})", more.iter().map(|part| figures(*part)).collect::<Vec<_>>().join(", ")),
+    };
+    let [before, after] = [impact.energy_before, impact.energy_after].map(figures);
+    vec![figures(time), impact.contact.clone(), impulse, before, after]
+}
+
+/// A number with six figures, as short as it can be written.
+fn figures(value: f64) -> String {
+    let rounded: f64 = format!("{value:.*e}", FIGURES - 1).parse().unwrap_or(value);
+    let size = rounded.abs();
+    let text = if size == 0.0 {
+        "0".to_owned()
+    } else if (1e-4..1e7).contains(&size) {
+        rounded.to_string()
+    } else {
+        format!("{rounded:e}")
+    };
+    text.replace('-', "\u{2212}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn figures_are_short() {
+        let cases = [(0.0, "0"), (-2.5, "\u{2212}2.5"), (1.0 / 3.0, "0.333333"), (6e24, "6e24"), (1e-5, "1e\u{2212}5")];
+        for (value, text) in cases {
+            assert_eq!(figures(value), text);
+        }
+    }
+}
