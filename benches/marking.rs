@@ -13,6 +13,7 @@ use momentous::exercise::Sitting;
 use momentous::expr::Expr;
 use momentous::expr::SymbolEntry;
 use momentous::expr::SymbolTable;
+use momentous::grade::Answer;
 use momentous::grade::DecimalMark;
 use momentous::grade::Expected;
 use momentous::grade::ExpectedFormula;
@@ -130,5 +131,40 @@ fn formulas(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, marking, reading, formulas);
+/// A formula that is typed often, and costly ones as far as they are read; each is judged anew, for without samples none is remembered.
+fn typed_formulas(criterion: &mut Criterion) {
+    let arcs = "atan(x^(1/11))+atan(1/(x^(1/11)))-pi/2+";
+    let arc_sum = format!("{}x", arcs.repeat(2));
+    let sum = format!("x{}", "+x-x".repeat(49));
+    let rows = [
+        ("typical", "m*v/(m + M)", "m v/(M + m)"),
+        ("typical, an arc", "atan(v_y/v_x)", "arcsin(v_y/sqrt(v_x^2 + v_y^2))"),
+        ("arcs and roots of degree 11", "x", arc_sum.as_str()),
+        ("200 parts", "x", sum.as_str()),
+    ];
+    let mut group = criterion.benchmark_group("typed formulas");
+    group.sample_size(20);
+    for (name, right, answer) in rows {
+        let mut symbols = SymbolTable::default();
+        let entry = |name: &str| SymbolEntry { name: name.into(), dimension: Dimension::NONE, meaning: String::new() };
+        let domain: Vec<_> =
+            ["m", "M", "v", "v_x", "v_y", "x"].map(|name| (symbols.intern(entry(name)), 1.0, 3.0)).to_vec();
+        let asked = symbols.intern(entry("Q_asked"));
+        let blank = ExpectedFormula::new(Expr::one(), Arc::new(symbols), asked, domain);
+        let kind = ExpectedKind::Formula(blank.clone());
+        let Ok(Answer::Formula(right)) = read(right, &kind, DecimalMark::Point) else { continue };
+        let kind = ExpectedKind::Formula(ExpectedFormula { formula: right.formula, ..blank });
+        let part = Expected { id: "Q".to_owned(), points: 1, kind };
+        assert!(read(answer, &part.kind, DecimalMark::Point).is_ok(), "{name} is not read");
+        group.bench_function(name, |bencher| {
+            bencher.iter(|| {
+                let answer = read(answer, &part.kind, DecimalMark::Point);
+                black_box(answer.map(|answer| judge(&part, &answer)))
+            });
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, marking, reading, formulas, typed_formulas);
 criterion_main!(benches);

@@ -61,10 +61,14 @@ text: A bat strikes a ball ({{ m_A }}) straight up; it {{ v_A1 | motion }}, and 
 ask: [{ find: F_avg_A, unit: N }]
 ";
 
+/// One component of the vector that is asked stays as it is given; the vector does not.
+const TURNED: &str = include_str!("fixtures/problems/torque_on_all.yaml");
+
 /// A file, what is added to it, a promise, what is found of that and a word of the remark.
 const FOUND: &[(&str, &str, Promise, &str, &str)] = &[
     (TWINS, "", Promise::NotGiven, "broken", "`v_B2` equals a given"),
     (TWINS, "allow: [equals-given]\n", Promise::NotGiven, "kept", ""),
+    (TURNED, "", Promise::NotGiven, "kept", ""),
     (TWINS, "", Promise::Variety, "kept", ""),
     (KINDS, "", Promise::Variety, "noted", "the same answers"),
     (KINDS, "allow: [one-answer]\n", Promise::Variety, "kept", ""),

@@ -26,15 +26,18 @@ const MOST_GIVEN: f64 = 0.5;
 /// The answers to one part that is a number, over all draws.
 pub(super) struct Column<'a> {
     id: String,
+    /// The part of which it is a number; that of a vector has several.
+    part: &'a str,
     whole: bool,
     answers: Vec<&'a Answered>,
 }
 
 /// The parts that are numbers, with their answers.
 pub(super) fn columns<'a>(parts: &'a [Part], samples: &'a Samples) -> Vec<Column<'a>> {
-    let numbers = parts.iter().flat_map(Part::numbers);
-    let column = |(index, (id, number)): (usize, (String, &'a NumberPart))| Column {
+    let numbers = parts.iter().flat_map(|part| part.numbers().map(|number| (part.id.as_str(), number)));
+    let column = |(index, (part, (id, number))): (usize, (&'a str, (String, &'a NumberPart)))| Column {
         id,
+        part,
         whole: number.whole,
         answers: samples.drawn.iter().filter_map(|sample| sample.answers.get(index)).collect(),
     };
@@ -47,10 +50,7 @@ impl Column<'_> {
     }
 
     fn share(&self, holds: impl Fn(&Answered) -> bool) -> f64 {
-        let count = self.answers.iter().filter(|answer| holds(answer)).count();
-        #[allow(clippy::cast_precision_loss)] // counts of draws are far below 2^53
-        let share = count as f64 / self.answers.len().max(1) as f64;
-        share
+        share(self.answers.iter().filter(|answer| holds(answer)).count(), self.answers.len())
     }
 
     fn distinct(&self) -> usize {
@@ -93,13 +93,16 @@ pub(super) fn not_zero(columns: &[Column<'_>]) -> Outcome {
     if often { broken(&said) } else { noted(&said) }
 }
 
-/// Answers do not stand on the sheet already.
+/// Answers do not stand on the sheet already; a vector does only with all of its components.
 pub(super) fn not_given(columns: &[Column<'_>]) -> Outcome {
-    let given = |column: &Column<'_>| {
-        let share = column.share(|answer| answer.is_given);
-        (share > MOST_GIVEN).then(|| format!("`{}` equals a given in {}", column.id, percent(share)))
+    let parts: Vec<&[Column<'_>]> = columns.chunk_by(|column, next| column.part == next.part).collect();
+    let given = |part: &&[Column<'_>]| {
+        let first = part.first()?;
+        let is_given = |draw: &usize| part.iter().all(|own| own.answers.get(*draw).is_some_and(|own| own.is_given));
+        let share = share((0..first.answers.len()).filter(is_given).count(), first.answers.len());
+        (share > MOST_GIVEN).then(|| format!("`{}` equals a given in {}", first.part, percent(share)))
     };
-    broken(&said(columns, given))
+    broken(&parts.iter().filter_map(given).collect::<Vec<_>>())
 }
 
 /// How the answers lie, part by part.
@@ -148,6 +151,11 @@ pub(super) fn spreads(parts: &[Part], symbols: &SymbolTable, samples: &Samples) 
 /// What there is to say of columns.
 fn said(columns: &[Column<'_>], of: impl Fn(&Column<'_>) -> Option<String>) -> Vec<String> {
     columns.iter().filter_map(of).collect()
+}
+
+#[allow(clippy::cast_precision_loss)] // counts of draws are far below 2^53
+fn share(count: usize, draws: usize) -> f64 {
+    count as f64 / draws.max(1) as f64
 }
 
 /// A share of the draws in words.

@@ -142,6 +142,21 @@ pub struct Reference {
     pub clockwise: bool,
 }
 
+impl Reference {
+    /// The direction from which it is counted, as it is typed: `+x`.
+    #[must_use]
+    pub fn zero(&self) -> String {
+        let letter = |axis: usize| self.frame.axes.get(axis).map_or(' ', |axis| axis.letter);
+        let (sign, axis) = match self.quarters.rem_euclid(4) {
+            0 => ('+', 0),
+            1 => ('+', 1),
+            2 => ('-', 0),
+            _ => ('-', 1),
+        };
+        format!("{sign}{}", letter(axis))
+    }
+}
+
 /// A vector that is asked.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ExpectedVector {

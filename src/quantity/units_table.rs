@@ -116,7 +116,7 @@ pub(super) static UNITS: &[UnitRow] = &[
     row("mrad", &[],                       NUMBER,    StaticFactor::decimal(1, 3),                  "milliradian", "milliradians"),
     row("µrad", &["urad", "μrad"],         NUMBER,    StaticFactor::decimal(1, 6),                  "microradian", "microradians"),
     row("°",    &["deg", "degs", "º", "˚"],NUMBER,    StaticFactor::PI.over(StaticFactor::integer(180)), "degree", "degrees").attached(),
-    row("rev",  &["revs", "turn"],         NUMBER,    REVOLUTION,                                   "revolution", "revolutions"),
+    row("rev",  &["revs", "turn", "turns"],         NUMBER,    REVOLUTION,                                   "revolution", "revolutions"),
     row("%",    &["percent", "pct"],       NUMBER,    StaticFactor::decimal(1, 2),                  "per cent", "per cent").attached(),
     row("N",    &[],                       FORCE,     UNITY,                                        "newton", "newtons").prefixed(),
     row("dyn",  &[],                       FORCE,     StaticFactor::decimal(1, 5),                  "dyne", "dynes").prefixed(),

@@ -49,3 +49,43 @@ pub(super) fn judged(
         judgement
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use std::cell::Cell;
+
+    use super::super::super::messages::Message;
+    use super::super::super::verdict::Verdict;
+    use super::*;
+    use crate::expr::{Expr, SymbolEntry, SymbolTable};
+    use crate::quantity::Dimension;
+
+    #[test]
+    fn equal_formulas_of_a_form_are_judged_once() {
+        let mut symbols = SymbolTable::default();
+        let name = |name: &str| SymbolEntry { name: name.into(), dimension: Dimension::NONE, meaning: String::new() };
+        let [x, asked] = ["x", "Q"].map(|own| symbols.intern(name(own)));
+        let blank = ExpectedFormula::new(Expr::from(x), Arc::new(symbols), asked, vec![(x, 1.0, 2.0)]);
+        let form = |samples: Vec<Vec<Option<f64>>>| ExpectedFormula { samples: samples.into(), ..blank.clone() };
+        let answer = |number: i64| {
+            let formula = Expr::from(x) * Expr::integer(number);
+            FormulaAnswer { text: format!("{number}*x"), formula, shifted: Vec::new() }
+        };
+        let count = Cell::new(0);
+        let judge = |expected: &ExpectedFormula, number: i64| {
+            judged(expected, &answer(number), || {
+                count.set(count.get() + 1);
+                Judgement::of(Verdict::Wrong, Message::Wrong)
+            });
+            count.get()
+        };
+        let (one, other, none) = (form(vec![vec![Some(1.5)]]), form(vec![vec![Some(1.5)]]), form(Vec::new()));
+        assert_eq!([judge(&one, 2), judge(&one, 2), judge(&one, 3), judge(&one, 3)], [1, 1, 2, 2]);
+        assert_eq!([judge(&other, 2), judge(&other, 2)], [3, 3], "another form");
+        assert_eq!([judge(&none, 2), judge(&none, 2)], [4, 5], "without samples");
+        for number in 0..200 {
+            judge(&one, number);
+        }
+        assert!(KNOWN.with_borrow(Vec::len) <= MOST);
+    }
+}

@@ -38,9 +38,9 @@ pub(super) fn read(text: &str, mark: DecimalMark) -> At<(Term, usize)> {
     Ok((term, reader.at))
 }
 
-/// Whether a number begins here, perhaps behind spaces, signs and opening brackets.
+/// Whether a number begins here, perhaps behind spaces, signs, opening brackets and bars.
 pub(super) fn begins_number(text: &str) -> bool {
-    let rest = text.trim_start_matches([' ', '(', '+', '-']);
+    let rest = text.trim_start_matches([' ', '(', '+', '-', '|']);
     let decimals = rest.strip_prefix('.').unwrap_or(rest);
     decimals.starts_with(|first: char| first.is_ascii_digit()) || begins_word(rest) || vulgar(rest).is_some()
 }
@@ -231,7 +231,11 @@ impl<'text> Reader<'text> {
         }
         let rest = self.rest();
         if rest.starts_with('(') {
-            return self.nested(Self::bracket);
+            return self.nested(|reader| reader.bracket("(", ")"));
+        }
+        if rest.starts_with('|') {
+            let inner = self.nested(|reader| reader.bracket("|", "|"))?;
+            return self.computed(Function::Absolute.apply(&inner.number), UnreadableKind::TooLarge);
         }
         if self.take("π") || word(rest) == "pi" && self.take("pi") {
             let pi = Number::rounded(PI);
@@ -304,12 +308,12 @@ impl<'text> Reader<'text> {
         Ok(Term { number: value, form })
     }
 
-    fn bracket(&mut self) -> At<Term> {
+    fn bracket(&mut self, opening: &str, closing: &str) -> At<Term> {
         let open = self.at;
-        self.take("(");
+        self.take(opening);
         let inner = self.sum()?;
         self.skip_spaces();
-        if !self.take(")") {
+        if !self.take(closing) {
             let kind = if self.rest().is_empty() { UnreadableKind::OpenBracket } else { UnreadableKind::NotANumber };
             return Err((if self.rest().is_empty() { open } else { self.at }, kind));
         }

@@ -19,8 +19,30 @@ const DIRECTIONS: &[&[&str]] = &[
 ];
 
 /// Words that say nothing beside a direction, and so does `in` before `the` and `positive direction`; alone it is an inch.
-const FILLERS: &[&str] =
-    &["to", "the", "toward", "towards", "direction", "axis", "along", "moving", "going", "directed", "pointing"];
+const FILLERS: &[&str] = &[
+    "to",
+    "the",
+    "toward",
+    "towards",
+    "direction",
+    "axis",
+    "along",
+    "moving",
+    "going",
+    "directed",
+    "pointing",
+    "it",
+    "moves",
+    "goes",
+    "is",
+    "and",
+    "with",
+    "at",
+    "a",
+    "speed",
+    "velocity",
+    "of",
+];
 
 /// What a phrase says about direction.
 #[derive(Debug, PartialEq, Eq)]
@@ -104,7 +126,8 @@ fn bare(phrase: &str) -> String {
     let mut words = lower.split(' ').filter(|word| !word.is_empty()).peekable();
     let mut bare = String::with_capacity(lower.len());
     while let Some(word) = words.next() {
-        let signed = |next: &str| ["positive", "negative"].contains(&next) && lower.contains("direction");
+        let names_axis = |next: &str| ["positive", "negative"].contains(&next) || next.starts_with(['+', '-']);
+        let signed = |next: &str| names_axis(next) && lower.contains("direction");
         let is_beside = |next: &&str| *next == "the" || signed(next);
         let filling = FILLERS.contains(&word) || word == "in" && words.peek().is_some_and(is_beside);
         if !filling {

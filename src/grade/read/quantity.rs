@@ -18,7 +18,7 @@ use super::unit::unit;
 use super::unreadable::{Unreadable, UnreadableKind};
 
 /// The most words that a direction has.
-const MOST_WORDS: usize = 6;
+const MOST_WORDS: usize = 9;
 /// The largest power of ten of an answer, either way.
 const LARGEST: f64 = 1e300;
 /// What says that an answer is not one value.
@@ -26,7 +26,9 @@ const NOT_ONE_VALUE: [char; 7] = ['±', '<', '>', '≤', '≥', '∓', '≠'];
 /// Signs between a value and its uncertainty.
 const PLUS_MINUS: [&str; 4] = ["±", "+/-", "+-", "\\pm"];
 /// What may end an answer, as it ends a sentence.
-pub(super) const ENDS: [char; 5] = [' ', ',', '.', '!', ';'];
+pub(super) const ENDS: [char; 6] = [' ', ',', '.', '!', ';', '?'];
+/// How an angle ends that says which way it is turned, and not from where.
+const TURNS: [&str; 2] = ["clockwise", "cw"];
 /// What reading may know of what is asked.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Asked<'a> {
@@ -60,7 +62,8 @@ pub(super) fn read(answer: &str, asked: &ExpectedNumber, mark: DecimalMark) -> R
     let found = read_plain(text, own, mark).or_else(|fault| remarks::read(text, own, mark, fault));
     let found = match &asked.reference {
         Some(reference) => found.or_else(|fault| match in_words(text, reference, mark) {
-            Err((_, UnreadableKind::Direction)) => Err(fault),
+            // A direction that is not understood is no quantity without a direction.
+            Err((_, UnreadableKind::Direction)) if !matches!(fault.1, UnreadableKind::NoDirection(_)) => Err(fault),
             words => words,
         }),
         None => found,
@@ -70,7 +73,13 @@ pub(super) fn read(answer: &str, asked: &ExpectedNumber, mark: DecimalMark) -> R
 
 /// A direction in words, as the question counts it.
 fn in_words(text: &str, reference: &Reference, mark: DecimalMark) -> Result<NumberAnswer, (usize, UnreadableKind)> {
-    let heading = heading::read(text.trim_end_matches([' ', '.']), &reference.frame, mark)?;
+    let text = text.trim_end_matches([' ', '.']);
+    let heading = heading::read(text, &reference.frame, mark).or_else(|fault| {
+        // `30° clockwise`: from where the question counts.
+        let turn = TURNS.iter().any(|turn| text.ends_with(turn)) && matches!(fault.1, UnreadableKind::Direction);
+        let from = turn.then(|| format!("{text} from {}", reference.zero()));
+        from.map_or(Err(fault), |text| heading::read(&text, &reference.frame, mark))
+    })?;
     let words = heading.words(&reference.frame, |angle, form| echo_number(angle, form.written()));
     Ok(NumberAnswer {
         number: heading.counted(reference).ok_or((0, UnreadableKind::TooLarge))?,
@@ -200,7 +209,12 @@ fn unit_and_direction(
             found = Some((sense, *start, phrase));
         }
     }
-    let Some((sense, start, phrase)) = found else { return Ok((unit(end, text.len())?, None)) };
+    let Some((sense, start, phrase)) = found else {
+        return match before_unit(text, end, asked) {
+            Some((sense, start)) => Ok((unit(start, text.len())?, Some((sense, end)))),
+            None => Ok((unit(end, text.len())?, None)),
+        };
+    };
     if !direction::is_compass_letter(phrase) {
         return Ok((unit(end, start)?, Some((sense, start))));
     }
@@ -214,6 +228,16 @@ fn unit_and_direction(
             Err((start, UnreadableKind::UnitOrDirection(phrase.to_owned())))
         }
     }
+}
+
+/// The direction between the number and its unit, and where the unit begins: `0.25 to the left m/s`.
+fn before_unit(text: &str, end: usize, asked: Asked<'_>) -> Option<(Sense, usize)> {
+    let words = spans(text, end);
+    words.windows(2).take(MOST_WORDS).rev().find_map(|pair| {
+        let phrase = text[words[0].0..pair[0].1].trim();
+        let sense = declared(phrase, end, asked).ok()??;
+        (!direction::is_compass_letter(phrase)).then_some((sense, pair[1].0))
+    })
 }
 
 /// The declared sense that a phrase says; a direction that is not declared is a fault.

@@ -4,7 +4,7 @@ use crate::quantity::Unit;
 use crate::quantity::UnitFault;
 use crate::quantity::UnitFaultKind;
 
-use super::arithmetic::At;
+use super::arithmetic::{At, begins_number};
 use super::known_units;
 use super::quantity::ENDS;
 use super::unreadable::UnreadableKind;
@@ -13,6 +13,8 @@ use super::unreadable::UnreadableKind;
 const OPERATORS: [&str; 8] = ["*", "·", "×", "x", "+", "^", "-", "**"];
 /// Letters that are typed for the sign of a degree.
 const DEGREES: [&str; 4] = ["o", "O", "^o", "^0"];
+/// Signs behind which something else than a unit begins.
+const SEPARATORS: [&str; 5] = [",", ";", ":", "=", "?"];
 /// What is shown of a text that is not understood, in characters.
 const SHOWN: usize = 20;
 
@@ -40,6 +42,13 @@ pub(super) fn unit(text: &str, from: usize, to: usize, asked: &Unit) -> At<Optio
         let is_number = |sign: &str| sign.starts_with(|first: char| first.is_ascii_digit());
         if matches!(&fault.kind, UnitFaultKind::Unexpected(sign) if is_number(sign)) {
             return ((start + fault.span.start).saturating_sub(shift), UnreadableKind::SecondNumber);
+        }
+        if matches!(&fault.kind, UnitFaultKind::Unexpected(sign) if SEPARATORS.contains(&sign.as_str())) {
+            let at = (start + fault.span.start).saturating_sub(shift);
+            let behind = text.get(at..to).unwrap_or_default().trim();
+            let number = begins_number(behind.trim_start_matches(|sign: char| !sign.is_alphanumeric()));
+            let shown = UnreadableKind::Behind(behind.chars().take(SHOWN).collect());
+            return (at, if number { UnreadableKind::SecondNumber } else { shown });
         }
         let misplaced =
             matches!(fault.kind, UnitFaultKind::Unexpected(_) | UnitFaultKind::Exponent | UnitFaultKind::Missing);

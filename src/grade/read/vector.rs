@@ -251,7 +251,7 @@ fn is_sum(coefficient: &str) -> bool {
     let mut depth = 0;
     let mut before = 'e';
     coefficient.chars().any(|next| {
-        depth += i32::from(next == '(') - i32::from(next == ')');
+        depth += i32::from("({".contains(next)) - i32::from(")}".contains(next));
         let joins = (next == '+' || next == '-') && depth == 0 && !"e^E*/·×+- ".contains(before);
         before = if next == ' ' { before } else { next };
         joins
@@ -261,8 +261,12 @@ fn is_sum(coefficient: &str) -> bool {
 fn two_terms(coefficient: &str, letter: &str) -> UnreadableKind {
     let first = coefficient.rfind(['+', '-']).unwrap_or(0);
     let (one, other) = coefficient.split_at(first);
+    let one = one.trim_end_matches([' ', '+']);
     let another = if letter.starts_with(['i', 'î']) { "j" } else { "i" };
-    UnreadableKind::Ambiguous([format!("({coefficient}){letter}"), format!("{}{another} {other}{letter}", one.trim())])
+    UnreadableKind::Ambiguous([
+        format!("({coefficient}){letter}"),
+        format!("{}{another} {other}{letter}", one.trim_start()),
+    ])
 }
 
 /// The number before a unit vector, perhaps in brackets with its unit: `(1.5 N s)i - (2 N s)j`.
