@@ -298,7 +298,7 @@ test("a preset, a method and the address go together", async () => {
   await page.locator('[data-simulator][data-state="shown"]').waitFor();
   await page.getByRole("link", { name: "Plastic" }).click();
   await page.locator('[data-shown="m_A=3&v_A=3&m_B=2&v_B=-2&e=0"][data-state="shown"]').waitFor();
-  assert.equal(new URL(page.url()).search, "?m_A=3&v_A=3&m_B=2&v_B=-2&e=0");
+  await page.waitForURL("**/simulators/collision?m_A=3&v_A=3&m_B=2&v_B=-2&e=0");
   assert.equal(await page.locator("[data-magnified]").isVisible(), false, "no spring and dashpot are plastic");
   await page.getByLabel("Compare with a method").selectOption("penalty");
   await page.locator('[data-shown$="method=penalty&step=0.06"][data-state="shown"]').waitFor();
@@ -309,6 +309,7 @@ test("a preset, a method and the address go together", async () => {
   await page.locator('[data-shown*="&e=0.7&method="][data-state="shown"]').waitFor();
   const contact = await page.locator("[data-magnified] tr").allTextContents();
   assert.match(contact.find((row) => row.startsWith("Their ratio")) ?? "", /0\.70|0\.699/);
+  await page.waitForURL("**&e=0.7&method=explicit-euler&step=0.06");
   await page.reload();
   await page.locator('[data-shown$="method=explicit-euler&step=0.06"][data-state="shown"]').waitFor();
   assert.equal(await page.locator("#compared").textContent(), "The exact motion and explicit Euler");

@@ -147,8 +147,8 @@ fn what_cannot_be_is_refused_with_the_reason() {
     let client = Client::new();
     for (call, request, reason) in [
         ("collision", json!({ "values": { "e": 1.2 } }), "a coefficient of restitution above 1 would create energy"),
-        ("collision", json!({ "values": { "m_A": -1 } }), "`m_A` must be more than zero"),
-        ("collision", json!({ "values": { "m_B": 0 } }), "`m_B` must be more than zero"),
+        ("collision", json!({ "values": { "m_A": -1 } }), "`m_A` must be greater than zero"),
+        ("collision", json!({ "values": { "m_B": 0 } }), "`m_B` must be greater than zero"),
         ("collision", json!({ "values": { "m_A": 1e300 } }), "`m_A` lies between 0.1 kg and 20 kg here"),
         ("collision", json!({ "values": { "v_A": -1e300 } }), "`v_A` lies between -10 m/s and 10 m/s here"),
         ("collision", json!({ "values": { "v_t": 1 } }), "`v_t` cannot be set here"),

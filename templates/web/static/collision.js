@@ -48,13 +48,15 @@ function magnify(force) {
 function draw_cart(place, radius) {
   const cart = one(root, `[data-at="${place}"]`, SVGGElement);
   const [box, name] = [cart.querySelector("rect"), cart.querySelector("text")];
-  const height = 1.3 * radius;
-  for (const [key, value] of Object.entries({ x: -radius, y: -height - 0.06, width: 2 * radius, height })) {
+  const [height, wheel] = [1.3 * radius, 0.01 + 0.2 * radius];
+  for (const [key, value] of Object.entries({ x: -radius, y: -height - wheel, width: 2 * radius, height })) {
     box?.setAttribute(key, String(value));
   }
-  name?.setAttribute("y", String(-height - 0.16));
-  for (const [side, wheel] of cart.querySelectorAll("circle").entries()) {
-    wheel.setAttribute("cx", String((side - 0.5) * radius));
+  name?.setAttribute("y", String(-height - wheel - 0.1));
+  for (const [side, circle] of cart.querySelectorAll("circle").entries()) {
+    circle.setAttribute("cx", String((side - 0.5) * radius));
+    circle.setAttribute("cy", String(-wheel));
+    circle.setAttribute("r", String(wheel));
   }
 }
 

@@ -27,8 +27,9 @@ import { Plot, at } from "./plot.js";
  * @property {Compared | null} compared
  */
 
-/** Milliseconds between two announcements. */
+/** Milliseconds between two announcements, and from the last change to the address: browsers refuse too many addresses. */
 const ANNOUNCED = 1000;
+const ADDRESSED = 300;
 
 /**
  * What stands at a path such as "bodies.0.after".
@@ -106,6 +107,7 @@ export class Simulator {
   #plots = new Map();
   #asking = false;
   #again = false;
+  #addressed = 0;
   #announced = { at: -Infinity, words: "", timer: 0 };
 
   /**
@@ -213,7 +215,6 @@ export class Simulator {
     );
     const step = fields.get("step");
     const refused = one(this.#root, "[data-refused]", HTMLElement);
-    history.replaceState(null, "", `${location.pathname}?${fields}`);
     let state = "shown";
     try {
       const request = { values, method: fields.get("method"), step: step ? Number(step) : null };
@@ -226,6 +227,8 @@ export class Simulator {
       state = "refused";
     }
     if (this.#again) return;
+    clearTimeout(this.#addressed);
+    this.#addressed = setTimeout(() => history.replaceState(null, "", `${location.pathname}?${fields}`), ADDRESSED);
     this.#root.dataset.shown = String(fields);
     this.#root.dataset.state = state;
   }
