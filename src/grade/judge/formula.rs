@@ -110,7 +110,9 @@ fn compare(expected: &ExpectedFormula, given: &Expr, kept: &mut Vec<Point>) -> C
             Met::NoValue => missing = true,
             Met::Apart(ratio) => {
                 let first = *apart.get_or_insert(ratio);
-                if !is_certain(&ratio) || ratio.sign() == Sign::Zero || differ(&first, &ratio) {
+                // What may be zero is no factor.
+                let is_factor = is_certain(&ratio) && matches!(ratio.sign(), Sign::Negative | Sign::Positive);
+                if !is_factor || differ(&first, &ratio) {
                     return Compared::Different;
                 }
             }

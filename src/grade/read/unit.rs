@@ -58,6 +58,11 @@ pub(super) fn unit(text: &str, from: usize, to: usize, asked: &Unit) -> At<Optio
         }
         ((start + fault.span.start).saturating_sub(shift), UnreadableKind::Unit(fault))
     };
+    // Before an article it is no inch.
+    if let Some(at) = written.find(" in the ") {
+        let behind = written[at..].trim_start().chars().take(SHOWN).collect();
+        return Err((start + at + 1, UnreadableKind::Behind(behind)));
+    }
     if let Some(unit) = remarked(bare, asked) {
         return Ok(Some(unit));
     }
