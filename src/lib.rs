@@ -51,6 +51,8 @@ pub mod bank;
 pub mod cli;
 pub mod exercise;
 pub mod explain;
+#[cfg(feature = "cli")]
+pub mod export;
 pub mod expr;
 pub mod fault;
 pub mod figure;

@@ -26,7 +26,7 @@ const ORDER: &[&[&str]] = &[
     &["render"],
     &["exercise"],
     &["bank"],
-    &["web"],
+    &["web", "export"],
     &["cli"],
 ];
 

@@ -5,6 +5,7 @@ use std::io;
 use std::io::Write;
 use std::path::Path;
 
+use crate::export::NotWritten;
 use crate::fault::Code;
 use crate::fault::Faults;
 use crate::problem::NoVariant;
@@ -84,6 +85,15 @@ impl From<Faults> for Failure {
     fn from(faults: Faults) -> Self {
         let stuck = !faults.list.is_empty() && faults.list.iter().all(|fault| fault.code == Code::Stuck);
         Self { exit: if stuck { Exit::Stuck } else { Exit::Unusable }, message: faults.to_string() }
+    }
+}
+
+impl From<NotWritten> for Failure {
+    fn from(reason: NotWritten) -> Self {
+        match reason {
+            NotWritten::Output(error) => error.into(),
+            NotWritten::Text(faults) => faults.into(),
+        }
     }
 }
 

@@ -5,6 +5,7 @@ mod check;
 mod completions;
 mod diagnose;
 mod exit;
+mod export;
 mod failure;
 mod format;
 mod generate;
@@ -69,6 +70,7 @@ enum Command {
     Chart(chart::Chart),
     Check(check::Check),
     Diagnose(diagnose::Diagnose),
+    Export(export::Export),
     Generate(generate::Generate),
     Simulate(simulate::Simulate),
     Solve(solve::Solve),
@@ -116,6 +118,7 @@ impl Command {
             Self::Chart(chart) => chart.run(),
             Self::Check(check) => check.run(),
             Self::Diagnose(diagnose) => diagnose.run(),
+            Self::Export(export) => export.run(),
             Self::Generate(generate) => generate.run(),
             Self::Simulate(simulate) => simulate.run(),
             Self::Solve(solve) => solve.run(),

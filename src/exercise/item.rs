@@ -4,10 +4,12 @@ use crate::explain::Audience;
 use crate::explain::Outline;
 use crate::grade;
 use crate::grade::ExpectedKind;
+use crate::grade::Message;
 use crate::grade::Points;
 use crate::grade::Rubric;
 use crate::grade::Verdict;
 use crate::grade::VerdictWindow;
+use crate::grade::catalogue::{Catalogue, English};
 use crate::grade::diagnose;
 use crate::problem::FormulaPart;
 use crate::problem::Mistake;
@@ -19,6 +21,7 @@ use crate::render::Identity;
 
 use super::Exercise;
 use super::diagnosis::{feedback_on, hints_on};
+use super::roots::{each_expected, several};
 use super::rules::Rules;
 use super::student_sheet::{Field, StudentSheet};
 
@@ -54,6 +57,8 @@ pub struct ItemPart {
 pub enum ItemAnswers {
     /// By the number in the unit of the question.
     Number(Box<NumberItem>),
+    /// By each of several values, from the smallest.
+    Roots(Vec<NumberItem>),
     /// By each component.
     Vector(Vec<NumberItem>),
     /// By the phrase.
@@ -70,8 +75,13 @@ pub enum ItemAnswers {
         /// What usual mistakes lead to, each with what is said of it.
         mistaken: Vec<(String, String)>,
     },
-    /// By both ends: the right interval is the printed one.
-    Interval,
+    /// By its ends.
+    Interval {
+        /// The lower end; none where it is open to minus infinity.
+        low: Option<Box<NumberItem>>,
+        /// The upper end; none where it is open to infinity.
+        high: Option<Box<NumberItem>>,
+    },
 }
 
 /// A number that is asked.
@@ -85,6 +95,10 @@ pub struct NumberItem {
     pub turn: Option<f64>,
     /// Whether only whole numbers count.
     pub whole: bool,
+    /// The significant figures of the printed answer.
+    pub figures: usize,
+    /// The points of the right number without its unit.
+    pub without_unit: Points,
     /// Which numbers earn something, or have something said of them: disjoint, from low to high.
     pub windows: Vec<Window>,
 }
@@ -136,6 +150,9 @@ impl Exercise {
 
     fn item_answers(&self, part: &Part) -> ItemAnswers {
         match (self.expected(part).kind, &part.kind) {
+            (ExpectedKind::Number(_), _) if several(self.worked(), part).is_some() => {
+                ItemAnswers::Roots(self.root_items(part))
+            }
             (ExpectedKind::Number(expected), PartKind::Number(number)) => {
                 let mistaken = self.mistaken(number, &expected);
                 ItemAnswers::Number(Box::new(self.number_item(part, &expected, &mistaken)))
@@ -146,19 +163,44 @@ impl Exercise {
             }
             (ExpectedKind::Choice { options, right, because }, _) => ItemAnswers::Choice { options, right, because },
             (_, PartKind::Formula(formula)) => ItemAnswers::Formula { mistaken: self.mistaken_formulas(part, formula) },
-            _ => ItemAnswers::Interval,
+            (ExpectedKind::Interval(expected), _) => {
+                let end = |own: &Option<grade::ExpectedEnd>| {
+                    own.as_ref().map(|own| Box::new(self.number_item(part, &own.number, &[])))
+                };
+                ItemAnswers::Interval { low: end(&expected.low), high: end(&expected.high) }
+            }
+            // Marking expects of each kind of part an answer of its own kind.
+            _ => ItemAnswers::Formula { mistaken: Vec::new() },
         }
+    }
+
+    fn root_items(&self, part: &Part) -> Vec<NumberItem> {
+        let roots = several(self.worked(), part).unwrap_or_default();
+        let expected = each_expected(&self.expected(part), &roots, self.worked(), part);
+        let item = |own: grade::Expected| match own.kind {
+            ExpectedKind::Number(number) => Some(self.number_item(part, &number, &[])),
+            _ => None,
+        };
+        let mut items: Vec<NumberItem> = expected.into_iter().filter_map(item).collect();
+        items.sort_by(|left, right| left.right.total_cmp(&right.right));
+        items
     }
 
     fn number_item(&self, part: &Part, expected: &grade::ExpectedNumber, mistaken: &[Mistaken<'_>]) -> NumberItem {
         let worked = self.worked();
         let rubric = Rules { problem: worked.problem, form: worked.form }.rubric();
+        let mut windows = self.windows(&grade::windows(expected), mistaken, part.points, &rubric);
+        for window in windows.iter_mut().filter(|own| own.feedback.is_empty()) {
+            window.feedback.extend(slip(window.verdict, expected));
+        }
         NumberItem {
             right: expected.value,
             unit: expected.unit.clone(),
             turn: turn(expected),
             whole: expected.whole,
-            windows: self.windows(&grade::windows(expected), mistaken, part.points, &rubric),
+            figures: expected.figures,
+            without_unit: rubric.points(Verdict::UnitMissing, part.points),
+            windows,
         }
     }
 
@@ -243,6 +285,24 @@ impl Exercise {
         }
         all
     }
+}
+
+/// What marking says of a slip.
+fn slip(verdict: Verdict, expected: &grade::ExpectedNumber) -> Option<String> {
+    let message = match verdict {
+        Verdict::UnitPrefix => Message::UnitPrefix,
+        Verdict::OrderOfMagnitude => Message::OrderOfMagnitude,
+        Verdict::Sense => Message::Sense(expected.senses.clone()),
+        Verdict::SenseReversed => Message::SenseReversed,
+        Verdict::RightWithNote => Message::NegativeMagnitude,
+        Verdict::AngleReversed
+        | Verdict::AngleOtherSense
+        | Verdict::AngleSupplement
+        | Verdict::AngleComplement
+        | Verdict::AngleOtherAxis => Message::Slip(verdict),
+        _ => return None,
+    };
+    Some(English.message(&message).into_owned())
 }
 
 /// A full turn in the unit of a direction.

@@ -20,16 +20,8 @@ pub(super) fn several(worked: Worked<'_>, part: &Part) -> Option<Vec<Bounded>> {
     (number.every_root || worked.variant.has_others()).then(|| worked.answers(number)).filter(|roots| roots.len() > 1)
 }
 
-/// What is expected of each of several roots, with the text that answers it. Each root gets the first value that is right for it,
-/// whatever the order in which they were typed; what is left goes to the roots that are left, and to further ones of no worth.
-pub(super) fn shared_out(
-    single: &Expected,
-    roots: &[Bounded],
-    text: &str,
-    worked: Worked<'_>,
-    part: &Part,
-    mark: grade::DecimalMark,
-) -> Vec<(Expected, String)> {
+/// What is expected of each of several roots.
+pub(super) fn each_expected(single: &Expected, roots: &[Bounded], worked: Worked<'_>, part: &Part) -> Vec<Expected> {
     let root = |(index, answer): (usize, &Bounded)| {
         let mut root = single.clone();
         if index > 0 {
@@ -41,7 +33,20 @@ pub(super) fn shared_out(
         widen(&mut root, worked, part);
         root
     };
-    let roots: Vec<Expected> = roots.iter().enumerate().map(root).collect();
+    roots.iter().enumerate().map(root).collect()
+}
+
+/// What is expected of each of several roots, with the text that answers it. Each root gets the first value that is right for it,
+/// whatever the order in which they were typed; what is left goes to the roots that are left, and to further ones of no worth.
+pub(super) fn shared_out(
+    single: &Expected,
+    roots: &[Bounded],
+    text: &str,
+    worked: Worked<'_>,
+    part: &Part,
+    mark: grade::DecimalMark,
+) -> Vec<(Expected, String)> {
+    let roots = each_expected(single, roots, worked, part);
     let mut values = grade::read_several(text);
     let mut dealt: Vec<Option<String>> = vec![None; roots.len()];
     // What is right comes first, then what is worth anything.

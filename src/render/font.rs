@@ -13,7 +13,9 @@ pub(super) fn rule() -> String {
     )
 }
 
-fn base64(bytes: &[u8]) -> String {
+/// Bytes in the 64 digits of RFC 4648.
+#[must_use]
+pub fn base64(bytes: &[u8]) -> String {
     let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
     for group in bytes.chunks(3) {
         let bits = (0..3).fold(0, |bits, index| bits << 8 | usize::from(group.get(index).copied().unwrap_or(0)));

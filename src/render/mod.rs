@@ -24,7 +24,7 @@ mod writer;
 pub use authored::text_faults;
 pub use document::{BesideFile, Document, Figures, Format};
 pub use fade::{fade, steps};
-pub use font::MATH_FONT;
+pub use font::{MATH_FONT, base64};
 pub use fragment::Fragment;
 pub use page::{Identity, Key, KeyRow, Page, Sheet, SheetPart, Solution};
 pub use renderer::Renderer;

@@ -16,6 +16,7 @@ use crate::exercise::Key;
 use crate::exercise::Place;
 use crate::exercise::Submission;
 use crate::exercise::VariantRef;
+use crate::export::printable;
 use crate::grade::PartReport;
 use crate::grade::Verdict;
 
@@ -140,10 +141,4 @@ impl Counts {
         let start = BytesStart::new(element).with_attributes(counts);
         if element == "testsuite" { start.with_attributes([("disabled", "0")]) } else { start }
     }
-}
-
-/// A text without the characters that XML has no way to write.
-fn printable(text: &str) -> std::borrow::Cow<'_, str> {
-    let has_place = |letter: char| !matches!(letter, '\0'..='\u{8}' | '\u{b}' | '\u{c}' | '\u{e}'..='\u{1f}' | '\u{fffe}' | '\u{ffff}');
-    if text.chars().all(has_place) { text.into() } else { text.chars().filter(|letter| has_place(*letter)).collect() }
 }

@@ -1,0 +1,212 @@
+//! A reader of Moodle XML that marks as Moodle does: tolerance, fraction, units, the notation of gaps.
+
+use quick_xml::Reader;
+use quick_xml::events::Event;
+
+/// An element.
+#[derive(Clone, Debug, Default)]
+pub struct Node {
+    pub name: String,
+    pub attributes: Vec<(String, String)>,
+    pub children: Vec<Node>,
+    pub text: String,
+}
+
+impl Node {
+    pub fn all<'n>(&'n self, name: &'n str) -> impl Iterator<Item = &'n Node> + use<'n> {
+        self.children.iter().filter(move |own| own.name == name)
+    }
+
+    pub fn at(&self, path: &[&str]) -> Option<&Node> {
+        path.iter().try_fold(self, |node, name| node.children.iter().find(|own| own.name == *name))
+    }
+
+    pub fn text_at(&self, path: &[&str]) -> &str {
+        self.at(path).map_or("", |own| &own.text)
+    }
+
+    pub fn attribute(&self, name: &str) -> &str {
+        self.attributes.iter().find(|(own, _)| own == name).map_or("", |(_, value)| value)
+    }
+}
+
+/// The root of a document.
+pub fn read(xml: &str) -> Node {
+    let mut reader = Reader::from_str(xml);
+    let mut open = vec![Node::default()];
+    loop {
+        match reader.read_event().unwrap() {
+            Event::Start(start) => {
+                let attributes = start.attributes().map(|own| {
+                    let own = own.unwrap();
+                    let name = String::from_utf8(own.key.as_ref().to_vec()).unwrap();
+                    (name, String::from_utf8(own.value.to_vec()).unwrap())
+                });
+                let attributes = attributes.collect();
+                let name = String::from_utf8(start.name().as_ref().to_vec()).unwrap();
+                open.push(Node { name, attributes, ..Node::default() });
+            }
+            Event::End(_) => {
+                let node = open.pop().unwrap();
+                open.last_mut().unwrap().children.push(node);
+            }
+            Event::Text(text) => open.last_mut().unwrap().text.push_str(&text.decode().unwrap()),
+            Event::CData(text) => open.last_mut().unwrap().text.push_str(&text.decode().unwrap()),
+            Event::GeneralRef(name) => {
+                let name = name.decode().unwrap();
+                open.last_mut().unwrap().text.push_str(&decoded(&format!("&{name};")));
+            }
+            Event::Eof => break,
+            _ => {}
+        }
+    }
+    assert_eq!(open.len(), 1, "an element is open");
+    open.pop().unwrap().children.pop().unwrap()
+}
+
+/// Text of HTML: without elements, references read.
+pub fn decoded(html: &str) -> String {
+    let mut out = String::new();
+    let mut rest = html;
+    while let Some(first) = rest.chars().next() {
+        if first == '<' {
+            rest = rest.split_once('>').unwrap().1;
+        } else if first == '&' {
+            let (name, after) = rest[1..].split_once(';').unwrap();
+            out.push(match name {
+                "amp" => '&',
+                "lt" => '<',
+                "gt" => '>',
+                "quot" => '"',
+                "apos" => '\'',
+                number => char::from_u32(number.trim_start_matches('#').parse().unwrap()).unwrap(),
+            });
+            rest = after;
+        } else {
+            out.push(first);
+            rest = &rest[first.len_utf8()..];
+        }
+    }
+    out
+}
+
+/// One answer that earns something or has something said of it.
+#[derive(Clone, Debug)]
+pub struct Answer {
+    pub text: String,
+    pub tolerance: f64,
+    pub fraction: f64,
+    pub feedback: String,
+}
+
+/// One field.
+#[derive(Clone, Debug, Default)]
+pub struct Field {
+    pub is_choice: bool,
+    pub weight: u32,
+    pub answers: Vec<Answer>,
+    pub units: Vec<(String, f64)>,
+    pub penalty: f64,
+}
+
+/// The fields of a question.
+pub fn fields(question: &Node) -> Vec<Field> {
+    if question.attribute("type") == "cloze" {
+        return gaps(question.text_at(&["questiontext", "text"]));
+    }
+    let answer = |own: &Node| Answer {
+        text: match question.attribute("type") {
+            "numerical" => own.text_at(&["text"]).to_owned(),
+            _ => decoded(own.text_at(&["text"])),
+        },
+        tolerance: own.text_at(&["tolerance"]).parse().unwrap_or(0.0),
+        fraction: own.attribute("fraction").parse().unwrap(),
+        feedback: decoded(own.text_at(&["feedback", "text"])),
+    };
+    let unit = |own: &Node| (own.text_at(&["unit_name"]).to_owned(), own.text_at(&["multiplier"]).parse().unwrap());
+    vec![Field {
+        is_choice: question.attribute("type") == "multichoice",
+        weight: question.text_at(&["defaultgrade"]).parse().unwrap(),
+        answers: question.all("answer").map(answer).collect(),
+        units: question.at(&["units"]).map(|own| own.all("unit").map(unit).collect()).unwrap_or_default(),
+        penalty: question.text_at(&["unitpenalty"]).parse().unwrap_or(0.0),
+    }]
+}
+
+/// The place of the first of these signs that is not escaped.
+fn bare(text: &str, signs: &[char]) -> Option<usize> {
+    let mut before = ' ';
+    for (place, sign) in text.char_indices() {
+        if signs.contains(&sign) && before != '\\' && before != '&' && !text[..place].ends_with("&amp;") {
+            return Some(place);
+        }
+        before = sign;
+    }
+    None
+}
+
+fn gaps(text: &str) -> Vec<Field> {
+    let mut all = Vec::new();
+    let mut rest = text;
+    while let Some(start) = rest.find('{') {
+        let inside = &rest[start + 1..];
+        let end = bare(inside, &['}']).unwrap();
+        let (gap, after) = (&inside[..end], &inside[end + 1..]);
+        let mut pieces = gap.splitn(3, ':');
+        let [weight, kind, mut alternatives] = [(); 3].map(|()| pieces.next().unwrap());
+        let mut field =
+            Field { is_choice: kind.starts_with("MULTICHOICE"), weight: weight.parse().unwrap(), ..Field::default() };
+        loop {
+            let cut = bare(alternatives, &['~']);
+            let one = &alternatives[..cut.unwrap_or(alternatives.len())];
+            let (fraction, one) = match one.strip_prefix('=') {
+                Some(one) => (100.0, one),
+                None => {
+                    let (share, one) = one.strip_prefix('%').unwrap().split_once('%').unwrap();
+                    (share.parse().unwrap(), one)
+                }
+            };
+            let (answer, feedback) = bare(one, &['#']).map_or((one, ""), |cut| (&one[..cut], &one[cut + 1..]));
+            let (text, tolerance) = match answer.split_once(':').filter(|_| !field.is_choice) {
+                Some((text, tolerance)) => (text, tolerance.parse().unwrap()),
+                None => (answer, 0.0),
+            };
+            field.answers.push(Answer { text: decoded(text), tolerance, fraction, feedback: decoded(feedback) });
+            match cut {
+                Some(cut) => alternatives = &alternatives[cut + 1..],
+                None => break,
+            }
+        }
+        all.push(field);
+        rest = after;
+    }
+    assert!(!rest.contains('}'), "the rest of a gap fell out: {rest}");
+    all
+}
+
+impl Field {
+    /// What a typed number earns, from 0 to 1, and what is said of it.
+    pub fn mark(&self, typed: &str) -> (f64, &str) {
+        let typed: String = typed.split(' ').collect();
+        let typed = typed.replacen("×10^", "e", 1).replacen("x10^", "e", 1);
+        let (number, unit) = (0..=typed.len())
+            .rev()
+            .filter_map(|cut| Some((typed.get(..cut)?.parse::<f64>().ok()?, typed.get(cut..)?)))
+            .next()
+            .unwrap_or_else(|| panic!("{typed} is no number"));
+        let known = self.units.iter().find(|(name, _)| name == unit);
+        let in_default = known.map(|(_, multiplier)| number / multiplier);
+        let find = |number: f64| {
+            self.answers.iter().find(|own| (number - own.text.parse::<f64>().unwrap()).abs() <= own.tolerance)
+        };
+        let penalty = if self.units.is_empty() { 0.0 } else { self.penalty };
+        let fits = in_default.and_then(find).map(|own| (own, 0.0)).or(find(number).map(|own| (own, penalty)));
+        fits.map_or((0.0, ""), |(own, penalty)| (own.fraction / 100.0 * (1.0 - penalty), &own.feedback))
+    }
+
+    /// What a number in the unit of the question earns.
+    pub fn mark_number(&self, number: f64) -> (f64, &str) {
+        let unit = self.units.first().map_or("", |(name, _)| name);
+        self.mark(&format!("{number}{unit}"))
+    }
+}
