@@ -38,8 +38,11 @@ pub enum Feature {
     Documents,
 }
 
-/// For each feature: what it is, then for each target what stands for it; and whether that is all of it.
-pub const FEATURES: [(Feature, &str, [(&str, bool); TARGETS.len()]); 15] = [
+/// A feature in words, then for each target what stands for it, and whether that is all of it.
+pub type Row = (Feature, &'static str, [(&'static str, bool); TARGETS.len()]);
+
+/// Every feature.
+pub const FEATURES: [Row; 15] = [
     (Feature::Numbers, "numbers and their tolerance", [("a value and a tolerance for each window", true)]),
     (Feature::Units, "units", [("the unit asked and usual others; a wrong one costs what a missing one does", true)]),
     (

@@ -5,7 +5,7 @@ mod feature;
 mod field;
 mod moodle;
 
-pub use feature::{FEATURES, Feature, TARGETS};
+pub use feature::{FEATURES, Feature, Row, TARGETS};
 pub use moodle::Moodle;
 
 use std::io;

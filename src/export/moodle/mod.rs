@@ -173,8 +173,8 @@ impl Question {
         xml.write_event(Event::Start(start))?;
         xml.create_element("name").write_inner_content(|xml| text(xml, "text", &title(item)))?;
         let figure = item.sheet.figure.as_ref().map(figure::svg_file);
-        html(xml, BytesStart::new("questiontext"), &self.text, figure.as_deref())?;
-        html(xml, BytesStart::new("generalfeedback"), &self.solution, None)?;
+        html(xml, "questiontext", &self.text, figure.as_deref())?;
+        html(xml, "generalfeedback", &self.solution, None)?;
         if let Some((part, _)) = only {
             text(xml, "defaultgrade", &part.field.points.to_string())?;
         }
@@ -186,7 +186,7 @@ impl Question {
             None => {}
         }
         for hint in &self.hints {
-            html(xml, BytesStart::new("hint"), hint, None)?;
+            html(xml, "hint", hint, None)?;
         }
         xml.create_element("tags").write_inner_content(|xml| {
             for tag in ["momentous", item.identity.problem.as_str()] {
@@ -229,7 +229,7 @@ fn numerical<W: Write>(xml: &mut Writer<W>, part: &ItemPart, number: &NumberItem
             BytesStart::new("answer").with_attributes([("fraction", &*fraction), ("format", "moodle_auto_format")]);
         xml.write_event(Event::Start(start))?;
         text(xml, "text", &own.value)?;
-        html(xml, BytesStart::new("feedback"), &paragraphs(own.feedback), None)?;
+        html(xml, "feedback", &paragraphs(own.feedback), None)?;
         text(xml, "tolerance", &own.tolerance.to_string())?;
         xml.write_event(Event::End(BytesEnd::new("answer")))?;
     }
@@ -263,7 +263,7 @@ fn choice<W: Write>(xml: &mut Writer<W>, options: &[Choice<'_>], shuffled: bool)
         let start = BytesStart::new("answer").with_attributes([("fraction", fraction), ("format", "html")]);
         xml.write_event(Event::Start(start))?;
         cdata(xml, Fragment::inline(&[Inline::Text(option.text.to_owned())]).as_str())?;
-        html(xml, BytesStart::new("feedback"), &paragraphs(&[option.feedback.to_owned()]), None)?;
+        html(xml, "feedback", &paragraphs(&[option.feedback.to_owned()]), None)?;
         xml.write_event(Event::End(BytesEnd::new("answer")))?;
     }
     Ok(())
@@ -272,7 +272,8 @@ fn choice<W: Write>(xml: &mut Writer<W>, options: &[Choice<'_>], shuffled: bool)
 /// Texts as paragraphs of HTML.
 fn paragraphs(texts: &[String]) -> String {
     let said = texts.iter().filter(|text| !text.is_empty());
-    said.map(|text| format!("<p>{}</p>", Fragment::inline(&[Inline::Text(text.clone())]).as_str())).collect()
+    let inline = |text: &String| Fragment::inline(&[Inline::Text(text.clone())]);
+    said.flat_map(|text| ["<p>".to_owned(), inline(text).as_str().to_owned(), "</p>".to_owned()]).collect()
 }
 
 /// An element that holds a text.
@@ -282,16 +283,15 @@ fn text<W: Write>(xml: &mut Writer<W>, name: &str, content: &str) -> io::Result<
 }
 
 /// An element that holds HTML, with the figure that it shows.
-fn html<W: Write>(xml: &mut Writer<W>, start: BytesStart<'_>, content: &str, figure: Option<&str>) -> io::Result<()> {
-    let end = start.to_end().into_owned();
-    xml.write_event(Event::Start(start.borrow().with_attributes([("format", "html")])))?;
+fn html<W: Write>(xml: &mut Writer<W>, name: &str, content: &str, figure: Option<&str>) -> io::Result<()> {
+    xml.write_event(Event::Start(BytesStart::new(name).with_attributes([("format", "html")])))?;
     cdata(xml, content)?;
     if let Some(figure) = figure {
         let file = [("name", "figure.svg"), ("path", "/"), ("encoding", "base64")];
         let file = xml.create_element("file").with_attributes(file);
         file.write_text_content(BytesText::new(&base64(figure.as_bytes())))?;
     }
-    xml.write_event(Event::End(end))
+    xml.write_event(Event::End(BytesEnd::new(name)))
 }
 
 /// A text that no mark-up is read in.
