@@ -182,7 +182,7 @@ proptest! {
         item.parts.truncate(1);
         let mut choice = item.parts[0].clone();
         choice.field.question = vec![momentous::explain::Inline::Text(title.clone())];
-        choice.answers = ItemAnswers::Choice { options: options.clone(), right: 1, because: because.clone() };
+        choice.answers = ItemAnswers::Choice { options: options.clone(), right: 1, because: because.clone(), wrong: vec![title.clone()] };
         if several {
             item.parts.push(choice);
         } else {
@@ -196,6 +196,7 @@ proptest! {
         let answers = &fields.last().unwrap().answers;
         prop_assert_eq!(answers.iter().map(|own| own.text.clone()).collect::<Vec<_>>(), options);
         prop_assert_eq!(&answers[1].feedback, &because);
+        prop_assert_eq!(&answers[0].feedback, &title);
         prop_assert_eq!(answers.iter().map(|own| own.fraction).position(|own| own == 100.0), Some(1));
     }
 }

@@ -5,6 +5,7 @@ use crate::grade;
 use crate::grade::Diagnosis;
 use crate::grade::diagnose;
 use crate::laws::wrong::Misconception;
+use crate::problem::ChoicePart;
 use crate::problem::FormulaPart;
 use crate::problem::Mistake;
 use crate::problem::PartKind;
@@ -38,9 +39,7 @@ impl Marking<'_> {
     /// What is said of a wrong choice.
     fn misjudged(&self, place: usize) -> Option<Diagnosis> {
         let (PartKind::Choice(choice), ..) = self.answered(place)? else { return None };
-        let behind = choice.decided(&self.worked).behind?;
-        let question = feedback_on(self.worked, behind).unwrap_or_else(|| behind.ask.to_owned());
-        Some(Diagnosis { codes: vec![behind.id], step: None, hints: vec![question, behind.hint.to_owned()] })
+        misjudged(self.worked, choice)
     }
 
     /// The mistakes that lead to the answer there.
@@ -108,6 +107,13 @@ impl Marking<'_> {
         }
         Some(Diagnosis { codes, step: step(self.worked, first), hints: hints_on(self.worked, first) })
     }
+}
+
+/// What is said of any wrong choice.
+pub(super) fn misjudged(worked: Worked<'_>, choice: &ChoicePart) -> Option<Diagnosis> {
+    let behind = choice.decided(&worked).behind?;
+    let question = feedback_on(worked, behind).unwrap_or_else(|| behind.ask.to_owned());
+    Some(Diagnosis { codes: vec![behind.id], step: None, hints: vec![question, behind.hint.to_owned()] })
 }
 
 /// What the author says of a mistake.

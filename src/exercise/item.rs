@@ -20,7 +20,7 @@ use crate::quantity::Unit;
 use crate::render::Identity;
 
 use super::Exercise;
-use super::diagnosis::{feedback_on, hints_on};
+use super::diagnosis::{feedback_on, hints_on, misjudged};
 use super::roots::{each_expected, several};
 use super::rules::Rules;
 use super::student_sheet::{Field, StudentSheet};
@@ -69,6 +69,8 @@ pub enum ItemAnswers {
         right: usize,
         /// Why it is right.
         because: String,
+        /// What is said of a wrong one: a question first, then a hint.
+        wrong: Vec<String>,
     },
     /// By the formula: the right one is the printed one.
     Formula {
@@ -161,7 +163,13 @@ impl Exercise {
                 let component = |own: &grade::ExpectedNumber| self.number_item(part, own, &[]);
                 ItemAnswers::Vector(expected.components.iter().map(component).collect())
             }
-            (ExpectedKind::Choice { options, right, because }, _) => ItemAnswers::Choice { options, right, because },
+            (ExpectedKind::Choice { options, right, because }, kind) => {
+                let wrong = match kind {
+                    PartKind::Choice(choice) => misjudged(self.worked(), choice).map(|own| own.hints),
+                    _ => None,
+                };
+                ItemAnswers::Choice { options, right, because, wrong: wrong.unwrap_or_default() }
+            }
             (_, PartKind::Formula(formula)) => ItemAnswers::Formula { mistaken: self.mistaken_formulas(part, formula) },
             (ExpectedKind::Interval(expected), _) => {
                 let end = |own: &Option<grade::ExpectedEnd>| {

@@ -30,11 +30,11 @@ pub(super) enum Asked<'i> {
 }
 
 /// One of several phrases.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Choice<'i> {
     pub text: &'i str,
     pub right: bool,
-    pub feedback: &'i str,
+    pub feedback: String,
 }
 
 /// The fields of a part, none where it has to be left out; and what does not stand in them as it is.
@@ -49,18 +49,19 @@ pub(super) fn fields<'i>(part: &'i ItemPart) -> (Vec<Field<'i>>, Option<Feature>
             let ends = ends.into_iter().filter_map(|(caption, end)| Some(number(caption, end.as_deref()?)));
             (ends.collect(), Some(Feature::Intervals))
         }
-        ItemAnswers::Choice { options, right, because } => {
+        ItemAnswers::Choice { options, right, because, wrong } => {
             let option = |(place, text): (usize, &'i String)| {
                 let right = place == *right;
-                Choice { text, right, feedback: if right { because } else { "" } }
+                Choice { text, right, feedback: if right { because.clone() } else { wrong.join(" ") } }
             };
             let options = options.iter().enumerate().map(option);
             (vec![Field { caption: "", asked: Asked::Choice { options: options.collect(), shuffled: false } }], None)
         }
         ItemAnswers::Formula { mistaken } if mistaken.is_empty() => (Vec::new(), Some(Feature::LoneFormulas)),
         ItemAnswers::Formula { mistaken } => {
-            let right = Choice { text: &part.printed, right: true, feedback: "" };
-            let wrong = mistaken.iter().map(|(text, feedback)| Choice { text, right: false, feedback });
+            let right = Choice { text: &part.printed, right: true, feedback: String::new() };
+            let wrong =
+                mistaken.iter().map(|(text, feedback)| Choice { text, right: false, feedback: feedback.clone() });
             let options = std::iter::once(right).chain(wrong).collect();
             (vec![Field { caption: "", asked: Asked::Choice { options, shuffled: true } }], Some(Feature::Formulas))
         }

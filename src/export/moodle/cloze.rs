@@ -38,7 +38,7 @@ fn gap(field: &Field<'_>, weight: usize, out_of: u32) -> String {
             let kind = if *shuffled { "MULTICHOICE_VS" } else { "MULTICHOICE_V" };
             let one = |own: &super::Choice<'_>| {
                 let fraction = if own.right { 100.0 } else { 0.0 };
-                format!("{}{}#{}", share(fraction), escaped(own.text), escaped(own.feedback))
+                format!("{}{}#{}", share(fraction), escaped(own.text), escaped(&own.feedback))
             };
             (kind, options.iter().map(one).collect())
         }

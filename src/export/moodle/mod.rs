@@ -263,7 +263,7 @@ fn choice<W: Write>(xml: &mut Writer<W>, options: &[Choice<'_>], shuffled: bool)
         let start = BytesStart::new("answer").with_attributes([("fraction", fraction), ("format", "html")]);
         xml.write_event(Event::Start(start))?;
         cdata(xml, Fragment::inline(&[Inline::Text(option.text.to_owned())]).as_str())?;
-        html(xml, "feedback", &paragraphs(&[option.feedback.to_owned()]), None)?;
+        html(xml, "feedback", &paragraphs(std::slice::from_ref(&option.feedback)), None)?;
         xml.write_event(Event::End(BytesEnd::new("answer")))?;
     }
     Ok(())
