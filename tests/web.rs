@@ -179,6 +179,8 @@ fn a_preview_follows_the_files_as_they_are_saved() {
     assert!(page().text(200).contains("level track"));
     std::fs::write(&path, text.replace("level track", "level rail on a table")).unwrap();
     assert!(page().text(200).contains("level rail on a table"));
+    // The simulators need no file of the folder.
+    client.get("/simulators/restitution").text(200);
     assert_ne!(client.get("/watch").text(200), stamp);
     std::fs::write(&path, text.replace("v_A2, unit: m/s", "v_A9, unit: m/s")).unwrap();
     let broken = page().text(500);

@@ -57,6 +57,7 @@ use crate::problem::Worked;
 use crate::problem::ad_hoc;
 use crate::problem::compile_ad_hoc;
 use crate::quantity::Printed;
+use crate::quantity::half_unit;
 use crate::render::Identity;
 use crate::render::KeyRow;
 use crate::render::Sheet;
@@ -126,7 +127,28 @@ impl Exercise {
         if !seeded {
             variant = variant.without_seed();
         }
-        Ok(Self { problem, variant })
+        let exercise = Self { problem, variant };
+        match exercise.beyond_numbers() {
+            None => Ok(exercise),
+            Some(name) => {
+                let message = format!("`{name}` cannot be computed with these values: they are too large or too small");
+                let fault = Fault::new(Code::Value, message);
+                Err(alone(vec![fault.help("choose values between 1e-90 and 1e90 in SI units")]))
+            }
+        }
+    }
+
+    /// The first answer that is not known to the figures with which it is printed.
+    fn beyond_numbers(&self) -> Option<String> {
+        let worked = self.worked();
+        let is_unknown = |number: &&NumberPart| {
+            let answer = worked.answer(number);
+            let half_a_unit = half_unit(answer.value, number.figures);
+            !answer.error.is_finite() || !answer.is_zero() && answer.error > half_a_unit
+        };
+        let has_answer = |part: &&Part| matches!(part.kind, PartKind::Number(_) | PartKind::Vector(_));
+        let mut numbers = worked.form.parts.iter().filter(has_answer).flat_map(|part| part.kind.numbers());
+        numbers.find(is_unknown).map(|number| self.problem.name_of(number.symbol))
     }
 
     /// The problem.

@@ -18,9 +18,10 @@ use crate::fault::Faults;
 use crate::problem::Problem;
 use crate::problem::compile;
 
-/// The problems of a bank. It holds no more compiled problems than the bank has files.
+/// The problems of a bank, and behind them those that are built in. It holds no more compiled problems than these have files.
 pub(super) struct Library {
     watched: Option<PathBuf>,
+    built_in: Bank,
     shelf: Mutex<Shelf>,
 }
 
@@ -38,7 +39,7 @@ impl Library {
     pub(super) fn open(watched: Option<&Path>) -> Result<Self, Faults> {
         let stamp = watched.map_or(0, stamp);
         let shelf = Shelf { bank: Arc::new(read(watched)?), stamp, compiled: BTreeMap::new(), cards: None };
-        Ok(Self { watched: watched.map(Path::to_owned), shelf: Mutex::new(shelf) })
+        Ok(Self { watched: watched.map(Path::to_owned), built_in: Bank::built_in(), shelf: Mutex::new(shelf) })
     }
 
     /// What the watched files look like: it changes whenever one of them is saved.
@@ -83,7 +84,9 @@ impl Problems for Library {
             if let Some(problem) = shelf.compiled.get(id) {
                 return Ok(Arc::clone(problem));
             }
-            shelf.bank.find(id).map_err(|faults| unknown(&faults))?.clone()
+            // The scenes of the simulators are there whatever bank is shown.
+            let found = shelf.bank.find(id).or_else(|faults| self.built_in.find(id).map_err(|_| faults));
+            found.map_err(|faults| unknown(&faults))?.clone()
         };
         // Others are served while it compiles; where two compile it at once, both have the same.
         let problem = load_in_course(source).and_then(|loaded| compile(loaded, None));

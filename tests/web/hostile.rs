@@ -11,7 +11,7 @@ use super::client::{Client, encoded, percent};
 const TRIES: u32 = 150;
 
 /// Every route, with `*` where the hostile text goes.
-const ROUTES: [&str; 11] = [
+const ROUTES: [&str; 14] = [
     "/*",
     "/?search=*&level=*",
     "/practice/*",
@@ -21,6 +21,9 @@ const ROUTES: [&str; 11] = [
     "/solve/*",
     "/solve/impact/two-carts?set.m_A=*&find=*",
     "/solve/impact/two-carts?set.*=1",
+    "/simulators/*",
+    "/simulators/collision?m_A=*&e=*&method=*&step=*",
+    "/simulators/restitution?h=*&e=*&v_t=*",
     "/static/*/*",
     "/watch?*",
 ];
@@ -97,13 +100,13 @@ fn hostile_forms_are_answered() {
 fn hostile_calls_are_answered() {
     let client = Client::new();
     let mut random = ChaCha8Rng::seed_from_u64(22);
-    for call in ["givens", "hint", "mark", "read", "sheet", "simulate", "solve"] {
+    for call in ["collision", "givens", "hint", "mark", "read", "restitution", "sheet", "simulate", "solve"] {
         for _ in 0..TRIES {
             let mut words = || text(&mut random);
             let request = json!({
                 "problem": if words().len() % 2 == 0 { words() } else { "impact/two-carts".to_owned() },
                 "part": "v_A2", "text": words(), "answers": { "v_A2": words(), words(): words() },
-                "number": 1, "set": { "m_A": words() }, "find": [words()], "method": words(),
+                "number": 1, "set": { "m_A": words() }, "find": [words()], "method": words(), "values": { "m_A": words() },
             });
             let mut body = request.to_string().into_bytes();
             if random.random_bool(0.3) && !body.is_empty() {

@@ -58,9 +58,21 @@ pub struct Engine<'a> {
     pub renderer: &'a Renderer,
 }
 
-/// The names of the calls, as they stand in addresses.
-pub const CALLS: [&str; 9] =
-    ["collision", "givens", "hint", "mark", "read", "restitution", "sheet", "simulate", "solve"];
+/// A call with JSON in and out.
+type Call = fn(&Engine<'_>, &[u8]) -> Result<String, Refused>;
+
+/// Every call by its name, as it stands in addresses.
+const CALLS: [(&str, Call); 9] = [
+    ("collision", |engine, request| json(request, |request| engine.collision(request))),
+    ("givens", |engine, request| json(request, |request| engine.givens(request))),
+    ("hint", |engine, request| json(request, |request| engine.hint(request))),
+    ("mark", |engine, request| json(request, |request| engine.mark(request))),
+    ("read", |engine, request| json(request, |request| engine.read(request))),
+    ("restitution", |engine, request| json(request, |request| engine.restitution(request))),
+    ("sheet", |engine, request| json(request, |request| engine.sheet(request))),
+    ("simulate", |engine, request| json(request, |request| engine.simulate(request))),
+    ("solve", |engine, request| json(request, |request| engine.solve(request))),
+];
 
 impl Engine<'_> {
     /// A call by its name, with JSON in and out.
@@ -71,21 +83,12 @@ impl Engine<'_> {
         if request.len() > LONGEST_REQUEST {
             return Err(Refused::new(RefusedKind::TooLarge, format!("a request has at most {LONGEST_REQUEST} bytes")));
         }
-        match name {
-            "collision" => json(request, |request| self.collision(request)),
-            "givens" => json(request, |request| self.givens(request)),
-            "hint" => json(request, |request| self.hint(request)),
-            "mark" => json(request, |request| self.mark(request)),
-            "read" => json(request, |request| self.read(request)),
-            "restitution" => json(request, |request| self.restitution(request)),
-            "sheet" => json(request, |request| self.sheet(request)),
-            "simulate" => json(request, |request| self.simulate(request)),
-            "solve" => json(request, |request| self.solve(request)),
-            _ => {
-                let refused = Refused::new(RefusedKind::Unknown, format!("there is no call `{name}`"));
-                Err(refused.help(format!("the calls are {}", CALLS.join(", "))))
-            }
-        }
+        let Some((_, call)) = CALLS.iter().find(|(own, _)| *own == name) else {
+            let names: Vec<&str> = CALLS.iter().map(|(own, _)| *own).collect();
+            let refused = Refused::new(RefusedKind::Unknown, format!("there is no call `{name}`"));
+            return Err(refused.help(format!("the calls are {}", names.join(", "))));
+        };
+        call(self, request)
     }
 }
 
