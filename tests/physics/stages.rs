@@ -190,7 +190,7 @@ fn whether_kinetic_energy_lasts_is_told_with_what_does_work() {
             "m_A: 1 kg, m_B: 1 kg, v_A1: 0 m/s, v_B1: 1 m/s",
             "A, B",
             "no",
-            "jerk",
+            "inelastically",
         ),
     ];
     for (plane, stage, given, of, answer, reason) in rows {
