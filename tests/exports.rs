@@ -1,5 +1,6 @@
 //! What is exported is read back and marked as its target does: right answers, windows, mistakes, and hostile text.
 
+#![allow(clippy::float_cmp, reason = "fractions are written as they are meant")]
 #![allow(clippy::unwrap_used, reason = "a test says bluntly what it expects")]
 
 use std::fs;
@@ -124,7 +125,7 @@ fn every_form_of_the_bank_is_marked_in_moodle_as_here() {
                 assert!(item.solution.sections.iter().all(|own| solution.contains(&own.heading)), "{about}");
                 let fields = moodle::fields(question);
                 let weights: u32 = fields.iter().map(|own| own.weight).sum();
-                assert!(weights > 0 && weights % points_asked(item) == 0, "{about}: {weights}");
+                assert!(weights > 0 && weights.is_multiple_of(points_asked(item)), "{about}: {weights}");
                 let (asked, chosen): (Vec<&Field>, Vec<&Field>) = fields.iter().partition(|own| !own.is_choice);
                 let numbers = numbers(item);
                 assert_eq!(asked.len(), numbers.len(), "{about}");

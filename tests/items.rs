@@ -13,8 +13,11 @@ use momentous::problem::{AskedUnit, Part, PartKind, compile, load};
 /// The seeds of each form.
 const SEEDS: [u64; 2] = [1, 8];
 
+/// The parts of an exercise that are numbers.
+type Numbers = Vec<(Part, NumberItem)>;
+
 /// Every exercise of the bank with its numbers.
-static EXERCISES: LazyLock<Vec<(Exercise, Vec<(Part, NumberItem)>)>> = LazyLock::new(|| {
+static EXERCISES: LazyLock<Vec<(Exercise, Numbers)>> = LazyLock::new(|| {
     exercises()
         .map(|exercise| {
             let numbers = numbers(&exercise);
@@ -37,7 +40,7 @@ fn exercises() -> impl Iterator<Item = Exercise> {
 }
 
 /// A part with its number, where it is one with a unit that can be typed and one root.
-fn numbers(exercise: &Exercise) -> Vec<(Part, NumberItem)> {
+fn numbers(exercise: &Exercise) -> Numbers {
     let item = exercise.item();
     let parts = exercise.worked().form.parts.iter().cloned().zip(item.parts);
     let plain = |part: &Part| match &part.kind {

@@ -191,8 +191,7 @@ impl Field {
         let typed = typed.replacen("×10^", "e", 1).replacen("x10^", "e", 1);
         let (number, unit) = (0..=typed.len())
             .rev()
-            .filter_map(|cut| Some((typed.get(..cut)?.parse::<f64>().ok()?, typed.get(cut..)?)))
-            .next()
+            .find_map(|cut| Some((typed.get(..cut)?.parse::<f64>().ok()?, typed.get(cut..)?)))
             .unwrap_or_else(|| panic!("{typed} is no number"));
         let known = self.units.iter().find(|(name, _)| name == unit);
         let in_default = known.map(|(_, multiplier)| number / multiplier);

@@ -51,7 +51,7 @@ fn a_collision_keeps_momentum_loses_energy_and_returns_e() {
         assert!(is_near(at(&shown, "/momentum/2/before/value"), mass_a * fast + mass_b * slow, size), "{set}");
         assert!(is_near(at(&shown, "/momentum/2/after/value"), mass_a * fast + mass_b * slow, size), "{set}");
         let [after_a, after_b] = ["/bodies/0/after/value", "/bodies/1/after/value"].map(|place| at(&shown, place));
-        let energy = |a: f64, b: f64| (mass_a * a * a + mass_b * b * b) / 2.0;
+        let energy = |a: f64, b: f64| 0.5 * mass_a * a * a + 0.5 * mass_b * b * b;
         let before = energy(fast, slow);
         assert!(is_near(at(&shown, "/lost/value"), before - energy(after_a, after_b), before), "{set}");
         if fast > slow {
@@ -92,7 +92,7 @@ fn a_ball_bounces_in_a_geometric_sequence() {
                 );
             }
         }
-        assert_eq!(at(&shown, "/bounces/0/height/value"), height);
+        assert!(is_near(at(&shown, "/bounces/0/height/value"), height, height), "{set}");
     });
 }
 

@@ -64,6 +64,6 @@ mod tests {
         assert_eq!(Amount::new(-0.4, 10.0, "m/s").text, "\u{2212}0.400\u{a0}m/s");
         assert_eq!(Amount::new(-4.268e-6, 1.0, "m").text, "\u{2212}4.27 × 10⁻⁶\u{a0}m");
         assert_eq!(Amount::share(7.65, 17.5).text, "43.7\u{a0}%");
-        assert_eq!(Amount::share(0.0, 0.0).value, 0.0);
+        assert_eq!(Amount::share(0.0, 0.0).text, "0\u{a0}%");
     }
 }
