@@ -11,6 +11,8 @@ mod hostile;
 mod played;
 #[path = "web/simulators.rs"]
 mod simulators;
+#[path = "web/work.rs"]
+mod work;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
