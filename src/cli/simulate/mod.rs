@@ -28,7 +28,7 @@ use super::plot::png;
 const HELP: &str = "\
 Examples:
   momentous simulate impact/two-carts --seed 7                   the impacts as a table, and which method found them
-  momentous simulate impact/dropped-ball --format svg -o ball.svg
+  momentous simulate bouncing/rubber-ball --format svg -o ball.svg
   momentous simulate impact/two-carts --method penalty --accuracy 1e-3
   momentous simulate my-problem.yaml --format json | jq '.stages[0].impacts'
 
