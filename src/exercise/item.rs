@@ -16,6 +16,7 @@ use crate::problem::Mistake;
 use crate::problem::NumberPart;
 use crate::problem::Part;
 use crate::problem::PartKind;
+use crate::problem::Simulated;
 use crate::quantity::Unit;
 use crate::render::Identity;
 
@@ -141,22 +142,24 @@ impl Exercise {
     #[must_use]
     pub fn item(&self) -> Item {
         let sheet = self.student_sheet();
-        let parts = self.worked().form.parts.iter().zip(&sheet.fields);
+        let worked = self.worked();
+        let simulated = worked.simulated();
+        let parts = worked.form.parts.iter().zip(&sheet.fields);
         let parts = parts.map(|(part, field)| ItemPart {
             field: field.clone(),
             printed: self.printed(part),
-            answers: self.item_answers(part),
+            answers: self.item_answers(part, &simulated),
         });
         Item { identity: self.identity(), parts: parts.collect(), sheet, solution: self.outline(Audience::Everyone) }
     }
 
-    fn item_answers(&self, part: &Part) -> ItemAnswers {
+    fn item_answers(&self, part: &Part, simulated: &Simulated<'_>) -> ItemAnswers {
         match (self.expected(part).kind, &part.kind) {
             (ExpectedKind::Number(_), _) if several(self.worked(), part).is_some() => {
                 ItemAnswers::Roots(self.root_items(part))
             }
             (ExpectedKind::Number(expected), PartKind::Number(number)) => {
-                let mistaken = self.mistaken(number, &expected);
+                let mistaken = self.mistaken(number, &expected, simulated);
                 ItemAnswers::Number(Box::new(self.number_item(part, &expected, &mistaken)))
             }
             (ExpectedKind::Vector(expected), _) => {
@@ -213,11 +216,14 @@ impl Exercise {
     }
 
     /// What usual mistakes make of a number, rounded as students round.
-    fn mistaken(&self, number: &NumberPart, expected: &grade::ExpectedNumber) -> Vec<Mistaken<'_>> {
-        let worked = self.worked();
-        let simulated = worked.simulated();
+    fn mistaken(
+        &self,
+        number: &NumberPart,
+        expected: &grade::ExpectedNumber,
+        simulated: &Simulated<'_>,
+    ) -> Vec<Mistaken<'_>> {
         let mut all = Vec::new();
-        for mistake in worked.mistakes() {
+        for mistake in self.worked().mistakes() {
             for value in simulated.answers(mistake, number) {
                 let window = diagnose::window(expected, value);
                 let near = match (window, turn(expected)) {
