@@ -27,11 +27,12 @@ const APART = { across: 58, up: 30 };
 let count = 0;
 
 /**
+ * An element of a picture.
  * @param {string} name
  * @param {Record<string, string | number>} attributes
  * @param {Element} parent
  */
-function add(name, attributes, parent) {
+export function add(name, attributes, parent) {
   const element = document.createElementNS(SVG, name);
   for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, String(value));
   parent.append(element);

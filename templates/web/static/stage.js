@@ -1,7 +1,7 @@
 // @ts-check
 // The picture of a scene in motion: bodies, walls, traces and the centre of mass, where the record has them.
 
-import { at } from "./plot.js";
+import { add, at } from "./plot.js";
 
 /**
  * @typedef {{ time: number, masses: number[], positions: number[][], velocities: number[][], momenta: number[][],
@@ -15,7 +15,6 @@ import { at } from "./plot.js";
  * @typedef {[number, number]} Pair to the right, and upwards or downwards
  */
 
-const SVG = "http://www.w3.org/2000/svg";
 /** Sizes in px: free space, bodies without a radius by their mass, a lane, the most for a radius and for a speed. */
 const MARGIN = 26;
 const LARGE = 13;
@@ -29,18 +28,6 @@ const HATCH = 9;
 const BODIES = 6;
 
 let count = 0;
-
-/**
- * @param {string} name
- * @param {Record<string, string | number>} attributes
- * @param {Element} parent
- */
-function add(name, attributes, parent) {
-  const element = document.createElementNS(SVG, name);
-  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, String(value));
-  parent.append(element);
-  return element;
-}
 
 /** @param {Pair[]} points */
 function path(points) {
