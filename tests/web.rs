@@ -7,6 +7,8 @@
 mod client;
 #[path = "web/hostile.rs"]
 mod hostile;
+#[path = "web/limits.rs"]
+mod limits;
 #[path = "web/played.rs"]
 mod played;
 #[path = "web/simulators.rs"]

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use crate::exercise::calls::Limits;
 use crate::web::NotServed;
 use crate::web::Settings;
 use crate::web::serve;
@@ -43,6 +44,7 @@ pub(super) struct Serve {
 impl Serve {
     pub(super) fn run(&self) -> Result<Exit, Failure> {
         let settings = Settings {
+            limits: Limits::default(),
             bind: self.bind,
             base_path: self.base_url.clone(),
             watch: self.watch.clone(),

@@ -34,7 +34,8 @@ impl<const D: usize> Shown<D> {
         let budget = budget.keep(Keep::Everything).steps(budget.steps.min(MOST_STEPS));
         let budget = budget.at_most(budget.impacts.min(MOST_IMPACTS));
         if let Some(lead) = lead(world) {
-            return Ok(Self { world: before(world, lead), budget: Budget::until(2.0 * lead), origin: lead });
+            let budget = Budget::until(2.0 * lead).steps(budget.steps);
+            return Ok(Self { world: before(world, lead), budget, origin: lead });
         }
         let mut shown = Self { world: world.clone(), budget, origin: 0.0 };
         if budget.until.is_infinite() {

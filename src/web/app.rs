@@ -56,7 +56,7 @@ impl App {
 
     /// The engine.
     pub(super) fn engine(&self) -> Engine<'_> {
-        Engine { problems: &self.library, renderer: &self.renderer }
+        Engine { problems: &self.library, renderer: &self.renderer, limits: self.settings.limits }
     }
 
     /// A page through the template of that name.

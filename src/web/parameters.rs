@@ -2,11 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::exercise::calls::{Refused, RefusedKind, VariantRequest};
+use crate::exercise::calls::{Limits, Refused, RefusedKind, VariantRequest, within};
 use crate::grade::DecimalMark;
-
-/// The most fields that are read.
-const MOST: usize = 400;
 
 /// Names with their values, in the order in which they came.
 #[derive(Clone, Debug, Default)]
@@ -14,10 +11,8 @@ pub(super) struct Parameters(Vec<(String, String)>);
 
 impl Parameters {
     /// The fields, where there are not too many.
-    pub(super) fn new(fields: Vec<(String, String)>) -> Result<Self, Refused> {
-        if fields.len() > MOST {
-            return Err(Refused::new(RefusedKind::TooLarge, format!("there are more than {MOST} fields")));
-        }
+    pub(super) fn new(fields: Vec<(String, String)>, limits: &Limits) -> Result<Self, Refused> {
+        within(fields.len(), limits.fields, "fields are read")?;
         Ok(Self(fields))
     }
 

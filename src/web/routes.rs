@@ -20,7 +20,7 @@ use tower_http::catch_panic::CatchPanicLayer;
 use tower_http::compression::CompressionLayer;
 use tower_http::set_header::SetResponseHeaderLayer;
 
-use crate::exercise::calls::{LONGEST_REQUEST, Refused, RefusedKind};
+use crate::exercise::calls::{Refused, RefusedKind};
 
 use super::answer;
 use super::app::{App, Shared};
@@ -56,7 +56,7 @@ pub fn router(app: Arc<App>) -> Router {
     for (path, make) in OF_PROBLEMS {
         own = own.route(path, of_problem(make));
     }
-    let own = own.with_state(Arc::clone(&app)).layer(DefaultBodyLimit::max(LONGEST_REQUEST));
+    let own = own.with_state(Arc::clone(&app)).layer(DefaultBodyLimit::max(app.settings.limits.request_bytes));
     let mut all = if base.is_empty() {
         own
     } else {
@@ -72,7 +72,7 @@ pub fn router(app: Arc<App>) -> Router {
 /// Both ways to ask for the page of a problem: by its address, and with what was typed into it.
 fn of_problem(make: OfProblem) -> MethodRouter<Shared> {
     let page = move |app: Shared, problem: String, fields: Fields| {
-        answer::page(app, move |app| make(app, problem, &Parameters::new(fields)?))
+        answer::page(app, move |app| make(app, problem, &Parameters::new(fields, &app.settings.limits)?))
     };
     get(move |State(app): State<Shared>, Path(problem): Path<String>, Query(fields): Query<Fields>| {
         page(app, problem, fields)
@@ -83,7 +83,7 @@ fn of_problem(make: OfProblem) -> MethodRouter<Shared> {
 }
 
 async fn start(State(app): State<Shared>, Query(fields): Query<Fields>) -> Response {
-    answer::page(app, move |app| pages::start(app, &Parameters::new(fields)?)).await
+    answer::page(app, move |app| pages::start(app, &Parameters::new(fields, &app.settings.limits)?)).await
 }
 
 async fn call(State(app): State<Shared>, Path(call): Path<String>, body: Bytes) -> Response {

@@ -3,6 +3,8 @@
 use std::net::SocketAddr;
 use std::path::PathBuf;
 
+use crate::exercise::calls::Limits;
+
 /// How a server is set up.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Settings {
@@ -14,10 +16,18 @@ pub struct Settings {
     pub watch: Option<PathBuf>,
     /// A folder of templates in place of the built-in ones.
     pub templates: Option<PathBuf>,
+    /// How much a request may take.
+    pub limits: Limits,
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { bind: SocketAddr::from(([127, 0, 0, 1], 8080)), base_path: String::new(), watch: None, templates: None }
+        Self {
+            bind: SocketAddr::from(([127, 0, 0, 1], 8080)),
+            base_path: String::new(),
+            watch: None,
+            templates: None,
+            limits: Limits::default(),
+        }
     }
 }

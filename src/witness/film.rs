@@ -186,6 +186,10 @@ fn filmed<const D: usize>(
 ) -> Result<Film, NotShown> {
     let other = "omit --method to use the cheapest suitable method";
     let found = |refusal: crate::simulate::Refusal| refused(stage, &refusal.to_string(), other);
+    let mut experiment = experiment.clone();
+    if let Some(steps) = request.steps {
+        experiment.budget.steps = experiment.budget.steps.min(steps);
+    }
     let shown = experiment.shown().map_err(found)?;
     let classified = classify(&shown.world, &shown.budget).map_err(found)?;
     let choice = choose(&classified, request).map_err(|error| out_of_reach(stage, &error))?;
@@ -199,7 +203,7 @@ fn filmed<const D: usize>(
         Ending::Exhausted => "before its time: too many steps",
     };
     let record = Record::of(&shown.world, &run, shown.origin);
-    let axes = components(experiment, scene);
+    let axes = components(&experiment, scene);
     Ok(Film { stage, axes, choice, ending, record, notes: Vec::new(), unweighed: Vec::new() })
 }
 

@@ -231,7 +231,7 @@ test("the bouncing ball shows what solve and simulate say", async () => {
     for (const [place, setting] of settings.entries()) {
       const where = JSON.stringify(setting);
       await put(page, setting);
-      const [time, path] = await texts(page, [show("limits.time"), show("limits.path")]);
+      const [time, path] = await texts(page, [show("sums.time"), show("sums.path")]);
       const rows = await page.evaluate(() =>
         [...document.querySelectorAll("[data-bounces] tr")].map((row) => [...row.children].map((cell) => cell.textContent ?? "")),
       );

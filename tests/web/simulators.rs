@@ -77,9 +77,9 @@ fn a_ball_bounces_in_a_geometric_sequence() {
         let set = json!({ "h": height, "e": e, "n": n });
         let shown = shown(&client, "restitution", &set, None);
         let fall = (2.0 * height / 9.81_f64).sqrt();
-        assert!(is_near(at(&shown, "/limits/time/value"), fall * (1.0 + e) / (1.0 - e), fall / (1.0 - e)), "{set}");
+        assert!(is_near(at(&shown, "/sums/time/value"), fall * (1.0 + e) / (1.0 - e), fall / (1.0 - e)), "{set}");
         assert!(
-            is_near(at(&shown, "/limits/path/value"), height * (1.0 + e * e) / (1.0 - e * e), height / (1.0 - e)),
+            is_near(at(&shown, "/sums/path/value"), height * (1.0 + e * e) / (1.0 - e * e), height / (1.0 - e)),
             "{set}"
         );
         for (bounce, power) in shown["bounces"].as_array().unwrap().iter().zip(0..) {
@@ -105,7 +105,7 @@ fn air_takes_height_and_its_error_is_said() {
     // v^2 = v_t^2 (1 - exp(-2 g h / v_t^2)) just before the first bounce.
     let arrival = 12.0 * (1.0 - (-2.0 * 9.81 * 10.0 / 144.0_f64).exp()).sqrt();
     assert!((at(&air, "/bounces/1/before/value") + arrival).abs() < 1e-7);
-    assert!(air["how"].as_str().unwrap().contains("Runge") && air["limits"].is_null());
+    assert!(air["how"].as_str().unwrap().contains("Runge") && air["sums"].is_null());
 }
 
 #[test]

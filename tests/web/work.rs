@@ -4,7 +4,7 @@ use std::cell::Cell;
 use std::sync::Arc;
 
 use momentous::bank::Bank;
-use momentous::exercise::calls::{Engine, Problems, Refused};
+use momentous::exercise::calls::{Engine, Limits, Problems, Refused};
 use momentous::problem::{Problem, compile, load};
 use momentous::render::Renderer;
 use serde_json::{Value, json};
@@ -36,7 +36,7 @@ fn a_call_looks_its_problem_up_once_and_answers_within_its_size() {
     ];
     for (call, request, most) in calls {
         let problems = Counted(Cell::new(0));
-        let engine = Engine { problems: &problems, renderer: &renderer };
+        let engine = Engine { problems: &problems, renderer: &renderer, limits: Limits::default() };
         let response = engine.call(call, request.to_string().as_bytes()).unwrap();
         assert_eq!(problems.0.get(), 1, "{call} looks its problem up");
         assert!(response.len() <= most, "{call} answers with {} bytes", response.len());

@@ -93,8 +93,12 @@ impl Simulate {
         let seed = open::seed(&self.seed, &problem)?;
         let drawn = Exercise::draw(&problem, form, seed);
         let exercise = drawn.map_err(|reason| Failure::no_variant(problem.id(), seed, &reason))?;
-        let request =
-            Request { accuracy: self.accuracy, budget: self.budget, method: self.method.map(request::Named::kind) };
+        let request = Request {
+            accuracy: self.accuracy,
+            budget: self.budget,
+            method: self.method.map(request::Named::kind),
+            steps: None,
+        };
         let shot = shoot(&problem, exercise.variant(), &request).map_err(|why| Failure::unusable(why.to_string()))?;
         let title = format!("{}, seed {}", problem.id(), self.seed);
         let bytes = match self.format {

@@ -11,6 +11,7 @@ use crate::grade::Points;
 
 use super::super::{Exercise, Sitting};
 use super::Engine;
+use super::limits::within;
 use super::refused::Refused;
 use super::variant::VariantRequest;
 
@@ -91,9 +92,10 @@ impl Engine<'_> {
     /// Marks answers to a variant.
     ///
     /// # Errors
-    /// As for a sheet.
+    /// As for a sheet, and where there are too many answers.
     pub fn mark(&self, request: &MarkRequest) -> Result<MarkResponse, Refused> {
         let MarkRequest { variant, answers, decimal, hints, closed } = request;
+        within(answers.len(), self.limits.values, "answers can be handed in")?;
         let sitting = Sitting { hints: *hints, closed: *closed };
         Ok(MarkResponse::of(&self.draw(variant)?, answers, *decimal, sitting))
     }

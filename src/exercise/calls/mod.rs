@@ -5,6 +5,7 @@
 
 mod givens;
 mod hint;
+mod limits;
 mod mark;
 mod play;
 mod read;
@@ -25,6 +26,8 @@ use crate::render::Renderer;
 
 pub use givens::{GivenResponse, GivensRequest};
 pub use hint::{HintRequest, HintResponse};
+pub use limits::Limits;
+pub(crate) use limits::within;
 pub use mark::{MarkRequest, MarkResponse, MarkedPart};
 pub use play::{FilmResponse, PlayResponse};
 pub use read::{ReadRequest, ReadResponse};
@@ -32,14 +35,12 @@ pub use refused::{Refused, RefusedKind};
 pub use sheet::{FieldResponse, FigureResponse, SheetRequest, SheetResponse};
 pub use simulate::SimulateRequest;
 pub use simulators::{
-    Amount, Balance, Bounce, COLLISION, CollisionBody, CollisionResponse, Compared, Control, Curve, Limits, LookedAt,
-    Magnified, Meeting, Offered, Phase, ProblemOf, RESTITUTION, RestitutionResponse, Row, SimulatorRequest, USUAL_STEP,
+    Amount, Balance, Bounce, COLLISION, CollisionBody, CollisionResponse, Compared, Control, Curve, LookedAt,
+    Magnified, Meeting, Offered, Phase, ProblemOf, RESTITUTION, RestitutionResponse, Row, SimulatorRequest, Sums,
+    USUAL_STEP,
 };
 pub use solve::{SolveRequest, SolveResponse, SolvedPart};
 pub use variant::VariantRequest;
-
-/// The most bytes that a request may have.
-pub const LONGEST_REQUEST: usize = 64 * 1024;
 
 /// Where an engine finds problems by their identities.
 pub trait Problems {
@@ -56,6 +57,8 @@ pub struct Engine<'a> {
     pub problems: &'a dyn Problems,
     /// What turns solutions into pages.
     pub renderer: &'a Renderer,
+    /// How much a call may take.
+    pub limits: Limits,
 }
 
 /// A call with JSON in and out.
@@ -80,9 +83,7 @@ impl Engine<'_> {
     /// # Errors
     /// Where there is no such call, the request is not one of its kind, or the call itself refuses.
     pub fn call(&self, name: &str, request: &[u8]) -> Result<String, Refused> {
-        if request.len() > LONGEST_REQUEST {
-            return Err(Refused::new(RefusedKind::TooLarge, format!("a request has at most {LONGEST_REQUEST} bytes")));
-        }
+        within(request.len(), self.limits.request_bytes, "bytes make a request")?;
         let Some((_, call)) = CALLS.iter().find(|(own, _)| *own == name) else {
             let names: Vec<&str> = CALLS.iter().map(|(own, _)| *own).collect();
             let refused = Refused::new(RefusedKind::Unknown, format!("there is no call `{name}`"));

@@ -9,6 +9,7 @@ use crate::simulate::scene::Component;
 use crate::witness::{AT_ITS_TIME, Film, IMPACTS};
 
 use super::super::Exercise;
+use super::limits::Limits;
 use super::refused::Refused;
 use super::sheet::FigureResponse;
 use super::simulate::shot;
@@ -56,8 +57,8 @@ impl PlayResponse {
     ///
     /// # Errors
     /// Where nothing of it can be simulated.
-    pub fn of(exercise: &Exercise) -> Result<Self, Refused> {
-        let shot = shot(exercise, &Request::default())?.together();
+    pub fn of(exercise: &Exercise, limits: &Limits) -> Result<Self, Refused> {
+        let shot = shot(exercise, &Request { steps: Some(limits.scene_steps), ..Request::default() })?.together();
         let scene = &exercise.problem().loaded().draft.scene;
         let films = shot.films.iter().map(|film| {
             let bodies: Vec<String> = film.record.bodies.iter().map(|body| scene.called(&body.name)).collect();

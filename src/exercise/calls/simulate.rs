@@ -44,7 +44,8 @@ impl Engine<'_> {
             return Err(Refused::new(RefusedKind::Invalid, "an accuracy is a number between 0 and 1, such as 1e-6"));
         }
         let exercise = request.variant.solve(self)?;
-        let shot = shot(&exercise, &Request { accuracy: request.accuracy, budget: None, method })?;
+        let steps = Some(self.limits.scene_steps);
+        let shot = shot(&exercise, &Request { accuracy: request.accuracy, budget: None, method, steps })?;
         let shot = if request.together { shot.together() } else { shot };
         Ok(shot.record(exercise.problem(), exercise.variant()))
     }

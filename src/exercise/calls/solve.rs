@@ -14,11 +14,9 @@ use crate::render::steps;
 
 use super::super::Exercise;
 use super::Engine;
-use super::refused::{Refused, RefusedKind};
+use super::limits::within;
+use super::refused::Refused;
 use super::variant::VariantRequest;
-
-/// The most values of the user's own, and the most quantities sought.
-const MOST_VALUES: usize = 64;
 
 /// Asks for a worked solution.
 #[derive(Clone, Debug, Deserialize, PartialEq, Eq, Serialize)]
@@ -70,10 +68,8 @@ impl SolveRequest {
         if self.set.is_empty() && self.find.is_empty() {
             return engine.draw(&self.variant);
         }
-        if self.set.len() > MOST_VALUES || self.find.len() > MOST_VALUES {
-            let message = format!("at most {MOST_VALUES} values can be set, and as many be sought");
-            return Err(Refused::new(RefusedKind::TooLarge, message));
-        }
+        within(self.set.len(), engine.limits.values, "values can be set")?;
+        within(self.find.len(), engine.limits.values, "quantities can be sought")?;
         let (problem, form) = self.variant.find(engine)?;
         let set: Vec<(String, String)> = self.set.iter().map(|(name, text)| (name.clone(), text.clone())).collect();
         let solved = Exercise::with_values(&problem, form, self.variant.seed, &set, &self.find);

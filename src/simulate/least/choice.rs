@@ -19,6 +19,8 @@ pub struct Request {
     pub budget: Option<f64>,
     /// This method and no other.
     pub method: Option<MethodKind>,
+    /// The steps, or the events, after which a run is given up; those of its budget where none are said.
+    pub steps: Option<usize>,
 }
 
 /// A method at a setting, and why it was taken.
@@ -204,7 +206,7 @@ mod tests {
             let best = all.iter().filter(|other| other.seconds <= row.seconds).map(|other| other.error);
             assert_eq!((cost.error, cost.seconds <= row.seconds), (best.fold(f64::INFINITY, f64::min), true));
         }
-        let both = Request { accuracy: Some(1e-10), budget: Some(1e-9), method: None };
+        let both = Request { accuracy: Some(1e-10), budget: Some(1e-9), ..Request::default() };
         assert!(choose(&scene(Class::OdeNeeded), &both).is_err());
     }
 

@@ -23,7 +23,7 @@ pub(in crate::web) fn play(app: &App, problem: String, fields: &Parameters) -> R
     let variant = fields.variant(problem)?;
     let exercise = app.engine().draw(&variant)?;
     let sheet = SheetResponse::of(&exercise)?;
-    let (played, refused) = match PlayResponse::of(&exercise) {
+    let (played, refused) = match PlayResponse::of(&exercise, &app.settings.limits) {
         Ok(played) => (Some(played), None),
         // Why there is nothing to play is part of the page.
         Err(refused) if refused.kind == RefusedKind::NotSimulated => (None, Some(refused.sentences())),

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use crate::exercise::Sitting;
-use crate::exercise::calls::{HintResponse, MarkResponse, MarkedPart, Refused, SheetResponse};
+use crate::exercise::calls::{HintResponse, MarkResponse, MarkedPart, Refused, SheetResponse, within};
 use crate::render::Fragment;
 
 use super::super::app::App;
@@ -41,6 +41,7 @@ pub(in crate::web) fn practice(app: &App, problem: String, fields: &Parameters) 
     let exercise = app.engine().draw(&variant)?;
     let sheet = SheetResponse::of(&exercise)?;
     let answers = fields.behind(ANSWER);
+    within(answers.len(), app.settings.limits.values, "answers can be handed in")?;
     let asks = |what: &str| fields.get("do") == Some(what);
     let further = fields.count("further")?.saturating_add(usize::from(asks("further")));
     let shown = fields.count("hints")?.saturating_add(usize::from(asks("hint"))).min(sheet.hints);

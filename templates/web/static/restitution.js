@@ -10,7 +10,7 @@ import { Simulator, move, one, row, told } from "./simulator.js";
  * @typedef {object} Own
  * @property {Bounce[]} bounces
  * @property {{ bounce: Bounce } | null} looked_at
- * @property {object | null} limits
+ * @property {object | null} sums
  * @property {import("./plot.js").Curve} velocity
  */
 /** @typedef {import("./simulator.js").Shown & Own} Restitution */
@@ -18,7 +18,7 @@ import { Simulator, move, one, row, told } from "./simulator.js";
 const root = one(document, "[data-simulator]", HTMLElement);
 
 /** @param {Restitution} shown */
-function filled({ track: [, height], bounces, looked_at, limits }) {
+function filled({ track: [, height], bounces, looked_at, sums }) {
   const svg = one(root, "[data-ball]", SVGSVGElement);
   svg.setAttribute("viewBox", [-0.2, -1.22, 0.4, 1.23].map((part) => part * height).join(" "));
   const ball = one(svg, "[data-at] circle", SVGCircleElement);
@@ -31,7 +31,7 @@ function filled({ track: [, height], bounces, looked_at, limits }) {
   });
   one(root, "[data-bounces]", HTMLTableSectionElement).replaceChildren(...rows);
   one(root, "[data-looked-at]", HTMLElement).hidden = !looked_at;
-  one(root, "[data-limits]", HTMLElement).hidden = !limits;
+  one(root, "[data-sums]", HTMLElement).hidden = !sums;
 }
 
 /**

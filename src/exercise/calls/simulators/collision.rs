@@ -126,7 +126,7 @@ impl Engine<'_> {
         }
         let compared = match &request.method {
             None => None,
-            Some(name) => Some(Compared::of(&world, &record, name, request.step, usize::MAX)?),
+            Some(name) => Some(Compared::of(&world, &record, name, request.step, &self.limits)?),
         };
         Ok(shown(&world, &record, problem, compared))
     }

@@ -4,13 +4,7 @@ use serde::Serialize;
 
 use crate::simulate::{Budget, Ending, Keep, MethodKind, Moment, Record, Setting, World};
 
-use super::{Amount, Curve, Refused, RefusedKind};
-
-/// The most steps of a run.
-const MOST_STEPS: usize = 20_000;
-
-/// The most impacts of a run.
-const MOST_IMPACTS: usize = 250;
+use super::{Amount, Curve, Limits, Refused, RefusedKind};
 
 /// The step where none is said, in s: the usual collision does not happen at the end of one.
 pub const USUAL_STEP: f64 = 0.06;
@@ -80,12 +74,12 @@ impl Compared {
         exact: &Record,
         name: &str,
         step: Option<f64>,
-        most_impacts: usize,
+        limits: &Limits,
     ) -> Result<Self, Refused> {
         let kind = MethodKind::named(name).map_err(|message| Refused::new(RefusedKind::Unknown, message))?;
         let end = exact.moments.last().map_or(0.0, |moment| moment.time);
-        let (step, setting) = setting(kind, step, end)?;
-        let budget = Budget::until(end).steps(MOST_STEPS).at_most(most_impacts.min(MOST_IMPACTS));
+        let (step, setting) = setting(kind, step, end, limits.simulator_steps)?;
+        let budget = Budget::until(end).steps(limits.simulator_steps).at_most(limits.simulator_impacts);
         let mut compared = Self {
             name: kind.name(),
             setting,
@@ -173,7 +167,7 @@ const ROUNDING: f64 = 1e-9;
 const ROLES: [&str; 2] = ["body-0", "body-1"];
 
 /// The step that is taken, and the setting in words.
-fn setting(kind: MethodKind, step: Option<f64>, end: f64) -> Result<(Option<f64>, String), Refused> {
+fn setting(kind: MethodKind, step: Option<f64>, end: f64, most: usize) -> Result<(Option<f64>, String), Refused> {
     match kind.setting() {
         Setting::None => Ok((None, "no step: each impact is located exactly".to_owned())),
         Setting::Tolerance => {
@@ -184,8 +178,8 @@ fn setting(kind: MethodKind, step: Option<f64>, end: f64) -> Result<(Option<f64>
             if !(step > 0.0 && step.is_finite()) {
                 return Err(Refused::new(RefusedKind::Values, format!("a step is a positive time, not {step:e} s")));
             }
-            if end > step * count(MOST_STEPS) {
-                let message = format!("a step of {step:e} s would take more than {MOST_STEPS} steps");
+            if end > step * count(most) {
+                let message = format!("a step of {step:e} s would take more than {most} steps");
                 return Err(Refused::new(RefusedKind::TooLarge, message).help("take a longer step"));
             }
             Ok((Some(step), format!("steps of {step} s")))

@@ -13,10 +13,10 @@ use serde::Serialize;
 
 use crate::simulate::Refusal;
 
-use super::Engine;
 use super::refused::{Refused, RefusedKind};
 use super::solve::{SolveRequest, SolveResponse};
 use super::variant::VariantRequest;
+use super::{Engine, Limits};
 
 pub use amount::Amount;
 pub use bounces::Bounce;
@@ -25,7 +25,7 @@ pub use compared::{Compared, Offered, Row, USUAL_STEP};
 pub use controls::{COLLISION, Control, RESTITUTION, SimulatorRequest};
 pub use curve::Curve;
 pub use magnified::Magnified;
-pub use restitution::{Limits, LookedAt, RestitutionResponse};
+pub use restitution::{LookedAt, RestitutionResponse, Sums};
 
 /// What a body does until a time.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -6,7 +6,7 @@ use crate::simulate::{
     Body, BounceTrain, Budget, ClosedForm, Force, Method, Record, RungeKutta, Trajectory, Vector, Wall, World,
 };
 
-use super::super::Engine;
+use super::super::{Engine, Limits};
 use super::bounces::{Bounce, bounces, envelope, phases};
 use super::compared::Compared;
 use super::controls::{RESTITUTION, SimulatorRequest, outside, set};
@@ -18,9 +18,8 @@ const PROBLEM: &str = "bouncing/rubber-ball";
 /// The acceleration of free fall in m/s², as problems have it.
 const GRAVITY: f64 = 9.81;
 
-/// The ball is watched until it rises to less than this share of its height, or has bounced so often.
+/// The ball is watched until it rises to less than this share of its height.
 const LOW: f64 = 0.0025;
-const MOST_BOUNCES: u32 = 20;
 
 /// The bounces that are watched where nothing is lost.
 const FOR_EVER: u32 = 8;
@@ -28,9 +27,8 @@ const FOR_EVER: u32 = 8;
 /// The tolerance of what is shown in air, and that of the run that it is compared with.
 const TOLERANCES: [f64; 2] = [1e-9, 1e-12];
 
-/// The longest run in air (s), and its most steps.
+/// The longest run in air, in s of the scene.
 const LONGEST: f64 = 300.0;
-const MOST_STEPS: usize = 20_000;
 
 /// Everything that the page of the bouncing ball shows.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -44,7 +42,7 @@ pub struct RestitutionResponse {
     /// The bounce to look at; nothing where the ball lies still before.
     pub looked_at: Option<LookedAt>,
     /// When all bounces are over, and how long the path is; nothing where no formula says so.
-    pub limits: Option<Limits>,
+    pub sums: Option<Sums>,
     /// How long the ball is watched, in s.
     pub end: f64,
     /// From where to where it goes, in m.
@@ -76,7 +74,7 @@ pub struct LookedAt {
 
 /// Sums over all bounces.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Limits {
+pub struct Sums {
     /// When the ball lies still.
     pub time: Amount,
     /// How long its path is until then.
@@ -100,16 +98,16 @@ impl Engine<'_> {
         if let Some(refused) = outside(RESTITUTION, &values) {
             return Err(refused);
         }
-        let number = whole(number)?;
+        let number = whole(number, self.limits.bounces)?;
         // Without a loss there are no sums over all bounces, which is all that the laws can object to.
         if let (Some(reason), true) = (&problem.reason, restitution < 1.0) {
             return Err(Refused::new(RefusedKind::Values, reason.clone()));
         }
         let train = BounceTrain::new(height, GRAVITY, 1.0 - restitution);
-        let most = watched(restitution).max(number);
+        let most = watched(restitution, self.limits.bounces).max(number);
         let (run, how) = if terminal > 0.0 {
             world.forces.push(Force::Drag { body: 0, coefficient: GRAVITY / (terminal * terminal) });
-            in_air(&world, most)?
+            in_air(&world, most, &self.limits)?
         } else {
             let rests = libm::pow(restitution, 2.0 * f64::from(most)) < LOW;
             let end = if rests { train.end() } else { train.time_of(u64::from(most) + 1) };
@@ -121,11 +119,13 @@ impl Engine<'_> {
             None => None,
             Some(name) => {
                 // Step-free methods count the same bounces; the others may bounce more often.
-                Some(Compared::of(&world, &record, name, request.step, run.impact_count.max(1))?)
+                let impacts = run.impact_count.max(1).min(self.limits.simulator_impacts);
+                let limits = Limits { simulator_impacts: impacts, ..self.limits };
+                Some(Compared::of(&world, &record, name, request.step, &limits)?)
             }
         };
-        let limits = (terminal == 0.0 && restitution < 1.0).then(|| limits(&train, &problem));
-        Ok(shown(&run, &record, (most, number), limits, how, problem, compared))
+        let sums = (terminal == 0.0 && restitution < 1.0).then(|| sums(&train, &problem));
+        Ok(shown(&run, &record, (most, number), sums, how, problem, compared))
     }
 }
 
@@ -139,25 +139,25 @@ fn dropped(height: f64, restitution: f64) -> World<1> {
 }
 
 /// A number of bounces.
-fn whole(number: f64) -> Result<u32, Refused> {
-    (1..=MOST_BOUNCES).find(|own| f64::from(*own).total_cmp(&number).is_eq()).ok_or_else(|| {
-        let message = format!("`n` is a number of bounces, 1, 2, 3, ..., and {number} is none");
+fn whole(number: f64, most: u32) -> Result<u32, Refused> {
+    (1..=most).find(|own| f64::from(*own).total_cmp(&number).is_eq()).ok_or_else(|| {
+        let message = format!("`n` is a number of bounces, 1, 2, 3, ... {most}, and {number} is none");
         Refused::new(RefusedKind::Values, message)
     })
 }
 
 /// The bounces that are watched.
-fn watched(restitution: f64) -> u32 {
+fn watched(restitution: f64, most: u32) -> u32 {
     if restitution >= 1.0 {
-        return FOR_EVER;
+        return FOR_EVER.min(most);
     }
     let low = |bounces: &u32| libm::pow(restitution, 2.0 * f64::from(*bounces)) < LOW;
-    (1..MOST_BOUNCES).find(low).unwrap_or(MOST_BOUNCES)
+    (1..most).find(low).unwrap_or(most)
 }
 
 /// The motion in air by the only method that has it accurately, and the difference that a finer tolerance makes.
-fn in_air(world: &World<1>, bounces: u32) -> Result<(Trajectory<1>, String), Refused> {
-    let budget = Budget::until(LONGEST).at_most(bounces as usize + 1).steps(MOST_STEPS);
+fn in_air(world: &World<1>, bounces: u32, limits: &Limits) -> Result<(Trajectory<1>, String), Refused> {
+    let budget = Budget::until(LONGEST).at_most(bounces as usize + 1).steps(limits.simulator_steps);
     let [run, finer] = TOLERANCES.map(|tolerance| RungeKutta { tolerance }.run(world, &budget));
     let (run, finer) = (run.map_err(|reason| not_run(&reason))?, finer.map_err(|reason| not_run(&reason))?);
     let off = run.impacts.iter().zip(&finer.impacts).map(|(one, other)| (one.time - other.time).abs());
@@ -170,21 +170,21 @@ fn in_air(world: &World<1>, bounces: u32) -> Result<(Trajectory<1>, String), Ref
     Ok((run, how))
 }
 
-fn limits(train: &BounceTrain, problem: &ProblemOf) -> Limits {
+fn sums(train: &BounceTrain, problem: &ProblemOf) -> Sums {
     let answers = problem.solved.as_ref().map(|solved| solved.answers.as_slice()).unwrap_or_default();
     let total = answers.iter().find(|answer| answer.id == "t_total").and_then(|own| Some((own.value?, &own.printed)));
     let time = match total {
         Some((value, printed)) => Amount::told(value, printed),
         None => Amount::new(train.end(), 0.0, "s"),
     };
-    Limits { time, path: Amount::new(train.path(), 0.0, "m") }
+    Sums { time, path: Amount::new(train.path(), 0.0, "m") }
 }
 
 fn shown(
     run: &Trajectory<1>,
     record: &Record,
     (most, number): (u32, u32),
-    limits: Option<Limits>,
+    sums: Option<Sums>,
     how: String,
     problem: ProblemOf,
     compared: Option<Compared>,
@@ -202,9 +202,9 @@ fn shown(
         _ => None,
     });
     let velocity = record.moments.iter().filter_map(|moment| Some([moment.time, *moment.velocities.first()?.first()?]));
-    let rests = limits.as_ref().is_some_and(|limits| limits.time.value <= end * (1.0 + 1e-9));
-    let told = match &limits {
-        Some(limits) => format!("It lies still after {}, on a path of {}.", limits.time.text, limits.path.text),
+    let rests = sums.as_ref().is_some_and(|sums| sums.time.value <= end * (1.0 + 1e-9));
+    let told = match &sums {
+        Some(sums) => format!("It lies still after {}, on a path of {}.", sums.time.text, sums.path.text),
         None if problem.reason.is_some() => "Nothing is lost: it bounces for ever.".to_owned(),
         None => "With air resistance it rises less each time than its coefficient of restitution alone would make it."
             .to_owned(),
@@ -213,7 +213,7 @@ fn shown(
         told,
         phases: phases(&bounces, end, rests),
         looked_at: looked_at.filter(|own| own.speeds.value.is_finite()),
-        limits,
+        sums,
         end,
         track: [0.0, height],
         places: vec![Curve::place("ball", "body-0", record, 0), envelope(&bounces)],
