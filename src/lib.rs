@@ -49,6 +49,8 @@
 pub mod bank;
 #[cfg(feature = "cli")]
 pub mod cli;
+#[cfg(feature = "serve")]
+pub mod course;
 pub mod exercise;
 pub mod explain;
 #[cfg(feature = "cli")]

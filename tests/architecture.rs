@@ -26,7 +26,8 @@ const ORDER: &[&[&str]] = &[
     &["render"],
     &["exercise"],
     &["bank"],
-    &["web", "export"],
+    &["course", "export"],
+    &["web"],
     &["cli"],
 ];
 
@@ -41,6 +42,8 @@ const PACKAGES: &[(&str, &str)] = &[
     ("clap", "cli"),
     ("clap_complete", "cli"),
     ("resvg", "cli"),
+    ("jiff", "course"),
+    ("axum", "web"),
     ("rapier2d_f64", "simulate"),
 ];
 

@@ -1,0 +1,86 @@
+//! What students were given, and what they handed in. Nothing of it is ever changed: what comes later is added.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+use serde_json::value::RawValue;
+
+use crate::exercise::Issued;
+
+use super::assignment::Item;
+use super::key::Key;
+use super::moment::Moment;
+use super::people::{Member, Person};
+
+/// A sheet that a student was given: written when it is first seen.
+#[derive(Clone, Debug, Deserialize, Eq, PartialEq, Serialize)]
+pub struct Sheet {
+    /// What other records call it.
+    pub key: Key<Sheet>,
+    /// The item.
+    pub item: Key<Item>,
+    /// The student.
+    pub member: Key<Member>,
+    /// Which issue of the item's sheets it is.
+    pub issue: u32,
+    /// The variant as it was shown.
+    pub issued: Issued,
+    /// When it was first seen.
+    pub seen: Moment,
+}
+
+/// What a student handed in at once.
+#[derive(Clone, Debug, Deserialize, Serialize)]
+pub struct Attempt {
+    /// The sheet.
+    pub sheet: Key<Sheet>,
+    /// Its number, from 1.
+    pub number: u32,
+    /// When the server had it.
+    pub received: Moment,
+    /// What was typed, by part.
+    pub answers: BTreeMap<String, String>,
+    /// What marking made of it at that time, as the rules of hand-ins write it.
+    pub report: Box<RawValue>,
+    /// The key by which a repeated request is known.
+    pub request: String,
+}
+
+/// A hint that was shown.
+#[derive(Clone, Debug, Deserialize, Eq, PartialEq, Serialize)]
+pub struct HintShown {
+    /// The sheet.
+    pub sheet: Key<Sheet>,
+    /// The part whose diagnosis it belongs to; nothing where it is one of the author's.
+    pub part: Option<String>,
+    /// Its number among those, from 1.
+    pub number: u32,
+    /// When it was shown.
+    pub at: Moment,
+}
+
+/// Answers that were typed and not handed in.
+#[derive(Clone, Debug, Deserialize, Eq, PartialEq, Serialize)]
+pub struct Draft {
+    /// The sheet.
+    pub sheet: Key<Sheet>,
+    /// What was typed, by part.
+    pub answers: BTreeMap<String, String>,
+    /// When it was saved.
+    pub saved: Moment,
+}
+
+/// Points that somebody set by hand; the last one for a sheet counts.
+#[derive(Clone, Debug, Deserialize, Eq, PartialEq, Serialize)]
+pub struct Override {
+    /// The sheet.
+    pub sheet: Key<Sheet>,
+    /// The points; nothing where those of marking count again.
+    pub points: Option<String>,
+    /// Why.
+    pub reason: String,
+    /// Who set them.
+    pub by: Key<Person>,
+    /// When.
+    pub at: Moment,
+}

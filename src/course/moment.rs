@@ -1,0 +1,71 @@
+//! Points in time.
+
+use std::fmt;
+
+use jiff::Timestamp;
+use jiff::tz::TimeZone;
+use serde::{Deserialize, Serialize};
+
+/// A point in time: milliseconds since the beginning of 1970, UTC. It is always the server's; no rule trusts the clock of a browser.
+///
+/// ```
+/// use momentous::course::Moment;
+/// let moment = Moment::from_millis(1_764_576_000_000);
+/// assert_eq!(moment.to_string(), "2025-12-01T08:00:00Z");
+/// assert_eq!(moment.shown("Europe/Berlin"), "Mon, 1 Dec 2025, 09:00");
+/// ```
+#[derive(Clone, Copy, Debug, Default, Deserialize, Eq, Hash, Ord, PartialEq, PartialOrd, Serialize)]
+#[serde(transparent)]
+pub struct Moment(i64);
+
+impl Moment {
+    /// So many milliseconds after the beginning of 1970.
+    #[must_use]
+    pub const fn from_millis(millis: i64) -> Self {
+        Self(millis)
+    }
+
+    /// The milliseconds since the beginning of 1970.
+    #[must_use]
+    pub const fn millis(self) -> i64 {
+        self.0
+    }
+
+    /// So many milliseconds later.
+    #[must_use]
+    pub const fn after(self, millis: i64) -> Self {
+        Self(self.0.saturating_add(millis))
+    }
+
+    /// In the local time of a zone, by its IANA name, as pages show it: to the minute. UTC where there is no such zone.
+    #[must_use]
+    pub fn shown(self, zone: &str) -> String {
+        let zone = TimeZone::get(zone).unwrap_or(TimeZone::UTC);
+        self.timestamp().to_zoned(zone).strftime("%a, %-d %b %Y, %H:%M").to_string()
+    }
+
+    /// In the local time of a zone as fields take it: `2026-11-30T18:00`.
+    #[must_use]
+    pub fn typed(self, zone: &str) -> String {
+        let zone = TimeZone::get(zone).unwrap_or(TimeZone::UTC);
+        self.timestamp().to_zoned(zone).strftime("%Y-%m-%dT%H:%M").to_string()
+    }
+
+    /// The nearest moment that a calendar knows.
+    pub(super) fn timestamp(self) -> Timestamp {
+        Timestamp::from_millisecond(self.0).unwrap_or(if self.0 < 0 { Timestamp::MIN } else { Timestamp::MAX })
+    }
+}
+
+/// As ISO 8601 writes it, in UTC.
+impl fmt::Display for Moment {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.timestamp().fmt(out)
+    }
+}
+
+impl From<Timestamp> for Moment {
+    fn from(timestamp: Timestamp) -> Self {
+        Self(timestamp.as_millisecond())
+    }
+}

@@ -1,0 +1,112 @@
+//! People, and the courses in which they take part.
+
+use serde::{Deserialize, Serialize};
+
+use crate::grade::DecimalMark;
+
+use super::key::Key;
+use super::moment::Moment;
+
+/// Somebody who may sign in. This record alone says who it is; it can be erased while everything else stays.
+#[derive(Clone, Debug, Deserialize, Eq, PartialEq, Serialize)]
+pub struct Person {
+    /// What other records call this person.
+    pub key: Key<Person>,
+    /// The name by which the person signs in, which is the identity in rosters: a number, an address. Unique; empty once erased.
+    pub login: String,
+    /// What the person is called; empty once erased.
+    pub name: String,
+    /// Whether the person runs this server.
+    pub operator: bool,
+    /// When it was erased, where it was.
+    pub erased: Option<Moment>,
+}
+
+impl Person {
+    /// The name, or what stands for it once the person is erased.
+    #[must_use]
+    pub fn shown(&self) -> &str {
+        match (&self.erased, self.name.as_str(), self.login.as_str()) {
+            (Some(_), ..) => "(erased)",
+            (None, "", login) => login,
+            (None, name, _) => name,
+        }
+    }
+}
+
+/// A course.
+#[derive(Clone, Debug, Deserialize, Eq, PartialEq, Serialize)]
+pub struct Course {
+    /// What other records call it.
+    pub key: Key<Course>,
+    /// Its title.
+    pub title: String,
+    /// The IANA name of its time zone.
+    pub zone: String,
+    /// What stands between whole and decimal digits in its students' answers.
+    pub decimal: DecimalMark,
+    /// What its seeds and its problems' numbers are drawn with.
+    #[serde(skip_serializing)]
+    #[serde(default)]
+    pub secret: String,
+    /// The days for which answers are kept after the last assignment has closed; without end where none are named.
+    pub retention_days: Option<u32>,
+    /// When it was made.
+    pub created: Moment,
+}
+
+/// What somebody is in a course, each with the rights of those before it.
+#[derive(Clone, Copy, Debug, Deserialize, Eq, Hash, Ord, PartialEq, PartialOrd, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Role {
+    /// Hands in answers.
+    Student,
+    /// Sees what students handed in.
+    Assistant,
+    /// Makes assignments, and decides on marks.
+    Instructor,
+}
+
+impl Role {
+    /// Every role.
+    pub const ALL: [Self; 3] = [Self::Student, Self::Assistant, Self::Instructor];
+
+    /// The word by which tables and pages name it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Student => "student",
+            Self::Assistant => "assistant",
+            Self::Instructor => "instructor",
+        }
+    }
+
+    /// The role of that name.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|own| own.name() == name)
+    }
+
+    /// Whether it is one of those who teach.
+    #[must_use]
+    pub fn is_staff(self) -> bool {
+        self > Self::Student
+    }
+}
+
+/// Somebody in a course. Sheets and attempts hold this key, not the person's.
+#[derive(Clone, Debug, Deserialize, Eq, PartialEq, Serialize)]
+pub struct Member {
+    /// What other records call this member; seeds are drawn from it.
+    pub key: Key<Member>,
+    /// The course.
+    pub course: Key<Course>,
+    /// The person.
+    pub person: Key<Person>,
+    /// What the person is in the course.
+    pub role: Role,
+    /// The section; empty where the course has none.
+    pub section: String,
+    /// When the person left the course, or was taken off its roster.
+    pub left: Option<Moment>,
+}

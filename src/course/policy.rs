@@ -1,0 +1,56 @@
+//! When and how an assignment is worked on and marked.
+
+use serde::{Deserialize, Serialize};
+
+use super::moment::Moment;
+use super::share::Share;
+
+/// When and how an assignment is worked on and marked. It takes the place of what the problems' own rubrics say of attempts and hints.
+/// Its instants are in order: opens, due, late until, closes.
+#[derive(Clone, Debug, Deserialize, PartialEq, Eq, Serialize)]
+pub struct Policy {
+    /// How many attempts at a part count; any number where none is named.
+    pub attempts: Option<u32>,
+    /// The share of the points that each attempt before costs.
+    pub attempt_penalty: Share,
+    /// The share that each of the author's hints costs.
+    pub hint_penalty: Share,
+    /// The share that each hint on a wrong answer costs.
+    pub further_penalty: Share,
+    /// When students see it.
+    pub opens: Moment,
+    /// When answers are due.
+    pub due: Moment,
+    /// Until when they are taken late, where they are.
+    pub late_until: Option<Moment>,
+    /// The share that each started day after `due` costs.
+    pub late_penalty: Share,
+    /// When nothing more is taken.
+    pub closes: Moment,
+    /// When students see what was right.
+    pub verdicts: Release,
+    /// When students see the worked solutions.
+    pub solutions: SolutionRelease,
+}
+
+/// When verdicts are shown.
+#[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Release {
+    /// As soon as answers are marked.
+    #[default]
+    AtOnce,
+    /// When the assignment has closed for the student.
+    AtClose,
+}
+
+/// When worked solutions are shown.
+#[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum SolutionRelease {
+    /// When the assignment has closed for the student.
+    #[default]
+    AtClose,
+    /// Never.
+    Never,
+}

@@ -1,0 +1,87 @@
+//! Shares of points.
+
+use std::fmt;
+use std::str::FromStr;
+
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use crate::quantity::Rational;
+
+/// A share between nothing and all, exactly.
+///
+/// ```
+/// use momentous::course::Share;
+/// let tenth: Share = "10 %".parse()?;
+/// assert_eq!(Ok(&tenth), "1/10".parse().as_ref());
+/// assert_eq!((tenth.to_string().as_str(), tenth.percent().as_str()), ("1/10", "10 %"));
+/// assert!("110 %".parse::<Share>().is_err() && "1/0".parse::<Share>().is_err());
+/// # Ok::<(), momentous::course::NoShare>(())
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Share(Rational);
+
+/// A text that is no share.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("a share is written `10 %`, `0.1` or `1/10`, and lies between 0 and 1")]
+pub struct NoShare;
+
+impl Share {
+    /// The share as a fraction.
+    #[must_use]
+    pub fn fraction(&self) -> &Rational {
+        &self.0
+    }
+
+    /// In per cent, with at most two decimals.
+    #[must_use]
+    pub fn percent(&self) -> String {
+        format!("{} %", crate::grade::Points(&self.0 * Rational::from(100)))
+    }
+}
+
+/// A whole number or a decimal as a fraction; short, so that no power of ten grows large.
+fn number(text: &str) -> Option<Rational> {
+    let (whole, decimals) = text.split_once(['.', ',']).unwrap_or((text, ""));
+    let digits = format!("{whole}{decimals}");
+    let is_short = (1..=9).contains(&digits.len()) && digits.bytes().all(|digit| digit.is_ascii_digit());
+    let places = u32::try_from(decimals.len()).ok()?;
+    is_short
+        .then(|| digits.parse::<u32>().ok())
+        .flatten()
+        .map(|own| Rational::from(own) / Rational::from(10_u64.pow(places)))
+}
+
+impl FromStr for Share {
+    type Err = NoShare;
+
+    fn from_str(text: &str) -> Result<Self, NoShare> {
+        let text = text.trim();
+        let found = match (text.strip_suffix('%'), text.split_once('/')) {
+            (Some(percent), _) => number(percent.trim()).map(|own| own / Rational::from(100)),
+            (None, Some((above, below))) => match (number(above.trim()), number(below.trim())) {
+                (Some(above), Some(below)) if below != Rational::ZERO => Some(above / below),
+                _ => None,
+            },
+            (None, None) => number(text),
+        };
+        found.filter(|share| *share <= Rational::ONE).map(Self).ok_or(NoShare)
+    }
+}
+
+impl fmt::Display for Share {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(out)
+    }
+}
+
+impl Serialize for Share {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+impl<'de> Deserialize<'de> for Share {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        String::deserialize(deserializer)?.parse().map_err(serde::de::Error::custom)
+    }
+}
