@@ -6,9 +6,9 @@ use std::path::Path;
 use std::sync::Arc;
 
 use momentous::bank::{Bank, Tally, diagnosed};
-use momentous::exercise::{Exercise, Sitting};
+use momentous::exercise::Exercise;
 use momentous::fault::Source;
-use momentous::grade::{DecimalMark, PartReport, Report, Verdict};
+use momentous::grade::{DecimalMark, PartReport, Report, Sitting, Verdict};
 use momentous::laws::wrong;
 use momentous::problem::{Problem, compile, load};
 

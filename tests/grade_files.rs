@@ -150,22 +150,24 @@ fn the_summary_counts_what_was_found() {
     assert!(page.contains("<code>T_lost</code>") && !page.contains("<script"));
 }
 
-/// Three attempts count, each before costs a quarter and each hint a tenth: of `v_A2` by hand, worth two points.
+/// Three attempts count, each before costs a quarter, each hint a tenth and each further one a twentieth: of `v_A2` by hand, worth
+/// two points.
 const ATTEMPTS: &str = "\
-student,problem,seed,attempt,hints,v_A2,v_B2
-s1,ID,1,1,,9 m/s,8 m/s
-s1,ID,1,2,1,RIGHT,8..1 m/s
-s1,ID,1,3,1,9 m/s,8 m/s
-s1,ID,1,4,1,RIGHT,8 m/s
-s2,ID,1,3,,RIGHT,8 m/s
-,ID,1,,,RIGHT,8 m/s
-,ID,1,,,RIGHT,8 m/s
+student,problem,seed,attempt,hints,further_hints,v_A2,v_B2
+s1,ID,1,1,,,9 m/s,8 m/s
+s1,ID,1,2,1,,RIGHT,8..1 m/s
+s1,ID,1,3,1,,9 m/s,8 m/s
+s1,ID,1,4,1,,RIGHT,8 m/s
+s2,ID,1,3,,1,RIGHT,8 m/s
+,ID,1,,,,RIGHT,8 m/s
+,ID,1,,,,RIGHT,8 m/s
 ";
 
 fn attempts(keep: &str) -> Vec<String> {
     let folder = tempdir().unwrap();
     let fixture = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures/problems/two_carts.yaml");
-    let rubric = format!("rubric: {{ attempts: 3, attempt_penalty: 1/4, hint_penalty: 10 %, keep: {keep} }}\n");
+    let prices = "attempt_penalty: 1/4, hint_penalty: 10 %, further_hint_penalty: 5 %";
+    let rubric = format!("rubric: {{ attempts: 3, {prices}, keep: {keep} }}\n");
     fs::write(folder.path().join("carts.yaml"), rubric + &fs::read_to_string(fixture).unwrap()).unwrap();
     let (_, printed, _) = momentous(folder.path(), "generate carts.yaml --seed 1 --format json");
     let variant: Value = serde_json::from_str(&printed).unwrap();
@@ -183,10 +185,11 @@ fn attempts(keep: &str) -> Vec<String> {
 #[test]
 fn rows_that_stand_together_are_attempts() {
     let best = attempts("best");
+    // The right answer is locked: what comes after it changes nothing.
     let expected =
-        ["0 wrong no", "1.3 right yes", "0 wrong no", "0 right no", "1 right yes", "2 right yes", "2 right yes"];
+        ["0 wrong no", "1.3 right yes", "1.3 right no", "1.3 right no", "0.9 right yes", "2 right yes", "2 right yes"];
     assert_eq!(best, expected);
-    assert_eq!(attempts("last")[..4], ["0 wrong no", "1.3 right no", "0 wrong yes", "0 right no"]);
+    assert_eq!(attempts("last")[..4], ["0 wrong no", "1.3 right no", "1.3 right no", "1.3 right yes"]);
 }
 
 /// By hand: with `v_A2` = +0.5 m/s momentum leaves (13.75 - 7 - 1.25)/2 = 2.75 m/s for B; 67.5 J is twice the loss of 33.75 J.

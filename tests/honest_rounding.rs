@@ -4,8 +4,8 @@
 use std::sync::Arc;
 
 use momentous::bank::Bank;
-use momentous::exercise::{Drawer, Exercise, Marker, Sitting};
-use momentous::grade::{DecimalMark, Report};
+use momentous::exercise::{Drawer, Exercise, Marker};
+use momentous::grade::{DecimalMark, Report, Sitting};
 use momentous::problem::{Problem, compile, load};
 
 /// What an honest student is told who rounds on the way, where that is not simply right. Where rounding may move an answer by more

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use momentous::grade::{
-    Answer, Attempts, DecimalMark, Expected, ExpectedKind, ExpectedNumber, Keep, Rubric, Tolerance, Verdict, grade,
-    judge, over_attempts, read,
+    Answer, Attempts, DecimalMark, Expected, ExpectedKind, ExpectedNumber, History, Keep, Rubric, Seen, Tolerance,
+    Typed, Verdict, grade, judge, read,
 };
 use momentous::quantity::{Decimal, Printed, Quantity, Rational, Unit};
 use proptest::prelude::*;
@@ -204,33 +204,48 @@ fn findings_that_meet_multiply() {
     assert_eq!(grade(&collision(), &answers, DecimalMark::Point, &strict).total.to_string(), "0");
 }
 
+/// Of the attempt that counts: its points and its verdict.
 fn attempts_at(texts: &[&str], rubric: &Rubric, hints: u32) -> (String, String) {
     let part = || vec![part(expected("3.1", "m/s"))];
     let answers = |text: &str| BTreeMap::from([("v_A2".to_owned(), text.to_owned())]);
-    let reports: Vec<_> = texts.iter().map(|text| grade(&part(), &answers(text), DecimalMark::Point, rubric)).collect();
-    let report = over_attempts(&reports, hints, rubric).expect("there are attempts");
+    let mut history = History::default();
+    let mut reports = Vec::new();
+    for text in texts {
+        let typed = [Typed { text, seen: Seen { hints, further: 0 } }];
+        reports.push(history.mark(&typed, &Rational::ONE, &rubric.attempts, &mut |texts, _| {
+            grade(&part(), &answers(texts[0]), DecimalMark::Point, rubric)
+        }));
+    }
+    let counting = usize::try_from(history.counting().expect("there are attempts")).expect("it is small");
+    let report = &reports[counting - 1];
     (report.total.to_string(), report.parts[0].verdict.to_string())
 }
 
 #[test]
 fn attempts_and_hints_cost_what_the_rubric_says() {
     let tenth = || Rational::ONE / Rational::from(10);
-    let attempts = Attempts { most: Some(3), penalty: tenth(), hint: tenth(), keep: Keep::Best };
     let mut best = Rubric::default();
-    best.attempts = attempts;
+    best.attempts =
+        Attempts { most: Some(3), penalty: tenth(), hint: tenth(), further_hint: Rational::ZERO, keep: Keep::Best };
     let mut last = best.clone();
     last.attempts.keep = Keep::Last;
     for (texts, hints, by_best, by_last) in [
         (&["3.1 m/s"][..], 0, ("2", "right"), ("2", "right")),
         (&["9 m/s", "3.1 m/s"], 0, ("1.8", "right"), ("1.8", "right")),
-        (&["3.1 m/s", "9 m/s"], 0, ("2", "right"), ("0", "wrong")),
+        // What is right is locked.
+        (&["3.1 m/s", "9 m/s"], 0, ("2", "right"), ("2", "right")),
+        (&["9 m/s", "3.1 m/s", "3.10 m/s"], 0, ("1.8", "right"), ("1.8", "right")),
         // A fourth attempt is none.
         (&["9 m/s", "8 m/s", "7 m/s", "3.1 m/s"], 0, ("0", "wrong"), ("0", "wrong")),
-        // What cannot be read, and what is empty, costs no attempt.
+        // What cannot be read, what is empty and what was there before costs no attempt.
         (&["3..1 m/s", "", "3.1 m/s"], 0, ("2", "right"), ("2", "right")),
+        (&["9 m/s", " 9 m/s", "3..1 m/s", "", "3.1 m/s"], 0, ("1.8", "right"), ("1.8", "right")),
         (&["3.1 m/s"], 2, ("1.6", "right"), ("1.6", "right")),
         (&["3.1", "3.1 m/s"], 0, ("1.8", "right"), ("1.8", "right")),
+        // The better of two attempts counts, or the last.
+        (&["3.1", "9 m/s"], 0, ("1", "unit_missing"), ("0", "wrong")),
         (&["3..1 m/s"], 0, ("0", "unreadable"), ("0", "unreadable")),
+        (&["9 m/s", "3..1 m/s"], 0, ("0", "wrong"), ("0", "wrong")),
     ] {
         let owned = |(total, verdict): (&str, &str)| (total.to_owned(), verdict.to_owned());
         assert_eq!(attempts_at(texts, &best, hints), owned(by_best), "{texts:?}");

@@ -1,58 +1,100 @@
 //! Marking several attempts of one student at one variant.
 
-use std::collections::BTreeMap;
-
-use crate::grade;
-use crate::grade::Attempt;
+use crate::grade::DecimalMark;
+use crate::grade::History;
+use crate::grade::Report;
+use crate::grade::Seen;
+use crate::grade::Typed;
 use crate::problem::Worked;
+use crate::quantity::Rational;
 
 use super::Exercise;
 use super::marker::Marker;
-use super::marking::Sitting;
+use super::marking::Sittings;
 
-/// One set of answers, by part, and how many hints the student had seen by then.
-#[derive(Clone, Debug, Default)]
+/// One sheet that a student hands in: what is typed, and what had been seen by then.
+#[derive(Clone, Debug)]
 pub struct Try<'a> {
     /// The answers, each with its part.
     pub answers: Vec<(&'a str, &'a str)>,
-    /// The hints seen.
+    /// The author's hints that were seen.
     pub hints: u32,
+    /// The further hints on wrong answers that were seen, each number with its part.
+    pub further_hints: Vec<(&'a str, u32)>,
+    /// The share of the points that the time of the attempt leaves to what is new in it.
+    pub factor: Rational,
+}
+
+impl Default for Try<'_> {
+    fn default() -> Self {
+        Self { answers: Vec::new(), hints: 0, further_hints: Vec::new(), factor: Rational::ONE }
+    }
 }
 
 impl Marker {
-    /// Marks a student's attempts at a variant, the earliest first; so many more were made `before` the first of them. The marks
-    /// depend on these, the variant and its rubric, and on nothing else.
+    /// Marks the next attempt at a variant, after those in its history. The report depends on these, the variant and its rubric,
+    /// and on nothing else.
+    ///
+    /// ```
+    /// use std::sync::Arc;
+    /// use momentous::bank::Bank;
+    /// use momentous::exercise::{Exercise, Marker, Try};
+    /// use momentous::grade::{DecimalMark, Entry, History};
+    /// use momentous::problem::{compile, load};
+    ///
+    /// let problem = Arc::new(compile(load(Bank::built_in().find("impact/two-carts")?.clone())?, None)?);
+    /// let exercise = Exercise::draw(&problem, 0, 7)?;
+    /// let mut marker = Marker::new(&problem, 0, DecimalMark::Point)?;
+    /// let mut history = History::default();
+    ///
+    /// let right = exercise.printed(&exercise.worked().form.parts[0]);
+    /// let first = Try { answers: vec![("v_A2", &right)], ..Try::default() };
+    /// marker.mark_next(exercise.worked(), &mut history, &first);
+    /// let second = Try { answers: vec![("v_B2", "99 m/s")], ..Try::default() };
+    /// let report = marker.mark_next(exercise.worked(), &mut history, &second);
+    /// assert_eq!(report.parts[0].entry, Entry::Locked);
+    /// assert!(report.parts[0].verdict.is_right() && !report.parts[1].verdict.is_right());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn mark_next(&mut self, worked: Worked<'_>, history: &mut History, own: &Try<'_>) -> Report {
+        let rules = self.rubric().attempts.clone();
+        let ids: Vec<&str> = worked.form.parts.iter().map(|part| part.id.as_str()).collect();
+        let answers = self.usual(&ids, &own.answers);
+        let further = self.usual(&ids, &own.further_hints);
+        let of_part = |id: &str| Typed {
+            text: answers.iter().find(|(part, _)| *part == id).map_or("", |(_, text)| *text),
+            seen: Seen {
+                hints: own.hints,
+                further: further.iter().find(|(part, _)| *part == id).map_or(0, |(_, count)| *count),
+            },
+        };
+        let typed: Vec<Typed<'_>> = ids.iter().map(|id| of_part(id)).collect();
+        let not_asked: Vec<(&str, &str)> = answers.iter().filter(|(part, _)| !ids.contains(part)).copied().collect();
+        history.mark(&typed, &own.factor, &rules, &mut |texts, sittings| {
+            let mut sheet: Vec<(&str, &str)> = ids.iter().copied().zip(texts.iter().copied()).collect();
+            sheet.extend(&not_asked);
+            self.mark_sheet(worked, &sheet, Sittings::Each(sittings))
+        })
+    }
+
+    /// Marks a student's attempts at a variant, the earliest first; so many more were made at each part `before` the first of them.
+    /// The parts of one report have `counts`: those of the attempt that counts.
     #[must_use]
-    pub fn mark_attempts(&mut self, worked: Worked<'_>, attempts: &[Try<'_>], before: u32) -> Vec<Attempt> {
-        let most = self.rubric().attempts.most;
-        let made = |index: usize| before.saturating_add(u32::try_from(index + 1).unwrap_or(u32::MAX));
-        let marked = attempts.iter().enumerate().map(|(index, own)| {
-            let hints = usize::try_from(own.hints).unwrap_or(usize::MAX);
-            let sitting = Sitting { hints, closed: most.is_some_and(|most| made(index) >= most) };
-            Attempt { report: self.mark(worked, &own.answers, sitting), hints: own.hints }
-        });
-        let mut marked: Vec<Attempt> = marked.collect();
-        grade::weigh(&mut marked, before, self.rubric());
-        marked
+    pub fn mark_attempts(&mut self, worked: Worked<'_>, attempts: &[Try<'_>], before: u32) -> Vec<Report> {
+        let mut history = History::after(before, worked.form.parts.len());
+        let mut reports: Vec<Report> = attempts.iter().map(|own| self.mark_next(worked, &mut history, own)).collect();
+        let counting = history.counting().and_then(|number| usize::try_from(number).ok()?.checked_sub(1));
+        if let Some(report) = counting.and_then(|place| reports.get_mut(place)) {
+            report.parts.iter_mut().for_each(|part| part.counts = true);
+        }
+        reports
     }
 }
 
 impl Exercise {
-    /// Marks a student's attempts at this variant, the earliest first, after so many hints were shown: of each part what counts.
-    /// `None` where there is no attempt.
-    #[must_use]
-    pub fn grade_attempts(
-        &self,
-        attempts: &[BTreeMap<String, String>],
-        hints: u32,
-        mark: grade::DecimalMark,
-    ) -> Option<grade::Report> {
+    /// Marks the next attempt at this variant, after those in its history; where many are marked, a [`Marker`] does it faster.
+    pub fn mark_next(&self, history: &mut History, own: &Try<'_>, mark: DecimalMark) -> Report {
         let worked = self.worked();
-        let mut marker = Marker::of(worked.problem, worked.form, mark);
-        let tries = attempts.iter().map(|answers| Try {
-            answers: answers.iter().map(|(id, text)| (id.as_str(), text.as_str())).collect(),
-            hints,
-        });
-        grade::counted(&marker.mark_attempts(worked, &tries.collect::<Vec<_>>(), 0))
+        Marker::of(worked.problem, worked.form, mark).mark_next(worked, history, own)
     }
 }

@@ -16,14 +16,14 @@ use super::marking::Marking;
 
 impl Marking<'_> {
     /// Says of every wrong answer in a report which usual mistake leads to it, where one does.
-    pub(super) fn diagnose(&self, report: &mut grade::Report, hints: usize) {
+    pub(super) fn diagnose(&self, report: &mut grade::Report) {
         for (place, own) in report.parts.iter_mut().enumerate() {
             if !diagnose::is_open(own.verdict) || own.follows.is_some() {
                 continue;
             }
             let found = self.misjudged(place).or_else(|| self.diagnosis(self.suspects(place)?));
             let Some(diagnosis) = found else { continue };
-            let told = diagnosis.hints.iter().take(hints + 1).map(String::as_str);
+            let told = diagnosis.hints.iter().take(self.sitting(place).hints.saturating_add(1)).map(String::as_str);
             own.message = std::iter::once(&*own.message).chain(told).collect::<Vec<_>>().join(" ").into();
             own.diagnosis = Some(diagnosis);
         }

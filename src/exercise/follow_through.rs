@@ -43,9 +43,9 @@ pub(super) struct Found {
 }
 
 impl Marking<'_> {
-    /// Accepts every wrong answer that follows from earlier wrong ones. Where the question is closed, what would have followed
-    /// is shown for the others; before that it could be typed in.
-    pub(super) fn follow_through(&self, report: &mut grade::Report, closed: bool) {
+    /// Accepts every wrong answer that follows from earlier wrong ones. Where a part is closed, what would have followed is shown
+    /// for it; before that it could be typed in.
+    pub(super) fn follow_through(&self, report: &mut grade::Report) {
         let mut earlier: Vec<Earlier> = Vec::new();
         for (place, own) in report.parts.iter_mut().enumerate() {
             if !diagnose::is_open(own.verdict) {
@@ -61,7 +61,7 @@ impl Marking<'_> {
                 let follows = Follows { from: found.from, by, unphysical: found.unphysical };
                 own.message = follows.to_string().into();
                 own.follows = Some(follows);
-            } else if closed
+            } else if self.sitting(place).closed
                 && !relevant.is_empty()
                 && let Some((PartKind::Number(number), ..)) = self.answered(place)
             {

@@ -1,5 +1,6 @@
 //! Marking one form of a problem: what does not depend on the numbers is prepared once.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use crate::expr::Notation;
@@ -28,8 +29,8 @@ use super::rules::Rules;
 /// ```
 /// use std::sync::Arc;
 /// use momentous::bank::Bank;
-/// use momentous::exercise::{Drawer, Marker, Sitting};
-/// use momentous::grade::DecimalMark;
+/// use momentous::exercise::{Drawer, Marker};
+/// use momentous::grade::{DecimalMark, Sitting};
 /// use momentous::problem::{compile, load};
 ///
 /// let problem = Arc::new(compile(load(Bank::built_in().find("impact/two-carts")?.clone())?, None)?);
@@ -93,6 +94,14 @@ impl Marker {
         ids().position(|id| id == own)
     }
 
+    /// What is said of parts, with the parts' names in the file where the course's were written.
+    pub(super) fn usual<'a, T: Copy>(&self, ids: &[&'a str], said: &'a [(&'a str, T)]) -> Cow<'a, [(&'a str, T)]> {
+        if self.notation.is_usual() {
+            return Cow::Borrowed(said);
+        }
+        let usual = |part: &'a str| self.notation.usual(ids.iter().copied(), part);
+        Cow::Owned(said.iter().map(|(part, what)| (usual(part), *what)).collect())
+    }
     /// The report on answers to a sheet of this form that the student was not given.
     #[must_use]
     pub fn not_issued(&self) -> grade::Report {

@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use crate::grade;
 use crate::grade::Expected;
 use crate::grade::Reading;
+use crate::grade::Sitting;
 use crate::problem::Part;
 use crate::problem::PartKind;
 use crate::problem::Simulated;
@@ -18,13 +19,13 @@ use super::marker::widen;
 use super::roots::{joined, several, shared_out};
 use super::rules::Rules;
 
-/// What marking says more of, besides the verdicts.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Sitting {
-    /// How many further hints the student has asked for on wrong answers.
-    pub hints: usize,
-    /// Whether no attempts are left: what follows from the student's own answers is then shown.
-    pub closed: bool,
+/// In which position a student is at each part.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Sittings<'a> {
+    /// In the same at all of them.
+    All(Sitting),
+    /// In one for each part, in their order.
+    Each(&'a [Sitting]),
 }
 
 /// One set of answers to one variant, on its way to a report.
@@ -36,6 +37,8 @@ pub(super) struct Marking<'a> {
     pub(super) readings: Vec<Option<Reading>>,
     /// The position of the part to which each of what is expected belongs.
     pub(super) parts: Vec<usize>,
+    /// In which position the student is at each part.
+    pub(super) sittings: Sittings<'a>,
     /// What comes of the usual mistakes, once somebody asks.
     pub(super) simulated: OnceCell<Simulated<'a>>,
 }
@@ -45,14 +48,19 @@ impl Marker {
     /// leads to them.
     #[must_use]
     pub fn mark(&mut self, worked: Worked<'_>, answers: &[(&str, &str)], sitting: Sitting) -> grade::Report {
-        let Self { blanks, filled, rubric, mark, notation } = self;
-        let ids = || worked.form.parts.iter().map(|part| part.id.as_str());
-        let renamed: Vec<(&str, &str)>;
-        let mut answers = answers;
-        if !notation.is_usual() {
-            renamed = answers.iter().map(|(typed, text)| (notation.usual(ids(), typed), *text)).collect();
-            answers = &renamed;
-        }
+        let ids: Vec<&str> = worked.form.parts.iter().map(|part| part.id.as_str()).collect();
+        let answers = self.usual(&ids, answers);
+        self.mark_sheet(worked, &answers, Sittings::All(sitting))
+    }
+
+    /// The same for a student who is not in the same position at all parts, which have their names in the file.
+    pub(super) fn mark_sheet(
+        &mut self,
+        worked: Worked<'_>,
+        answers: &[(&str, &str)],
+        sittings: Sittings<'_>,
+    ) -> grade::Report {
+        let Self { blanks, filled, rubric, mark, .. } = self;
         let count = blanks.len();
         let mut marking = Marking {
             worked,
@@ -60,6 +68,7 @@ impl Marker {
             expected: std::mem::take(filled),
             readings: Vec::with_capacity(count),
             parts: Vec::with_capacity(count),
+            sittings,
             simulated: OnceCell::new(),
         };
         if marking.expected.is_empty() {
@@ -94,8 +103,8 @@ impl Marker {
         let not_asked = answers.iter().filter(|(id, _)| !is_part(id));
         report.not_asked = not_asked.map(|(id, _)| (*id).to_owned()).collect();
         if !report.is_right() {
-            marking.follow_through(&mut report, sitting.closed);
-            marking.diagnose(&mut report, sitting.hints);
+            marking.follow_through(&mut report);
+            marking.diagnose(&mut report);
         }
         if marking.expected.len() == count {
             *filled = marking.expected;
@@ -106,6 +115,17 @@ impl Marker {
             report.recount();
         }
         report
+    }
+}
+
+impl Marking<'_> {
+    /// In which position the student is at the part to which what is expected belongs.
+    pub(super) fn sitting(&self, place: usize) -> Sitting {
+        let of_part = |sittings: &[Sitting]| self.parts.get(place).and_then(|part| sittings.get(*part)).copied();
+        match self.sittings {
+            Sittings::All(sitting) => sitting,
+            Sittings::Each(sittings) => of_part(sittings).unwrap_or_default(),
+        }
     }
 }
 

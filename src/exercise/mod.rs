@@ -69,7 +69,6 @@ pub use issue::{Issued, Remark};
 pub use issued::{Derivation, SeedSource, VariantRef};
 pub use item::{Item, ItemAnswers, ItemPart, NumberItem, Window};
 pub use marker::Marker;
-pub use marking::Sitting;
 pub use roster::Student;
 pub use sheet_seed::SheetSeed;
 pub use sheets::{Derived, Listed, NotIssued, Sheets};

@@ -35,6 +35,7 @@ impl Rules<'_> {
             most: written.attempts,
             penalty: written.fraction("attempt_penalty").unwrap_or(Rational::ZERO),
             hint: written.fraction("hint_penalty").unwrap_or(Rational::ZERO),
+            further_hint: written.fraction("further_hint_penalty").unwrap_or(Rational::ZERO),
             keep: match written.keep {
                 Some(problem::Keep::Last) => grade::Keep::Last,
                 Some(problem::Keep::Best) | None => grade::Keep::Best,

@@ -64,8 +64,14 @@ pub enum Message {
     FormulaClash(String),
     /// Earlier attempts or hints have cost this per cent of the points.
     Reduced(u32),
+    /// Being late has cost this per cent of the points.
+    Late(u32),
     /// No attempt was left.
     NoAttemptLeft,
+    /// What cannot be read leaves an earlier answer in its place.
+    EarlierStands,
+    /// An answer was right before, and stays so.
+    RightBefore,
     /// No direction; the words for it.
     Sense(Option<[String; 2]>),
     /// The opposite direction.

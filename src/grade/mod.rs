@@ -3,12 +3,12 @@
 //! The three stand apart. Reading knows no right value, so nothing can be read "towards" it; judging knows no text;
 //! reporting knows only verdicts and the rubric.
 
-mod attempts;
 pub mod catalogue;
 pub mod diagnose;
 mod expected;
 mod follow;
 mod frequent;
+mod history;
 pub mod judge;
 mod messages;
 mod number;
@@ -18,11 +18,11 @@ mod reading;
 pub mod report;
 mod rows;
 mod rubric;
+mod sitting;
 mod statistics;
 mod swapped;
 mod verdict;
 
-pub use attempts::{Attempt, counted, over_attempts, weigh};
 pub use diagnose::Diagnosis;
 pub use expected::{
     Called, Expected, ExpectedEnd, ExpectedFormula, ExpectedInterval, ExpectedKind, ExpectedNumber, ExpectedVector,
@@ -30,13 +30,15 @@ pub use expected::{
 };
 pub use follow::Follows;
 pub use frequent::WrongAnswer;
+pub use history::{History, Mark, PartHistory, Seen, Typed};
 pub use judge::{BESIDE_A_WHOLE_NUMBER, Judgement, VerdictWindow, brought_near, judge, windows};
 pub use messages::Message;
 pub use number::Number;
 pub use read::{Answer, DecimalMark, FormulaAnswer, Unreadable, UnreadableKind, read, read_several};
 pub use reading::{Reading, Readings};
-pub use report::{InputFault, PartReport, Points, Report, grade, grade_read, some_values};
+pub use report::{Entry, InputFault, PartReport, Points, Report, grade, grade_read, some_values};
 pub use rows::RowCounts;
 pub use rubric::{Attempts, Keep, Rubric};
+pub use sitting::Sitting;
 pub use statistics::{Gathering, Item, ItemStatistics, MistakeCount, Statistics, VerdictCount};
 pub use verdict::Verdict;

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::fmt;
 
-use serde::{Serialize, Serializer};
+use serde::{Deserialize, Serialize, Serializer};
 
 use crate::quantity::Decimal;
 use crate::quantity::Rational;
@@ -67,9 +67,38 @@ pub struct PartReport {
     /// What would have followed from the student's own earlier answers; said only once the question is closed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub own_values: Option<String>,
+    /// How the answer came into this attempt.
+    #[serde(skip_serializing_if = "Entry::is_typed")]
+    pub entry: Entry,
     /// Whether it is this attempt of the student's that counts.
     #[serde(skip)]
     pub counts: bool,
+}
+
+/// How the answer to a part came into an attempt.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Entry {
+    /// It was typed; or there was never any.
+    #[default]
+    Typed,
+    /// Nothing new was typed: it is that of an earlier attempt.
+    Carried,
+    /// What was typed cannot be read: it is that of an earlier attempt, where there is one.
+    Unread,
+    /// It was right in an earlier attempt, so that what was typed is not looked at.
+    Locked,
+    /// No attempt was left: it is that of an earlier attempt, where there is one.
+    NoneLeft,
+}
+
+impl Entry {
+    /// Whether it is what was typed in this attempt.
+    #[must_use]
+    #[allow(clippy::trivially_copy_pass_by_ref, reason = "as serde asks")]
+    pub fn is_typed(&self) -> bool {
+        *self == Self::Typed
+    }
 }
 
 /// Where and why an answer cannot be read.
@@ -189,8 +218,31 @@ impl PartReport {
             diagnosis: None,
             follows: None,
             own_values: None,
+            entry: Entry::Typed,
             counts: true,
         }
+    }
+
+    /// Whether what was typed cannot be read.
+    #[must_use]
+    pub fn is_unread(&self) -> bool {
+        self.verdict == Verdict::Unreadable || self.entry == Entry::Unread
+    }
+
+    /// Leaves this share of the points; the message says how many per cent that costs.
+    pub(super) fn cut(&mut self, left: &Rational, message: impl FnOnce(u32) -> Message) {
+        if *left == Rational::ONE || self.points.0 == Rational::ZERO {
+            return;
+        }
+        self.points.0 *= left;
+        let percent = (Rational::from(100) * (Rational::ONE - left)).to_f64().value();
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and 100")]
+        self.say(&message(libm::round(percent) as u32));
+    }
+
+    /// Tells the student this, too.
+    pub(super) fn say(&mut self, message: &Message) {
+        self.message = format!("{} {message}", self.message).into();
     }
 }
 
@@ -227,7 +279,7 @@ impl Report {
     /// Whether a part has an answer that cannot be read, so that it was not marked.
     #[must_use]
     pub fn is_unreadable(&self) -> bool {
-        self.parts.iter().any(|part| part.verdict == Verdict::Unreadable)
+        self.parts.iter().any(PartReport::is_unread)
     }
 }
 

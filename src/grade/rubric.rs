@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::quantity::Rational;
 
+use super::history::Seen;
 use super::report::Points;
 use super::verdict::Verdict;
 
@@ -25,8 +26,10 @@ pub struct Attempts {
     pub most: Option<u32>,
     /// The fraction of the points that each attempt before costs. Default: 0.
     pub penalty: Rational,
-    /// The fraction of the points that each hint costs. Default: 0.
+    /// The fraction of the points that each hint of the author's costs. Default: 0.
     pub hint: Rational,
+    /// The fraction of the points that each further hint on a wrong answer costs. Default: 0.
+    pub further_hint: Rational,
     /// Which attempt counts. Default: the best.
     pub keep: Keep,
 }
@@ -34,16 +37,22 @@ pub struct Attempts {
 /// Which of several attempts counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Keep {
-    /// The one with the most points.
+    /// The sheet with the most points.
     #[default]
     Best,
-    /// The last that could be read.
+    /// The last sheet.
     Last,
 }
 
 impl Default for Attempts {
     fn default() -> Self {
-        Self { most: None, penalty: Rational::ZERO, hint: Rational::ZERO, keep: Keep::Best }
+        Self {
+            most: None,
+            penalty: Rational::ZERO,
+            hint: Rational::ZERO,
+            further_hint: Rational::ZERO,
+            keep: Keep::Best,
+        }
     }
 }
 
@@ -82,10 +91,15 @@ impl Rubric {
 }
 
 impl Attempts {
-    /// The fraction of the points that is left at an attempt, after so many attempts and hints before it.
+    /// The fraction of the points that is left at an attempt, after so many before it and the hints that were seen.
     #[must_use]
-    pub fn left(&self, attempts: u32, hints: u32) -> Rational {
-        let cost = &self.penalty * Rational::from(attempts) + &self.hint * Rational::from(hints);
+    pub fn left(&self, attempts: u32, seen: Seen) -> Rational {
+        if attempts == 0 && seen == Seen::default() {
+            return Rational::ONE;
+        }
+        let cost = &self.penalty * Rational::from(attempts)
+            + &self.hint * Rational::from(seen.hints)
+            + &self.further_hint * Rational::from(seen.further);
         (Rational::ONE - cost).clamp(Rational::ZERO, Rational::ONE)
     }
 

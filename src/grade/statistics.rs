@@ -9,8 +9,9 @@ use serde::Serialize;
 use crate::laws::wrong::find;
 
 use super::frequent::{Frequent, WrongAnswer};
-use super::report::PartReport;
+use super::report::{Entry, PartReport};
 use super::rows::RowCounts;
+use super::verdict::Verdict;
 
 /// Answers of a part that are kept for its discrimination.
 const SAMPLE: usize = 5000;
@@ -114,6 +115,8 @@ struct Tally {
 struct Gathered {
     tally: Tally,
     answers: u64,
+    /// Answers of attempts that count.
+    counted: u64,
     verdicts: BTreeMap<&'static str, (bool, u64, Vec<String>)>,
     mistakes: BTreeMap<&'static str, (u64, Vec<String>)>,
     followed: u64,
@@ -165,8 +168,35 @@ impl Tally {
     }
 }
 
+impl Gathered {
+    /// Adds what was typed in an attempt.
+    fn add(&mut self, part: &PartReport) {
+        self.answers += 1;
+        let verdict = if part.is_unread() { Verdict::Unreadable } else { part.verdict };
+        let (_, count, examples) =
+            self.verdicts.entry(verdict.code()).or_insert_with(|| (verdict.is_right(), 0, Vec::new()));
+        *count += 1;
+        if verdict != part.verdict {
+            return;
+        }
+        if let Some(understood) = part.understood.as_ref().filter(|_| examples.len() < EXAMPLES) {
+            examples.push(understood.clone());
+        }
+        for code in part.diagnosis.iter().flat_map(|own| &own.codes) {
+            let (count, examples) = self.mistakes.entry(code).or_default();
+            *count += 1;
+            examples.extend(part.understood.clone().filter(|_| examples.len() < EXAMPLES));
+        }
+        self.followed += u64::from(part.follows.is_some());
+        if !verdict.is_right() {
+            self.wrong.add(part);
+        }
+    }
+}
+
 impl Gathering {
-    /// Adds a student's answer to a part. Every attempt is counted as an answer; points are of those that count.
+    /// Adds a student's answer to a part. It is counted as an answer in the attempt in which it was typed; points are of those that
+    /// count.
     pub fn add(&mut self, student: &str, problem: &str, form: &str, part: &PartReport) {
         let tally = if part.counts {
             Tally { reached: part.points.0.to_f64().value(), out_of: f64::from(part.out_of) }
@@ -181,27 +211,15 @@ impl Gathering {
         }
         let item = Item { problem: problem.to_owned(), form: form.to_owned(), part: part.id.clone() };
         let gathered = self.items.entry(item).or_default();
-        gathered.answers += 1;
         gathered.tally.add(tally);
-        let (_, count, examples) =
-            gathered.verdicts.entry(part.verdict.code()).or_insert_with(|| (part.verdict.is_right(), 0, Vec::new()));
-        *count += 1;
-        if let Some(understood) = part.understood.as_ref().filter(|_| examples.len() < EXAMPLES) {
-            examples.push(understood.clone());
-        }
-        for code in part.diagnosis.iter().flat_map(|own| &own.codes) {
-            let (count, examples) = gathered.mistakes.entry(code).or_default();
-            *count += 1;
-            examples.extend(part.understood.clone().filter(|_| examples.len() < EXAMPLES));
-        }
-        gathered.followed += u64::from(part.follows.is_some());
-        if !part.verdict.is_right() {
-            gathered.wrong.add(part);
+        if matches!(part.entry, Entry::Typed | Entry::Unread) {
+            gathered.add(part);
         }
         if !part.counts {
             return;
         }
-        let word = mixed(gathered.answers);
+        gathered.counted += 1;
+        let word = mixed(gathered.counted);
         if gathered.sample.len() < SAMPLE || gathered.sample.peek().is_some_and(|most| word < most.word) {
             gathered.sample.push(Sampled { word, student: student.to_owned(), tally });
             if gathered.sample.len() > SAMPLE {
@@ -314,6 +332,7 @@ mod tests {
             diagnosis: None,
             follows: None,
             own_values: None,
+            entry: Entry::Typed,
             counts: true,
         }
     }

@@ -60,9 +60,12 @@ pub struct Rubric {
     /// What each attempt before costs, of the part's points. Default: `0 %`.
     #[serde(default)]
     pub attempt_penalty: Option<Term>,
-    /// What each hint that was shown costs, of the points. Default: `0 %`.
+    /// What each of the problem's hints that was shown costs, of the part's points. Default: `0 %`.
     #[serde(default)]
     pub hint_penalty: Option<Term>,
+    /// What each further hint on a wrong answer costs, of the part's points. Default: `0 %`.
+    #[serde(default)]
+    pub further_hint_penalty: Option<Term>,
     /// Which of several attempts counts. Default: `best`.
     #[serde(default)]
     pub keep: Option<Keep>,
@@ -118,6 +121,7 @@ impl Rubric {
             ("follow_through_unphysical", &self.follow_through_unphysical),
             ("attempt_penalty", &self.attempt_penalty),
             ("hint_penalty", &self.hint_penalty),
+            ("further_hint_penalty", &self.further_hint_penalty),
         ];
         all.into_iter().filter_map(|(key, term)| Some((key, term.as_ref()?)))
     }

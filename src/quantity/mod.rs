@@ -4,6 +4,7 @@ mod decimal;
 mod dimension;
 mod dimension_name;
 mod double;
+pub mod exact;
 mod factor;
 mod figures;
 mod place;

@@ -7,6 +7,7 @@ use crate::exercise::Exercise;
 use crate::exercise::Marker;
 use crate::exercise::Try;
 use crate::grade::Report;
+use crate::grade::Seen;
 
 use super::problems::Met;
 use super::register::{Entry, Question};
@@ -46,9 +47,9 @@ impl<'p> Desk<'p> {
         order.sort_by_key(|(_, own)| own.facts.attempt);
         let before = order.first().and_then(|(_, own)| own.facts.attempt).map_or(0, |number| number - 1);
         let tries: Vec<Try<'_>> = order.iter().map(|(_, own)| of(own)).collect();
-        let marked = marker.mark_attempts(exercise.worked(), &tries, before).into_iter();
+        let marked = marker.mark_attempts(exercise.worked(), &tries, before);
         let mut reports: Vec<(usize, Report)> =
-            order.iter().zip(marked).map(|((place, _), attempt)| (*place, attempt.report)).collect();
+            order.iter().zip(marked).map(|((place, _), report)| (*place, report)).collect();
         reports.sort_by_key(|(place, _)| *place);
         Ok(reports.into_iter().map(|(_, report)| report).collect())
     }
@@ -90,5 +91,11 @@ impl<'p> Form<'p> {
 
 /// The answers of a submission, and the hints that were seen.
 fn of(entry: &Entry) -> Try<'_> {
-    Try { answers: entry.submission.answers().collect(), hints: entry.facts.hints }
+    let answers: Vec<(&str, &str)> = entry.submission.answers().collect();
+    let Seen { hints, further } = entry.facts.seen;
+    let further_hints = match further {
+        0 => Vec::new(),
+        seen => answers.iter().map(|(part, _)| (*part, seen)).collect(),
+    };
+    Try { answers, hints, further_hints, ..Try::default() }
 }

@@ -18,7 +18,6 @@ use crate::exercise::Submission;
 use crate::exercise::VariantRef;
 use crate::export::printable;
 use crate::grade::PartReport;
-use crate::grade::Verdict;
 
 use super::spool::{Kept, Spool};
 
@@ -66,7 +65,7 @@ impl Junit {
         variant: VariantRef<'_>,
         part: &PartReport,
     ) -> Result<(), Failure> {
-        let element = if part.verdict == Verdict::Unreadable { "error" } else { "failure" };
+        let element = if part.is_unread() { "error" } else { "failure" };
         let trouble = Trouble { element, kind: Some(part.verdict.code()), message: &part.message };
         let student = submission.key(Key::Student);
         let who = if student.is_empty() { format!("line {}", submission.place) } else { student.to_owned() };

@@ -23,7 +23,7 @@ const PORTION: usize = 1024;
 /// What was found about a submission.
 pub(super) enum Marked {
     /// Its report, for those who want to read it.
-    Report(Entry, Box<Report>),
+    Report(Box<(Entry, Report)>),
     /// It answers a sheet that was not issued, and why that is known.
     NotIssued(Place, String),
     /// It cannot be used, and why.
@@ -169,7 +169,7 @@ impl Done {
                 self.marked.push(Marked::NotIssued(entry.submission.place.clone(), message));
             }
             if keep {
-                self.marked.push(Marked::Report(entry, Box::new(report)));
+                self.marked.push(Marked::Report(Box::new((entry, report))));
             }
         }
         Ok(())

@@ -23,8 +23,8 @@ use clap::ValueEnum;
 
 use crate::exercise::Derivation;
 use crate::exercise::SheetSeed;
-use crate::exercise::Sitting;
 use crate::grade::DecimalMark;
+use crate::grade::Sitting;
 
 use super::exit::Exit;
 use super::failure::Failure;

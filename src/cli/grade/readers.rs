@@ -37,7 +37,7 @@ impl Readers {
     /// Reads what was found about the next submission.
     pub(super) fn read(&mut self, marked: &Marked, problems: &[Arc<Met>]) -> Result<(), Failure> {
         let (entry, report) = match marked {
-            Marked::Report(entry, report) => (entry, report),
+            Marked::Report(marked) => &**marked,
             Marked::NotIssued(..) => return Ok(()),
             Marked::Refused(place, message) => {
                 return self.junit.as_mut().map_or(Ok(()), |junit| junit.refused(place, message));

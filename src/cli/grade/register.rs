@@ -16,6 +16,7 @@ use crate::exercise::Submission;
 use crate::exercise::Together;
 use crate::exercise::VariantRef;
 use crate::exercise::excerpt;
+use crate::grade::Seen;
 
 use super::problems::{Met, Problems};
 
@@ -42,7 +43,7 @@ pub(super) struct Facts {
     /// The number that the attempt says it has.
     pub attempt: Option<u32>,
     /// The hints that were seen.
-    pub hints: u32,
+    pub seen: Seen,
 }
 
 /// The variant that is answered: the position of the problem among those that are open, that of its form, and the seed.
@@ -136,7 +137,9 @@ impl Register {
             return Err(message);
         }
         let question = met.question(submission)?;
-        let (attempt, hints) = (submission.number(Key::Attempt, 1)?, submission.number(Key::Hints, 0)?);
+        let attempt = submission.number(Key::Attempt, 1)?;
+        let [hints, further] = [submission.number(Key::Hints, 0)?, submission.number(Key::FurtherHints, 0)?];
+        let seen = Seen { hints: hints.unwrap_or(0), further: further.unwrap_or(0) };
         met.asks(submission, question)?;
         let (student, variant) = (submission.key(Key::Student), met.variant(question));
         let not_issued = self.sheets.as_ref().and_then(|own| own.check(student, variant, question.form == 0).err());
@@ -168,7 +171,7 @@ impl Register {
                 ));
             }
         }
-        Ok(Facts { question, not_issued, is_beside, attempt, hints: hints.unwrap_or(0) })
+        Ok(Facts { question, not_issued, is_beside, attempt, seen })
     }
 
     /// Says where the sheets were made from another version of a problem, once for each.

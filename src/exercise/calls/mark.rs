@@ -8,8 +8,9 @@ use serde::Serialize;
 use crate::grade::DecimalMark;
 use crate::grade::PartReport;
 use crate::grade::Points;
+use crate::grade::Sitting;
 
-use super::super::{Exercise, Sitting};
+use super::super::Exercise;
 use super::Engine;
 use super::limits::within;
 use super::refused::Refused;

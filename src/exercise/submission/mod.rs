@@ -25,10 +25,11 @@ pub enum Key {
     Form,
     Attempt,
     Hints,
+    FurtherHints,
 }
 
 /// Every key with its heading, in the order of the type.
-const KEYS: [(Key, &str); 7] = [
+const KEYS: [(Key, &str); 8] = [
     (Key::Student, "student"),
     (Key::Problem, "problem"),
     (Key::Digest, "digest"),
@@ -36,6 +37,7 @@ const KEYS: [(Key, &str); 7] = [
     (Key::Form, "form"),
     (Key::Attempt, "attempt"),
     (Key::Hints, "hints"),
+    (Key::FurtherHints, "further_hints"),
 ];
 
 impl Key {

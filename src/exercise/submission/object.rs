@@ -39,6 +39,8 @@ struct Object<'a> {
     #[serde(borrow, default)]
     hints: Option<&'a RawValue>,
     #[serde(borrow, default)]
+    further_hints: Option<&'a RawValue>,
+    #[serde(borrow, default)]
     answers: Answers<'a>,
 }
 
@@ -92,6 +94,7 @@ impl Submission {
                 Key::Form => object.form,
                 Key::Attempt => object.attempt,
                 Key::Hints => object.hints,
+                Key::FurtherHints => object.further_hints,
             };
             if let Some(value) = value {
                 submission.put_key(key, &of_raw(name, value)?)?;

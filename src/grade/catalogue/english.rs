@@ -47,6 +47,8 @@ impl Catalogue for English {
             Message::Unanswered => "No answer.",
             Message::NotIssued => "This is not the sheet that you were given: check the seed at its foot.",
             Message::NoAttemptLeft => "No attempts were left: this one does not count.",
+            Message::EarlierStands => "Your earlier answer stands.",
+            Message::RightBefore => "This part was right before: the new answer is not marked.",
             Message::BodiesSwapped => "Which body does this belong to?",
             Message::ComponentsExchanged { of_contact: false } => "Which component belongs to which axis?",
             Message::ComponentsExchanged { of_contact: true } => {
@@ -99,6 +101,7 @@ impl English {
             }
             Message::FormulaClash(sentence) => format!("Check the dimensions: {sentence}."),
             Message::Reduced(percent) => format!("Earlier attempts and hints cost {percent} % of the points."),
+            Message::Late(percent) => format!("It was handed in late, which costs {percent} % of the points."),
             Message::Unreadable(fault) => self.unreadable(fault),
             // Every message without anything to fill in has its words above.
             _ => String::new(),

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use crate::exercise::Sitting;
 use crate::exercise::calls::{HintResponse, MarkResponse, MarkedPart, Refused, SheetResponse, within};
+use crate::grade::Sitting;
 use crate::render::Fragment;
 
 use super::super::app::App;
