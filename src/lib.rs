@@ -68,5 +68,7 @@ pub mod scene;
 pub mod simulate;
 pub mod solve;
 #[cfg(feature = "serve")]
+pub mod store;
+#[cfg(feature = "serve")]
 pub mod web;
 pub mod witness;

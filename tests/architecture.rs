@@ -27,6 +27,7 @@ const ORDER: &[&[&str]] = &[
     &["exercise"],
     &["bank"],
     &["course", "export"],
+    &["store"],
     &["web"],
     &["cli"],
 ];
@@ -42,6 +43,7 @@ const PACKAGES: &[(&str, &str)] = &[
     ("clap", "cli"),
     ("clap_complete", "cli"),
     ("resvg", "cli"),
+    ("sqlx", "store"),
     ("jiff", "course"),
     ("axum", "web"),
     ("rapier2d_f64", "simulate"),

@@ -1,0 +1,181 @@
+//! Assignments, their items, and more time for some.
+
+use sqlx::Row;
+use sqlx::query;
+
+use crate::course::{Assignment, Correction, Course, Extension, Item, Key, Member, Moment};
+
+use super::fault::StoreFault;
+use super::open::Store;
+use super::records::{kept, record};
+use super::trail::Entry;
+use super::writer::Statement;
+
+/// An assignment and what it consists of.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct AssignmentWithItems {
+    /// The assignment.
+    pub assignment: Assignment,
+    /// Its items, in their order.
+    pub items: Vec<Item>,
+    /// Grows with every change of it, of its items and of its extensions.
+    pub revision: i64,
+}
+
+impl Store {
+    /// Keeps an assignment with all its items; those that it had and has no more are taken away.
+    ///
+    /// # Errors
+    /// Where the database refuses, as for everything here.
+    pub async fn save_assignment(&self, whole: &AssignmentWithItems, entry: &Entry) -> Result<(), StoreFault> {
+        let AssignmentWithItems { assignment, items, .. } = whole;
+        let key = assignment.key.to_string();
+        let mut statements = vec![save(assignment)?, query("DELETE FROM item WHERE assignment = $1").bind(key)];
+        for item in items {
+            statements.push(save_item(item)?);
+        }
+        statements.push(changed(assignment.key));
+        statements.push(entry.statement()?);
+        self.write(statements).await.map(|_| ())
+    }
+
+    /// Keeps items of an assignment as they became.
+    ///
+    /// # Errors
+    /// Where the database refuses.
+    pub async fn save_items(&self, items: &[Item], entry: &Entry) -> Result<(), StoreFault> {
+        let mut statements = items.iter().map(save_item).collect::<Result<Vec<_>, _>>()?;
+        statements.extend(items.first().map(|item| changed(item.assignment)));
+        statements.push(entry.statement()?);
+        self.write(statements).await.map(|_| ())
+    }
+
+    /// Takes a correction into an item.
+    ///
+    /// # Errors
+    /// Where the database refuses.
+    pub async fn correct(
+        &self,
+        key: Key<Correction>,
+        item: &Item,
+        correction: &Correction,
+        entry: &Entry,
+    ) -> Result<(), StoreFault> {
+        let statement = query("INSERT INTO decision (key, sheet, item, at, data) VALUES ($1, NULL, $2, $3, $4)");
+        let statement = statement
+            .bind(key.to_string())
+            .bind(correction.item.to_string())
+            .bind(correction.at.millis())
+            .bind(kept(correction)?);
+        self.write(vec![save_item(item)?, statement, changed(item.assignment), entry.statement()?]).await.map(|_| ())
+    }
+
+    /// The corrections of an assignment's items, in their order.
+    ///
+    /// # Errors
+    /// Where the database refuses.
+    pub async fn corrections(&self, assignment: Key<Assignment>) -> Result<Vec<Correction>, StoreFault> {
+        let statement = query(
+            "SELECT d.data FROM decision d JOIN item i ON i.key = d.item WHERE i.assignment = $1 AND d.sheet IS NULL ORDER BY d.at, d.key",
+        );
+        self.records(statement.bind(assignment.to_string())).await
+    }
+
+    /// An assignment with its items.
+    ///
+    /// # Errors
+    /// Where the database refuses.
+    pub async fn assignment(&self, key: Key<Assignment>) -> Result<Option<AssignmentWithItems>, StoreFault> {
+        let statement = query("SELECT data, revision FROM assignment WHERE key = $1").bind(key.to_string());
+        let found = self.rows(statement).await?;
+        let Some(row) = found.first() else { return Ok(None) };
+        let (assignment, revision) = (record(row)?, row.try_get(1)?);
+        let statement = query("SELECT data FROM item WHERE assignment = $1").bind(key.to_string());
+        let mut items: Vec<Item> = self.records(statement).await?;
+        items.sort_by_key(|item| item.position);
+        Ok(Some(AssignmentWithItems { assignment, items, revision }))
+    }
+
+    /// The assignments of a course, by when they open.
+    ///
+    /// # Errors
+    /// Where the database refuses.
+    pub async fn assignments(&self, course: Key<Course>) -> Result<Vec<Assignment>, StoreFault> {
+        let statement = query("SELECT data FROM assignment WHERE course = $1 ORDER BY opens, key");
+        self.records(statement.bind(course.to_string())).await
+    }
+
+    /// The items of every assignment that is open for somebody and asks this problem.
+    ///
+    /// # Errors
+    /// Where the database refuses.
+    pub async fn open_items(&self, problem: &str, now: Moment) -> Result<Vec<Item>, StoreFault> {
+        let statement = query(
+            "SELECT i.data FROM item i JOIN assignment a ON a.key = i.assignment \
+             WHERE i.problem = $1 AND a.opens <= $2 AND a.closes > $2",
+        );
+        self.records(statement.bind(problem.to_owned()).bind(now.millis())).await
+    }
+
+    /// Gives one student more time.
+    ///
+    /// # Errors
+    /// Where the database refuses.
+    pub async fn extend(&self, extension: &Extension, entry: &Entry) -> Result<(), StoreFault> {
+        let statement = query(
+            "INSERT INTO extension (assignment, member, closes, data) VALUES ($1, $2, $3, $4) \
+             ON CONFLICT (assignment, member) DO UPDATE SET closes = excluded.closes, data = excluded.data",
+        );
+        let [assignment, member] = [extension.assignment.to_string(), extension.member.to_string()];
+        let statement = statement.bind(assignment).bind(member).bind(extension.closes.millis()).bind(kept(extension)?);
+        let statements = vec![statement, changed(extension.assignment), entry.statement()?];
+        self.write(statements).await.map(|_| ())
+    }
+
+    /// The extensions of an assignment.
+    ///
+    /// # Errors
+    /// Where the database refuses.
+    pub async fn extensions(&self, assignment: Key<Assignment>) -> Result<Vec<Extension>, StoreFault> {
+        let statement = query("SELECT data FROM extension WHERE assignment = $1 ORDER BY member");
+        self.records(statement.bind(assignment.to_string())).await
+    }
+
+    /// The extension of one student.
+    ///
+    /// # Errors
+    /// Where the database refuses.
+    pub async fn extension(&self, of: Key<Assignment>, member: Key<Member>) -> Result<Option<Extension>, StoreFault> {
+        let statement = query("SELECT data FROM extension WHERE assignment = $1 AND member = $2");
+        self.one(statement.bind(of.to_string()).bind(member.to_string())).await
+    }
+}
+
+fn save(assignment: &Assignment) -> Result<Statement, StoreFault> {
+    let statement = query(
+        "INSERT INTO assignment (key, course, opens, closes, revision, data) VALUES ($1, $2, $3, $4, 0, $5) \
+         ON CONFLICT (key) DO UPDATE SET opens = excluded.opens, closes = excluded.closes, data = excluded.data",
+    );
+    let [opens, closes] = [assignment.policy.opens, assignment.policy.closes].map(Moment::millis);
+    let statement = statement.bind(assignment.key.to_string()).bind(assignment.course.to_string());
+    Ok(statement.bind(opens).bind(closes).bind(kept(assignment)?))
+}
+
+/// After a change: what was marked by the rules before is not handed in any more, and the latest close counts extensions in.
+fn changed(assignment: Key<Assignment>) -> Statement {
+    let statement = query(
+        "UPDATE assignment SET revision = revision + 1, \
+         closes = (SELECT MAX(closing) FROM (SELECT assignment.closes AS closing \
+         UNION ALL SELECT e.closes FROM extension e WHERE e.assignment = $1) AS every_close) WHERE key = $1",
+    );
+    statement.bind(assignment.to_string())
+}
+
+fn save_item(item: &Item) -> Result<Statement, StoreFault> {
+    let statement = query(
+        "INSERT INTO item (key, assignment, problem, data) VALUES ($1, $2, $3, $4) \
+         ON CONFLICT (key) DO UPDATE SET problem = excluded.problem, data = excluded.data",
+    );
+    let statement = statement.bind(item.key.to_string()).bind(item.assignment.to_string());
+    Ok(statement.bind(item.problem.clone()).bind(kept(item)?))
+}

@@ -1,0 +1,29 @@
+//! The records of courses, kept: in SQLite, in a folder, or in PostgreSQL. It knows keys and records and no rule of a course.
+//!
+//! Both databases hold the same tables and take the same statements: a record is kept as JSON, beside the columns by which it is
+//! found and which must be unique.
+
+mod address;
+mod assignments;
+mod backup;
+mod courses;
+mod fault;
+mod lock;
+mod open;
+mod people;
+mod problem_files;
+mod records;
+mod schema;
+mod sheets;
+mod tickets;
+mod trail;
+mod writer;
+
+pub use address::Address;
+pub use assignments::AssignmentWithItems;
+pub use fault::StoreFault;
+pub use open::Store;
+pub use people::Membership;
+pub use sheets::{HandIn, HandedIn};
+pub use tickets::{Ticket, TicketKind};
+pub use trail::Entry;

@@ -1,0 +1,148 @@
+//! A database, ready.
+
+use std::fs;
+use std::sync::Arc;
+use std::sync::Once;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use sqlx::AnyConnection;
+use sqlx::AnyPool;
+use sqlx::Connection;
+use sqlx::Executor;
+use sqlx::Row;
+use sqlx::any::AnyPoolOptions;
+
+use super::address::Address;
+use super::fault::StoreFault;
+use super::lock::Lock;
+use super::schema;
+use super::writer::{Statement, Writer};
+
+/// Connections that read at the same time.
+const READERS: u32 = 8;
+
+/// How SQLite keeps what it was given: a commit is on the disk when it returns, also if the power fails then, and readers never
+/// wait for the writer.
+const SQLITE: &str =
+    "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA busy_timeout = 10000; PRAGMA foreign_keys = ON";
+
+/// The records of all courses. Clones share their connections.
+#[derive(Clone)]
+pub struct Store {
+    pub(super) address: Address,
+    pub(super) readers: AnyPool,
+    pub(super) writer: Writer,
+    pub(super) reads: Arc<AtomicU64>,
+    pub(super) rows: Arc<AtomicU64>,
+    /// Held while the folder is served.
+    _lock: Option<Arc<Lock>>,
+}
+
+impl Store {
+    /// Opens the data at an address to serve them, and makes what is missing. A folder is served by one process at a time.
+    ///
+    /// # Errors
+    /// Where the folder or the database cannot be used, another server works on it, or a later program wrote it.
+    pub async fn serve(address: &Address) -> Result<Self, StoreFault> {
+        let lock = match address {
+            Address::Folder(folder) => {
+                made(folder)?;
+                Some(Arc::new(Lock::of(folder)?))
+            }
+            Address::Postgres(_) => None,
+        };
+        Self::open(address, lock).await
+    }
+
+    /// Opens the data at an address beside the server that may work on them.
+    ///
+    /// # Errors
+    /// Where the folder or the database cannot be used, or a later program wrote it.
+    pub async fn beside(address: &Address) -> Result<Self, StoreFault> {
+        if let Address::Folder(folder) = address {
+            made(folder)?;
+        }
+        Self::open(address, None).await
+    }
+
+    async fn open(address: &Address, lock: Option<Arc<Lock>>) -> Result<Self, StoreFault> {
+        let url = address.url();
+        let mut connection = connect(address, &url).await?;
+        let mut transaction = connection.begin().await?;
+        schema::migrate(&mut transaction).await?;
+        transaction.commit().await?;
+        let is_folder = matches!(address, Address::Folder(_));
+        let options = AnyPoolOptions::new().max_connections(READERS).after_connect(move |connection, _| {
+            Box::pin(async move { if is_folder { connection.execute(SQLITE).await.map(|_| ()) } else { Ok(()) } })
+        });
+        Ok(Self {
+            address: address.clone(),
+            readers: options.connect(&url).await?,
+            writer: Writer::start(connection),
+            reads: Arc::default(),
+            rows: Arc::default(),
+            _lock: lock,
+        })
+    }
+
+    /// Where the data are.
+    #[must_use]
+    pub fn address(&self) -> &Address {
+        &self.address
+    }
+
+    /// How many statements have read so far, and how many rows they found: what tests hold pages to.
+    #[must_use]
+    pub fn reads(&self) -> (u64, u64) {
+        (self.reads.load(Ordering::Relaxed), self.rows.load(Ordering::Relaxed))
+    }
+
+    /// Whether the database answers.
+    ///
+    /// # Errors
+    /// Where it does not.
+    pub async fn ping(&self) -> Result<(), StoreFault> {
+        self.rows(sqlx::query("SELECT 1")).await.map(|_| ())
+    }
+
+    /// How SQLite writes its journal, and how far a commit waits for the disk (`2` is until all is on it).
+    ///
+    /// # Errors
+    /// Where it is another database.
+    pub async fn durability(&self) -> Result<[String; 2], StoreFault> {
+        let journal = self.rows(sqlx::query("PRAGMA journal_mode")).await?;
+        let synchronous = self.rows(sqlx::query("PRAGMA synchronous")).await?;
+        let [journal, synchronous] = [journal, synchronous].map(|rows| rows.into_iter().next());
+        let journal = journal.map(|row| row.try_get(0)).transpose()?;
+        let synchronous: Option<i64> = synchronous.map(|row| row.try_get(0)).transpose()?;
+        Ok([journal.unwrap_or_default(), synchronous.unwrap_or_default().to_string()])
+    }
+
+    /// Carries statements out, all or none, and says how many rows each changed.
+    pub(super) async fn write(&self, statements: Vec<Statement>) -> Result<Vec<u64>, StoreFault> {
+        self.writer.write(statements).await
+    }
+}
+
+/// A folder that only its owner can read, where it was not there.
+fn made(folder: &std::path::Path) -> Result<(), StoreFault> {
+    if folder.is_dir() {
+        return Ok(());
+    }
+    let mut builder = fs::DirBuilder::new();
+    builder.recursive(true);
+    #[cfg(unix)]
+    std::os::unix::fs::DirBuilderExt::mode(&mut builder, 0o700);
+    builder.create(folder).map_err(|error| StoreFault::Folder(folder.to_owned(), error))
+}
+
+/// A connection of its own, set up as all are.
+pub(super) async fn connect(address: &Address, url: &str) -> Result<AnyConnection, StoreFault> {
+    static DRIVERS: Once = Once::new();
+    DRIVERS.call_once(sqlx::any::install_default_drivers);
+    let mut connection = AnyConnection::connect(url).await?;
+    if matches!(address, Address::Folder(_)) {
+        connection.execute(SQLITE).await?;
+    }
+    Ok(connection)
+}

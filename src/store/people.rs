@@ -1,0 +1,130 @@
+//! People.
+
+use sqlx::Row;
+use sqlx::query;
+
+use crate::course::{Course, Key, Member, Person};
+
+use super::fault::StoreFault;
+use super::open::Store;
+use super::records::kept;
+use super::trail::Entry;
+use super::writer::Statement;
+
+/// Somebody's place in a course.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Membership {
+    /// The place.
+    pub member: Member,
+    /// Who has it.
+    pub person: Person,
+    /// The course.
+    pub course: Course,
+}
+
+impl Store {
+    /// Whether nobody is known yet.
+    ///
+    /// # Errors
+    /// Where the database refuses, as for everything here.
+    pub async fn is_empty(&self) -> Result<bool, StoreFault> {
+        Ok(self.rows(query("SELECT 1 FROM person LIMIT 1")).await?.is_empty())
+    }
+
+    /// Adds people. [`StoreFault::is_taken`] where somebody signs in by that name already; then nobody is added.
+    ///
+    /// # Errors
+    /// Where a name is taken.
+    pub async fn add_people(&self, people: &[Person], entry: &Entry) -> Result<(), StoreFault> {
+        let mut statements = people.iter().map(add).collect::<Result<Vec<_>, _>>()?;
+        statements.push(entry.statement()?);
+        self.write(statements).await.map(|_| ())
+    }
+
+    /// Keeps what became of a person.
+    ///
+    /// # Errors
+    /// Where the name by which the person signs in is another's.
+    pub async fn save_person(&self, person: &Person, entry: &Entry) -> Result<(), StoreFault> {
+        self.write(vec![save(person)?, entry.statement()?]).await.map(|_| ())
+    }
+
+    /// Forgets who a person is, and lets nobody sign in as it. What it handed in stays, under its key.
+    ///
+    /// # Errors
+    /// Where the database refuses.
+    pub async fn erase_person(&self, erased: &Person, entry: &Entry) -> Result<(), StoreFault> {
+        let key = erased.key.to_string();
+        let statements = vec![
+            save(erased)?,
+            query("DELETE FROM password WHERE person = $1").bind(key.clone()),
+            query("DELETE FROM ticket WHERE person = $1").bind(key),
+            entry.statement()?,
+        ];
+        self.write(statements).await.map(|_| ())
+    }
+
+    /// A person by its key.
+    ///
+    /// # Errors
+    /// Where the database refuses.
+    pub async fn person(&self, key: Key<Person>) -> Result<Option<Person>, StoreFault> {
+        self.one(query("SELECT data FROM person WHERE key = $1").bind(key.to_string())).await
+    }
+
+    /// A person by the name by which it signs in.
+    ///
+    /// # Errors
+    /// Where the database refuses.
+    pub async fn person_named(&self, login: &str) -> Result<Option<Person>, StoreFault> {
+        self.one(query("SELECT data FROM person WHERE login = $1").bind(login.to_owned())).await
+    }
+
+    /// Everybody, by name.
+    ///
+    /// # Errors
+    /// Where the database refuses.
+    pub async fn people(&self) -> Result<Vec<Person>, StoreFault> {
+        self.records(query("SELECT data FROM person WHERE login IS NOT NULL ORDER BY login")).await
+    }
+
+    /// The hash of a person's password, where it has one.
+    ///
+    /// # Errors
+    /// Where the database refuses.
+    pub async fn password(&self, person: Key<Person>) -> Result<Option<String>, StoreFault> {
+        let found = self.rows(query("SELECT hash FROM password WHERE person = $1").bind(person.to_string())).await?;
+        Ok(found.first().map(|row| row.try_get(0)).transpose()?)
+    }
+
+    /// Keeps the hash of a person's password, and ends every session of that person.
+    ///
+    /// # Errors
+    /// Where the database refuses.
+    pub async fn set_password(&self, person: Key<Person>, hash: String, entry: &Entry) -> Result<(), StoreFault> {
+        let person = person.to_string();
+        let statements = vec![
+            query("INSERT INTO password (person, hash) VALUES ($1, $2) ON CONFLICT (person) DO UPDATE SET hash = excluded.hash")
+                .bind(person.clone())
+                .bind(hash),
+            query("DELETE FROM ticket WHERE person = $1").bind(person),
+            entry.statement()?,
+        ];
+        self.write(statements).await.map(|_| ())
+    }
+}
+
+/// The name that must be unique; an erased person has none.
+fn login(person: &Person) -> Option<String> {
+    (!person.login.is_empty()).then(|| person.login.clone())
+}
+
+pub(super) fn add(person: &Person) -> Result<Statement, StoreFault> {
+    let statement = query("INSERT INTO person (key, login, data) VALUES ($1, $2, $3)");
+    Ok(statement.bind(person.key.to_string()).bind(login(person)).bind(kept(person)?))
+}
+
+fn save(person: &Person) -> Result<Statement, StoreFault> {
+    let statement = query("UPDATE person SET login = $2, data = $3 WHERE key = $1");
+    Ok(statement.bind(person.key.to_string()).bind(login(person)).bind(kept(person)?))
+}

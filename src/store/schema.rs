@@ -1,0 +1,47 @@
+//! The tables, and how those of an earlier version become those of this one.
+
+use sqlx::AnyConnection;
+use sqlx::Row;
+
+use super::fault::StoreFault;
+
+/// The statements that lead from each version to the next, the first from nothing. A row is never changed once a version with it was released.
+const STEPS: [(i64, &str); 1] = [(1, include_str!("schema/1.sql"))];
+
+/// Every table, each after those that it speaks of: the order of a backup.
+pub(super) const TABLES: [(&str, &str); 15] = [
+    ("person", "key, login, data"),
+    ("password", "person, hash"),
+    ("ticket", "hash, person, kind, expires"),
+    ("course", "key, secret, data"),
+    ("member", "key, course, person, data"),
+    ("problem_file", "course, digest, problem, data"),
+    ("assignment", "key, course, opens, closes, revision, data"),
+    ("item", "key, assignment, problem, data"),
+    ("extension", "assignment, member, closes, data"),
+    ("sheet", "key, item, member, issue, data"),
+    ("attempt", "sheet, number, request, data"),
+    ("hint", "sheet, part, number, data"),
+    ("draft", "sheet, data"),
+    ("decision", "key, sheet, item, at, data"),
+    ("trail", "key, course, at, data"),
+];
+
+/// The version of the tables of this program.
+pub(super) const VERSION: i64 = STEPS[STEPS.len() - 1].0;
+
+/// Brings the tables to this version, in one transaction.
+pub(super) async fn migrate(connection: &mut AnyConnection) -> Result<(), StoreFault> {
+    let create = "CREATE TABLE IF NOT EXISTS version (number BIGINT NOT NULL)";
+    sqlx::raw_sql(create).execute(&mut *connection).await?;
+    let found = sqlx::query("SELECT MAX(number) FROM version").fetch_one(&mut *connection).await?;
+    let found: i64 = found.try_get::<Option<i64>, _>(0)?.unwrap_or(0);
+    if found > VERSION {
+        return Err(StoreFault::Newer { found, known: VERSION });
+    }
+    for (number, step) in STEPS.into_iter().filter(|(number, _)| *number > found) {
+        sqlx::raw_sql(step).execute(&mut *connection).await?;
+        sqlx::query("INSERT INTO version (number) VALUES ($1)").bind(number).execute(&mut *connection).await?;
+    }
+    Ok(())
+}
