@@ -13,6 +13,8 @@ mod limits;
 mod played;
 #[path = "web/simulators.rs"]
 mod simulators;
+#[path = "web/typed.rs"]
+mod typed;
 #[path = "web/work.rs"]
 mod work;
 

@@ -44,6 +44,7 @@ use crate::problem::AskedUnit;
 use crate::problem::ChoicePart;
 use crate::problem::End;
 use crate::problem::Known;
+use crate::problem::Loaded;
 use crate::problem::NoVariant;
 use crate::problem::NumberPart;
 use crate::problem::Part;
@@ -56,6 +57,7 @@ use crate::problem::Variant;
 use crate::problem::Worked;
 use crate::problem::ad_hoc;
 use crate::problem::compile_ad_hoc;
+use crate::problem::typed;
 use crate::quantity::Printed;
 use crate::quantity::half_unit;
 use crate::render::Identity;
@@ -111,8 +113,27 @@ impl Exercise {
         set: &[(String, String)],
         find: &[String],
     ) -> Result<Self, Faults> {
+        Self::of_changed(problem, ad_hoc(problem.loaded(), form, set, find), seed)
+    }
+
+    /// The same with the problem's text, which says the user's own values: a variant that can be printed and marked as one that
+    /// was drawn.
+    ///
+    /// # Errors
+    /// As [`Exercise::with_values`].
+    pub fn typed(
+        problem: &Problem,
+        form: usize,
+        seed: u64,
+        set: &[(String, String)],
+        find: &[String],
+    ) -> Result<Self, Faults> {
+        Self::of_changed(problem, typed(problem.loaded(), form, set, find), seed)
+    }
+
+    fn of_changed(problem: &Problem, changed: Result<Loaded, Vec<Fault>>, seed: u64) -> Result<Self, Faults> {
         let alone = |faults: Vec<Fault>| Faults { source: problem.loaded().source.clone(), list: faults };
-        let changed = ad_hoc(problem.loaded(), form, set, find).map_err(alone)?;
+        let changed = changed.map_err(alone)?;
         let problem = Arc::new(compile_ad_hoc(changed)?);
         let drawn = |known: &Known| {
             known.origin.is_drawn() && problem.forms().iter().any(|form| form.told.contains(&known.symbol))

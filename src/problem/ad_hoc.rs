@@ -12,12 +12,27 @@ use super::given::Given;
 use super::literal::Literal;
 use super::load::Loaded;
 use super::text::Text;
+use super::text::is_name;
 
 /// The same scene with other values and another question. Its text is left out, since it may no longer fit.
 ///
 /// # Errors
 /// A fault for each value that cannot be read, and where the problem has no such form.
 pub fn ad_hoc(loaded: &Loaded, form: usize, set: &[(String, String)], find: &[String]) -> Result<Loaded, Vec<Fault>> {
+    let mut changed = typed(loaded, form, set, find)?;
+    changed.text = Text::default();
+    for question in &mut changed.questions {
+        question.text = Text::default();
+    }
+    Ok(changed)
+}
+
+/// The same scene with other values, and its text, which says each of them: those for which it has no place stand at its end. Where
+/// something else is sought, the story stays without the question of the form.
+///
+/// # Errors
+/// A fault for each value that cannot be read, and where the problem has no such form.
+pub fn typed(loaded: &Loaded, form: usize, set: &[(String, String)], find: &[String]) -> Result<Loaded, Vec<Fault>> {
     let mut changed = loaded.clone();
     let Some(question) = loaded.questions.get(form) else {
         return Err(vec![Fault::new(Code::UnknownName, "the problem has no such form")]);
@@ -55,13 +70,19 @@ pub fn ad_hoc(loaded: &Loaded, form: usize, set: &[(String, String)], find: &[St
         return Err(faults);
     }
     if !find.is_empty() {
+        question.text = Text::default();
         question.ask = find.iter().map(|name| asked(&question.ask, name)).collect();
         question.path = Path::root();
     }
     let told = |name: &String| set.iter().any(|(own, _)| own == name);
     question.reveal.retain(|name| !told(name) && !find.contains(name));
-    question.text = Text::default();
-    changed.text = Text::default();
+    let places = || [&changed.text, &question.text].into_iter().flat_map(Text::placeholders);
+    let is_told = |name: &str| places().any(|own| own.name == name && own.filter.tells());
+    let untold = set.iter().map(|(name, _)| name).filter(|name| is_name(name) && !is_told(name));
+    let untold: Vec<String> = untold.map(|name| format!("{{{{ {name} | named }}}}")).collect();
+    if !untold.is_empty() {
+        question.text = question.text.followed_by(Text::read(&format!("\n\nHere {}.", untold.join(", ")))?);
+    }
     changed.given = given.into_iter().collect::<Entries<Given>>();
     changed.questions = vec![question];
     Ok(changed)

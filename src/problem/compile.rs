@@ -50,7 +50,7 @@ const GRAVITY: [(UnitSystem, &str, &str); 2] = [(UnitSystem::Si, "9.81", "m/s^2"
 /// Every fault that can be found without drawing numbers: unknown names, dimensions that do not agree, what does not
 /// follow from what is given.
 pub fn compile(loaded: Loaded, secret: Option<&[u8]>) -> Result<Problem, Faults> {
-    let built = build(&loaded, secret).and_then(|built| {
+    let built = build(&loaded, secret, Asked::AsWritten).and_then(|built| {
         let check = |form| told::check(&loaded, &built.model, &built.known, form);
         let mut faults: Vec<Fault> = built.forms.iter().flat_map(check).collect();
         faults.extend(feedback::check(&loaded, &built.model, &built.forms));
@@ -91,10 +91,19 @@ fn contradictions(problem: &Problem) -> Vec<Fault> {
 /// # Errors
 /// Every fault that can be found without drawing numbers.
 pub fn compile_ad_hoc(loaded: Loaded) -> Result<Problem, Faults> {
-    match build(&loaded, None) {
+    match build(&loaded, None, Asked::Anew) {
         Ok(built) => Ok(Problem::new(loaded, built)),
         Err(faults) => Err(loaded.locate(faults)),
     }
+}
+
+/// How a problem is asked.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Asked {
+    /// As its file asks.
+    AsWritten,
+    /// With other values or for other quantities.
+    Anew,
 }
 
 /// What compiling makes of a file.
@@ -107,7 +116,7 @@ pub(super) struct Built {
     pub notation: Notation,
 }
 
-fn build(loaded: &Loaded, secret: Option<&[u8]>) -> Result<Built, Vec<Fault>> {
+fn build(loaded: &Loaded, secret: Option<&[u8]>, asked: Asked) -> Result<Built, Vec<Fault>> {
     let draft = &loaded.draft;
     let notation = draft.symbols.notation()?;
     let mut builder = Builder::of(&draft.scene, &declared(loaded))?;
@@ -137,7 +146,7 @@ fn build(loaded: &Loaded, secret: Option<&[u8]>) -> Result<Built, Vec<Fault>> {
     }
     words_for_directions(loaded, &drafts, &mut builder);
     let model = builder.finish()?;
-    let mut faults = idle(loaded, &model, &known, &drafts, &require);
+    let mut faults = idle((loaded, asked), &model, &known, &drafts, &require);
     let mut forms = Vec::new();
     let mut planner = Planner::default();
     for form in drafts {
@@ -174,16 +183,23 @@ fn words_for_directions(loaded: &Loaded, drafts: &[FormDraft], builder: &mut Bui
 }
 
 /// A given that no equation, condition or text refers to is a slip of the pen.
-fn idle(loaded: &Loaded, model: &Model, known: &[Known], forms: &[FormDraft], require: &[Condition]) -> Vec<Fault> {
+fn idle(
+    (loaded, asked): (&Loaded, Asked),
+    model: &Model,
+    known: &[Known],
+    forms: &[FormDraft],
+    require: &[Condition],
+) -> Vec<Fault> {
     let mut used = model.mentioned();
     let conditions = forms.iter().flat_map(|form| &form.conditions).chain(require);
     used.extend(conditions.flat_map(|condition| [condition.left.symbols(), condition.right.symbols()]).flatten());
     used.extend(forms.iter().flat_map(|form| &form.counts).flat_map(Equation::symbols));
     let texts = std::iter::once(&loaded.text).chain(loaded.questions.iter().map(|question| &question.text));
+    let texts = texts.filter(|_| asked == Asked::AsWritten);
     used.extend(texts.flat_map(Text::placeholders).filter_map(|placeholder| model.symbol_of(&placeholder.name)));
     let names: Vec<&str> = used.iter().map(|symbol| model.symbols.entry(*symbol).name.as_str()).collect();
-    // Asked anew, without its text, a problem may leave some of its own givens aside.
-    let aside = |known: &Known| loaded.text.pieces().is_empty() && loaded.draft.given.get(&known.name).is_some();
+    // Asked anew, a problem may leave some of its own givens aside; that its text says a value that was typed makes no use of it.
+    let aside = |known: &Known| asked == Asked::Anew && loaded.draft.given.get(&known.name).is_some();
     // A quantity of the scene that must not matter may be one that no equation needs.
     let any = |known: &Known| matches!(known.origin, Origin::Any) && model.symbols.is_described(known.symbol);
     let idle = known.iter().filter(|known| !used.contains(&known.symbol) && !aside(known) && !any(known));

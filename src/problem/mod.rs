@@ -67,7 +67,7 @@ mod unsound;
 mod variant;
 mod vector;
 
-pub use ad_hoc::ad_hoc;
+pub use ad_hoc::{ad_hoc, typed};
 pub use allowed::Meant;
 pub use ask::{
     Answered, Ask, AskedRoots, Classifiable, Classify, Conservable, Conserved, Count, Find, Holds, Impulsive, Order,

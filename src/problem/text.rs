@@ -122,6 +122,14 @@ impl Text {
         if faults.is_empty() { Ok(Self { pieces }) } else { Err(faults) }
     }
 
+    /// This text and another one behind it. The places of the other's placeholders are those of the other.
+    #[must_use]
+    pub(super) fn followed_by(&self, mut other: Self) -> Self {
+        let mut pieces = self.pieces.clone();
+        pieces.append(&mut other.pieces);
+        Self { pieces }
+    }
+
     /// The parts in order.
     #[must_use]
     pub fn pieces(&self) -> &[Piece] {

@@ -54,6 +54,12 @@ impl App {
         })
     }
 
+    /// How often a problem was looked up, in all requests: the measure of the work that a page or a call begins with.
+    #[must_use]
+    pub fn looked_up(&self) -> u64 {
+        self.library.looked_up()
+    }
+
     /// The engine.
     pub(super) fn engine(&self) -> Engine<'_> {
         Engine { problems: &self.library, renderer: &self.renderer, limits: self.settings.limits }

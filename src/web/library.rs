@@ -7,6 +7,7 @@ use std::sync::Arc;
 use std::sync::Mutex;
 use std::sync::MutexGuard;
 use std::sync::PoisonError;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::SystemTime;
 
 use crate::bank::Bank;
@@ -23,6 +24,7 @@ pub(super) struct Library {
     watched: Option<PathBuf>,
     built_in: Bank,
     shelf: Mutex<Shelf>,
+    looked_up: AtomicU64,
 }
 
 /// A bank as it was read.
@@ -39,7 +41,17 @@ impl Library {
     pub(super) fn open(watched: Option<&Path>) -> Result<Self, Faults> {
         let stamp = watched.map_or(0, stamp);
         let shelf = Shelf { bank: Arc::new(read(watched)?), stamp, compiled: BTreeMap::new(), cards: None };
-        Ok(Self { watched: watched.map(Path::to_owned), built_in: Bank::built_in(), shelf: Mutex::new(shelf) })
+        Ok(Self {
+            watched: watched.map(Path::to_owned),
+            built_in: Bank::built_in(),
+            shelf: Mutex::new(shelf),
+            looked_up: AtomicU64::new(0),
+        })
+    }
+
+    /// How often a problem was looked up.
+    pub(super) fn looked_up(&self) -> u64 {
+        self.looked_up.load(Ordering::Relaxed)
     }
 
     /// What the watched files look like: it changes whenever one of them is saved.
@@ -79,6 +91,7 @@ impl Library {
 
 impl Problems for Library {
     fn problem(&self, id: &str) -> Result<Arc<Problem>, Refused> {
+        self.looked_up.fetch_add(1, Ordering::Relaxed);
         let source = {
             let shelf = self.shelf()?;
             if let Some(problem) = shelf.compiled.get(id) {

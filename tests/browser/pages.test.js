@@ -3,9 +3,9 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 
-import { browse, start, strict_page } from "./server.js";
+import { site } from "./site.js";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
@@ -28,25 +28,11 @@ const PAGES = [
 
 const WIDTHS = [320, 768, 1280];
 
-/** @type {Awaited<ReturnType<typeof start>>} */
-let server;
-/** @type {import("playwright-core").Browser} */
-let browser;
-
-before(async () => {
-  [server, browser] = await Promise.all([start(), browse()]);
-});
-
-after(async () => {
-  await browser.close();
-  await server.stop();
-});
-
 for (const path of PAGES) {
   test(`${path} is accessible, light and dark`, async () => {
     for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
-      const { page, complaints, close } = await strict_page(browser, { colorScheme, bypassCSP: true });
-      await page.goto(server.url + path);
+      const { page, complaints, close } = await site.open({ colorScheme, bypassCSP: true });
+      await page.goto(site.url + path);
       await page.addScriptTag({ content: axe });
       const found = await page.evaluate("axe.run()");
       const violations = found.violations.map(
@@ -59,10 +45,10 @@ for (const path of PAGES) {
   });
 
   test(`${path} fits narrow and wide windows, and keeps to its policy`, async () => {
-    const { page, complaints, close } = await strict_page(browser);
+    const { page, complaints, close } = await site.open();
     for (const width of WIDTHS) {
       await page.setViewportSize({ width, height: 800 });
-      await page.goto(server.url + path);
+      await page.goto(site.url + path);
       const beyond = await page.evaluate(() => {
         const root = document.documentElement;
         return root.scrollWidth - root.clientWidth;

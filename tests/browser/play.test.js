@@ -1,23 +1,9 @@
 // A scene played: its clock is in the hands of the test, and the bodies have to be where the engine's record has them.
 
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 
-import { browse, start, strict_page } from "./server.js";
-
-/** @type {Awaited<ReturnType<typeof start>>} */
-let server;
-/** @type {import("playwright-core").Browser} */
-let browser;
-
-before(async () => {
-  [server, browser] = await Promise.all([start(), browse()]);
-});
-
-after(async () => {
-  await browser.close();
-  await server.stop();
-});
+import { site, still_clock } from "./site.js";
 
 /**
  * A page that plays a problem, with a clock that stands still until `pass` turns it.
@@ -25,25 +11,13 @@ after(async () => {
  * @param {import("playwright-core").BrowserContextOptions} [options]
  */
 async function played(problem, options) {
-  const own = await strict_page(browser, options);
+  const own = await site.open(options);
   const { page } = own;
-  await page.addInitScript(() => {
-    /** @type {(() => void)[]} */
-    let waiting = [];
-    let now = 0;
-    const frame = (/** @type {() => void} */ callback) => void waiting.push(callback);
-    const pass = (/** @type {number} */ seconds) => {
-      now += 1000 * seconds;
-      const due = waiting;
-      waiting = [];
-      for (const callback of due) callback();
-    };
-    Object.assign(globalThis, { momentousClock: { now: () => now, frame }, pass });
-  });
-  await page.goto(`${server.url}/play/${problem}?seed=1`);
+  await page.addInitScript(still_clock);
+  await page.goto(`${site.url}/play/${problem}?seed=1`);
   await page.locator("html[data-state=ready]").waitFor();
   const request = { problem, seed: 1, together: true };
-  const response = await page.request.post(`${server.url}/api/simulate`, { data: request });
+  const response = await page.request.post(`${site.url}/api/simulate`, { data: request });
   const scene = page.locator("section.scene");
   return {
     ...own,
@@ -200,8 +174,8 @@ test("whoever wants no motion sees the end at once", async () => {
 });
 
 test("without JavaScript the places stand as curves, with the impacts as a table", async () => {
-  const { page, complaints, close } = await strict_page(browser, { javaScriptEnabled: false });
-  await page.goto(`${server.url}/play/impact/two-carts?seed=1`);
+  const { page, complaints, close } = await site.open({ javaScriptEnabled: false });
+  await page.goto(`${site.url}/play/impact/two-carts?seed=1`);
   assert.equal(await page.locator(".found figure svg").count(), 1);
   assert.equal(await page.locator(".impacts tbody tr").count(), 1);
   assert.deepEqual(complaints, []);
@@ -209,8 +183,8 @@ test("without JavaScript the places stand as curves, with the impacts as a table
 });
 
 test("a single instant is not played, and the page says why", async () => {
-  const { page, close } = await strict_page(browser);
-  await page.goto(`${server.url}/play/mass-centre/three-boats`);
+  const { page, close } = await site.open();
+  await page.goto(`${site.url}/play/mass-centre/three-boats`);
   assert.match((await page.getByRole("alert").textContent()) ?? "", /a single instant/);
   await close();
 });

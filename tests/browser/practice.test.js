@@ -2,23 +2,10 @@
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 
-import { browse, program, start, strict_page } from "./server.js";
-
-/** @type {Awaited<ReturnType<typeof start>>} */
-let server;
-/** @type {import("playwright-core").Browser} */
-let browser;
-
-before(async () => {
-  [server, browser] = await Promise.all([start(), browse()]);
-});
-
-after(async () => {
-  await browser.close();
-  await server.stop();
-});
+import { program } from "./server.js";
+import { site } from "./site.js";
 
 const SHEET = "/practice/impact/two-carts?form=forward&seed=7";
 
@@ -31,13 +18,13 @@ const SHEET = "/practice/impact/two-carts?form=forward&seed=7";
  */
 function key(problem, form, seed) {
   const arguments_ = ["solve", problem, "--form", form, "--seed", String(seed), "--format", "json"];
-  const { ask } = JSON.parse(execFileSync(program, arguments_, { cwd: server.folder, encoding: "utf8" }));
+  const { ask } = JSON.parse(execFileSync(program, arguments_, { cwd: site.folder, encoding: "utf8" }));
   return Object.fromEntries(ask.map((/** @type {any} */ part) => [part.id, part.printed]));
 }
 
 test("what is typed is read while it is typed", async () => {
-  const { page, complaints, close } = await strict_page(browser);
-  await page.goto(server.url + SHEET);
+  const { page, complaints, close } = await site.open();
+  await page.goto(site.url + SHEET);
   const said = page.locator('[data-reading="v_A2"]');
   await page.locator('[data-part="v_A2"]').fill("0,5 m/s left");
   await page.locator('[data-reading="v_A2"][data-state="read"]').waitFor();
@@ -53,9 +40,9 @@ for (const javaScriptEnabled of [true, false]) {
   const how = javaScriptEnabled ? "with" : "without";
 
   test(`a sheet is answered, marked and explained ${how} JavaScript`, async () => {
-    const { page, complaints, close } = await strict_page(browser, { javaScriptEnabled });
+    const { page, complaints, close } = await site.open({ javaScriptEnabled });
     const right = key("impact/two-carts", "forward", 7);
-    await page.goto(server.url + SHEET);
+    await page.goto(site.url + SHEET);
     await page.locator('[name="answer.v_A2"]').fill("3..2 m/s");
     await page.locator('[name="answer.v_B2"]').fill(right.v_B2 ?? "");
     await page.getByRole("button", { name: "Check" }).click();
@@ -83,9 +70,9 @@ for (const javaScriptEnabled of [true, false]) {
 }
 
 test("a sheet is answered by keyboard alone", async () => {
-  const { page, close } = await strict_page(browser);
+  const { page, close } = await site.open();
   const right = key("impact/two-carts", "forward", 7);
-  await page.goto(server.url + SHEET);
+  await page.goto(site.url + SHEET);
   const focused = () => page.evaluate(() => document.activeElement?.getAttribute("name"));
   for (const [part, text] of Object.entries(right)) {
     for (let steps = 0; steps < 30 && (await focused()) !== `answer.${part}`; steps += 1) await page.keyboard.press("Tab");
@@ -97,8 +84,8 @@ test("a sheet is answered by keyboard alone", async () => {
 });
 
 test("hostile answers are shown as they were typed", async () => {
-  const { page, complaints, close } = await strict_page(browser);
-  await page.goto(server.url + SHEET);
+  const { page, complaints, close } = await site.open();
+  await page.goto(site.url + SHEET);
   const text = "\"><script>document.title='gone'</script>";
   await page.locator('[name="answer.v_A2"]').fill(text);
   await page.getByRole("button", { name: "Check" }).click();

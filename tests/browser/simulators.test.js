@@ -4,10 +4,11 @@ import assert from "node:assert/strict";
 import { execFile } from "node:child_process";
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { promisify } from "node:util";
 
-import { browse, program, start, strict_page } from "./server.js";
+import { program } from "./server.js";
+import { site, still_clock } from "./site.js";
 
 const run = promisify(execFile);
 
@@ -16,20 +17,6 @@ const SETTINGS = 200;
 
 /** How many programs run at once. */
 const TOGETHER = 8;
-
-/** @type {Awaited<ReturnType<typeof start>>} */
-let server;
-/** @type {import("playwright-core").Browser} */
-let browser;
-
-before(async () => {
-  [server, browser] = await Promise.all([start(), browse()]);
-});
-
-after(async () => {
-  await browser.close();
-  await server.stop();
-});
 
 /** Random numbers that are the same in every run. */
 function generator(seed = 1) {
@@ -73,7 +60,7 @@ function restitution() {
  * @param {string[]} asked
  */
 async function said(name, scene, given, asked) {
-  const file = join(server.folder, `${name}.yaml`);
+  const file = join(site.folder, `${name}.yaml`);
   const values = Object.entries(given).map(([own, value]) => `${own}: ${value}`);
   const questions = asked.map((find) => `  - { find: ${find} }`).join("\n");
   const text = `"${Object.keys(given).map((own) => `{{ ${own} }}`).join(", ")}"`;
@@ -83,7 +70,7 @@ async function said(name, scene, given, asked) {
   );
   /** @param {string} command */
   const ask = async (command) => {
-    const { stdout } = await run(program, [command, file, "--format", "json"], { cwd: server.folder, maxBuffer: 1 << 26 });
+    const { stdout } = await run(program, [command, file, "--format", "json"], { cwd: site.folder, maxBuffer: 1 << 26 });
     return JSON.parse(stdout);
   };
   const [solved, simulated] = await Promise.all([ask("solve"), ask("simulate")]);
@@ -177,8 +164,8 @@ function batches(items) {
 const show = (path) => `[data-show="${path}"]`;
 
 test("the collision shows what solve and simulate say", async () => {
-  const { page, complaints, close } = await strict_page(browser);
-  await page.goto(`${server.url}/simulators/collision`);
+  const { page, complaints, close } = await site.open();
+  await page.goto(`${site.url}/simulators/collision`);
   const all = Array.from({ length: SETTINGS }, collision);
   for (const [batch, settings] of batches(all).entries()) {
     const meeting = settings.map(({ v_A = 0, v_B = 0 }) => v_A > v_B);
@@ -218,8 +205,8 @@ test("the collision shows what solve and simulate say", async () => {
 });
 
 test("the bouncing ball shows what solve and simulate say", async () => {
-  const { page, complaints, close } = await strict_page(browser);
-  await page.goto(`${server.url}/simulators/restitution`);
+  const { page, complaints, close } = await site.open();
+  await page.goto(`${site.url}/simulators/restitution`);
   const all = Array.from({ length: SETTINGS }, restitution);
   for (const [batch, settings] of batches(all).entries()) {
     const known = await Promise.all(
@@ -253,26 +240,13 @@ test("the bouncing ball shows what solve and simulate say", async () => {
 });
 
 test("time runs by the clock, and stops, steps and starts again", async () => {
-  const { page, complaints, close } = await strict_page(browser);
-  await page.addInitScript(() => {
-    /** @type {(() => void)[]} */
-    let waiting = [];
-    let now = 0;
-    Object.assign(globalThis, {
-      momentousClock: { now: () => now, frame: (/** @type {() => void} */ callback) => void waiting.push(callback) },
-      pass: (/** @type {number} */ time) => {
-        now += time;
-        const due = waiting;
-        waiting = [];
-        for (const callback of due) callback();
-      },
-    });
-  });
-  await page.goto(`${server.url}/simulators/collision?m_A=3&v_A=3&m_B=2&v_B=-2&e=0.7`);
+  const { page, complaints, close } = await site.open();
+  await page.addInitScript(still_clock);
+  await page.goto(`${site.url}/simulators/collision?m_A=3&v_A=3&m_B=2&v_B=-2&e=0.7`);
   await page.locator('[data-simulator][data-state="shown"]').waitFor();
   const state = () => texts(page, ["[data-state-words]", "[data-now]"]);
   /** @param {number} time */
-  const pass = (time) => page.evaluate((time) => Reflect.get(globalThis, "pass")(time), time);
+  const pass = (time) => page.evaluate(`pass(${time / 1000})`);
   assert.deepEqual(await state(), ["approaching", "0.00 s: A at -2.23 m, B at 2.20 m, centre of mass at -0.46 m"]);
   await page.getByRole("button", { name: "Play" }).click();
   await pass(500);
@@ -295,8 +269,8 @@ test("time runs by the clock, and stops, steps and starts again", async () => {
 });
 
 test("a preset, a method and the address go together", async () => {
-  const { page, complaints, close } = await strict_page(browser);
-  await page.goto(`${server.url}/simulators/collision`);
+  const { page, complaints, close } = await site.open();
+  await page.goto(`${site.url}/simulators/collision`);
   await page.locator('[data-simulator][data-state="shown"]').waitFor();
   await page.getByRole("link", { name: "Plastic" }).click();
   await page.locator('[data-shown="m_A=3&v_A=3&m_B=2&v_B=-2&e=0"][data-state="shown"]').waitFor();
@@ -326,16 +300,58 @@ test("a preset, a method and the address go together", async () => {
 });
 
 test("without JavaScript the same numbers are asked for by the form", async () => {
-  const { page, close } = await strict_page(browser, { javaScriptEnabled: false });
-  await page.goto(`${server.url}/simulators/collision`);
+  const { page, close } = await site.open({ javaScriptEnabled: false });
+  await page.goto(`${site.url}/simulators/collision`);
   await page.locator("#e").fill("1");
   await page.getByRole("button", { name: "Show" }).click();
   assert.match((await page.locator(show("told")).textContent()) ?? "", /12\.0.N.s from A/);
   assert.equal(await page.locator(show("lost")).textContent(), "0 J");
   assert.ok((await page.locator('[data-plot="places"] polyline').count()) === 3);
   assert.ok((await page.locator('[data-plot="contact"] polyline').count()) === 2);
-  await page.getByRole("link", { name: "Make a problem of this" }).click();
-  assert.match(page.url(), /solve\/impact\/two-carts\?set\.m_A=3\+kg/);
+  await page.getByRole("link", { name: "Show the solution" }).click();
+  assert.match(page.url(), /solution\/impact\/two-carts\?set\.m_A=3\+kg/);
   assert.match((await page.locator("article.solution").textContent()) ?? "", /Worked solution/);
+  await close();
+});
+
+test("a problem is made of the numbers that are set, and answered", async () => {
+  const { page, complaints, close } = await site.open();
+  await page.goto(`${site.url}/simulators/collision`);
+  await page.locator('[data-simulator][data-state="shown"]').waitFor();
+  await page.locator("#v_B").fill("-1.5");
+  await page.locator('[data-shown*="v_B=-1.5"][data-state="shown"]').waitFor();
+  // By hand: the centre of mass moves at (3 * 3 - 2 * 1.5) / 5 = 1.2 m/s, so v_A2 = 1.2 - 0.7 (3 - 1.2) and v_B2 = 1.2 + 0.7 (1.2 + 1.5).
+  await page.getByRole("link", { name: "Make a problem of this" }).click();
+  await page.waitForURL("**/practice/impact/two-carts?set.*");
+  assert.match((await page.locator(".statement").textContent()) ?? "", /Cart A \(3.kg\).* at 1\.5.m\/s to the left/);
+  await page.locator('[data-part="v_A2"]').fill("-0,06 m/s");
+  await page.locator('[data-reading="v_A2"][data-state="read"]').waitFor();
+  assert.match((await page.locator('[data-reading="v_A2"]').textContent()) ?? "", /Read as -0\.06 metres per second/);
+  await page.locator('[data-part="v_B2"]').fill("3.09 m/s");
+  // The energy lost: half of the reduced mass 1.2 kg, times 1 - 0.49, times (4.5 m/s)^2.
+  await page.locator('[data-part="T_lost"]').fill("6.1965 J");
+  await page.getByRole("button", { name: "Check" }).click();
+  assert.match((await page.locator(".total").textContent()) ?? "", /5 of 5 points/);
+  await page.getByRole("link", { name: "Whole solution" }).click();
+  assert.match(page.url(), /set\.v_B1=-1\.5/);
+  assert.match((await page.locator("article.solution").textContent()) ?? "", /3\.09/);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("an empty field is said to be empty", async () => {
+  const { page, complaints, close } = await site.open();
+  await page.goto(`${site.url}/simulators/restitution`);
+  await page.locator('[data-simulator][data-state="shown"]').waitFor();
+  await page.locator("#h").fill("");
+  await page.locator('[data-simulator][data-state="refused"]').waitFor();
+  assert.match((await texts(page, ["[data-refused]"]))[0] ?? "", /“Height of release” holds no number: type one\./);
+  await page.locator("#h").fill("2");
+  await page.locator('[data-simulator][data-state="shown"]').waitFor();
+  await page.getByRole("link", { name: "Nothing lost" }).click();
+  await page.locator('[data-shown*="&e=1&"][data-state="shown"]').waitFor();
+  assert.match((await texts(page, ["[data-no-problem]"]))[0] ?? "", /has no limit/);
+  assert.equal(await page.getByRole("link", { name: "Make a problem of this" }).isVisible(), false);
+  assert.deepEqual(complaints, []);
   await close();
 });

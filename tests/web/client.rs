@@ -17,6 +17,8 @@ const LONGEST: usize = 16 << 20;
 pub struct Client {
     runtime: Runtime,
     router: Router,
+    /// The application itself.
+    pub app: Arc<App>,
 }
 
 /// A response, read to its end.
@@ -38,7 +40,11 @@ impl Client {
 
     pub fn with(settings: Settings) -> Self {
         let app = Arc::new(App::new(settings).unwrap());
-        Self { runtime: Builder::new_multi_thread().enable_all().build().unwrap(), router: router(app) }
+        Self {
+            runtime: Builder::new_multi_thread().enable_all().build().unwrap(),
+            router: router(Arc::clone(&app)),
+            app,
+        }
     }
 
     pub fn get(&self, address: &str) -> Answer {

@@ -175,3 +175,22 @@ fn what_cannot_be_is_refused_with_the_reason() {
     assert!(!text.contains("class=\"results\""));
     assert_eq!(client.get("/simulators/pendulum").status, 404);
 }
+
+/// A field that is emptied is not the usual value, which nobody typed.
+#[test]
+fn an_empty_field_is_said_to_be_empty() {
+    let client = Client::new();
+    let page = |address: &str| client.get(address).text(200);
+    let empty = page("/simulators/collision?m_A=&m_B=2");
+    assert!(
+        empty.contains("The field “Mass of A” holds no number. Type one.")
+            && empty.contains("id=\"m_A\" name=\"m_A\" min=\"0.1\" max=\"20.0\" step=\"any\" value=\"\"")
+    );
+    assert!(!empty.contains("class=\"results\""));
+    assert!(
+        page("/simulators/collision?m_B=2").contains("class=\"results\""),
+        "what is not in the address has its usual value"
+    );
+    assert!(page("/simulators/restitution?method=penalty&step=").contains("“step” holds no number"));
+    assert!(page("/simulators/restitution?method=&step=").contains("class=\"results\""), "no method has a step");
+}

@@ -5,6 +5,7 @@ use serde::Serialize;
 use crate::problem::say_quantity;
 use crate::render::Fragment;
 
+use super::super::Exercise;
 use super::Engine;
 use super::refused::Refused;
 use super::variant::VariantRequest;
@@ -29,17 +30,24 @@ impl Engine<'_> {
     /// # Errors
     /// As for a sheet.
     pub fn givens(&self, request: &GivensRequest) -> Result<Vec<GivenResponse>, Refused> {
-        let exercise = self.draw(request)?;
+        Ok(GivenResponse::all(&self.draw(request)?))
+    }
+}
+
+impl GivenResponse {
+    /// What is given in a variant that was drawn.
+    #[must_use]
+    pub fn all(exercise: &Exercise) -> Vec<Self> {
         let problem = exercise.problem();
         let is_literal = |symbol| problem.model().literals.iter().any(|(own, _)| *own == symbol);
         let given = exercise.variant().all_given();
         let set =
             given.iter().filter(|(symbol, ..)| !is_literal(*symbol) && !exercise.worked().form.free.contains(symbol));
-        let shown = set.map(|(symbol, value, unit)| GivenResponse {
+        let shown = set.map(|(symbol, value, unit)| Self {
             name: problem.model().symbols.entry(*symbol).name.clone(),
             symbol: Fragment::math(&problem.math_of(*symbol)),
             value: say_quantity(value, unit),
         });
-        Ok(shown.collect())
+        shown.collect()
     }
 }

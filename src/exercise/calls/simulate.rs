@@ -11,14 +11,14 @@ use crate::witness::{Shot, shoot};
 use super::super::Exercise;
 use super::Engine;
 use super::refused::{Refused, RefusedKind};
-use super::solve::SolveRequest;
+use super::variant::VariantRequest;
 
 /// Asks for a simulation.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct SimulateRequest {
-    /// The variant, with values of the user's own.
+    /// The variant.
     #[serde(flatten)]
-    pub variant: SolveRequest,
+    pub variant: VariantRequest,
     /// The name of a method, as `momentous simulate --method` has it; the cheapest that serves where none is named.
     #[serde(default)]
     pub method: Option<String>,
@@ -43,7 +43,7 @@ impl Engine<'_> {
         if request.accuracy.is_some_and(|accuracy| !(accuracy > 0.0 && accuracy < 1.0)) {
             return Err(Refused::new(RefusedKind::Invalid, "an accuracy is a number between 0 and 1, such as 1e-6"));
         }
-        let exercise = request.variant.solve(self)?;
+        let exercise = self.draw(&request.variant)?;
         let steps = Some(self.limits.scene_steps);
         let shot = shot(&exercise, &Request { accuracy: request.accuracy, budget: None, method, steps })?;
         let shot = if request.together { shot.together() } else { shot };

@@ -14,9 +14,8 @@ pub(super) use start::start;
 
 use serde::Serialize;
 
-use crate::exercise::calls::{Problems, Refused, VariantRequest};
-
-use super::app::App;
+use crate::exercise::Exercise;
+use crate::exercise::calls::{Refused, RefusedKind, VariantRequest};
 
 /// Which variant a page shows, and its neighbours.
 #[derive(Serialize)]
@@ -25,31 +24,42 @@ pub(super) struct Place {
     problem: String,
     /// The form's name.
     form: Option<String>,
-    /// The seed.
-    seed: u64,
+    /// The seed; nothing where every value is the reader's own.
+    seed: Option<u64>,
     /// The seed of the next numbers.
     next_seed: u64,
-    /// The forms of the problem that have names.
+    /// The forms of the problem that have names; none where the values are the reader's own, which may not fit another form.
     forms: Vec<String>,
     /// The part of an address that names the variant: `form=forward&seed=1`.
     query: String,
+    /// The same as the fields of a form.
+    fields: Vec<(String, String)>,
+    /// The same as calls of the engine take it.
+    variant: String,
 }
 
 impl Place {
-    fn of(app: &App, variant: &VariantRequest) -> Result<Self, Refused> {
-        let problem = app.library.problem(&variant.problem)?;
-        let forms: Vec<String> = problem.forms().iter().filter_map(|form| form.question.name.clone()).collect();
-        let form = variant.form.clone().or_else(|| forms.first().cloned());
-        // The language allows only letters, digits and hyphens in the names of forms.
-        let named = form.as_ref().map_or_else(String::new, |form| format!("form={form}&"));
-        let query = format!("{named}seed={}", variant.seed);
+    fn of(exercise: &Exercise, variant: &VariantRequest) -> Result<Self, Refused> {
+        let names = exercise.problem().forms().iter().filter_map(|form| form.question.name.clone());
+        let forms: Vec<String> = names.filter(|_| !variant.is_typed()).collect();
+        let form = exercise.worked().form.question.name.clone();
+        let mut fields: Vec<(String, String)> = form.iter().map(|form| ("form".to_owned(), form.clone())).collect();
+        let seed = exercise.variant().seed();
+        fields.extend(seed.map(|seed| ("seed".to_owned(), seed.to_string())));
+        fields.extend(variant.set.iter().map(|(name, value)| (format!("set.{name}"), value.clone())));
+        if !variant.find.is_empty() {
+            fields.push(("find".to_owned(), variant.find.join(" ")));
+        }
+        let broken = |error: &dyn std::error::Error| Refused::new(RefusedKind::Fault, error.to_string());
         Ok(Self {
             problem: variant.problem.clone(),
             form,
-            seed: variant.seed,
-            next_seed: variant.seed.wrapping_add(1),
+            seed,
+            next_seed: seed.map_or(1, |seed| seed.wrapping_add(1)),
             forms,
-            query,
+            query: serde_urlencoded::to_string(&fields).map_err(|error| broken(&error))?,
+            fields,
+            variant: serde_json::to_string(variant).map_err(|error| broken(&error))?,
         })
     }
 }

@@ -29,5 +29,8 @@ pub(in crate::web) fn play(app: &App, problem: String, fields: &Parameters) -> R
         Err(refused) if refused.kind == RefusedKind::NotSimulated => (None, Some(refused.sentences())),
         Err(refused) => return Err(refused),
     };
-    app.page("play", &PlayPage { title: sheet.title.clone(), place: Place::of(app, &variant)?, sheet, played, refused })
+    app.page(
+        "play",
+        &PlayPage { title: sheet.title.clone(), place: Place::of(&exercise, &variant)?, sheet, played, refused },
+    )
 }

@@ -52,7 +52,7 @@ pub(in crate::web) fn practice(app: &App, problem: String, fields: &Parameters) 
     let report = is_answered.then(|| MarkResponse::of(&exercise, &answers, fields.decimal(), sitting));
     let page = PracticePage {
         title: sheet.title.clone(),
-        place: Place::of(app, &variant)?,
+        place: Place::of(&exercise, &variant)?,
         typed: typed(&sheet, &answers),
         marked: marked(&sheet, report.as_ref()),
         more_further: report.iter().flat_map(|report| &report.parts).any(|part| part.more_hints),

@@ -80,7 +80,11 @@ fn page<Shown>(
 ) -> SimulatorPage<Shown> {
     let field = |control: &'static Control| ControlField {
         control,
-        value: fields.get(control.name).map_or_else(|| control.usual.to_string(), str::to_owned),
+        value: match fields.get(control.name) {
+            Some(value) => value.to_owned(),
+            None if fields.is_empty(control.name) => String::new(),
+            None => control.usual.to_string(),
+        },
     };
     SimulatorPage {
         title,
@@ -117,13 +121,19 @@ fn request(controls: &[ControlField], fields: &Parameters) -> Result<SimulatorRe
     let mut request =
         SimulatorRequest { method: fields.get("method").map(str::to_owned), ..SimulatorRequest::default() };
     for ControlField { control, value } in controls {
-        request.values.insert(control.name.to_owned(), number(control.name, value)?);
+        request.values.insert(control.name.to_owned(), number((control.name, control.label), value)?);
     }
-    request.step = fields.get("step").map(|step| number("step", step)).transpose()?;
+    let step = fields.get("step").or_else(|| (request.method.is_some() && fields.is_empty("step")).then_some(""));
+    request.step = step.map(|step| number(("step", "step"), step)).transpose()?;
     Ok(request)
 }
 
-fn number(name: &str, text: &str) -> Result<f64, Refused> {
+/// A number of a field, which the page calls by its label. An empty one is not the usual value, which nobody typed.
+fn number((name, label): (&str, &str), text: &str) -> Result<f64, Refused> {
+    if text.trim().is_empty() {
+        let message = format!("the field \u{201c}{label}\u{201d} holds no number");
+        return Err(Refused::new(RefusedKind::Invalid, message).help("type one"));
+    }
     let wrong = |_| Refused::new(RefusedKind::Invalid, format!("`{name}` is a number, not `{text}`"));
     text.trim().parse().map_err(wrong)
 }

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::exercise::calls::{GivenResponse, Refused, RefusedKind, SolveRequest, SolveResponse};
+use crate::exercise::calls::{GivenResponse, Refused, RefusedKind, SolveResponse, VariantRequest};
 
 use super::super::app::App;
 use super::super::parameters::Parameters;
@@ -21,14 +21,12 @@ struct SolutionPage {
 pub(in crate::web) fn solution(app: &App, problem: String, fields: &Parameters) -> Result<String, Refused> {
     let variant = fields.variant(problem)?;
     let steps = fields.number("steps")?.map(|steps| usize::try_from(steps).unwrap_or(usize::MAX));
-    let request = SolveRequest { steps, ..plain(variant.clone()) };
-    let solved = app.engine().solve(&request)?;
+    let engine = app.engine();
+    let exercise = engine.draw(&variant)?;
+    let solved = engine.solution_of(&exercise, steps, false)?;
     let shown = steps.filter(|steps| *steps < solved.steps);
-    app.page("solution", &SolutionPage { title: solved.title.clone(), place: Place::of(app, &variant)?, solved, shown })
-}
-
-fn plain(variant: crate::exercise::calls::VariantRequest) -> SolveRequest {
-    SolveRequest { variant, set: [].into(), find: Vec::new(), steps: None, brief: false }
+    let place = Place::of(&exercise, &variant)?;
+    app.page("solution", &SolutionPage { title: solved.title.clone(), place, solved, shown })
 }
 
 #[derive(Serialize)]
@@ -53,22 +51,29 @@ struct GivenField {
 /// The solver for values of the reader's own: `set.m_A`, and `find` with names between spaces or commas.
 pub(in crate::web) fn solve(app: &App, problem: String, fields: &Parameters) -> Result<String, Refused> {
     let engine = app.engine();
-    let variant = fields.variant(problem)?;
-    let title = app.engine().sheet(&variant)?.title;
-    let set = fields.behind("set.");
-    let find = fields.get("find").unwrap_or_default().to_owned();
-    let names = find.split([' ', ',']).filter(|name| !name.is_empty()).map(str::to_owned).collect::<Vec<_>>();
-    let asked = SolveRequest { set: set.clone(), find: names, ..plain(variant.clone()) };
-    let is_asked = !asked.set.is_empty() || !asked.find.is_empty();
-    let (solved, refused) = match is_asked.then(|| engine.solve(&asked)) {
+    let asked = fields.variant(problem)?;
+    let drawn = VariantRequest { set: [].into(), find: Vec::new(), ..asked.clone() };
+    let exercise = engine.draw(&drawn)?;
+    let solved = asked.is_typed().then(|| {
+        let own = engine.typed(exercise.problem(), exercise.variant().form(), &asked)?;
+        engine.solution_of(&own, None, false)
+    });
+    let (solved, refused) = match solved {
         None => (None, None),
         Some(Ok(solved)) => (Some(solved), None),
         // What the values do not allow is part of the page, beside the fields that hold them.
         Some(Err(refused)) if refused.kind == RefusedKind::Values => (None, Some(refused.sentences())),
         Some(Err(refused)) => return Err(refused),
     };
-    let given = engine.givens(&variant)?.into_iter();
-    let givens = given.map(|given| GivenField { typed: set.get(&given.name).cloned().unwrap_or_default(), given });
-    let givens = givens.collect();
-    app.page("solve", &SolvePage { title, place: Place::of(app, &variant)?, givens, find, solved, refused })
+    let given = GivenResponse::all(&exercise).into_iter();
+    let typed = |name: &str| asked.set.get(name).cloned().unwrap_or_default();
+    let page = SolvePage {
+        title: exercise.problem().title().to_owned(),
+        place: Place::of(&exercise, &drawn)?,
+        givens: given.map(|given| GivenField { typed: typed(&given.name), given }).collect(),
+        find: fields.get("find").unwrap_or_default().to_owned(),
+        solved,
+        refused,
+    };
+    app.page("solve", &page)
 }

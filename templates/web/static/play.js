@@ -368,9 +368,8 @@ class Player {
 async function play(article) {
   const home = article.querySelector("section.scene");
   if (!(home instanceof HTMLElement)) return;
-  const { problem, form, seed } = article.dataset;
   try {
-    const record = await call("simulate", { problem, form: form || null, seed: Number(seed), together: true });
+    const record = await call("simulate", { ...JSON.parse(article.dataset.variant ?? "{}"), together: true });
     new Player(home, record.stages);
   } catch (error) {
     if (!(error instanceof Refused)) throw error;

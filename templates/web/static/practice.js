@@ -10,7 +10,7 @@ const PAUSE = 300;
  * @param {HTMLFormElement} form
  */
 function read_live(form) {
-  const { problem, form: name, seed } = form.dataset;
+  const variant = JSON.parse(form.dataset.variant ?? "{}");
   for (const field of form.querySelectorAll("input[data-part]")) {
     if (!(field instanceof HTMLInputElement)) continue;
     const said = form.querySelector(`[data-reading="${CSS.escape(field.dataset.part ?? "")}"]`);
@@ -22,7 +22,7 @@ function read_live(form) {
       asked?.abort();
       asked = new AbortController();
       const decimal = /** @type {HTMLSelectElement} */ (form.elements.namedItem("decimal")).value || "either";
-      const request = { problem, form: name || null, seed: Number(seed), part: field.dataset.part, text: field.value, decimal };
+      const request = { ...variant, part: field.dataset.part, text: field.value, decimal };
       try {
         const { understood, unreadable } = await call("read", request, asked.signal);
         said.textContent = understood ? `Read as ${understood}.` : (unreadable ?? "");

@@ -11,6 +11,7 @@ import { Simulator, move, one, row, told } from "./simulator.js";
  * @property {Bounce[]} bounces
  * @property {{ bounce: Bounce } | null} looked_at
  * @property {object | null} sums
+ * @property {string | null} no_sums
  * @property {import("./plot.js").Curve} velocity
  */
 /** @typedef {import("./simulator.js").Shown & Own} Restitution */
@@ -18,7 +19,7 @@ import { Simulator, move, one, row, told } from "./simulator.js";
 const root = one(document, "[data-simulator]", HTMLElement);
 
 /** @param {Restitution} shown */
-function filled({ track: [, height], bounces, looked_at, sums }) {
+function filled({ track: [, height], bounces, looked_at, sums, no_sums }) {
   const svg = one(root, "[data-ball]", SVGSVGElement);
   svg.setAttribute("viewBox", [-0.2, -1.22, 0.4, 1.23].map((part) => part * height).join(" "));
   const ball = one(svg, "[data-at] circle", SVGCircleElement);
@@ -32,6 +33,7 @@ function filled({ track: [, height], bounces, looked_at, sums }) {
   one(root, "[data-bounces]", HTMLTableSectionElement).replaceChildren(...rows);
   one(root, "[data-looked-at]", HTMLElement).hidden = !looked_at;
   one(root, "[data-sums]", HTMLElement).hidden = !sums;
+  one(root, "[data-no-sums]", HTMLElement).hidden = !no_sums;
 }
 
 /**

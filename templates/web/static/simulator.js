@@ -23,7 +23,7 @@ import { Plot, at } from "./plot.js";
  * @property {number} end
  * @property {[number, number]} track
  * @property {Curve[]} places
- * @property {{ id: string, set: [string, string][], solved: { solution: string } | null }} problem
+ * @property {{ set: [string, string][], solved: { solution: string } | null, reason: string | null }} problem
  * @property {Compared | null} compared
  */
 
@@ -208,15 +208,27 @@ export class Simulator {
     this.#asking = false;
   }
 
+  /**
+   * An empty field is not the usual value, which nobody typed.
+   * @param {URLSearchParams} fields
+   */
+  #refuse_empty(fields) {
+    const empty = [...fields].find(([name, text]) => name !== "method" && text === "")?.[0];
+    if (!empty) return;
+    const label = this.#form.querySelector(`label[for="${empty}"]`)?.firstChild?.textContent;
+    throw new Refused({ kind: "invalid", message: `The field “${label}” holds no number`, help: "type one" });
+  }
+
   /** @param {URLSearchParams} fields */
   async #once(fields) {
     const values = Object.fromEntries(
-      [...fields].filter(([name, text]) => name !== "method" && name !== "step" && text !== "").map(([name, text]) => [name, Number(text)]),
+      [...fields].filter(([name]) => name !== "method" && name !== "step").map(([name, text]) => [name, Number(text)]),
     );
     const step = fields.get("step");
     const refused = one(this.#root, "[data-refused]", HTMLElement);
     let state = "shown";
     try {
+      this.#refuse_empty(fields);
       const request = { values, method: fields.get("method"), step: step ? Number(step) : null };
       this.#show(await call(this.#root.dataset.simulator ?? "", request));
       refused.hidden = true;
@@ -273,9 +285,12 @@ export class Simulator {
   /** @param {Response} shown */
   #show_problem({ problem }) {
     one(this.#root, "[data-solution]", HTMLElement).innerHTML = problem.solved?.solution ?? "";
-    const link = one(this.#root, "a[data-solve]", HTMLAnchorElement);
-    const set = new URLSearchParams(problem.set.map(([name, text]) => [`set.${name}`, text]));
-    link.search = String(set);
+    one(this.#root, "[data-problem]", HTMLElement).hidden = Boolean(problem.reason);
+    one(this.#root, "[data-no-problem]", HTMLElement).hidden = !problem.reason;
+    const own = new URLSearchParams(problem.set.map(([name, text]) => [`set.${name}`, text]));
+    for (const link of this.#root.querySelectorAll("a[data-with]")) {
+      if (link instanceof HTMLAnchorElement) link.search = String(own);
+    }
   }
 
   /**

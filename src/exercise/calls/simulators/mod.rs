@@ -14,7 +14,7 @@ use serde::Serialize;
 use crate::simulate::Refusal;
 
 use super::refused::{Refused, RefusedKind};
-use super::solve::{SolveRequest, SolveResponse};
+use super::solve::SolveResponse;
 use super::variant::VariantRequest;
 use super::{Engine, Limits};
 
@@ -52,16 +52,13 @@ pub struct ProblemOf {
 impl Engine<'_> {
     /// The problem with these values, solved by the laws.
     fn problem_of(&self, id: &'static str, set: Vec<(&'static str, String)>) -> Result<ProblemOf, Refused> {
-        let request = SolveRequest {
-            variant: VariantRequest { problem: id.to_owned(), form: None, seed: 1 },
+        let variant = VariantRequest {
             set: set.iter().map(|(name, text)| ((*name).to_owned(), text.clone())).collect(),
-            find: Vec::new(),
-            steps: None,
-            brief: false,
+            ..VariantRequest::drawn(id, None, 1)
         };
         let mut problem = ProblemOf { id, set, solved: None, reason: None };
-        match request.solve(self) {
-            Ok(exercise) => problem.solved = Some(self.solution_of(&exercise, &request)?),
+        match self.draw(&variant) {
+            Ok(exercise) => problem.solved = Some(self.solution_of(&exercise, None, false)?),
             Err(refused) if refused.kind == RefusedKind::Values => {
                 // How often numbers were tried says nothing of values that are typed.
                 let reason = refused.message.split_once(" attempts: ").map(|(_, reason)| reason.to_owned());

@@ -21,6 +21,16 @@ const GRAVITY: f64 = 9.81;
 /// The ball is watched until it rises to less than this share of its height.
 const LOW: f64 = 0.0025;
 
+/// Why the times and the paths of all bounces have no sum.
+const FOR_EVER_ON: &str =
+    "Without a loss every flight is as long as the one before: times and paths add up without a limit.";
+
+/// Why the problem has no solution then.
+const NO_LIMIT: &str = "it asks when the ball lies still, and without a loss it never does: the flights are equally long, and the sum \
+                        of their times has no limit";
+
+const NO_FORMULA: &str = "In air no formula here gives the time and the path of all bounces.";
+
 /// The bounces that are watched where nothing is lost.
 const FOR_EVER: u32 = 8;
 
@@ -43,6 +53,8 @@ pub struct RestitutionResponse {
     pub looked_at: Option<LookedAt>,
     /// When all bounces are over, and how long the path is; nothing where no formula says so.
     pub sums: Option<Sums>,
+    /// Why there are no such sums, in a sentence.
+    pub no_sums: Option<&'static str>,
     /// How long the ball is watched, in s.
     pub end: f64,
     /// From where to where it goes, in m.
@@ -89,7 +101,7 @@ impl Engine<'_> {
     pub fn restitution(&self, request: &SimulatorRequest) -> Result<RestitutionResponse, Refused> {
         let values: [f64; 4] = request.values(RESTITUTION)?;
         let [height, restitution, number, terminal] = values;
-        let problem = self.problem_of(PROBLEM, set(RESTITUTION, &values))?;
+        let mut problem = self.problem_of(PROBLEM, set(RESTITUTION, &values))?;
         let mut world = dropped(height, restitution);
         if let Err(reason) = world.check() {
             let refused = not_run(&reason);
@@ -99,8 +111,9 @@ impl Engine<'_> {
             return Err(refused);
         }
         let number = whole(number, self.limits.bounces)?;
-        // Without a loss there are no sums over all bounces, which is all that the laws can object to.
-        if let (Some(reason), true) = (&problem.reason, restitution < 1.0) {
+        if restitution >= 1.0 {
+            problem.reason = Some(NO_LIMIT.to_owned());
+        } else if let Some(reason) = &problem.reason {
             return Err(Refused::new(RefusedKind::Values, reason.clone()));
         }
         let train = BounceTrain::new(height, GRAVITY, 1.0 - restitution);
@@ -124,7 +137,11 @@ impl Engine<'_> {
                 Some(Compared::of(&world, &record, name, request.step, &limits)?)
             }
         };
-        let sums = (terminal == 0.0 && restitution < 1.0).then(|| sums(&train, &problem));
+        let sums = match (terminal > 0.0, restitution < 1.0) {
+            (false, true) => Ok(sums(&train, &problem)),
+            (false, false) => Err(FOR_EVER_ON),
+            (true, _) => Err(NO_FORMULA),
+        };
         Ok(shown(&run, &record, (most, number), sums, how, problem, compared))
     }
 }
@@ -184,7 +201,7 @@ fn shown(
     run: &Trajectory<1>,
     record: &Record,
     (most, number): (u32, u32),
-    sums: Option<Sums>,
+    sums: Result<Sums, &'static str>,
     how: String,
     problem: ProblemOf,
     compared: Option<Compared>,
@@ -202,18 +219,21 @@ fn shown(
         _ => None,
     });
     let velocity = record.moments.iter().filter_map(|moment| Some([moment.time, *moment.velocities.first()?.first()?]));
-    let rests = sums.as_ref().is_some_and(|sums| sums.time.value <= end * (1.0 + 1e-9));
+    let rests = sums.as_ref().is_ok_and(|sums| sums.time.value <= end * (1.0 + 1e-9));
     let told = match &sums {
-        Some(sums) => format!("It lies still after {}, on a path of {}.", sums.time.text, sums.path.text),
-        None if problem.reason.is_some() => "Nothing is lost: it bounces for ever.".to_owned(),
-        None => "With air resistance it rises less each time than its coefficient of restitution alone would make it."
-            .to_owned(),
+        Ok(sums) => format!("It lies still after {}, on a path of {}.", sums.time.text, sums.path.text),
+        Err(FOR_EVER_ON) => "Nothing is lost: it bounces for ever.".to_owned(),
+        Err(_) => {
+            "With air resistance it rises less each time than its coefficient of restitution alone would make it."
+                .to_owned()
+        }
     };
     RestitutionResponse {
         told,
         phases: phases(&bounces, end, rests),
         looked_at: looked_at.filter(|own| own.speeds.value.is_finite()),
-        sums,
+        no_sums: sums.as_ref().err().copied(),
+        sums: sums.ok(),
         end,
         track: [0.0, height],
         places: vec![Curve::place("ball", "body-0", record, 0), envelope(&bounces)],
