@@ -43,7 +43,7 @@ fn every_form_of_the_bank_is_the_same_sheet_with_its_own_numbers_typed() {
 }
 
 /// By hand: 3 kg at 3 m/s meets 2 kg at -2 m/s with e = 0.7. The centre of mass moves at 1 m/s, so
-/// v_A2 = 1 - 0.7 (3 - 1) = -0.4 m/s and v_B2 = 1 + 0.7 (1 + 2) = 3.1 m/s.
+/// `v_A2` = 1 - 0.7 (3 - 1) = -0.4 m/s and `v_B2` = 1 + 0.7 (1 + 2) = 3.1 m/s.
 #[test]
 fn typed_values_are_printed_read_marked_and_solved() {
     let client = Client::new();
