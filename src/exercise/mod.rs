@@ -2,6 +2,7 @@
 
 mod attempts;
 pub mod calls;
+mod changed;
 mod diagnosis;
 mod drawer;
 mod follow_through;
@@ -36,30 +37,20 @@ use crate::explain::Outline;
 use crate::expr::Math;
 use crate::expr::Operator;
 use crate::expr::Symbol;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Faults;
 use crate::problem;
 use crate::problem::AskedUnit;
 use crate::problem::ChoicePart;
 use crate::problem::End;
-use crate::problem::Known;
-use crate::problem::Loaded;
 use crate::problem::NoVariant;
 use crate::problem::NumberPart;
 use crate::problem::Part;
 use crate::problem::PartKind;
 use crate::problem::Problem;
 use crate::problem::RangePart;
-use crate::problem::Sampler;
 use crate::problem::Scheme;
 use crate::problem::Variant;
 use crate::problem::Worked;
-use crate::problem::ad_hoc;
-use crate::problem::compile_ad_hoc;
-use crate::problem::typed;
 use crate::quantity::Printed;
-use crate::quantity::half_unit;
 use crate::render::Identity;
 use crate::render::KeyRow;
 use crate::render::Sheet;
@@ -99,76 +90,6 @@ impl Exercise {
     /// [`NoVariant`] where the seed has no admissible numbers.
     pub fn draw(problem: &Arc<Problem>, form: usize, seed: u64) -> Result<Self, NoVariant> {
         Drawer::new(problem, form)?.draw(seed)
-    }
-
-    /// The same scene with values of the user's own in place of given ones, and other quantities asked.
-    ///
-    /// # Errors
-    /// A fault for each value or name that cannot be read, where the question does not follow from the values, and where
-    /// they leave no admissible solution.
-    pub fn with_values(
-        problem: &Problem,
-        form: usize,
-        seed: u64,
-        set: &[(String, String)],
-        find: &[String],
-    ) -> Result<Self, Faults> {
-        Self::of_changed(problem, ad_hoc(problem.loaded(), form, set, find), seed)
-    }
-
-    /// The same with the problem's text, which says the user's own values: a variant that can be printed and marked as one that
-    /// was drawn.
-    ///
-    /// # Errors
-    /// As [`Exercise::with_values`].
-    pub fn typed(
-        problem: &Problem,
-        form: usize,
-        seed: u64,
-        set: &[(String, String)],
-        find: &[String],
-    ) -> Result<Self, Faults> {
-        Self::of_changed(problem, typed(problem.loaded(), form, set, find), seed)
-    }
-
-    fn of_changed(problem: &Problem, changed: Result<Loaded, Vec<Fault>>, seed: u64) -> Result<Self, Faults> {
-        let alone = |faults: Vec<Fault>| Faults { source: problem.loaded().source.clone(), list: faults };
-        let changed = changed.map_err(alone)?;
-        let problem = Arc::new(compile_ad_hoc(changed)?);
-        let drawn = |known: &Known| {
-            known.origin.is_drawn() && problem.forms().iter().any(|form| form.told.contains(&known.symbol))
-        };
-        let seeded = problem.known().iter().any(drawn);
-        let mut variant =
-            Sampler::new(&problem, 0).and_then(|mut sampler| sampler.variant(seed)).map_err(|reason| {
-                let fault = Fault::new(Code::Unphysical, reason.to_string());
-                alone(vec![fault.help("check the signs and sizes of the values: bodies must meet, and 0 <= e <= 1")])
-            })?;
-        if !seeded {
-            variant = variant.without_seed();
-        }
-        let exercise = Self { problem, variant };
-        match exercise.beyond_numbers() {
-            None => Ok(exercise),
-            Some(name) => {
-                let message = format!("`{name}` cannot be computed with these values: they are too large or too small");
-                let fault = Fault::new(Code::Value, message);
-                Err(alone(vec![fault.help("choose values between 1e-90 and 1e90 in SI units")]))
-            }
-        }
-    }
-
-    /// The first answer that is not known to the figures with which it is printed.
-    fn beyond_numbers(&self) -> Option<String> {
-        let worked = self.worked();
-        let is_unknown = |number: &&NumberPart| {
-            let answer = worked.answer(number);
-            let half_a_unit = half_unit(answer.value, number.figures);
-            !answer.error.is_finite() || !answer.is_zero() && answer.error > half_a_unit
-        };
-        let has_answer = |part: &&Part| matches!(part.kind, PartKind::Number(_) | PartKind::Vector(_));
-        let mut numbers = worked.form.parts.iter().filter(has_answer).flat_map(|part| part.kind.numbers());
-        numbers.find(is_unknown).map(|number| self.problem.name_of(number.symbol))
     }
 
     /// The problem.

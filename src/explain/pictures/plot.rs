@@ -44,7 +44,7 @@ fn plot(quantities: &Quantities<'_>, force: &ActingForce, clock: Symbol) -> Opti
     };
     let mut times: Vec<f64> =
         (0..=PIECES).map(|piece| start + (end - start) * f64::from(piece) / f64::from(PIECES)).collect();
-    times.extend(marks.iter().map(|(time, _)| *time).filter(|time| (start..=end).contains(time)));
+    times.extend(marks.iter().map(|mark| mark.time).filter(|time| (start..=end).contains(time)));
     times.sort_by(f64::total_cmp);
     let [time, strength] = [Dimension::TIME, Dimension::FORCE].map(|dimension| quantities.unit_like(dimension, force));
     let [second, newton] = [&time, &strength].map(|unit| unit.factor().to_f64());
@@ -60,18 +60,26 @@ fn plot(quantities: &Quantities<'_>, force: &ActingForce, clock: Symbol) -> Opti
         force: PlotAxis { symbol: name_math("F"), unit: strength.unicode() },
         points,
         area: shaded.then(|| quantities.impulse_of_force(force).label),
-        marks: marks.into_iter().map(|(time, label)| (time / second, label)).collect(),
+        marks: marks.into_iter().map(|mark| (mark.time / second, mark.label)).collect(),
     };
     Some(plot.drawing())
 }
 
+/// A time with a name.
+struct Mark {
+    time: f64,
+    label: Math,
+    /// What a figure's description calls it.
+    words: String,
+}
+
 /// Times with names: the ends of the force's pieces, when the body starts to move, the end.
-fn marks(quantities: &Quantities<'_>, force: &ActingForce) -> Vec<(f64, Math)> {
+fn marks(quantities: &Quantities<'_>, force: &ActingForce) -> Vec<Mark> {
     let pieces = match &force.strength {
         Expr::Piecewise(piecewise) => piecewise.pieces.iter().filter_map(|(until, _)| until.clone()).collect(),
         _ => Vec::new(),
     };
-    let mut marks: Vec<(f64, Math)> = Vec::new();
+    let mut marks: Vec<Mark> = Vec::new();
     for time in pieces.into_iter().chain(force.during.clone()) {
         let Expr::Symbol(symbol) = time else { continue };
         if quantities.is_literal(symbol) {
@@ -79,9 +87,9 @@ fn marks(quantities: &Quantities<'_>, force: &ActingForce) -> Vec<(f64, Math)> {
         }
         let label = quantities.symbolic(&time);
         if let Some(value) = quantities.value(symbol)
-            && !marks.iter().any(|(_, own)| *own == label)
+            && !marks.iter().any(|own| own.label == label)
         {
-            marks.push((value, label));
+            marks.push(Mark { time: value, label, words: quantities.time_in_words(&time) });
         }
     }
     marks
@@ -90,7 +98,7 @@ fn marks(quantities: &Quantities<'_>, force: &ActingForce) -> Vec<(f64, Math)> {
 fn wording(quantities: &Quantities<'_>, force: &ActingForce, shaded: bool) -> Wording {
     let name = force.in_words();
     let area = if shaded { ", whose impulse is the shaded area" } else { "" };
-    let times: Vec<String> = marks(quantities, force).iter().map(|(_, label)| label.plain()).collect();
+    let times: Vec<String> = marks(quantities, force).into_iter().map(|mark| mark.words).collect();
     let marked = if times.is_empty() { String::new() } else { format!("marked times: {}", times.join(", ")) };
     Wording {
         title: format!("Graph of {name} against time"),
@@ -100,6 +108,15 @@ fn wording(quantities: &Quantities<'_>, force: &ActingForce, shaded: bool) -> Wo
 }
 
 impl Quantities<'_> {
+    /// A time in a text without mathematics: what it means, where its name has a whole word as `t_start` has.
+    pub(super) fn time_in_words(&self, time: &Expr) -> String {
+        let plain = || self.symbolic(time).plain();
+        let Expr::Symbol(symbol) = time else { return plain() };
+        let entry = self.model().symbols.entry(*symbol);
+        let is_word = entry.name.rsplit('_').next().is_some_and(|index| index.len() > 2);
+        if is_word && !entry.meaning.is_empty() { entry.meaning.clone() } else { plain() }
+    }
+
     /// The time at which a push starts.
     fn start_of(&self, stage: usize) -> Expr {
         let start = match self.scene().stages.get(stage) {

@@ -130,13 +130,10 @@ impl Quantities<'_> {
             let [start, end] = &force.during;
             let moving =
                 self.evaluate(start).is_some_and(|start| start != 0.0) && force.stage == stage && force.on == body;
-            moving.then(|| (self.symbolic(start).plain(), self.symbolic(end).plain()))
+            moving.then(|| (self.time_in_words(start), self.time_in_words(end)))
         };
         let (start, end) = self.model().forces.iter().find_map(|force| nameless(&force))?;
-        Some(format!(
-            "\u{394}t is the time from {start} to {end}, in which the momentum of {} changes",
-            self.called(body)
-        ))
+        Some(format!("\u{394}t runs from {start} to {end}; meanwhile the momentum of {} changes", self.called(body)))
     }
 }
 

@@ -140,7 +140,9 @@ pub(super) fn by_names(text: &str, asked: &ExpectedVector, mark: DecimalMark) ->
             None => text.len(),
             Some(next) => {
                 let value = &text[sign + 1..next];
-                let at = BETWEEN.iter().filter_map(|word| value.rfind(word)).max()?;
+                let between = BETWEEN.iter().filter_map(|word| value.rfind(word)).max();
+                // `v_x = 1.2 v_y = -3.4`: only a space.
+                let at = between.or_else(|| value.trim_end().rfind(' '))?;
                 sign + 1 + at
             }
         };

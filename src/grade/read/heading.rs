@@ -128,9 +128,9 @@ pub(super) fn read(text: &str, frame: &Frame, mark: DecimalMark) -> At<Heading> 
         | [Word::Angle { degrees, form, signed, unit, .. }, Word::From, Word::Side(base), Word::Side(towards)] => {
             (degrees, form, *signed, *unit, *base, *towards)
         }
-        // `S30W` has always meant degrees.
+        // `S30W` has always meant degrees, and so has `E30N`.
         [Word::Side(base), Word::Angle { degrees, form, signed, unit, .. }, Word::Side(towards)]
-            if *unit || base.0 == 1 =>
+            if *unit || base.0 == 1 || is_compass(frame) && !text.contains(' ') =>
         {
             (degrees, form, *signed, true, *base, *towards)
         }

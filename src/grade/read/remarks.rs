@@ -7,6 +7,7 @@ use super::super::number::Number;
 use super::answer::{NumberAnswer, Written};
 use super::arithmetic::At;
 use super::calculation;
+use super::direction::{self, Phrase};
 use super::numeral::DecimalMark;
 use super::quantity::{Asked, ENDS, read_plain};
 use super::unreadable::UnreadableKind;
@@ -79,6 +80,8 @@ const MINUS: [&str; 2] = ["minus ", "negative "];
 const ZERO: [&str; 3] = ["zero", "nil", "nought"];
 /// Words for no velocity.
 const REST: [&str; 6] = ["at rest", "stationary", "not moving", "does not move", "it stops", "stands still"];
+/// Words before what a sign means.
+const EXPLAINING: [&str; 6] = ["i.e.", "i. e.", "ie ", "that is", "which is", "meaning"];
 /// The axes of the unit vectors i, j and k.
 const AXES: [char; 3] = ['x', 'y', 'z'];
 /// The longest name before an equals sign, in bytes.
@@ -96,7 +99,7 @@ pub(super) fn read(
     if fault.1.is_doubt() {
         return Err(fault);
     }
-    if let Some(found) = along_unit_vector(text, asked, mark) {
+    if let Some(found) = along_unit_vector(text, asked, mark).or_else(|| explained(text, asked, mark)) {
         return found;
     }
     let mut to = text.trim_end_matches(ENDS).len();
@@ -133,6 +136,24 @@ pub(super) fn read(
         Some(found) => found.map_err(|(at, kind)| (from + at, kind)),
         None => Err(fault),
     })
+}
+
+/// `-0.25 m/s, i.e. to the left`: a value, and in words what its sign means. The two must agree; words alone tell the direction.
+fn explained(text: &str, asked: Asked<'_>, mark: DecimalMark) -> Option<At<NumberAnswer>> {
+    let (at, word) = EXPLAINING.iter().find_map(|word| Some((text.find(word)?, word)))?;
+    let phrase = text[at + word.len()..].trim_matches([' ', ',', '.', ':', ')']);
+    let Phrase::Declared(sense) = direction::read(phrase, asked.senses, asked.axis) else { return None };
+    let value = text[..at].trim_end_matches([' ', ',', ';', '(', ':']);
+    let found = match read_plain(value, asked, mark) {
+        Ok(found) if found.sense.is_none() => found,
+        Ok(_) => return None,
+        Err(fault) => return Some(Err(fault)),
+    };
+    if !found.signed {
+        return Some(Ok(NumberAnswer { sense: Some(sense), ..found }));
+    }
+    let agree = found.number.is_zero() || found.number.is_negative() != sense.positive;
+    Some(if agree { Ok(found) } else { Err((at, UnreadableKind::SignAndDirection)) })
 }
 
 /// `-3.2 î m/s`: a component with the unit vector of its axis.

@@ -97,7 +97,7 @@ fn bracketed(text: &str, start: usize) -> Option<(usize, usize, usize)> {
             let to = from + offset;
             let inside = &text[from..to];
             let many =
-                inside.contains([',', ';']) || !unit_vectors(inside).is_empty() || by_spaces(inside, 2).is_some();
+                inside.contains([',', ';', '|']) || !unit_vectors(inside).is_empty() || by_spaces(inside, 2).is_some();
             return many.then_some((from, to, to + close.len_utf8()));
         }
     }
@@ -118,6 +118,12 @@ fn by_spaces(inside: &str, least: usize) -> Option<Vec<&str>> {
     (pieces.len() >= least && !grouped && pieces.iter().all(is_number)).then_some(pieces)
 }
 
+/// `1,2 | -3,4`: components as German schools separate them; a bar around a piece belongs to its size.
+fn by_bars(inside: &str, count: usize) -> Option<Vec<&str>> {
+    let pieces: Vec<&str> = inside.split('|').collect();
+    (pieces.len() == count && count > 1 && pieces.iter().all(|piece| !piece.trim().is_empty())).then_some(pieces)
+}
+
 fn tuple(
     inside: &str,
     from: usize,
@@ -129,7 +135,9 @@ fn tuple(
     let count = asked.components.len();
     let split = |mark: &str| inside.split(mark).collect::<Vec<_>>();
     let by_commas = split(",");
-    let pieces = if inside.contains(';') {
+    let pieces = if let Some(pieces) = by_bars(inside, count) {
+        pieces
+    } else if inside.contains(';') {
         split(";")
     } else if mark != DecimalMark::Comma && by_commas.len() == count {
         by_commas
@@ -208,7 +216,10 @@ pub(super) fn unit_vectors(text: &str) -> Vec<(usize, usize, usize)> {
         let mut here = names.filter(|(_, name)| text[at..].starts_with(name));
         if let Some((axis, name)) = here.next().filter(|_| !before.is_alphabetic() && before != '^') {
             let end = at + name.len();
-            if !text[end..].starts_with(|next: char| next.is_alphanumeric() || next == '\u{302}') {
+            // `i.e.` is no unit vector.
+            if !text[end..].starts_with(|next: char| next.is_alphanumeric() || next == '\u{302}')
+                && !text[at..].starts_with("i.e")
+            {
                 found.push((axis, at, end));
             }
         }

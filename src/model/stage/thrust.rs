@@ -48,7 +48,7 @@ impl Builder<'_> {
         self.law(&variable_mass::USED, Some(index), because, variable_mass::used([start, end], &burn.flow, &burn.time));
         let reason = format!("{name} would gain mass");
         self.require(Warning::EnergyCreated, start.clone(), Relation::AtLeast, end.clone(), reason);
-        self.note_burn(&burn);
+        self.note_burn(&burn, stage.on_ground);
         if let Some(resistance) = &stage.resistance {
             let at = path.key("resistance");
             let meaning = "the resistance divided by the square of the speed";
@@ -269,12 +269,14 @@ impl Builder<'_> {
         self.law(&variable_mass::ROCKET_DRAG, Some(burn.index), "the ratio f gives the velocity", sides);
     }
 
-    fn note_burn(&mut self, burn: &Burn) {
+    fn note_burn(&mut self, burn: &Burn, on_ground: bool) {
         let zero = Expr::zero();
         let acts = Acts { stage: burn.index, on: &burn.body, during: [&zero, &burn.time] };
         self.note_pull(acts, "the thrust", &burn.thrust, &burn.direction);
         let weight = (self.scene.plane == Plane::Vertical).then_some("its weight");
-        for called in ["the thrust of its exhaust"].into_iter().chain(weight) {
+        // Until it lifts off the ground carries what the thrust does not.
+        let ground = on_ground.then_some("the push of the ground");
+        for called in ["the thrust of its exhaust"].into_iter().chain(weight).chain(ground) {
             self.acts(Influence::outside(burn.index, &burn.body, called));
             self.impulses.push(Impulse {
                 stage: burn.index,

@@ -110,6 +110,10 @@ function energies(film) {
     ["work of other forces", "work", (moment) => moment.work],
   ];
   const largest = Math.max(...film.moments.map((own) => Math.abs(own.kinetic_energy) + Math.abs(own.potential_energy)));
+  // A wall that moves gives energy as well as taking it: what it gave is not lost, and below zero.
+  if (film.walls.some(({ velocity }) => velocity !== 0) && film.moments.some((own) => own.energy_lost < -1e-9 * largest)) {
+    kinds[2] = ["given by the moving wall", "lost", (moment) => -moment.energy_lost];
+  }
   const curves = kinds.map(([name, role, value]) => ({ name, role, points: over(film, value) }));
   // A sum that is nothing but rounding is no energy.
   const shown = curves.filter(({ role, points }) => role === "kinetic" || points.some(([, own]) => Math.abs(own) > 1e-9 * largest));
