@@ -1,6 +1,7 @@
-//! Text of any kind, as problem files, answers, formulas, tables and rosters: nothing panics, nothing hangs, and what is refused is
+//! Text of any kind, as problem files, answers, formulas, tables, rosters and requests: nothing panics, nothing hangs, and what is refused is
 //! refused with a reason. `.ci/soak` runs the same under a fuzzer for as long as one likes.
 
+#![cfg(feature = "serve")]
 #![allow(clippy::expect_used, reason = "a test says bluntly what it expects")]
 
 use std::path::Path;
@@ -19,15 +20,22 @@ use targets::{TARGETS, Target};
 /// How many random texts each target is tried with.
 const CASES: u32 = 10_000;
 
+/// How many random requests: each takes as long as many texts.
+const REQUESTS: u32 = 1_000;
+
 fn few_bytes() -> impl Strategy<Value = Vec<u8>> {
     proptest::collection::vec(any::<u8>(), 0..24)
 }
 
 /// Runs a target over texts that are made of random bytes.
 fn try_random(name: &str, text: impl Fn(&[u8], &[String]) -> String) {
+    try_so_many(CASES, name, text);
+}
+
+fn try_so_many(cases: u32, name: &str, text: impl Fn(&[u8], &[String]) -> String) {
     let target = Target::named(name);
     let pieces = target.pieces();
-    let config = ProptestConfig { cases: CASES, failure_persistence: None, ..ProptestConfig::default() };
+    let config = ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() };
     proptest!(config, |(chosen: u8, bytes in few_bytes())| {
         (target.run)(chosen, &text(&bytes, &pieces));
     });
@@ -88,6 +96,16 @@ fn rosters() {
     try_random("roster", |bytes, pieces| format!("id,name\n{}", pieced(bytes, pieces)));
     let head = "student,problem,digest,form,seed,derivation";
     try_random("roster", |bytes, pieces| format!("{head}\n{}", pieced(bytes, pieces)));
+}
+
+#[test]
+fn routes() {
+    try_so_many(REQUESTS, "route", pieced);
+    let calls = ["read", "mark", "sheet", "solve", "simulate", "hint", "givens", "collision", "restitution"];
+    try_so_many(REQUESTS, "route", |bytes, pieces| {
+        let call = calls[usize::from(*bytes.first().unwrap_or(&0)) % calls.len()];
+        format!("/api/{call}\n{{\"problem\":\"impact/two-carts\",{}", pieced(bytes, pieces))
+    });
 }
 
 /// What a fuzzer starts from holds as well.

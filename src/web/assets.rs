@@ -23,6 +23,7 @@ macro_rules! built_in {
 
 /// Every file of `templates/web/static/`.
 const BUILT_IN: &[(&str, &[u8])] = &built_in![
+    "announcer.js",
     "clock.js",
     "engine.js",
     "icon.svg",
@@ -30,6 +31,7 @@ const BUILT_IN: &[(&str, &[u8])] = &built_in![
     "play.js",
     "plot.js",
     "practice.js",
+    "reach.js",
     "restitution.js",
     "simulator.js",
     "stage.js",

@@ -355,3 +355,72 @@ test("an empty field is said to be empty", async () => {
   assert.deepEqual(complaints, []);
   await close();
 });
+
+for (const [name, address] of /** @type {const} */ ([
+  ["collision", "/simulators/collision"],
+  ["restitution", "/simulators/restitution?e=0.9"],
+])) {
+  test(`the ${name} says what happens at most once a second`, async () => {
+    const { page, complaints, close } = await site.open();
+    await page.addInitScript(still_clock);
+    await page.goto(site.url + address);
+    await page.locator('[data-simulator][data-state="shown"]').waitFor();
+    await page.evaluate(() => {
+      const said = document.querySelector("[data-announced]");
+      if (!said) throw new Error("nothing is announced");
+      /** @type {[number, string][]} */
+      const heard = [];
+      const { now } = Reflect.get(globalThis, "momentousClock");
+      new MutationObserver(() => heard.push([now(), said.textContent ?? ""])).observe(said, { childList: true, characterData: true, subtree: true });
+      Object.assign(globalThis, { heard });
+    });
+    await page.getByRole("button", { name: "Play" }).click();
+    // Twelve seconds, a twentieth at a time, in which the ball falls, touches and rises many times.
+    for (let step = 0; step < 240; step += 1) await page.evaluate("pass(0.05)");
+    /** @type {[number, string][]} */
+    const heard = await page.evaluate("heard");
+    assert.ok(heard.length > (name === "collision" ? 0 : 4), JSON.stringify(heard));
+    for (const [place, [time]] of heard.entries()) {
+      const before = heard[place - 1];
+      assert.ok(!before || time - before[0] >= 999.9, JSON.stringify(heard));
+    }
+    const last = await page.locator("[data-state-words]").textContent();
+    assert.equal(heard.at(-1)?.[1], last, "what is said last is what is the case");
+    assert.deepEqual(complaints, []);
+    await close();
+  });
+
+  test(`whoever wants no motion sees the end of the ${name} at once`, async () => {
+    const { page, close } = await site.open({ reducedMotion: "reduce" });
+    await page.addInitScript(still_clock);
+    await page.goto(site.url + address);
+    await page.locator('[data-simulator][data-state="shown"]').waitFor();
+    await page.getByRole("button", { name: "Play" }).click();
+    const time = page.locator("input[data-time]");
+    const [shown, end] = [Number(await time.inputValue()), Number(await time.getAttribute("max"))];
+    assert.ok(end > 1 && Math.abs(shown - end) < 1e-9 * end, `${shown} s of ${end} s`);
+    assert.equal(await page.locator("[data-simulator]").getAttribute("data-playing"), "false");
+    await close();
+  });
+}
+
+test("the drift of a method is a table as well as a plot", async () => {
+  const { page, complaints, close } = await site.open();
+  const values = { m_A: 3, v_A: 3, m_B: 2, v_B: -2, e: 0.7 };
+  await page.goto(`${site.url}/simulators/collision?method=explicit-euler&step=0.06`);
+  await page.locator('[data-simulator][data-state="shown"]').waitFor();
+  await page.getByText("The plot as a table").last().click();
+  const heads = await page.locator("[data-drifts] th").allTextContents();
+  assert.deepEqual(heads, ["time in s", "momentum", "energy"]);
+  const rows = await page.locator("[data-drifts] tbody tr").evaluateAll((all) => all.map((row) => [...row.children].map((cell) => cell.textContent ?? "")));
+  const response = await page.request.post(`${site.url}/api/collision`, { data: { values, method: "explicit-euler", step: 0.06 } });
+  const { compared } = await response.json();
+  assert.equal(rows.length, 21);
+  for (const [column, { points }] of compared.drifts.entries()) {
+    assert.equal(number(rows.at(0)?.[column + 1]), points[0][1]);
+    const [last, shown] = [points.at(-1)[1], number(rows.at(-1)?.[column + 1])];
+    assert.ok(Math.abs(shown - last) <= 1e-3 * Math.abs(last), `${shown} instead of ${last}`);
+  }
+  assert.deepEqual(complaints, []);
+  await close();
+});

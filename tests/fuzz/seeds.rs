@@ -14,6 +14,7 @@ pub fn of(target: &str, root: &Path) -> Vec<String> {
         "problem_file" => files(root),
         "answer" => rows(root, |name| !name.starts_with("formulas")),
         "formula" => rows(root, |name| name.starts_with("formulas")),
+        "route" => ROUTES.iter().map(|text| (*text).to_owned()).collect(),
         _ => TABLES.iter().map(|text| (*text).to_owned()).collect(),
     }
 }
@@ -61,4 +62,22 @@ const TABLES: [&str; 6] = [
     "{\"problem\":\"a/b\",\"seed\":7,\"student\":\"s\",\"attempt\":2,\"answers\":{\"v\":\"3 m/s\",\"w\":0.500,\"x\":null}}\n",
     "problem: a/b\nseed: 1\nstudent: s\nhints: 2\nanswers:\n  v: 0.500\n  w: \"3 m/s\"\n  x: [1, 2]\n",
     "student: &s !!str s\nproblem: a/b\nseed: 0x7\nanswers: { v: | \n  3 m/s\n}\n",
+];
+
+/// Requests: an address, and behind the end of the line a body.
+const ROUTES: [&str; 14] = [
+    "/?search=spring&level=core",
+    "/practice/impact/two-carts?form=forward&seed=7",
+    "/practice/impact/two-carts?set.m_A=3+kg&set.e=0.5",
+    "/practice/impact/two-carts\nform=forward&seed=7&answer.v_A2=1,39+m/s&answer.T_lost=x&do=hint&hints=1&further=2",
+    "/solution/impact/two-carts?seed=7&steps=2",
+    "/solve/impact/two-carts?set.m_A=3+kg&find=v_A2+v_B2",
+    "/play/vectors/drone-in-wind?seed=2",
+    "/simulators/collision?m_A=3&v_A=3&m_B=2&v_B=-2&e=0.7&method=penalty&step=0.01",
+    "/simulators/restitution?h=4&e=1&n=3&v_t=20",
+    "/static/0/site.css",
+    "/api/mark\n{\"problem\":\"impact/two-carts\",\"seed\":7,\"answers\":{\"v_A2\":\"1 m/s\"}}",
+    "/api/read\n{\"problem\":\"impact/two-carts\",\"set\":{\"e\":\"0.5\"},\"part\":\"v_A2\",\"text\":\"-0.4 m/s\"}",
+    "/api/simulate\n{\"problem\":\"bouncing/rubber-ball\",\"form\":\"heights\",\"together\":true}",
+    "/api/collision\n{\"values\":{\"m_A\":3,\"e\":0.7},\"method\":\"moreau-jean\",\"step\":0.05}",
 ];

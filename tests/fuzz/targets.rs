@@ -4,6 +4,9 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, LazyLock};
 
+use axum::Router;
+use axum::body::{Body, to_bytes};
+use axum::http::{Request, Uri};
 use momentous::bank::Bank;
 use momentous::exercise::{Column, Exercise, Listed, Place, Student, Submission, Table};
 use momentous::explain::Audience;
@@ -11,6 +14,9 @@ use momentous::fault::{Faults, Source};
 use momentous::grade::{DecimalMark, Verdict};
 use momentous::problem::{Part, PartKind, compile, load};
 use momentous::render::{Format, Page, Renderer, Solution};
+use momentous::web::{App, Settings, router};
+use tokio::runtime::{Builder, Runtime};
+use tower::ServiceExt;
 
 /// One kind of text that comes from outside.
 pub struct Target {
@@ -23,12 +29,13 @@ pub struct Target {
 }
 
 /// All of them.
-pub const TARGETS: [Target; 5] = [
+pub const TARGETS: [Target; 6] = [
     Target { name: "problem_file", pieces: include_str!("files.txt"), run: problem_file },
     Target { name: "answer", pieces: include_str!("answers.txt"), run: answer },
     Target { name: "formula", pieces: include_str!("formulas.txt"), run: formula },
     Target { name: "table", pieces: TABLES, run: table },
     Target { name: "roster", pieces: TABLES, run: roster },
+    Target { name: "route", pieces: include_str!("routes.txt"), run: route },
 ];
 
 /// Pieces of tables and of lines of JSON.
@@ -169,4 +176,39 @@ fn roster(_: u8, text: &str) {
         }
         Err(own) => faults(own),
     }
+}
+
+/// The application, and something to run it on.
+static SERVER: LazyLock<(Runtime, Router)> = LazyLock::new(|| {
+    let runtime = Builder::new_multi_thread().enable_all().build().expect("threads");
+    let app = App::new(Settings::default()).expect("the built-in bank and templates are well formed");
+    (runtime, router(Arc::new(app)))
+});
+
+/// More than any page has.
+const LONGEST_PAGE: usize = 16 << 20;
+
+/// A request, whose first line is its address and whose rest is its body, is answered: with a page, or with what the client did wrong.
+/// No page holds a script that the request wrote.
+fn route(chosen: u8, text: &str) {
+    let (address, body) = text.split_once('\n').unwrap_or((text, ""));
+    let graphic =
+        |byte: u8| if byte.is_ascii_graphic() { char::from(byte).to_string() } else { format!("%{byte:02X}") };
+    let address: String = address.bytes().map(graphic).collect();
+    let Ok(uri) = format!("/{}", address.trim_start_matches('/')).parse::<Uri>() else { return };
+    let (method, kind) = match chosen % 3 {
+        0 => ("GET", "text/plain"),
+        1 => ("POST", "application/x-www-form-urlencoded"),
+        _ => ("POST", "application/json"),
+    };
+    let request = Request::builder().method(method).uri(uri).header("content-type", kind);
+    let request = request.body(Body::from(body.to_owned())).expect("a request");
+    let (runtime, router) = &*SERVER;
+    let (status, page) = runtime.block_on(async {
+        let response = router.clone().oneshot(request).await.expect("the router answers");
+        let status = response.status().as_u16();
+        (status, to_bytes(response.into_body(), LONGEST_PAGE).await.expect("the page is within its bound"))
+    });
+    assert!(matches!(status, 200 | 400 | 404 | 405 | 413 | 415 | 422), "{method} {address}: {status}");
+    assert!(!String::from_utf8_lossy(&page).contains("<script>alert"), "{method} {address}");
 }

@@ -3,13 +3,22 @@
 
 /**
  * Where time comes from. A test sets `globalThis.momentousClock` before it plays, and turns the hands itself.
- * @typedef {{ now(): number, frame(callback: () => void): void }} Source milliseconds, and a call before the next picture
+ * @typedef {object} Source
+ * @property {() => number} now milliseconds
+ * @property {(callback: () => void) => void} frame a call before the next picture
+ * @property {(callback: () => void, wait: number) => () => void} after a call after so many milliseconds; the result calls it off
  */
 
+/** @type {Source["after"]} */
+function later(callback, wait) {
+  const timer = setTimeout(callback, wait);
+  return () => clearTimeout(timer);
+}
+
 /** @returns {Source} */
-function source() {
+export function source() {
   const set = /** @type {{ momentousClock?: Source }} */ (globalThis).momentousClock;
-  return set ?? { now: () => performance.now(), frame: (callback) => void requestAnimationFrame(callback) };
+  return set ?? { now: () => performance.now(), frame: (callback) => void requestAnimationFrame(callback), after: later };
 }
 
 /** The steps from start to end. */

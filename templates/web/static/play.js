@@ -1,6 +1,7 @@
 // @ts-check
 // A scene played: the bodies where the record has them, with plots, stage by stage.
 
+import { Announcer } from "./announcer.js";
 import { call, Refused } from "./engine.js";
 import { Clock } from "./clock.js";
 import { Plot, at } from "./plot.js";
@@ -18,8 +19,6 @@ import { told, table } from "./told.js";
 const LONG = 6;
 /** The shortest and the longest stage that is shown as fast as it happens, in s. */
 const AS_IT_IS = [2.5, 16];
-/** Announcements are at least so far apart, in ms. */
-const QUIET = 1000;
 /** The steps of the slider. */
 const MARKS = 240;
 /** The colours of bodies. */
@@ -162,8 +161,7 @@ class Player {
   /** @type {Clock} */
   #clock;
   #slow = 1;
-  #announced = 0;
-  #waiting = 0;
+  #voice;
   #played = false;
   /** @type {(time: number) => void} */
   #draw = () => {};
@@ -201,6 +199,7 @@ class Player {
     this.paced = make("p", { class: "paced" });
     this.values = make("div", { class: "values scroll", tabindex: "0", role: "region", "aria-label": "Values now" });
     this.said = make("p", { class: "said", "aria-live": "polite" });
+    this.#voice = new Announcer(this.said);
     this.plots = make("div", { class: "plots" });
     const controls = make("div", { class: "controls" }, this.playing, back, step, reset, make("label", {}, "Speed ", this.speed));
     const time = make("div", { class: "time" }, this.slider, this.now);
@@ -355,16 +354,7 @@ class Player {
       paused: `${stage}paused at ${this.now.textContent}.`,
       ended: `${stage}at its end, ${this.now.textContent}.`,
     };
-    const text = words[state];
-    clearTimeout(this.#waiting);
-    if (text === this.said.textContent) return;
-    const say = () => {
-      this.#announced = performance.now();
-      this.said.textContent = text;
-    };
-    const wait = this.#announced + QUIET - performance.now();
-    if (wait <= 0) say();
-    else this.#waiting = setTimeout(say, wait);
+    this.#voice.say(words[state]);
   }
 }
 

@@ -1,9 +1,12 @@
 // @ts-check
 // What both simulators share: controls, the engine's answer in its places, and time.
 
+import { Announcer } from "./announcer.js";
 import { call, Refused } from "./engine.js";
 import { Clock } from "./clock.js";
 import { Plot, at } from "./plot.js";
+import { reach } from "./reach.js";
+import { table } from "./told.js";
 
 /** @typedef {import("./plot.js").Curve} Curve */
 /** @typedef {{ value: number, text: string }} Amount */
@@ -27,8 +30,7 @@ import { Plot, at } from "./plot.js";
  * @property {Compared | null} compared
  */
 
-/** Milliseconds between two announcements, and from the last change to the address: browsers refuse too many addresses. */
-const ANNOUNCED = 1000;
+/** Milliseconds from the last change to the address: browsers refuse too many addresses. */
 const ADDRESSED = 300;
 
 /**
@@ -108,7 +110,8 @@ export class Simulator {
   #asking = false;
   #again = false;
   #addressed = 0;
-  #announced = { at: -Infinity, words: "", timer: 0 };
+  /** @type {Announcer | undefined} what bodies do, aloud */
+  #voice;
 
   /**
    * @param {HTMLElement} root
@@ -266,6 +269,7 @@ export class Simulator {
     this.#show_method(shown);
     this.#show_problem(shown);
     this.#filled(shown);
+    reach();
     const wrong = shown.compared?.places ?? [];
     this.#plot("places", [...shown.places, ...wrong]);
     this.#ghosts(wrong);
@@ -280,6 +284,8 @@ export class Simulator {
     refused.hidden = !compared.refused;
     refused.textContent = compared.refused ? `It refuses this scene: ${compared.refused}.` : "";
     this.#plot("drifts", compared.drifts);
+    const { title = "", up = "", across = "" } = one(this.#root, '[data-plot="drifts"]', SVGSVGElement).dataset;
+    one(this.#root, "[data-drifts]", HTMLElement).replaceChildren(table({ title, up, across, curves: compared.drifts }));
   }
 
   /** @param {Response} shown */
@@ -343,23 +349,8 @@ export class Simulator {
     time.setAttribute("aria-valuetext", `${told(now)} s`);
     one(this.#root, '[data-do="play"]', HTMLButtonElement).textContent = playing ? "Pause" : "Play";
     this.#root.dataset.playing = String(playing);
-    this.#announce(words);
-  }
-
-  /**
-   * Says what bodies do to those who listen, at most once a second.
-   * @param {string} words
-   */
-  #announce(words) {
-    const announced = this.#announced;
-    if (words === announced.words) return;
-    announced.words = words;
-    clearTimeout(announced.timer);
-    const say = () => {
-      announced.at = performance.now();
-      one(this.#root, "[data-announced]", HTMLElement).textContent = announced.words;
-    };
-    announced.timer = setTimeout(say, Math.max(0, announced.at + ANNOUNCED - performance.now()));
+    this.#voice ??= new Announcer(one(this.#root, "[data-announced]", HTMLElement));
+    this.#voice.say(words);
   }
 }
 
