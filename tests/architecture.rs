@@ -47,6 +47,7 @@ const PACKAGES: &[(&str, &str)] = &[
     ("jiff", "course"),
     ("axum", "web"),
     ("rapier2d_f64", "simulate"),
+    ("zip", "export"),
 ];
 
 /// The lines that a file may have.

@@ -7,25 +7,32 @@ use std::path::PathBuf;
 
 use clap::Args;
 use clap::ValueEnum;
+use clap::builder::PossibleValue;
+use clap::builder::PossibleValuesParser;
+use clap::builder::TypedValueParser;
 
 use crate::exercise::Drawer;
 use crate::export::FEATURES;
 use crate::export::Feature;
-use crate::export::Moodle;
+use crate::export::Place;
+use crate::export::Question;
 use crate::export::TARGETS;
+use crate::export::Target;
+use crate::render::Markup;
 
 use super::exit::Exit;
 use super::failure::Failure;
 use super::failure::tell;
 use super::open;
+use super::open::Secret;
 use super::output::Output;
 use super::output::keep_apart;
-use super::pages;
 
 const HELP: &str = "\
 Examples:
   momentous export moodle impact/two-carts --count 50 -o two-carts.xml   a bank of 50 variants
   momentous export moodle impact --form find-e --seed 100 -o impact.xml  a whole topic
+  momentous export qti3 impact/two-carts --count 20 -o two-carts.zip     a package of QTI 3.0
   momentous export --targets                                             what goes along to each target
 
 The file contains answers and worked solutions. What did not go along is said on standard error.";
@@ -35,8 +42,8 @@ The file contains answers and worked solutions. What did not go along is said on
 #[command(after_help = HELP, arg_required_else_help = true)]
 pub(super) struct Export {
     /// The program that reads the file
-    #[arg(required_unless_present = "targets")]
-    target: Option<Target>,
+    #[arg(required_unless_present = "targets", value_parser = target())]
+    target: Option<&'static Target>,
     /// Identities, topics, files or folders
     #[arg(required_unless_present = "targets", value_name = "PROBLEM|FILE")]
     problems: Vec<String>,
@@ -49,6 +56,11 @@ pub(super) struct Export {
     /// How many variants of each problem: the seed and those after it
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
     count: u64,
+    /// How mathematics is written, where the target leaves a choice
+    #[arg(long, value_name = "HOW")]
+    math: Option<Mathematics>,
+    #[command(flatten)]
+    secret: Secret,
     /// Write to this file instead of printing
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -57,50 +69,86 @@ pub(super) struct Export {
     targets: bool,
 }
 
-/// The program that reads the file.
+/// How mathematics is written.
 #[derive(Clone, Copy, Debug, ValueEnum)]
-enum Target {
-    /// Moodle XML, for the question bank
-    Moodle,
+enum Mathematics {
+    /// TeX, for a page that typesets it
+    Tex,
+    /// MathML
+    Mathml,
+}
+
+impl Mathematics {
+    fn markup(self) -> Markup {
+        match self {
+            Self::Tex => Markup::Tex,
+            Self::Mathml => Markup::MathMl,
+        }
+    }
+}
+
+/// Reads the name of a target.
+fn target() -> impl TypedValueParser<Value = &'static Target> {
+    let known = TARGETS.iter().map(|own| PossibleValue::new(own.name).help(own.about));
+    PossibleValuesParser::new(known).try_map(|name| Target::named(&name).ok_or("no such target"))
 }
 
 impl Export {
     pub(super) fn run(&self) -> Result<Exit, Failure> {
-        let Some(Target::Moodle) = self.target else {
+        let Some(target) = self.target else {
             Output::whole(None, &targets())?;
             return Ok(Exit::Fine);
         };
         let last = self.seed.checked_add(self.count - 1);
         let last =
             last.ok_or_else(|| Failure::unusable(format!("there are not {} seeds from {} on", self.count, self.seed)))?;
-        keep_apart(self.problems.iter().map(Path::new), self.output.clone())?;
-        let problems = open::problems(&self.problems, None)?;
+        let markup = self.markup(target)?;
+        let read = self.problems.iter().map(Path::new).chain(self.secret.path());
+        keep_apart(read, self.output.clone())?;
+        let secret = self.secret.read()?;
+        let problems = open::problems(&self.problems, secret.as_deref())?;
         let forms = problems.iter().map(|problem| open::form(problem, self.form.as_deref()));
         let forms = forms.collect::<Result<Vec<usize>, _>>()?;
-        let mut lost: BTreeMap<Feature, u64> = BTreeMap::new();
-        let mut file = Moodle::new(Output::to(self.output.as_deref())?, pages::renderer()?)?;
+        let mut held: BTreeMap<Feature, u64> = BTreeMap::new();
+        let mut output = Output::to(self.output.as_deref())?;
+        let mut file = target.begin(Box::new(&mut output), markup)?;
         for (problem, form) in problems.iter().zip(forms) {
             let refused = |seed, reason| Failure::no_variant(problem.id(), seed, &reason);
             let mut drawer = Drawer::new(problem, form).map_err(|reason| refused(self.seed, reason))?;
             for seed in self.seed..=last {
                 let exercise = drawer.draw(seed).map_err(|reason| refused(seed, reason))?;
                 exercise.printable()?;
-                for feature in file.write(&exercise.item())? {
-                    *lost.entry(feature).or_default() += 1;
+                let item = exercise.item();
+                let question = Question::new(&item);
+                for feature in question.features() {
+                    *held.entry(feature).or_default() += 1;
+                }
+                if !question.is_empty() {
+                    file.write(&question)?;
                 }
             }
         }
-        file.finish()?.finish()?;
-        tell(&report(&lost));
+        file.finish()?;
+        output.finish()?;
+        tell(&report(&held, target));
         Ok(Exit::Fine)
+    }
+
+    fn markup(&self, target: &Target) -> Result<Markup, Failure> {
+        let usual = target.markup.first().copied().unwrap_or(Markup::MathMl);
+        let wanted = self.math.map_or(usual, Mathematics::markup);
+        target.markup.contains(&wanted).then_some(wanted).ok_or_else(|| {
+            Failure::unusable(format!("mathematics for {} cannot be written so\nhelp: leave out --math", target.name))
+        })
     }
 }
 
 /// What did not go along, in how many questions, and what stands in its place.
-fn report(lost: &BTreeMap<Feature, u64>) -> String {
+fn report(held: &BTreeMap<Feature, u64>, target: &Target) -> String {
     let mut text = String::from("did not go along as it is (questions): what stands in its place");
-    for (feature, what, [(instead, _)]) in FEATURES {
-        if let Some(count) = lost.get(&feature) {
+    for (feature, what, places) in FEATURES {
+        let place = TARGETS.iter().zip(places).find(|(own, _)| own.name == target.name);
+        if let (Some(count), Some((_, Place::Instead(instead)))) = (held.get(&feature), place) {
             let _ = write!(text, "\n  {what} ({count}): {instead}");
         }
     }
@@ -111,10 +159,13 @@ fn report(lost: &BTreeMap<Feature, u64>) -> String {
 fn targets() -> String {
     let mut text = String::new();
     for (column, target) in TARGETS.iter().enumerate() {
-        let _ = writeln!(text, "{target}");
-        for (_, what, cells) in FEATURES {
-            let Some((instead, whole)) = cells.get(column) else { continue };
-            let _ = writeln!(text, "  {} {what}: {instead}", if *whole { "goes along " } else { "is replaced" });
+        let _ = writeln!(text, "{}: {}", target.name, target.about);
+        for (_, what, places) in FEATURES {
+            let (how, place) = match places[column] {
+                Place::Whole(place) => ("goes along ", place),
+                Place::Instead(place) => ("is replaced", place),
+            };
+            let _ = writeln!(text, "  {how} {what}: {place}");
         }
     }
     text

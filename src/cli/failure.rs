@@ -93,6 +93,7 @@ impl From<NotWritten> for Failure {
         match reason {
             NotWritten::Output(error) => error.into(),
             NotWritten::Text(faults) => faults.into(),
+            NotWritten::Package(_) => Self::unusable(reason.to_string()),
         }
     }
 }

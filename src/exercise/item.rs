@@ -17,6 +17,7 @@ use crate::problem::NumberPart;
 use crate::problem::Part;
 use crate::problem::PartKind;
 use crate::problem::Simulated;
+use crate::quantity::Rational;
 use crate::quantity::Unit;
 use crate::render::Identity;
 
@@ -34,12 +35,18 @@ const SAME: f64 = 1e-9;
 pub struct Item {
     /// What makes the same numbers again.
     pub identity: Identity,
+    /// Letters by which the variant is known; nothing can be read from them.
+    pub code: String,
     /// What the student sees.
     pub sheet: StudentSheet,
     /// What is asked, with the answers that earn something or have something said of them; in the order of the sheet's fields.
     pub parts: Vec<ItemPart>,
     /// The worked solution.
     pub solution: Outline,
+    /// The share of the points that each further try costs.
+    pub penalty: Rational,
+    /// The share of the points that each hint costs.
+    pub hint_penalty: Rational,
 }
 
 /// One part of an item.
@@ -150,21 +157,32 @@ impl Exercise {
             printed: self.printed(part),
             answers: self.item_answers(part, &simulated),
         });
-        Item { identity: self.identity(), parts: parts.collect(), sheet, solution: self.outline(Audience::Everyone) }
+        let attempts = Rules { problem: worked.problem, form: worked.form }.rubric().attempts;
+        Item {
+            identity: self.identity(),
+            code: self.code(),
+            parts: parts.collect(),
+            sheet,
+            solution: self.outline(Audience::Everyone),
+            penalty: attempts.penalty,
+            hint_penalty: attempts.hint,
+        }
     }
 
     fn item_answers(&self, part: &Part, simulated: &Simulated<'_>) -> ItemAnswers {
         match (self.expected(part).kind, &part.kind) {
             (ExpectedKind::Number(_), _) if several(self.worked(), part).is_some() => {
-                ItemAnswers::Roots(self.root_items(part))
+                ItemAnswers::Roots(self.root_items(part, simulated))
             }
             (ExpectedKind::Number(expected), PartKind::Number(number)) => {
                 let mistaken = self.mistaken(number, &expected, simulated);
                 ItemAnswers::Number(Box::new(self.number_item(part, &expected, &mistaken)))
             }
-            (ExpectedKind::Vector(expected), _) => {
-                let component = |own: &grade::ExpectedNumber| self.number_item(part, own, &[]);
-                ItemAnswers::Vector(expected.components.iter().map(component).collect())
+            (ExpectedKind::Vector(expected), PartKind::Vector(vector)) => {
+                let component = |(own, number): (&grade::ExpectedNumber, &NumberPart)| {
+                    self.number_item(part, own, &self.mistaken(number, own, simulated))
+                };
+                ItemAnswers::Vector(expected.components.iter().zip(&vector.components).map(component).collect())
             }
             (ExpectedKind::Choice { options, right, because }, kind) => {
                 let wrong = match kind {
@@ -185,14 +203,21 @@ impl Exercise {
         }
     }
 
-    fn root_items(&self, part: &Part) -> Vec<NumberItem> {
+    fn root_items(&self, part: &Part, simulated: &Simulated<'_>) -> Vec<NumberItem> {
         let roots = several(self.worked(), part).unwrap_or_default();
         let expected = each_expected(&self.expected(part), &roots, self.worked(), part);
-        let item = |own: grade::Expected| match own.kind {
-            ExpectedKind::Number(number) => Some(self.number_item(part, &number, &[])),
-            _ => None,
+        let expected: Vec<grade::ExpectedNumber> = expected.into_iter().filter_map(number_expected).collect();
+        let item = |own: &grade::ExpectedNumber| {
+            let PartKind::Number(number) = &part.kind else { return self.number_item(part, own, &[]) };
+            // What is right for another root is no mistake, but in the wrong place.
+            let is_other = |mistaken: &Mistaken<'_>| {
+                expected.iter().any(|root| (mistaken.low..=mistaken.high).contains(&root.value))
+            };
+            let mut mistaken = self.mistaken(number, own, simulated);
+            mistaken.retain(|own| !is_other(own));
+            self.number_item(part, own, &mistaken)
         };
-        let mut items: Vec<NumberItem> = expected.into_iter().filter_map(item).collect();
+        let mut items: Vec<NumberItem> = expected.iter().map(item).collect();
         items.sort_by(|left, right| left.right.total_cmp(&right.right));
         items
     }
@@ -298,6 +323,13 @@ impl Exercise {
             }
         }
         all
+    }
+}
+
+fn number_expected(expected: grade::Expected) -> Option<grade::ExpectedNumber> {
+    match expected.kind {
+        ExpectedKind::Number(number) => Some(number),
+        _ => None,
     }
 }
 

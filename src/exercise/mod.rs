@@ -124,6 +124,13 @@ impl Exercise {
         }
     }
 
+    /// Letters by which this variant is known where its seed must not be seen; none where its numbers were not drawn.
+    #[must_use]
+    pub fn code(&self) -> String {
+        let code = |seed| self.problem.code(self.variant.form(), seed);
+        self.variant.seed().map(code).unwrap_or_default()
+    }
+
     /// What the student is given.
     #[must_use]
     pub fn sheet(&self) -> Sheet {

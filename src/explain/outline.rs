@@ -77,8 +77,8 @@ pub struct SharedBlock {
     made: [Kept; FORMATS],
 }
 
-/// How many formats may write a block.
-const FORMATS: usize = 3;
+/// How many ways of writing a block there are: the formats of documents, and those of pieces for other programs.
+const FORMATS: usize = 7;
 
 impl SharedBlock {
     /// What the format of that place made of it when it first came upon it.

@@ -4,11 +4,11 @@ use crate::exercise::ItemAnswers;
 use crate::exercise::ItemPart;
 use crate::exercise::NumberItem;
 
-use super::feature::Feature;
-
 /// Room for one answer of the simplest kinds.
 #[derive(Clone, Debug)]
 pub(super) struct Field<'i> {
+    /// How it is called: the label of its part, and its place where the part has several.
+    pub name: String,
     /// What stands before it, where its part has several.
     pub caption: &'static str,
     /// What is asked.
@@ -20,13 +20,8 @@ pub(super) struct Field<'i> {
 pub(super) enum Asked<'i> {
     /// A number.
     Number(&'i NumberItem),
-    /// One of these.
-    Choice {
-        /// The phrases.
-        options: Vec<Choice<'i>>,
-        /// Whether their order may be changed.
-        shuffled: bool,
-    },
+    /// One of these, in this order.
+    Choice(Vec<Choice<'i>>),
 }
 
 /// One of several phrases.
@@ -37,33 +32,39 @@ pub(super) struct Choice<'i> {
     pub feedback: String,
 }
 
-/// The fields of a part, none where it has to be left out; and what does not stand in them as it is.
-pub(super) fn fields<'i>(part: &'i ItemPart) -> (Vec<Field<'i>>, Option<Feature>) {
-    let number = |caption, item| Field { caption, asked: Asked::Number(item) };
-    match &part.answers {
-        ItemAnswers::Number(item) => (vec![number("", item)], None),
-        ItemAnswers::Roots(all) => (all.iter().map(|item| number("", item)).collect(), Some(Feature::Roots)),
-        ItemAnswers::Vector(all) => (all.iter().map(|item| number("", item)).collect(), Some(Feature::Vectors)),
+/// The fields of a part, none where it has to be left out.
+pub(super) fn fields(part: &ItemPart) -> Vec<Field<'_>> {
+    let asked: Vec<(&'static str, Asked<'_>)> = match &part.answers {
+        ItemAnswers::Number(item) => vec![("", Asked::Number(item))],
+        ItemAnswers::Roots(all) | ItemAnswers::Vector(all) => {
+            all.iter().map(|item| ("", Asked::Number(item))).collect()
+        }
         ItemAnswers::Interval { low, high } => {
             let ends = [("from", low), ("to", high)];
-            let ends = ends.into_iter().filter_map(|(caption, end)| Some(number(caption, end.as_deref()?)));
-            (ends.collect(), Some(Feature::Intervals))
+            ends.into_iter().filter_map(|(caption, end)| Some((caption, Asked::Number(end.as_deref()?)))).collect()
         }
         ItemAnswers::Choice { options, right, because, wrong } => {
-            let option = |(place, text): (usize, &'i String)| {
+            let options = options.iter().enumerate().map(|(place, text)| {
                 let right = place == *right;
                 Choice { text, right, feedback: if right { because.clone() } else { wrong.join(" ") } }
-            };
-            let options = options.iter().enumerate().map(option);
-            (vec![Field { caption: "", asked: Asked::Choice { options: options.collect(), shuffled: false } }], None)
+            });
+            vec![("", Asked::Choice(options.collect()))]
         }
-        ItemAnswers::Formula { mistaken } if mistaken.is_empty() => (Vec::new(), Some(Feature::LoneFormulas)),
+        ItemAnswers::Formula { mistaken } if mistaken.is_empty() => Vec::new(),
         ItemAnswers::Formula { mistaken } => {
             let right = Choice { text: &part.printed, right: true, feedback: String::new() };
             let wrong =
                 mistaken.iter().map(|(text, feedback)| Choice { text, right: false, feedback: feedback.clone() });
-            let options = std::iter::once(right).chain(wrong).collect();
-            (vec![Field { caption: "", asked: Asked::Choice { options, shuffled: true } }], Some(Feature::Formulas))
+            let mut options: Vec<Choice<'_>> = std::iter::once(right).chain(wrong).collect();
+            // Their order must not tell which is right.
+            options.sort_by_key(|own| own.text);
+            vec![("", Asked::Choice(options))]
         }
-    }
+    };
+    let several = asked.len() > 1;
+    let named = asked.into_iter().zip(1_usize..).map(|((caption, asked), place)| {
+        let place = if several { place.to_string() } else { String::new() };
+        Field { name: format!("{}{place}", part.field.label), caption, asked }
+    });
+    named.collect()
 }

@@ -1,16 +1,42 @@
-//! Items as files of other programs: one file for each target. A target knows no physics, and computes nothing that the item
+//! Items as files of other programs: a folder for each target. A target knows no physics, and computes nothing that the item
 //! does not hold.
 
+mod band;
+mod canvas;
+mod element;
 mod feature;
 mod field;
 mod moodle;
+mod numbas;
+mod package;
+mod prairielearn;
+mod qti;
+mod question;
+mod rexams;
+mod target;
 
-pub use feature::{FEATURES, Feature, Row, TARGETS};
-pub use moodle::Moodle;
+pub use feature::{FEATURES, Feature, Place, Row};
+pub use question::Question;
+pub use target::{TARGETS, Target};
 
 use std::io;
 
 use crate::fault::Faults;
+
+/// A file on its way. Questions are written as they come; those of one form come one after the other.
+pub trait Export {
+    /// Writes a question that has something to ask.
+    ///
+    /// # Errors
+    /// Where a text is not fit to print, or the file takes nothing.
+    fn write(&mut self, question: &Question<'_>) -> Result<(), NotWritten>;
+
+    /// Ends the file.
+    ///
+    /// # Errors
+    /// Where the file takes nothing.
+    fn finish(self: Box<Self>) -> Result<(), NotWritten>;
+}
 
 /// Why an item was not written.
 #[derive(Debug, thiserror::Error)]
@@ -18,9 +44,12 @@ pub enum NotWritten {
     /// The file takes nothing.
     #[error(transparent)]
     Output(#[from] io::Error),
-    /// A text or a template is not fit to print.
+    /// A text is not fit to print.
     #[error(transparent)]
     Text(#[from] Faults),
+    /// A package takes no such file.
+    #[error("the package cannot be written: {0}")]
+    Package(#[from] zip::result::ZipError),
 }
 
 /// A text without the characters that XML has no way to write.

@@ -247,6 +247,13 @@ impl Problem {
         self.streams.mark.as_deref()
     }
 
+    /// The code of a variant: the same each time, another for another seed, form or state of the file.
+    #[must_use]
+    pub fn code(&self, form: usize, seed: u64) -> String {
+        let name = self.forms().get(form).and_then(|form| form.question.name.as_deref()).unwrap_or_default();
+        self.streams.code(&[self.loaded.digest.as_bytes(), name.as_bytes(), &seed.to_le_bytes()])
+    }
+
     /// The streams from which its givens are drawn.
     #[must_use]
     pub fn streams(&self) -> &Streams {

@@ -35,7 +35,12 @@ pub fn secret_mark(secret: &[u8]) -> String {
     let Ok(mut mac) = Hmac::<Sha256>::new_from_slice(secret) else { return String::new() };
     mac.update(b"momentous secret mark\0");
     let digest = mac.finalize().into_bytes();
-    digest.iter().take(LONG).map(|byte| char::from(LETTERS[usize::from(byte % 16)])).collect()
+    digest.iter().take(LONG).map(|byte| letter(*byte)).collect()
+}
+
+/// A letter for a byte.
+pub(super) fn letter(byte: u8) -> char {
+    char::from(LETTERS[usize::from(byte % 16)])
 }
 
 /// Whether somebody with one sheet may find the secret by trying: it is short, or made of words, simple rows and repetitions. Every

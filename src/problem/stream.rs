@@ -5,6 +5,7 @@ use rand::rngs::ChaCha8Rng;
 use rand::{Rng, SeedableRng};
 use sha2::Sha256;
 
+use super::secret::letter;
 use super::secret::secret_mark;
 
 /// How numbers are drawn; a change of it changes the numbers of every variant.
@@ -43,6 +44,9 @@ pub struct Streams {
     pub(super) mark: Option<String>,
 }
 
+/// The letters of a code: among a hundred thousand, two are the same once in fifty thousand courses.
+const CODE: usize = 12;
+
 impl Streams {
     /// The streams of a problem, in the order of the names. With a course secret, nobody without it can find the words.
     pub fn new<'a>(
@@ -59,6 +63,13 @@ impl Streams {
             bytes.iter().take(8).rev().fold(0, |word, byte| word << 8 | u64::from(*byte))
         };
         Self { key, ids: names.into_iter().map(id).collect(), mark: secret.map(secret_mark) }
+    }
+
+    /// Letters by which something of this problem is known, and nothing of it can be read; in a course with a secret, nobody
+    /// else finds them.
+    pub(super) fn code(&self, of: &[&[u8]]) -> String {
+        let key = digest(&self.key, &[b"code"]);
+        digest(&key, of).iter().take(CODE).map(|byte| letter(*byte)).collect()
     }
 
     /// A maker of words; each thread takes its own.

@@ -36,18 +36,7 @@ impl Writer for Html {
     }
 
     fn equation(&self, rows: &[Row<'_>], number: Option<u32>) -> String {
-        let mut out = String::from("<div class=\"equation\"><math display=\"block\">");
-        if let [row] = rows {
-            out.push_str(&Math::row_element(&equation::spread(row.whole())));
-        } else {
-            out.push_str("<mtable displaystyle=\"true\" class=\"aligned\">");
-            for row in rows {
-                let [left, right] = [row.left(), row.right()].map(|items| Math::row_element(&equation::spread(items)));
-                let _ = write!(out, "<mtr><mtd>{left}</mtd><mtd>{right}</mtd></mtr>");
-            }
-            out.push_str("</mtable>");
-        }
-        out.push_str("</math>");
+        let mut out = format!("<div class=\"equation\">{}", display(rows));
         if let Some(number) = number {
             let _ = write!(out, "<span class=\"number\">({number})</span>");
         }
@@ -73,8 +62,25 @@ impl Writer for Html {
     }
 }
 
+/// Rows as one element of mathematics, aligned where there are several.
+pub(super) fn display(rows: &[Row<'_>]) -> String {
+    let mut out = String::from("<math display=\"block\">");
+    if let [row] = rows {
+        out.push_str(&Math::row_element(&equation::spread(row.whole())));
+    } else {
+        out.push_str("<mtable displaystyle=\"true\" class=\"aligned\">");
+        for row in rows {
+            let [left, right] = [row.left(), row.right()].map(|items| Math::row_element(&equation::spread(items)));
+            let _ = write!(out, "<mtr><mtd>{left}</mtd><mtd>{right}</mtd></mtr>");
+        }
+        out.push_str("</mtable>");
+    }
+    out.push_str("</math>");
+    out
+}
+
 /// The author's first level of headings is that level of the page.
-fn lower_heading(event: Event, level: usize) -> Event {
+pub(super) fn lower_heading(event: Event, level: usize) -> Event {
     let lower = |own: HeadingLevel| HeadingLevel::try_from((own as usize + level - 1).min(6)).unwrap_or(own);
     match event {
         Event::Start(Tag::Heading { level: own, id, classes, attrs }) => {

@@ -1,21 +1,15 @@
 //! A number's windows as Moodle's answers: a value, a tolerance, a fraction and a feedback; the first that fits counts.
 
 use crate::exercise::NumberItem;
-use crate::grade::Points;
-use crate::quantity::Rational;
 use crate::quantity::Unit;
+
+use super::super::band::{Band, bands, printed};
 
 /// The fractions that Moodle knows; a file with another one is refused.
 const FRACTIONS: [f64; 21] = [
     100.0, 90.0, 83.33333, 80.0, 75.0, 70.0, 66.66667, 60.0, 50.0, 40.0, 33.33333, 30.0, 25.0, 20.0, 16.66667,
     14.28571, 12.5, 11.11111, 10.0, 5.0, 0.0,
 ];
-
-/// All of the points, in per cent.
-const ALL: f64 = 100.0;
-
-/// What is left of a difference of fractions after rounding.
-const ROUNDED: f64 = 0.001;
 
 /// Units in which students answer, beside the one that is asked; those that measure the same go along.
 const USUAL_UNITS: [&str; 38] = [
@@ -66,58 +60,35 @@ pub(super) struct Answer<'i> {
     pub tolerance: f64,
     pub fraction: f64,
     pub feedback: &'i [String],
+    /// Whether it says no more than that the power of ten is another one.
+    pub is_coarse: bool,
 }
 
-/// The share of the points in per cent: the nearest that Moodle knows, and whether it is another one.
-pub(super) fn fraction(points: &Points, out_of: u32) -> (f64, bool) {
-    let share = &points.0 * Rational::from(100) / Rational::from(out_of.max(1));
-    let share = share.to_f64().value();
-    let nearest = FRACTIONS.into_iter().min_by(|left, right| (left - share).abs().total_cmp(&(right - share).abs()));
-    let nearest = nearest.unwrap_or(0.0);
-    (nearest, (nearest - share).abs() > ROUNDED)
+/// A share of the points in per cent: the nearest that Moodle knows.
+pub(super) fn nearest(share: f64) -> f64 {
+    let away = |own: &f64| (own - share * FRACTIONS[0]).abs();
+    FRACTIONS.into_iter().min_by(|left, right| away(left).total_cmp(&away(right))).unwrap_or(0.0)
 }
 
-/// The answers in the order in which Moodle tries them, the right one as it is printed first; and whether a fraction was changed.
-pub(super) fn answers(item: &NumberItem, out_of: u32) -> (Vec<Answer<'_>>, bool) {
-    let mut joined: Vec<([f64; 2], f64, &[String])> = Vec::new();
-    let mut changed = false;
-    for window in &item.windows {
-        let (share, snapped) = fraction(&window.points, out_of);
-        changed |= snapped;
-        match joined.last_mut() {
-            Some(([_, high], own, said))
-                if *high >= window.low && own.total_cmp(&share).is_eq() && *said == window.feedback =>
-            {
-                *high = window.high;
-            }
-            _ => joined.push(([window.low, window.high], share, &window.feedback)),
-        }
-    }
-    joined.sort_by(|(_, left, _), (_, right, _)| right.total_cmp(left));
+/// The answers in the order in which Moodle tries them, the right one as it is printed first.
+pub(super) fn answers(item: &NumberItem, out_of: u32) -> Vec<Answer<'_>> {
+    let bands = bands(item, out_of);
     let printed = printed(item);
     let parsed: f64 = printed.parse().unwrap_or(item.right);
-    let home = joined.iter().find(|(ends, share, _)| *share >= ALL && (ends[0]..=ends[1]).contains(&parsed));
-    let first = home.map(|([low, high], share, feedback)| {
-        let tolerance = (parsed - low).min(high - parsed);
-        Answer { value: printed, tolerance, fraction: *share, feedback }
-    });
-    // A direction may be off by whole turns.
-    let turns = item.turn.map_or(vec![0.0], |turn| vec![0.0, turn, -turn]);
-    let others = turns.into_iter().flat_map(|turn| {
-        joined.iter().map(move |(ends, fraction, feedback)| {
-            let [low, high] = ends.map(|end| end + turn);
-            let value = low + (high - low) / 2.0;
-            let rounding = 4.0 * f64::EPSILON * low.abs().max(high.abs());
-            let tolerance = (high - low) / 2.0 + rounding;
-            Answer { value: value.to_string(), tolerance, fraction: *fraction, feedback }
-        })
-    });
-    (first.into_iter().chain(others).collect(), changed)
+    let home = bands.iter().find(|own| own.is_full() && (own.low..=own.high).contains(&parsed));
+    let first =
+        home.map(|own| Answer { value: printed, tolerance: (parsed - own.low).min(own.high - parsed), ..answer(own) });
+    first.into_iter().chain(bands.iter().map(answer)).collect()
 }
 
-/// The right value to the figures that are asked, with a point.
-fn printed(item: &NumberItem) -> String {
-    if item.whole { format!("{:.0}", item.right) } else { format!("{:.*e}", item.figures.max(1) - 1, item.right) }
+fn answer<'i>(band: &Band<'i>) -> Answer<'i> {
+    Answer {
+        value: band.middle().to_string(),
+        tolerance: band.reach(),
+        fraction: nearest(band.share),
+        feedback: band.feedback,
+        is_coarse: band.is_coarse,
+    }
 }
 
 /// Each spelling of the unit and of usual others, with how many of it make one of the unit asked. Moodle takes spaces out of what

@@ -2,48 +2,45 @@
 
 use std::fmt::Write;
 
-use crate::render::Fragment;
+use crate::render::Markup;
 
-use super::super::field::{Asked, Field};
-use super::Asking;
+use super::super::field::{Asked, Choice, Field};
+use super::super::question::{Asking, Question};
 use super::answer::{Answer, answers};
 
 /// The text of a question, with its gaps.
-pub(super) fn text(before: &str, asked: &[Asking<'_>]) -> String {
-    // Each gap weighs a whole number, and the gaps of a part together what it is worth.
-    let shares = asked.iter().map(|(_, fields)| fields.len()).fold(1, least_common_multiple);
+pub(super) fn text(before: &str, question: &Question<'_>, markup: Markup) -> String {
     let mut out = without_braces(before);
-    for (part, fields) in asked {
-        let weight = usize::try_from(part.field.points).unwrap_or(1) * (shares / fields.len());
-        let label = escaped(&part.field.label);
-        let question = without_braces(Fragment::inline(&part.field.question).as_str());
-        let gap = |field: &Field<'_>| format!("{} {}", field.caption, gap(field, weight, part.field.points));
-        let gaps: Vec<String> = fields.iter().map(gap).collect();
-        let unit = part.field.unit.as_ref().map(|unit| without_braces(Fragment::math(unit).as_str()));
-        let _ = write!(out, "\n<p>({label}) {question}<br/>{} {}</p>", gaps.join(" "), unit.unwrap_or_default());
+    for asking in &question.asked {
+        let asked = without_braces(&asking.question(markup, question.asked.len() > 1));
+        let gap = |field: &Field<'_>| format!("{} {}", field.caption, gap(field, asking));
+        let gaps: Vec<String> = asking.fields.iter().map(gap).collect();
+        let unit = without_braces(&asking.unit(markup));
+        let _ = writeln!(out, "<p>{asked}<br/>{} {unit}</p>", gaps.join(" "));
     }
     out
 }
 
-fn gap(field: &Field<'_>, weight: usize, out_of: u32) -> String {
+fn gap(field: &Field<'_>, asking: &Asking<'_>) -> String {
     let (kind, alternatives): (&str, Vec<String>) = match &field.asked {
         Asked::Number(number) => {
-            let one = |Answer { value, tolerance, fraction, feedback }: &Answer<'_>| {
-                let said = escaped(&feedback.join(" "));
-                format!("{}{value}:{tolerance}#{said}", share(*fraction))
+            let one = |own: &Answer<'_>| {
+                let said = escaped(&own.feedback.join(" "));
+                format!("{}{}:{}#{said}", share(own.fraction), own.value, own.tolerance)
             };
-            ("NUMERICAL", answers(number, out_of).0.iter().map(one).collect())
+            // A gap is as wide as its longest answer, and that of a thousand times as much would be the longest.
+            let answers = answers(number, asking.part.field.points);
+            ("NUMERICAL", answers.iter().filter(|own| !own.is_coarse).map(one).collect())
         }
-        Asked::Choice { options, shuffled } => {
-            let kind = if *shuffled { "MULTICHOICE_VS" } else { "MULTICHOICE_V" };
-            let one = |own: &super::Choice<'_>| {
+        Asked::Choice(options) => {
+            let one = |own: &Choice<'_>| {
                 let fraction = if own.right { 100.0 } else { 0.0 };
                 format!("{}{}#{}", share(fraction), escaped(own.text), escaped(&own.feedback))
             };
-            (kind, options.iter().map(one).collect())
+            ("MULTICHOICE_V", options.iter().map(one).collect())
         }
     };
-    format!("{{{weight}:{kind}:{}}}", alternatives.join("~"))
+    format!("{{{}:{kind}:{}}}", asking.weight, alternatives.join("~"))
 }
 
 fn share(fraction: f64) -> String {
@@ -68,8 +65,4 @@ fn escaped(text: &str) -> String {
 /// HTML in which no gap begins.
 fn without_braces(html: &str) -> String {
     html.replace('{', "&#123;").replace('}', "&#125;")
-}
-
-fn least_common_multiple(left: usize, right: usize) -> usize {
-    (1..=right).map(|times| left * times).find(|own| own % right == 0).unwrap_or(left)
 }

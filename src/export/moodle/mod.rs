@@ -12,94 +12,53 @@ use quick_xml::events::{BytesCData, BytesDecl, BytesEnd, BytesStart, BytesText, 
 use crate::exercise::Item;
 use crate::exercise::ItemPart;
 use crate::exercise::NumberItem;
-use crate::explain::Audience;
-use crate::explain::Inline;
-use crate::figure;
-use crate::render::Fragment;
+use crate::quantity::Rational;
 use crate::render::Identity;
-use crate::render::Page;
-use crate::render::Renderer;
-use crate::render::Solution;
+use crate::render::Markup;
 use crate::render::base64;
 
+use super::Export;
 use super::NotWritten;
-use super::feature::Feature;
-use super::field::{Asked, Choice, Field, fields};
+use super::field::{Asked, Choice, Field};
 use super::printable;
-
-/// What a try costs in behaviours with several tries: Moodle's own default.
-const PENALTY: &str = "0.3333333";
+use super::question::{Pictures, Question, said};
+use super::target::Begun;
 
 /// The letters that an idnumber may have.
 const LONGEST_ID: usize = 100;
 
-/// The heading of the level at which a document's own begin.
-const LEVEL: usize = 4;
-
-/// A part with its fields.
-type Asking<'i> = (&'i ItemPart, Vec<Field<'i>>);
-
 /// A file on its way. Each item is written as it comes.
-pub struct Moodle<W: Write> {
+struct Moodle<W: Write> {
     xml: Writer<W>,
-    renderer: Renderer,
+    markup: Markup,
     category: String,
 }
 
-impl<W: Write> Moodle<W> {
-    /// Begins a file.
-    ///
-    /// # Errors
-    /// Where the file takes nothing.
-    pub fn new(out: W, renderer: Renderer) -> io::Result<Self> {
-        let mut xml = Writer::new(out);
-        xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
-        xml.get_mut().write_all(b"\n")?;
-        xml.write_event(Event::Start(BytesStart::new("quiz")))?;
-        Ok(Self { xml, renderer, category: String::new() })
+/// Begins a file.
+pub(super) fn begin(out: Box<dyn Write + '_>, markup: Markup) -> Begun<'_> {
+    let mut xml = Writer::new(out);
+    xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
+    xml.get_mut().write_all(b"\n")?;
+    xml.write_event(Event::Start(BytesStart::new("quiz")))?;
+    Ok(Box::new(Moodle { xml, markup, category: String::new() }))
+}
+
+impl<W: Write> Export for Moodle<W> {
+    fn write(&mut self, question: &Question<'_>) -> Result<(), NotWritten> {
+        let texts = Texts::of(question, self.markup)?;
+        self.category(question.item)?;
+        texts.write(&mut self.xml, question, self.markup)?;
+        Ok(())
     }
 
-    /// Writes an item. Gives what did not go along as it is.
-    ///
-    /// # Errors
-    /// Where a text is not fit to print, or the file takes nothing.
-    pub fn write(&mut self, item: &Item) -> Result<Vec<Feature>, NotWritten> {
-        let mut lost = vec![Feature::Writing];
-        let mut asked: Vec<Asking<'_>> = Vec::new();
-        for part in &item.parts {
-            let (fields, feature) = fields(part);
-            lost.extend(feature);
-            lost.extend(is_snapped(part, &fields).then_some(Feature::Credit));
-            if !fields.is_empty() {
-                asked.push((part, fields));
-            }
-        }
-        let count: usize = asked.iter().map(|(_, fields)| fields.len()).sum();
-        if count > 1 {
-            let has_unit = |(part, _): &Asking<'_>| part.field.unit.is_some();
-            lost.extend(asked.iter().any(has_unit).then_some(Feature::UnitsOfSeveral));
-            lost.extend((asked.len() > 1).then_some(Feature::FollowThrough));
-        }
-        if count > 0 {
-            let question = Question::of(item, &asked, &self.renderer)?;
-            self.category(item)?;
-            question.write(&mut self.xml, item, &asked)?;
-        }
-        lost.sort_unstable();
-        lost.dedup();
-        Ok(lost)
-    }
-
-    /// Ends the file.
-    ///
-    /// # Errors
-    /// Where the file takes nothing.
-    pub fn finish(mut self) -> io::Result<W> {
+    fn finish(mut self: Box<Self>) -> Result<(), NotWritten> {
         self.xml.write_event(Event::End(BytesEnd::new("quiz")))?;
         self.xml.get_mut().write_all(b"\n")?;
-        Ok(self.xml.into_inner())
+        Ok(self.xml.get_mut().flush()?)
     }
+}
 
+impl<W: Write> Moodle<W> {
     /// Opens the category of an item, where it is not open.
     fn category(&mut self, item: &Item) -> io::Result<()> {
         let Identity { problem, digest, .. } = &item.identity;
@@ -117,53 +76,36 @@ impl<W: Write> Moodle<W> {
     }
 }
 
-/// Whether a fraction of a part is none of Moodle's.
-fn is_snapped(part: &ItemPart, fields: &[Field<'_>]) -> bool {
-    fields.iter().any(|field| match &field.asked {
-        Asked::Number(number) => answer::answers(number, part.field.points).1,
-        Asked::Choice { .. } => false,
-    })
-}
-
-/// The texts of a question, as HTML.
-struct Question {
+/// The texts of a question, with the pictures in them.
+struct Texts {
     text: String,
+    shown: Pictures,
     solution: String,
+    solution_shown: Pictures,
     hints: Vec<String>,
 }
 
-impl Question {
-    fn of(item: &Item, asked: &[Asking<'_>], renderer: &Renderer) -> Result<Self, NotWritten> {
-        let sheet = &item.sheet;
-        let authored = |text: &str| Fragment::authored(&item.identity.problem, text, LEVEL);
-        let mut text = authored(&sheet.statement)?.as_str().to_owned();
-        if let Some(drawing) = &sheet.figure {
-            let about = Fragment::inline(&[Inline::Text(drawing.description.clone())]);
-            text = format!("{text}\n<p><img src=\"@@PLUGINFILE@@/figure.svg\" alt=\"{}\"/></p>", about.as_str());
-        }
-        if !sheet.note.is_empty() {
-            text = format!("{text}\n<p>{}</p>", Fragment::inline(&sheet.note).as_str());
-        }
-        text = match asked {
-            [(part, fields)] if fields.len() == 1 => text + "\n" + &question(part),
-            _ => cloze::text(&text, asked),
+impl Texts {
+    fn of(question: &Question<'_>, markup: Markup) -> Result<Self, NotWritten> {
+        let pictures = |name| {
+            Pictures::new(name, |markup, own| markup.picture(&format!("@@PLUGINFILE@@/{}", own.name), own.drawing))
         };
-        let solution = Solution {
-            outline: item.solution.clone(),
-            identity: item.identity.clone(),
-            audience: Audience::Everyone,
-            faded: None,
-        };
-        let solution = Fragment::page(renderer, &Page::Solution(solution))?.as_str().to_owned();
-        let hints = sheet.hints.iter().map(|hint| Ok(authored(hint)?.as_str().to_owned()));
-        Ok(Self { text, solution, hints: hints.collect::<Result<_, NotWritten>>()? })
+        let (mut shown, mut solution_shown) = (pictures("figure"), pictures("solution"));
+        let mut text = question.statement(markup, &mut shown)?;
+        match only(question) {
+            None => text = cloze::text(&text, question, markup),
+            Some((part, _)) => {
+                let unit = part.field.unit.as_ref().map(|unit| format!(" (in {}).", markup.math(unit)));
+                let asked = markup.inline(&part.field.question);
+                text.push_str(&markup.paragraph(&(asked + &unit.unwrap_or_default())));
+            }
+        }
+        let solution = question.solution(markup, &mut solution_shown)?;
+        Ok(Self { text, shown, solution, solution_shown, hints: question.hints(markup)? })
     }
 
-    fn write<W: Write>(&self, xml: &mut Writer<W>, item: &Item, asked: &[Asking<'_>]) -> io::Result<()> {
-        let only = match asked {
-            [(part, fields)] => fields.first().filter(|_| fields.len() == 1).map(|field| (*part, field)),
-            _ => None,
-        };
+    fn write<W: Write>(&self, xml: &mut Writer<W>, question: &Question<'_>, markup: Markup) -> io::Result<()> {
+        let (only, item) = (only(question), question.item);
         let kind = match only {
             None => "cloze",
             Some((_, Field { asked: Asked::Number(_), .. })) => "numerical",
@@ -172,21 +114,20 @@ impl Question {
         let start = BytesStart::new("question").with_attributes([("type", kind)]);
         xml.write_event(Event::Start(start))?;
         xml.create_element("name").write_inner_content(|xml| text(xml, "text", &title(item)))?;
-        let figure = item.sheet.figure.as_ref().map(figure::svg_file);
-        html(xml, "questiontext", &self.text, figure.as_deref())?;
-        html(xml, "generalfeedback", &self.solution, None)?;
+        html(xml, "questiontext", &self.text, &self.shown.files)?;
+        html(xml, "generalfeedback", &self.solution, &self.solution_shown.files)?;
         if let Some((part, _)) = only {
             text(xml, "defaultgrade", &part.field.points.to_string())?;
         }
-        text(xml, "penalty", PENALTY)?;
+        text(xml, "penalty", &item.penalty.to_f64().value().to_string())?;
         text(xml, "idnumber", &id_number(&item.identity))?;
         match only {
-            Some((part, Field { asked: Asked::Number(number), .. })) => numerical(xml, part, number)?,
-            Some((_, Field { asked: Asked::Choice { options, shuffled }, .. })) => choice(xml, options, *shuffled)?,
+            Some((part, Field { asked: Asked::Number(number), .. })) => numerical(xml, part, number, markup)?,
+            Some((_, Field { asked: Asked::Choice(options), .. })) => choice(xml, options, markup)?,
             None => {}
         }
         for hint in &self.hints {
-            html(xml, "hint", hint, None)?;
+            html(xml, "hint", hint, &[])?;
         }
         xml.create_element("tags").write_inner_content(|xml| {
             for tag in ["momentous", item.identity.problem.as_str()] {
@@ -199,10 +140,11 @@ impl Question {
     }
 }
 
-/// What is asked, with its unit.
-fn question(part: &ItemPart) -> String {
-    let unit = part.field.unit.as_ref().map(|unit| format!(" (in {}).", Fragment::math(unit).as_str()));
-    format!("<p>{}{}</p>", Fragment::inline(&part.field.question).as_str(), unit.unwrap_or_default())
+/// The field of a question that has one only.
+fn only<'q, 'i>(question: &'q Question<'i>) -> Option<(&'i ItemPart, &'q Field<'i>)> {
+    let mut fields = question.fields();
+    let (asking, field) = fields.next()?;
+    fields.next().is_none().then_some((asking.part, field))
 }
 
 fn title(item: &Item) -> String {
@@ -222,14 +164,14 @@ fn id_number(identity: &Identity) -> String {
     whole.chars().skip(whole.chars().count().saturating_sub(LONGEST_ID)).collect()
 }
 
-fn numerical<W: Write>(xml: &mut Writer<W>, part: &ItemPart, number: &NumberItem) -> io::Result<()> {
-    for own in answer::answers(number, part.field.points).0 {
+fn numerical<W: Write>(xml: &mut Writer<W>, part: &ItemPart, number: &NumberItem, markup: Markup) -> io::Result<()> {
+    for own in answer::answers(number, part.field.points) {
         let fraction = own.fraction.to_string();
         let start =
             BytesStart::new("answer").with_attributes([("fraction", &*fraction), ("format", "moodle_auto_format")]);
         xml.write_event(Event::Start(start))?;
         text(xml, "text", &own.value)?;
-        html(xml, "feedback", &paragraphs(own.feedback), None)?;
+        html(xml, "feedback", &said(markup, own.feedback), &[])?;
         text(xml, "tolerance", &own.tolerance.to_string())?;
         xml.write_event(Event::End(BytesEnd::new("answer")))?;
     }
@@ -237,7 +179,8 @@ fn numerical<W: Write>(xml: &mut Writer<W>, part: &ItemPart, number: &NumberItem
     if units.is_empty() {
         return text(xml, "showunits", "3");
     }
-    let (left, _) = answer::fraction(&number.without_unit, part.field.points);
+    let left = &number.without_unit.0 / Rational::from(part.field.points.max(1));
+    let left = answer::nearest(left.to_f64().value());
     text(xml, "unitgradingtype", "1")?;
     text(xml, "unitpenalty", &((100.0 - left) / 100.0).to_string())?;
     text(xml, "showunits", "0")?;
@@ -254,26 +197,19 @@ fn numerical<W: Write>(xml: &mut Writer<W>, part: &ItemPart, number: &NumberItem
     Ok(())
 }
 
-fn choice<W: Write>(xml: &mut Writer<W>, options: &[Choice<'_>], shuffled: bool) -> io::Result<()> {
+fn choice<W: Write>(xml: &mut Writer<W>, options: &[Choice<'_>], markup: Markup) -> io::Result<()> {
     text(xml, "single", "true")?;
-    text(xml, "shuffleanswers", if shuffled { "true" } else { "false" })?;
+    text(xml, "shuffleanswers", "false")?;
     text(xml, "answernumbering", "abc")?;
     for option in options {
         let fraction = if option.right { "100" } else { "0" };
         let start = BytesStart::new("answer").with_attributes([("fraction", fraction), ("format", "html")]);
         xml.write_event(Event::Start(start))?;
-        cdata(xml, Fragment::inline(&[Inline::Text(option.text.to_owned())]).as_str())?;
-        html(xml, "feedback", &paragraphs(std::slice::from_ref(&option.feedback)), None)?;
+        cdata(xml, &markup.text(option.text))?;
+        html(xml, "feedback", &said(markup, std::slice::from_ref(&option.feedback)), &[])?;
         xml.write_event(Event::End(BytesEnd::new("answer")))?;
     }
     Ok(())
-}
-
-/// Texts as paragraphs of HTML.
-fn paragraphs(texts: &[String]) -> String {
-    let said = texts.iter().filter(|text| !text.is_empty());
-    let inline = |text: &String| Fragment::inline(&[Inline::Text(text.clone())]);
-    said.flat_map(|text| ["<p>".to_owned(), inline(text).as_str().to_owned(), "</p>".to_owned()]).collect()
 }
 
 /// An element that holds a text.
@@ -282,14 +218,14 @@ fn text<W: Write>(xml: &mut Writer<W>, name: &str, content: &str) -> io::Result<
     Ok(())
 }
 
-/// An element that holds HTML, with the figure that it shows.
-fn html<W: Write>(xml: &mut Writer<W>, name: &str, content: &str, figure: Option<&str>) -> io::Result<()> {
+/// An element that holds HTML, with the pictures that it shows.
+fn html<W: Write>(xml: &mut Writer<W>, name: &str, content: &str, files: &[(String, String)]) -> io::Result<()> {
     xml.write_event(Event::Start(BytesStart::new(name).with_attributes([("format", "html")])))?;
     cdata(xml, content)?;
-    if let Some(figure) = figure {
-        let file = [("name", "figure.svg"), ("path", "/"), ("encoding", "base64")];
+    for (name, svg) in files {
+        let file = [("name", name.as_str()), ("path", "/"), ("encoding", "base64")];
         let file = xml.create_element("file").with_attributes(file);
-        file.write_text_content(BytesText::new(&base64(figure.as_bytes())))?;
+        file.write_text_content(BytesText::new(&base64(svg.as_bytes())))?;
     }
     xml.write_event(Event::End(BytesEnd::new(name)))
 }

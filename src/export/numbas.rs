@@ -1,0 +1,184 @@
+//! An exam of Numbas: for each form a group that picks one of its variants. Text stands where Numbas substitutes nothing.
+
+use std::io::Write;
+
+use serde_json::Value;
+use serde_json::json;
+
+use crate::fault::Faults;
+use crate::render::Markup;
+use crate::render::base64;
+
+use super::Export;
+use super::NotWritten;
+use super::band::{Band, bands};
+use super::field::{Asked, Choice, Field};
+use super::printable;
+use super::question::{Asking, Pictures, Question, said};
+use super::target::Begun;
+
+const MARKUP: Markup = Markup::MathMl;
+
+/// How students may write numbers.
+const NOTATIONS: [&str; 2] = ["plain", "si-en"];
+
+/// The beginning of a file; groups of questions follow.
+const HEAD: &str = "// Numbas version: exam_results_page_options\n";
+
+/// An exam on its way.
+struct Numbas<W: Write> {
+    out: W,
+    group: String,
+    /// How many questions the group has.
+    count: usize,
+}
+
+/// Begins an exam.
+pub(super) fn begin<'w>(mut out: Box<dyn Write + 'w>) -> Begun<'w> {
+    out.write_all(HEAD.as_bytes())?;
+    out.write_all(b"{\"name\":\"momentous\",\"metadata\":{\"description\":\"\",\"licence\":\"None specified\"},\n")?;
+    out.write_all(b"\"duration\":0,\"percentPass\":50,\"showQuestionGroupNames\":false,\n")?;
+    out.write_all(b"\"shuffleQuestionGroups\":false,\"question_groups\":[\n")?;
+    Ok(Box::new(Numbas { out, group: String::new(), count: 0 }))
+}
+
+impl<W: Write> Export for Numbas<W> {
+    fn write(&mut self, question: &Question<'_>) -> Result<(), NotWritten> {
+        let group = question.name();
+        if group == self.group {
+            self.out.write_all(b",\n")?;
+        } else {
+            self.end_group()?;
+            let between = if self.group.is_empty() { "" } else { ",\n" };
+            let name = json!(group);
+            write!(self.out, "{between}{{\"name\":{name},\"pickingStrategy\":\"random-subset\",\"pickQuestions\":1,")?;
+            self.out.write_all(b"\"questions\":[\n")?;
+            self.group = group;
+        }
+        self.count += 1;
+        Ok(write!(self.out, "{}", self::question(question)?)?)
+    }
+
+    fn finish(mut self: Box<Self>) -> Result<(), NotWritten> {
+        self.end_group()?;
+        let rest = json!({
+            "navigation": {
+                "allowregen": true, "reverse": true, "browse": true, "allowsteps": true, "showfrontpage": false,
+                "showresultspage": "oncompletion", "onleave": { "action": "none", "message": "" },
+                "preventleave": false, "navigatemode": "sequence",
+            },
+            "timing": {
+                "allowPause": true, "timeout": { "action": "none", "message": "" },
+                "timedwarning": { "action": "none", "message": "" },
+            },
+            "feedback": {
+                "allowrevealanswer": true, "showtotalmark": true, "showactualmark": true, "showanswerstate": true,
+                "intro": "", "end_message": "", "advicethreshold": 0, "feedbackmessages": [],
+            },
+            "extensions": [], "resources": [], "custom_part_types": [], "showstudentname": false,
+        });
+        let rest = rest.to_string();
+        write!(self.out, "],\n{}\n", rest.strip_prefix('{').unwrap_or_default())?;
+        Ok(self.out.flush()?)
+    }
+}
+
+impl<W: Write> Numbas<W> {
+    fn end_group(&mut self) -> Result<(), NotWritten> {
+        if self.count > 0 {
+            write!(self.out, "],\"questionNames\":{}}}", json!(vec![""; self.count]))?;
+        }
+        self.count = 0;
+        Ok(())
+    }
+}
+
+fn question(question: &Question<'_>) -> Result<Value, Faults> {
+    let mut pictures = Pictures::new("", |markup, own| {
+        markup.picture(&format!("data:image/svg+xml;base64,{}", base64(own.svg.as_bytes())), own.drawing)
+    });
+    let statement = question.statement(MARKUP, &mut pictures)?;
+    let advice = question.solution(MARKUP, &mut pictures)?;
+    let labelled = question.asked.len() > 1;
+    let mut parts: Vec<Value> = question.fields().map(|(asking, field)| part(asking, field, labelled)).collect();
+    let hints = question.hints(MARKUP)?;
+    if let Some(first) = parts.first_mut().filter(|_| !hints.is_empty()) {
+        let step = |hint: &String| json!({ "type": "information", "marks": 0, "prompt": literal(hint) });
+        first["steps"] = hints.iter().map(step).collect();
+        first["stepsPenalty"] = json!(question.item.hint_penalty.to_f64().value() * f64::from(question.weight()));
+    }
+    // In a name, too, something would be substituted for what stands in braces.
+    let name = printable(&question.item.sheet.title).replace(['{', '}'], "");
+    Ok(json!({
+        "name": name,
+        "tags": ["momentous"],
+        "metadata": { "description": question.item.code, "licence": "None specified" },
+        "statement": literal(&statement), "advice": literal(&advice),
+        "rulesets": {}, "extensions": [], "variables": {}, "variablesTest": { "condition": "", "maxRuns": 100 },
+        "ungrouped_variables": [], "variable_groups": [], "functions": {}, "preamble": { "js": "", "css": "" },
+        "parts": parts,
+    }))
+}
+
+fn part(asking: &Asking<'_>, field: &Field<'_>, labelled: bool) -> Value {
+    let asked = format!("{} {}", asking.question(MARKUP, labelled), field.caption);
+    let unit = asking.unit(MARKUP);
+    let unit = if unit.is_empty() { unit } else { format!(" ({unit})") };
+    let prompt = literal(&MARKUP.paragraph(&(asked + &unit)));
+    let mut part = match &field.asked {
+        Asked::Choice(options) => choice(options, asking.weight),
+        Asked::Number(number) => {
+            let bands = bands(number, asking.part.field.points);
+            let (right, others) = bands.split_first().map_or((None, &[][..]), |(first, rest)| (Some(first), rest));
+            let mut part = right.map_or_else(|| json!({}), |own| window(own, asking.weight));
+            part["displayAnswer"] = json!(number.right.to_string());
+            part["alternatives"] = others.iter().zip(1..).map(|(own, place)| alternative(own, place, asking)).collect();
+            part
+        }
+    };
+    part["prompt"] = json!(prompt);
+    part["useCustomName"] = json!(true);
+    part["customName"] = json!(field.name);
+    part["showCorrectAnswer"] = json!(true);
+    part["showFeedbackIcon"] = json!(true);
+    part["variableReplacements"] = json!([]);
+    part["variableReplacementStrategy"] = json!("originalfirst");
+    part["adaptiveMarkingUseCondition"] = json!("");
+    part
+}
+
+/// An interval with what it earns.
+fn window(band: &Band<'_>, weight: u32) -> Value {
+    json!({
+        "type": "numberentry", "marks": band.share * f64::from(weight),
+        "minValue": band.low.to_string(), "maxValue": band.high.to_string(),
+        "allowFractions": true, "showFractionHint": false, "notationStyles": NOTATIONS,
+    })
+}
+
+fn alternative(band: &Band<'_>, place: usize, asking: &Asking<'_>) -> Value {
+    let mut part = window(band, asking.weight);
+    part["useCustomName"] = json!(true);
+    part["customName"] = json!(format!("answer {place}"));
+    part["alternativeFeedbackMessage"] = json!(literal(&said(MARKUP, band.feedback)));
+    part["useAlternativeFeedback"] = json!(false);
+    part["variableReplacements"] = json!([]);
+    part["variableReplacementStrategy"] = json!("originalfirst");
+    part
+}
+
+fn choice(options: &[Choice<'_>], weight: u32) -> Value {
+    let matrix = options.iter().map(|own| if own.right { weight } else { 0 });
+    json!({
+        "type": "1_n_2", "marks": 0, "minMarks": 0, "maxMarks": 0, "shuffleChoices": false,
+        "displayType": "radiogroup", "displayColumns": 0, "showCellAnswerState": true,
+        "choices": options.iter().map(|own| literal(&MARKUP.text(own.text))).collect::<Vec<_>>(),
+        "matrix": matrix.collect::<Vec<_>>(),
+        "distractors": options.iter().map(|own| literal(&said(MARKUP, std::slice::from_ref(&own.feedback)))).collect::<Vec<_>>(),
+    })
+}
+
+/// HTML in which nothing is substituted.
+fn literal(html: &str) -> String {
+    if html.is_empty() { String::new() } else { format!("<div nosubvars>{}</div>", printable(html)) }
+}

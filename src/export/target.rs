@@ -1,0 +1,91 @@
+//! The programs that items are written for.
+
+use std::io::Write;
+
+use crate::render::Markup;
+
+use super::Export;
+use super::NotWritten;
+use super::{canvas, moodle, numbas, prairielearn, qti, rexams};
+
+/// What stands at the beginning of an export, and takes the questions.
+pub(super) type Begun<'w> = Result<Box<dyn Export + 'w>, NotWritten>;
+
+/// A program that items are written for.
+#[derive(Clone, Copy, Debug)]
+pub struct Target {
+    /// Its name in commands.
+    pub name: &'static str,
+    /// What is written.
+    pub about: &'static str,
+    /// How mathematics can stand there; the first is the usual way.
+    pub markup: &'static [Markup],
+    begin: for<'w> fn(Box<dyn Write + 'w>, Markup) -> Begun<'w>,
+}
+
+/// Every target, in the order of the columns of [`super::FEATURES`].
+pub const TARGETS: [Target; 7] = [
+    Target {
+        name: "moodle",
+        about: "Moodle XML, for the question bank",
+        markup: &[Markup::Tex, Markup::MathMl],
+        begin: moodle::begin,
+    },
+    Target {
+        name: "qti3",
+        about: "a package of QTI 3.0",
+        markup: &[Markup::MathMl],
+        begin: |out, _| Ok(qti::begin_3(out)),
+    },
+    Target {
+        name: "qti21",
+        about: "a package of QTI 2.1",
+        markup: &[Markup::MathMl],
+        begin: |out, _| Ok(qti::begin_2(out)),
+    },
+    Target {
+        name: "canvas",
+        about: "a package of QTI 1.2, as Classic Quizzes of Canvas import it",
+        markup: &[Markup::Pictures],
+        begin: |out, _| Ok(canvas::begin(out)),
+    },
+    Target {
+        name: "numbas",
+        about: "an exam of Numbas",
+        markup: &[Markup::MathMl],
+        begin: |out, _| numbas::begin(out),
+    },
+    Target {
+        name: "prairielearn",
+        about: "a zip file with folders of PrairieLearn questions",
+        markup: &[Markup::Tex, Markup::MathMl],
+        begin: |out, markup| Ok(prairielearn::begin(out, markup)),
+    },
+    Target {
+        name: "rexams",
+        about: "a zip file with Rmd files for R/exams",
+        markup: &[Markup::Markdown],
+        begin: |out, _| Ok(rexams::begin(out)),
+    },
+];
+
+impl Target {
+    /// The target of that name.
+    ///
+    /// ```
+    /// use momentous::export::Target;
+    /// assert_eq!(Target::named("qti3").map(|own| own.about), Some("a package of QTI 3.0"));
+    /// ```
+    #[must_use]
+    pub fn named(name: &str) -> Option<&'static Self> {
+        TARGETS.iter().find(|own| own.name == name)
+    }
+
+    /// Begins an export.
+    ///
+    /// # Errors
+    /// Where the file takes nothing.
+    pub fn begin<'w>(&self, out: Box<dyn Write + 'w>, markup: Markup) -> Result<Box<dyn Export + 'w>, NotWritten> {
+        (self.begin)(out, markup)
+    }
+}
