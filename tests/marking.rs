@@ -211,7 +211,7 @@ fn attempts_at(texts: &[&str], rubric: &Rubric, hints: u32) -> (String, String) 
     let mut history = History::default();
     let mut reports = Vec::new();
     for text in texts {
-        let typed = [Typed { text, seen: Seen { hints, further: 0 } }];
+        let typed = [Typed { text, seen: Seen { hints, further: 0 }, readable: None }];
         reports.push(history.mark(&typed, &Rational::ONE, &rubric.attempts, &mut |texts, _| {
             grade(&part(), &answers(texts[0]), DecimalMark::Point, rubric)
         }));
@@ -225,8 +225,7 @@ fn attempts_at(texts: &[&str], rubric: &Rubric, hints: u32) -> (String, String) 
 fn attempts_and_hints_cost_what_the_rubric_says() {
     let tenth = || Rational::ONE / Rational::from(10);
     let mut best = Rubric::default();
-    best.attempts =
-        Attempts { most: Some(3), penalty: tenth(), hint: tenth(), further_hint: Rational::ZERO, keep: Keep::Best };
+    best.attempts = Attempts { most: Some(3), penalty: tenth(), hint: tenth(), ..Attempts::default() };
     let mut last = best.clone();
     last.attempts.keep = Keep::Last;
     for (texts, hints, by_best, by_last) in [

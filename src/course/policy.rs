@@ -2,6 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::grade::Attempts;
+use crate::grade::Keep;
+use crate::grade::Told;
+
 use super::moment::Moment;
 use super::share::Share;
 
@@ -44,6 +48,19 @@ pub enum Release {
     AtClose,
 }
 
+impl Release {
+    /// Every time of release, the usual one first.
+    pub const ALL: [Self; 2] = [Self::AtOnce, Self::AtClose];
+    /// Their names in forms.
+    pub(super) const NAMES: [&str; 2] = ["at_once", "at_close"];
+
+    /// The name in forms.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        Self::NAMES[self as usize]
+    }
+}
+
 /// When worked solutions are shown.
 #[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
@@ -53,4 +70,51 @@ pub enum SolutionRelease {
     AtClose,
     /// Never.
     Never,
+}
+
+impl SolutionRelease {
+    /// Every time of release, the usual one first.
+    pub const ALL: [Self; 2] = [Self::AtClose, Self::Never];
+    /// Their names in forms.
+    pub(super) const NAMES: [&str; 2] = ["at_close", "never"];
+
+    /// The name in forms.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        Self::NAMES[self as usize]
+    }
+}
+
+impl Policy {
+    /// What attempts and hints cost, in the terms of marking. The best sheet counts.
+    #[must_use]
+    pub fn rules(&self) -> Attempts {
+        Attempts {
+            most: self.attempts,
+            penalty: self.attempt_penalty.fraction().clone(),
+            hint: self.hint_penalty.fraction().clone(),
+            further_hint: self.further_penalty.fraction().clone(),
+            keep: Keep::Best,
+            told: match self.verdicts {
+                Release::AtOnce => Told::AtOnce,
+                Release::AtClose => Told::Later,
+            },
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_those_of_stored_policies() {
+        let stored = |value: serde_json::Value| value.as_str().unwrap().to_owned();
+        for own in Release::ALL {
+            assert_eq!(stored(serde_json::to_value(own).unwrap()), own.name());
+        }
+        for own in SolutionRelease::ALL {
+            assert_eq!(stored(serde_json::to_value(own).unwrap()), own.name());
+        }
+    }
 }

@@ -32,6 +32,13 @@ impl Share {
         &self.0
     }
 
+    /// As it is typed: in per cent where that is exact with two decimals, else as a fraction.
+    #[must_use]
+    pub fn typed(&self) -> String {
+        let percent = self.percent();
+        if percent.parse().as_ref() == Ok(self) { percent } else { self.to_string() }
+    }
+
     /// In per cent, with at most two decimals.
     #[must_use]
     pub fn percent(&self) -> String {

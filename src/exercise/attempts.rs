@@ -4,11 +4,14 @@ use crate::grade::DecimalMark;
 use crate::grade::History;
 use crate::grade::Report;
 use crate::grade::Seen;
+use crate::grade::Told;
 use crate::grade::Typed;
+use crate::problem::Part;
 use crate::problem::Worked;
 use crate::quantity::Rational;
 
 use super::Exercise;
+use super::echo::echo;
 use super::marker::Marker;
 use super::marking::Sittings;
 
@@ -61,14 +64,15 @@ impl Marker {
         let ids: Vec<&str> = worked.form.parts.iter().map(|part| part.id.as_str()).collect();
         let answers = self.usual(&ids, &own.answers);
         let further = self.usual(&ids, &own.further_hints);
-        let of_part = |id: &str| Typed {
-            text: answers.iter().find(|(part, _)| *part == id).map_or("", |(_, text)| *text),
-            seen: Seen {
-                hints: own.hints,
-                further: further.iter().find(|(part, _)| *part == id).map_or(0, |(_, count)| *count),
-            },
+        let of_part = |part: &Part| {
+            let text = answers.iter().find(|(id, _)| *id == part.id).map_or("", |(_, text)| *text);
+            let further = further.iter().find(|(id, _)| *id == part.id).map_or(0, |(_, count)| *count);
+            // Whether a formula can be judged tells something of the right one.
+            let by_reading = rules.told == Told::Later && !text.trim().is_empty();
+            let readable = by_reading.then(|| matches!(echo(worked, part, text, self.mark), Some(Ok(_))));
+            Typed { text, seen: Seen { hints: own.hints, further }, readable }
         };
-        let typed: Vec<Typed<'_>> = ids.iter().map(|id| of_part(id)).collect();
+        let typed: Vec<Typed<'_>> = worked.form.parts.iter().map(of_part).collect();
         let not_asked: Vec<(&str, &str)> = answers.iter().filter(|(part, _)| !ids.contains(part)).copied().collect();
         history.mark(&typed, &own.factor, &rules, &mut |texts, sittings| {
             let mut sheet: Vec<(&str, &str)> = ids.iter().copied().zip(texts.iter().copied()).collect();
@@ -92,9 +96,15 @@ impl Marker {
 }
 
 impl Exercise {
+    /// A marker for the form of this variant; answers are written with this decimal mark.
+    #[must_use]
+    pub fn marker(&self, mark: DecimalMark) -> Marker {
+        let worked = self.worked();
+        Marker::of(worked.problem, worked.form, mark)
+    }
+
     /// Marks the next attempt at this variant, after those in its history; where many are marked, a [`Marker`] does it faster.
     pub fn mark_next(&self, history: &mut History, own: &Try<'_>, mark: DecimalMark) -> Report {
-        let worked = self.worked();
-        Marker::of(worked.problem, worked.form, mark).mark_next(worked, history, own)
+        self.marker(mark).mark_next(self.worked(), history, own)
     }
 }

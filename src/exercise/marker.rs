@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use crate::expr::Notation;
 use crate::grade;
+use crate::grade::Attempts;
 use crate::grade::Reading;
 use crate::grade::Readings;
 use crate::grade::Rubric;
@@ -106,6 +107,13 @@ impl Marker {
     #[must_use]
     pub fn not_issued(&self) -> grade::Report {
         grade::Report::not_issued(self.blanks.iter().map(|blank| (blank.asked.id.as_str(), blank.asked.points)))
+    }
+
+    /// The same with other rules of attempts and hints than those of the problem's file.
+    #[must_use]
+    pub fn with_attempts(mut self, attempts: Attempts) -> Self {
+        self.rubric.attempts = attempts;
+        self
     }
 
     /// What partly right answers are worth, and what attempts and hints cost.

@@ -8,7 +8,6 @@ use crate::grade::Expected;
 use crate::grade::Reading;
 use crate::grade::Sitting;
 use crate::problem::Part;
-use crate::problem::PartKind;
 use crate::problem::Simulated;
 use crate::problem::Worked;
 
@@ -153,20 +152,6 @@ impl Exercise {
     pub fn part(&self, name: &str) -> Option<&Part> {
         let own = self.usual_name(name);
         self.worked().form.parts.iter().find(|part| part.id == own)
-    }
-
-    /// What is understood of an answer to a part; nothing where there is none. The right answer is not looked at.
-    #[must_use]
-    pub fn read(&self, part: &Part, text: &str, mark: grade::DecimalMark) -> Option<Reading> {
-        let worked = self.worked();
-        let rules = Rules { problem: worked.problem, form: worked.form };
-        let blank = Blank::new(rules, part);
-        let mut asked = blank.asked.clone();
-        if matches!(part.kind, PartKind::Formula(_) | PartKind::Choice(_)) {
-            // Which letters and phrases there are hangs on the way in which the scene goes.
-            blank.fill(&mut asked, worked, part);
-        }
-        Reading::of(text, &asked.kind, mark)
     }
 
     /// Marks answers to this variant, by part.

@@ -5,6 +5,7 @@ pub mod calls;
 mod changed;
 mod diagnosis;
 mod drawer;
+mod echo;
 mod follow_through;
 mod followed;
 mod formula;

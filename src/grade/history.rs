@@ -8,7 +8,7 @@ use crate::quantity::exact;
 
 use super::messages::Message;
 use super::report::{Entry, PartReport, Report};
-use super::rubric::{Attempts, Keep};
+use super::rubric::{Attempts, Keep, Told};
 use super::sitting::Sitting;
 use super::verdict::Verdict;
 
@@ -77,6 +77,8 @@ pub struct Typed<'a> {
     pub text: &'a str,
     /// The hints seen by then.
     pub seen: Seen,
+    /// Whether the text can be read, where that is known; else marking tells.
+    pub readable: Option<bool>,
 }
 
 /// Marks a whole sheet: the texts and sittings of its parts, in their order.
@@ -107,6 +109,12 @@ impl History {
         self.counting.as_ref().map(|own| own.number)
     }
 
+    /// The points of the sheet that counts; nothing where none was handed in.
+    #[must_use]
+    pub fn points(&self) -> Option<&Rational> {
+        self.counting.as_ref().map(|own| &own.points)
+    }
+
     /// The parts, in the order of the sheet; none before the first attempt.
     #[must_use]
     pub fn parts(&self) -> &[PartHistory] {
@@ -119,13 +127,13 @@ impl History {
     pub fn mark(&mut self, typed: &[Typed<'_>], factor: &Rational, rules: &Attempts, mark: &mut Mark<'_>) -> Report {
         self.parts.resize_with(typed.len(), PartHistory::default);
         let mut entries: Vec<Entry> =
-            self.parts.iter().zip(typed).map(|(own, typed)| own.entry(typed.text.trim(), rules)).collect();
+            self.parts.iter().zip(typed).map(|(own, typed)| own.entry(typed.text, rules)).collect();
         let mut report = self.sheet(&entries, typed, rules, mark);
         // What cannot be read leaves the answer from before in its place.
         let mut unread: Vec<PartReport> = Vec::new();
         for ((entry, typed), part) in entries.iter_mut().zip(typed).zip(&report.parts) {
-            let is_unread = matches!(part.verdict, Verdict::Unreadable | Verdict::Unanswered);
-            if is_unread && *entry == Entry::Typed && !typed.text.trim().is_empty() {
+            let by_verdict = || !matches!(part.verdict, Verdict::Unreadable | Verdict::Unanswered);
+            if !typed.readable.unwrap_or_else(by_verdict) && *entry == Entry::Typed && !typed.text.trim().is_empty() {
                 *entry = Entry::Unread;
                 unread.push(part.clone());
             }
@@ -201,8 +209,10 @@ impl PartHistory {
         !self.locked && rules.counts(self.made)
     }
 
-    /// What becomes of a text that is typed.
-    fn entry(&self, text: &str, rules: &Attempts) -> Entry {
+    /// What becomes of a text that is typed, before anybody reads it.
+    #[must_use]
+    pub fn entry(&self, text: &str, rules: &Attempts) -> Entry {
+        let text = text.trim();
         if self.locked {
             Entry::Locked
         } else if self.is_answered() && (text.is_empty() || text == self.text) {
@@ -241,7 +251,7 @@ impl PartHistory {
 
     /// Takes from a part what its answer lost when it was entered, and says so; a right one is locked.
     fn settle(&mut self, part: &mut PartReport, text: &str, rules: &Attempts) {
-        self.locked = part.verdict.is_right();
+        self.locked = part.verdict.is_right() && rules.told == Told::AtOnce;
         part.counts = false;
         part.cut(&rules.left(self.entered.made, self.entered.seen), Message::Reduced);
         part.cut(&self.entered.factor, Message::Late);

@@ -32,6 +32,19 @@ pub struct Attempts {
     pub further_hint: Rational,
     /// Which attempt counts. Default: the best.
     pub keep: Keep,
+    /// When students are told what was found. Default: at once.
+    pub told: Told,
+}
+
+/// When students are told what was found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Told {
+    /// With each attempt. A right part is locked.
+    #[default]
+    AtOnce,
+    /// After the last attempt. Nothing is locked, and a text that can be read costs an attempt whatever comes of it: nothing that
+    /// happens before tells anything of the right answer.
+    Later,
 }
 
 /// Which of several attempts counts.
@@ -52,6 +65,7 @@ impl Default for Attempts {
             hint: Rational::ZERO,
             further_hint: Rational::ZERO,
             keep: Keep::Best,
+            told: Told::AtOnce,
         }
     }
 }

@@ -43,12 +43,10 @@ impl Engine<'_> {
         let part = exercise
             .part(&request.part)
             .ok_or_else(|| Refused::new(RefusedKind::Unknown, format!("`{}` is not asked for here", request.part)))?;
-        Ok(match exercise.read(part, &request.text, request.decimal) {
+        Ok(match exercise.echo(part, &request.text, request.decimal) {
             None => ReadResponse::default(),
-            Some(reading) => match reading.answer {
-                Ok(_) => ReadResponse { understood: Some(reading.told), unreadable: None },
-                Err(_) => ReadResponse { understood: None, unreadable: Some(reading.told) },
-            },
+            Some(Ok(understood)) => ReadResponse { understood: Some(understood), unreadable: None },
+            Some(Err(why)) => ReadResponse { understood: None, unreadable: Some(why) },
         })
     }
 }

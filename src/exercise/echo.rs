@@ -1,0 +1,46 @@
+//! What is understood of an answer, in words, before anybody judges it.
+
+use crate::grade;
+use crate::grade::DecimalMark;
+use crate::grade::Reading;
+use crate::problem::Part;
+use crate::problem::PartKind;
+use crate::problem::Worked;
+
+use super::Exercise;
+use super::ROOTS_JOINED;
+use super::marker::Blank;
+use super::rules::Rules;
+
+/// What is understood of an answer to a part, or why nothing is; nothing where there is none. Where several values are asked, each is
+/// read by itself, in the order in which they were typed. The right answer is not looked at.
+pub(super) fn echo(worked: Worked<'_>, part: &Part, text: &str, mark: DecimalMark) -> Option<Result<String, String>> {
+    let blank = Blank::new(Rules { problem: worked.problem, form: worked.form }, part);
+    let mut asked = blank.asked.clone();
+    if matches!(part.kind, PartKind::Formula(_) | PartKind::Choice(_)) {
+        // Which letters and phrases there are hangs on the way in which the scene goes.
+        blank.fill(&mut asked, worked, part);
+    }
+    let read = |text: &str| {
+        let Reading { answer, told } = Reading::of(text, &asked.kind, mark)?;
+        Some(if answer.is_ok() { Ok(told) } else { Err(told) })
+    };
+    let values = match &part.kind {
+        PartKind::Number(number) if number.every_root || worked.variant.has_others() => grade::read_several(text),
+        _ => Vec::new(),
+    };
+    if values.len() < 2 {
+        return read(text);
+    }
+    let values: Option<Result<Vec<String>, String>> = values.iter().map(|value| read(value)).collect();
+    values.map(|read| read.map(|values| values.join(ROOTS_JOINED)))
+}
+
+impl Exercise {
+    /// What is understood of an answer to a part, in words, or why nothing is; nothing where there is none. The right answer is not
+    /// looked at.
+    #[must_use]
+    pub fn echo(&self, part: &Part, text: &str, mark: DecimalMark) -> Option<Result<String, String>> {
+        echo(self.worked(), part, text, mark)
+    }
+}
