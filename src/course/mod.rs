@@ -2,7 +2,11 @@
 //! knows a clock, a database, a file or a page. What happens at a moment is told that [`Moment`].
 
 mod assignment;
+mod corrected;
 mod fields;
+mod gradebook;
+mod gradebook_table;
+mod hand_in;
 mod handed_in;
 mod key;
 mod local_time;
@@ -11,11 +15,22 @@ mod people;
 mod policy;
 mod policy_form;
 mod problem_file;
+mod redaction;
+mod reserved;
+mod roster;
+mod score;
 mod share;
+mod statistics;
+mod stored_report;
+mod student_data;
 mod window;
 
 pub use assignment::{Assignment, Correction, CorrectionChoice, Extension, Item};
+pub use corrected::{Effect, Remarked, WorkedSheet, effects};
 pub use fields::FieldFault;
+pub use gradebook::{Column, GradeMark, GradeRow, Gradebook, GradedItem, GradedSheet, points_by_hand};
+pub use gradebook_table::ReadGrades;
+pub use hand_in::{Accepted, HandIn, Refusal};
 pub use handed_in::{Attempt, Draft, HintShown, Override, Sheet};
 pub use key::Key;
 pub use local_time::{NoMoment, zone};
@@ -24,5 +39,12 @@ pub use people::{Course, Member, Person, Role};
 pub use policy::{Policy, Release, SolutionRelease};
 pub use policy_form::PolicyForm;
 pub use problem_file::ProblemFile;
+pub use redaction::{NotRedacted, Redaction, is_redacted, redacted};
+pub use reserved::{Reserved, simulator_of};
+pub use roster::{RosterChange, RosterRecords, RosterRow, roster_changes, roster_records};
+pub use score::Score;
 pub use share::{NoShare, Share};
+pub use statistics::statistics;
+pub use stored_report::{Found, NextHint, ShownPart, ShownReport, StoredPart, StoredReport};
+pub use student_data::{AttemptData, ByHandData, SheetData, StudentData};
 pub use window::{ExtensionForm, Late, Phase, Window};

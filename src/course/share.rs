@@ -46,14 +46,25 @@ impl Share {
     }
 }
 
+/// A number of points: a decimal or a fraction.
+pub(super) fn fraction(text: &str) -> Option<Rational> {
+    match text.split_once('/') {
+        Some((above, below)) => {
+            let below = number(below.trim()).filter(|below| *below != Rational::ZERO)?;
+            Some(number(above.trim())? / below)
+        }
+        None => number(text),
+    }
+}
+
 /// A whole number or a decimal as a fraction; short, so that no power of ten grows large.
 fn number(text: &str) -> Option<Rational> {
     let (whole, decimals) = text.split_once(['.', ',']).unwrap_or((text, ""));
     let digits = format!("{whole}{decimals}");
-    let is_short = (1..=9).contains(&digits.len()) && digits.bytes().all(|digit| digit.is_ascii_digit());
+    let is_short = (1..=15).contains(&digits.len()) && digits.bytes().all(|digit| digit.is_ascii_digit());
     let places = u32::try_from(decimals.len()).ok()?;
     is_short
-        .then(|| digits.parse::<u32>().ok())
+        .then(|| digits.parse::<u64>().ok())
         .flatten()
         .map(|own| Rational::from(own) / Rational::from(10_u64.pow(places)))
 }
@@ -63,13 +74,9 @@ impl FromStr for Share {
 
     fn from_str(text: &str) -> Result<Self, NoShare> {
         let text = text.trim();
-        let found = match (text.strip_suffix('%'), text.split_once('/')) {
-            (Some(percent), _) => number(percent.trim()).map(|own| own / Rational::from(100)),
-            (None, Some((above, below))) => match (number(above.trim()), number(below.trim())) {
-                (Some(above), Some(below)) if below != Rational::ZERO => Some(above / below),
-                _ => None,
-            },
-            (None, None) => number(text),
+        let found = match text.strip_suffix('%') {
+            Some(percent) => number(percent.trim()).map(|own| own / Rational::from(100)),
+            None => fraction(text),
         };
         found.filter(|share| *share <= Rational::ONE).map(Self).ok_or(NoShare)
     }

@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use serde::{Serialize, Serializer};
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 /// What was found about the answer to one part. The codes are stable: tools match on them.
 ///
@@ -200,6 +201,12 @@ impl Verdict {
         self.row().1
     }
 
+    /// The verdict with that code.
+    #[must_use]
+    pub fn of(code: &str) -> Option<Self> {
+        TABLE.iter().find(|row| row.1 == code).map(|row| row.0)
+    }
+
     /// What it means, in a clause.
     #[must_use]
     pub fn meaning(self) -> &'static str {
@@ -245,6 +252,13 @@ impl Serialize for Verdict {
     }
 }
 
+impl<'de> Deserialize<'de> for Verdict {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let code = String::deserialize(deserializer)?;
+        Self::of(&code).ok_or_else(|| D::Error::custom("there is no verdict with this code"))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -256,6 +270,7 @@ mod tests {
             assert_eq!(*verdict as usize, position, "{code}");
             assert!(code.bytes().all(|byte| byte.is_ascii_lowercase() || byte == b'_'), "{code}");
             assert!(!meaning.is_empty() && !codes.contains(code), "{code}");
+            assert_eq!(Verdict::of(code), Some(*verdict));
             codes.push(code);
         }
         assert_eq!(Verdict::NotIssued as usize + 1, TABLE.len());

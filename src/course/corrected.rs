@@ -1,0 +1,136 @@
+//! A corrected problem, or another policy, over what was handed in before: what would change for whom.
+
+use std::sync::Arc;
+
+use serde::Serialize;
+
+use crate::exercise::Exercise;
+use crate::exercise::Remark;
+use crate::problem::Problem;
+
+use super::assignment::CorrectionChoice;
+use super::hand_in::HandIn;
+use super::handed_in::{Attempt, HintShown, Sheet};
+use super::key::Key;
+use super::people::Member;
+use super::policy::Policy;
+use super::redaction::is_redacted;
+use super::score::Score;
+use super::stored_report::StoredReport;
+use super::window::{Late, Phase, Window};
+
+/// A sheet with all that was handed in on it.
+#[derive(Clone, Debug)]
+pub struct WorkedSheet<'a> {
+    /// The sheet.
+    pub sheet: &'a Sheet,
+    /// The attempts, the earliest first.
+    pub attempts: &'a [Attempt],
+    /// The hints that were shown.
+    pub hints: &'a [HintShown],
+    /// What was kept of the attempts when they were marked last.
+    pub reports: &'a [StoredReport],
+    /// The times of the assignment for its student.
+    pub window: Window,
+}
+
+/// What a correction makes of a sheet.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Effect {
+    /// The sheet.
+    pub sheet: Key<Sheet>,
+    /// Its student.
+    pub member: Key<Member>,
+    /// The score so far; nothing where nothing was handed in.
+    pub before: Option<Score>,
+    /// What becomes of it.
+    pub after: Remarked,
+}
+
+/// What becomes of a sheet that is marked again.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Remarked {
+    /// It is the sheet of the problem as it is now: the attempts as they are marked anew, in their order.
+    Same(Vec<StoredReport>),
+    /// The problem no longer draws or asks the same, or its file no longer loads. The kept reports stand until somebody chooses.
+    Differs,
+    /// An answer that counted was redacted, so that it cannot be marked. The kept reports stand.
+    Redacted,
+}
+
+/// What becomes of sheets when their problem is corrected, or their policy is another. The problem is `None` where its file no longer
+/// loads.
+#[must_use]
+pub fn effects(sheets: &[WorkedSheet<'_>], policy: &Policy, problem: Option<&Arc<Problem>>) -> Vec<Effect> {
+    let effect = |own: &WorkedSheet<'_>| Effect {
+        sheet: own.sheet.key,
+        member: own.sheet.member,
+        before: own.reports.last().and_then(Score::of),
+        after: own.remarked(policy, problem),
+    };
+    sheets.iter().map(effect).collect()
+}
+
+impl Effect {
+    /// The score that the student has after this choice; nothing where nothing was handed in, or it no longer counts.
+    #[must_use]
+    pub fn score(&self, choice: CorrectionChoice) -> Option<Score> {
+        match (choice, &self.after) {
+            (CorrectionChoice::Remark, Remarked::Same(reports)) => reports.last().and_then(Score::of),
+            (CorrectionChoice::Remark, _) => self.before.clone(),
+            (CorrectionChoice::FullMarks, _) => Some(Score::full(self.before.as_ref().map_or(1, |own| own.out_of))),
+            (CorrectionChoice::Drop | CorrectionChoice::IssueAnew, _) => None,
+        }
+    }
+
+    /// Whether this choice changes the share of the points that the student has.
+    #[must_use]
+    pub fn changes(&self, choice: CorrectionChoice) -> bool {
+        let share = |score: Option<&Score>| score.map(Score::share);
+        share(self.before.as_ref()) != share(self.score(choice).as_ref())
+    }
+}
+
+impl WorkedSheet<'_> {
+    /// The attempts marked anew, by the problem as it is now.
+    #[must_use]
+    pub fn remarked(&self, policy: &Policy, problem: Option<&Arc<Problem>>) -> Remarked {
+        let issued = &self.sheet.issued;
+        let same = problem.filter(|problem| issued.remark(problem) == Remark::Same);
+        let Some(exercise) = same.and_then(|problem| issued.draw(problem).ok()) else { return Remarked::Differs };
+        let is_lost = |(attempt, report): (&Attempt, &StoredReport)| {
+            report.parts.iter().any(|part| part.since == Some(attempt.received) && is_redacted(attempt, &part.id))
+        };
+        if self.attempts.iter().zip(self.reports).any(is_lost) {
+            return Remarked::Redacted;
+        }
+        Remarked::Same(self.anew(policy, &exercise))
+    }
+
+    /// Marks all attempts. One that would no longer be taken keeps what its time cost.
+    fn anew(&self, policy: &Policy, exercise: &Exercise) -> Vec<StoredReport> {
+        let mut reports: Vec<StoredReport> = Vec::with_capacity(self.attempts.len());
+        for (place, attempt) in self.attempts.iter().enumerate() {
+            let kept = || -> Option<Late> { self.reports.get(place)?.late.clone() };
+            let late = match self.window.phase(attempt.received) {
+                Phase::Open => None,
+                Phase::Late(late) => Some(late),
+                Phase::NotOpen | Phase::Over | Phase::Closed => kept(),
+            };
+            let hand_in = HandIn {
+                exercise,
+                decimal: self.sheet.issued.decimal,
+                last: reports.last(),
+                answers: &attempt.answers,
+                hints: self.hints,
+                policy,
+                window: &self.window,
+                at: attempt.received,
+            };
+            let report = hand_in.marked(late);
+            reports.push(report);
+        }
+        reports
+    }
+}

@@ -1,0 +1,197 @@
+//! Handing in a sheet.
+
+use std::collections::BTreeMap;
+
+use crate::exercise::Exercise;
+use crate::exercise::MOST_ATTEMPTS;
+use crate::exercise::Try;
+use crate::grade::DecimalMark;
+use crate::grade::Entry;
+use crate::grade::History;
+use crate::grade::PartHistory;
+use crate::grade::PartReport;
+use crate::quantity::Rational;
+
+use super::handed_in::HintShown;
+use super::moment::Moment;
+use super::policy::Policy;
+use super::stored_report::{ShownReport, StoredPart, StoredReport};
+use super::window::{Late, Phase, Window};
+
+/// What a student hands in, with all that decides whether it is taken and what it is worth.
+///
+/// ```
+/// use std::collections::BTreeMap;
+/// use std::sync::Arc;
+/// use momentous::bank::Bank;
+/// use momentous::course::{HandIn, Moment, Policy, PolicyForm, Refusal, Window};
+/// use momentous::exercise::Exercise;
+/// use momentous::grade::DecimalMark;
+/// use momentous::problem::{compile, load};
+///
+/// let problem = Arc::new(compile(load(Bank::built_in().find("impact/two-carts")?.clone())?, None)?);
+/// let exercise = Exercise::draw(&problem, 0, 7)?;
+/// let form = PolicyForm {
+///     opens: "2026-11-23T08:00".into(),
+///     due: "2026-11-30T18:00".into(),
+///     closes: "2026-12-02T18:00".into(),
+///     ..PolicyForm::default()
+/// };
+/// let policy = Policy::read(&form, "UTC").unwrap();
+/// let window = Window::of(&policy, None, "UTC");
+/// let answers = BTreeMap::from([("v_A2".to_owned(), exercise.printed(&exercise.worked().form.parts[0]))]);
+/// let hand_in = HandIn {
+///     exercise: &exercise, decimal: DecimalMark::Point, last: None, answers: &answers, hints: &[],
+///     policy: &policy, window: &window, at: Moment::local("2026-11-25T10:00", "UTC")?,
+/// };
+/// let accepted = hand_in.take()?;
+/// assert_eq!(accepted.stored.total.to_string(), "2");
+/// let again = HandIn { last: Some(&accepted.stored), ..hand_in };
+/// assert_eq!(again.take().unwrap_err(), Refusal::NothingNew);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct HandIn<'a> {
+    /// The variant that was issued.
+    pub exercise: &'a Exercise,
+    /// What stands between whole and decimal digits in the answers.
+    pub decimal: DecimalMark,
+    /// What was kept of the attempt before; nothing before the first.
+    pub last: Option<&'a StoredReport>,
+    /// What was typed, by part.
+    pub answers: &'a BTreeMap<String, String>,
+    /// The hints that were shown on this sheet.
+    pub hints: &'a [HintShown],
+    /// The policy of the assignment.
+    pub policy: &'a Policy,
+    /// Its times for this student.
+    pub window: &'a Window,
+    /// When the server had it.
+    pub at: Moment,
+}
+
+/// An attempt that was taken.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Accepted {
+    /// What is to be kept of it.
+    pub stored: StoredReport,
+    /// What the student may see of it now.
+    pub shown: ShownReport,
+}
+
+/// Why nothing was taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Refusal {
+    /// The assignment has not opened.
+    #[error("the assignment is not open yet")]
+    NotOpen,
+    /// Answers are no longer taken.
+    #[error("the time for answers is over")]
+    Over,
+    /// What is new stands at parts without attempts left, or that are right.
+    #[error("no attempt is left where the answers are new")]
+    NoAttemptLeft,
+    /// Nothing is typed, or what was handed in before.
+    #[error("there is nothing new to hand in")]
+    NothingNew,
+    /// There are as many attempts as are ever kept.
+    #[error("there are too many attempts at this sheet")]
+    TooMany,
+}
+
+impl HandIn<'_> {
+    /// Marks what is handed in, or says why it is not taken. The same arguments always give the same result.
+    ///
+    /// # Errors
+    /// A [`Refusal`]. Where verdicts are not shown, it does not depend on what is right.
+    pub fn take(&self) -> Result<Accepted, Refusal> {
+        let late = match self.window.phase(self.at) {
+            Phase::NotOpen => return Err(Refusal::NotOpen),
+            Phase::Over | Phase::Closed => return Err(Refusal::Over),
+            Phase::Open => None,
+            Phase::Late(late) => Some(late),
+        };
+        if self.last.is_some_and(|last| last.history.handed_in() >= MOST_ATTEMPTS) {
+            return Err(Refusal::TooMany);
+        }
+        self.is_new()?;
+        let stored = self.marked(late);
+        Ok(Accepted { shown: stored.shown(self.window, self.at), stored })
+    }
+
+    /// Whether something is typed that would be marked.
+    fn is_new(&self) -> Result<(), Refusal> {
+        let rules = self.policy.rules();
+        let nothing = PartHistory::default();
+        let history = self.last.map(|last| last.history.parts()).unwrap_or_default();
+        let typed = self.exercise.worked().form.parts.iter().enumerate().filter_map(|(place, part)| {
+            let text = self.text(&part.id)?;
+            let own = history.get(place).unwrap_or(&nothing);
+            (text != own.text()).then(|| own.entry(text, &rules))
+        });
+        let entries: Vec<Entry> = typed.collect();
+        match () {
+            () if entries.contains(&Entry::Typed) => Ok(()),
+            () if entries.is_empty() => Err(Refusal::NothingNew),
+            () => Err(Refusal::NoAttemptLeft),
+        }
+    }
+
+    /// What is typed at a part, where something is.
+    fn text(&self, id: &str) -> Option<&str> {
+        let own = self.answers.iter().find(|(typed, _)| self.exercise.usual_name(typed) == id);
+        own.map(|(_, text)| text.trim()).filter(|text| !text.is_empty())
+    }
+
+    /// What is kept of it. Whether it may be taken is not asked.
+    pub(super) fn marked(&self, late: Option<Late>) -> StoredReport {
+        let shown = |part: Option<&str>| {
+            let own = self.hints.iter().filter(|own| own.part.as_deref() == part && own.at <= self.at);
+            u32::try_from(own.count()).unwrap_or(u32::MAX)
+        };
+        let parts = &self.exercise.worked().form.parts;
+        let own = Try {
+            answers: self.answers.iter().map(|(part, text)| (part.as_str(), text.as_str())).collect(),
+            hints: shown(None),
+            further_hints: parts.iter().map(|part| (part.id.as_str(), shown(Some(&part.id)))).collect(),
+            factor: late.as_ref().map_or(Rational::ONE, |late| late.factor.clone()),
+        };
+        let mut history = self.last.map_or_else(History::default, |last| last.history.clone());
+        let mut marker = self.exercise.marker(self.decimal).with_attempts(self.policy.rules());
+        let report = marker.mark_next(self.exercise.worked(), &mut history, &own);
+        let stored = report.parts.into_iter().zip(history.parts()).map(|(part, own)| self.stored(part, own));
+        StoredReport { parts: stored.collect(), total: report.total.0, out_of: report.out_of, late, history }
+    }
+
+    /// What is kept of a part.
+    fn stored(&self, part: PartReport, own: &PartHistory) -> StoredPart {
+        let asked = self.exercise.part(&part.id);
+        let echo = |text: &str| self.exercise.echo(asked?, text, self.decimal);
+        let since = match part.entry {
+            Entry::Typed => self.text(&part.id).map(|_| self.at),
+            _ => self.last.and_then(|last| last.part(&part.id)?.since),
+        };
+        let unread = (part.entry == Entry::Unread).then(|| match self.text(&part.id).and_then(echo) {
+            Some(Err(why)) => Some(why),
+            // A formula can be read and yet not be judged.
+            _ => Some(part.message.clone().into_owned()),
+        });
+        let (mistakes, hints) = part.diagnosis.map(|own| (own.codes, own.hints)).unwrap_or_default();
+        StoredPart {
+            out_of: part.out_of,
+            entry: part.entry,
+            since,
+            read: echo(own.text()).and_then(Result::ok),
+            unread: unread.flatten(),
+            made: own.made(),
+            verdict: part.verdict,
+            points: part.points.0,
+            message: part.message.into_owned(),
+            mistakes: mistakes.into_iter().map(str::to_owned).collect(),
+            hints,
+            follows_from: part.follows.map(|own| own.from).unwrap_or_default(),
+            own_values: part.own_values,
+            id: part.id,
+        }
+    }
+}

@@ -1,0 +1,48 @@
+//! Problems that are not shown, solved or played while an assignment has them.
+
+use std::collections::BTreeSet;
+
+use crate::problem::Problem;
+use crate::scene::Stage;
+
+use super::assignment::{Assignment, Extension, Item};
+use super::moment::Moment;
+
+/// The problems of open assignments, by their identities: any version, any form.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Reserved {
+    problems: BTreeSet<String>,
+}
+
+impl Reserved {
+    /// Adds the problems of an assignment where it is open at a moment for anybody, students with an extension included.
+    pub fn add(&mut self, assignment: &Assignment, items: &[Item], extensions: &[Extension], at: Moment) {
+        let own = |extension: &&Extension| extension.assignment == assignment.key;
+        let closes = extensions.iter().filter(own).map(|extension| extension.closes);
+        let closes = closes.fold(assignment.policy.closes, Moment::max);
+        if (assignment.policy.opens..=closes).contains(&at) {
+            let items = items.iter().filter(|item| item.assignment == assignment.key && !item.dropped);
+            self.problems.extend(items.map(|item| item.problem.clone()));
+        }
+    }
+
+    /// Whether practice, own numbers, solutions and playing must refuse a problem to somebody.
+    #[must_use]
+    pub fn refuses(&self, problem: &str, is_staff: bool) -> bool {
+        !is_staff && self.problems.contains(problem)
+    }
+}
+
+/// The simulator that shows the scene of a problem, by its name, where one does: an assignment with it can be answered by looking.
+#[must_use]
+pub fn simulator_of(problem: &Problem) -> Option<&'static str> {
+    let scene = &problem.loaded().draft.scene;
+    let stages: Vec<&Stage> = scene.stages.iter().collect();
+    match stages.as_slice() {
+        [Stage::Impact(impact)] if impact.between.is_some() && scene.axes.rectangular().len() == 1 => Some("collision"),
+        [Stage::Bounces(bounces)] if bounces.incline.is_none() => Some("restitution"),
+        [Stage::Fall(_), Stage::Impact(impact)] if impact.against.is_some() => Some("restitution"),
+        [Stage::Fall(_), Stage::Bounces(bounces)] if bounces.incline.is_none() => Some("restitution"),
+        _ => None,
+    }
+}

@@ -1,0 +1,227 @@
+//! What is kept of a marked attempt, and what a student may see of it.
+
+use std::borrow::Cow;
+
+use serde::{Deserialize, Serialize};
+
+use crate::grade::Diagnosis;
+use crate::grade::Entry;
+use crate::grade::Follows;
+use crate::grade::History;
+use crate::grade::PartReport;
+use crate::grade::Points;
+use crate::grade::Verdict;
+use crate::laws::wrong;
+use crate::quantity::Rational;
+use crate::quantity::exact;
+
+use super::handed_in::{Attempt, HintShown};
+use super::moment::Moment;
+use super::window::{Late, Window};
+
+/// What is kept of a marked attempt. Points are exact. It holds all that the next attempt must know of those before it.
+#[derive(Clone, Debug, Deserialize, PartialEq, Eq, Serialize)]
+pub struct StoredReport {
+    /// The parts, in the order of the sheet.
+    pub parts: Vec<StoredPart>,
+    /// The points of this sheet.
+    #[serde(with = "exact")]
+    pub total: Rational,
+    /// The points that can be reached.
+    pub out_of: u32,
+    /// How late it was, where it was.
+    pub late: Option<Late>,
+    /// What the student has handed in by now.
+    pub history: History,
+}
+
+/// What is kept of a part.
+#[derive(Clone, Debug, Deserialize, PartialEq, Eq, Serialize)]
+pub struct StoredPart {
+    /// How the part is called in answers.
+    pub id: String,
+    /// The points that can be reached.
+    pub out_of: u32,
+    /// How the answer came into this attempt.
+    pub entry: Entry,
+    /// When the answer was entered that stands; nothing where there is none.
+    pub since: Option<Moment>,
+    /// What was understood of the answer that stands. It is known without the right one, as are the next two.
+    pub read: Option<String>,
+    /// Why what was typed cannot be read, where it cannot.
+    pub unread: Option<String>,
+    /// How many attempts were counted at the part by now.
+    pub made: u32,
+    /// What was found.
+    pub verdict: Verdict,
+    /// The points reached.
+    #[serde(with = "exact")]
+    pub points: Rational,
+    /// What the student is told.
+    pub message: String,
+    /// The usual mistakes that lead to the answer, by their codes.
+    pub mistakes: Vec<String>,
+    /// What is said of them, a question first, each plainer than the one before; the message has the first.
+    pub hints: Vec<String>,
+    /// The earlier parts from which the answer follows.
+    pub follows_from: Vec<String>,
+    /// What would have followed from the student's own answers, once no attempt is left.
+    pub own_values: Option<String>,
+}
+
+/// What a student may see of an attempt.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct ShownReport {
+    /// The parts, in the order of the sheet.
+    pub parts: Vec<ShownPart>,
+    /// The points of this sheet, once verdicts are shown.
+    pub total: Option<Points>,
+    /// The points that can be reached.
+    pub out_of: u32,
+    /// How late it was, where it was.
+    pub late: Option<Late>,
+}
+
+/// What a student may see of a part.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct ShownPart {
+    /// How the part is called in answers.
+    pub id: String,
+    /// The points that can be reached.
+    pub out_of: u32,
+    /// How the answer came into this attempt.
+    pub entry: Entry,
+    /// What was understood of the answer that stands.
+    pub read: Option<String>,
+    /// Why what was typed cannot be read, where it cannot.
+    pub unread: Option<String>,
+    /// How many attempts were counted at the part by now.
+    pub made: u32,
+    /// What was found, once verdicts are shown.
+    pub found: Option<Found>,
+}
+
+/// What was found at a part.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Found {
+    /// The code of the verdict.
+    pub verdict: Verdict,
+    /// Whether the answer is right.
+    pub right: bool,
+    /// The points reached.
+    pub points: Points,
+    /// What the student is told.
+    pub message: String,
+    /// What would have followed from the student's own answers, once no attempt is left.
+    pub own_values: Option<String>,
+}
+
+/// A hint that can be shown next.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NextHint {
+    /// Its number among the further hints at the part, from 1.
+    pub number: u32,
+    /// What it says.
+    pub text: String,
+}
+
+impl StoredReport {
+    /// What is kept of an attempt.
+    ///
+    /// # Errors
+    /// Where it was written by another program, or another version of this one.
+    pub fn of(attempt: &Attempt) -> Result<Self, serde_json::Error> {
+        serde_json::from_str(attempt.report.get())
+    }
+
+    /// What the student may see of it at a moment. Before verdicts are shown it is what was read, and nothing that depends on what is
+    /// right.
+    #[must_use]
+    pub fn shown(&self, window: &Window, at: Moment) -> ShownReport {
+        let released = window.shows_verdicts(at);
+        ShownReport {
+            parts: self.parts.iter().map(|part| part.shown(released)).collect(),
+            total: released.then(|| Points(self.total.clone())),
+            out_of: self.out_of,
+            late: self.late.clone(),
+        }
+    }
+
+    /// The part of that name.
+    #[must_use]
+    pub fn part(&self, id: &str) -> Option<&StoredPart> {
+        self.parts.iter().find(|part| part.id == id)
+    }
+
+    /// The parts as marking reports them, for statistics: this attempt is the one that counts, or it is not.
+    pub fn reports(&self, counts: bool) -> impl Iterator<Item = PartReport> {
+        self.parts.iter().map(move |part| part.report(counts))
+    }
+}
+
+impl StoredPart {
+    fn shown(&self, released: bool) -> ShownPart {
+        let found = || Found {
+            verdict: self.verdict,
+            right: self.verdict.is_right(),
+            points: Points(self.points.clone()),
+            message: self.message.clone(),
+            own_values: self.own_values.clone(),
+        };
+        ShownPart {
+            id: self.id.clone(),
+            out_of: self.out_of,
+            // That a part is locked says that it is right.
+            entry: if self.entry == Entry::Locked && !released { Entry::Carried } else { self.entry },
+            read: self.read.clone(),
+            unread: self.unread.clone(),
+            made: self.made,
+            found: released.then(found),
+        }
+    }
+
+    /// The further hints on this answer that were shown already.
+    pub fn hints_shown<'a>(&'a self, shown: &'a [HintShown]) -> impl Iterator<Item = &'a str> {
+        self.hints.iter().skip(1).take(self.shown_here(shown)).map(String::as_str)
+    }
+
+    /// The next further hint on this answer, where there is one and verdicts are shown. Whoever shows it records it.
+    #[must_use]
+    pub fn next_hint(&self, shown: &[HintShown], window: &Window, at: Moment) -> Option<NextHint> {
+        let text = self.hints.get(self.shown_here(shown) + 1).filter(|_| window.shows_verdicts(at))?;
+        let before = shown.iter().filter(|own| self.is_on(own)).map(|own| own.number).max();
+        Some(NextHint { number: before.unwrap_or(0).saturating_add(1), text: text.clone() })
+    }
+
+    fn shown_here(&self, shown: &[HintShown]) -> usize {
+        shown.iter().filter(|own| self.is_on(own) && self.since.is_some_and(|since| own.at >= since)).count()
+    }
+
+    fn is_on(&self, hint: &HintShown) -> bool {
+        hint.part.as_deref() == Some(self.id.as_str())
+    }
+
+    fn report(&self, counts: bool) -> PartReport {
+        let codes: Vec<&'static str> = self.mistakes.iter().filter_map(|code| Some(wrong::find(code)?.id)).collect();
+        let diagnosis = (!codes.is_empty()).then(|| Diagnosis { codes, step: None, hints: self.hints.clone() });
+        let follows = (!self.follows_from.is_empty()).then(|| Follows {
+            from: self.follows_from.clone(),
+            by: Vec::new(),
+            unphysical: None,
+        });
+        PartReport {
+            id: self.id.clone(),
+            verdict: self.verdict,
+            points: Points(self.points.clone()),
+            out_of: self.out_of,
+            understood: self.read.clone(),
+            fault: None,
+            message: Cow::Owned(self.message.clone()),
+            diagnosis,
+            follows,
+            own_values: self.own_values.clone(),
+            entry: self.entry,
+            counts,
+        }
+    }
+}

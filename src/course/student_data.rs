@@ -1,0 +1,126 @@
+//! All that is kept about one student in one course, to be handed to that student.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
+use super::assignment::Extension;
+use super::corrected::WorkedSheet;
+use super::handed_in::{Draft, HintShown, Override};
+use super::moment::Moment;
+use super::people::{Course, Member, Person};
+use super::stored_report::{ShownReport, StoredReport};
+
+/// All that is kept about one student in one course. What the student may not see yet is left out, and so are seeds, which draw
+/// answers.
+#[derive(Clone, Debug, Serialize)]
+pub struct StudentData<'a> {
+    /// The title of the course.
+    pub course: &'a str,
+    /// The name by which the student signs in.
+    pub login: &'a str,
+    /// What the student is called.
+    pub name: &'a str,
+    /// The section.
+    pub section: &'a str,
+    /// When the student left the course.
+    pub left: Option<Moment>,
+    /// The sheets.
+    pub sheets: Vec<SheetData<'a>>,
+    /// Extensions.
+    pub extensions: &'a [Extension],
+    /// Answers that were not handed in.
+    pub drafts: &'a [Draft],
+}
+
+/// What is kept about a sheet.
+#[derive(Clone, Debug, Serialize)]
+pub struct SheetData<'a> {
+    /// The problem.
+    pub problem: &'a str,
+    /// The form.
+    pub form: Option<&'a str>,
+    /// The text as it was shown.
+    pub statement: &'a str,
+    /// When it was first seen.
+    pub seen: Moment,
+    /// What was handed in.
+    pub attempts: Vec<AttemptData<'a>>,
+    /// The hints that were shown.
+    pub hints: &'a [HintShown],
+    /// What was set by hand, without who did it.
+    pub by_hand: Vec<ByHandData<'a>>,
+}
+
+/// What is kept about an attempt.
+#[derive(Clone, Debug, Serialize)]
+pub struct AttemptData<'a> {
+    /// Its number.
+    pub number: u32,
+    /// When the server had it.
+    pub received: Moment,
+    /// What was typed.
+    pub answers: &'a BTreeMap<String, String>,
+    /// What the student may see of its marks.
+    pub report: Option<ShownReport>,
+}
+
+/// Points that were set by hand.
+#[derive(Clone, Debug, Serialize)]
+pub struct ByHandData<'a> {
+    /// The points.
+    pub points: Option<&'a str>,
+    /// Why.
+    pub reason: &'a str,
+    /// When.
+    pub at: Moment,
+}
+
+impl<'a> StudentData<'a> {
+    /// What is kept about a student, as it may be seen at a moment.
+    #[must_use]
+    pub fn of(
+        (course, member, person): (&'a Course, &'a Member, &'a Person),
+        sheets: &'a [(WorkedSheet<'a>, Vec<Override>)],
+        extensions: &'a [Extension],
+        drafts: &'a [Draft],
+        at: Moment,
+    ) -> Self {
+        let sheets = sheets.iter().filter(|(own, _)| own.sheet.member == member.key);
+        Self {
+            course: &course.title,
+            login: &person.login,
+            name: &person.name,
+            section: &member.section,
+            left: member.left,
+            sheets: sheets.map(|(own, by_hand)| SheetData::of(own, by_hand, at)).collect(),
+            extensions,
+            drafts,
+        }
+    }
+}
+
+impl<'a> SheetData<'a> {
+    fn of(own: &'a WorkedSheet<'a>, by_hand: &'a [Override], at: Moment) -> Self {
+        let issued = &own.sheet.issued;
+        let attempt = |(place, attempt): (usize, &'a super::handed_in::Attempt)| AttemptData {
+            number: attempt.number,
+            received: attempt.received,
+            answers: &attempt.answers,
+            report: own.reports.get(place).map(|report: &StoredReport| report.shown(&own.window, at)),
+        };
+        let released = own.window.shows_verdicts(at);
+        let by_hand = by_hand.iter().filter(|own| released && !own.reason.is_empty());
+        Self {
+            problem: &issued.problem,
+            form: issued.form.as_deref(),
+            statement: &issued.statement,
+            seen: own.sheet.seen,
+            attempts: own.attempts.iter().enumerate().map(attempt).collect(),
+            hints: own.hints,
+            by_hand: by_hand
+                .map(|own| ByHandData { points: own.points.as_deref(), reason: &own.reason, at: own.at })
+                .collect(),
+        }
+    }
+}

@@ -1,0 +1,101 @@
+//! A corrected problem, and another policy, over what was handed in before.
+
+use momentous::course::{CorrectionChoice, PolicyForm, Redaction, Remarked, StoredReport, effects, redacted};
+
+use super::class::{Desk, form, found, key, policy, problem, text};
+
+const DAY: &str = "2026-11-25T10:00";
+
+fn desk() -> Desk {
+    let mut desk = Desk::new(&text(), policy(&form()), 1);
+    desk.hand_in(["-0.5 m/s", "9 m/s", ""], DAY).unwrap();
+    desk.hand_in(["", "4.0 m/s", "33.75 J"], "2026-12-01T10:00").unwrap();
+    desk
+}
+
+/// What a choice makes of the score.
+fn score(desk: &Desk, text: Option<&str>, choice: CorrectionChoice) -> (Option<String>, bool) {
+    let problem = text.map(problem);
+    let all = effects(&[desk.worked()], &desk.policy, problem.as_ref());
+    let score = all[0].score(choice).map(|own| format!("{}/{}", own.points, own.out_of));
+    (score, all[0].changes(choice))
+}
+
+#[test]
+fn the_same_problem_marks_all_attempts_as_they_were_marked() {
+    let desk = desk();
+    let all = effects(&[desk.worked()], &desk.policy, Some(&problem(&text())));
+    assert_eq!(all[0].after, Remarked::Same(desk.reports.clone()));
+    assert!(!all[0].changes(CorrectionChoice::Remark));
+}
+
+#[test]
+fn a_corrected_problem_marks_what_it_still_draws_and_the_rest_is_chosen() {
+    let desk = desk();
+    // By hand: 2 + 2 (9/10)(4/5) + 4/5 = 106/25 of 5.
+    let old = Some("106/25/5".to_owned());
+    let more = text().replace("v_A2, unit: m/s, points: 2", "v_A2, unit: m/s, points: 3");
+    assert_eq!(score(&desk, Some(&more), CorrectionChoice::Remark), (Some("131/25/6".into()), true));
+    let other = text().replace("v_A2, unit: m/s, points: 2", "v_A2, unit: km/h, points: 2");
+    for text in [Some(other.as_str()), None] {
+        assert_eq!(score(&desk, text, CorrectionChoice::Remark), (old.clone(), false));
+        assert_eq!(score(&desk, text, CorrectionChoice::FullMarks), (Some("5/5".into()), true));
+        assert_eq!(score(&desk, text, CorrectionChoice::Drop), (None, true));
+        assert_eq!(score(&desk, text, CorrectionChoice::IssueAnew), (None, true));
+    }
+}
+
+#[test]
+fn another_policy_marks_anew_and_a_late_extension_gives_back_what_it_cost() {
+    let mut desk = desk();
+    let free = policy(&PolicyForm { attempt_penalty: String::new(), ..form() });
+    let Remarked::Same(reports) = desk.worked().remarked(&free, Some(&problem(&text()))) else { panic!() };
+    assert_eq!(found(&reports[1]), "2 right, 8/5 right, 4/5 right");
+    desk.window.due = desk.window.due.after(86_400_000);
+    let Remarked::Same(reports) = desk.worked().remarked(&desk.policy, Some(&problem(&text()))) else { panic!() };
+    assert_eq!(found(&reports[1]), "2 right, 9/5 right, 1 right");
+    assert!(reports[1].late.is_none());
+}
+
+#[test]
+fn a_redacted_answer_that_counted_is_not_marked_again() {
+    let mut desk = desk();
+    desk.hand_in(["", "", "call 0171 23"], DAY).unwrap_err();
+    let order = |number, part: &str| Redaction {
+        sheet: desk.sheet.key,
+        number,
+        part: part.to_owned(),
+        reason: "asked by the student".to_owned(),
+        by: key(9),
+        at: desk.policy.closes,
+    };
+    let before = StoredReport::of(&desk.attempts[0]).unwrap();
+    let without = redacted(&desk.attempts[0], &order(1, "v_A2")).unwrap();
+    assert_eq!(without.answers["v_A2"], "[redacted]");
+    assert_eq!(StoredReport::of(&without).unwrap(), before);
+    assert!(redacted(&desk.attempts[0], &order(2, "v_A2")).is_err());
+    assert!(redacted(&desk.attempts[0], &order(1, "v_C2")).is_err());
+    desk.attempts[0] = without;
+    assert_eq!(desk.worked().remarked(&desk.policy, Some(&problem(&text()))), Remarked::Redacted);
+}
+
+#[test]
+fn nothing_of_a_redacted_text_is_left_where_it_could_not_be_read() {
+    let mut desk = Desk::new(&text(), policy(&form()), 1);
+    desk.hand_in(["-0.5 m/s", "ask 555-0199 please", ""], DAY).unwrap();
+    let order = Redaction {
+        sheet: desk.sheet.key,
+        number: 1,
+        part: "v_B2".into(),
+        reason: "a telephone number".into(),
+        by: key(9),
+        at: desk.policy.closes,
+    };
+    let without = redacted(&desk.attempts[0], &order).unwrap();
+    let all = serde_json::to_string(&without).unwrap();
+    assert!(serde_json::to_string(&desk.attempts[0]).unwrap().contains("0199") && !all.contains("0199"), "{all}");
+    // Such a text counted for nothing, so that the rest is marked again.
+    desk.attempts[0] = without;
+    let Remarked::Same(reports) = desk.worked().remarked(&desk.policy, Some(&problem(&text()))) else { panic!() };
+    assert_eq!(reports[0].total, desk.reports[0].total);
+}
