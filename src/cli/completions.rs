@@ -27,7 +27,7 @@ impl Completions {
     pub(super) fn run(&self) -> Result<Exit, Failure> {
         let mut script = Vec::new();
         clap_complete::generate(self.shell, &mut Cli::command(), "momentous", &mut script);
-        Output::whole(None, &String::from_utf8_lossy(&script))?;
+        Output::whole(None, &script)?;
         Ok(Exit::Fine)
     }
 }

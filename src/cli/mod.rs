@@ -17,6 +17,7 @@ mod output;
 mod pages;
 mod pending;
 mod plot;
+mod printer;
 mod progress;
 mod schema;
 mod secret;

@@ -62,16 +62,16 @@ impl Output {
     }
 
     /// Writes a whole file, or a whole text to standard output.
-    pub(super) fn whole(path: Option<&Path>, text: &str) -> Result<(), Failure> {
+    pub(super) fn whole(path: Option<&Path>, text: &(impl AsRef<[u8]> + ?Sized)) -> Result<(), Failure> {
         let mut output = Self::to(path)?;
-        output.write_all(text.as_bytes())?;
+        output.write_all(text.as_ref())?;
         output.finish()
     }
 
     /// Writes a whole file that only its owner may read, whoever could read the one that was there.
-    pub(super) fn private(path: &Path, text: &str) -> Result<(), Failure> {
+    pub(super) fn private(path: &Path, text: &(impl AsRef<[u8]> + ?Sized)) -> Result<(), Failure> {
         let mut output = Self::at(path, Readers::Owner)?;
-        output.write_all(text.as_bytes())?;
+        output.write_all(text.as_ref())?;
         output.finish()
     }
 

@@ -66,8 +66,12 @@ impl Held {
     }
 }
 
+/// The folder with the user's own templates, where there is one.
+pub(super) fn templates() -> Option<&'static Path> {
+    Some(Path::new(TEMPLATES)).filter(|own| own.is_dir())
+}
+
 /// The renderer with the templates of the current folder, where there are some.
 pub(super) fn renderer() -> Result<Renderer, Failure> {
-    let own = Path::new(TEMPLATES);
-    Ok(Renderer::new(own.is_dir().then_some(own))?)
+    Ok(Renderer::new(templates())?)
 }

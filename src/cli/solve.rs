@@ -14,8 +14,10 @@ use super::format::Paper;
 use super::open;
 use super::open::Secret;
 use super::output::Output;
+use super::pages;
 use super::pages::Held;
 use super::pages::Shown;
+use super::printer::Printer;
 
 const HELP: &str = "\
 Examples:
@@ -68,10 +70,12 @@ impl Solve {
             let solved = Exercise::with_values(&problem, form, seed, &self.set, &self.find);
             solved.map_err(|faults| typed(&self.problem, faults))?
         };
-        let renderer = self.held.renderer()?;
-        let text = match self.format.document() {
-            Some(format) => renderer.render(&[Page::Solution(self.shown.solution(&exercise))], format)?.text,
-            None => format!("{}\n", exercise.record(Some(self.shown.markdown(&renderer, &exercise)?))),
+        let text = match Printer::new(self.format, self.held)? {
+            Some(printer) => printer.print(&[Page::Solution(self.shown.solution(&exercise))])?.bytes,
+            None => {
+                let solution = self.shown.markdown(&pages::renderer()?, &exercise)?;
+                format!("{}\n", exercise.record(Some(solution))).into_bytes()
+            }
         };
         Output::whole(None, &text)?;
         Ok(Exit::Fine)

@@ -78,7 +78,7 @@ pub struct SharedBlock {
 }
 
 /// How many ways of writing a block there are: the formats of documents, and those of pieces for other programs.
-const FORMATS: usize = 7;
+const FORMATS: usize = 8;
 
 impl SharedBlock {
     /// What the format of that place made of it when it first came upon it.

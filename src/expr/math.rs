@@ -1,4 +1,4 @@
-//! Typeset mathematics: one layout tree, printed as plain text, LaTeX or `MathML` by the writers beside it.
+//! Typeset mathematics: one layout tree, printed as plain text, LaTeX, Typst or `MathML` by the writers beside it.
 
 use std::sync::Arc;
 

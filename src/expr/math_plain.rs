@@ -61,6 +61,11 @@ impl Math {
         }
     }
 
+    /// The same for parts side by side.
+    pub(crate) fn row_plain(parts: &[Self]) -> String {
+        row(parts)
+    }
+
     /// In brackets where a fraction bar or a power would else seem to take a part of it.
     fn held(&self, tight: bool) -> String {
         let loose = match self.bare() {

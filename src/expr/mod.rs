@@ -3,7 +3,7 @@
 //! A term ([`Expr`]) is read from text ([`parse`]) and keeps the order in which it was written. Algebra goes through a
 //! canonical form: a quotient of polynomials whose atoms are symbols, roots and functions. It decides equality ([`equal`]),
 //! and is written readably again ([`Expr::simplify`]). For print a term is laid out as [`Math`], which prints itself as
-//! plain text, `LaTeX` or `MathML`.
+//! plain text, `LaTeX`, Typst or `MathML`.
 
 mod arrangement;
 mod canonical;
@@ -21,6 +21,7 @@ mod math;
 mod math_latex;
 mod math_mathml;
 mod math_plain;
+mod math_typst;
 mod math_width;
 mod monomial;
 mod name;
@@ -50,6 +51,7 @@ pub use curvature::is_curved;
 pub use dimension::DimensionClash;
 pub(crate) use math::subscript_parts;
 pub use math::{Math, Operator};
+pub(crate) use math_typst::{TypstMath, quoted};
 pub use name::name_math;
 pub use notation::Notation;
 pub use parse::{MAX_DEPTH, MAX_LENGTH, Names, ParseFault, parse};

@@ -12,6 +12,7 @@ pub struct Shared {
     math: Math,
     plain: OnceLock<String>,
     latex: OnceLock<String>,
+    typst: OnceLock<String>,
     mathml: OnceLock<String>,
     label: OnceLock<String>,
     widths: OnceLock<Vec<f64>>,
@@ -27,6 +28,11 @@ impl Shared {
     /// As LaTeX.
     pub(super) fn latex(&self) -> &str {
         self.latex.get_or_init(|| self.math.latex())
+    }
+
+    /// As Typst.
+    pub(super) fn typst(&self) -> &str {
+        self.typst.get_or_init(|| self.math.typst())
     }
 
     /// As an element of `MathML`.

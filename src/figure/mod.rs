@@ -37,6 +37,6 @@ pub use situation::{
     LineSpring, Moment, Moving, MovingBody, Partner, Pulley, PulleySide, Ramp, Rest, Ride, Situation, Space, Swing,
     SwingEnd, Target, Tie, Wall,
 };
-pub use svg::{style_sheet, svg, svg_file, svg_unstyled};
+pub use svg::{style_sheet, svg, svg_file, svg_paper, svg_unstyled};
 pub use ticks::Ticks;
 pub use tikz::tikz;

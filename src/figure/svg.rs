@@ -41,13 +41,19 @@ const CARD_STYLE: &str = "\
 /// ```
 #[must_use]
 pub fn svg(drawing: &Drawing) -> String {
-    element(drawing, Some(""), "")
+    element(drawing, Some((&SHEET, "")), "")
 }
 
 /// The drawing as an SVG element for a page whose own style sheet holds the rules of all figures ([`style_sheet`]).
 #[must_use]
 pub fn svg_unstyled(drawing: &Drawing) -> String {
     element(drawing, None, "")
+}
+
+/// The drawing as an SVG element for paper: for programs that know one colour of ink.
+#[must_use]
+pub fn svg_paper(drawing: &Drawing) -> String {
+    element(drawing, Some((&PAPER_SHEET, "")), "")
 }
 
 /// The rules of all figures, for the style sheet of a page.
@@ -75,10 +81,10 @@ pub fn style_sheet() -> String {
 pub fn svg_file(drawing: &Drawing) -> String {
     let frame = Extent { low: drawing.low, high: drawing.high }.grown(CARD_MARGIN);
     let drawing = Drawing { low: frame.low, high: frame.high, ..drawing.clone() };
-    element(&drawing, Some(CARD_STYLE), "<rect class=\"card\" width=\"100%\" height=\"100%\" rx=\"6\"/>\n")
+    element(&drawing, Some((&SHEET, CARD_STYLE)), "<rect class=\"card\" width=\"100%\" height=\"100%\" rx=\"6\"/>\n")
 }
 
-fn element(drawing: &Drawing, style: Option<&str>, ground: &str) -> String {
+fn element(drawing: &Drawing, style: Option<(&Sheet, &str)>, ground: &str) -> String {
     let size = drawing.high - drawing.low;
     let mut page = Page { out: String::with_capacity(USUAL_SIZE), low: drawing.low, high: drawing.high };
     page.put(["<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" class=\"momentous-figure\" width=\""]);
@@ -94,9 +100,9 @@ fn element(drawing: &Drawing, style: Option<&str>, ground: &str) -> String {
     page.put(["</title>\n<desc>"]);
     page.text(&drawing.description);
     page.put(["</desc>\n"]);
-    if let Some(style) = style {
+    if let Some((sheet, style)) = style {
         page.put(["<style>\n"]);
-        page.style_sheet(drawing);
+        page.style_sheet(sheet, drawing);
         page.put([style, "</style>\n"]);
     }
     page.put([ground]);
@@ -114,7 +120,15 @@ struct Sheet {
     roles: [String; Role::ALL.len()],
 }
 
-static SHEET: LazyLock<Sheet> = LazyLock::new(|| Sheet { general: general_rules(), roles: Role::ALL.map(rules) });
+/// How a property is set to the colour of a style.
+type Paint = fn(&str, &Style) -> String;
+
+static SHEET: LazyLock<Sheet> = LazyLock::new(|| sheet(paint));
+static PAPER_SHEET: LazyLock<Sheet> = LazyLock::new(|| sheet(paint_on_paper));
+
+fn sheet(paint: Paint) -> Sheet {
+    Sheet { general: general_rules(), roles: Role::ALL.map(|role| rules(role, paint)) }
+}
 
 fn general_rules() -> String {
     let size = coordinate(TYPE_SIZE);
@@ -125,7 +139,7 @@ fn general_rules() -> String {
     )
 }
 
-fn rules(role: Role) -> String {
+fn rules(role: Role, paint: Paint) -> String {
     let style = style(role);
     let (class, width) = (style.class, coordinate(style.width));
     let [stroke, fill] = ["stroke", "fill"].map(|property| paint(property, &style));
@@ -145,6 +159,10 @@ fn paint(property: &str, style: &Style) -> String {
     let (light, dark) = (style.colour, style.dark);
     let scheme = if light == dark { String::new() } else { format!(";{property}:light-dark({light},{dark})") };
     format!("{property}:{light}{scheme}")
+}
+
+fn paint_on_paper(property: &str, style: &Style) -> String {
+    format!("{property}:{}", style.colour)
 }
 
 /// A label without its place.
@@ -193,9 +211,9 @@ impl Page {
 
     /// The rules of the roles that are drawn. They are confined to figures, because a page's style sheets are shared by all
     /// that is on it.
-    fn style_sheet(&mut self, drawing: &Drawing) {
-        self.put([&SHEET.general]);
-        for (role, rules) in Role::ALL.iter().zip(&SHEET.roles) {
+    fn style_sheet(&mut self, sheet: &Sheet, drawing: &Drawing) {
+        self.put([&sheet.general]);
+        for (role, rules) in Role::ALL.iter().zip(&sheet.roles) {
             if drawing.has(*role) {
                 self.put([rules]);
             }

@@ -12,11 +12,13 @@ pub enum Format {
     Latex,
     /// One page that needs no script and no network.
     Html,
+    /// A complete document for Typst, which makes the PDF.
+    Typst,
 }
 
 impl Format {
     /// Every format, in a fixed order.
-    pub const ALL: [Self; 3] = [Self::Markdown, Self::Latex, Self::Html];
+    pub const ALL: [Self; 4] = [Self::Markdown, Self::Latex, Self::Html, Self::Typst];
 
     /// Its name, which is also the name of its folder of templates.
     #[must_use]
@@ -25,6 +27,7 @@ impl Format {
             Self::Markdown => "markdown",
             Self::Latex => "latex",
             Self::Html => "html",
+            Self::Typst => "typst",
         }
     }
 
@@ -35,6 +38,7 @@ impl Format {
             Self::Markdown => "md",
             Self::Latex => "tex",
             Self::Html => "html",
+            Self::Typst => "typ",
         }
     }
 }
@@ -56,7 +60,7 @@ impl FromStr for Format {
     }
 }
 
-/// Where the figures of a Markdown document go; LaTeX and HTML always hold their own.
+/// Where the figures of a Markdown document go; the others always hold their own.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub enum Figures {
     /// In the document, as SVG.

@@ -1,4 +1,4 @@
-//! Documents: sheets, worked solutions and answer keys as Markdown, LaTeX and HTML.
+//! Documents: sheets, worked solutions and answer keys as Markdown, LaTeX, HTML and Typst.
 //!
 //! The words and the layout are tera files under `templates/`, which a user's own folder overrides file by file.
 //! What reaches them is already in the tongue of the format: escaped text, typeset mathematics, drawn figures.
@@ -15,10 +15,16 @@ mod latex;
 mod latex_text;
 mod markdown;
 mod markup;
+mod mathml;
+mod mathml_typst;
 mod page;
+#[cfg(feature = "pdf")]
+mod press;
 mod renderer;
 mod site;
 mod templates;
+mod typst;
+mod typst_text;
 mod view;
 mod writer;
 
@@ -29,5 +35,7 @@ pub use font::{MATH_FONT, base64};
 pub use fragment::Fragment;
 pub use markup::Markup;
 pub use page::{Identity, Key, KeyRow, Page, Sheet, SheetPart, Solution};
+#[cfg(feature = "pdf")]
+pub use press::Press;
 pub use renderer::Renderer;
 pub use site::Site;

@@ -10,6 +10,7 @@ use super::document::{Document, Figures, Format};
 use super::font;
 use super::page::{Key, Page, PageView, Sheet, Solution};
 use super::templates::Templates;
+use super::typst_text;
 use super::view::View;
 
 /// Renders pages through templates.
@@ -31,7 +32,7 @@ use super::view::View;
 pub struct Renderer {
     /// In the order of the formats. The built-in ones are read when they are first wanted: that takes longer than a solution,
     /// and most programs write one format.
-    templates: [OnceLock<Templates>; 3],
+    templates: [OnceLock<Templates>; Format::ALL.len()],
     figures: Figures,
     language: String,
     /// A rule with the font of mathematics; empty where documents do without.
@@ -47,7 +48,7 @@ impl Renderer {
     /// # Errors
     /// Where the folder cannot be read, or a template is not well formed.
     pub fn new(overrides: Option<&Path>) -> Result<Self, Faults> {
-        let templates = [const { OnceLock::new() }; 3];
+        let templates = [const { OnceLock::new() }; Format::ALL.len()];
         if overrides.is_some() {
             // What is wrong with a user's is said before anything is written.
             for (format, kept) in Format::ALL.into_iter().zip(&templates) {
@@ -138,12 +139,7 @@ impl Renderer {
     }
 
     fn templates(&self, format: Format) -> Result<&Templates, Faults> {
-        let [markdown, latex, html] = &self.templates;
-        let kept = match format {
-            Format::Markdown => markdown,
-            Format::Latex => latex,
-            Format::Html => html,
-        };
+        let kept = &self.templates[format as usize];
         match kept.get() {
             Some(templates) => Ok(templates),
             None => {
@@ -158,6 +154,9 @@ impl Renderer {
         let mut view = View::new(format, &self.figures);
         let mut context = view.document(pages)?;
         context.insert("language", &self.language);
+        let (code, region) = typst_text::language(&self.language);
+        context.insert("language_code", &code);
+        context.insert("region", &region);
         context.insert_value("style", tera::Value::safe_string(&templates.style));
         context.insert_value("font", tera::Value::safe_string(&self.font));
         let text = templates.render(&context)?;

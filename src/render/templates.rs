@@ -1,7 +1,6 @@
 //! The built-in templates, the user's in their place, and faults in either.
 
 use std::collections::BTreeMap;
-use std::io::Write;
 use std::path::Path;
 
 use tera::{Delimiters, Error, ErrorKind, Tera};
@@ -18,13 +17,14 @@ use super::document::Format;
 use super::html;
 use super::latex_text;
 use super::markdown;
+use super::typst_text;
 
 macro_rules! built_in {
     ($($path:literal),* $(,)?) => { [$(($path, include_str!(concat!("../../templates/", $path)))),*] };
 }
 
 /// Every built-in file by its path below `templates/`.
-const BUILT_IN: [(&str, &str); 29] = built_in![
+const BUILT_IN: [(&str, &str); 34] = built_in![
     "html/blocks.tera",
     "html/body.tera",
     "html/document.tera",
@@ -43,6 +43,11 @@ const BUILT_IN: [(&str, &str); 29] = built_in![
     "markdown/key.tera",
     "markdown/sheet.tera",
     "markdown/solution.tera",
+    "typst/blocks.tera",
+    "typst/document.tera",
+    "typst/key.tera",
+    "typst/sheet.tera",
+    "typst/solution.tera",
     "web/collision.tera",
     "web/field.tera",
     "web/layout.tera",
@@ -108,25 +113,26 @@ impl Templates {
     }
 }
 
-/// A template engine that speaks the format: its escapes, and in LaTeX signs that LaTeX does not use.
+/// A template engine that speaks the format: its escapes, and in LaTeX and Typst signs that these do not use.
 fn engine(format: Format) -> Tera {
     let mut tera = Tera::new();
     tera.autoescape_on([".tera"]);
     match format {
         Format::Html => tera.set_escape_fn(|text, out| out.write_all(html::escape(text).as_bytes())),
         Format::Markdown => tera.set_escape_fn(|text, out| out.write_all(markdown::escape(text).as_bytes())),
-        Format::Latex => {
-            tera.set_escape_fn(|text, out: &mut dyn Write| out.write_all(latex_text::escape(text).as_bytes()));
-            let set = tera.set_delimiters(Delimiters {
-                block_start: "<%".into(),
-                block_end: "%>".into(),
-                variable_start: "<<".into(),
-                variable_end: ">>".into(),
-                comment_start: "<#".into(),
-                comment_end: "#>".into(),
-            });
-            debug_assert!(set.is_ok(), "the delimiters differ from each other, and no template is loaded yet");
-        }
+        Format::Latex => tera.set_escape_fn(|text, out| out.write_all(latex_text::escape(text).as_bytes())),
+        Format::Typst => tera.set_escape_fn(|text, out| out.write_all(typst_text::escape(text).as_bytes())),
+    }
+    if matches!(format, Format::Latex | Format::Typst) {
+        let set = tera.set_delimiters(Delimiters {
+            block_start: "<%".into(),
+            block_end: "%>".into(),
+            variable_start: "<<".into(),
+            variable_end: ">>".into(),
+            comment_start: "<#".into(),
+            comment_end: "#>".into(),
+        });
+        debug_assert!(set.is_ok(), "the delimiters differ from each other, and no template is loaded yet");
     }
     tera
 }

@@ -60,7 +60,8 @@ impl<'a> View<'a> {
 
     /// The values of the whole document: `title`, `level` and `pages`.
     pub fn document(&mut self, pages: &[PageView]) -> Result<Context, Faults> {
-        self.level = if pages.len() > 1 { 2 } else { 1 };
+        // A document of several pages has a title of its own in HTML; where pages are paper, each has its title.
+        self.level = if pages.len() > 1 && self.format != Format::Typst { 2 } else { 1 };
         let values = pages.iter().map(|page| self.page(*page)).collect::<Result<Vec<Value>, Faults>>()?;
         let mut context = Context::new();
         context.insert("title", document_title(pages));

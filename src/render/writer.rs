@@ -12,6 +12,7 @@ use super::equation::Row;
 use super::html::Html;
 use super::latex::Latex;
 use super::markdown::Markdown;
+use super::typst::Typst;
 
 /// The room that a run takes, in bytes, or less.
 const USUAL_RUN: usize = 128;
@@ -54,5 +55,6 @@ pub(super) fn writer(format: Format) -> &'static dyn Writer {
         Format::Markdown => &Markdown,
         Format::Latex => &Latex,
         Format::Html => &Html,
+        Format::Typst => &Typst,
     }
 }

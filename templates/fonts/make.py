@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Makes momentous-math.woff2 out of STIX Two Math: the characters that documents print, with what grows around them.
+"""Makes the fonts of documents out of STIX Two: momentous-math.woff2 with the characters that documents print as mathematics
+and what grows around them, and momentous-serif*.woff2 with the letters of the Latin, Greek and Cyrillic scripts for PDF.
 
-    apt-get download texlive-fonts-extra        # on Debian 12; holds STIXTwoMath-Regular.otf, version 2.12
+    apt-get download texlive-fonts-extra        # on Debian 12; holds the folder stix2-otf, version 2.12
     pip install fonttools==4.68.0 brotli==1.2.1
-    python3 make.py STIXTwoMath-Regular.otf
+    python3 make.py stix2-otf
 
 Whoever needs a further character adds it below. `cargo test --test fonts` says what the bank prints and the font lacks.
 """
@@ -14,8 +15,9 @@ from pathlib import Path
 from fontTools import subset
 from fontTools.ttLib import TTFont
 
-NAME = "Momentous Math"
-OUTPUT = Path(__file__).with_name("momentous-math.woff2")
+MATH = "Momentous Math"
+TEXT = "Momentous Serif"
+STYLES = ("Regular", "Italic", "Bold")
 
 # Browsers set single letters in the mathematical italics, whatever letter the document holds.
 RANGES = {
@@ -46,6 +48,19 @@ CHARACTERS = {
     "arrows": "←↑→↓↔↕↖↗↘↙↦↺↻⇀⇌⇐⇑⇒⇓⇔⟵⟶⟷⟸⟹⟺",
 }
 
+# What names and stories are written in. What mathematics adds to it, PDF takes from the other font.
+TEXT_RANGES = [
+    (0x20, 0x7E),
+    (0xA0, 0x24F),
+    (0x2B0, 0x36F),
+    (0x370, 0x3FF),
+    (0x400, 0x52F),
+    (0x1E00, 0x1EFF),
+    (0x2000, 0x22FF),
+    (0xFB00, 0xFB04),
+]
+TEXT_FEATURES = ["ccmp", "kern", "liga", "locl", "mark", "mkmk"]
+
 # Stylistic sets of the font that replace its usual shapes: a pointed v, which the usual one is too like an upsilon for a
 # subject full of velocities; and primes as large as browsers want them, which do not ask for the font's script sizes.
 SETS = ("ss02", "ss04")
@@ -65,21 +80,37 @@ def substitutions(font):
                     yield from getattr(part, "ExtSubTable", part).mapping.items()
 
 
-def rename(font):
+def rename(font, family, style):
     notice, licence, address = (font["name"].getDebugName(number) for number in (0, 13, 14))
-    version = font["name"].getDebugName(5)
+    original, version = (font["name"].getDebugName(number) for number in (16, 5))
+    original = original or font["name"].getDebugName(1)
+    full = family if style == "Regular" else f"{family} {style}"
     font["name"].names = []
-    entries = {0: notice, 1: NAME, 2: "Regular", 3: f"{NAME}, from STIX Two Math {version}", 4: NAME}
-    entries |= {5: version, 6: NAME.replace(" ", ""), 13: licence, 14: address}
+    entries = {0: notice, 1: family, 2: style, 3: f"{full}, from {original} {version}", 4: full}
+    entries |= {5: version, 6: full.replace(" ", ""), 13: licence, 14: address}
     for number, text in entries.items():
         font["name"].setName(text, number, 3, 1, 0x409)
     cff = font["CFF "].cff
-    cff.fontNames = [NAME.replace(" ", "")]
-    cff.topDictIndex[0].FullName = cff.topDictIndex[0].FamilyName = NAME
+    cff.fontNames = [full.replace(" ", "")]
+    cff.topDictIndex[0].FullName, cff.topDictIndex[0].FamilyName = full, family
 
 
-def main(source):
-    font = TTFont(source, recalcTimestamp=False)
+def save(font, wanted, name, **settings):
+    options = subset.Options(
+        hinting=False, desubroutinize=True, glyph_names=False, notdef_outline=True, name_IDs=["*"], **settings
+    )
+    options.drop_tables += ["BASE", "DSIG"] + ([] if settings["layout_features"] else ["GDEF", "GPOS", "GSUB"])
+    subsetter = subset.Subsetter(options)
+    subsetter.populate(unicodes=wanted)
+    subsetter.subset(font)
+    font.flavor = "woff2"
+    output = Path(__file__).with_name(f"{name}.woff2")
+    font.save(output)
+    print(f"{output.name}: {len(font.getBestCmap())} characters, {output.stat().st_size} bytes")
+
+
+def make_math(folder):
+    font = TTFont(folder / "STIXTwoMath-Regular.otf", recalcTimestamp=False)
     wanted = repertoire()
     lacking = wanted - font.getBestCmap().keys()
     if lacking:
@@ -88,17 +119,21 @@ def main(source):
     for table in font["cmap"].tables:
         if table.isUnicode() and table.format != 14:
             table.cmap = {code: other.get(glyph, glyph) for code, glyph in table.cmap.items()}
-    rename(font)
-    options = subset.Options(
-        layout_features=[], hinting=False, desubroutinize=True, glyph_names=False, notdef_outline=True, name_IDs=["*"]
-    )
-    options.drop_tables += ["BASE", "DSIG", "GDEF", "GPOS", "GSUB"]
-    subsetter = subset.Subsetter(options)
-    subsetter.populate(unicodes=wanted)
-    subsetter.subset(font)
-    font.flavor = "woff2"
-    font.save(OUTPUT)
-    print(f"{len(wanted)} characters, {len(font.getGlyphOrder())} glyphs, {OUTPUT.stat().st_size} bytes")
+    rename(font, MATH, "Regular")
+    save(font, wanted, "momentous-math", layout_features=[])
+
+
+def make_text(folder, style):
+    font = TTFont(folder / f"STIXTwoText-{style}.otf", recalcTimestamp=False)
+    wanted = {code for first, last in TEXT_RANGES for code in range(first, last + 1)}
+    rename(font, TEXT, style)
+    save(font, wanted, f"momentous-serif-{style.lower()}", layout_features=TEXT_FEATURES)
+
+
+def main(folder):
+    make_math(Path(folder))
+    for style in STYLES:
+        make_text(Path(folder), style)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-//! Documents in three formats: what they look like, what they escape, and what a user's templates may change.
+//! Documents in every format: what they look like, what they escape, and what a user's templates may change.
 
 #![allow(clippy::unwrap_used)] // a test that cannot go on should stop
 
@@ -37,7 +37,7 @@ fn bare(text: &str) -> String {
 }
 
 #[test]
-fn sheets_in_three_formats() {
+fn sheets_in_every_format() {
     for format in Format::ALL {
         let document = renderer().render_sheets(&[samples::sheet()], format).unwrap();
         insta::assert_snapshot!(format!("sheet_{format}"), bare(&document.text));
@@ -45,7 +45,7 @@ fn sheets_in_three_formats() {
 }
 
 #[test]
-fn solutions_in_three_formats() {
+fn solutions_in_every_format() {
     for format in Format::ALL {
         let document = renderer().render_solution(&samples::solution(), format).unwrap();
         insta::assert_snapshot!(format!("solution_{format}"), bare(&document.text));
@@ -53,7 +53,7 @@ fn solutions_in_three_formats() {
 }
 
 #[test]
-fn keys_in_three_formats() {
+fn keys_in_every_format() {
     for format in Format::ALL {
         let document = renderer().render_key(&samples::key(), format).unwrap();
         insta::assert_snapshot!(format!("key_{format}"), bare(&document.text));

@@ -64,7 +64,7 @@ impl Destination {
     }
 
     /// Writes a file that is the teacher's alone.
-    pub(super) fn write_for_teacher(&self, name: &str, text: &str) -> Result<(), Failure> {
+    pub(super) fn write_for_teacher(&self, name: &str, text: &(impl AsRef<[u8]> + ?Sized)) -> Result<(), Failure> {
         Output::private(&self.make_for_teacher()?.join(name), text)
     }
 

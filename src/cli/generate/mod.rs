@@ -18,7 +18,6 @@ use crate::exercise::Exercise;
 use crate::exercise::SeedSource;
 use crate::exercise::SheetSeed;
 use crate::render::Figures;
-use crate::render::Format;
 use crate::render::Key;
 use crate::render::KeyRow;
 use crate::render::Page;
@@ -33,6 +32,7 @@ use super::output;
 use super::output::Output;
 use super::pages::Held;
 use super::pages::Shown;
+use super::printer::Printer;
 
 use destination::Destination;
 use destination::SEEDS;
@@ -50,6 +50,7 @@ Examples:
   momentous generate impact/two-carts --solution --brief           laws, equations and answers
   momentous generate impact --count 5 --key --format latex -o exam.tex
   momentous generate impact/two-carts --roster class.csv --secret secret.txt --key -o sheets/
+  momentous generate impact --roster class.csv --format pdf -o class.pdf    one bound file
   momentous generate impact/two-carts --count 100000 --format json > variants.jsonl
 
 A roster is a CSV file with a column `id`, or `name`, or both. Each student gets individual numbers, and seeds.csv says who has which seed. The name of a folder after -o ends with a slash, unless the folder exists. The key and seeds.csv are written next to it, into a separate folder for the teacher: sheets-teacher/. With --roster or --secret so do solutions and
@@ -107,6 +108,7 @@ impl Generate {
                 "--faded, --instructor and --brief apply only to solutions\nhelp: add --solution",
             ));
         }
+        let printer = Printer::new(self.format, self.held)?;
         let secret = self.secret.read()?;
         let problems = open::problems(&self.problems, secret.as_deref())?;
         let roster = self.roster.as_deref().map(Roster::read).transpose()?;
@@ -134,9 +136,9 @@ impl Generate {
             destination.make_for_teacher()?;
         }
         let each = roster.as_ref().map_or(self.count, |roster| roster.0.len() as u64);
-        match self.format.document() {
+        match printer {
             None => self.stream(jobs, each.saturating_mul(asked.len() as u64), &destination)?,
-            Some(format) => self.documents(jobs, format, &destination)?,
+            Some(printer) => self.documents(jobs, printer, &destination)?,
         }
         if let Some(roster) = &roster {
             destination.write_for_teacher(SEEDS, &roster.seeds(&asked, seeds)?)?;
@@ -183,10 +185,10 @@ impl Generate {
     fn documents(
         &self,
         jobs: impl Iterator<Item = Job>,
-        format: Format,
+        mut printer: Printer,
         destination: &Destination,
     ) -> Result<(), Failure> {
-        let mut renderer = self.held.renderer()?;
+        let extension = self.format.extension();
         let mut pages = Vec::new();
         let mut rows: Vec<KeyRow> = Vec::new();
         for job in jobs {
@@ -206,29 +208,28 @@ impl Generate {
             for (page, ending, is_apart) in documents {
                 let Some(page) = page else { continue };
                 let name = format!("{}{ending}", job.file_stem());
-                renderer = renderer.figures(Figures::Beside(name.clone()));
-                let document = renderer.render(&[page], format)?;
-                let write = |name: &str, text: &str| {
+                printer = printer.figures(Figures::Beside(name.clone()));
+                let document = printer.print(&[page])?;
+                let write = |name: &str, text: &[u8]| {
                     if is_apart {
                         destination.write_for_teacher(name, text)
                     } else {
                         Output::whole(Some(&folder.join(name)), text)
                     }
                 };
-                document.beside.iter().try_for_each(|beside| write(&beside.name, &beside.text))?;
-                write(&format!("{name}.{}", format.extension()), &document.text)?;
+                document.beside.iter().try_for_each(|beside| write(&beside.name, beside.text.as_bytes()))?;
+                write(&format!("{name}.{extension}"), &document.bytes)?;
             }
         }
         let key = Page::Key(Key { title: "Answers".to_owned(), rows });
         match destination {
             Destination::Folder(_) if self.key => {
-                let text = renderer.render(&[key], format)?.text;
-                destination.write_for_teacher(&format!("key.{}", format.extension()), &text)
+                destination.write_for_teacher(&format!("key.{extension}"), &printer.print(&[key])?.bytes)
             }
             Destination::Folder(_) => Ok(()),
             Destination::File(_) | Destination::Stdout => {
                 pages.extend(self.key.then_some(key));
-                Output::whole(destination.file(), &renderer.render(&pages, format)?.text)
+                Output::whole(destination.file(), &printer.print(&pages)?.bytes)
             }
         }
     }
