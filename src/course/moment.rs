@@ -44,6 +44,13 @@ impl Moment {
         self.timestamp().to_zoned(zone).strftime("%a, %-d %b %Y, %H:%M").to_string()
     }
 
+    /// The same to the second, as receipts show it.
+    #[must_use]
+    pub fn shown_exactly(self, zone: &str) -> String {
+        let zone = TimeZone::get(zone).unwrap_or(TimeZone::UTC);
+        self.timestamp().to_zoned(zone).strftime("%a, %-d %b %Y, %H:%M:%S").to_string()
+    }
+
     /// In the local time of a zone as fields take it: `2026-11-30T18:00`.
     #[must_use]
     pub fn typed(self, zone: &str) -> String {

@@ -32,6 +32,12 @@ impl Share {
         &self.0
     }
 
+    /// Whether it is no share at all.
+    #[must_use]
+    pub fn is_nothing(&self) -> bool {
+        self.0 == Rational::ZERO
+    }
+
     /// As it is typed: in per cent where that is exact with two decimals, else as a fraction.
     #[must_use]
     pub fn typed(&self) -> String {

@@ -24,7 +24,7 @@ macro_rules! built_in {
 }
 
 /// Every built-in file by its path below `templates/`.
-const BUILT_IN: [(&str, &str); 34] = built_in![
+const BUILT_IN: [(&str, &str); 41] = built_in![
     "html/blocks.tera",
     "html/body.tera",
     "html/document.tera",
@@ -49,6 +49,13 @@ const BUILT_IN: [(&str, &str); 34] = built_in![
     "typst/sheet.tera",
     "typst/solution.tera",
     "web/collision.tera",
+    "web/courses/assignment.tera",
+    "web/courses/course.tera",
+    "web/courses/courses.tera",
+    "web/courses/item.tera",
+    "web/courses/link.tera",
+    "web/courses/sign-in.tera",
+    "web/courses/solution.tera",
     "web/field.tera",
     "web/layout.tera",
     "web/play.tera",

@@ -96,6 +96,14 @@ impl Store {
         Ok(Some(AssignmentWithItems { assignment, items, revision }))
     }
 
+    /// An item by its key.
+    ///
+    /// # Errors
+    /// Where the database refuses.
+    pub async fn item(&self, key: Key<Item>) -> Result<Option<Item>, StoreFault> {
+        self.one(query("SELECT data FROM item WHERE key = $1").bind(key.to_string())).await
+    }
+
     /// The assignments of a course, by when they open.
     ///
     /// # Errors

@@ -1,5 +1,7 @@
 //! What students were given, and what they handed in.
 
+use std::collections::BTreeMap;
+
 use sqlx::query;
 
 use crate::course::{Assignment, Attempt, Draft, HintShown, Item, Key, Member, Override, Sheet};
@@ -86,6 +88,27 @@ impl Store {
     /// Where the database refuses.
     pub async fn attempts(&self, sheet: Key<Sheet>) -> Result<Vec<Attempt>, StoreFault> {
         self.records(query("SELECT data FROM attempt WHERE sheet = $1 ORDER BY number").bind(sheet.to_string())).await
+    }
+
+    /// What a student handed in in an assignment, by sheet and in its order.
+    ///
+    /// # Errors
+    /// Where the database refuses.
+    pub async fn attempts_of(
+        &self,
+        assignment: Key<Assignment>,
+        member: Key<Member>,
+    ) -> Result<BTreeMap<Key<Sheet>, Vec<Attempt>>, StoreFault> {
+        let statement = query(
+            "SELECT a.data FROM attempt a JOIN sheet s ON s.key = a.sheet JOIN item i ON i.key = s.item \
+             WHERE i.assignment = $1 AND s.member = $2 ORDER BY a.sheet, a.number",
+        );
+        let all: Vec<Attempt> = self.records(statement.bind(assignment.to_string()).bind(member.to_string())).await?;
+        let mut by_sheet: BTreeMap<Key<Sheet>, Vec<Attempt>> = BTreeMap::new();
+        for attempt in all {
+            by_sheet.entry(attempt.sheet).or_default().push(attempt);
+        }
+        Ok(by_sheet)
     }
 
     /// The last attempt of every sheet of an assignment: its report knows of those before.

@@ -53,8 +53,7 @@ pub(super) async fn page(app: Shared, make: impl FnOnce(&App) -> Result<String, 
 /// A page that says why there is none of the kind that was asked for.
 fn refused_page(app: &App, refused: &Refused) -> Result<String, (StatusCode, String)> {
     let (status, title) = kind(refused.kind);
-    let page = RefusedPage { title, status: status.as_u16(), refused, sentences: refused.sentences() };
-    Err((status, app.page("refused", &page).unwrap_or_else(|_| title.to_owned())))
+    Err((status, said(app, status, title, refused)))
 }
 
 /// Makes a JSON object on a worker.
@@ -67,7 +66,27 @@ pub(super) async fn json(app: Shared, make: impl FnOnce(&App) -> Result<String, 
     }
 }
 
-fn not_done(reason: NotDone) -> (StatusCode, [(HeaderName, HeaderValue); 1], &'static str) {
+/// A page that says why there is none of the kind that was asked for.
+pub(super) async fn refused(app: Shared, refused: Refused) -> Response {
+    let (status, title) = kind(refused.kind);
+    refusal(app, status, title, refused).await
+}
+
+/// The same with a status and a title of its own.
+pub(super) async fn refusal(app: Shared, status: StatusCode, title: &'static str, refused: Refused) -> Response {
+    let own = Shared::clone(&app);
+    match app.workers.work(move || said(&own, status, title, &refused)).await {
+        Ok(text) => (status, NO_CACHE, Html(text)).into_response(),
+        Err(reason) => not_done(reason).into_response(),
+    }
+}
+
+fn said(app: &App, status: StatusCode, title: &'static str, refused: &Refused) -> String {
+    let page = RefusedPage { title, status: status.as_u16(), refused, sentences: refused.sentences() };
+    app.page("refused", &page).unwrap_or_else(|_| title.to_owned())
+}
+
+pub(super) fn not_done(reason: NotDone) -> (StatusCode, [(HeaderName, HeaderValue); 1], &'static str) {
     match reason {
         NotDone::Busy => (
             StatusCode::TOO_MANY_REQUESTS,

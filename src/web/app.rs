@@ -11,6 +11,7 @@ use crate::render::Renderer;
 use crate::render::Site;
 
 use super::assets::Assets;
+use super::courses::{Around as AroundCourse, Courses};
 use super::library::Library;
 use super::settings::Settings;
 use super::workers::Workers;
@@ -21,6 +22,8 @@ pub struct App {
     pub(super) library: Library,
     pub(super) assets: Assets,
     pub(super) workers: Workers,
+    /// The pages of courses, where there are any.
+    pub(super) courses: Option<Arc<Courses>>,
     site: Site,
     renderer: Renderer,
 }
@@ -34,6 +37,10 @@ struct Around<'a, Page> {
     assets: String,
     /// The state of the watched files; nothing where none are watched.
     watch: Option<String>,
+    /// Whether there are pages of courses.
+    has_courses: bool,
+    /// What a page of a course knows besides.
+    who: Option<&'a AroundCourse>,
     page: &'a Page,
 }
 
@@ -48,6 +55,7 @@ impl App {
             library: Library::open(settings.watch.as_deref())?,
             assets: Assets::new(templates)?,
             workers: Workers::new(),
+            courses: None,
             site: Site::new(templates)?,
             renderer: Renderer::new(templates)?.figures(Figures::Unstyled),
             settings,
@@ -65,11 +73,27 @@ impl App {
         Engine { problems: &self.library, renderer: &self.renderer, limits: self.settings.limits }
     }
 
+    /// The same with pages of courses.
+    #[must_use]
+    pub fn with_courses(self, courses: Courses) -> Self {
+        Self { courses: Some(Arc::new(courses)), ..self }
+    }
+
     /// A page through the template of that name.
     pub(super) fn page(&self, name: &str, page: &impl Serialize) -> Result<String, Refused> {
+        self.filled(None, name, page)
+    }
+
+    /// A page of a course.
+    pub(super) fn page_for(&self, who: &AroundCourse, name: &str, page: &impl Serialize) -> Result<String, Refused> {
+        self.filled(Some(who), name, page)
+    }
+
+    fn filled(&self, who: Option<&AroundCourse>, name: &str, page: &impl Serialize) -> Result<String, Refused> {
         let base = self.settings.base_path.as_str();
         let watch = self.settings.watch.is_some().then(|| self.library.stamp().to_string());
-        let around = Around { base, assets: format!("{base}/static/{}", self.assets.digest), watch, page };
+        let assets = format!("{base}/static/{}", self.assets.digest);
+        let around = Around { base, assets, watch, has_courses: self.courses.is_some(), who, page };
         self.site.page(name, &around).map_err(|faults| Refused::fault(&faults))
     }
 }

@@ -30,6 +30,7 @@ const BUILT_IN: &[(&str, &[u8])] = &built_in![
     "collision.js",
     "play.js",
     "plot.js",
+    "handed-in.js",
     "practice.js",
     "reach.js",
     "restitution.js",

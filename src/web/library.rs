@@ -16,6 +16,7 @@ use crate::bank::files_under;
 use crate::bank::load_in_course;
 use crate::exercise::calls::{Problems, Refused, RefusedKind};
 use crate::fault::Faults;
+use crate::fault::Source;
 use crate::problem::Problem;
 use crate::problem::compile;
 
@@ -74,6 +75,14 @@ impl Library {
         Ok(cards)
     }
 
+    /// The file of a problem of the bank.
+    pub(super) fn source(&self, id: &str) -> Result<Source, Refused> {
+        let shelf = self.shelf()?;
+        // The scenes of the simulators are there whatever bank is shown.
+        let found = shelf.bank.find(id).or_else(|faults| self.built_in.find(id).map_err(|_| faults));
+        found.cloned().map_err(|faults| unknown(&faults))
+    }
+
     /// The shelf; under watch it is read anew where a file was saved.
     fn shelf(&self) -> Result<MutexGuard<'_, Shelf>, Refused> {
         // Whoever panicked while holding it left it whole: every change is one assignment.
@@ -97,9 +106,8 @@ impl Problems for Library {
             if let Some(problem) = shelf.compiled.get(id) {
                 return Ok(Arc::clone(problem));
             }
-            // The scenes of the simulators are there whatever bank is shown.
-            let found = shelf.bank.find(id).or_else(|faults| self.built_in.find(id).map_err(|_| faults));
-            found.map_err(|faults| unknown(&faults))?.clone()
+            drop(shelf);
+            self.source(id)?
         };
         // Others are served while it compiles; where two compile it at once, both have the same.
         let problem = load_in_course(source).and_then(|loaded| compile(loaded, None));

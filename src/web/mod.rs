@@ -4,7 +4,9 @@
 mod answer;
 mod app;
 mod assets;
+mod courses;
 mod headers;
+pub mod invite;
 mod library;
 mod pages;
 mod parameters;
@@ -14,6 +16,7 @@ mod settings;
 mod workers;
 
 pub use app::App;
+pub use courses::{Address, Clock, Courses, Who, addresses};
 pub use routes::router;
 pub use server::{NotServed, serve};
 pub use settings::Settings;

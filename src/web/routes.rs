@@ -24,6 +24,7 @@ use crate::exercise::calls::{Refused, RefusedKind};
 
 use super::answer;
 use super::app::{App, Shared};
+use super::courses::with_courses;
 use super::headers::{FOR_EVER, HEADERS};
 use super::pages;
 use super::parameters::Parameters;
@@ -56,6 +57,7 @@ pub fn router(app: Arc<App>) -> Router {
     for (path, make) in OF_PROBLEMS {
         own = own.route(path, of_problem(make));
     }
+    let own = with_courses(own, &app);
     let own = own.with_state(Arc::clone(&app)).layer(DefaultBodyLimit::max(app.settings.limits.request_bytes));
     let mut all = if base.is_empty() {
         own

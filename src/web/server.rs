@@ -8,8 +8,12 @@ use tokio::net::TcpListener;
 use tokio::runtime::Builder;
 
 use crate::fault::Faults;
+use crate::store::Store;
+use crate::store::StoreFault;
 
 use super::app::App;
+use super::courses::{Clock, Courses};
+use super::invite;
 use super::routes::router;
 use super::settings::Settings;
 
@@ -22,23 +26,37 @@ pub enum NotServed {
     /// The address cannot be used.
     #[error("{0} cannot be used: {1}")]
     Address(SocketAddr, io::Error),
+    /// The data of courses cannot be used.
+    #[error(transparent)]
+    Data(#[from] StoreFault),
     /// The server cannot start, or broke off.
     #[error("the server cannot go on: {0}")]
     Broken(#[from] io::Error),
 }
 
+/// The link with which the first operator signs in.
+const FIRST: &str = "operator";
+
 /// Serves until the program is told to stop (Ctrl-C, or SIGTERM); requests under way are answered first. `ready` hears the address as
-/// soon as there is one.
+/// soon as there is one, and the path of a link for the first operator where nobody can sign in yet.
 ///
 /// # Errors
 /// Where the bank or a template cannot be read, or the address is taken.
-pub fn serve(settings: Settings, ready: impl FnOnce(SocketAddr)) -> Result<(), NotServed> {
-    let bind = settings.bind;
-    let app = Arc::new(App::new(settings)?);
+pub fn serve(settings: Settings, ready: impl FnOnce(SocketAddr, Option<String>)) -> Result<(), NotServed> {
+    let (bind, data) = (settings.bind, settings.data.clone());
+    let mut app = App::new(settings)?;
     Builder::new_multi_thread().enable_all().build()?.block_on(async {
+        let mut first = None;
+        if let Some(address) = data {
+            let store = Store::serve(&address).await?;
+            if store.is_empty().await? {
+                first = invite::add(&store, FIRST, "Operator", true, &Clock::default()).await?;
+            }
+            app = app.with_courses(Courses::new(store, Clock::default()));
+        }
         let listener = TcpListener::bind(bind).await.map_err(|error| NotServed::Address(bind, error))?;
-        ready(listener.local_addr()?);
-        axum::serve(listener, router(app)).with_graceful_shutdown(told_to_stop()).await?;
+        ready(listener.local_addr()?, first);
+        axum::serve(listener, router(Arc::new(app))).with_graceful_shutdown(told_to_stop()).await?;
         Ok(())
     })
 }

@@ -4,6 +4,7 @@ use std::net::SocketAddr;
 use std::path::PathBuf;
 
 use crate::exercise::calls::Limits;
+use crate::store::Address;
 
 /// How a server is set up.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -12,6 +13,12 @@ pub struct Settings {
     pub bind: SocketAddr,
     /// Where its pages begin, as a reader's browser sees it: the path that a proxy puts before them, without a slash at its end.
     pub base_path: String,
+    /// The host and port of that address, where a proxy stands before the server: forms come from there.
+    pub host: Option<String>,
+    /// Whether readers reach it by TLS: cookies then go no other way.
+    pub is_secure: bool,
+    /// Where the data of courses are; without one there are no courses.
+    pub data: Option<Address>,
     /// A folder of problems that is followed as its files are saved.
     pub watch: Option<PathBuf>,
     /// A folder of templates in place of the built-in ones.
@@ -25,6 +32,9 @@ impl Default for Settings {
         Self {
             bind: SocketAddr::from(([127, 0, 0, 1], 8080)),
             base_path: String::new(),
+            host: None,
+            is_secure: false,
+            data: None,
             watch: None,
             templates: None,
             limits: Limits::default(),

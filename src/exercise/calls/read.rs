@@ -5,6 +5,7 @@ use serde::Serialize;
 
 use crate::grade::DecimalMark;
 
+use super::super::Exercise;
 use super::Engine;
 use super::refused::{Refused, RefusedKind};
 use super::variant::VariantRequest;
@@ -39,14 +40,23 @@ impl Engine<'_> {
     /// # Errors
     /// As for a sheet, and where the part is not asked.
     pub fn read(&self, request: &ReadRequest) -> Result<ReadResponse, Refused> {
-        let exercise = self.draw(&request.variant)?;
+        ReadResponse::of(&self.draw(&request.variant)?, &request.part, &request.text, request.decimal)
+    }
+}
+
+impl ReadResponse {
+    /// How an answer to a part of a variant that was drawn is read.
+    ///
+    /// # Errors
+    /// Where the part is not asked.
+    pub fn of(exercise: &Exercise, part: &str, text: &str, decimal: DecimalMark) -> Result<Self, Refused> {
         let part = exercise
-            .part(&request.part)
-            .ok_or_else(|| Refused::new(RefusedKind::Unknown, format!("`{}` is not asked for here", request.part)))?;
-        Ok(match exercise.echo(part, &request.text, request.decimal) {
-            None => ReadResponse::default(),
-            Some(Ok(understood)) => ReadResponse { understood: Some(understood), unreadable: None },
-            Some(Err(why)) => ReadResponse { understood: None, unreadable: Some(why) },
+            .part(part)
+            .ok_or_else(|| Refused::new(RefusedKind::Unknown, format!("`{part}` is not asked for here")))?;
+        Ok(match exercise.echo(part, text, decimal) {
+            None => Self::default(),
+            Some(Ok(understood)) => Self { understood: Some(understood), unreadable: None },
+            Some(Err(why)) => Self { understood: None, unreadable: Some(why) },
         })
     }
 }

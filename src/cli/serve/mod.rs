@@ -1,0 +1,125 @@
+//! `momentous serve`
+
+mod base_url;
+mod copy;
+mod data;
+mod user;
+
+use std::net::SocketAddr;
+use std::path::PathBuf;
+
+use clap::Args;
+use clap::Subcommand;
+
+use crate::store::Address;
+use crate::web::NotServed;
+use crate::web::Settings;
+use crate::web::serve;
+
+use super::exit::Exit;
+use super::failure::Failure;
+use super::output::Output;
+use base_url::BaseUrl;
+
+const HELP: &str = "\
+Examples:
+  momentous serve                                    practice, simulators and courses on http://127.0.0.1:8080
+  momentous serve --bind 0.0.0.0:80                  for everybody who reaches this machine
+  momentous serve --base-url https://physics.example.edu/momentous
+  momentous serve --data postgres://momentous:password@db/courses
+  momentous serve --watch problem_bank               an author's preview: pages follow the files as they are saved
+  momentous serve user add ada --operator            a link with which Ada signs in and runs the server
+  momentous serve backup 2026-11-30.sqlite           a copy of everything, while the server works
+
+Ctrl-C stops it. docs/serving.md has the rest: proxy, service, backup, upgrade.";
+
+/// Serve practice, simulators and courses as web pages
+#[derive(Args, Debug)]
+#[command(after_help = HELP, args_conflicts_with_subcommands = true)]
+pub(super) struct Serve {
+    #[command(subcommand)]
+    command: Option<Beside>,
+    /// The address on which to listen
+    #[arg(long, value_name = "ADDRESS", default_value = "127.0.0.1:8080")]
+    bind: SocketAddr,
+    /// Where readers reach the pages, where a proxy stands before them
+    #[arg(long, value_name = "URL", default_value = "")]
+    base_url: BaseUrl,
+    #[command(flatten)]
+    data: data::Data,
+    /// Serve practice and simulators only, and keep nothing
+    #[arg(long)]
+    no_courses: bool,
+    /// Follow the problem files of this folder as they are saved
+    #[arg(long, value_name = "FOLDER")]
+    watch: Option<PathBuf>,
+    /// Take templates from this folder in place of the built-in ones
+    #[arg(long, value_name = "FOLDER")]
+    templates: Option<PathBuf>,
+}
+
+/// What is done to the data while the server works, or before it starts.
+#[derive(Debug, Subcommand)]
+enum Beside {
+    Backup(copy::Backup),
+    Restore(copy::Restore),
+    User(user::User),
+}
+
+impl Serve {
+    pub(super) fn run(&self) -> Result<Exit, Failure> {
+        match &self.command {
+            Some(Beside::Backup(backup)) => backup.run(),
+            Some(Beside::Restore(restore)) => restore.run(),
+            Some(Beside::User(user)) => user.run(),
+            None => self.serve(),
+        }
+    }
+
+    fn serve(&self) -> Result<Exit, Failure> {
+        let settings = Settings {
+            bind: self.bind,
+            base_path: self.base_url.path.clone(),
+            host: self.base_url.host.clone(),
+            is_secure: self.base_url.is_secure,
+            data: (!self.no_courses).then(|| self.data.address.clone()),
+            watch: self.watch.clone(),
+            templates: self.templates.clone(),
+            ..Settings::default()
+        };
+        let path = self.base_url.path.clone();
+        let told = serve(settings, |address, first| {
+            let page = |path: &str| match &self.base_url.host {
+                Some(host) => format!("{}://{host}{path}", if self.base_url.is_secure { "https" } else { "http" }),
+                None => format!("http://{address}{path}"),
+            };
+            let first = first.map_or_else(String::new, |link| {
+                format!(
+                    "Nobody can sign in yet. This link makes you the operator, once: {}\n",
+                    page(&format!("{path}{link}"))
+                )
+            });
+            // Where nobody reads standard output there is nobody to tell.
+            let _ = Output::whole(
+                None,
+                &format!("momentous serves {}\n{first}Ctrl-C stops it.\n", page(&format!("{path}/"))),
+            );
+        });
+        told.map_err(|reason| match reason {
+            NotServed::Faults(faults) => Failure::from(faults),
+            NotServed::Address(..) => {
+                Failure::unusable(format!("{reason}\nhelp: choose another with --bind, such as 127.0.0.1:8081"))
+            }
+            NotServed::Data(fault) => self.data.failure(&fault),
+            NotServed::Broken(_) => Failure::unusable(reason.to_string()),
+        })?;
+        Ok(Exit::Fine)
+    }
+}
+
+/// The folder of data where none is named.
+const FOLDER: &str = "momentous-data";
+
+fn address(text: &str) -> Result<Address, String> {
+    text.parse().map_err(|fault: crate::store::StoreFault| fault.to_string())
+}

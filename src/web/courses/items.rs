@@ -1,0 +1,79 @@
+//! Items of assignments, and the problems behind them.
+
+use std::sync::Arc;
+
+use crate::bank::FOLDER;
+use crate::course::{Item, Key, ProblemFile};
+use crate::exercise::calls::{Refused, RefusedKind};
+use crate::fault::Source;
+use crate::problem::{Problem, digest};
+use crate::store::AssignmentWithItems;
+
+use super::outcome::NotShown;
+use super::visit::Visit;
+
+/// An assignment of the course of the address, with one of its items.
+pub(super) async fn of(visit: &Visit, item: Key<Item>) -> Result<(AssignmentWithItems, Key<Item>), NotShown> {
+    let missing = || NotShown::missing("there is no such problem in this course");
+    let found = visit.store().item(item).await?.ok_or_else(missing)?;
+    let whole = visit.store().assignment(found.assignment).await?.ok_or_else(missing)?;
+    if whole.assignment.course == visit.course()?.key { Ok((whole, item)) } else { Err(missing()) }
+}
+
+/// The assignment with its problems pinned, once it has opened: what is drawn from then on is drawn from the files as they are now.
+pub(super) async fn pinned(visit: &Visit, whole: AssignmentWithItems) -> Result<AssignmentWithItems, NotShown> {
+    if whole.assignment.pinned.is_some() || visit.now < whole.assignment.policy.opens {
+        return Ok(whole);
+    }
+    let mut pinned = whole.clone();
+    for item in &mut pinned.items {
+        let file = current(visit, &item.problem).await?;
+        item.digest = Some(file.digest.clone());
+        // A file of the course is kept already.
+        if file.course.is_none() {
+            visit.store().save_problem_file(&file, None).await?;
+        }
+    }
+    pinned.assignment.pinned = Some(visit.now);
+    let entry = visit.entry("problems pinned", pinned.assignment.key.to_string());
+    visit.store().save_assignment(&pinned, &entry).await?;
+    // Another request may have done the same; what is kept counts.
+    Ok(visit.store().assignment(pinned.assignment.key).await?.unwrap_or(pinned))
+}
+
+/// The file of a problem as it is now: the course's own that was published last, else the bank's.
+pub(super) async fn current(visit: &Visit, problem: &str) -> Result<ProblemFile, NotShown> {
+    let own = visit.store().problem_files(visit.course()?.key).await?;
+    let published = own.into_iter().filter(|file| file.problem == problem && file.published.is_some());
+    if let Some(file) = published.max_by_key(|file| file.published) {
+        return Ok(file);
+    }
+    let source = visit.app.library.source(problem)?;
+    Ok(ProblemFile {
+        digest: digest(&source),
+        problem: problem.to_owned(),
+        text: source.text.to_string(),
+        course: None,
+        published: Some(visit.now),
+        saved: visit.now,
+    })
+}
+
+/// The problem of an item, compiled: as it was pinned, or before that as it is now.
+pub(super) async fn problem(visit: &Visit, item: &Item) -> Result<Arc<Problem>, NotShown> {
+    let course = visit.course()?.clone();
+    if let Some(known) = item.digest.as_ref().and_then(|digest| visit.courses.library.known(course.key, digest)) {
+        return Ok(known);
+    }
+    let file = match &item.digest {
+        Some(digest) => visit.store().problem_file(course.key, digest).await?.ok_or_else(|| {
+            let message = format!("the file of {} with the digest {digest} is missing", item.problem);
+            NotShown::Refused(Refused::new(RefusedKind::Fault, message))
+        })?,
+        None => current(visit, &item.problem).await?,
+    };
+    let courses = Arc::clone(&visit.courses);
+    // In this folder it is under the settings of the bank, as it was when it was read from there.
+    let source = Source::new(&format!("{FOLDER}/{}.yaml", file.problem), &file.text);
+    visit.work(move |_| Ok(courses.library.problem(&course, &file.digest, source)?)).await
+}

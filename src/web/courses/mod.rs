@@ -1,0 +1,26 @@
+//! The pages of courses: who may see which is said in one table, and each page is one function of a [`Visit`].
+
+mod account;
+mod clock;
+mod gate;
+mod items;
+mod library;
+mod limits;
+mod origin;
+mod outcome;
+mod password;
+mod reply;
+mod routes;
+pub(super) mod session;
+mod state;
+mod student;
+mod table;
+mod visit;
+
+pub use clock::Clock;
+pub use gate::Who;
+pub use state::Courses;
+pub use table::{Address, addresses};
+
+pub(super) use routes::with_courses;
+pub(super) use visit::Around;

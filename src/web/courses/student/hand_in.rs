@@ -1,0 +1,89 @@
+//! Handing in, saving a draft, and reading while somebody types.
+
+use std::sync::Arc;
+
+use serde_json::json;
+
+use crate::course::{self, Attempt, Draft, Refusal};
+use crate::exercise::calls::{ReadResponse, within};
+use crate::store::{HandIn, HandedIn};
+
+use super::super::outcome::NotShown;
+use super::super::reply::Reply;
+use super::super::visit::Visit;
+use super::item_page::{After, page};
+use super::own_sheet::OwnSheet;
+
+/// Before the name of a part in the names of fields.
+pub(super) const ANSWER: &str = "answer.";
+/// How often an attempt is marked again where others are handed in at the same time.
+const AGAIN: usize = 8;
+
+/// Hands in what was typed. The page that follows shows what is kept; a reload hands nothing in again.
+pub(in crate::web::courses) async fn hand_in(visit: &Visit) -> Result<Reply, NotShown> {
+    visit.courses.limits.answer(visit.person()?.key)?;
+    let answers = visit.fields.behind(ANSWER);
+    within(answers.len(), visit.app.settings.limits.values, "answers can be handed in")?;
+    let request = visit.fields.get("request").unwrap_or_default().to_owned();
+    for _ in 0..AGAIN {
+        let own = OwnSheet::of(visit).await?;
+        if own.attempts.iter().any(|attempt| !request.is_empty() && attempt.request == request) {
+            return Ok(Reply::To(own.address(visit)? + "#marks"));
+        }
+        let (exercise, last, hints) = (Arc::clone(&own.exercise), own.last.clone(), own.hints.clone());
+        let (policy, window) = (own.whole.assignment.policy.clone(), own.window.clone());
+        let (decimal, typed, at) = (own.sheet.issued.decimal, answers.clone(), visit.now);
+        let taken = visit
+            .work(move |_| {
+                let (answers, hints, last) = (&typed, hints.as_slice(), last.as_ref());
+                let (policy, window, exercise) = (&policy, &window, exercise.as_ref());
+                Ok(course::HandIn { exercise, decimal, last, answers, hints, policy, window, at }.take())
+            })
+            .await?;
+        let accepted = match taken {
+            Ok(accepted) => accepted,
+            Err(refusal) => return refused(visit, &own, refusal).await,
+        };
+        let number = own.attempts.last().map_or(0, |last| last.number) + 1;
+        let report = serde_json::value::to_raw_value(&accepted.stored).map_err(|error| NotShown::Store(error.into()))?;
+        let request = if request.is_empty() { format!("number {number}") } else { request.clone() };
+        let attempt =
+            Attempt { sheet: own.sheet.key, number, received: at, answers: answers.clone(), report, request };
+        let hand_in = HandIn { attempt: &attempt, assignment: own.whole.assignment.key, revision: own.whole.revision };
+        match visit.store().hand_in(hand_in).await? {
+            HandedIn::Kept | HandedIn::Before(_) => return Ok(Reply::To(own.address(visit)? + "#marks")),
+            // Something came between; what it was decides anew.
+            HandedIn::Stale => {}
+        }
+    }
+    Err(NotShown::Conflict("other answers to this problem were handed in at the same time, and these were not kept".to_owned()))
+}
+
+/// The page with what was typed, and why it was not taken.
+async fn refused(visit: &Visit, own: &OwnSheet, refusal: Refusal) -> Result<Reply, NotShown> {
+    let after = After { typed: Some(visit.fields.behind(ANSWER)), refusal: Some(refusal.to_string()) };
+    Ok(page(visit, own, after).await?.wrong())
+}
+
+/// Keeps what was typed without handing it in.
+pub(in crate::web::courses) async fn draft(visit: &Visit) -> Result<Reply, NotShown> {
+    visit.courses.limits.answer(visit.person()?.key)?;
+    let answers = visit.fields.behind(ANSWER);
+    within(answers.len(), visit.app.settings.limits.values, "answers can be saved")?;
+    let own = OwnSheet::of(visit).await?;
+    visit.store().save_draft(&Draft { sheet: own.sheet.key, answers, saved: visit.now }).await?;
+    if visit.fields.get("do") == Some("script") {
+        return Ok(Reply::Json(json!({ "saved": visit.now.shown(&visit.course()?.zone) })));
+    }
+    Ok(Reply::To(own.address(visit)? + "#marks"))
+}
+
+/// How an answer is read. It knows the field and nothing of what is right.
+pub(in crate::web::courses) async fn read(visit: &Visit) -> Result<Reply, NotShown> {
+    visit.courses.limits.reading(visit.person()?.key)?;
+    let own = OwnSheet::of(visit).await?;
+    let [part, text] = ["part", "text"].map(|name| visit.fields.get(name).unwrap_or_default().to_owned());
+    let decimal = own.sheet.issued.decimal;
+    let read = visit.work(move |_| Ok(ReadResponse::of(&own.exercise, &part, &text, decimal)?)).await?;
+    Ok(Reply::Json(json!(read)))
+}

@@ -1,0 +1,188 @@
+//! The page of an item: the sheet, what was handed in, and what was found.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
+use crate::course::{Found, Phase, Score, ShownPart, StoredReport};
+use crate::exercise::calls::{HintResponse, SheetResponse};
+use crate::grade::{Entry, Points};
+use crate::render::Fragment;
+
+use super::super::outcome::NotShown;
+use super::super::reply::Reply;
+use super::super::session;
+use super::super::visit::Visit;
+use super::own_sheet::OwnSheet;
+
+#[derive(Serialize)]
+struct ItemPage {
+    title: String,
+    assignment: String,
+    assignment_title: String,
+    item: String,
+    /// The key by which a repeated request is known.
+    request: String,
+    sheet: SheetResponse,
+    fields: Vec<FieldState>,
+    /// What each attempt was: its number and when the server had it.
+    receipts: Vec<Receipt>,
+    /// The points of the item, once verdicts are shown and something was handed in.
+    points: Option<Points>,
+    out_of: u32,
+    phase: &'static str,
+    /// The share of the points that is left now, where answers are late.
+    left: Option<String>,
+    due: String,
+    closes: String,
+    hints: Vec<Fragment>,
+    hint_costs: Option<String>,
+    further_costs: Option<String>,
+    attempts: Option<u32>,
+    attempt_costs: Option<String>,
+    verdicts_later: bool,
+    shows_solution: bool,
+    /// Why nothing was taken, where the page follows a form.
+    refusal: Option<String>,
+    saved: Option<String>,
+}
+
+#[derive(Serialize)]
+struct FieldState {
+    typed: String,
+    /// Whether the answer can no longer be changed, because it is right.
+    locked: bool,
+    /// How many attempts are left; nothing where any number is.
+    left: Option<u32>,
+    read: Option<String>,
+    unread: Option<String>,
+    found: Option<Found>,
+    further: Vec<String>,
+    more_further: bool,
+}
+
+#[derive(Serialize)]
+struct Receipt {
+    number: u32,
+    received: String,
+    late: bool,
+    counts: bool,
+}
+
+/// What stands in the fields after a form, in place of what was handed in.
+#[derive(Default)]
+pub(super) struct After {
+    pub(super) typed: Option<BTreeMap<String, String>>,
+    pub(super) refusal: Option<String>,
+}
+
+/// The page of an item.
+pub(in crate::web::courses) async fn item(visit: &Visit) -> Result<Reply, NotShown> {
+    let own = OwnSheet::of(visit).await?;
+    page(visit, &own, After::default()).await
+}
+
+pub(super) async fn page(visit: &Visit, own: &OwnSheet, after: After) -> Result<Reply, NotShown> {
+    let course = visit.course()?;
+    let zone = course.zone.as_str();
+    let draft = visit.store().draft(own.sheet.key).await?;
+    let last_received = own.attempts.last().map(|attempt| attempt.received);
+    let draft = draft.filter(|draft| last_received.is_none_or(|received| draft.saved > received));
+    let saved = draft.as_ref().map(|draft| draft.saved.shown(zone));
+    let typed = after.typed.or(draft.map(|draft| draft.answers)).unwrap_or_default();
+    let shown_hints: Vec<u32> = own.hints.iter().filter(|hint| hint.part.is_none()).map(|hint| hint.number).collect();
+    let exercise = std::sync::Arc::clone(&own.exercise);
+    let (sheet, hints) = visit
+        .work(move |_| {
+            let hint = |number: &u32| Ok(HintResponse::of(&exercise, usize::try_from(*number).unwrap_or(usize::MAX))?.hint);
+            let hints = shown_hints.iter().map(hint).collect::<Result<Vec<Fragment>, NotShown>>()?;
+            Ok((SheetResponse::of(&exercise)?, hints))
+        })
+        .await?;
+    let policy = &own.whole.assignment.policy;
+    let shown = own.last.as_ref().map(|last| last.shown(&own.window, visit.now));
+    let field = |id: &String| {
+        let part = shown.as_ref().and_then(|shown| shown.parts.iter().find(|part| part.id == *id));
+        let stored = own.last.as_ref();
+        FieldState::of(id, part, stored, own, visit, typed.get(id).cloned(), policy.attempts)
+    };
+    let phase = own.window.phase(visit.now);
+    let costs = |share: &crate::course::Share| (!share.is_nothing()).then(|| share.percent());
+    let page = ItemPage {
+        title: sheet.title.clone(),
+        assignment: own.whole.assignment.key.to_string(),
+        assignment_title: own.whole.assignment.title.clone(),
+        item: own.item.key.to_string(),
+        request: session::key::<()>().to_string(),
+        fields: sheet.fields.iter().map(|own| field(&own.id)).collect(),
+        receipts: receipts(own, zone),
+        points: own
+            .last
+            .as_ref()
+            .filter(|_| own.window.shows_verdicts(visit.now))
+            .and_then(|last| Some(Points(Score::of(last)?.scaled(own.item.points).points))),
+        out_of: own.item.points,
+        left: match &phase {
+            Phase::Late(late) => Some(Points(&late.factor * crate::quantity::Rational::from(100)).to_string()),
+            _ => None,
+        },
+        phase: match phase {
+            Phase::NotOpen => "not open",
+            Phase::Open => "open",
+            Phase::Late(_) => "late",
+            Phase::Over | Phase::Closed => "closed",
+        },
+        due: own.window.due.shown(zone),
+        closes: own.window.closes.shown(zone),
+        hints,
+        hint_costs: costs(&policy.hint_penalty),
+        further_costs: costs(&policy.further_penalty),
+        attempts: policy.attempts,
+        attempt_costs: costs(&policy.attempt_penalty),
+        verdicts_later: !own.window.shows_verdicts(visit.now),
+        shows_solution: own.window.shows_solutions(visit.now),
+        refusal: after.refusal,
+        saved,
+        sheet,
+    };
+    visit.page("courses/item", page).await
+}
+
+impl FieldState {
+    fn of(
+        id: &str,
+        part: Option<&ShownPart>,
+        stored: Option<&StoredReport>,
+        own: &OwnSheet,
+        visit: &Visit,
+        typed: Option<String>,
+        most: Option<u32>,
+    ) -> Self {
+        let place = own.exercise.worked().form.parts.iter().position(|own| own.id == id);
+        let history = stored.and_then(|stored| stored.history.parts().get(place?));
+        let handed_in = history.map(|own| own.text().to_owned()).unwrap_or_default();
+        let kept = stored.and_then(|stored| stored.part(id));
+        let locked = part.is_some_and(|part| part.entry == Entry::Locked || part.found.as_ref().is_some_and(|found| found.right));
+        Self {
+            typed: if locked { handed_in } else { typed.unwrap_or(handed_in) },
+            locked,
+            left: most.map(|most| most.saturating_sub(part.map_or(0, |part| part.made))),
+            read: part.and_then(|part| part.read.clone()),
+            unread: part.and_then(|part| part.unread.clone()),
+            found: part.and_then(|part| part.found.clone()),
+            further: kept.into_iter().flat_map(|kept| kept.hints_shown(&own.hints)).map(str::to_owned).collect(),
+            more_further: kept.is_some_and(|kept| kept.next_hint(&own.hints, &own.window, visit.now).is_some()),
+        }
+    }
+}
+
+fn receipts(own: &OwnSheet, zone: &str) -> Vec<Receipt> {
+    let counting = own.last.as_ref().and_then(|last| last.history.counting());
+    let receipt = |attempt: &crate::course::Attempt| Receipt {
+        number: attempt.number,
+        received: attempt.received.shown_exactly(zone),
+        late: attempt.received > own.window.due,
+        counts: counting == Some(attempt.number),
+    };
+    own.attempts.iter().map(receipt).collect()
+}

@@ -1,0 +1,91 @@
+//! A student's sheet of an item, with everything that decides what may be done with it.
+
+use std::sync::Arc;
+
+use crate::course::{Attempt, HintShown, Item, Key, Phase, Sheet, StoredReport, Window};
+use crate::exercise::{Derivation, Exercise, SeedSource};
+use crate::exercise::calls::Refused;
+use crate::problem::Problem;
+use crate::store::AssignmentWithItems;
+
+use super::super::items;
+use super::super::outcome::NotShown;
+use super::super::session;
+use super::super::visit::Visit;
+
+/// A student's sheet of an item, with everything that decides what may be done with it.
+pub(super) struct OwnSheet {
+    pub(super) whole: AssignmentWithItems,
+    pub(super) item: Item,
+    /// The times of the assignment for this student.
+    pub(super) window: Window,
+    pub(super) sheet: Sheet,
+    /// The variant.
+    pub(super) exercise: Arc<Exercise>,
+    /// What was handed in, in its order.
+    pub(super) attempts: Vec<Attempt>,
+    /// What was kept of the last of these.
+    pub(super) last: Option<StoredReport>,
+    /// The hints that were shown.
+    pub(super) hints: Vec<HintShown>,
+}
+
+impl OwnSheet {
+    /// The sheet of the item in the address, for whoever asks. It is drawn when it is first seen.
+    pub(super) async fn of(visit: &Visit) -> Result<Self, NotShown> {
+        let (whole, item) = items::of(visit, visit.key("item")?).await?;
+        let whole = items::pinned(visit, whole).await?;
+        // Pinning has written the digest of its problem into the item.
+        let item = whole.items.iter().find(|own| own.key == item).cloned().ok_or_else(no_item)?;
+        let place = visit.place()?;
+        let extension = visit.store().extension(whole.assignment.key, place.member.key).await?;
+        let window = Window::of(&whole.assignment.policy, extension.as_ref(), &place.course.zone);
+        if window.phase(visit.now) == Phase::NotOpen && !place.member.role.is_staff() {
+            return Err(no_item());
+        }
+        let problem = items::problem(visit, &item).await?;
+        let (sheet, exercise) = drawn(visit, &item, problem).await?;
+        let attempts = visit.store().attempts(sheet.key).await?;
+        let last = attempts.last().map(StoredReport::of).transpose().map_err(|error| NotShown::Store(error.into()))?;
+        let hints = visit.store().hints(sheet.key).await?;
+        Ok(Self { whole, item, window, sheet, exercise: Arc::new(exercise), attempts, last, hints })
+    }
+
+    /// The address of its page.
+    pub(super) fn address(&self, visit: &Visit) -> Result<String, NotShown> {
+        visit.in_course(&format!("/items/{}", self.item.key))
+    }
+}
+
+fn no_item() -> NotShown {
+    NotShown::missing("there is no such problem in this course, or it is not open yet")
+}
+
+/// The sheet as it was issued, or a new one. Two requests at once get the same: the first that is kept.
+async fn drawn(visit: &Visit, item: &Item, problem: Arc<Problem>) -> Result<(Sheet, Exercise), NotShown> {
+    let (course, member) = (visit.course()?, visit.place()?.member.key);
+    let redrawn = |sheet: Sheet, problem: Arc<Problem>| {
+        visit.work(move |_| Ok((sheet.issued.draw(&problem).map_err(Refused::from)?, sheet)))
+    };
+    if let Some(sheet) = visit.store().sheet(item.key, member, item.issue).await? {
+        let (exercise, sheet) = redrawn(sheet, problem).await?;
+        return Ok((sheet, exercise));
+    }
+    let seeds = SeedSource { secret: Some(course.secret.as_bytes()), ..SeedSource::default() };
+    // Names and identities do not enter the seed: they may change, and others may know them.
+    let student = if item.issue == 0 { member.to_string() } else { format!("{member}/{}", item.issue) };
+    let seed = seeds.seed(&student, &item.problem, item.form.as_deref().unwrap_or_default());
+    let (form, decimal, own) = (item.form.clone(), course.decimal, Arc::clone(&problem));
+    let issued = visit.work(move |_| {
+        let form = own.form(form.as_deref()).ok_or_else(no_item)?;
+        let exercise = Exercise::draw(&own, form, seed).map_err(Refused::from)?;
+        Ok(exercise.issue(Some(Derivation::default()), decimal))
+    });
+    let issued = issued.await?;
+    let key: Key<Sheet> = session::key();
+    let sheet = Sheet { key, item: item.key, member, issue: item.issue, issued, seen: visit.now };
+    visit.store().add_sheet(&sheet).await?;
+    let kept = visit.store().sheet(item.key, member, item.issue).await?.unwrap_or(sheet);
+    let (exercise, sheet) = redrawn(kept, problem).await?;
+    Ok((sheet, exercise))
+}

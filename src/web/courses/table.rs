@@ -1,0 +1,78 @@
+//! Every page of courses: its address, who may see it, and what makes it. The router is built from this table, and nothing is served
+//! that is not in it.
+
+use std::pin::Pin;
+
+use crate::course::Role::Student;
+
+use super::account;
+use super::gate::Who;
+use super::outcome::NotShown;
+use super::reply::Reply;
+use super::student;
+use super::visit::Visit;
+
+/// What makes a page.
+pub(super) type Make = for<'v> fn(&'v Visit) -> Pin<Box<dyn Future<Output = Result<Reply, NotShown>> + Send + 'v>>;
+
+/// What a request does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Does {
+    /// It shows something.
+    Shows,
+    /// It changes something.
+    Changes,
+}
+
+/// One row: what it does at which address, who may, and how it is made.
+pub(super) struct Row {
+    pub(super) does: Does,
+    pub(super) address: &'static str,
+    pub(super) who: Who,
+    pub(super) make: Make,
+}
+
+/// Rows of the table, as they are read best.
+macro_rules! rows {
+    ($($does:ident $address:literal $who:expr, $make:path;)*) => {
+        &[$(Row { does: Does::$does, address: $address, who: $who, make: |visit| Box::pin($make(visit)) }),*]
+    };
+}
+
+const STUDENT: Who = Who::Member(Student);
+
+/// Every page of courses.
+pub(super) const ROWS: &[Row] = rows! {
+    Shows   "/sign-in"                       Who::Anyone, account::sign_in_page;
+    Changes "/sign-in"                       Who::Anyone, account::sign_in;
+    Shows   "/sign-in/{token}"               Who::Anyone, account::link_page;
+    Changes "/sign-in/{token}"               Who::Anyone, account::link;
+    Changes "/sign-out"                      Who::SignedIn, account::sign_out;
+    Shows   "/courses"                       Who::SignedIn, account::courses;
+    Changes "/account/password"              Who::SignedIn, account::password;
+    Shows   "/courses/{course}"              STUDENT, student::course;
+    Shows   "/courses/{course}/assignments/{assignment}" STUDENT, student::assignment;
+    Shows   "/courses/{course}/items/{item}" STUDENT, student::item;
+    Changes "/courses/{course}/items/{item}" STUDENT, student::hand_in;
+    Changes "/courses/{course}/items/{item}/draft" STUDENT, student::draft;
+    Changes "/courses/{course}/items/{item}/read" STUDENT, student::read;
+    Changes "/courses/{course}/items/{item}/hint" STUDENT, student::hint;
+    Changes "/courses/{course}/items/{item}/further/{part}" STUDENT, student::further;
+    Shows   "/courses/{course}/items/{item}/solution" STUDENT, student::solution;
+};
+
+/// An address of the table: for tests that try every one as everybody.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Address {
+    /// Whether it takes a form (`POST`) or shows something (`GET`).
+    pub changes: bool,
+    /// The address, with the names of its parts in braces.
+    pub pattern: &'static str,
+    /// Who may see it.
+    pub who: Who,
+}
+
+/// Every address of the pages of courses.
+pub fn addresses() -> impl Iterator<Item = Address> {
+    ROWS.iter().map(|row| Address { changes: row.does == Does::Changes, pattern: row.address, who: row.who })
+}

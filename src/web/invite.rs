@@ -1,0 +1,44 @@
+//! People who are let in from outside the pages: by whoever has the data.
+
+use crate::course::{Moment, Person};
+use crate::store::{Entry, Store, StoreFault, TicketKind};
+
+use super::courses::{Clock, session};
+
+/// Adds a person, and gives the path of a link with which it signs in; nothing where the name is taken.
+///
+/// # Errors
+/// Where the database refuses.
+pub async fn add(store: &Store, login: &str, name: &str, operator: bool, clock: &Clock) -> Result<Option<String>, StoreFault> {
+    let now = clock.now();
+    let person = Person { key: session::key(), login: login.to_owned(), name: name.to_owned(), operator, erased: None };
+    match store.add_people(std::slice::from_ref(&person), &entry(now, "person added")).await {
+        Err(fault) if fault.is_taken() => Ok(None),
+        added => {
+            added?;
+            Ok(Some(link_for(store, &person, now).await?))
+        }
+    }
+}
+
+/// The path of a new link for a person; nothing where nobody has the name.
+///
+/// # Errors
+/// Where the database refuses.
+pub async fn link(store: &Store, login: &str, clock: &Clock) -> Result<Option<String>, StoreFault> {
+    let now = clock.now();
+    match store.person_named(login).await? {
+        Some(person) => Ok(Some(link_for(store, &person, now).await?)),
+        None => Ok(None),
+    }
+}
+
+async fn link_for(store: &Store, person: &Person, now: Moment) -> Result<String, StoreFault> {
+    let (token, ticket) = session::token(person.key, TicketKind::Link, now);
+    store.add_tickets(vec![ticket], now, Some(&entry(now, "link made"))).await?;
+    Ok(format!("/sign-in/{token}"))
+}
+
+fn entry(at: Moment, what: &str) -> Entry {
+    Entry { key: session::key(), at, by: None, course: None, what: what.to_owned(), detail: String::new() }
+}

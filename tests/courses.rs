@@ -1,0 +1,12 @@
+//! Courses, request by request, without a network: SQLite in a folder of the test's own, and a clock that the test sets.
+#![cfg(feature = "serve")]
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test says bluntly what it expects")]
+
+#[path = "courses/access.rs"]
+mod access;
+#[path = "courses/sign_in.rs"]
+mod sign_in;
+#[path = "courses/staff.rs"]
+mod staff;
+#[path = "courses/university.rs"]
+mod university;

@@ -1,0 +1,67 @@
+//! Nobody sees or does what is not theirs: every address, as everybody.
+
+use momentous::course::Role;
+use momentous::web::{Who, addresses};
+
+use super::university::University;
+
+/// Everybody, with their role in the first course, and whether they run the server.
+const EVERYBODY: [(Option<&str>, Option<Role>, bool); 6] = [
+    (None, None, false),
+    (Some("bob"), Some(Role::Student), false),
+    (Some("cleo"), None, false),
+    (Some("ann"), Some(Role::Assistant), false),
+    (Some("ida"), Some(Role::Instructor), false),
+    (Some("olga"), None, true),
+];
+
+#[test]
+fn every_address_is_shown_to_those_who_may_see_it() {
+    let university = University::new();
+    let whole = university.assignment(&[("impact/two-carts", "forward", 5)], |_| {});
+    for address in addresses() {
+        let own = address
+            .pattern
+            .replace("{course}", &university.course.key.to_string())
+            .replace("{assignment}", &whole.assignment.key.to_string())
+            .replace("{item}", &whole.items[0].key.to_string())
+            .replace("{member}", &University::member("ada").to_string())
+            .replace("{token}", "0")
+            .replace("{digest}", "0");
+        for (login, role, operator) in EVERYBODY {
+            let mut browser = login.map_or_else(|| university.browser(), |login| university.browser_of(login));
+            let may = match address.who {
+                Who::Anyone => true,
+                Who::SignedIn => login.is_some(),
+                Who::Member(least) => role.is_some_and(|role| role >= least),
+                Who::Operator => operator,
+            };
+            let answer = if address.changes { browser.post(&own, &[]) } else { browser.get(&own) };
+            let to_sign_in = answer.header("location").is_some_and(|to| to.starts_with("/sign-in?to="));
+            let refused = matches!(answer.status, 401 | 403) || to_sign_in || (role.is_none() && answer.status == 404);
+            assert_eq!(refused, !may, "{own} as {login:?}: {} {}", answer.status, answer.text);
+            assert_ne!(answer.status, 500, "{own} as {login:?}: {}", answer.text);
+        }
+    }
+}
+
+#[test]
+fn a_form_of_another_site_changes_nothing() {
+    let university = University::new();
+    let mut ida = university.browser_of("ida");
+    for address in addresses().filter(|address| address.changes) {
+        let own = address.pattern.replace("{course}", &university.course.key.to_string());
+        for origin in [Some("https://evil.example"), Some("null"), None] {
+            assert_eq!(ida.post_from(origin, &own, &[]).status, 403, "{own} from {origin:?}");
+        }
+    }
+}
+
+#[test]
+fn no_page_of_a_course_is_kept_by_a_cache() {
+    let university = University::new();
+    let mut ada = university.browser_of("ada");
+    for address in ["/courses", &university.address("")] {
+        assert_eq!(ada.get(address).header("cache-control"), Some("no-store"), "{address}");
+    }
+}
