@@ -34,6 +34,7 @@ pub struct Store {
     pub(super) writer: Writer,
     pub(super) reads: Arc<AtomicU64>,
     pub(super) rows: Arc<AtomicU64>,
+    pub(super) handed_in: Arc<AtomicU64>,
     /// Held while the folder is served.
     _lock: Option<Arc<Lock>>,
 }
@@ -81,6 +82,7 @@ impl Store {
             writer: Writer::start(connection),
             reads: Arc::default(),
             rows: Arc::default(),
+            handed_in: Arc::default(),
             _lock: lock,
         })
     }
@@ -97,12 +99,23 @@ impl Store {
         (self.reads.load(Ordering::Relaxed), self.rows.load(Ordering::Relaxed))
     }
 
+    /// How many attempts were handed in and kept since it was opened.
+    #[must_use]
+    pub fn handed_in(&self) -> u64 {
+        self.handed_in.load(Ordering::Relaxed)
+    }
+
     /// Whether the database answers.
     ///
     /// # Errors
     /// Where it does not.
     pub async fn ping(&self) -> Result<(), StoreFault> {
         self.rows(sqlx::query("SELECT 1")).await.map(|_| ())
+    }
+
+    /// Ends every connection that reads; whoever reads later is refused.
+    pub async fn close(&self) {
+        self.readers.close().await;
     }
 
     /// How SQLite writes its journal, and how far a commit waits for the disk (`2` is until all is on it).
@@ -136,11 +149,16 @@ fn made(folder: &std::path::Path) -> Result<(), StoreFault> {
     builder.create(folder).map_err(|error| StoreFault::Folder(folder.to_owned(), error))
 }
 
-/// A connection of its own, set up as all are.
-pub(super) async fn connect(address: &Address, url: &str) -> Result<AnyConnection, StoreFault> {
+/// A connection that changes nothing of how the database works.
+pub(super) async fn connect_plainly(url: &str) -> Result<AnyConnection, StoreFault> {
     static DRIVERS: Once = Once::new();
     DRIVERS.call_once(sqlx::any::install_default_drivers);
-    let mut connection = AnyConnection::connect(url).await?;
+    Ok(AnyConnection::connect(url).await?)
+}
+
+/// A connection of its own, set up as all are.
+pub(super) async fn connect(address: &Address, url: &str) -> Result<AnyConnection, StoreFault> {
+    let mut connection = connect_plainly(url).await?;
     if matches!(address, Address::Folder(_)) {
         connection.execute(SQLITE).await?;
     }

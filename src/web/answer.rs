@@ -82,8 +82,19 @@ pub(super) async fn refusal(app: Shared, status: StatusCode, title: &'static str
 }
 
 fn said(app: &App, status: StatusCode, title: &'static str, refused: &Refused) -> String {
+    filled(app, status, title, refused).unwrap_or_else(|_| title.to_owned())
+}
+
+fn filled(app: &App, status: StatusCode, title: &'static str, refused: &Refused) -> Result<String, Refused> {
     let page = RefusedPage { title, status: status.as_u16(), refused, sentences: refused.sentences() };
-    app.page("refused", &page).unwrap_or_else(|_| title.to_owned())
+    app.page("refused", &page)
+}
+
+/// The page of a refusal, to see whether its template can be filled.
+pub(super) fn tried(app: &App) -> Result<String, Refused> {
+    let refused =
+        Refused::new(RefusedKind::Unknown, "there is no such page").help("the start page lists every problem");
+    filled(app, StatusCode::NOT_FOUND, "Not found", &refused)
 }
 
 pub(super) fn not_done(reason: NotDone) -> (StatusCode, [(HeaderName, HeaderValue); 1], &'static str) {

@@ -13,6 +13,8 @@ use crate::render::Site;
 use super::assets::Assets;
 use super::courses::{Around as AroundCourse, Courses};
 use super::library::Library;
+use super::log::Log;
+use super::metrics::Metrics;
 use super::settings::Settings;
 use super::workers::Workers;
 
@@ -22,6 +24,8 @@ pub struct App {
     pub(super) library: Library,
     pub(super) assets: Assets,
     pub(super) workers: Workers,
+    pub(super) metrics: Metrics,
+    pub(super) log: Log,
     /// The pages of courses, where there are any.
     pub(super) courses: Option<Arc<Courses>>,
     site: Site,
@@ -55,6 +59,8 @@ impl App {
             library: Library::open(settings.watch.as_deref())?,
             assets: Assets::new(templates)?,
             workers: Workers::new(),
+            metrics: Metrics::new(),
+            log: if settings.log { Log::started() } else { Log::default() },
             courses: None,
             site: Site::new(templates)?,
             renderer: Renderer::new(templates)?.figures(Figures::Unstyled),

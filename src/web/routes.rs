@@ -11,6 +11,7 @@ use axum::extract::Query;
 use axum::extract::State;
 use axum::http::StatusCode;
 use axum::http::header;
+use axum::middleware::from_fn_with_state;
 use axum::response::IntoResponse;
 use axum::response::Response;
 use axum::routing::MethodRouter;
@@ -26,6 +27,8 @@ use super::answer;
 use super::app::{App, Shared};
 use super::courses::with_courses;
 use super::headers::{FOR_EVER, HEADERS};
+use super::health::health;
+use super::observed::observed;
 use super::pages;
 use super::parameters::Parameters;
 
@@ -49,7 +52,7 @@ pub fn router(app: Arc<App>) -> Router {
     let base = app.settings.base_path.clone();
     let mut own = Router::new()
         .route("/", get(start))
-        .route("/health", get(|| async { "fine\n" }))
+        .route("/health", get(health))
         .route("/watch", get(watch))
         .route("/static/{digest}/{name}", get(asset))
         .route("/api/{call}", post(call))
@@ -63,12 +66,13 @@ pub fn router(app: Arc<App>) -> Router {
         own
     } else {
         // Nested routes begin without the slash that the start page's address ends with.
-        Router::new().nest(&base, own).route(&format!("{base}/"), get(start).with_state(app))
+        Router::new().nest(&base, own).route(&format!("{base}/"), get(start).with_state(Arc::clone(&app)))
     };
     for (name, value) in HEADERS {
         all = all.layer(SetResponseHeaderLayer::overriding(name, value));
     }
-    all.layer(CompressionLayer::new()).layer(CatchPanicLayer::new())
+    let all = all.layer(CompressionLayer::new()).layer(CatchPanicLayer::new());
+    all.layer(from_fn_with_state(app, observed))
 }
 
 /// Both ways to ask for the page of a problem: by its address, and with what was typed into it.

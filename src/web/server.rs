@@ -14,6 +14,7 @@ use crate::store::StoreFault;
 use super::app::App;
 use super::courses::{Clock, Courses};
 use super::invite;
+use super::metrics::metrics_router;
 use super::routes::router;
 use super::settings::Settings;
 
@@ -43,7 +44,7 @@ const FIRST: &str = "operator";
 /// # Errors
 /// Where the bank or a template cannot be read, or the address is taken.
 pub fn serve(settings: Settings, ready: impl FnOnce(SocketAddr, Option<String>)) -> Result<(), NotServed> {
-    let (bind, data) = (settings.bind, settings.data.clone());
+    let (bind, metrics, data) = (settings.bind, settings.metrics, settings.data.clone());
     let mut app = App::new(settings)?;
     Builder::new_multi_thread().enable_all().build()?.block_on(async {
         let mut first = None;
@@ -54,11 +55,20 @@ pub fn serve(settings: Settings, ready: impl FnOnce(SocketAddr, Option<String>))
             }
             app = app.with_courses(Courses::new(store, Clock::default()));
         }
-        let listener = TcpListener::bind(bind).await.map_err(|error| NotServed::Address(bind, error))?;
+        let app = Arc::new(app);
+        let listener = listening(bind).await?;
+        if let Some(address) = metrics {
+            let (listener, page) = (listening(address).await?, metrics_router(Arc::clone(&app)));
+            tokio::spawn(async move { axum::serve(listener, page).await });
+        }
         ready(listener.local_addr()?, first);
-        axum::serve(listener, router(Arc::new(app))).with_graceful_shutdown(told_to_stop()).await?;
+        axum::serve(listener, router(app)).with_graceful_shutdown(told_to_stop()).await?;
         Ok(())
     })
+}
+
+async fn listening(address: SocketAddr) -> Result<TcpListener, NotServed> {
+    TcpListener::bind(address).await.map_err(|error| NotServed::Address(address, error))
 }
 
 #[cfg(unix)]

@@ -23,6 +23,10 @@ pub struct Settings {
     pub watch: Option<PathBuf>,
     /// A folder of templates in place of the built-in ones.
     pub templates: Option<PathBuf>,
+    /// The address on which operators read what is measured; it is measured for nobody without one.
+    pub metrics: Option<SocketAddr>,
+    /// Whether each request is told on standard error.
+    pub log: bool,
     /// How much a request may take.
     pub limits: Limits,
 }
@@ -37,6 +41,8 @@ impl Default for Settings {
             data: None,
             watch: None,
             templates: None,
+            metrics: None,
+            log: false,
             limits: Limits::default(),
         }
     }

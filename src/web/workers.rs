@@ -9,6 +9,8 @@ const WAITING_FOR_EACH: usize = 64;
 pub(super) struct Workers {
     admitted: Semaphore,
     working: Semaphore,
+    /// How many of each there are.
+    most: [usize; 2],
 }
 
 /// Why work was not done.
@@ -27,7 +29,15 @@ impl Workers {
     }
 
     fn with(working: usize, admitted: usize) -> Self {
-        Self { admitted: Semaphore::new(admitted), working: Semaphore::new(working) }
+        let most = [working, admitted];
+        Self { admitted: Semaphore::new(admitted), working: Semaphore::new(working), most }
+    }
+
+    /// Requests that wait for a worker.
+    pub(super) fn waiting(&self) -> usize {
+        let [working, admitted] = self.most;
+        let inside = admitted.saturating_sub(self.admitted.available_permits());
+        inside.saturating_sub(working.saturating_sub(self.working.available_permits()))
     }
 
     /// Does the work on a thread of its own as soon as a worker is free.
@@ -55,8 +65,10 @@ mod tests {
         block_on(async {
             let workers = Workers::with(1, 1);
             let held = workers.admitted.try_acquire().unwrap();
+            assert_eq!(workers.waiting(), 1);
             assert_eq!(workers.work(|| 1).await, Err(NotDone::Busy));
             drop(held);
+            assert_eq!(workers.waiting(), 0);
             assert_eq!(workers.work(|| 1).await, Ok(1));
         });
     }

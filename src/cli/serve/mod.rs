@@ -1,12 +1,13 @@
 //! `momentous serve`
 
 mod base_url;
+mod check;
 mod copy;
 mod data;
+mod finding;
+mod folder;
+mod setup;
 mod user;
-
-use std::net::SocketAddr;
-use std::path::PathBuf;
 
 use clap::Args;
 use clap::Subcommand;
@@ -19,7 +20,7 @@ use crate::web::serve;
 use super::exit::Exit;
 use super::failure::Failure;
 use super::output::Output;
-use base_url::BaseUrl;
+use setup::Setup;
 
 const HELP: &str = "\
 Examples:
@@ -29,6 +30,7 @@ Examples:
   momentous serve --data postgres://momentous:password@db/courses
   momentous serve --watch problem_bank               an author's preview: pages follow the files as they are saved
   momentous serve user add ada --operator            a link with which Ada signs in and runs the server
+  momentous serve check                              what is misconfigured, with the way out
   momentous serve backup 2026-11-30.sqlite           a copy of everything, while the server works
 
 Ctrl-C stops it. docs/serving.md has the rest: proxy, service, backup, upgrade.";
@@ -39,29 +41,18 @@ Ctrl-C stops it. docs/serving.md has the rest: proxy, service, backup, upgrade."
 pub(super) struct Serve {
     #[command(subcommand)]
     command: Option<Beside>,
-    /// The address on which to listen
-    #[arg(long, value_name = "ADDRESS", default_value = "127.0.0.1:8080")]
-    bind: SocketAddr,
-    /// Where readers reach the pages, where a proxy stands before them
-    #[arg(long, value_name = "URL", default_value = "")]
-    base_url: BaseUrl,
     #[command(flatten)]
-    data: data::Data,
-    /// Serve practice and simulators only, and keep nothing
+    setup: Setup,
+    /// Say nothing on standard error of the requests that were answered
     #[arg(long)]
-    no_courses: bool,
-    /// Follow the problem files of this folder as they are saved
-    #[arg(long, value_name = "FOLDER")]
-    watch: Option<PathBuf>,
-    /// Take templates from this folder in place of the built-in ones
-    #[arg(long, value_name = "FOLDER")]
-    templates: Option<PathBuf>,
+    quiet: bool,
 }
 
 /// What is done to the data while the server works, or before it starts.
 #[derive(Debug, Subcommand)]
 enum Beside {
     Backup(copy::Backup),
+    Check(check::Check),
     Restore(copy::Restore),
     User(user::User),
 }
@@ -70,6 +61,7 @@ impl Serve {
     pub(super) fn run(&self) -> Result<Exit, Failure> {
         match &self.command {
             Some(Beside::Backup(backup)) => backup.run(),
+            Some(Beside::Check(check)) => check.run(),
             Some(Beside::Restore(restore)) => restore.run(),
             Some(Beside::User(user)) => user.run(),
             None => self.serve(),
@@ -77,20 +69,11 @@ impl Serve {
     }
 
     fn serve(&self) -> Result<Exit, Failure> {
-        let settings = Settings {
-            bind: self.bind,
-            base_path: self.base_url.path.clone(),
-            host: self.base_url.host.clone(),
-            is_secure: self.base_url.is_secure,
-            data: (!self.no_courses).then(|| self.data.address.clone()),
-            watch: self.watch.clone(),
-            templates: self.templates.clone(),
-            ..Settings::default()
-        };
-        let path = self.base_url.path.clone();
+        let settings = Settings { log: !self.quiet, ..self.setup.settings() };
+        let (base_url, path) = (&self.setup.base_url, settings.base_path.clone());
         let told = serve(settings, |address, first| {
-            let page = |path: &str| match &self.base_url.host {
-                Some(host) => format!("{}://{host}{path}", if self.base_url.is_secure { "https" } else { "http" }),
+            let page = |path: &str| match &base_url.host {
+                Some(host) => format!("{}://{host}{path}", if base_url.is_secure { "https" } else { "http" }),
                 None => format!("http://{address}{path}"),
             };
             let first = first.map_or_else(String::new, |link| {
@@ -110,7 +93,7 @@ impl Serve {
             NotServed::Address(..) => {
                 Failure::unusable(format!("{reason}\nhelp: choose another with --bind, such as 127.0.0.1:8081"))
             }
-            NotServed::Data(fault) => self.data.failure(&fault),
+            NotServed::Data(fault) => self.setup.data.failure(&fault),
             NotServed::Broken(_) => Failure::unusable(reason.to_string()),
         })?;
         Ok(Exit::Fine)

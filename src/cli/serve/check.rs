@@ -1,0 +1,217 @@
+//! `momentous serve check`
+
+use std::io::Write;
+use std::net::TcpListener;
+use std::time::SystemTime;
+
+use clap::Args;
+
+use crate::bank::{Bank, load_in_course};
+use crate::course::Moment;
+use crate::problem::compile;
+use crate::store::{Address, Inspection, StoreFault};
+use crate::web::{App, page_faults};
+
+use super::super::exit::Exit;
+use super::super::failure::Failure;
+use super::super::output::Output;
+use super::super::style::Style;
+use super::finding::Finding;
+use super::folder;
+use super::setup::Setup;
+
+/// Say what is misconfigured, and the way out; nothing is changed. Give it the options of the server
+#[derive(Args, Debug)]
+pub(super) struct Check {
+    #[command(flatten)]
+    setup: Setup,
+    /// The server runs already: its folder is locked and its address is taken
+    #[arg(long)]
+    running: bool,
+}
+
+/// By how many milliseconds two clocks may differ.
+const APART: i64 = 10_000;
+/// No clock is right that says an earlier moment: the beginning of 2026.
+const EARLIEST: Moment = Moment::from_millis(1_767_225_600_000);
+
+impl Check {
+    pub(super) fn run(&self) -> Result<Exit, Failure> {
+        let mut findings = self.pages();
+        findings.extend(self.addresses());
+        if !self.setup.no_courses {
+            findings.extend(self.data()?);
+        }
+        let (style, mut output) = (Style::of_stdout(), Output::to(None)?);
+        for finding in &findings {
+            match finding {
+                Finding::Fine(what) => writeln!(output, "{}   {what}", style.good("fine"))?,
+                Finding::Note(what) => writeln!(output, "{}   {what}", style.note("note"))?,
+                Finding::Wrong { what, help } => {
+                    writeln!(output, "{}  {}\n       help: {help}", style.bad("wrong"), what.trim_end())?;
+                }
+            }
+        }
+        output.finish()?;
+        Ok(if findings.iter().any(Finding::is_wrong) { Exit::NotRight } else { Exit::Fine })
+    }
+
+    /// Whether every problem loads and every template is filled.
+    fn pages(&self) -> Vec<Finding> {
+        let bank = self.setup.watch.as_deref().map_or_else(Bank::here, Bank::in_folder);
+        let sources: Vec<_> = match &bank {
+            Ok(bank) => bank.sources().cloned().collect(),
+            Err(faults) => return vec![Finding::wrong(faults.to_string(), "mend the folder of the problems")],
+        };
+        let count = sources.len();
+        let fails = sources.into_iter().filter_map(|source| {
+            let faults = load_in_course(source).and_then(|loaded| compile(loaded, None)).err()?;
+            let help = format!("`momentous check {}` says more, once it loads", faults.source.name);
+            Some(Finding::wrong(faults.to_string(), help))
+        });
+        let mut findings: Vec<Finding> = fails.collect();
+        if findings.is_empty() {
+            findings.push(Finding::fine(format!("{count} problems load")));
+        }
+        let settings = crate::web::Settings { data: None, ..self.setup.settings() };
+        let faults = App::new(settings).map_or_else(|faults| vec![faults.to_string()], |app| page_faults(&app));
+        let help = "mend the template in the folder of --templates, or take it away: the built-in one is used then";
+        if faults.is_empty() {
+            findings.push(Finding::fine("the templates of the pages are filled"));
+        }
+        findings.extend(faults.into_iter().map(|what| Finding::wrong(what, help)));
+        findings
+    }
+
+    /// Whether the addresses are free, and nothing goes readably through a network.
+    fn addresses(&self) -> Vec<Finding> {
+        let Setup { bind, base_url, metrics, no_courses, .. } = &self.setup;
+        let mut findings = Vec::new();
+        if !self.running {
+            for (address, option) in [(Some(bind), "--bind"), (metrics.as_ref(), "--metrics")] {
+                let Some(address) = address else { continue };
+                findings.push(match TcpListener::bind(address) {
+                    Ok(_) => Finding::fine(format!("{address} is free")),
+                    Err(error) => Finding::wrong(
+                        format!("{address} cannot be used: {error}"),
+                        format!("choose another with {option}; --running checks a server that runs already"),
+                    ),
+                });
+            }
+        }
+        let is_reached = !bind.ip().is_loopback() || base_url.host.is_some();
+        if is_reached && !base_url.is_secure && !no_courses {
+            let help = "put a proxy with TLS before it, let it listen to that alone (--bind 127.0.0.1:8080), and name the address \
+                of the pages: --base-url https://physics.example.edu";
+            let what = format!("passwords and answers go through the network as anyone can read them, to {bind}");
+            findings.push(Finding::wrong(what, help));
+        }
+        if let Some(metrics) = metrics.filter(|metrics| !metrics.ip().is_loopback()) {
+            findings.push(Finding::Note(format!("whoever reaches {metrics} reads how busy the server is")));
+        }
+        findings
+    }
+
+    /// Whether the data can be used, are private, and agree with the clock.
+    fn data(&self) -> Result<Vec<Finding>, Failure> {
+        let address = &self.setup.data.address;
+        let mut findings = match address {
+            Address::Folder(path) => folder::findings(path),
+            Address::Postgres(_) => Vec::new(),
+        };
+        if findings.iter().any(Finding::is_wrong) && !is_there(address) {
+            return Ok(findings);
+        }
+        let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
+        let runtime = runtime.map_err(|error| Failure::unusable(format!("the program cannot go on: {error}")))?;
+        match runtime.block_on(Inspection::of(address)) {
+            Ok(inspection) => findings.extend(self.inspected(&inspection)),
+            Err(fault) => findings.push(Finding::wrong(format!("{address}: {fault}"), help(&fault))),
+        }
+        Ok(findings)
+    }
+
+    fn inspected(&self, found: &Inspection) -> Vec<Finding> {
+        let address = &self.setup.data.address;
+        let mut findings = vec![match found.version {
+            None => Finding::Note(format!("{address} is empty: the first start prints a link for the operator")),
+            Some(version) if found.is_earlier() => Finding::Note(format!(
+                "the data are of version {version}: the next start brings them to this program's; make a backup before"
+            )),
+            Some(version) => Finding::fine(format!("{address} answers, with data of version {version}")),
+        }];
+        let is_folder = matches!(address, Address::Folder(_));
+        if found.is_served && !self.running {
+            let help =
+                "stop that server, or choose another folder with --data; --running checks a server that runs already";
+            findings.push(Finding::wrong(format!("another server works on {address}"), help));
+        } else if self.running && is_folder && !found.is_served {
+            findings.push(Finding::wrong(
+                format!("no server works on {address}"),
+                "start it, or name its folder with --data",
+            ));
+        }
+        findings.push(clock(now(), found));
+        findings
+    }
+}
+
+fn is_there(address: &Address) -> bool {
+    match address {
+        Address::Folder(folder) => folder.is_dir(),
+        Address::Postgres(_) => true,
+    }
+}
+
+fn help(fault: &StoreFault) -> &'static str {
+    match fault {
+        StoreFault::Newer { .. } => {
+            "start the program that wrote them, or a later one; a backup of before the upgrade can be restored"
+        }
+        StoreFault::Folder(..) => "let the user of the server read and write the folder, or choose another with --data",
+        _ => "see whether the database runs, and whether --data names its host, user, password and name rightly",
+    }
+}
+
+fn now() -> Moment {
+    let since = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
+    Moment::from_millis(i64::try_from(since.as_millis()).unwrap_or(i64::MAX))
+}
+
+/// Whether the clock can be right: what students hand in is timed by it.
+fn clock(now: Moment, found: &Inspection) -> Finding {
+    let help = "set the clock, best by NTP (`timedatectl set-ntp true`): what is in time is decided by it";
+    let apart = |other: Moment| now.millis().saturating_sub(other.millis());
+    if now < EARLIEST {
+        return Finding::wrong(format!("the clock says {now}"), help);
+    }
+    if let Some(other) = found.now.filter(|other| apart(*other).abs() > APART) {
+        return Finding::wrong(format!("the clock says {now}, and that of the database {other}"), help);
+    }
+    if let Some(latest) = found.latest.filter(|latest| apart(*latest) < -APART) {
+        return Finding::wrong(format!("the clock says {now}, and something was noted at {latest} already"), help);
+    }
+    Finding::fine(format!("the clock says {now}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_clock_that_cannot_be_right_is_told() {
+        let at = |hour: i64| EARLIEST.after(hour * 3_600_000);
+        let found = |latest, now| Inspection { latest, now, ..Inspection::default() };
+        for (now, found, is_wrong) in [
+            (at(0), found(None, None), false),
+            (at(-1), found(None, None), true),
+            (at(1), found(Some(at(0)), None), false),
+            (at(1), found(Some(at(2)), None), true),
+            (at(1), found(None, Some(at(1))), false),
+            (at(1), found(None, Some(at(2))), true),
+            (at(2), found(None, Some(at(1))), true),
+        ] {
+            assert_eq!(clock(now, &found).is_wrong(), is_wrong, "{now}, {found:?}");
+        }
+    }
+}

@@ -1,0 +1,53 @@
+//! How the server is set up: the options that `momentous serve` and `momentous serve check` share.
+
+use std::net::SocketAddr;
+use std::path::PathBuf;
+
+use clap::Args;
+
+use crate::web::Settings;
+
+use super::base_url::BaseUrl;
+use super::data::Data;
+
+/// How the server is set up.
+#[derive(Args, Debug)]
+pub(super) struct Setup {
+    /// The address on which to listen
+    #[arg(long, value_name = "ADDRESS", default_value = "127.0.0.1:8080")]
+    pub(super) bind: SocketAddr,
+    /// Where readers reach the pages, where a proxy stands before them
+    #[arg(long, value_name = "URL", default_value = "")]
+    pub(super) base_url: BaseUrl,
+    #[command(flatten)]
+    pub(super) data: Data,
+    /// Serve practice and simulators only, and keep nothing
+    #[arg(long)]
+    pub(super) no_courses: bool,
+    /// The address on which operators read `/metrics`: one that no proxy leads to, such as 127.0.0.1:9464
+    #[arg(long, value_name = "ADDRESS")]
+    pub(super) metrics: Option<SocketAddr>,
+    /// Follow the problem files of this folder as they are saved
+    #[arg(long, value_name = "FOLDER")]
+    pub(super) watch: Option<PathBuf>,
+    /// Take templates from this folder in place of the built-in ones
+    #[arg(long, value_name = "FOLDER")]
+    pub(super) templates: Option<PathBuf>,
+}
+
+impl Setup {
+    /// What the server is told.
+    pub(super) fn settings(&self) -> Settings {
+        Settings {
+            bind: self.bind,
+            base_path: self.base_url.path.clone(),
+            host: self.base_url.host.clone(),
+            is_secure: self.base_url.is_secure,
+            data: (!self.no_courses).then(|| self.data.address.clone()),
+            metrics: self.metrics,
+            watch: self.watch.clone(),
+            templates: self.templates.clone(),
+            ..Settings::default()
+        }
+    }
+}

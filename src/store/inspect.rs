@@ -1,0 +1,92 @@
+//! What can be said of data without changing them.
+
+use std::time::Duration;
+
+use sqlx::AnyConnection;
+use sqlx::Row;
+use sqlx::query;
+
+use crate::course::Moment;
+
+use super::address::{Address, sqlite};
+use super::fault::StoreFault;
+use super::lock::Lock;
+use super::open::connect_plainly;
+use super::schema::VERSION;
+
+/// How long a database may take to answer.
+const PATIENCE: Duration = Duration::from_secs(10);
+
+/// What can be said of data without changing them.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Inspection {
+    /// The version of their tables; nothing where there are none yet.
+    pub version: Option<i64>,
+    /// Whether a server works on the folder now.
+    pub is_served: bool,
+    /// The latest moment that was noted in them.
+    pub latest: Option<Moment>,
+    /// What the database's clock says, where it has one of its own.
+    pub now: Option<Moment>,
+}
+
+impl Inspection {
+    /// Looks at the data at an address. Nothing is made or brought to another version.
+    ///
+    /// # Errors
+    /// Where the database does not answer or is none of this program's, or a later program wrote it.
+    pub async fn of(address: &Address) -> Result<Self, StoreFault> {
+        let found = tokio::time::timeout(PATIENCE, inspect(address)).await;
+        found.unwrap_or_else(|_| Err(sqlx::Error::Io(std::io::ErrorKind::TimedOut.into()).into()))
+    }
+
+    /// Whether the next start of the server brings the data to a new version.
+    #[must_use]
+    pub fn is_earlier(&self) -> bool {
+        self.version.is_some_and(|version| version < VERSION)
+    }
+}
+
+async fn inspect(address: &Address) -> Result<Inspection, StoreFault> {
+    let is_served = match address {
+        Address::Folder(folder) => Lock::is_held(folder)?,
+        Address::Postgres(_) => false,
+    };
+    let (url, tables) = match address {
+        Address::Folder(folder) => {
+            let file = Address::file(folder);
+            if !file.is_file() {
+                return Ok(Inspection { is_served, ..Inspection::default() });
+            }
+            (sqlite(&file).replace("?mode=rwc", "?mode=rw"), "sqlite_master WHERE name = 'version'")
+        }
+        Address::Postgres(url) => {
+            let tables = "information_schema.tables WHERE table_name = 'version' AND table_schema = current_schema()";
+            (url.clone(), tables)
+        }
+    };
+    let mut connection = connect_plainly(&url).await?;
+    let now = match address {
+        Address::Folder(_) => None,
+        Address::Postgres(_) => {
+            number(&mut connection, "SELECT CAST(EXTRACT(EPOCH FROM clock_timestamp()) * 1000 AS BIGINT)").await?
+        }
+    };
+    let inspection = Inspection { is_served, now: now.map(Moment::from_millis), ..Inspection::default() };
+    // A text of this file, of nothing that anybody typed.
+    let tables = sqlx::AssertSqlSafe(format!("SELECT COUNT(*) FROM {tables}"));
+    let has_tables: i64 = query(tables).fetch_one(&mut connection).await?.try_get(0)?;
+    if has_tables == 0 {
+        return Ok(inspection);
+    }
+    let version = number(&mut connection, "SELECT MAX(number) FROM version").await?;
+    if let Some(found) = version.filter(|found| *found > VERSION) {
+        return Err(StoreFault::Newer { found, known: VERSION });
+    }
+    let latest = number(&mut connection, "SELECT MAX(at) FROM trail").await?.map(Moment::from_millis);
+    Ok(Inspection { version, latest, ..inspection })
+}
+
+async fn number(connection: &mut AnyConnection, statement: &'static str) -> Result<Option<i64>, StoreFault> {
+    Ok(query(statement).fetch_one(connection).await?.try_get(0)?)
+}

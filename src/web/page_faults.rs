@@ -1,0 +1,37 @@
+//! The pages, filled once before anybody asks for them.
+
+use crate::exercise::calls::{Refused, RefusedKind};
+
+use super::answer;
+use super::app::App;
+use super::pages;
+use super::parameters::Parameters;
+
+/// What is wrong with the templates of the pages: each is filled once, with a problem of the bank.
+#[must_use]
+pub fn page_faults(app: &App) -> Vec<String> {
+    let problem = match app.library.cards() {
+        Ok(cards) => cards.first().map(|card| card.id.clone()).unwrap_or_default(),
+        Err(refused) => return vec![refused.message],
+    };
+    let none = Parameters::default();
+    let own = |make: fn(&App, String, &Parameters) -> Result<String, Refused>| make(app, problem.clone(), &none);
+    let simulator = |name: &str| pages::simulator(app, name.to_owned(), &none);
+    let pages = [
+        pages::start(app, &none),
+        own(pages::practice),
+        own(pages::solution),
+        own(pages::solve),
+        own(pages::play),
+        simulator("collision"),
+        simulator("restitution"),
+        answer::tried(app),
+    ];
+    let is_fault = |refused: &Refused| refused.kind == RefusedKind::Fault;
+    let mut faults: Vec<String> =
+        pages.into_iter().filter_map(Result::err).filter(is_fault).map(|own| own.message).collect();
+    // A fault of a template that several pages share is said once.
+    faults.sort();
+    faults.dedup();
+    faults
+}
