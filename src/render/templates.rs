@@ -24,7 +24,7 @@ macro_rules! built_in {
 }
 
 /// Every built-in file by its path below `templates/`.
-const BUILT_IN: [(&str, &str); 41] = built_in![
+const BUILT_IN: [(&str, &str); 48] = built_in![
     "html/blocks.tera",
     "html/body.tera",
     "html/document.tera",
@@ -52,6 +52,13 @@ const BUILT_IN: [(&str, &str); 41] = built_in![
     "web/courses/assignment.tera",
     "web/courses/course.tera",
     "web/courses/courses.tera",
+    "web/courses/grades/answers.tera",
+    "web/courses/grades/gradebook.tera",
+    "web/courses/grades/member.tera",
+    "web/courses/grades/regrade.tera",
+    "web/courses/grades/retention.tera",
+    "web/courses/grades/statistics.tera",
+    "web/courses/grades/trail.tera",
     "web/courses/item.tera",
     "web/courses/link.tera",
     "web/courses/sign-in.tera",

@@ -170,7 +170,7 @@ fn save(assignment: &Assignment) -> Result<Statement, StoreFault> {
 }
 
 /// After a change: what was marked by the rules before is not handed in any more, and the latest close counts extensions in.
-fn changed(assignment: Key<Assignment>) -> Statement {
+pub(super) fn changed(assignment: Key<Assignment>) -> Statement {
     let statement = query(
         "UPDATE assignment SET revision = revision + 1, \
          closes = (SELECT MAX(closing) FROM (SELECT assignment.closes AS closing \
@@ -179,7 +179,7 @@ fn changed(assignment: Key<Assignment>) -> Statement {
     statement.bind(assignment.to_string())
 }
 
-fn save_item(item: &Item) -> Result<Statement, StoreFault> {
+pub(super) fn save_item(item: &Item) -> Result<Statement, StoreFault> {
     let statement = query(
         "INSERT INTO item (key, assignment, problem, data) VALUES ($1, $2, $3, $4) \
          ON CONFLICT (key) DO UPDATE SET problem = excluded.problem, data = excluded.data",

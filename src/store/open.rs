@@ -135,6 +135,11 @@ impl Store {
     pub(super) async fn write(&self, statements: Vec<Statement>) -> Result<Vec<u64>, StoreFault> {
         self.writer.write(statements).await
     }
+
+    /// Carries statements out, all of them where the first changes something, else none. Says whether it did.
+    pub(super) async fn write_if(&self, statements: Vec<Statement>) -> Result<bool, StoreFault> {
+        Ok(self.writer.write_if(statements).await?.iter().sum::<u64>() > 0)
+    }
 }
 
 /// A folder that only its owner can read, where it was not there.

@@ -9,7 +9,7 @@ use super::fault::StoreFault;
 const STEPS: [(i64, &str); 1] = [(1, include_str!("schema/1.sql"))];
 
 /// Every table, each after those that it speaks of: the order of a backup.
-pub(super) const TABLES: [(&str, &str); 15] = [
+pub(super) const TABLES: [(&str, &str); 16] = [
     ("person", "key, login, data"),
     ("password", "person, hash"),
     ("ticket", "hash, person, kind, expires"),
@@ -21,6 +21,7 @@ pub(super) const TABLES: [(&str, &str); 15] = [
     ("extension", "assignment, member, closes, data"),
     ("sheet", "key, item, member, issue, data"),
     ("attempt", "sheet, number, request, data"),
+    ("marked_before", "sheet, number, correction, data"),
     ("hint", "sheet, part, number, data"),
     ("draft", "sheet, data"),
     ("decision", "key, sheet, item, at, data"),

@@ -156,7 +156,12 @@ impl Store {
     pub async fn redact(&self, redacted: &Attempt, entry: &Entry) -> Result<(), StoreFault> {
         let statement = query("UPDATE attempt SET data = $3 WHERE sheet = $1 AND number = $2");
         let statement = statement.bind(redacted.sheet.to_string()).bind(i64::from(redacted.number));
-        self.write(vec![statement.bind(kept(redacted)?), entry.statement()?]).await.map(|_| ())
+        // Earlier marks and a draft may hold the same words.
+        let sheet = redacted.sheet.to_string();
+        let before = query("DELETE FROM marked_before WHERE sheet = $1 AND number = $2").bind(sheet.clone());
+        let before = before.bind(i64::from(redacted.number));
+        let draft = query("DELETE FROM draft WHERE sheet = $1").bind(sheet);
+        self.write(vec![statement.bind(kept(redacted)?), before, draft, entry.statement()?]).await.map(|_| ())
     }
 
     /// Keeps that a hint was shown; it costs once.

@@ -22,6 +22,8 @@ const WAITING: usize = 1024;
 /// Statements that are kept all or none.
 struct Work {
     statements: Vec<Statement>,
+    /// Whether nothing is done where the first statement changes nothing.
+    guarded: bool,
     tell: oneshot::Sender<Result<Vec<u64>, StoreFault>>,
 }
 
@@ -41,8 +43,17 @@ impl Writer {
 
     /// Carries statements out, all or none, and says how many rows each changed. What it returns is kept: it is on the disk.
     pub(super) async fn write(&self, statements: Vec<Statement>) -> Result<Vec<u64>, StoreFault> {
+        self.work(statements, false).await
+    }
+
+    /// The same, where the first statement changes something; else nothing is done, and nothing was changed.
+    pub(super) async fn write_if(&self, statements: Vec<Statement>) -> Result<Vec<u64>, StoreFault> {
+        self.work(statements, true).await
+    }
+
+    async fn work(&self, statements: Vec<Statement>, guarded: bool) -> Result<Vec<u64>, StoreFault> {
         let (tell, told) = oneshot::channel();
-        self.works.send(Work { statements, tell }).await.map_err(|_| StoreFault::Stopped)?;
+        self.works.send(Work { statements, guarded, tell }).await.map_err(|_| StoreFault::Stopped)?;
         told.await.map_err(|_| StoreFault::Stopped)?
     }
 }
@@ -73,8 +84,8 @@ async fn together(connection: &mut AnyConnection, works: Vec<Work>) {
         }
     };
     let mut done = Vec::with_capacity(works.len());
-    for Work { statements, tell } in works {
-        let result = alone(&mut transaction, statements).await;
+    for Work { statements, guarded, tell } in works {
+        let result = alone(&mut transaction, statements, guarded).await;
         done.push((tell, result));
     }
     let mut failed = transaction.commit().await.err();
@@ -86,11 +97,19 @@ async fn together(connection: &mut AnyConnection, works: Vec<Work>) {
     }
 }
 
-async fn alone(connection: &mut AnyConnection, statements: Vec<Statement>) -> Result<Vec<u64>, StoreFault> {
+async fn alone(
+    connection: &mut AnyConnection,
+    statements: Vec<Statement>,
+    guarded: bool,
+) -> Result<Vec<u64>, StoreFault> {
     let mut savepoint = connection.begin().await?;
     let mut changed = Vec::with_capacity(statements.len());
     for statement in statements {
         changed.push(statement.execute(&mut *savepoint).await?.rows_affected());
+        if guarded && changed == [0] {
+            savepoint.rollback().await?;
+            return Ok(changed);
+        }
     }
     savepoint.commit().await?;
     Ok(changed)

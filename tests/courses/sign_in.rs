@@ -41,7 +41,8 @@ fn a_password_lets_in_and_a_new_one_ends_other_sessions() {
     let right = [("login", "ada"), ("password", "a few short words"), ("to", "/courses?a=b")];
     let mut second = university.browser();
     assert_eq!(second.post("/sign-in", &right).to(), "/courses?a=b");
-    let wrong = second.post("/account/password", &[("old", "no"), ("new", "other words here"), ("again", "other words here")]);
+    let wrong =
+        second.post("/account/password", &[("old", "no"), ("new", "other words here"), ("again", "other words here")]);
     assert!(wrong.text(422).contains("The old password is not right"));
     let change = [("old", "a few short words"), ("new", "other words here"), ("again", "other words here")];
     assert_eq!(second.post("/account/password", &change).status, 303);
@@ -77,7 +78,11 @@ fn nobody_is_sent_to_another_site() {
     let university = University::new();
     let mut ada = university.browser_of("ada");
     for to in ["https://evil.example", "//evil.example", "/\\evil.example", "javascript:alert(1)"] {
-        assert_eq!(ada.get(&format!("/sign-in?{}", super::university::encoded(&[("to", to)]))).to(), "/courses", "{to}");
+        assert_eq!(
+            ada.get(&format!("/sign-in?{}", super::university::encoded(&[("to", to)]))).to(),
+            "/courses",
+            "{to}"
+        );
     }
 }
 

@@ -6,7 +6,9 @@ use std::sync::atomic::{AtomicI64, Ordering};
 use axum::Router;
 use axum::body::{Body, to_bytes};
 use axum::http::{HeaderMap, Method, Request};
-use momentous::course::{Assignment, Course, Item, Key, Member, Moment, Person, Policy, Release, Role, Share, SolutionRelease};
+use momentous::course::{
+    Assignment, Course, Item, Key, Member, Moment, Person, Policy, Release, Role, Share, SolutionRelease,
+};
 use momentous::grade::DecimalMark;
 use momentous::store::{Address, AssignmentWithItems, Entry, Store};
 use momentous::web::{App, Clock, Courses, Settings, invite, router};
@@ -100,7 +102,10 @@ impl University {
         ];
         self.wait(async |store| {
             store.add_people(&people, &Self::entry(1)).await.unwrap();
-            store.add_course(&self.course, &member(&self.course, "ida", Role::Instructor), &Self::entry(2)).await.unwrap();
+            store
+                .add_course(&self.course, &member(&self.course, "ida", Role::Instructor), &Self::entry(2))
+                .await
+                .unwrap();
             store.add_course(&self.other, &member(&self.other, "cleo", Role::Student), &Self::entry(3)).await.unwrap();
             store.save_members(&[], &members, &Self::entry(4)).await.unwrap();
         });
@@ -118,7 +123,14 @@ impl University {
 
     pub fn entry(number: u8) -> Entry {
         let key = Key::new([number; 16]);
-        Entry { key, at: Moment::from_millis(BEGIN), by: None, course: None, what: "tried".into(), detail: String::new() }
+        Entry {
+            key,
+            at: Moment::from_millis(BEGIN),
+            by: None,
+            course: None,
+            what: "tried".into(),
+            detail: String::new(),
+        }
     }
 
     /// Does something with the records.
@@ -268,7 +280,11 @@ impl Answer {
 pub fn encoded(fields: &[(&str, &str)]) -> String {
     let escaped = |text: &str| {
         text.bytes().fold(String::new(), |all, byte| {
-            if byte.is_ascii_alphanumeric() { all + &char::from(byte).to_string() } else { all + &format!("%{byte:02X}") }
+            if byte.is_ascii_alphanumeric() {
+                all + &char::from(byte).to_string()
+            } else {
+                all + &format!("%{byte:02X}")
+            }
         })
     };
     fields.iter().map(|(name, value)| format!("{}={}", escaped(name), escaped(value))).collect::<Vec<_>>().join("&")

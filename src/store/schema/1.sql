@@ -22,6 +22,8 @@ CREATE TABLE extension (assignment TEXT NOT NULL, member TEXT NOT NULL, closes B
 CREATE TABLE sheet (key TEXT PRIMARY KEY, item TEXT NOT NULL, member TEXT NOT NULL, issue BIGINT NOT NULL, data TEXT NOT NULL, UNIQUE (item, member, issue));
 CREATE INDEX sheet_member ON sheet (member);
 CREATE TABLE attempt (sheet TEXT NOT NULL, number BIGINT NOT NULL, request TEXT NOT NULL, data TEXT NOT NULL, PRIMARY KEY (sheet, number), UNIQUE (sheet, request));
+-- Attempts as they were marked before a corrected problem was taken in.
+CREATE TABLE marked_before (sheet TEXT NOT NULL, number BIGINT NOT NULL, correction TEXT NOT NULL, data TEXT NOT NULL, PRIMARY KEY (sheet, number, correction));
 CREATE TABLE hint (sheet TEXT NOT NULL, part TEXT NOT NULL, number BIGINT NOT NULL, data TEXT NOT NULL, PRIMARY KEY (sheet, part, number));
 CREATE TABLE draft (sheet TEXT PRIMARY KEY, data TEXT NOT NULL);
 

@@ -39,7 +39,10 @@ impl CourseLibrary {
         }
         // Others are served while it compiles.
         let problem = Arc::new(compile(load_in_course(source)?, Some(course.secret.as_bytes()))?);
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).put((course.key, digest.to_owned()), Arc::clone(&problem));
+        self.0
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .put((course.key, digest.to_owned()), Arc::clone(&problem));
         Ok(problem)
     }
 }

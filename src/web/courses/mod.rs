@@ -3,6 +3,7 @@
 mod account;
 mod clock;
 mod gate;
+mod grades;
 mod items;
 mod library;
 mod limits;

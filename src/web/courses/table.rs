@@ -3,10 +3,11 @@
 
 use std::pin::Pin;
 
-use crate::course::Role::Student;
+use crate::course::Role::{Assistant, Instructor, Student};
 
 use super::account;
 use super::gate::Who;
+use super::grades;
 use super::outcome::NotShown;
 use super::reply::Reply;
 use super::student;
@@ -40,6 +41,8 @@ macro_rules! rows {
 }
 
 const STUDENT: Who = Who::Member(Student);
+const ASSISTANT: Who = Who::Member(Assistant);
+const INSTRUCTOR: Who = Who::Member(Instructor);
 
 /// Every page of courses.
 pub(super) const ROWS: &[Row] = rows! {
@@ -59,6 +62,20 @@ pub(super) const ROWS: &[Row] = rows! {
     Changes "/courses/{course}/items/{item}/hint" STUDENT, student::hint;
     Changes "/courses/{course}/items/{item}/further/{part}" STUDENT, student::further;
     Shows   "/courses/{course}/items/{item}/solution" STUDENT, student::solution;
+    Shows   "/courses/{course}/assignments/{assignment}/gradebook" ASSISTANT, grades::gradebook;
+    Shows   "/courses/{course}/assignments/{assignment}/gradebook.csv" ASSISTANT, grades::gradebook_csv;
+    Shows   "/courses/{course}/assignments/{assignment}/statistics" ASSISTANT, grades::statistics;
+    Shows   "/courses/{course}/assignments/{assignment}/regrade" INSTRUCTOR, grades::regrade;
+    Changes "/courses/{course}/assignments/{assignment}/regrade" INSTRUCTOR, grades::regrade_apply;
+    Shows   "/courses/{course}/items/{item}/students/{member}" ASSISTANT, grades::answers;
+    Changes "/courses/{course}/items/{item}/students/{member}/points" INSTRUCTOR, grades::set_points;
+    Changes "/courses/{course}/items/{item}/students/{member}/redact" INSTRUCTOR, grades::redact;
+    Shows   "/courses/{course}/members/{member}" ASSISTANT, grades::member;
+    Shows   "/courses/{course}/members/{member}/data" STUDENT, grades::data;
+    Changes "/courses/{course}/members/{member}/erase" INSTRUCTOR, grades::erase;
+    Shows   "/courses/{course}/trail"        INSTRUCTOR, grades::trail;
+    Shows   "/courses/{course}/retention"    INSTRUCTOR, grades::retention;
+    Changes "/courses/{course}/retention"    INSTRUCTOR, grades::forget;
 };
 
 /// An address of the table: for tests that try every one as everybody.

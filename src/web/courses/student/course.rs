@@ -127,7 +127,8 @@ impl OwnItem {
         let sheet = sheets.iter().find(|sheet| sheet.item == item.key && sheet.issue == item.issue);
         let own = sheet.and_then(|sheet| attempts.get(&sheet.key)).map_or(&[][..], Vec::as_slice);
         let last = own.last().map(StoredReport::of).transpose().map_err(|error| NotShown::Store(error.into()))?;
-        let points = last.filter(|_| released).and_then(|last| Some(Points(Score::of(&last)?.scaled(item.points).points)));
+        let points =
+            last.filter(|_| released).and_then(|last| Some(Points(Score::of(&last)?.scaled(item.points).points)));
         Ok(Self {
             key: item.key.to_string(),
             problem: item.problem.clone(),

@@ -45,10 +45,10 @@ pub(in crate::web::courses) async fn hand_in(visit: &Visit) -> Result<Reply, Not
             Err(refusal) => return refused(visit, &own, refusal).await,
         };
         let number = own.attempts.last().map_or(0, |last| last.number) + 1;
-        let report = serde_json::value::to_raw_value(&accepted.stored).map_err(|error| NotShown::Store(error.into()))?;
+        let report =
+            serde_json::value::to_raw_value(&accepted.stored).map_err(|error| NotShown::Store(error.into()))?;
         let request = if request.is_empty() { format!("number {number}") } else { request.clone() };
-        let attempt =
-            Attempt { sheet: own.sheet.key, number, received: at, answers: answers.clone(), report, request };
+        let attempt = Attempt { sheet: own.sheet.key, number, received: at, answers: answers.clone(), report, request };
         let hand_in = HandIn { attempt: &attempt, assignment: own.whole.assignment.key, revision: own.whole.revision };
         match visit.store().hand_in(hand_in).await? {
             HandedIn::Kept | HandedIn::Before(_) => return Ok(Reply::To(own.address(visit)? + "#marks")),
@@ -56,7 +56,9 @@ pub(in crate::web::courses) async fn hand_in(visit: &Visit) -> Result<Reply, Not
             HandedIn::Stale => {}
         }
     }
-    Err(NotShown::Conflict("other answers to this problem were handed in at the same time, and these were not kept".to_owned()))
+    Err(NotShown::Conflict(
+        "other answers to this problem were handed in at the same time, and these were not kept".to_owned(),
+    ))
 }
 
 /// The page with what was typed, and why it was not taken.

@@ -94,7 +94,8 @@ pub(super) async fn page(visit: &Visit, own: &OwnSheet, after: After) -> Result<
     let exercise = std::sync::Arc::clone(&own.exercise);
     let (sheet, hints) = visit
         .work(move |_| {
-            let hint = |number: &u32| Ok(HintResponse::of(&exercise, usize::try_from(*number).unwrap_or(usize::MAX))?.hint);
+            let hint =
+                |number: &u32| Ok(HintResponse::of(&exercise, usize::try_from(*number).unwrap_or(usize::MAX))?.hint);
             let hints = shown_hints.iter().map(hint).collect::<Result<Vec<Fragment>, NotShown>>()?;
             Ok((SheetResponse::of(&exercise)?, hints))
         })
@@ -162,7 +163,8 @@ impl FieldState {
         let history = stored.and_then(|stored| stored.history.parts().get(place?));
         let handed_in = history.map(|own| own.text().to_owned()).unwrap_or_default();
         let kept = stored.and_then(|stored| stored.part(id));
-        let locked = part.is_some_and(|part| part.entry == Entry::Locked || part.found.as_ref().is_some_and(|found| found.right));
+        let locked = part
+            .is_some_and(|part| part.entry == Entry::Locked || part.found.as_ref().is_some_and(|found| found.right));
         Self {
             typed: if locked { handed_in } else { typed.unwrap_or(handed_in) },
             locked,

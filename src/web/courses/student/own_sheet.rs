@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use crate::course::{Attempt, HintShown, Item, Key, Phase, Sheet, StoredReport, Window};
-use crate::exercise::{Derivation, Exercise, SeedSource};
 use crate::exercise::calls::Refused;
+use crate::exercise::{Derivation, Exercise, SeedSource};
 use crate::problem::Problem;
 use crate::store::AssignmentWithItems;
 

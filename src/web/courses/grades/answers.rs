@@ -1,0 +1,170 @@
+//! What one student handed in at one item, attempt by attempt.
+
+use serde::Serialize;
+
+use crate::course::{Attempt, Item, Override, Sheet, StoredPart, StoredReport, is_redacted};
+use crate::grade::Points;
+use crate::laws::wrong;
+use crate::store::{AssignmentWithItems, Membership};
+
+use super::super::items;
+use super::super::outcome::NotShown;
+use super::super::reply::Reply;
+use super::super::visit::Visit;
+use super::class::{member, reports};
+
+#[derive(Serialize)]
+struct AnswersPage {
+    title: String,
+    assignment: String,
+    assignment_title: String,
+    item: String,
+    problem: String,
+    member: String,
+    name: String,
+    points: u32,
+    /// Whether the student has seen the problem.
+    seen: Option<String>,
+    /// The text of the sheet as it was shown.
+    statement: String,
+    attempts: Vec<AttemptShown>,
+    by_hand: Vec<ByHandShown>,
+    decides: bool,
+    typed: Typed,
+}
+
+#[derive(Serialize)]
+struct AttemptShown {
+    number: u32,
+    received: String,
+    late: Option<u32>,
+    counts: bool,
+    total: String,
+    out_of: u32,
+    parts: Vec<PartShown>,
+}
+
+#[derive(Serialize)]
+struct PartShown {
+    id: String,
+    typed: String,
+    is_redacted: bool,
+    read: Option<String>,
+    unread: Option<String>,
+    verdict: &'static str,
+    points: String,
+    out_of: u32,
+    mistakes: Vec<&'static str>,
+    message: String,
+}
+
+#[derive(Serialize)]
+struct ByHandShown {
+    points: Option<String>,
+    reason: String,
+    at: String,
+}
+
+/// What was typed into the forms of the page, and what is wrong with it.
+#[derive(Default, Serialize)]
+pub(super) struct Typed {
+    pub(super) points: String,
+    pub(super) reason: String,
+    pub(super) fault: Option<String>,
+}
+
+/// The student and the item of the address.
+pub(super) struct Place {
+    pub(super) whole: AssignmentWithItems,
+    pub(super) item: Item,
+    pub(super) student: Membership,
+    /// The sheet that counts; nothing where the student has not seen the problem.
+    pub(super) sheet: Option<Sheet>,
+}
+
+impl Place {
+    pub(super) async fn of(visit: &Visit) -> Result<Self, NotShown> {
+        let (whole, key) = items::of(visit, visit.key("item")?).await?;
+        let missing = || NotShown::missing("there is no such problem in this course");
+        let item = whole.items.iter().find(|own| own.key == key).cloned().ok_or_else(missing)?;
+        let student = member(visit).await?;
+        let sheet = visit.store().sheet(item.key, student.member.key, item.issue).await?;
+        Ok(Self { whole, item, student, sheet })
+    }
+
+    /// The address of the page.
+    pub(super) fn address(&self, visit: &Visit) -> Result<String, NotShown> {
+        visit.in_course(&format!("/items/{}/students/{}", self.item.key, self.student.member.key))
+    }
+}
+
+/// Every attempt, with what was typed, what was read, and what was found.
+pub(in crate::web::courses) async fn answers(visit: &Visit) -> Result<Reply, NotShown> {
+    page(visit, &Place::of(visit).await?, Typed::default()).await
+}
+
+pub(super) async fn page(visit: &Visit, place: &Place, typed: Typed) -> Result<Reply, NotShown> {
+    let Place { whole, item, student, sheet } = place;
+    let zone = visit.course()?.zone.as_str();
+    let attempts = match sheet {
+        Some(sheet) => visit.store().attempts(sheet.key).await?,
+        None => Vec::new(),
+    };
+    let reports = reports(&attempts)?;
+    let counting = reports.last().and_then(|last| last.history.counting());
+    let by_hand = visit.store().set_by_hand(whole.assignment.key).await?;
+    let is_own = |own: &&Override| sheet.as_ref().is_some_and(|sheet| own.sheet == sheet.key);
+    let page = AnswersPage {
+        title: format!("{}: {}", student.person.shown(), item.problem),
+        assignment: whole.assignment.key.to_string(),
+        assignment_title: whole.assignment.title.clone(),
+        item: item.key.to_string(),
+        problem: item.problem.clone(),
+        member: student.member.key.to_string(),
+        name: student.person.shown().to_owned(),
+        points: item.points,
+        seen: sheet.as_ref().map(|sheet| sheet.seen.shown(zone)),
+        statement: sheet.as_ref().map(|sheet| sheet.issued.statement.clone()).unwrap_or_default(),
+        attempts: attempts.iter().zip(&reports).map(|(own, report)| shown(own, report, counting, zone)).collect(),
+        by_hand: by_hand.iter().filter(is_own).map(|own| set(own, zone)).collect(),
+        decides: visit.place()?.member.role == crate::course::Role::Instructor,
+        typed,
+    };
+    visit.page("courses/grades/answers", page).await
+}
+
+fn shown(attempt: &Attempt, report: &StoredReport, counting: Option<u32>, zone: &str) -> AttemptShown {
+    AttemptShown {
+        number: attempt.number,
+        received: attempt.received.shown(zone),
+        late: report.late.as_ref().map(|late| late.days),
+        counts: counting == Some(attempt.number),
+        total: Points(report.total.clone()).to_string(),
+        out_of: report.out_of,
+        parts: report.parts.iter().map(|own| part(attempt, own)).collect(),
+    }
+}
+
+fn part(attempt: &Attempt, own: &StoredPart) -> PartShown {
+    PartShown {
+        id: own.id.clone(),
+        typed: attempt.answers.get(&own.id).cloned().unwrap_or_default(),
+        is_redacted: is_redacted(attempt, &own.id),
+        read: own.read.clone(),
+        unread: own.unread.clone(),
+        verdict: own.verdict.meaning(),
+        points: Points(own.points.clone()).to_string(),
+        out_of: own.out_of,
+        mistakes: own.mistakes.iter().filter_map(|code| Some(wrong::find(code)?.does)).collect(),
+        message: own.message.clone(),
+    }
+}
+
+fn set(own: &Override, zone: &str) -> ByHandShown {
+    let points = own.points.as_deref().and_then(|points| points.parse().ok());
+    ByHandShown {
+        points: points.map(|points| Points(points).to_string()),
+        reason: own.reason.clone(),
+        at: own.at.shown(zone),
+    }
+}

@@ -1,0 +1,145 @@
+//! An assignment with everything that its students handed in.
+
+use std::collections::BTreeMap;
+
+use crate::course::{
+    Attempt, Correction, CorrectionChoice, Extension, Gradebook, GradedItem, GradedSheet, HintShown, Item, Key, Member,
+    Override, Role, Sheet, StoredReport, Window, WorkedSheet,
+};
+use crate::store::{AssignmentWithItems, Membership, StoreFault};
+
+use super::super::outcome::NotShown;
+use super::super::visit::Visit;
+
+/// The assignment of the address, which belongs to the course of the address.
+pub(super) async fn assignment(visit: &Visit) -> Result<AssignmentWithItems, NotShown> {
+    let found = visit.store().assignment(visit.key("assignment")?).await?;
+    let course = visit.course()?.key;
+    let own = found.filter(|whole| whole.assignment.course == course);
+    own.ok_or_else(|| NotShown::missing("there is no such assignment in this course"))
+}
+
+/// The member of the address, which belongs to the course of the address.
+pub(super) async fn member(visit: &Visit) -> Result<Membership, NotShown> {
+    let key: Key<Member> = visit.key("member")?;
+    let all = visit.store().members(visit.course()?.key).await?;
+    let own = all.into_iter().find(|own| own.member.key == key);
+    own.ok_or_else(|| NotShown::missing("there is no such member of this course"))
+}
+
+/// The students of the course, by name; those who left are not among them.
+pub(super) async fn students(visit: &Visit) -> Result<Vec<Membership>, NotShown> {
+    let all = visit.store().members(visit.course()?.key).await?;
+    let is_student = |own: &Membership| own.member.role == Role::Student && own.member.left.is_none();
+    let mut students: Vec<Membership> = all.into_iter().filter(is_student).collect();
+    students.sort_by(|one, other| {
+        let name = |own: &Membership| (own.person.shown().to_lowercase(), own.member.key);
+        name(one).cmp(&name(other))
+    });
+    Ok(students)
+}
+
+/// What was kept of attempts when they were marked.
+pub(super) fn reports(attempts: &[Attempt]) -> Result<Vec<StoredReport>, NotShown> {
+    let all: Result<Vec<_>, _> = attempts.iter().map(StoredReport::of).collect();
+    all.map_err(|error| NotShown::Store(StoreFault::Record(error)))
+}
+
+/// The marks of an assignment: what a gradebook is made of.
+pub(super) struct Class {
+    pub(super) whole: AssignmentWithItems,
+    pub(super) students: Vec<Membership>,
+    pub(super) sheets: Vec<Sheet>,
+    /// What was kept of the last attempt at each sheet.
+    pub(super) last: BTreeMap<Key<Sheet>, StoredReport>,
+    by_hand: Vec<Override>,
+    corrections: Vec<Correction>,
+}
+
+impl Class {
+    /// The class of the assignment in the address. The number of reads does not depend on the number of students.
+    pub(super) async fn of(visit: &Visit) -> Result<Self, NotShown> {
+        let whole = assignment(visit).await?;
+        let (store, key) = (visit.store(), whole.assignment.key);
+        let last = store.last_attempts(key).await?;
+        let reports = reports(&last)?;
+        Ok(Self {
+            students: students(visit).await?,
+            sheets: store.sheets(key).await?,
+            last: last.iter().map(|attempt| attempt.sheet).zip(reports).collect(),
+            by_hand: store.set_by_hand(key).await?,
+            corrections: store.corrections(key).await?,
+            whole,
+        })
+    }
+
+    /// The marks.
+    pub(super) fn gradebook(&self) -> Gradebook {
+        // Of several that concern one record the last one stands.
+        let by_hand: BTreeMap<Key<Sheet>, &Override> = self.by_hand.iter().map(|own| (own.sheet, own)).collect();
+        let items: Vec<GradedItem<'_>> = self
+            .whole
+            .items
+            .iter()
+            .map(|item| GradedItem { item, full_marks: has_full_marks(item, &self.corrections) })
+            .collect();
+        let students: Vec<_> = self.students.iter().map(|own| (&own.member, &own.person)).collect();
+        let graded = self.sheets.iter().map(|sheet| GradedSheet {
+            sheet,
+            last: self.last.get(&sheet.key),
+            by_hand: by_hand.get(&sheet.key).copied(),
+        });
+        let sheets: Vec<GradedSheet<'_>> = graded.collect();
+        Gradebook::of(&items, &students, &sheets)
+    }
+}
+
+/// Whether the last correction of an item gave full marks to everybody.
+pub(super) fn has_full_marks(item: &Item, corrections: &[Correction]) -> bool {
+    let last = corrections.iter().rfind(|own| own.item == item.key);
+    last.is_some_and(|own| own.choice == CorrectionChoice::FullMarks)
+}
+
+/// A sheet with everything that was handed in on it.
+pub(super) struct Kept {
+    pub(super) sheet: Sheet,
+    pub(super) attempts: Vec<Attempt>,
+    pub(super) hints: Vec<HintShown>,
+    pub(super) reports: Vec<StoredReport>,
+    pub(super) window: Window,
+}
+
+impl Kept {
+    pub(super) fn worked(&self) -> WorkedSheet<'_> {
+        WorkedSheet {
+            sheet: &self.sheet,
+            attempts: &self.attempts,
+            hints: &self.hints,
+            reports: &self.reports,
+            window: self.window.clone(),
+        }
+    }
+}
+
+/// Every sheet of an assignment, with everything that was handed in on it.
+pub(super) async fn kept(visit: &Visit, whole: &AssignmentWithItems) -> Result<Vec<Kept>, NotShown> {
+    let (store, key) = (visit.store(), whole.assignment.key);
+    let extensions: BTreeMap<Key<Member>, Extension> =
+        store.extensions(key).await?.into_iter().map(|own| (own.member, own)).collect();
+    let mut attempts: BTreeMap<Key<Sheet>, Vec<Attempt>> = BTreeMap::new();
+    for attempt in store.all_attempts(key).await? {
+        attempts.entry(attempt.sheet).or_default().push(attempt);
+    }
+    let mut hints: BTreeMap<Key<Sheet>, Vec<HintShown>> = BTreeMap::new();
+    for hint in store.all_hints(key).await? {
+        hints.entry(hint.sheet).or_default().push(hint);
+    }
+    let zone = visit.course()?.zone.as_str();
+    let mut of = |sheet: Sheet| {
+        let attempts = attempts.remove(&sheet.key).unwrap_or_default();
+        let hints = hints.remove(&sheet.key).unwrap_or_default();
+        let window = Window::of(&whole.assignment.policy, extensions.get(&sheet.member), zone);
+        Ok(Kept { reports: reports(&attempts)?, sheet, attempts, hints, window })
+    };
+    store.sheets(key).await?.into_iter().map(&mut of).collect()
+}

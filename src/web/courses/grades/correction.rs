@@ -1,0 +1,88 @@
+//! A corrected problem of an item: what it would change for whom.
+
+use std::sync::Arc;
+
+use crate::bank::FOLDER;
+use crate::course::{Correction, CorrectionChoice, Effect, Item, ProblemFile, Remarked, effects};
+use crate::fault::Source;
+use crate::problem::Problem;
+use crate::store::AssignmentWithItems;
+
+use super::super::items;
+use super::super::outcome::NotShown;
+use super::super::visit::Visit;
+use super::class::{Kept, kept};
+
+/// A corrected problem of an item, with what it would change.
+pub(super) struct Corrected {
+    pub(super) item: Item,
+    /// The file as it is now.
+    pub(super) file: ProblemFile,
+    /// What it says where it is no problem.
+    pub(super) fault: Option<String>,
+    /// The sheets that count.
+    pub(super) sheets: Arc<Vec<Kept>>,
+    pub(super) effects: Vec<Effect>,
+}
+
+impl Corrected {
+    /// The choices that there are: sheets are marked again only where the file draws all of them alike.
+    pub(super) fn choices(&self) -> Vec<CorrectionChoice> {
+        let draws_alike = self.fault.is_none() && !self.effects.iter().any(|own| own.after == Remarked::Differs);
+        let first = draws_alike.then_some(CorrectionChoice::Remark);
+        let anew = (!draws_alike && self.fault.is_none()).then_some(CorrectionChoice::IssueAnew);
+        first.into_iter().chain([CorrectionChoice::FullMarks, CorrectionChoice::Drop]).chain(anew).collect()
+    }
+}
+
+/// The items of an assignment whose problem has another file now than the one that its sheets were drawn from. One about which
+/// somebody has decided already is not among them.
+pub(super) async fn corrected(
+    visit: &Visit,
+    whole: &AssignmentWithItems,
+    decided: &[Correction],
+) -> Result<Vec<Corrected>, NotShown> {
+    let mut found = Vec::new();
+    let mut sheets = None;
+    for item in whole.items.iter().filter(|item| !item.dropped) {
+        let Some(digest) = &item.digest else { continue };
+        let file = items::current(visit, &item.problem).await?;
+        let is_decided = decided.iter().rfind(|own| own.item == item.key).is_some_and(|own| own.to == file.digest);
+        if file.digest == *digest || is_decided {
+            continue;
+        }
+        if sheets.is_none() {
+            sheets = Some(kept(visit, whole).await?);
+        }
+        let is_own = |own: &Kept| own.sheet.item == item.key && own.sheet.issue == item.issue;
+        let (own, rest) = sheets.take().unwrap_or_default().into_iter().partition(is_own);
+        sheets = Some(rest);
+        found.push(one(visit, whole, item.clone(), file, own).await?);
+    }
+    Ok(found)
+}
+
+async fn one(
+    visit: &Visit,
+    whole: &AssignmentWithItems,
+    item: Item,
+    file: ProblemFile,
+    sheets: Vec<Kept>,
+) -> Result<Corrected, NotShown> {
+    let (course, courses) = (visit.course()?.clone(), Arc::clone(&visit.courses));
+    let source = Source::new(format!("{FOLDER}/{}.yaml", file.problem), file.text.clone());
+    let (digest, policy) = (file.digest.clone(), whole.assignment.policy.clone());
+    let sheets = Arc::new(sheets);
+    let own = Arc::clone(&sheets);
+    let worked = move || {
+        let problem = courses.library.problem(&course, &digest, source);
+        let (problem, fault): (Option<Arc<Problem>>, _) = match problem {
+            Ok(problem) => (Some(problem), None),
+            Err(faults) => (None, Some(faults.to_string())),
+        };
+        let worked: Vec<_> = own.iter().map(Kept::worked).collect();
+        (effects(&worked, &policy, problem.as_ref()), fault)
+    };
+    let (effects, fault) = visit.work(move |_| Ok(worked())).await?;
+    Ok(Corrected { item, file, fault, sheets, effects })
+}

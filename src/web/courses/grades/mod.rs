@@ -1,0 +1,21 @@
+//! What those who teach see of what students handed in, and what they decide about it.
+
+mod answers;
+mod by_hand;
+mod class;
+mod correction;
+mod gradebook;
+mod member;
+mod regrade;
+mod retention;
+mod statistics;
+mod trail;
+
+pub(super) use answers::answers;
+pub(super) use by_hand::{redact, set_points};
+pub(super) use gradebook::{gradebook, gradebook_csv};
+pub(super) use member::{data, erase, member};
+pub(super) use regrade::{regrade, regrade_apply};
+pub(super) use retention::{forget, retention};
+pub(super) use statistics::statistics;
+pub(super) use trail::trail;
