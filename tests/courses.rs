@@ -4,9 +4,11 @@
 
 #[path = "courses/access.rs"]
 mod access;
+#[path = "courses/grades.rs"]
+mod grades;
 #[path = "courses/sign_in.rs"]
 mod sign_in;
-#[path = "courses/staff.rs"]
-mod staff;
+#[path = "courses/student.rs"]
+mod student;
 #[path = "courses/university.rs"]
 mod university;

@@ -9,7 +9,13 @@ use super::courses::{Clock, session};
 ///
 /// # Errors
 /// Where the database refuses.
-pub async fn add(store: &Store, login: &str, name: &str, operator: bool, clock: &Clock) -> Result<Option<String>, StoreFault> {
+pub async fn add(
+    store: &Store,
+    login: &str,
+    name: &str,
+    operator: bool,
+    clock: &Clock,
+) -> Result<Option<String>, StoreFault> {
     let now = clock.now();
     let person = Person { key: session::key(), login: login.to_owned(), name: name.to_owned(), operator, erased: None };
     match store.add_people(std::slice::from_ref(&person), &entry(now, "person added")).await {

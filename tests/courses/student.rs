@@ -216,21 +216,27 @@ fn reading_says_what_was_read_and_nothing_of_what_is_right() {
 #[test]
 fn before_verdicts_are_released_no_byte_depends_on_what_is_right() {
     let university = University::new();
-    let whole = university.assignment(&[(CARTS, "forward", 10)], |policy: &mut Policy| policy.verdicts = Release::AtClose);
+    let whole =
+        university.assignment(&[(CARTS, "forward", 10)], |policy: &mut Policy| policy.verdicts = Release::AtClose);
     let address = first(&university, &whole);
     let mut ada = university.browser_of("ada");
     ada.get(&address).text(200);
     let (_, answers) = right(&university, "ada");
     let right = &answers["v_A2"];
     // Another number of the same length.
-    let wrong: String = right.chars().map(|own| if own.is_ascii_digit() { if own == '9' { '1' } else { '9' } } else { own }).collect();
+    let wrong: String =
+        right.chars().map(|own| if own.is_ascii_digit() { if own == '9' { '1' } else { '9' } } else { own }).collect();
     let pages = [right.as_str(), wrong.as_str()].map(|text| {
         let university = University::new();
         university.assignment(&[(CARTS, "forward", 10)], |policy: &mut Policy| policy.verdicts = Release::AtClose);
         let mut ada = university.browser_of("ada");
         let after = ada.post(&address, &form("1", &[("answer.v_A2", text)]));
         let mut seen = vec![format!("{} {:?}", after.status, after.header("location"))];
-        for path in [address.clone(), university.address(""), university.address(&format!("/assignments/{}", whole.assignment.key))] {
+        for path in [
+            address.clone(),
+            university.address(""),
+            university.address(&format!("/assignments/{}", whole.assignment.key)),
+        ] {
             seen.push(ada.get(&path).text(200));
         }
         seen.push(ada.post(&format!("{address}/further/v_A2"), &[]).status.to_string());
@@ -238,7 +244,10 @@ fn before_verdicts_are_released_no_byte_depends_on_what_is_right() {
         let number = text.split_whitespace().next().unwrap().trim_start_matches(['−', '-']);
         let text = seen.join("\n").replace(&format!("{number} m"), "NUMBER m");
         // The key of the next request is drawn at random.
-        text.split("name=\"request\" value=\"").enumerate().map(|(place, own)| if place == 0 { own } else { &own[32..] }).collect::<String>()
+        text.split("name=\"request\" value=\"")
+            .enumerate()
+            .map(|(place, own)| if place == 0 { own } else { &own[32..] })
+            .collect::<String>()
     });
     assert!(pages[0].contains("NUMBER") && pages[0].contains("Read as"), "{}", pages[0]);
     assert_eq!(pages[0], pages[1]);
@@ -261,7 +270,11 @@ fn pages_ask_the_database_a_counted_number_of_times() {
     assert_eq!(counted(&mut |ada| drop(ada.get(&address).text(200))), SHEET, "a sheet: statements, rows");
     let hand_in = counted(&mut |ada| drop(ada.post(&address, &form("1", &[("answer.v_A2", "9 m/s")])).to().to_owned()));
     assert_eq!(hand_in, HAND_IN, "handing in: statements, rows");
-    assert_eq!(counted(&mut |ada| drop(ada.get(&university.address("")).text(200))), COURSE, "a course: statements, rows");
+    assert_eq!(
+        counted(&mut |ada| drop(ada.get(&university.address("")).text(200))),
+        COURSE,
+        "a course: statements, rows"
+    );
 }
 
 /// Session, membership, item, assignment with its items, extension, sheet, attempts, hints, draft.

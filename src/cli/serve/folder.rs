@@ -42,7 +42,8 @@ pub(super) fn findings(folder: &Path) -> Vec<Finding> {
 fn others(folder: &Path) -> Option<Finding> {
     use std::os::unix::fs::PermissionsExt;
     let mode = folder.metadata().ok()?.permissions().mode() & 0o777;
-    Some(if mode & 0o077 == 0 {
+    // The last six bits are what the group and others may do.
+    Some(if mode.trailing_zeros() >= 6 {
         Finding::fine(format!("nobody else reads {}", folder.display()))
     } else {
         let what = format!("other users of this machine can reach into {} (mode {mode:o})", folder.display());

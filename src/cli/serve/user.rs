@@ -58,7 +58,9 @@ impl User {
                     .ok_or_else(|| Failure::unusable(format!("somebody signs in as `{login}` already\nhelp: `momentous serve user link {login}` prints a new link")))?
             }
             Command::Link(Link { data, login }) => data
-                .beside(async |store| -> Result<_, StoreFault> { invite::link(&store, login, &Clock::default()).await })?
+                .beside(async |store| -> Result<_, StoreFault> {
+                    invite::link(&store, login, &Clock::default()).await
+                })?
                 .ok_or_else(|| Failure::unusable(format!("nobody signs in as `{login}`")))?,
         };
         Output::whole(

@@ -14,7 +14,10 @@ use crate::problem::{Problem, compile};
 const MOST: NonZeroUsize = NonZeroUsize::new(128).expect("not zero");
 
 /// Problems compiled with the secret of a course, by course and digest; those least asked for are forgotten.
-pub(super) struct CourseLibrary(Mutex<LruCache<(Key<Course>, String), Arc<Problem>>>);
+pub(super) struct CourseLibrary(Mutex<Compiled>);
+
+/// Compiled problems by course and digest.
+type Compiled = LruCache<(Key<Course>, String), Arc<Problem>>;
 
 impl Default for CourseLibrary {
     fn default() -> Self {

@@ -149,7 +149,7 @@ async fn not_shown(app: Shared, reason: NotShown, does: Does, to: &str) -> Respo
         NotShown::SignIn if does == Does::Shows => {
             let base = &app.settings.base_path;
             let to = to.strip_prefix(base.as_str()).unwrap_or(to);
-            let to: String = to.bytes().map(|byte| escaped(byte)).collect();
+            let to: String = to.bytes().map(escaped).collect();
             (StatusCode::SEE_OTHER, [(header::LOCATION, format!("{base}/sign-in?to={to}"))]).into_response()
         }
         NotShown::SignIn => {

@@ -70,7 +70,7 @@ async fn one(
     sheets: Vec<Kept>,
 ) -> Result<Corrected, NotShown> {
     let (course, courses) = (visit.course()?.clone(), Arc::clone(&visit.courses));
-    let source = Source::new(format!("{FOLDER}/{}.yaml", file.problem), file.text.clone());
+    let source = Source::new(&format!("{FOLDER}/{}.yaml", file.problem), &file.text);
     let (digest, policy) = (file.digest.clone(), whole.assignment.policy.clone());
     let sheets = Arc::new(sheets);
     let own = Arc::clone(&sheets);

@@ -55,7 +55,7 @@ async fn page(visit: &Visit, fault: Option<&'static str>) -> Result<Reply, NotSh
 /// Deletes what students handed in, once it was kept long enough.
 pub(in crate::web::courses) async fn forget(visit: &Visit) -> Result<Reply, NotShown> {
     let (_, ends) = ends(visit).await?;
-    if !ends.is_some_and(|ends| visit.now > ends) {
+    if ends.is_none_or(|ends| visit.now <= ends) {
         return Ok(page(visit, Some("the answers have not been kept as long as the course says")).await?.wrong());
     }
     if visit.fields.get("sure") != Some("yes") {

@@ -1,6 +1,7 @@
 //! Who did what in a course.
 
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
 use serde::Serialize;
 
@@ -35,9 +36,9 @@ pub(in crate::web::courses) async fn trail(visit: &Visit) -> Result<Reply, NotSh
     let found = visit.store().trail(course.key, MOST + 1).await?;
     for by in found.iter().filter_map(|entry| entry.by) {
         // Operators need not be members.
-        if !names.contains_key(&by) {
+        if let Entry::Vacant(unnamed) = names.entry(by) {
             let person = visit.store().person(by).await?;
-            names.insert(by, person.map_or_else(|| "(unknown)".to_owned(), |person| person.shown().to_owned()));
+            unnamed.insert(person.map_or_else(|| "(unknown)".to_owned(), |person| person.shown().to_owned()));
         }
     }
     let shown = found.iter().take(MOST as usize).map(|entry| EntryShown {

@@ -105,7 +105,8 @@ pub(in crate::web::courses) async fn assignment(visit: &Visit) -> Result<Reply, 
     for item in whole.items.iter().filter(|item| !item.dropped) {
         items.push(OwnItem::of(visit, item, &sheets, &attempts, released).await?);
     }
-    let total = items.iter().filter_map(|item| item.points.as_ref()).fold(Rational::ZERO, |sum, points| sum + &points.0);
+    let total =
+        items.iter().filter_map(|item| item.points.as_ref()).fold(Rational::ZERO, |sum, points| sum + &points.0);
     let page = AssignmentPage {
         title: whole.assignment.title.clone(),
         own: OwnAssignment::of(visit, &whole.assignment, &window)?,

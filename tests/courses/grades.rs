@@ -1,0 +1,345 @@
+//! What those who teach see of answers, and decide about them.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use momentous::bank::Bank;
+use momentous::course::{Item, Key, Moment, ProblemFile};
+use momentous::fault::Source;
+use momentous::problem::{compile, load};
+use momentous::store::AssignmentWithItems;
+
+use super::university::{BEGIN, DAY, University};
+
+const CARTS: &str = "impact/two-carts";
+
+/// The text of the problem in the bank.
+fn text() -> String {
+    Bank::built_in().find(CARTS).unwrap().text.to_string()
+}
+
+/// The right answers of a student who has seen the first item, as they are printed.
+fn right(university: &University, login: &str) -> BTreeMap<String, String> {
+    let sheets = university.wait(async |store| store.sheets_of(University::member(login)).await).unwrap();
+    let source = Bank::built_in().find(CARTS).unwrap().clone();
+    let problem = compile(load(source).unwrap(), Some(university.course.secret.as_bytes())).unwrap();
+    let exercise = sheets[0].issued.draw(&Arc::new(problem)).unwrap();
+    exercise.worked().form.parts.iter().map(|part| (part.id.clone(), exercise.printed(part))).collect()
+}
+
+/// A class in which Ada has handed in what is right at the first part, which is 2 of 5 points of a sheet worth 10, and nonsense at the
+/// second; Bob has not opened anything.
+struct Handed {
+    university: University,
+    whole: AssignmentWithItems,
+}
+
+impl Handed {
+    fn new() -> Self {
+        let university = University::new();
+        let whole = university.assignment(&[(CARTS, "forward", 10)], |_| {});
+        let own = Self { university, whole };
+        let mut ada = own.university.browser_of("ada");
+        let address = own.item("");
+        ada.get(&address).text(200);
+        let answers = right(&own.university, "ada");
+        own.university.set_clock(DAY / 2);
+        let fields = [("request", "1"), ("answer.v_A2", answers["v_A2"].as_str()), ("answer.v_B2", "ask 555-0199 <b>")];
+        ada.post(&address, &fields).to();
+        own
+    }
+
+    /// An address below the first item.
+    fn item(&self, path: &str) -> String {
+        self.university.address(&format!("/items/{}{path}", self.whole.items[0].key))
+    }
+
+    /// Below the page of Ada's answers.
+    fn answers(&self, path: &str) -> String {
+        self.item(&format!("/students/{}{path}", University::member("ada")))
+    }
+
+    /// An address below the assignment.
+    fn assignment(&self, path: &str) -> String {
+        self.university.address(&format!("/assignments/{}{path}", self.whole.assignment.key))
+    }
+
+    /// Ada's row of the table.
+    fn row(&self) -> String {
+        let table = self.university.browser_of("ida").get(&self.assignment("/gradebook.csv")).text(200);
+        table.lines().find(|line| line.starts_with("ada,")).unwrap().to_owned()
+    }
+
+    /// Publishes another file of the problem in the course.
+    fn publish(&self, text: &str) {
+        let source = Source::new(CARTS, text);
+        let file = ProblemFile {
+            digest: load(source).unwrap().digest,
+            problem: CARTS.to_owned(),
+            text: text.to_owned(),
+            course: Some(self.university.course.key),
+            published: Some(Moment::from_millis(BEGIN + DAY)),
+            saved: Moment::from_millis(BEGIN + DAY),
+        };
+        self.university.wait(async |store| store.save_problem_file(&file, None).await).unwrap();
+    }
+
+    /// The fields of the form to take the published file in.
+    fn choice<'a>(page: &'a str, choice: &'a str) -> [(&'a str, &'a str); 4] {
+        let value = |name: &str| {
+            let (_, rest) = page.split_once(&format!("name=\"{name}\" value=\"")).unwrap();
+            rest.split('"').next().unwrap()
+        };
+        [("revision", value("revision")), ("item", value("item")), ("digest", value("digest")), ("choice", choice)]
+    }
+
+    fn kept(&self) -> Item {
+        let key = self.whole.assignment.key;
+        let whole = self.university.wait(async |store| store.assignment(key).await).unwrap().unwrap();
+        whole.items[0].clone()
+    }
+}
+
+#[test]
+fn a_gradebook_says_what_each_has_and_what_is_missing() {
+    let handed = Handed::new();
+    let mut ann = handed.university.browser_of("ann");
+    let page = ann.get(&handed.assignment("/gradebook")).text(200);
+    assert!(page.contains("1 of 2 students have handed in something"), "{page}");
+    assert!(page.contains("ada &lt;script&gt;") && !page.contains("ada <script>"));
+    assert!(page.contains(">4</a>") && page.contains("<span class=\"aside\">missing</span>"), "{page}");
+    let table = ann.get(&handed.assignment("/gradebook.csv"));
+    assert!(table.header("content-disposition").unwrap().starts_with("attachment"));
+    let lines: Vec<String> = table.text(200).lines().map(str::to_owned).collect();
+    let expected =
+        ["login,name,section,1 impact/two-carts,total,out_of", "ada,ada <script>,A,4,4,10", "bob,bob <script>,A,,0,10"];
+    assert_eq!(lines, expected);
+}
+
+#[test]
+fn every_attempt_is_shown_with_what_was_typed_and_read() {
+    let handed = Handed::new();
+    let mut ada = handed.university.browser_of("ada");
+    handed.university.set_clock(DAY + 1);
+    ada.post(&handed.item(""), &[("request", "2"), ("answer.v_B2", "99 m/s")]).to();
+    let page = handed.university.browser_of("ann").get(&handed.answers("")).text(200);
+    for said in [
+        "<code>ask 555-0199 &lt;b&gt;</code>",
+        "not read:",
+        "Mon, 1 Dec 2025, 21:00",
+        "late by 1 started day",
+        "<code>99 m&#x2F;s</code>",
+        "Attempt 2",
+        "This attempt counts",
+    ] {
+        assert!(page.contains(said) || page.contains(&said.replace("&#x2F;", "/")), "{said}: {page}");
+    }
+    assert!(!page.contains("Set points by hand"), "an assistant decides nothing");
+    let bob = handed.item(&format!("/students/{}", University::member("bob")));
+    assert!(handed.university.browser_of("ida").get(&bob).text(200).contains("has not opened this problem"));
+}
+
+#[test]
+fn what_is_of_another_course_is_not_there() {
+    let handed = Handed::new();
+    let mut ida = handed.university.browser_of("ida");
+    let cleo = University::member("cleo");
+    for path in [format!("/items/{}/students/{cleo}", handed.whole.items[0].key), format!("/members/{cleo}")] {
+        assert_eq!(ida.get(&handed.university.address(&path)).status, 404, "{path}");
+    }
+    let mut other = handed.whole.clone();
+    other.assignment.key = Key::new([77; 16]);
+    other.assignment.course = handed.university.other.key;
+    other.items[0].key = Key::new([78; 16]);
+    other.items[0].assignment = other.assignment.key;
+    handed.university.wait(async |store| store.save_assignment(&other, &University::entry(90)).await).unwrap();
+    for path in ["gradebook", "gradebook.csv", "statistics", "regrade"] {
+        let address = handed.university.address(&format!("/assignments/{}/{path}", other.assignment.key));
+        assert_eq!(ida.get(&address).status, 404, "{path}");
+    }
+    let address = format!("/items/{}/students/{}", other.items[0].key, University::member("ada"));
+    assert_eq!(ida.get(&handed.university.address(&address)).status, 404);
+}
+
+#[test]
+fn points_set_by_hand_have_a_reason_and_nothing_before_is_lost() {
+    let handed = Handed::new();
+    let mut ida = handed.university.browser_of("ida");
+    let address = handed.answers("/points");
+    let wrong = ida.post(&address, &[("points", "7.5"), ("reason", "")]).text(422);
+    assert!(wrong.contains("Say why") && wrong.contains("value=\"7.5\""), "{wrong}");
+    let wrong = ida.post(&address, &[("points", "11"), ("reason", "oral \"exam\"")]).text(422);
+    assert!(wrong.contains("Write points from 0 to 10") && wrong.contains("oral &quot;exam&quot;"), "{wrong}");
+    assert_eq!(handed.row(), "ada,ada <script>,A,4,4,10");
+    assert_eq!(ida.post(&address, &[("points", "22/3"), ("reason", "oral exam")]).to(), handed.answers(""));
+    assert_eq!(handed.row(), "ada,ada <script>,A,7.333333,7.333333,10");
+    let page = ida.get(&handed.assignment("/gradebook")).text(200);
+    assert!(page.contains(">22/3</a> <span class=\"count\">by hand</span>") || page.contains("22&#x2F;3"), "{page}");
+    ida.post(&address, &[("points", ""), ("reason", "a mistake of mine")]).to();
+    assert_eq!(handed.row(), "ada,ada <script>,A,4,4,10");
+    let key = handed.whole.assignment.key;
+    let kept = handed.university.wait(async |store| store.set_by_hand(key).await).unwrap();
+    let points: Vec<_> = kept.iter().map(|own| (own.points.as_deref(), own.reason.as_str())).collect();
+    assert_eq!(points, [(Some("22/3"), "oral exam"), (None, "a mistake of mine")]);
+}
+
+#[test]
+fn a_redacted_answer_is_gone_and_its_points_stay() {
+    let handed = Handed::new();
+    let mut ida = handed.university.browser_of("ida");
+    let address = handed.answers("/redact");
+    let fault = ida.post(&address, &[("attempt", "1"), ("part", "v_B2"), ("reason", "")]).text(422);
+    assert!(fault.contains("Say why") && fault.contains("0199"), "{fault}");
+    for (attempt, part) in [("2", "v_B2"), ("x", "v_B2")] {
+        assert_eq!(ida.post(&address, &[("attempt", attempt), ("part", part), ("reason", "r")]).status, 404);
+    }
+    ida.post(&address, &[("attempt", "1"), ("part", "v_B2"), ("reason", "a telephone number")]).to();
+    let page = ida.get(&handed.answers("")).text(200);
+    assert!(!page.contains("0199") && page.contains("[redacted]"), "{page}");
+    assert_eq!(handed.row(), "ada,ada <script>,A,4,4,10");
+    let trail = ida.get(&handed.university.address("/trail")).text(200);
+    assert!(
+        trail.contains("answer redacted")
+            && trail.contains("a telephone number")
+            && trail.contains("ida &lt;script&gt;")
+    );
+    assert!(!trail.contains("0199"), "{trail}");
+}
+
+#[test]
+fn statistics_say_how_easy_a_part_was() {
+    let handed = Handed::new();
+    let page = handed.university.browser_of("ann").get(&handed.assignment("/statistics")).text(200);
+    assert!(page.contains("of 1 students") && page.contains("forward: v_A2") && page.contains("100 %"), "{page}");
+}
+
+#[test]
+fn a_corrected_problem_is_previewed_and_taken_in_once() {
+    let handed = Handed::new();
+    let (mut ida, mut second) = (handed.university.browser_of("ida"), handed.university.browser_of("ida"));
+    let address = handed.assignment("/regrade");
+    assert!(ida.get(&address).text(200).contains("No problem of this assignment has changed"));
+    // Of 2 + 2 + 1 points Ada has 2; of 7 + 2 + 1 she has 7.
+    handed.publish(&text().replace("v_A2, unit: m/s, points: 2", "v_A2, unit: m/s, points: 7"));
+    let page = ida.get(&address).text(200);
+    assert!(page.contains("Of 1 sheets it draws 0 otherwise"), "{page}");
+    assert!(
+        page.contains("<th scope=\"row\">ada &lt;script&gt;</th><td>4</td><td>7</td><td>10</td><td>–</td>"),
+        "{page}"
+    );
+    assert_eq!(handed.row(), "ada,ada <script>,A,4,4,10", "a preview changes nothing");
+    let fields = Handed::choice(&page, "remark");
+    assert_eq!(
+        ida.post(&address, &[&fields[..3], &[("choice", "issue_anew")]].concat()).status,
+        400,
+        "it is not offered"
+    );
+    ida.post(&address, &fields).to();
+    assert_eq!(handed.row(), "ada,ada <script>,A,7,7,10");
+    let late = second.post(&address, &fields).text(409);
+    assert!(late.contains("nothing was done") || late.contains("Nothing was done"), "{late}");
+    assert!(ida.get(&address).text(200).contains("No problem of this assignment has changed"));
+    // What is handed in from now on is marked by the corrected problem.
+    let answers = right(&handed.university, "ada");
+    let mut ada = handed.university.browser_of("ada");
+    ada.post(&handed.item(""), &[("request", "3"), ("answer.T_lost", &answers["T_lost"])]).to();
+    assert_eq!(handed.row(), "ada,ada <script>,A,8,8,10");
+}
+
+#[test]
+fn an_answer_that_comes_between_preview_and_change_is_not_overlooked() {
+    let handed = Handed::new();
+    handed.publish(&text().replace("v_A2, unit: m/s, points: 2", "v_A2, unit: m/s, points: 7"));
+    let mut ida = handed.university.browser_of("ida");
+    let page = ida.get(&handed.assignment("/regrade")).text(200);
+    let answers = right(&handed.university, "ada");
+    let mut ada = handed.university.browser_of("ada");
+    ada.post(&handed.item(""), &[("request", "2"), ("answer.T_lost", &answers["T_lost"])]).to();
+    ida.post(&handed.assignment("/regrade"), &Handed::choice(&page, "remark")).to();
+    assert_eq!(handed.row(), "ada,ada <script>,A,8,8,10", "both attempts are marked anew");
+}
+
+#[test]
+fn where_a_problem_draws_something_else_the_instructor_chooses() {
+    let other = text().replace("v_A2, unit: m/s, points: 2", "v_A2, unit: km/h, points: 2");
+    for (choice, row, issue) in [
+        ("full_marks", "ada,ada <script>,A,10,10,10", 0),
+        ("drop", "ada,ada <script>,A,0,0", 0),
+        ("issue_anew", "ada,ada <script>,A,,0,10", 1),
+    ] {
+        let handed = Handed::new();
+        handed.publish(&other);
+        let mut ida = handed.university.browser_of("ida");
+        let page = ida.get(&handed.assignment("/regrade")).text(200);
+        assert!(page.contains("Of 1 sheets it draws 1 otherwise"), "{page}");
+        let refused = ida.post(&handed.assignment("/regrade"), &Handed::choice(&page, "remark"));
+        assert_eq!(refused.status, 400, "nothing can be marked again");
+        ida.post(&handed.assignment("/regrade"), &Handed::choice(&page, choice)).to();
+        assert_eq!((handed.row().as_str(), handed.kept().issue), (row, issue), "{choice}");
+        assert!(
+            ida.get(&handed.assignment("/regrade")).text(200).contains("No problem of this assignment has changed"),
+            "{choice}"
+        );
+        let mut ada = handed.university.browser_of("ada");
+        let sheet = ada.get(&handed.item("")).text(200);
+        assert_eq!(sheet.contains("km"), choice == "issue_anew", "{choice}: {sheet}");
+    }
+}
+
+#[test]
+fn students_take_their_own_data_and_nobody_elses() {
+    let handed = Handed::new();
+    let address = handed.university.address(&format!("/members/{}/data", University::member("ada")));
+    let own = handed.university.browser_of("ada").get(&address).text(200);
+    let data: serde_json::Value = serde_json::from_str(&own).unwrap();
+    assert_eq!(data["login"], "ada");
+    let attempt = &data["sheets"][0]["attempts"][0];
+    assert_eq!(attempt["answers"]["v_B2"], "ask 555-0199 <b>");
+    assert!(attempt["report"]["total"].is_string() || attempt["report"]["total"].is_number(), "{own}");
+    assert!(!own.contains("\"seed\"") && !own.contains(&handed.university.course.secret), "{own}");
+    assert_eq!(handed.university.browser_of("ida").get(&address).text(200), own);
+    assert_eq!(handed.university.browser_of("bob").get(&address).status, 403);
+    assert_eq!(handed.university.browser_of("ann").get(&address).status, 403);
+}
+
+#[test]
+fn an_erased_name_is_gone_and_its_marks_stay() {
+    let handed = Handed::new();
+    let mut ada = handed.university.browser_of("ada");
+    let mut ida = handed.university.browser_of("ida");
+    let page = handed.university.address(&format!("/members/{}", University::member("ada")));
+    let address = format!("{page}/erase");
+    assert!(ida.post(&address, &[("login", "ad")]).text(422).contains("Type the name"));
+    ada.get("/courses").text(200);
+    ida.post(&address, &[("login", "ada")]).to();
+    assert_eq!(ada.get("/courses").status, 303, "nobody signs in as nobody");
+    let table = ida.get(&handed.assignment("/gradebook.csv")).text(200);
+    assert!(table.contains(",(erased),A,4,4,10") && !table.contains("ada"), "{table}");
+    let trail = ida.get(&handed.university.address("/trail")).text(200);
+    assert!(trail.contains("name erased") && !trail.contains("ada"), "{trail}");
+    assert!(ida.post(&address, &[("login", "")]).text(422).contains("erased already"));
+    let own = handed.university.address(&format!("/members/{}/erase", University::member("ida")));
+    assert!(ida.post(&own, &[("login", "ida")]).text(422).contains("own name"));
+}
+
+#[test]
+fn answers_are_deleted_when_they_were_kept_long_enough_and_not_before() {
+    let mut handed = Handed::new();
+    handed.university.course.retention_days = Some(30);
+    let course = handed.university.course.clone();
+    handed.university.wait(async |store| store.save_course(&course, &University::entry(91)).await).unwrap();
+    let mut ida = handed.university.browser_of("ida");
+    let address = handed.university.address("/retention");
+    let page = ida.get(&address).text(200);
+    assert!(page.contains("1 sheets with 1 attempts") && page.contains("Sat, 3 Jan 2026, 09:00"), "{page}");
+    // The assignment closes after three days.
+    handed.university.set_clock(33 * DAY);
+    let mut ida = handed.university.browser_of("ida");
+    ida.post(&address, &[("sure", "yes")]).text(422);
+    assert_eq!(handed.row(), "ada,ada <script>,A,4,4,10");
+    handed.university.set_clock(33 * DAY + 1);
+    ida.post(&address, &[]).text(422);
+    ida.post(&address, &[("sure", "yes")]).to();
+    assert_eq!(handed.row(), "ada,ada <script>,A,,0,10");
+    assert!(ida.get(&address).text(200).contains("0 sheets with 0 attempts"));
+}
