@@ -49,6 +49,7 @@ const PACKAGES: &[(&str, &str)] = &[
     ("sqlx", "store"),
     ("jiff", "course"),
     ("axum", "web"),
+    ("prometheus_client", "web"),
     ("rapier2d_f64", "simulate"),
     ("zip", "export"),
 ];
