@@ -13,6 +13,8 @@ use sample::Sample;
 
 #[path = "store/database.rs"]
 mod database;
+#[path = "store/decided.rs"]
+mod decided;
 #[path = "store/sample.rs"]
 mod sample;
 

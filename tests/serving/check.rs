@@ -33,7 +33,6 @@ fn a_new_folder_is_fine_and_is_not_made() {
 #[test]
 fn what_is_wrong_is_said_with_the_way_out() {
     let room = folder();
-    fs::create_dir_all(room.path().join("problem_bank/impact")).unwrap();
     fs::create_dir_all(room.path().join("templates/web")).unwrap();
     fs::write(room.path().join("problem_bank/impact/broken.yaml"), "title: no scene\n").unwrap();
     fs::write(room.path().join("file"), "").unwrap();

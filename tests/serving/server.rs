@@ -14,9 +14,13 @@ pub struct Server {
     pub address: String,
 }
 
-/// A folder of a test's own.
+/// A folder of a test's own, with a bank of one problem: a check compiles all of a bank.
 pub fn folder() -> TempDir {
-    tempfile::tempdir().unwrap()
+    let folder = tempfile::tempdir().unwrap();
+    let topic = folder.path().join("problem_bank/impact");
+    std::fs::create_dir_all(&topic).unwrap();
+    std::fs::write(topic.join("two-carts.yaml"), include_str!("../../problem_bank/impact/two-carts.yaml")).unwrap();
+    folder
 }
 
 /// The program with arguments, in a folder.

@@ -54,7 +54,7 @@ async fn page(visit: &Visit, own: &Membership, fault: Option<String>) -> Result<
 pub(in crate::web::courses) async fn data(visit: &Visit) -> Result<Reply, NotShown> {
     let place = visit.place()?;
     if place.member.role != Role::Instructor && place.member.key.to_string() != visit.part("member") {
-        return Err(NotShown::Forbidden("this page is for the student and for those who teach the course"));
+        return Err(NotShown::missing("you have no such data in this course"));
     }
     let own = class::member(visit).await?;
     let store = visit.store();
