@@ -61,8 +61,10 @@ pub fn serve(settings: Settings, ready: impl FnOnce(SocketAddr, Option<String>))
             let (listener, page) = (listening(address).await?, metrics_router(Arc::clone(&app)));
             tokio::spawn(async move { axum::serve(listener, page).await });
         }
+        // Whoever hears the address may tell it to stop.
+        let stop = told_to_stop()?;
         ready(listener.local_addr()?, first);
-        axum::serve(listener, router(app)).with_graceful_shutdown(told_to_stop()).await?;
+        axum::serve(listener, router(app)).with_graceful_shutdown(stop).await?;
         Ok(())
     })
 }
@@ -71,25 +73,24 @@ async fn listening(address: SocketAddr) -> Result<TcpListener, NotServed> {
     TcpListener::bind(address).await.map_err(|error| NotServed::Address(address, error))
 }
 
+/// From now on the program waits to be told to stop; the future ends when it is.
 #[cfg(unix)]
-async fn told_to_stop() {
+fn told_to_stop() -> io::Result<impl Future<Output = ()>> {
+    use std::future::poll_fn;
+    use std::task::Poll;
+
     use tokio::signal::unix::{SignalKind, signal};
-    let Ok(mut terminated) = signal(SignalKind::terminate()) else {
-        let _ = tokio::signal::ctrl_c().await;
-        return;
-    };
-    let (mut interrupted, mut terminated) = (Box::pin(tokio::signal::ctrl_c()), Box::pin(terminated.recv()));
-    std::future::poll_fn(|context| {
-        if interrupted.as_mut().poll(context).is_ready() || terminated.as_mut().poll(context).is_ready() {
-            std::task::Poll::Ready(())
-        } else {
-            std::task::Poll::Pending
-        }
-    })
-    .await;
+
+    let (mut interrupted, mut terminated) = (signal(SignalKind::interrupt())?, signal(SignalKind::terminate())?);
+    Ok(poll_fn(move |context| {
+        let is_told = interrupted.poll_recv(context).is_ready() || terminated.poll_recv(context).is_ready();
+        if is_told { Poll::Ready(()) } else { Poll::Pending }
+    }))
 }
 
 #[cfg(not(unix))]
-async fn told_to_stop() {
-    let _ = tokio::signal::ctrl_c().await;
+fn told_to_stop() -> io::Result<impl Future<Output = ()>> {
+    Ok(async {
+        let _ = tokio::signal::ctrl_c().await;
+    })
 }

@@ -13,7 +13,7 @@ fn commands() -> Vec<(usize, Vec<String>)> {
         let text = block.text.replace("\\\n", " ");
         let lines: Vec<String> = text.lines().map(str::to_owned).collect();
         lines.into_iter().filter_map(move |line| {
-            let at = line.find("momentous serve").or_else(|| line.find("momentous\", \"serve"))?;
+            let at = format!("{line} ").find("momentous serve ").or_else(|| line.find("momentous\", \"serve"))?;
             let plain = line[at..].replace(['"', ',', '[', ']'], " ");
             let own = plain.split(" #").next().unwrap_or_default();
             Some((block.line, own.split_whitespace().map(str::to_owned).collect()))
