@@ -210,7 +210,7 @@ fn a_redacted_answer_is_gone_and_its_points_stay() {
 fn statistics_say_how_easy_a_part_was() {
     let handed = Handed::new();
     let page = handed.university.browser_of("ann").get(&handed.assignment("/statistics")).text(200);
-    assert!(page.contains("of 1 students") && page.contains("forward: v_A2") && page.contains("100 %"), "{page}");
+    assert!(page.contains("of 1 student;") && page.contains("forward: v_A2") && page.contains("100 %"), "{page}");
 }
 
 #[test]
@@ -222,7 +222,7 @@ fn a_corrected_problem_is_previewed_and_taken_in_once() {
     // Of 2 + 2 + 1 points Ada has 2; of 7 + 2 + 1 she has 7.
     handed.publish(&text().replace("v_A2, unit: m/s, points: 2", "v_A2, unit: m/s, points: 7"));
     let page = ida.get(&address).text(200);
-    assert!(page.contains("Of 1 sheets it draws 0 otherwise"), "{page}");
+    assert!(page.contains("Of 1 sheet it draws 0 otherwise"), "{page}");
     assert!(
         page.contains("<th scope=\"row\">ada &lt;script&gt;</th><td>4</td><td>7</td><td>10</td><td>–</td>"),
         "{page}"
@@ -271,7 +271,7 @@ fn where_a_problem_draws_something_else_the_instructor_chooses() {
         handed.publish(&other);
         let mut ida = handed.university.browser_of("ida");
         let page = ida.get(&handed.assignment("/regrade")).text(200);
-        assert!(page.contains("Of 1 sheets it draws 1 otherwise"), "{page}");
+        assert!(page.contains("Of 1 sheet it draws 1 otherwise"), "{page}");
         let refused = ida.post(&handed.assignment("/regrade"), &Handed::choice(&page, "remark"));
         assert_eq!(refused.status, 400, "nothing can be marked again");
         ida.post(&handed.assignment("/regrade"), &Handed::choice(&page, choice)).to();
@@ -331,7 +331,7 @@ fn answers_are_deleted_when_they_were_kept_long_enough_and_not_before() {
     let mut ida = handed.university.browser_of("ida");
     let address = handed.university.address("/retention");
     let page = ida.get(&address).text(200);
-    assert!(page.contains("1 sheets with 1 attempts") && page.contains("Sat, 3 Jan 2026, 09:00"), "{page}");
+    assert!(page.contains("1 sheet with 1 attempt,") && page.contains("Sat, 3 Jan 2026, 09:00"), "{page}");
     // The assignment closes after three days.
     handed.university.set_clock(33 * DAY);
     let mut ida = handed.university.browser_of("ida");
