@@ -33,7 +33,11 @@ pub(in crate::web::courses) async fn set_points(visit: &Visit) -> Result<Reply, 
     let by = visit.person()?.key;
     let what = if read.is_some() { "points set by hand" } else { "points of marking count again" };
     let detail = format!("sheet {}: {}", sheet.key, read.as_deref().unwrap_or("as marked"));
-    let points = Override { sheet: sheet.key, points: read, reason: reason.clone(), by, at: visit.now };
+    // The last one counts, whatever became of the clock.
+    let before = visit.store().set_by_hand(place.whole.assignment.key).await?;
+    let last = before.iter().filter(|own| own.sheet == sheet.key).map(|own| own.at.after(1)).max();
+    let at = last.map_or(visit.now, |last| last.max(visit.now));
+    let points = Override { sheet: sheet.key, points: read, reason: reason.clone(), by, at };
     visit.store().set_points(session::key(), &points, &visit.entry(what, detail)).await?;
     Ok(Reply::To(place.address(visit)?))
 }

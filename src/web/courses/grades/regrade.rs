@@ -129,7 +129,8 @@ pub(in crate::web::courses) async fn regrade_apply(visit: &Visit) -> Result<Repl
         from: own.item.digest.clone().unwrap_or_default(),
         to: own.file.digest.clone(),
         choice,
-        at: visit.now,
+        // The last one counts, whatever became of the clock.
+        at: decided.iter().map(|own| own.at.after(1)).fold(visit.now, Ord::max),
     };
     if own.file.course.is_none() {
         // The sheets that are drawn from it from now on need its text.
