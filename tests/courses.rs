@@ -4,10 +4,18 @@
 
 #[path = "courses/access.rs"]
 mod access;
+#[path = "courses/editor.rs"]
+mod editor;
 #[path = "courses/grades.rs"]
 mod grades;
+#[path = "courses/print.rs"]
+mod print;
+#[path = "courses/problems.rs"]
+mod problems;
 #[path = "courses/sign_in.rs"]
 mod sign_in;
+#[path = "courses/staff.rs"]
+mod staff;
 #[path = "courses/student.rs"]
 mod student;
 #[path = "courses/university.rs"]

@@ -4,7 +4,7 @@
 
 use std::collections::BTreeMap;
 
-use momentous::course::{Attempt, Draft, HintShown, Key, Member, Moment, Override, Person, Role, Sheet};
+use momentous::course::{Attempt, Course, Draft, HintShown, Key, Member, Moment, Override, Person, Role, Sheet};
 use momentous::exercise::Exercise;
 use momentous::store::{Address, AssignmentWithItems, HandIn, HandedIn, Store, StoreFault, Ticket, TicketKind};
 
@@ -82,15 +82,39 @@ fn an_extension_keeps_a_problem_reserved_until_the_last_has_closed() {
         let store = database.serve().await;
         let own = Sample::kept(&store).await;
         let closes = own.whole.assignment.policy.closes;
-        let open = async |moment| store.open_items("impact/two-carts", moment).await.unwrap().len();
-        assert_eq!([open(closes.after(-1)).await, open(closes).await], [1, 0]);
+        let open = async |moment| store.open_assignments(moment).await.unwrap().len();
+        assert_eq!([open(closes).await, open(closes.after(1)).await], [1, 0]);
+        assert_eq!(store.open_assignments(closes).await.unwrap()[0].0.items, own.whole.items);
         store.extend(&own.extension(closes.after(1000)), &own.entry(60)).await.unwrap();
-        assert_eq!([open(closes.after(999)).await, open(closes.after(1000)).await], [1, 0]);
+        assert_eq!([open(closes.after(1000)).await, open(closes.after(1001)).await], [1, 0]);
+        assert_eq!(store.open_assignments(closes).await.unwrap()[0].1.len(), 1);
         let found = store.extension(own.whole.assignment.key, own.member.key).await.unwrap().unwrap();
         assert_eq!(found.reason, "was ill");
         let shorter = AssignmentWithItems { revision: 0, ..own.whole.clone() };
         store.save_assignment(&shorter, &own.entry(61)).await.unwrap();
         assert_eq!(open(closes.after(999)).await, 1, "a change of the assignment forgets no extension");
+    });
+}
+
+#[test]
+fn a_course_knows_who_has_a_password_and_who_is_elsewhere() {
+    on_both(async |database| {
+        let store = database.serve().await;
+        let own = Sample::kept(&store).await;
+        let course = own.course.key;
+        assert!(store.with_password(course).await.unwrap().is_empty());
+        store.set_password(own.student.key, "a hash".into(), &own.entry(90)).await.unwrap();
+        assert_eq!(store.with_password(course).await.unwrap().into_iter().collect::<Vec<_>>(), [own.student.key]);
+        assert!(store.elsewhere(course).await.unwrap().is_empty());
+        let other = Course { key: Key::new([91; 16]), ..own.course.clone() };
+        let there = Member { key: Key::new([92; 16]), course: other.key, role: Role::Assistant, ..own.member.clone() };
+        store.add_course(&other, &there, &own.entry(93)).await.unwrap();
+        assert_eq!(store.elsewhere(course).await.unwrap()[0].member, there);
+        let left = Member { left: Some(NOW), ..there };
+        let renamed = Person { name: "Ada King".into(), ..own.student.clone() };
+        store.save_members(&[renamed.clone()], &[left], &own.entry(94)).await.unwrap();
+        assert!(store.elsewhere(course).await.unwrap().is_empty());
+        assert_eq!(store.person(renamed.key).await.unwrap(), Some(renamed));
     });
 }
 

@@ -24,7 +24,7 @@ macro_rules! built_in {
 }
 
 /// Every built-in file by its path below `templates/`.
-const BUILT_IN: [(&str, &str); 48] = built_in![
+const BUILT_IN: [(&str, &str); 62] = built_in![
     "html/blocks.tera",
     "html/body.tera",
     "html/document.tera",
@@ -52,6 +52,7 @@ const BUILT_IN: [(&str, &str); 48] = built_in![
     "web/courses/assignment.tera",
     "web/courses/course.tera",
     "web/courses/courses.tera",
+    "web/courses/entry.tera",
     "web/courses/grades/answers.tera",
     "web/courses/grades/gradebook.tera",
     "web/courses/grades/member.tera",
@@ -63,6 +64,19 @@ const BUILT_IN: [(&str, &str); 48] = built_in![
     "web/courses/link.tera",
     "web/courses/sign-in.tera",
     "web/courses/solution.tera",
+    "web/courses/staff/editor.tera",
+    "web/courses/staff/extensions.tera",
+    "web/courses/staff/link.tera",
+    "web/courses/staff/look.tera",
+    "web/courses/staff/new-course.tera",
+    "web/courses/staff/people.tera",
+    "web/courses/staff/preview.tera",
+    "web/courses/staff/print.tera",
+    "web/courses/staff/problem.tera",
+    "web/courses/staff/problems.tera",
+    "web/courses/staff/roster.tera",
+    "web/courses/staff/settings.tera",
+    "web/courses/staff/write.tera",
     "web/field.tera",
     "web/layout.tera",
     "web/play.tera",

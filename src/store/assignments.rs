@@ -1,6 +1,7 @@
 //! Assignments, their items, and more time for some.
 
 use sqlx::Row;
+use sqlx::any::AnyRow;
 use sqlx::query;
 
 use crate::course::{Assignment, Correction, Course, Extension, Item, Key, Member, Moment};
@@ -113,16 +114,31 @@ impl Store {
         self.records(statement.bind(course.to_string())).await
     }
 
-    /// The items of every assignment that is open for somebody and asks this problem.
+    /// Every assignment that is open for somebody at a moment, with its items and extensions.
     ///
     /// # Errors
     /// Where the database refuses.
-    pub async fn open_items(&self, problem: &str, now: Moment) -> Result<Vec<Item>, StoreFault> {
-        let statement = query(
-            "SELECT i.data FROM item i JOIN assignment a ON a.key = i.assignment \
-             WHERE i.problem = $1 AND a.opens <= $2 AND a.closes > $2",
-        );
-        self.records(statement.bind(problem.to_owned()).bind(now.millis())).await
+    pub async fn open_assignments(
+        &self,
+        now: Moment,
+    ) -> Result<Vec<(AssignmentWithItems, Vec<Extension>)>, StoreFault> {
+        let open = "SELECT data, revision FROM assignment WHERE opens <= $1 AND closes >= $1 ORDER BY key";
+        let found = self.rows(query(open).bind(now.millis())).await?;
+        if found.is_empty() {
+            return Ok(Vec::new());
+        }
+        let items = "SELECT i.data FROM item i JOIN assignment a ON a.key = i.assignment WHERE a.opens <= $1 AND a.closes >= $1";
+        let mut items: Vec<Item> = self.records(query(items).bind(now.millis())).await?;
+        items.sort_by_key(|item| item.position);
+        let more = "SELECT e.data FROM extension e JOIN assignment a ON a.key = e.assignment WHERE a.opens <= $1 AND a.closes >= $1";
+        let more: Vec<Extension> = self.records(query(more).bind(now.millis())).await?;
+        let whole = |row: &AnyRow| {
+            let (assignment, revision): (Assignment, i64) = (record(row)?, row.try_get(1)?);
+            let items = items.iter().filter(|item| item.assignment == assignment.key).cloned().collect();
+            let extensions = more.iter().filter(|own| own.assignment == assignment.key).cloned().collect();
+            Ok((AssignmentWithItems { assignment, items, revision }, extensions))
+        };
+        found.iter().map(whole).collect()
     }
 
     /// Gives one student more time.

@@ -1,5 +1,7 @@
 //! Courses and who takes part in them.
 
+use std::collections::BTreeSet;
+
 use sqlx::Row;
 use sqlx::any::AnyRow;
 use sqlx::query;
@@ -91,12 +93,38 @@ impl Store {
         self.memberships(statement.bind(of.to_string())).await
     }
 
-    /// Adds people and keeps members, all or none.
+    /// The places that those who take part in a course have in other courses.
     ///
     /// # Errors
-    /// Where somebody signs in by a new person's name already: [`StoreFault::is_taken`].
-    pub async fn save_members(&self, new: &[Person], members: &[Member], entry: &Entry) -> Result<(), StoreFault> {
-        let people = new.iter().map(people::add);
+    /// Where the database refuses.
+    pub async fn elsewhere(&self, of: Key<Course>) -> Result<Vec<Membership>, StoreFault> {
+        let statement = query(
+            "SELECT m.data, p.data AS person, c.data AS course, c.secret FROM member own \
+             JOIN member m ON m.person = own.person AND m.course <> own.course JOIN person p ON p.key = m.person \
+             JOIN course c ON c.key = m.course WHERE own.course = $1 ORDER BY m.key",
+        );
+        let all = self.memberships(statement.bind(of.to_string())).await?;
+        Ok(all.into_iter().filter(|own| own.member.left.is_none()).collect())
+    }
+
+    /// Those in a course who have a password.
+    ///
+    /// # Errors
+    /// Where the database refuses.
+    pub async fn with_password(&self, of: Key<Course>) -> Result<BTreeSet<Key<Person>>, StoreFault> {
+        let statement = query(
+            "SELECT p.data FROM member m JOIN person p ON p.key = m.person JOIN password w ON w.person = m.person WHERE m.course = $1",
+        );
+        let people: Vec<Person> = self.records(statement.bind(of.to_string())).await?;
+        Ok(people.into_iter().map(|person| person.key).collect())
+    }
+
+    /// Keeps people, new or changed, and members, all or none.
+    ///
+    /// # Errors
+    /// Where somebody else signs in by a person's name already: [`StoreFault::is_taken`].
+    pub async fn save_members(&self, people: &[Person], members: &[Member], entry: &Entry) -> Result<(), StoreFault> {
+        let people = people.iter().map(people::keep);
         let mut statements = people.chain(members.iter().map(save)).collect::<Result<Vec<_>, _>>()?;
         statements.push(entry.statement()?);
         self.write(statements).await.map(|_| ())

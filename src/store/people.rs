@@ -119,8 +119,17 @@ fn login(person: &Person) -> Option<String> {
     (!person.login.is_empty()).then(|| person.login.clone())
 }
 
-pub(super) fn add(person: &Person) -> Result<Statement, StoreFault> {
+fn add(person: &Person) -> Result<Statement, StoreFault> {
     let statement = query("INSERT INTO person (key, login, data) VALUES ($1, $2, $3)");
+    Ok(statement.bind(person.key.to_string()).bind(login(person)).bind(kept(person)?))
+}
+
+/// A person who may be there already, under its key.
+pub(super) fn keep(person: &Person) -> Result<Statement, StoreFault> {
+    let statement = query(
+        "INSERT INTO person (key, login, data) VALUES ($1, $2, $3) \
+         ON CONFLICT (key) DO UPDATE SET login = excluded.login, data = excluded.data",
+    );
     Ok(statement.bind(person.key.to_string()).bind(login(person)).bind(kept(person)?))
 }
 

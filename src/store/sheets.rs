@@ -49,12 +49,23 @@ impl Store {
     /// # Errors
     /// Where the database refuses.
     pub async fn add_sheet(&self, sheet: &Sheet) -> Result<(), StoreFault> {
-        let statement = query(
-            "INSERT INTO sheet (key, item, member, issue, data) VALUES ($1, $2, $3, $4, $5) ON CONFLICT DO NOTHING",
-        );
-        let statement =
-            statement.bind(sheet.key.to_string()).bind(sheet.item.to_string()).bind(sheet.member.to_string());
-        self.write(vec![statement.bind(i64::from(sheet.issue)).bind(kept(sheet)?)]).await.map(|_| ())
+        self.add_sheets(std::slice::from_ref(sheet)).await
+    }
+
+    /// Keeps sheets, all or none; where a student has one of the item already, that one stays.
+    ///
+    /// # Errors
+    /// Where the database refuses.
+    pub async fn add_sheets(&self, sheets: &[Sheet]) -> Result<(), StoreFault> {
+        let add = |sheet: &Sheet| {
+            let statement = query(
+                "INSERT INTO sheet (key, item, member, issue, data) VALUES ($1, $2, $3, $4, $5) ON CONFLICT DO NOTHING",
+            );
+            let statement = statement.bind(sheet.key.to_string()).bind(sheet.item.to_string());
+            Ok(statement.bind(sheet.member.to_string()).bind(i64::from(sheet.issue)).bind(kept(sheet)?))
+        };
+        let statements: Result<Vec<_>, StoreFault> = sheets.iter().map(add).collect();
+        self.write(statements?).await.map(|_| ())
     }
 
     /// A sheet by its key.

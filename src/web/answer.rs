@@ -29,6 +29,7 @@ struct RefusedPage<'a> {
 fn kind(kind: RefusedKind) -> (StatusCode, &'static str) {
     match kind {
         RefusedKind::Unknown => (StatusCode::NOT_FOUND, "Not found"),
+        RefusedKind::Reserved => (StatusCode::FORBIDDEN, "Part of an assignment"),
         RefusedKind::Invalid => (StatusCode::BAD_REQUEST, "Not understood"),
         RefusedKind::TooLarge => (StatusCode::PAYLOAD_TOO_LARGE, "Too large"),
         RefusedKind::Values => (StatusCode::UNPROCESSABLE_ENTITY, "These values cannot be used"),

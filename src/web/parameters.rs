@@ -26,6 +26,11 @@ impl Parameters {
         self.0.iter().find(|(own, _)| own == name).is_some_and(|(_, value)| value.trim().is_empty())
     }
 
+    /// Every value of a name that may come several times.
+    pub(super) fn all(&self, name: &str) -> impl Iterator<Item = &str> {
+        self.0.iter().filter(move |(own, _)| own == name).map(|(_, value)| value.as_str())
+    }
+
     /// A whole number, where there is one.
     pub(super) fn number(&self, name: &str) -> Result<Option<u64>, Refused> {
         let Some(text) = self.get(name) else { return Ok(None) };

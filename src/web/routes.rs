@@ -9,6 +9,7 @@ use axum::extract::DefaultBodyLimit;
 use axum::extract::Path;
 use axum::extract::Query;
 use axum::extract::State;
+use axum::http::HeaderMap;
 use axum::http::StatusCode;
 use axum::http::header;
 use axum::middleware::from_fn_with_state;
@@ -21,11 +22,12 @@ use tower_http::catch_panic::CatchPanicLayer;
 use tower_http::compression::CompressionLayer;
 use tower_http::set_header::SetResponseHeaderLayer;
 
-use crate::exercise::calls::{Refused, RefusedKind};
+use crate::exercise::calls::{Engine, Refused, RefusedKind};
+use crate::store::StoreFault;
 
 use super::answer;
 use super::app::{App, Shared};
-use super::courses::with_courses;
+use super::courses::{Rest, Withheld, with_courses};
 use super::headers::{FOR_EVER, HEADERS};
 use super::health::health;
 use super::observed::observed;
@@ -38,14 +40,24 @@ type Fields = Vec<(String, String)>;
 /// What makes the page of a problem, or of a simulator by its name.
 type OfProblem = fn(&App, String, &Parameters) -> Result<String, Refused>;
 
-/// The pages of problems, `/practice/impact/two-carts`, and of simulators.
-const OF_PROBLEMS: [(&str, OfProblem); 5] = [
-    ("/play/{*problem}", pages::play),
-    ("/practice/{*problem}", pages::practice),
-    ("/simulators/{*problem}", pages::simulator),
-    ("/solution/{*problem}", pages::solution),
-    ("/solve/{*problem}", pages::solve),
+/// Whether pages are refused while an assignment with their problem is open.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum While {
+    Refused,
+    Shown,
+}
+
+/// The pages of problems, `/practice/impact/two-carts`, and of simulators, which are always shown.
+const OF_PROBLEMS: [(&str, While, OfProblem); 5] = [
+    ("/play/{*problem}", While::Refused, pages::play),
+    ("/practice/{*problem}", While::Refused, pages::practice),
+    ("/simulators/{*problem}", While::Shown, pages::simulator),
+    ("/solution/{*problem}", While::Refused, pages::solution),
+    ("/solve/{*problem}", While::Refused, pages::solve),
 ];
+
+/// The calls of simulators, which are never refused.
+const OF_SIMULATORS: [&str; 2] = ["collision", "restitution"];
 
 /// Everything that is served.
 pub fn router(app: Arc<App>) -> Router {
@@ -57,8 +69,8 @@ pub fn router(app: Arc<App>) -> Router {
         .route("/static/{digest}/{name}", get(asset))
         .route("/api/{call}", post(call))
         .fallback(|State(app): State<Shared>| answer::page(app, |_| Err(no_page())));
-    for (path, make) in OF_PROBLEMS {
-        own = own.route(path, of_problem(make));
+    for (path, reserved, make) in OF_PROBLEMS {
+        own = own.route(path, of_problem(reserved, make));
     }
     let own = with_courses(own, &app);
     let own = own.with_state(Arc::clone(&app)).layer(DefaultBodyLimit::max(app.settings.limits.request_bytes));
@@ -76,24 +88,61 @@ pub fn router(app: Arc<App>) -> Router {
 }
 
 /// Both ways to ask for the page of a problem: by its address, and with what was typed into it.
-fn of_problem(make: OfProblem) -> MethodRouter<Shared> {
-    let page = move |app: Shared, problem: String, fields: Fields| {
-        answer::page(app, move |app| make(app, problem, &Parameters::new(fields, &app.settings.limits)?))
+fn of_problem(reserved: While, make: OfProblem) -> MethodRouter<Shared> {
+    let page = move |app: Shared, headers: HeaderMap, problem: String, fields: Fields| async move {
+        let withheld = match reserved {
+            While::Shown => Withheld::default(),
+            While::Refused => match Withheld::from(&app, &headers).await {
+                Ok(withheld) => withheld,
+                Err(fault) => return unreachable_records(&fault),
+            },
+        };
+        answer::page(app, move |app| {
+            withheld.check(&problem)?;
+            make(app, problem, &Parameters::new(fields, &app.settings.limits)?)
+        })
+        .await
     };
-    get(move |State(app): State<Shared>, Path(problem): Path<String>, Query(fields): Query<Fields>| {
-        page(app, problem, fields)
-    })
-    .post(move |State(app): State<Shared>, Path(problem): Path<String>, Form(fields): Form<Fields>| {
-        page(app, problem, fields)
-    })
+    get(
+        move |State(app): State<Shared>,
+              headers: HeaderMap,
+              Path(problem): Path<String>,
+              Query(fields): Query<Fields>| { page(app, headers, problem, fields) },
+    )
+    .post(
+        move |State(app): State<Shared>,
+              headers: HeaderMap,
+              Path(problem): Path<String>,
+              Form(fields): Form<Fields>| { page(app, headers, problem, fields) },
+    )
+}
+
+/// Where nobody can say what is withheld, nothing is shown.
+fn unreachable_records(fault: &StoreFault) -> Response {
+    eprintln!("momentous serve: {fault}");
+    (StatusCode::SERVICE_UNAVAILABLE, "The records cannot be reached at the moment. Try again in a moment.\n")
+        .into_response()
 }
 
 async fn start(State(app): State<Shared>, Query(fields): Query<Fields>) -> Response {
     answer::page(app, move |app| pages::start(app, &Parameters::new(fields, &app.settings.limits)?)).await
 }
 
-async fn call(State(app): State<Shared>, Path(call): Path<String>, body: Bytes) -> Response {
-    answer::json(app, move |app| app.engine().call(&call, &body)).await
+async fn call(State(app): State<Shared>, headers: HeaderMap, Path(call): Path<String>, body: Bytes) -> Response {
+    let withheld = if OF_SIMULATORS.contains(&call.as_str()) {
+        Withheld::default()
+    } else {
+        match Withheld::from(&app, &headers).await {
+            Ok(withheld) => withheld,
+            Err(fault) => return unreachable_records(&fault),
+        }
+    };
+    answer::json(app, move |app| {
+        let engine = app.engine();
+        let problems = Rest { problems: engine.problems, withheld: &withheld };
+        Engine { problems: &problems, ..engine }.call(&call, &body)
+    })
+    .await
 }
 
 /// The state of the watched files, for pages that reload themselves.

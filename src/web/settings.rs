@@ -27,6 +27,8 @@ pub struct Settings {
     pub metrics: Option<SocketAddr>,
     /// Whether each request is told on standard error.
     pub log: bool,
+    /// The program that checks problem files; the running one where none is named.
+    pub program: Option<PathBuf>,
     /// How much a request may take.
     pub limits: Limits,
 }
@@ -41,6 +43,7 @@ impl Default for Settings {
             data: None,
             watch: None,
             templates: None,
+            program: None,
             metrics: None,
             log: false,
             limits: Limits::default(),

@@ -26,6 +26,8 @@ pub enum RefusedKind {
     Unknown,
     /// The request cannot be read.
     Invalid,
+    /// It is shown in an assignment only, for now.
+    Reserved,
     /// The request is too large.
     TooLarge,
     /// The values that were typed cannot be used.

@@ -3,13 +3,15 @@
 use std::sync::Arc;
 
 use crate::bank::FOLDER;
-use crate::course::{Item, Key, ProblemFile};
+use crate::course::{Course, Item, Key, Member, Moment, ProblemFile, Sheet};
 use crate::exercise::calls::{Refused, RefusedKind};
+use crate::exercise::{Derivation, Exercise, SeedSource};
 use crate::fault::Source;
 use crate::problem::{Problem, digest};
 use crate::store::AssignmentWithItems;
 
 use super::outcome::NotShown;
+use super::session;
 use super::visit::Visit;
 
 /// An assignment of the course of the address, with one of its items.
@@ -22,23 +24,46 @@ pub(super) async fn of(visit: &Visit, item: Key<Item>) -> Result<(AssignmentWith
 
 /// The assignment with its problems pinned, once it has opened: what is drawn from then on is drawn from the files as they are now.
 pub(super) async fn pinned(visit: &Visit, whole: AssignmentWithItems) -> Result<AssignmentWithItems, NotShown> {
-    if whole.assignment.pinned.is_some() || visit.now < whole.assignment.policy.opens {
+    if visit.now < whole.assignment.policy.opens { Ok(whole) } else { pinned_now(visit, whole).await }
+}
+
+/// The same, even before it opens: for sheets that are handed out on paper.
+pub(super) async fn pinned_now(visit: &Visit, whole: AssignmentWithItems) -> Result<AssignmentWithItems, NotShown> {
+    if whole.assignment.pinned.is_some() {
         return Ok(whole);
     }
     let mut pinned = whole.clone();
     for item in &mut pinned.items {
-        let file = current(visit, &item.problem).await?;
-        item.digest = Some(file.digest.clone());
-        // A file of the course is kept already.
-        if file.course.is_none() {
-            visit.store().save_problem_file(&file, None).await?;
-        }
+        pin(visit, item).await?;
     }
     pinned.assignment.pinned = Some(visit.now);
     let entry = visit.entry("problems pinned", pinned.assignment.key.to_string());
     visit.store().save_assignment(&pinned, &entry).await?;
     // Another request may have done the same; what is kept counts.
     Ok(visit.store().assignment(pinned.assignment.key).await?.unwrap_or(pinned))
+}
+
+/// Writes into an item from which file its sheets are drawn, and keeps that file.
+pub(super) async fn pin(visit: &Visit, item: &mut Item) -> Result<(), NotShown> {
+    let file = current(visit, &item.problem).await?;
+    item.digest = Some(file.digest.clone());
+    // A file of the course is kept already.
+    if file.course.is_none() {
+        visit.store().save_problem_file(&file, None).await?;
+    }
+    Ok(())
+}
+
+/// A problem as an item that is not pinned and stands in no assignment.
+pub(super) fn unpinned(problem: &str) -> Item {
+    let (key, assignment) = (session::key(), session::key());
+    let problem = problem.to_owned();
+    Item { key, assignment, position: 0, problem, form: None, points: 1, digest: None, issue: 0, dropped: false }
+}
+
+/// A problem file for its readers. In this folder it is under the settings of the bank, as it was when it was read from there.
+pub(super) fn source(file: &ProblemFile) -> Source {
+    Source::new(&format!("{FOLDER}/{}.yaml", file.problem), &file.text)
 }
 
 /// The file of a problem as it is now: the course's own that was published last, else the bank's.
@@ -73,7 +98,23 @@ pub(super) async fn problem(visit: &Visit, item: &Item) -> Result<Arc<Problem>, 
         None => current(visit, &item.problem).await?,
     };
     let courses = Arc::clone(&visit.courses);
-    // In this folder it is under the settings of the bank, as it was when it was read from there.
-    let source = Source::new(&format!("{FOLDER}/{}.yaml", file.problem), &file.text);
-    visit.work(move |_| Ok(courses.library.problem(&course, &file.digest, source)?)).await
+    visit.work(move |_| Ok(courses.library.problem(&course, &file.digest, source(&file))?)).await
+}
+
+/// A new sheet of an item for a member of the course.
+pub(super) fn sheet(
+    course: &Course,
+    member: Key<Member>,
+    item: &Item,
+    problem: &Arc<Problem>,
+    seen: Moment,
+) -> Result<Sheet, NotShown> {
+    let seeds = SeedSource { secret: Some(course.secret.as_bytes()), ..SeedSource::default() };
+    // Names and identities do not enter the seed: they may change, and others may know them.
+    let student = if item.issue == 0 { member.to_string() } else { format!("{member}/{}", item.issue) };
+    let seed = seeds.seed(&student, &item.problem, item.form.as_deref().unwrap_or_default());
+    let form = problem.form(item.form.as_deref()).ok_or_else(|| NotShown::missing("the problem has no such form"))?;
+    let exercise = Exercise::draw(problem, form, seed).map_err(Refused::from)?;
+    let issued = exercise.issue(Some(Derivation::default()), course.decimal);
+    Ok(Sheet { key: session::key(), item: item.key, member, issue: item.issue, issued, seen })
 }

@@ -13,10 +13,12 @@ mod password;
 mod reply;
 mod routes;
 pub(super) mod session;
+mod staff;
 mod state;
 mod student;
 mod table;
 mod visit;
+mod withheld;
 
 pub use clock::Clock;
 pub use gate::Who;
@@ -25,3 +27,4 @@ pub use table::{Address, addresses};
 
 pub(super) use routes::with_courses;
 pub(super) use visit::Around;
+pub(super) use withheld::{Rest, Withheld};

@@ -85,7 +85,9 @@ async fn visit(
         (Some(course), Some(person)) => courses.store.membership(course, person.key).await?,
         _ => None,
     };
-    let mut visit = Visit { app, courses, now, person, place, session, path, fields: Parameters::default() };
+    let host = headers.get(header::HOST).and_then(|value| value.to_str().ok()).unwrap_or_default();
+    let host = app.settings.host.clone().unwrap_or_else(|| host.to_owned());
+    let mut visit = Visit { app, courses, host, now, person, place, session, path, fields: Parameters::default() };
     // Whoever may not see the page has nothing read.
     row.who.admits(&visit)?;
     let fields = fields(row.does, request).await?;

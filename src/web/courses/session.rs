@@ -16,7 +16,7 @@ const DAY: i64 = 24 * 3_600_000;
 /// The name of the cookie.
 const COOKIE: &str = "momentous-session";
 
-/// The random bytes of a token.
+/// The random bytes of a token, and of a secret.
 const BYTES: usize = 32;
 
 /// Random bytes of the system.
@@ -30,6 +30,11 @@ pub(super) fn random<const N: usize>() -> [u8; N] {
 /// A new random key.
 pub(in crate::web) fn key<Of>() -> Key<Of> {
     Key::new(random())
+}
+
+/// A new secret of a course: as many random bits as `momentous secret` writes.
+pub(super) fn secret() -> String {
+    hex(&random::<BYTES>())
 }
 
 fn hex(bytes: &[u8]) -> String {

@@ -10,6 +10,7 @@ use super::gate::Who;
 use super::grades;
 use super::outcome::NotShown;
 use super::reply::Reply;
+use super::staff::{assignment, members, new_course, people, print, problems, roster, settings};
 use super::student;
 use super::visit::Visit;
 
@@ -76,6 +77,36 @@ pub(super) const ROWS: &[Row] = rows! {
     Shows   "/courses/{course}/trail"        INSTRUCTOR, grades::trail;
     Shows   "/courses/{course}/retention"    INSTRUCTOR, grades::retention;
     Changes "/courses/{course}/retention"    INSTRUCTOR, grades::forget;
+    Shows   "/people"                        Who::Operator, people::page;
+    Changes "/people"                        Who::Operator, people::add;
+    Changes "/people/link"                   Who::Operator, people::new_link;
+    Shows   "/courses/new"                   Who::Operator, new_course::page;
+    Changes "/courses/new"                   Who::Operator, new_course::make;
+    Shows   "/courses/{course}/settings"     INSTRUCTOR, settings::page;
+    Changes "/courses/{course}/settings"     INSTRUCTOR, settings::save;
+    Shows   "/courses/{course}/roster"       INSTRUCTOR, roster::page;
+    Changes "/courses/{course}/roster/preview" INSTRUCTOR, roster::preview;
+    Changes "/courses/{course}/roster/apply" INSTRUCTOR, roster::apply;
+    Changes "/courses/{course}/roster/staff" INSTRUCTOR, members::add_staff;
+    Changes "/courses/{course}/roster/remove" INSTRUCTOR, members::remove;
+    Changes "/courses/{course}/roster/link"  INSTRUCTOR, members::member_link;
+    Changes "/courses/{course}/roster/links" INSTRUCTOR, members::link_table;
+    Shows   "/courses/{course}/problems"     INSTRUCTOR, problems::list;
+    Shows   "/courses/{course}/problems/new" INSTRUCTOR, problems::new;
+    Changes "/courses/{course}/problems/new" INSTRUCTOR, problems::save;
+    Shows   "/courses/{course}/problems/{digest}" INSTRUCTOR, problems::show;
+    Changes "/courses/{course}/problems/{digest}/check" INSTRUCTOR, problems::check;
+    Changes "/courses/{course}/problems/{digest}/publish" INSTRUCTOR, problems::publish;
+    Shows   "/courses/{course}/assignments/{assignment}/print" INSTRUCTOR, print::page;
+    Shows   "/courses/{course}/assignments/{assignment}/print/sheets" INSTRUCTOR, print::sheets;
+    Shows   "/courses/{course}/assignments/{assignment}/print/key" INSTRUCTOR, print::key;
+    Shows   "/courses/{course}/look"         INSTRUCTOR, assignment::look;
+    Shows   "/courses/{course}/assignments/new" INSTRUCTOR, assignment::new;
+    Changes "/courses/{course}/assignments/new" INSTRUCTOR, assignment::make;
+    Shows   "/courses/{course}/assignments/{assignment}/edit" INSTRUCTOR, assignment::edit;
+    Changes "/courses/{course}/assignments/{assignment}/edit" INSTRUCTOR, assignment::save;
+    Shows   "/courses/{course}/assignments/{assignment}/extensions" INSTRUCTOR, assignment::extensions;
+    Changes "/courses/{course}/assignments/{assignment}/extensions" INSTRUCTOR, assignment::extend;
 };
 
 /// An address of the table: for tests that try every one as everybody.

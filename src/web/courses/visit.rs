@@ -19,6 +19,8 @@ use super::state::Courses;
 pub(super) struct Visit {
     pub(super) app: Shared,
     pub(super) courses: Arc<Courses>,
+    /// The host and port that the browser asked, or that was said at the start.
+    pub(super) host: String,
     /// When the server had the request.
     pub(super) now: Moment,
     /// Who asks, once signed in.
@@ -66,6 +68,12 @@ impl Visit {
     /// An address of a page of this server.
     pub(super) fn address(&self, path: &str) -> String {
         format!("{}{path}", self.app.settings.base_path)
+    }
+
+    /// The address of a page of this server as it is sent to others.
+    pub(super) fn public(&self, path: &str) -> String {
+        let scheme = if self.app.settings.is_secure { "https" } else { "http" };
+        format!("{scheme}://{}{}", self.host, self.address(path))
     }
 
     /// The address of a page of the course.

@@ -28,12 +28,7 @@ pub(in crate::web) fn start(app: &App, fields: &Parameters) -> Result<String, Re
     let cards = app.library.cards()?;
     let search = fields.get("search").unwrap_or_default();
     let level = fields.get("level").unwrap_or_default();
-    let words: Vec<String> = search.split_whitespace().map(str::to_lowercase).collect();
-    let shown = |card: &&Card| {
-        let text = format!("{} {} {}", card.id, card.title, card.tags.join(" ")).to_lowercase();
-        (level.is_empty() || card.level == level) && words.iter().all(|word| text.contains(word))
-    };
-    let found: Vec<&Card> = cards.iter().filter(shown).collect();
+    let found: Vec<&Card> = cards.iter().filter(|card| card.is_found(search, level)).collect();
     let mut topics: Vec<Topic> = Vec::new();
     for card in &found {
         match topics.last_mut() {

@@ -2,15 +2,14 @@
 
 use std::sync::Arc;
 
-use crate::course::{Attempt, HintShown, Item, Key, Phase, Sheet, StoredReport, Window};
+use crate::course::{Attempt, HintShown, Item, Phase, Sheet, StoredReport, Window};
+use crate::exercise::Exercise;
 use crate::exercise::calls::Refused;
-use crate::exercise::{Derivation, Exercise, SeedSource};
 use crate::problem::Problem;
 use crate::store::AssignmentWithItems;
 
 use super::super::items;
 use super::super::outcome::NotShown;
-use super::super::session;
 use super::super::visit::Visit;
 
 /// A student's sheet of an item, with everything that decides what may be done with it.
@@ -71,19 +70,8 @@ async fn drawn(visit: &Visit, item: &Item, problem: Arc<Problem>) -> Result<(She
         let (exercise, sheet) = redrawn(sheet, problem).await?;
         return Ok((sheet, exercise));
     }
-    let seeds = SeedSource { secret: Some(course.secret.as_bytes()), ..SeedSource::default() };
-    // Names and identities do not enter the seed: they may change, and others may know them.
-    let student = if item.issue == 0 { member.to_string() } else { format!("{member}/{}", item.issue) };
-    let seed = seeds.seed(&student, &item.problem, item.form.as_deref().unwrap_or_default());
-    let (form, decimal, own) = (item.form.clone(), course.decimal, Arc::clone(&problem));
-    let issued = visit.work(move |_| {
-        let form = own.form(form.as_deref()).ok_or_else(no_item)?;
-        let exercise = Exercise::draw(&own, form, seed).map_err(Refused::from)?;
-        Ok(exercise.issue(Some(Derivation::default()), decimal))
-    });
-    let issued = issued.await?;
-    let key: Key<Sheet> = session::key();
-    let sheet = Sheet { key, item: item.key, member, issue: item.issue, issued, seen: visit.now };
+    let (course, own, item_of, now) = (course.clone(), Arc::clone(&problem), item.clone(), visit.now);
+    let sheet = visit.work(move |_| items::sheet(&course, member, &item_of, &own, now)).await?;
     visit.store().add_sheet(&sheet).await?;
     let kept = visit.store().sheet(item.key, member, item.issue).await?.unwrap_or(sheet);
     let (exercise, sheet) = redrawn(kept, problem).await?;

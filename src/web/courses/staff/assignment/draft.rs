@@ -1,0 +1,143 @@
+//! An assignment as it stands in the fields of its editor: nothing of it need be right.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+use serde_json::{Map, Value};
+
+use crate::course::{FieldFault, PolicyForm};
+use crate::store::AssignmentWithItems;
+
+use super::super::super::outcome::NotShown;
+use super::super::super::visit::Visit;
+use super::super::form::Form;
+use super::super::form::sentences;
+
+/// The fields of a policy.
+pub(super) const POLICY: [&str; 11] = [
+    "attempts",
+    "attempt_penalty",
+    "hint_penalty",
+    "further_penalty",
+    "opens",
+    "due",
+    "late_until",
+    "late_penalty",
+    "closes",
+    "verdicts",
+    "solutions",
+];
+
+/// The most problems of an assignment.
+pub(super) const MOST_ITEMS: usize = 50;
+
+/// What the points of a problem are at first.
+const USUAL_POINTS: &str = "5";
+
+/// An assignment in the fields of its editor.
+pub(super) struct Draft {
+    pub(super) form: Form,
+    pub(super) rows: Vec<Row>,
+    /// The state of the assignment on which the fields build.
+    pub(super) revision: String,
+}
+
+/// A problem in the fields of the editor.
+#[derive(Clone, Debug, Default, Serialize)]
+pub(super) struct Row {
+    /// The item's key, where it is kept already.
+    pub(super) key: String,
+    pub(super) problem: String,
+    pub(super) form: String,
+    pub(super) points: String,
+    pub(super) order: String,
+    pub(super) fault: Option<String>,
+}
+
+impl Draft {
+    /// The fields of a new assignment.
+    pub(super) fn empty() -> Self {
+        let names = ["title", "items"].into_iter().chain(POLICY);
+        let form = Form::new(names.map(|name| (name, String::new())));
+        Self { form, rows: Vec::new(), revision: String::new() }
+    }
+
+    /// The fields of one that is kept, in a course with this time zone.
+    pub(super) fn of(whole: &AssignmentWithItems, zone: &str) -> Self {
+        let policy = serde_json::to_value(whole.assignment.policy.form(zone)).unwrap_or_default();
+        let field = |name: &str| (name.to_owned(), policy[name].as_str().unwrap_or_default().to_owned());
+        let title = ("title".to_owned(), whole.assignment.title.clone());
+        let form = Form::new(POLICY.into_iter().map(field).chain([title, ("items".to_owned(), String::new())]));
+        let row = |item: &crate::course::Item| Row {
+            key: item.key.to_string(),
+            problem: item.problem.clone(),
+            form: item.form.clone().unwrap_or_default(),
+            points: item.points.to_string(),
+            order: (item.position + 1).to_string(),
+            fault: None,
+        };
+        Self { form, rows: whole.items.iter().map(row).collect(), revision: whole.revision.to_string() }
+    }
+
+    /// The fields as they were sent, with what their buttons do: problems are added and taken out.
+    pub(super) fn sent(visit: &Visit) -> Result<Self, NotShown> {
+        let names: Vec<&str> = ["title", "items"].into_iter().chain(POLICY).collect();
+        let form = Form::sent(visit, &names);
+        let taken_out = visit.fields.number("remove")?;
+        let mut rows: BTreeMap<u64, Row> = BTreeMap::new();
+        for (name, value) in visit.fields.behind("item.") {
+            let Some((number, field)) = name.split_once('.') else { continue };
+            let Ok(number) = number.parse::<u64>() else { continue };
+            let row = rows.entry(number).or_default();
+            let field = match field {
+                "key" => &mut row.key,
+                "problem" => &mut row.problem,
+                "form" => &mut row.form,
+                "points" => &mut row.points,
+                "order" => &mut row.order,
+                _ => continue,
+            };
+            *field = value;
+        }
+        if let Some(number) = taken_out {
+            rows.remove(&number);
+        }
+        let mut rows: Vec<Row> = rows.into_values().collect();
+        // What is no number goes last, where it stands already.
+        rows.sort_by_key(|row| row.order.trim().parse::<u32>().unwrap_or(u32::MAX));
+        if visit.fields.get("do") == Some("add") {
+            rows.extend(visit.fields.all("add").map(|problem| Row {
+                problem: problem.to_owned(),
+                points: USUAL_POINTS.to_owned(),
+                ..Row::default()
+            }));
+        }
+        rows.truncate(MOST_ITEMS);
+        let revision = visit.fields.get("revision").unwrap_or_default().to_owned();
+        Ok(Self { form, rows, revision })
+    }
+
+    /// The fields of the policy.
+    pub(super) fn policy(&self) -> PolicyForm {
+        let field = |name: &str| (name.to_owned(), Value::String(self.form.value(name).to_owned()));
+        let fields: Map<String, Value> = POLICY.into_iter().map(field).collect();
+        serde_json::from_value(Value::Object(fields)).unwrap_or_default()
+    }
+
+    /// Says what is wrong with fields, and with rows by their places.
+    pub(super) fn say(&mut self, fields: &[FieldFault], rows: &[(usize, String)]) {
+        for fault in fields {
+            self.form.say(fault.field, &fault.message);
+        }
+        for (place, message) in rows {
+            if let Some(row) = self.rows.get_mut(*place) {
+                row.fault = Some(sentences(message));
+            }
+        }
+    }
+
+    /// Whether something is wrong.
+    pub(super) fn is_wrong(&self) -> bool {
+        self.form.is_wrong() || self.rows.iter().any(|row| row.fault.is_some())
+    }
+}

@@ -1,0 +1,78 @@
+//! Writing an assignment: the fields stay as they were typed until all of them are right.
+
+use crate::course::{FieldFault, Item};
+use crate::store::AssignmentWithItems;
+
+use super::super::super::items;
+use super::super::super::outcome::NotShown;
+use super::super::super::reply::Reply;
+use super::super::super::visit::Visit;
+use super::catalogue::Catalogue;
+use super::draft::Draft;
+use super::editor;
+use super::read::read;
+
+/// The editor for a new assignment.
+pub(in crate::web::courses) async fn new(visit: &Visit) -> Result<Reply, NotShown> {
+    editor::page(visit, Draft::empty(), &Catalogue::of(visit).await?, None).await
+}
+
+/// Makes it, or shows what its buttons change in the fields.
+pub(in crate::web::courses) async fn make(visit: &Visit) -> Result<Reply, NotShown> {
+    keep(visit, None).await
+}
+
+/// The editor for an assignment that is kept.
+pub(in crate::web::courses) async fn edit(visit: &Visit) -> Result<Reply, NotShown> {
+    let whole = current(visit).await?;
+    let draft = Draft::of(&whole, &visit.course()?.zone);
+    editor::page(visit, draft, &Catalogue::of(visit).await?, Some(&whole)).await
+}
+
+/// Keeps what became of it.
+pub(in crate::web::courses) async fn save(visit: &Visit) -> Result<Reply, NotShown> {
+    let whole = current(visit).await?;
+    keep(visit, Some(whole)).await
+}
+
+/// The assignment of the address; its problems are pinned from the moment when it opens.
+async fn current(visit: &Visit) -> Result<AssignmentWithItems, NotShown> {
+    items::pinned(visit, super::of(visit).await?).await
+}
+
+async fn keep(visit: &Visit, before: Option<AssignmentWithItems>) -> Result<Reply, NotShown> {
+    let mut draft = Draft::sent(visit)?;
+    let catalogue = Catalogue::of(visit).await?;
+    if visit.fields.get("do") != Some("save") {
+        return editor::page(visit, draft, &catalogue, before.as_ref()).await;
+    }
+    let revision = before.as_ref().map_or_else(String::new, |before| before.revision.to_string());
+    if draft.revision != revision {
+        let message = "somebody has changed this assignment since you opened it\nhelp: look at it in another tab; kept again, your fields take its place";
+        draft.say(&[FieldFault { field: "items", message: message.to_owned() }], &[]);
+        draft.revision = revision;
+        return editor::page(visit, draft, &catalogue, before.as_ref()).await;
+    }
+    let mut whole = match read(&draft, visit.course()?, &catalogue, before.as_ref()) {
+        Ok(whole) => whole,
+        Err((fields, rows)) => {
+            draft.say(&fields, &rows);
+            return editor::page(visit, draft, &catalogue, before.as_ref()).await;
+        }
+    };
+    if whole.assignment.pinned.is_some() {
+        for item in whole.items.iter_mut().filter(|item| item.digest.is_none()) {
+            items::pin(visit, item).await?;
+        }
+    }
+    let what = if before.is_some() { "assignment changed" } else { "assignment made" };
+    let entry = visit.entry(what, format!("{}: {}", whole.assignment.key, summary(&whole.items)));
+    visit.store().save_assignment(&whole, &entry).await?;
+    Ok(Reply::To(visit.in_course(&format!("/assignments/{}/edit?saved=yes", whole.assignment.key))?))
+}
+
+/// What an assignment consists of, for the trail.
+fn summary(items: &[Item]) -> String {
+    let said = |item: &Item| format!("{} {} {}", item.problem, item.form.as_deref().unwrap_or("-"), item.points);
+    items.iter().map(said).collect::<Vec<_>>().join(", ")
+}

@@ -1,0 +1,118 @@
+//! The page of the editor.
+
+use serde::Serialize;
+
+use crate::course::{Release, SolutionRelease, simulator_of};
+use crate::store::AssignmentWithItems;
+
+use super::super::super::items;
+use super::super::super::outcome::NotShown;
+use super::super::super::reply::Reply;
+use super::super::super::visit::Visit;
+use super::super::course_form::Choice;
+use super::super::form::Form;
+use super::catalogue::{Catalogue, Offered};
+use super::draft::{Draft, Row};
+
+#[derive(Serialize)]
+struct EditorPage {
+    title: &'static str,
+    /// The assignment's key; nothing for a new one.
+    key: Option<String>,
+    /// When its problems were pinned, where they were.
+    pinned: Option<String>,
+    form: Form,
+    rows: Vec<ShownRow>,
+    revision: String,
+    verdicts: Vec<Choice>,
+    solutions: Vec<Choice>,
+    zone: String,
+    search: String,
+    level: String,
+    found: Option<Vec<Offered>>,
+    saved: bool,
+    /// Whether fields are at fault.
+    wrong: bool,
+}
+
+/// A row with what the reader should know of its problem.
+#[derive(Serialize)]
+struct ShownRow {
+    row: Row,
+    title: String,
+    forms: Vec<String>,
+    /// The simulator that shows its scene.
+    simulator: Option<&'static str>,
+    /// Whether students have seen it, so that it stays.
+    stays: bool,
+}
+
+/// The editor with these fields.
+pub(super) async fn page(
+    visit: &Visit,
+    draft: Draft,
+    catalogue: &Catalogue,
+    before: Option<&AssignmentWithItems>,
+) -> Result<Reply, NotShown> {
+    let is_pinned = before.is_some_and(|before| before.assignment.pinned.is_some());
+    let is_kept = |key: &str| before.is_some_and(|own| own.items.iter().any(|item| item.key.to_string() == key));
+    let wrong = draft.is_wrong();
+    let mut rows = Vec::new();
+    for (row, order) in draft.rows.into_iter().zip(1_u32..) {
+        let offered = catalogue.find(&row.problem).map(|offered| &offered.card);
+        let simulator = match offered {
+            Some(_) => simulator(visit, &row.problem).await?,
+            None => None,
+        };
+        rows.push(ShownRow {
+            title: offered.map_or_else(|| row.problem.clone(), |card| card.title.clone()),
+            forms: offered.map(|card| card.forms.clone()).unwrap_or_default(),
+            simulator,
+            stays: is_pinned && is_kept(&row.key),
+            row: if row.fault.is_some() { row } else { Row { order: order.to_string(), ..row } },
+        });
+    }
+    let field = |name: &str| visit.fields.get(name).unwrap_or_default().to_owned();
+    let (search, level) = (field("search"), field("level"));
+    let is_sought = field("do") == "search" || !search.is_empty() || !level.is_empty();
+    let found = is_sought.then(|| catalogue.search(&search, &level));
+    let zone = &visit.course()?.zone;
+    let page = EditorPage {
+        title: if before.is_some() { "Edit the assignment" } else { "New assignment" },
+        key: before.map(|before| before.assignment.key.to_string()),
+        pinned: before.and_then(|before| before.assignment.pinned).map(|at| at.shown(zone)),
+        form: draft.form,
+        rows,
+        revision: draft.revision,
+        verdicts: Release::ALL.map(|own| Choice { name: own.name(), said: verdicts_said(own) }).into(),
+        solutions: SolutionRelease::ALL.map(|own| Choice { name: own.name(), said: solutions_said(own) }).into(),
+        zone: zone.clone(),
+        search,
+        level,
+        found,
+        saved: !wrong && visit.fields.get("saved").is_some(),
+        wrong,
+    };
+    let page = visit.page("courses/staff/editor", page).await?;
+    Ok(if wrong { page.wrong() } else { page })
+}
+
+fn verdicts_said(release: Release) -> &'static str {
+    match release {
+        Release::AtOnce => "at once",
+        Release::AtClose => "when it has closed for them",
+    }
+}
+
+fn solutions_said(release: SolutionRelease) -> &'static str {
+    match release {
+        SolutionRelease::AtClose => "when it has closed for them",
+        SolutionRelease::Never => "never",
+    }
+}
+
+/// The simulator that shows the scene of a problem.
+async fn simulator(visit: &Visit, problem: &str) -> Result<Option<&'static str>, NotShown> {
+    let item = items::unpinned(problem);
+    Ok(items::problem(visit, &item).await.ok().and_then(|problem| simulator_of(&problem)))
+}

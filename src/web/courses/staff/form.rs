@@ -1,0 +1,75 @@
+//! What was typed into the fields of a form, and what is wrong with it.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
+use crate::course::FieldFault;
+use crate::exercise::calls::{Refused, RefusedKind};
+
+use super::super::visit::Visit;
+
+/// The fields of a form by their names, as a template shows them.
+#[derive(Clone, Debug, Default, Serialize)]
+#[serde(transparent)]
+pub(super) struct Form(BTreeMap<String, Entry>);
+
+/// A field: what is in it, and what is wrong with that.
+#[derive(Clone, Debug, Default, Serialize)]
+struct Entry {
+    name: String,
+    value: String,
+    fault: Option<String>,
+}
+
+impl Form {
+    /// Fields with what is in them.
+    pub(super) fn new<N: Into<String>>(fields: impl IntoIterator<Item = (N, String)>) -> Self {
+        let entry = |(name, value): (N, String)| {
+            let name = name.into();
+            (name.clone(), Entry { name, value, fault: None })
+        };
+        Self(fields.into_iter().map(entry).collect())
+    }
+
+    /// These fields, as they were sent.
+    pub(super) fn sent(visit: &Visit, names: &[&str]) -> Self {
+        let value = |name: &&str| ((*name).to_owned(), visit.fields.get(name).unwrap_or_default().to_owned());
+        Self::new(names.iter().map(value))
+    }
+
+    /// What is in a field, without spaces around it.
+    pub(super) fn value(&self, name: &str) -> &str {
+        self.0.get(name).map_or("", |entry| entry.value.trim())
+    }
+
+    /// The same with what is wrong. What belongs to no field is said of the first.
+    pub(super) fn with(mut self, faults: &[FieldFault]) -> Self {
+        for fault in faults {
+            self.say(fault.field, &fault.message);
+        }
+        self
+    }
+
+    /// Says what is wrong with a field; a line `help:` says the way out.
+    pub(super) fn say(&mut self, name: &str, message: &str) {
+        let entry = self.0.entry(name.to_owned()).or_default();
+        let said = sentences(message);
+        entry.fault = Some(match entry.fault.take() {
+            None => said,
+            Some(before) => format!("{before} {said}"),
+        });
+    }
+
+    /// Whether something is wrong.
+    pub(super) fn is_wrong(&self) -> bool {
+        self.0.values().any(|entry| entry.fault.is_some())
+    }
+}
+
+/// A message whose last line may say the way out, as sentences.
+pub(super) fn sentences(message: &str) -> String {
+    let (said, help) = message.split_once("\nhelp: ").map_or((message, None), |(said, help)| (said, Some(help)));
+    let refused = Refused::new(RefusedKind::Invalid, said);
+    help.map_or(refused.clone(), |help| refused.help(help)).sentences().join(" ")
+}

@@ -1,0 +1,15 @@
+//! What operators and those who teach see and do.
+
+pub(super) mod assignment;
+mod class;
+mod course_form;
+mod form;
+mod links;
+pub(super) mod members;
+pub(super) mod new_course;
+pub(super) mod people;
+mod person_form;
+pub(super) mod print;
+pub(super) mod problems;
+pub(super) mod roster;
+pub(super) mod settings;

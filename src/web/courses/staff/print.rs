@@ -1,0 +1,159 @@
+//! The sheets of a class on paper, and their key: documents to save and to print.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use serde::Serialize;
+
+use crate::course::{Item, Key, Member, Role, Sheet};
+use crate::exercise::Exercise;
+use crate::exercise::calls::Refused;
+use crate::problem::Problem;
+use crate::render;
+use crate::render::{Format, KeyRow, Page, Renderer, SheetPart};
+use crate::store::{AssignmentWithItems, Membership};
+
+use super::super::items;
+use super::super::outcome::NotShown;
+use super::super::reply::Reply;
+use super::super::visit::Visit;
+use super::assignment;
+
+#[derive(Serialize)]
+struct PrintPage {
+    title: &'static str,
+    assignment: String,
+    key: String,
+    students: usize,
+    sheets: usize,
+    pinned: bool,
+}
+
+/// A drawn sheet, whose it is, and what it is worth.
+struct Printed {
+    student: String,
+    exercise: Exercise,
+    points: u32,
+}
+
+/// What can be printed.
+pub(in crate::web::courses) async fn page(visit: &Visit) -> Result<Reply, NotShown> {
+    let whole = assignment::of(visit).await?;
+    let students = students(visit).await?.len();
+    let page = PrintPage {
+        title: "Print",
+        students,
+        sheets: students * counted(&whole).count(),
+        pinned: whole.assignment.pinned.is_some(),
+        key: whole.assignment.key.to_string(),
+        assignment: whole.assignment.title,
+    };
+    visit.page("courses/staff/print", page).await
+}
+
+/// The sheets of every student.
+pub(in crate::web::courses) async fn sheets(visit: &Visit) -> Result<Reply, NotShown> {
+    let printed = drawn(visit).await?;
+    let pages = printed.iter().map(|own| Page::Sheet(sheet(own))).collect();
+    document(visit, "sheets.html", pages).await
+}
+
+/// The answers of every student.
+pub(in crate::web::courses) async fn key(visit: &Visit) -> Result<Reply, NotShown> {
+    let printed = drawn(visit).await?;
+    let named = |own: &Printed| {
+        let student = own.student.clone();
+        own.exercise
+            .key()
+            .into_iter()
+            .map(move |row| KeyRow { student: Some(student.clone()), ..row })
+            .collect::<Vec<_>>()
+    };
+    let title = assignment::of(visit).await?.assignment.title;
+    let rows = printed.iter().flat_map(named).collect();
+    document(visit, "key.html", vec![Page::Key(render::Key { title, rows })]).await
+}
+
+async fn document(visit: &Visit, name: &str, pages: Vec<Page>) -> Result<Reply, NotShown> {
+    let written = visit.work(move |app| {
+        let renderer = Renderer::new(app.settings.templates.as_deref())?.with_font();
+        Ok(renderer.render(&pages, Format::Html)?.text)
+    });
+    let bytes = written.await?.into_bytes();
+    Ok(Reply::Download { name: name.to_owned(), kind: "text/html; charset=utf-8", bytes })
+}
+
+/// A sheet without what costs points, and with the points of the assignment.
+fn sheet(own: &Printed) -> render::Sheet {
+    let sheet = own.exercise.sheet();
+    let total: f64 = sheet.parts.iter().filter_map(|part| part.points).sum();
+    let scaled = |points: f64| if total > 0.0 { points * f64::from(own.points) / total } else { 0.0 };
+    let parts = sheet.parts.into_iter().map(|part| SheetPart { points: part.points.map(scaled), ..part });
+    render::Sheet { student: Some(own.student.clone()), hints: Vec::new(), parts: parts.collect(), ..sheet }
+}
+
+fn counted(whole: &AssignmentWithItems) -> impl Iterator<Item = &Item> {
+    whole.items.iter().filter(|item| !item.dropped)
+}
+
+/// The students of the course, by section and name.
+async fn students(visit: &Visit) -> Result<Vec<Membership>, NotShown> {
+    let mut members = visit.store().members(visit.course()?.key).await?;
+    members.retain(|own| own.member.role == Role::Student && own.member.left.is_none());
+    members.sort_by_cached_key(|own| (own.member.section.clone(), own.person.shown().to_owned()));
+    Ok(members)
+}
+
+/// Every student's sheets, student by student. What is printed is handed out: from then on its problems are pinned, and students find
+/// the same numbers in their pages.
+async fn drawn(visit: &Visit) -> Result<Vec<Printed>, NotShown> {
+    let whole = items::pinned_now(visit, assignment::of(visit).await?).await?;
+    let students = students(visit).await?;
+    let mut problems: BTreeMap<Key<Item>, (Item, Arc<Problem>)> = BTreeMap::new();
+    for item in counted(&whole) {
+        problems.insert(item.key, (item.clone(), items::problem(visit, item).await?));
+    }
+    let kept = visit.store().sheets(whole.assignment.key).await?;
+    let has = |item: &Item, member| {
+        kept.iter().any(|own| (own.item, own.member, own.issue) == (item.key, member, item.issue))
+    };
+    let missing: Vec<(Key<Item>, Key<Member>)> = counted(&whole)
+        .flat_map(|item| students.iter().map(move |own| (item, own.member.key)))
+        .filter(|(item, member)| !has(item, *member))
+        .map(|(item, member)| (item.key, member))
+        .collect();
+    if !missing.is_empty() {
+        let (course, now, problems) = (visit.course()?.clone(), visit.now, problems.clone());
+        let new = visit.work(move |_| {
+            let new = missing.iter().filter_map(|(item, member)| Some((problems.get(item)?, *member)));
+            new.map(|((item, problem), member)| items::sheet(&course, member, item, problem, now)).collect()
+        });
+        let new: Vec<Sheet> = new.await?;
+        visit.store().add_sheets(&new).await?;
+    }
+    let mut sheets: BTreeMap<(Key<Member>, Key<Item>), Sheet> = BTreeMap::new();
+    for own in visit.store().sheets(whole.assignment.key).await? {
+        if problems.get(&own.item).is_some_and(|(item, _)| item.issue == own.issue) {
+            sheets.insert((own.member, own.item), own);
+        }
+    }
+    let order: Vec<Key<Item>> = counted(&whole).map(|item| item.key).collect();
+    visit
+        .work(move |_| {
+            let mut printed = Vec::new();
+            for own in &students {
+                let student = format!("{} ({})", own.person.shown(), own.person.login);
+                for item in &order {
+                    let (Some((item, problem)), Some(sheet)) =
+                        (problems.get(item), sheets.get(&(own.member.key, *item)))
+                    else {
+                        continue;
+                    };
+                    let exercise = sheet.issued.draw(problem).map_err(Refused::from)?;
+                    printed.push(Printed { student: student.clone(), exercise, points: item.points });
+                }
+            }
+            Ok(printed)
+        })
+        .await
+}

@@ -1,0 +1,68 @@
+//! A problem file typed or uploaded: it is kept once it loads.
+
+use std::sync::Arc;
+
+use serde::Serialize;
+
+use crate::course::ProblemFile;
+use crate::fault::{Faults, Source};
+use crate::problem::{compile, digest, load};
+
+use super::super::super::items;
+use super::super::super::outcome::NotShown;
+use super::super::super::reply::Reply;
+use super::super::super::visit::Visit;
+
+/// The name of the file in what is said of it.
+const NAME: &str = "problem.yaml";
+
+#[derive(Serialize)]
+struct WritePage {
+    title: &'static str,
+    text: String,
+    /// Every fault with its excerpt, as the command line prints them.
+    faults: Option<String>,
+}
+
+/// An empty field, or the file of a problem to start from.
+pub(in crate::web::courses) async fn new(visit: &Visit) -> Result<Reply, NotShown> {
+    let text = match visit.fields.get("from") {
+        None => String::new(),
+        Some(id) => items::current(visit, id).await?.text,
+    };
+    visit.page("courses/staff/write", WritePage { title: "New problem", text, faults: None }).await
+}
+
+/// Keeps a file that loads, as a draft. One that does not stays in its field, with everything that is wrong with it.
+pub(in crate::web::courses) async fn save(visit: &Visit) -> Result<Reply, NotShown> {
+    let text = visit.fields.get("text").unwrap_or_default().replace("\r\n", "\n");
+    let course = visit.course()?.clone();
+    let (courses, own, now) = (Arc::clone(&visit.courses), text.clone(), visit.now);
+    let read = visit.work(move |_| {
+        let read = || -> Result<ProblemFile, Faults> {
+            let source = Source::new(NAME, &own);
+            // Compiled under its own name, so that faults are shown in the file that was typed.
+            let problem = compile(load(source.clone())?, Some(course.secret.as_bytes()))?;
+            let problem = problem.id().to_owned();
+            let (digest, key) = (digest(&source), Some(course.key));
+            let file = ProblemFile { digest, problem, text: own, course: key, published: None, saved: now };
+            courses.library.problem(&course, &file.digest, items::source(&file))?;
+            Ok(file)
+        };
+        Ok(read())
+    });
+    let file = match read.await? {
+        Ok(file) => file,
+        Err(faults) => {
+            let faults = Some(faults.to_string());
+            let page = WritePage { title: "New problem", text, faults };
+            return Ok(visit.page("courses/staff/write", page).await?.wrong());
+        }
+    };
+    let before = visit.store().problem_file(visit.course()?.key, &file.digest).await?;
+    if before.is_none_or(|before| before.course.is_none()) {
+        let entry = visit.entry("problem saved", format!("{} {}", file.problem, file.digest));
+        visit.store().save_problem_file(&file, Some(&entry)).await?;
+    }
+    Ok(Reply::To(visit.in_course(&format!("/problems/{}", file.digest))?))
+}

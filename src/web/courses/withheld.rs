@@ -1,0 +1,72 @@
+//! Problems of open assignments, which are shown nowhere else meanwhile.
+
+use std::collections::BTreeSet;
+
+use axum::http::HeaderMap;
+
+use crate::course::{Course, Key, Moment, Person, Reserved};
+use crate::exercise::calls::{Problems, Refused, RefusedKind};
+use crate::problem::Problem;
+use crate::store::{Store, StoreFault, TicketKind};
+
+use super::super::app::App;
+use super::session;
+
+/// The problems that practice, own numbers, solutions, playing and calls refuse to a visitor: those of open assignments, unless the
+/// visitor teaches their courses.
+#[derive(Debug, Default)]
+pub(in crate::web) struct Withheld(Reserved);
+
+impl Withheld {
+    /// What is withheld from whoever sends a request.
+    pub(in crate::web) async fn from(app: &App, headers: &HeaderMap) -> Result<Self, StoreFault> {
+        let Some(courses) = &app.courses else { return Ok(Self::default()) };
+        let now = courses.clock.now();
+        let person = match session::of(headers).map(session::hash) {
+            Some(hash) => courses.store.holder(&hash, TicketKind::Session, now).await?,
+            None => None,
+        };
+        Self::of(&courses.store, person.map(|person| person.key), now).await
+    }
+
+    async fn of(store: &Store, person: Option<Key<Person>>, now: Moment) -> Result<Self, StoreFault> {
+        let open = store.open_assignments(now).await?;
+        let taught: BTreeSet<Key<Course>> = match person {
+            Some(person) if !open.is_empty() => {
+                let places = store.courses_of(person).await?.into_iter();
+                places.filter(|own| own.member.role.is_staff()).map(|own| own.course.key).collect()
+            }
+            _ => BTreeSet::new(),
+        };
+        let mut reserved = Reserved::default();
+        for (whole, extensions) in open.iter().filter(|(whole, _)| !taught.contains(&whole.assignment.course)) {
+            reserved.add(&whole.assignment, &whole.items, extensions, now);
+        }
+        Ok(Self(reserved))
+    }
+
+    /// Refuses a problem that is withheld.
+    pub(in crate::web) fn check(&self, problem: &str) -> Result<(), Refused> {
+        if !self.0.refuses(problem, false) {
+            return Ok(());
+        }
+        let message = "this problem is part of an assignment that is open now";
+        Err(Refused::new(RefusedKind::Reserved, message)
+            .help("it can be practised again when the assignment has closed"))
+    }
+}
+
+/// Problems without those that are withheld.
+pub(in crate::web) struct Rest<'a> {
+    /// All of them.
+    pub(in crate::web) problems: &'a dyn Problems,
+    /// Those that are not given.
+    pub(in crate::web) withheld: &'a Withheld,
+}
+
+impl Problems for Rest<'_> {
+    fn problem(&self, id: &str) -> Result<std::sync::Arc<Problem>, Refused> {
+        self.withheld.check(id)?;
+        self.problems.problem(id)
+    }
+}
