@@ -101,7 +101,9 @@ pub(super) fn escape(text: &str) -> String {
             '>' => out.push_str("&gt;"),
             '"' => out.push_str("&quot;"),
             '\'' => out.push_str("&#39;"),
-            // Control characters are not allowed in HTML, not even by number.
+            // The ends of lines are part of what stands in a field, or is shown as it was written.
+            '\n' | '\t' => out.push(character),
+            // Other control characters are not allowed in HTML, not even by number.
             character if character.is_control() => out.push(' '),
             character => out.push(character),
         }

@@ -122,6 +122,7 @@ fn a_roster_changes_what_was_shown_and_nothing_else() {
         university.wait(async |store| store.person_named("zoe").await.unwrap()).is_none(),
         "nothing is changed yet"
     );
+    assert!(page.contains("id,name,section\nada,Ada &lt;King&gt;,A\n"), "{page}");
     let shown = hidden(&page, "shown");
     let other = TABLE.replace("zoe", "eve");
     assert_eq!(ida.post(&apply, &[("table", &other), ("shown", &shown)]).status, 409, "another table");
