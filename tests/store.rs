@@ -112,7 +112,7 @@ fn a_course_knows_who_has_a_password_and_who_is_elsewhere() {
         assert_eq!(store.elsewhere(course).await.unwrap()[0].member, there);
         let left = Member { left: Some(NOW), ..there };
         let renamed = Person { name: "Ada King".into(), ..own.student.clone() };
-        store.save_members(&[renamed.clone()], &[left], &own.entry(94)).await.unwrap();
+        store.save_members(std::slice::from_ref(&renamed), &[left], &own.entry(94)).await.unwrap();
         assert!(store.elsewhere(course).await.unwrap().is_empty());
         assert_eq!(store.person(renamed.key).await.unwrap(), Some(renamed));
     });
