@@ -12,6 +12,7 @@ use clap::builder::PossibleValuesParser;
 use clap::builder::TypedValueParser;
 
 use crate::exercise::Drawer;
+use crate::export::Coded;
 use crate::export::FEATURES;
 use crate::export::Feature;
 use crate::export::Place;
@@ -59,6 +60,9 @@ pub(super) struct Export {
     /// How mathematics is written, where the target leaves a choice
     #[arg(long, value_name = "HOW")]
     math: Option<Mathematics>,
+    /// Write what the codes in the questions stand for to this file, by which `momentous grade` reads responses
+    #[arg(long, value_name = "FILE")]
+    codes: Option<PathBuf>,
     #[command(flatten)]
     secret: Secret,
     /// Write to this file instead of printing
@@ -104,13 +108,14 @@ impl Export {
             last.ok_or_else(|| Failure::unusable(format!("there are not {} seeds from {} on", self.count, self.seed)))?;
         let markup = self.markup(target)?;
         let read = self.problems.iter().map(Path::new).chain(self.secret.path());
-        keep_apart(read, self.output.clone())?;
+        keep_apart(read, self.output.iter().chain(&self.codes).cloned())?;
         let secret = self.secret.read()?;
         let problems = open::problems(&self.problems, secret.as_deref())?;
         let forms = problems.iter().map(|problem| open::form(problem, self.form.as_deref()));
         let forms = forms.collect::<Result<Vec<usize>, _>>()?;
         let mut held: BTreeMap<Feature, u64> = BTreeMap::new();
         let mut output = Output::to(self.output.as_deref())?;
+        let mut codes = String::new();
         let mut file = target.begin(Box::new(&mut output), markup)?;
         for (problem, form) in problems.iter().zip(forms) {
             let refused = |seed, reason| Failure::no_variant(problem.id(), seed, &reason);
@@ -125,11 +130,17 @@ impl Export {
                 }
                 if !question.is_empty() {
                     file.write(&question)?;
+                    if self.codes.is_some() {
+                        codes.extend([&serde_json::to_string(&Coded::of(&question))?, "\n"]);
+                    }
                 }
             }
         }
         file.finish()?;
         output.finish()?;
+        if let Some(path) = &self.codes {
+            Output::private(path, &codes)?;
+        }
         tell(&report(&held, target));
         Ok(Exit::Fine)
     }

@@ -3,6 +3,7 @@
 
 mod band;
 mod canvas;
+mod coded;
 mod element;
 mod feature;
 mod field;
@@ -12,11 +13,14 @@ mod package;
 mod prairielearn;
 mod qti;
 mod question;
+mod responses;
 mod rexams;
 mod target;
 
+pub use coded::{Coded, CodedPart};
 pub use feature::{FEATURES, Feature, Place, Row};
 pub use question::Question;
+pub use responses::{Response, Responses};
 pub use target::{TARGETS, Target};
 
 use std::io;

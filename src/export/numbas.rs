@@ -97,7 +97,7 @@ fn question(question: &Question<'_>) -> Result<Value, Faults> {
     let mut pictures = Pictures::new("", |markup, own| {
         markup.picture(&format!("data:image/svg+xml;base64,{}", base64(own.svg.as_bytes())), own.drawing)
     });
-    let statement = question.statement(MARKUP, &mut pictures)?;
+    let statement = question.statement(MARKUP, &mut pictures)? + &question.code(MARKUP, None);
     let advice = question.solution(MARKUP, &mut pictures)?;
     let labelled = question.asked.len() > 1;
     let mut parts: Vec<Value> = question.fields().map(|(asking, field)| part(asking, field, labelled)).collect();

@@ -122,7 +122,7 @@ impl<'i> Question<'i> {
         name.chars().map(plain).collect()
     }
 
-    /// The statement with its figure, what to take for constants, and the code of the variant.
+    /// The statement with its figure, and what to take for constants.
     pub(super) fn statement(&self, markup: Markup, pictures: &mut Pictures) -> Result<String, Faults> {
         let sheet = &self.item.sheet;
         let mut text = markup.authored(&self.item.identity.problem, &sheet.statement, LEVEL)?;
@@ -133,10 +133,13 @@ impl<'i> Question<'i> {
         if !sheet.note.is_empty() {
             text.push_str(&markup.paragraph(&markup.inline(&sheet.note)));
         }
-        if !self.item.code.is_empty() {
-            text.push_str(&markup.paragraph(&markup.text(&format!("[{}]", self.item.code))));
-        }
         Ok(text)
+    }
+
+    /// The code of the variant, and of a field, as it is printed: by it a response is found again.
+    pub(super) fn code(&self, markup: Markup, field: Option<&Field<'_>>) -> String {
+        let field = field.map(|own| format!("-{}", own.name)).unwrap_or_default();
+        markup.paragraph(&markup.text(&format!("[{}{field}]", self.item.code)))
     }
 
     /// The worked solution.

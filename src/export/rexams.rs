@@ -101,7 +101,7 @@ impl<W: Write> RExams<W> {
 /// A variant as a list of R.
 fn variant(question: &Question<'_>) -> Result<String, NotWritten> {
     let mut pictures = Pictures::named(&question.item.code);
-    let mut text = question.statement(MARKUP, &mut pictures)?;
+    let mut text = question.statement(MARKUP, &mut pictures)? + &question.code(MARKUP, None);
     let labelled = question.asked.len() > 1;
     for asking in &question.asked {
         text.push_str(&MARKUP.paragraph(&asking.question(MARKUP, labelled)));

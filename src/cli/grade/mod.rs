@@ -2,6 +2,7 @@
 
 mod changes;
 mod desk;
+mod gradebook;
 mod junit;
 mod marked;
 mod order;
@@ -9,6 +10,7 @@ mod problems;
 mod reader;
 mod readers;
 mod register;
+mod responses;
 mod single;
 mod sink;
 mod source;
@@ -43,6 +45,7 @@ Examples:
   momentous grade submissions.csv --problem my-carts.yaml --roster class.csv --secret secret.txt -o marks.csv
   momentous grade submissions.jsonl -o marks.jsonl --summary class --junit junit.xml
   momentous grade submissions.csv -o marks-2.csv --changes marks.csv
+  momentous grade responses.csv --codes codes.jsonl -o marks.csv --gradebook grades.csv
 
 A table of submissions has the columns `problem` and `seed`, and may have `student`, `digest`, `form` and `attempt`; every
 other column is a part, named as in the JSON of `momentous generate`:
@@ -112,6 +115,15 @@ pub(super) struct Grade {
     /// Bring together attempts of one student at one sheet that are not in adjacent rows; the file is read twice
     #[arg(long, requires = "submissions")]
     any_order: bool,
+    /// The submissions are responses that Moodle or Canvas downloaded, to questions whose codes are in this file, which `momentous export` wrote
+    #[arg(long, value_name = "CODES", requires = "submissions", conflicts_with = "any_order")]
+    codes: Option<PathBuf>,
+    /// The column of responses by which students are known; by default the first usual one
+    #[arg(long, value_name = "HEADING", requires = "codes")]
+    student: Option<String>,
+    /// Write the points of each student to this file, as the gradebooks of Moodle and Canvas import them
+    #[arg(long, value_name = "FILE", requires = "submissions")]
+    gradebook: Option<PathBuf>,
     /// Print every mark that differs from those in this file, which an earlier run wrote for the same submissions
     #[arg(long, value_name = "OLD.csv", requires = "output")]
     changes: Option<PathBuf>,

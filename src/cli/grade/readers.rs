@@ -9,6 +9,7 @@ use crate::grade::RowCounts;
 
 use super::Grade;
 use super::changes::Changes;
+use super::gradebook::{Gradebook, Students};
 use super::junit::Junit;
 use super::marked::Marked;
 use super::problems::Met;
@@ -19,19 +20,21 @@ pub(super) struct Readers {
     changes: Option<Changes>,
     gathering: Option<Gathering>,
     junit: Option<Junit>,
+    gradebook: Option<Gradebook>,
 }
 
 impl Readers {
-    pub(super) fn of(grade: &Grade) -> Result<Self, Failure> {
+    pub(super) fn of(grade: &Grade, students: Students) -> Result<Self, Failure> {
         Ok(Self {
             changes: grade.changes.as_deref().map(Changes::since).transpose()?,
             gathering: grade.summary.as_ref().map(|_| Gathering::default()),
             junit: grade.junit.as_deref().map(Junit::to).transpose()?,
+            gradebook: grade.gradebook.as_deref().map(|path| Gradebook::to(path, students)),
         })
     }
 
     pub(super) fn are_there(&self) -> bool {
-        self.changes.is_some() || self.gathering.is_some() || self.junit.is_some()
+        self.changes.is_some() || self.gathering.is_some() || self.junit.is_some() || self.gradebook.is_some()
     }
 
     /// Reads what was found about the next submission.
@@ -45,6 +48,9 @@ impl Readers {
         };
         let question = entry.facts.question;
         let Some(variant) = problems.get(question.problem).map(|met| met.variant(question)) else { return Ok(()) };
+        if let Some(gradebook) = &mut self.gradebook {
+            gradebook.add(entry, report);
+        }
         for part in &report.parts {
             if let Some(changes) = &mut self.changes {
                 changes.part(&entry.submission, part)?;
@@ -65,6 +71,7 @@ impl Readers {
         if let (Some(gathering), Some(path)) = (self.gathering, &grade.summary) {
             summary::write(&gathering.statistics(counts), path)?;
         }
+        self.gradebook.map_or(Ok(()), Gradebook::finish)?;
         self.junit.map_or(Ok(()), Junit::finish)
     }
 }

@@ -27,6 +27,8 @@ pub(super) enum Source {
     Table(Box<Table<BufReader<Input>>>, Vec<Column>),
     Lines(Box<Lines<BufReader<Input>>>, Line),
     Folder(Vec<PathBuf>, usize),
+    /// What another program downloaded, read as a whole.
+    Responses(std::vec::IntoIter<(u64, Next)>),
 }
 
 impl Source {
@@ -59,6 +61,7 @@ impl Source {
                 Some((line, read.map_err(|message| (Place::Line(line), message))))
             }
             Self::Lines(lines, line) => next_line(lines, line),
+            Self::Responses(all) => all.next(),
             Self::Folder(files, next) => {
                 let path = files.get(*next)?;
                 *next += 1;
@@ -72,7 +75,7 @@ impl Source {
         match self {
             Self::Table(table, _) => table.last_place(),
             Self::Lines(_, line) => line.place,
-            Self::Folder(..) => 0,
+            Self::Folder(..) | Self::Responses(..) => 0,
         }
     }
 
@@ -81,6 +84,7 @@ impl Source {
         match self {
             Self::Table(table, _) => table.go_to(place, number),
             Self::Lines(lines, _) => lines.go_to(place, number),
+            Self::Responses(..) => Err(io::ErrorKind::Unsupported.into()),
             Self::Folder(_, next) => {
                 *next = usize::try_from(number).map_err(io::Error::other)?;
                 Ok(())
@@ -91,7 +95,7 @@ impl Source {
     /// Where the submission with that number stands.
     pub(super) fn place(&self, number: u64) -> Place {
         match self {
-            Self::Table(..) | Self::Lines(..) => Place::Line(number),
+            Self::Table(..) | Self::Lines(..) | Self::Responses(..) => Place::Line(number),
             Self::Folder(files, _) => {
                 let file = usize::try_from(number).ok().and_then(|number| files.get(number));
                 Place::File(file.cloned().unwrap_or_default())

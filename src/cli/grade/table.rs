@@ -15,14 +15,19 @@ use crate::grade::RowCounts;
 use crate::problem::secret_mark;
 
 use super::Grade;
+use super::gradebook::Students;
 use super::marked::{Marked, marked};
 use super::problems::Problems;
 use super::reader::Reader;
 use super::readers::Readers;
 use super::register::Register;
+use super::responses;
 use super::sink::Sink;
 use super::source::Source;
 use super::summary;
+
+/// The heading under which students stand in submissions.
+const STUDENT: &str = "student";
 
 impl Grade {
     /// Marks a file or a folder of submissions.
@@ -34,7 +39,14 @@ impl Grade {
             tell("note: seeds are taken on trust; --sheets or --roster says which student has which");
         }
         let problems = Problems::here(&self.problem, secret, self.decimal.into())?;
-        let (source, register) = (Source::open(path)?, Register::new(problems, sheets));
+        let (source, students) = match &self.codes {
+            None => (Source::open(path)?, Students::Column(STUDENT.to_owned())),
+            Some(codes) => {
+                let (responses, students) = responses::read(path, codes, self.student.as_deref())?;
+                (Source::Responses(responses.into_iter()), students)
+            }
+        };
+        let register = Register::new(problems, sheets);
         let mut reader =
             if self.any_order { Reader::in_any_order(source, register)? } else { Reader::new(source, register) };
         let mut chunk = reader.chunk();
@@ -43,7 +55,7 @@ impl Grade {
             table::of(path, &format!("in most rows, {message}\n{nothing}"))
         })?;
         let mut sink = Sink::to(self.output.as_deref(), self.marks)?;
-        let mut readers = Readers::of(self)?;
+        let mut readers = Readers::of(self, students)?;
         let (mut exit, mut counts) = (Exit::Fine, RowCounts::default());
         while !chunk.is_empty() {
             let (format, keep, problems) = (sink.format(), readers.are_there(), reader.problems());
@@ -84,10 +96,11 @@ impl Grade {
 
     /// Whether nothing that is read would be written over.
     fn keep_apart(&self, path: &Path) -> Result<(), Failure> {
-        let read = [Some(path), self.sheets.as_deref(), self.roster.as_deref(), self.secret.path()];
+        let read =
+            [Some(path), self.codes.as_deref(), self.sheets.as_deref(), self.roster.as_deref(), self.secret.path()];
         let named = self.problem.iter().map(Path::new).filter(|path| path.is_file());
         let summary = self.summary.iter().flat_map(|path| summary::paths(path));
-        let written = self.output.iter().chain(&self.junit).cloned().chain(summary);
+        let written = self.output.iter().chain(&self.junit).chain(&self.gradebook).cloned().chain(summary);
         output::keep_apart(read.into_iter().flatten().chain(named), written)
     }
 

@@ -35,7 +35,7 @@ pub(super) fn items(question: &Question<'_>) -> Result<(Vec<FieldItem>, Pictures
         let item = element("item")
             .with("ident", format!("{}-{}", question.item.code, field.name))
             .with("title", format!("{} ({})", question.item.sheet.title, field.name));
-        let text = format!("{statement}{asked}");
+        let text = format!("{statement}{}{asked}", question.code(MARKUP, Some(field)));
         let item = match &field.asked {
             Asked::Number(number) => {
                 let right = bands(number, asking.part.field.points);

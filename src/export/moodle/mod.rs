@@ -91,7 +91,7 @@ impl Texts {
             Pictures::new(name, |markup, own| markup.picture(&format!("@@PLUGINFILE@@/{}", own.name), own.drawing))
         };
         let (mut shown, mut solution_shown) = (pictures("figure"), pictures("solution"));
-        let mut text = question.statement(markup, &mut shown)?;
+        let mut text = question.statement(markup, &mut shown)? + &question.code(markup, None);
         match only(question) {
             None => text = cloze::text(&text, question, markup),
             Some((part, _)) => {

@@ -101,7 +101,7 @@ fn uuid(text: &str) -> String {
 
 fn variant(question: &Question<'_>, markup: Markup, pictures: &mut Pictures) -> Result<Value, NotWritten> {
     let labelled = question.asked.len() > 1;
-    let statement = question.statement(markup, pictures)?;
+    let statement = question.statement(markup, pictures)? + &question.code(markup, None);
     let solution = question.solution(markup, pictures)?;
     let fields: Vec<Value> =
         question.fields().map(|(asking, field)| self::field(asking, field, markup, labelled)).collect();

@@ -24,7 +24,7 @@ pub(super) fn item(question: &Question<'_>, dialect: Dialect) -> Result<(Element
         .with("adaptive", "false")
         .with("time-dependent", "false")
         .with("xml:lang", "en");
-    let mut body = element("item-body").html(question.statement(MARKUP, &mut pictures)?);
+    let mut body = element("item-body").html(question.statement(MARKUP, &mut pictures)? + &question.code(MARKUP, None));
     let mut outcomes = vec![
         outcome("SCORE", "float").holding(element("default-value").holding(value("0"))),
         outcome("MAXSCORE", "float").holding(element("default-value").holding(value(question.weight().to_string()))),

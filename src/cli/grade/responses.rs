@@ -1,0 +1,83 @@
+//! Responses that other programs downloaded, as submissions.
+
+use std::path::Path;
+
+use serde_json::json;
+
+use crate::cli::failure::Failure;
+use crate::cli::table;
+use crate::exercise::Place;
+use crate::exercise::Rows;
+use crate::exercise::Submission;
+use crate::export::Coded;
+use crate::export::Response;
+use crate::export::Responses;
+use crate::fault::Input;
+
+use super::gradebook::Students;
+use super::register::Next;
+
+/// The longest file of codes, in bytes.
+const LARGEST: u64 = 1 << 28;
+
+/// Submissions with their numbers, and how their students are known.
+pub(super) type Read = (Vec<(u64, Next)>, Students);
+
+/// The submissions in a table of responses. Those of a student to the same variant stand together.
+pub(super) fn read(path: &Path, codes: &Path, student: Option<&str>) -> Result<Read, Failure> {
+    let codes = self::codes(codes)?;
+    let failed = |message: String| table::of(path, &message);
+    let input = table::input(path).map_err(|error| Failure::file(path, "read", &error))?;
+    let mut rows = Rows::read(input).map_err(failed)?;
+    let (_, row) = rows.next_row().ok_or_else(|| failed("it is empty, without even headings".to_owned()))?;
+    let headings: Vec<String> = row.map_err(failed)?.cells().map(str::to_owned).collect();
+    let responses = Responses::new(&codes, &headings, student).map_err(failed)?;
+    let mut found: Vec<(String, &str, u64, Next)> = Vec::new();
+    while let Some((line, row)) = rows.next_row() {
+        match row {
+            Ok(row) => {
+                let cells: Vec<&str> = row.cells().collect();
+                for own in responses.of_row(&cells) {
+                    let (code, next) = (own.coded.code.as_str(), submission(line, &own));
+                    found.push((own.student, code, line, next));
+                }
+            }
+            Err(message) => found.push((String::new(), "", line, Err((Place::Line(line), message)))),
+        }
+    }
+    if found.iter().all(|(.., next)| next.is_err()) {
+        return Err(failed(
+            "no code of an exported variant stands in it\n\
+             help: let Moodle download the text of the questions, too; Canvas writes it into the headings"
+                .to_owned(),
+        ));
+    }
+    found.sort_by(|left, right| (&left.0, left.1).cmp(&(&right.0, right.1)));
+    let students =
+        if responses.is_of_canvas() { Students::Canvas } else { Students::Column(responses.student().to_owned()) };
+    Ok((found.into_iter().map(|(_, _, line, next)| (line, next)).collect(), students))
+}
+
+/// What `momentous export --codes` wrote.
+fn codes(path: &Path) -> Result<Vec<Coded>, Failure> {
+    let text = Input::open(path).and_then(|input| input.text(LARGEST));
+    let text = text.map_err(|error| Failure::file(path, "read", &error))?;
+    let lines = text.lines().zip(1..).filter(|(line, _)| !line.trim().is_empty());
+    let coded = |(line, number): (&str, u64)| {
+        serde_json::from_str(line).map_err(|error| table::of(path, &format!("line {number}: {error}")))
+    };
+    lines.map(coded).collect()
+}
+
+fn submission(line: u64, response: &Response<'_>) -> Next {
+    let Coded { problem, digest, form, seed, .. } = response.coded;
+    let answers: serde_json::Map<String, serde_json::Value> =
+        response.coded.answers(&response.typed).into_iter().map(|(part, text)| (part, text.into())).collect();
+    let mut object = json!({ "student": response.student, "problem": problem, "seed": seed, "answers": answers });
+    for (key, value) in [("digest", digest), ("form", form)] {
+        if let Some(value) = value {
+            object[key] = json!(value);
+        }
+    }
+    Submission::of_json(Place::Line(line), &object.to_string()).map_err(|message| (Place::Line(line), message))
+}

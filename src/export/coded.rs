@@ -1,0 +1,117 @@
+//! What the code of a variant stands for, and how the answers to its fields make those to its parts again.
+
+use serde::Deserialize;
+use serde::Serialize;
+
+use crate::exercise::ItemAnswers;
+use crate::exercise::ItemPart;
+
+use super::question::{Asking, Question};
+
+/// What stands for the answer to a field.
+const FIELD: &str = "{}";
+
+/// A variant that was exported.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Coded {
+    /// Its code.
+    pub code: String,
+    /// The problem's identity.
+    pub problem: String,
+    /// The digest of the problem's file.
+    pub digest: Option<String>,
+    /// The form.
+    pub form: Option<String>,
+    /// The seed, as it is printed on sheets.
+    pub seed: String,
+    /// The parts that have fields.
+    pub parts: Vec<CodedPart>,
+}
+
+/// A part that was exported.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct CodedPart {
+    /// How it is called in answers.
+    pub id: String,
+    /// Its answer, with `{}` for what is typed into each field.
+    pub answer: String,
+    /// Its fields.
+    pub fields: Vec<String>,
+}
+
+impl Coded {
+    /// What the code of a question stands for.
+    ///
+    /// ```
+    /// use std::sync::Arc;
+    /// use momentous::bank::Bank;
+    /// use momentous::exercise::Exercise;
+    /// use momentous::export::{Coded, Question};
+    /// use momentous::problem::{compile, load};
+    ///
+    /// let source = Bank::built_in().find("impact/two-carts")?.clone();
+    /// let problem = Arc::new(compile(load(source)?, None)?);
+    /// let item = Exercise::draw(&problem, 0, 7)?.item();
+    /// let coded = Coded::of(&Question::new(&item));
+    /// assert_eq!(coded.parts[0].answer, "{} m/s");
+    /// assert_eq!(coded.answers(&[("a".into(), "3".into())]), [("v_A2".into(), "3 m/s".into())]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn of(question: &Question<'_>) -> Self {
+        let identity = &question.item.identity;
+        let mark = identity.secret.as_ref().map(|mark| format!("-{mark}")).unwrap_or_default();
+        let part = |asking: &Asking<'_>| CodedPart {
+            id: asking.part.field.id.clone(),
+            answer: answer(asking.part, asking.fields.len()),
+            fields: asking.fields.iter().map(|own| own.name.clone()).collect(),
+        };
+        Self {
+            code: question.item.code.clone(),
+            problem: identity.problem.clone(),
+            digest: identity.digest.clone(),
+            form: identity.form.clone(),
+            seed: identity.seed.map(|seed| format!("{seed}{mark}")).unwrap_or_default(),
+            parts: question.asked.iter().map(part).collect(),
+        }
+    }
+
+    /// The fields in their order.
+    pub fn fields(&self) -> impl Iterator<Item = &str> {
+        self.parts.iter().flat_map(|part| part.fields.iter().map(String::as_str))
+    }
+
+    /// The answers to parts, of what was typed into fields. A part with nothing in its fields has none.
+    #[must_use]
+    pub fn answers(&self, typed: &[(String, String)]) -> Vec<(String, String)> {
+        let text = |field: &String| typed.iter().find(|(name, _)| name == field).map_or("", |(_, text)| text.trim());
+        let answer = |part: &CodedPart| {
+            let texts: Vec<&str> = part.fields.iter().map(text).collect();
+            let written = match texts[..] {
+                // Whoever typed more than a number typed the unit, too, or chose a phrase.
+                [only] if !is_number(only) => only.to_owned(),
+                _ => texts.iter().fold(part.answer.clone(), |answer, text| answer.replacen(FIELD, text, 1)),
+            };
+            texts.iter().any(|text| !text.is_empty()).then(|| (part.id.clone(), written))
+        };
+        self.parts.iter().filter_map(answer).collect()
+    }
+}
+
+/// The answer to a part as it is printed, without its numbers.
+fn answer(part: &ItemPart, fields: usize) -> String {
+    if matches!(part.answers, ItemAnswers::Choice { .. } | ItemAnswers::Formula { .. }) {
+        return FIELD.to_owned();
+    }
+    let words = part.printed.split(' ').map(|word| {
+        let number = word.trim_matches(|letter| "()[],;".contains(letter));
+        if is_number(number) { word.replacen(number, FIELD, 1) } else { word.to_owned() }
+    });
+    let answer = words.collect::<Vec<_>>().join(" ");
+    if answer.matches(FIELD).count() == fields { answer } else { vec![FIELD; fields].join("; ") }
+}
+
+fn is_number(text: &str) -> bool {
+    let plain: String = text.replace(',', ".").split_whitespace().collect();
+    plain.starts_with(|first: char| first.is_ascii_digit() || "+-.".contains(first)) && plain.parse::<f64>().is_ok()
+}
