@@ -97,10 +97,8 @@ fn lonely_headings(pages: &[String], page: &Page) -> Vec<String> {
 /// A page's text without its foot: the identity and the page's number.
 fn without_foot(text: &str, exercise: &Exercise) -> String {
     let problem = exercise.identity().problem;
-    text.lines()
-        .filter(|line| !(line.starts_with(&problem) && line.contains(" · ")))
-        .map(|line| format!("{line}\n"))
-        .collect()
+    let kept = text.lines().filter(|line| !(line.starts_with(&problem) && line.contains(" · ")));
+    kept.flat_map(|line| [line, "\n"]).collect()
 }
 
 /// What a reader of the page sees: the text of its body without the identity, and of its pictures what is drawn.
