@@ -22,7 +22,10 @@ pub fn serialize<S: Serializer>(value: &Rational, serializer: S) -> Result<S::Ok
 /// Where the text is none.
 pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Rational, D::Error> {
     let text = String::deserialize(deserializer)?;
-    let value = if text.len() <= LONGEST { text.parse().ok() } else { None };
+    // Nothing is divided by zero, however many zeros it has.
+    let has_value =
+        text.split_once('/').is_none_or(|(_, below)| below.bytes().any(|digit| matches!(digit, b'1'..=b'9')));
+    let value = if text.len() <= LONGEST && has_value { text.parse().ok() } else { None };
     value.ok_or_else(|| D::Error::custom("expected a fraction such as 3/2"))
 }
 

@@ -271,7 +271,7 @@ mod tests {
             (r"\vec v", "accent(v,\"\u{20d7}\")"),
             (r"\sqrt[3]{x}", "root(3,x)"),
             (r"\sin x", "op(\"sin\")x"),
-            (r"\sin^2 x", "attach(\"sin\",t:2)\"\u{2009}\"x"),
+            (r"\sin^2 x", "attach(op(\"sin\"),t:2)x"),
             (r"5\,\mathrm{kg}", "5#h(0.1667em)\"kg\""),
             (r"\left(\frac12\right)", r"lr(\(frac(1,2)\))"),
             (r"\$ \# \text{a \& b}", "\\$\\#\"a\u{a0}&\u{a0}b\""),

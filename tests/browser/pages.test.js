@@ -2,13 +2,10 @@
 // forbids.
 
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import { test } from "node:test";
 
+import { barriers } from "./axe.js";
 import { site } from "./site.js";
-
-const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
 /** One page of each kind. */
 const PAGES = [
@@ -48,17 +45,7 @@ for (const path of PAGES) {
         await page.setViewportSize({ width, height: 800 });
         await page.goto(site.url + path);
         await page.locator(SHOWN).first().waitFor();
-        const beyond = await page.evaluate(() => {
-          const root = document.documentElement;
-          return root.scrollWidth - root.clientWidth;
-        });
-        assert.ok(beyond <= 0, `${beyond} px too wide at ${width}`);
-        await page.addScriptTag({ content: axe });
-        const found = await page.evaluate("axe.run()");
-        const violations = found.violations.map(
-          (/** @type {any} */ own) => `${own.id}: ${own.nodes.map((/** @type {any} */ node) => node.html).join("; ")}`,
-        );
-        assert.deepEqual(violations, [], `${width} px`);
+        assert.deepEqual(await barriers(page), [], `${width} px`);
       }
       assert.deepEqual(complaints, []);
       await close();

@@ -38,7 +38,7 @@ const FLAGS = [
  */
 export async function start(more = []) {
   const folder = mkdtempSync(join(tmpdir(), "momentous-"));
-  const server = spawn(program, ["serve", "--bind", "127.0.0.1:0", ...more], {
+  const server = spawn(program, ["serve", "--quiet", "--bind", "127.0.0.1:0", ...more], {
     cwd: folder,
     stdio: ["ignore", "pipe", "inherit"],
   });

@@ -17,7 +17,7 @@ const UNUSABLE: &[Unusable] = &[
     (&["generate", "impact/two-carts", "--seed", "-1"], "a seed is a whole number from 0"),
     (&["generate", "impact/two-carts", "--faded", "1"], "add --solution"),
     (&["generate", "impact/two-carts", "--count", "0"], "--count"),
-    (&["generate", "impact/two-carts", "--format", "pdf"], "markdown"),
+    (&["generate", "impact/two-carts", "--format", "docx"], "markdown"),
     (&["generate", "impact/two-carts", "--roster", "class.csv"], "--output"),
     (&["generate", "impact/two-carts", "--roster", "none.csv", "-o", "a/"], "none.csv cannot be read"),
     (&["generate", "impact/two-carts", "--roster", "good.csv", "-o", "/dev/null"], "has no folder for seeds.csv"),
