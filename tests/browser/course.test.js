@@ -100,6 +100,7 @@ test("a course from an empty folder to its gradebook", async () => {
   await own.getByRole("button", { name: "Hand in" }).click();
   await own.locator(".receipts li").waitFor();
   assert.match((await own.locator(".receipts li").textContent()) ?? "", /late/);
+  assert.match((await own.locator(".total").textContent()) ?? "", /^0 of 5 points/);
   assert.deepEqual(await barriers(own), [], "marked sheet");
   assert.equal((await own.goto(`${site.url}/practice/impact/two-carts`))?.status(), 403, "the problem is reserved");
   assert.equal((await own.goto(`${assignment}/gradebook`))?.status(), 403);
