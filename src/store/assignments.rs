@@ -51,26 +51,6 @@ impl Store {
         self.write(statements).await.map(|_| ())
     }
 
-    /// Takes a correction into an item.
-    ///
-    /// # Errors
-    /// Where the database refuses.
-    pub async fn correct(
-        &self,
-        key: Key<Correction>,
-        item: &Item,
-        correction: &Correction,
-        entry: &Entry,
-    ) -> Result<(), StoreFault> {
-        let statement = query("INSERT INTO decision (key, sheet, item, at, data) VALUES ($1, NULL, $2, $3, $4)");
-        let statement = statement
-            .bind(key.to_string())
-            .bind(correction.item.to_string())
-            .bind(correction.at.millis())
-            .bind(kept(correction)?);
-        self.write(vec![save_item(item)?, statement, changed(item.assignment), entry.statement()?]).await.map(|_| ())
-    }
-
     /// The corrections of an assignment's items, in their order.
     ///
     /// # Errors

@@ -32,6 +32,7 @@ const BUILT_IN: &[(&str, &[u8])] = &built_in![
     "plot.js",
     "handed-in.js",
     "practice.js",
+    "reading.js",
     "reach.js",
     "restitution.js",
     "simulator.js",

@@ -1,8 +1,8 @@
 // @ts-check
 // A sheet of a course: under each field stands how its text is read, and what is typed is saved while one goes on.
 
-/** How long after the last key an answer is read, in ms. */
-const PAUSE = 300;
+import { read_live } from "./reading.js";
+
 /** How long after the last key everything is saved, in ms. */
 const REST = 2000;
 
@@ -39,29 +39,10 @@ function live(form) {
     rest = setTimeout(save, REST);
   });
   form.addEventListener("submit", () => clearTimeout(rest));
-  for (const field of form.querySelectorAll("input[data-part]:not([readonly])")) {
-    if (!(field instanceof HTMLInputElement)) continue;
-    const said = form.querySelector(`[data-reading="${CSS.escape(field.dataset.part ?? "")}"]`);
-    if (!(said instanceof HTMLElement)) continue;
-    /** @type {AbortController | undefined} */
-    let asked;
-    let timer = 0;
-    const read = async () => {
-      asked?.abort();
-      asked = new AbortController();
-      const fields = new URLSearchParams({ part: field.dataset.part ?? "", text: field.value });
-      const reading = await send(`${here}/read`, fields, asked.signal).catch(() => undefined);
-      if (!reading) return;
-      said.textContent = reading.understood ? `Read as ${reading.understood}.` : (reading.unreadable ?? "");
-      said.classList.toggle("unreadable", Boolean(reading.unreadable));
-      said.dataset.state = "read";
-    };
-    field.addEventListener("input", () => {
-      said.dataset.state = "waiting";
-      clearTimeout(timer);
-      timer = setTimeout(read, PAUSE);
-    });
-  }
+  read_live(form, (part, text, signal) => {
+    const reading = send(`${here}/read`, new URLSearchParams({ part, text }), signal);
+    return reading.catch(() => undefined);
+  });
 }
 
 for (const form of document.querySelectorAll("form.answers")) {

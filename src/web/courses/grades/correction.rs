@@ -2,9 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::bank::FOLDER;
 use crate::course::{Correction, CorrectionChoice, Effect, Item, ProblemFile, Remarked, effects};
-use crate::fault::Source;
 use crate::problem::Problem;
 use crate::store::AssignmentWithItems;
 
@@ -70,7 +68,7 @@ async fn one(
     sheets: Vec<Kept>,
 ) -> Result<Corrected, NotShown> {
     let (course, courses) = (visit.course()?.clone(), Arc::clone(&visit.courses));
-    let source = Source::new(&format!("{FOLDER}/{}.yaml", file.problem), &file.text);
+    let source = items::source(&file);
     let (digest, policy) = (file.digest.clone(), whole.assignment.policy.clone());
     let sheets = Arc::new(sheets);
     let own = Arc::clone(&sheets);

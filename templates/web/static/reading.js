@@ -1,0 +1,37 @@
+// @ts-check
+// Live reading: under a field stands how its text is read, before it is marked.
+
+/** How long after the last key an answer is read, in ms. */
+const PAUSE = 300;
+
+/**
+ * Shows under each field of a form how its text is read.
+ * @param {HTMLFormElement} form
+ * @param {(part: string, text: string, signal: AbortSignal) => Promise<{ understood?: string, unreadable?: string } | undefined>} ask
+ *   nothing where what stands there is to stay
+ */
+export function read_live(form, ask) {
+  for (const field of form.querySelectorAll("input[data-part]:not([readonly])")) {
+    if (!(field instanceof HTMLInputElement)) continue;
+    const part = field.dataset.part ?? "";
+    const said = form.querySelector(`[data-reading="${CSS.escape(part)}"]`);
+    if (!(said instanceof HTMLElement)) continue;
+    /** @type {AbortController | undefined} */
+    let asked;
+    let timer = 0;
+    const read = async () => {
+      asked?.abort();
+      asked = new AbortController();
+      const reading = await ask(part, field.value, asked.signal);
+      if (!reading) return;
+      said.textContent = reading.understood ? `Read as ${reading.understood}.` : (reading.unreadable ?? "");
+      said.classList.toggle("unreadable", Boolean(reading.unreadable));
+      said.dataset.state = "read";
+    };
+    field.addEventListener("input", () => {
+      said.dataset.state = "waiting";
+      clearTimeout(timer);
+      timer = setTimeout(read, PAUSE);
+    });
+  }
+}
