@@ -173,8 +173,8 @@ impl Body {
             TagEnd::Heading(_) | TagEnd::BlockQuote(_) => self.push("];\n"),
             TagEnd::CodeBlock => {
                 let code = self.code.take().unwrap_or_default();
-                // Lines keep their ends, which a literal has as `\n`.
-                let lines: Vec<String> = code.lines().map(quoted).collect();
+                // Lines keep their ends, which a literal has as `\n`; code without any line has one that is empty.
+                let lines: Vec<String> = code.trim_end_matches('\n').split('\n').map(quoted).collect();
                 self.push(&format!("\n#raw(block: true, ({},).join(\"\\n\"));\n", lines.join(", ")));
             }
             TagEnd::List(_) => self.push(";\n"),
