@@ -89,12 +89,19 @@ impl Writer for Typst {
     }
 }
 
-/// Mathematics within a line; whoever cannot see it is told the plain text.
+/// Mathematics within a line; whoever cannot see it is told the plain text. What is blank is no mathematics: it could not
+/// be told.
 fn inline(plain: &str, code: &str) -> String {
+    if plain.trim().is_empty() {
+        return String::new();
+    }
     format!("#math.equation(alt: {}, ${code}$);", quoted(plain))
 }
 
 fn displayed(plain: &str, code: &str, number: Option<u32>) -> String {
+    if plain.trim().is_empty() {
+        return String::new();
+    }
     let numbering = number.map_or_else(String::new, |number| format!(", numbering: _ => [({number})]"));
     format!("#math.equation(block: true, alt: {}{numbering}, $ {code} $);", quoted(plain))
 }
