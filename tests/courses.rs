@@ -4,14 +4,20 @@
 
 #[path = "courses/access.rs"]
 mod access;
+#[path = "courses/early.rs"]
+mod early;
 #[path = "courses/editor.rs"]
 mod editor;
 #[path = "courses/grades.rs"]
 mod grades;
+#[path = "courses/old_data.rs"]
+mod old_data;
 #[path = "courses/print.rs"]
 mod print;
 #[path = "courses/problems.rs"]
 mod problems;
+#[path = "courses/refused.rs"]
+mod refused;
 #[path = "courses/sign_in.rs"]
 mod sign_in;
 #[path = "courses/staff.rs"]

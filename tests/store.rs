@@ -8,15 +8,27 @@ use momentous::course::{Attempt, Course, Draft, HintShown, Key, Member, Moment, 
 use momentous::exercise::Exercise;
 use momentous::store::{Address, AssignmentWithItems, HandIn, HandedIn, Store, StoreFault, Ticket, TicketKind};
 
-use database::{Database, on_both};
+use database::{Database, on_both, postgres_with};
 use sample::Sample;
 
+#[path = "store/class.rs"]
+mod class;
+#[path = "store/client.rs"]
+mod client;
 #[path = "store/database.rs"]
 mod database;
 #[path = "store/decided.rs"]
 mod decided;
+#[path = "store/killed.rs"]
+mod killed;
+#[path = "store/letters.rs"]
+mod letters;
 #[path = "store/sample.rs"]
 mod sample;
+#[path = "store/server.rs"]
+mod server;
+#[path = "store/servers.rs"]
+mod servers;
 
 const NOW: Moment = Moment::from_millis(1_764_576_000_000);
 
@@ -90,8 +102,8 @@ fn an_extension_keeps_a_problem_reserved_until_the_last_has_closed() {
         assert_eq!(store.open_assignments(closes).await.unwrap()[0].1.len(), 1);
         let found = store.extension(own.whole.assignment.key, own.member.key).await.unwrap().unwrap();
         assert_eq!(found.reason, "was ill");
-        let shorter = AssignmentWithItems { revision: 0, ..own.whole.clone() };
-        store.save_assignment(&shorter, &own.entry(61)).await.unwrap();
+        let shorter = AssignmentWithItems { revision: own.revision(&store).await, ..own.whole.clone() };
+        assert!(store.save_assignment(&shorter, &own.entry(61)).await.unwrap());
         assert_eq!(open(closes.after(999)).await, 1, "a change of the assignment forgets no extension");
     });
 }
@@ -254,12 +266,18 @@ fn data_of_a_later_program_are_refused_by_name() {
 }
 
 #[test]
-fn what_makes_sqlite_survive_a_loss_of_power_is_set() {
-    let folder = tempfile::tempdir().unwrap();
-    let database = Database::Folder(Address::Folder(folder.path().to_owned()));
-    database::block_on(async {
-        let store = database.serve().await;
-        assert_eq!(store.durability().await.unwrap(), ["wal", "2"], "a commit waits until it is on the disk");
+fn a_commit_waits_until_it_is_on_the_disk() {
+    on_both(async |database| {
+        let careless = match database.address() {
+            folder @ Address::Folder(_) => folder,
+            Address::Postgres(url) => postgres_with(&url, "synchronous_commit=off"),
+        };
+        let store = Store::serve(&careless).await.unwrap();
+        let durability = store.durability().await.unwrap();
+        match careless {
+            Address::Folder(_) => assert_eq!(durability, ["wal", "2"]),
+            Address::Postgres(_) => assert_eq!(durability[1], "on", "whatever the address says"),
+        }
     });
 }
 

@@ -7,6 +7,8 @@ use crate::fault::Faults;
 use crate::fault::Source;
 #[cfg(feature = "files")]
 use crate::problem::Course;
+#[cfg(feature = "files")]
+use crate::problem::CourseSymbols;
 use crate::problem::Loaded;
 use crate::problem::load;
 
@@ -41,6 +43,15 @@ pub fn load_in_course(source: Source) -> Result<Loaded, Faults> {
 #[cfg(not(feature = "files"))]
 pub fn load_in_course(source: Source) -> Result<Loaded, Faults> {
     load(source)
+}
+
+/// The letters that the course of a file uses now, by its settings.
+///
+/// # Errors
+/// Every fault of the settings.
+#[cfg(feature = "files")]
+pub fn course_letters(source: &Source) -> Result<CourseSymbols, Faults> {
+    Ok(settings_for(Path::new(&*source.name))?.unwrap_or_default().symbols)
 }
 
 #[cfg(feature = "files")]

@@ -19,6 +19,8 @@ mod wrong_forms;
 
 pub use audit::{Seeds, audit};
 pub use collection::Bank;
+#[cfg(feature = "files")]
+pub use course::course_letters;
 pub use course::{COURSE_FILE, FOLDER, load_in_course};
 pub use diagnosis::{Diagnosed, Tally, diagnosed};
 pub use entry::Card;

@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::problem::CourseSymbols;
+
 use super::key::Key;
 use super::moment::Moment;
 use super::people::{Course, Member};
@@ -38,6 +40,8 @@ pub struct Item {
     pub points: u32,
     /// The digest of the file from which its sheets are drawn, once the assignment has opened.
     pub digest: Option<String>,
+    /// The letters in which its sheets are printed, once it has opened; the problem's own come first.
+    pub letters: CourseSymbols,
     /// Which issue of its sheets counts: it grows where sheets were issued anew.
     pub issue: u32,
     /// Whether it no longer counts.

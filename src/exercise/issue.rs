@@ -6,6 +6,7 @@ use serde::Deserialize;
 use serde::Serialize;
 
 use crate::grade::DecimalMark;
+use crate::problem::CourseSymbols;
 use crate::problem::NoVariant;
 use crate::problem::Problem;
 use crate::problem::say_quantity;
@@ -50,6 +51,8 @@ pub struct Issued {
     pub derivation: Option<usize>,
     /// What stands between whole and decimal digits in the person's answers.
     pub decimal: DecimalMark,
+    /// The letters in which it was printed, and in which formulas are typed.
+    pub letters: CourseSymbols,
     /// The text of the sheet as it was shown.
     pub statement: String,
     given: Vec<(String, String)>,
@@ -90,6 +93,7 @@ impl Exercise {
             secret: identity.secret,
             derivation: derivation.map(Derivation::number),
             decimal,
+            letters: self.problem.loaded().draft.symbols.clone(),
             statement,
             given: given
                 .map(|(symbol, value, unit)| (symbols.entry(*symbol).name.clone(), say_quantity(value, unit)))
@@ -121,7 +125,8 @@ impl Issued {
     pub fn remark(&self, problem: &Arc<Problem>) -> Remark {
         let same = self.draw(problem).is_ok_and(|exercise| {
             let now = exercise.issue(None, self.decimal);
-            now.secret == self.secret && now.given == self.given && now.parts == self.parts
+            let asks_the_same = now.letters == self.letters && now.parts == self.parts;
+            now.secret == self.secret && now.given == self.given && asks_the_same
         });
         if same { Remark::Same } else { Remark::Differs }
     }
@@ -152,6 +157,7 @@ mod tests {
             ("{ find: T_lost, unit: J, points: 1 }", "{ find: p_A2, unit: N s, points: 1 }", Remark::Differs),
             ("min: 1, max: 6, step: 0.5, unit: kg", "min: 11, max: 16, step: 0.5, unit: kg", Remark::Differs),
             ("forward:", "onward:", Remark::Differs),
+            ("scene:", "symbols: { momentum: L }\nscene:", Remark::Differs),
         ];
         for (old, new, expected) in cases {
             assert!(FILE.contains(old), "{old}");

@@ -2,6 +2,7 @@
 
 use schemars::JsonSchema;
 use serde::Deserialize;
+use serde::Serialize;
 
 use crate::expr::Notation;
 use crate::fault::Code;
@@ -11,7 +12,7 @@ use crate::fault::Path;
 use super::text::is_name;
 
 /// The letters that a course uses. Names in the file keep the usual ones.
-#[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, Deserialize, PartialEq, Eq, Hash, JsonSchema, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct CourseSymbols {
     /// For momentum. Default: `p`.

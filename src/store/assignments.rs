@@ -24,20 +24,22 @@ pub struct AssignmentWithItems {
 }
 
 impl Store {
-    /// Keeps an assignment with all its items; those that it had and has no more are taken away.
+    /// Keeps an assignment with all its items, where it is new or is kept in the same revision; items that it had and has no more are
+    /// taken away. Says whether it did: not where somebody has changed the assignment meanwhile, or it was pinned.
     ///
     /// # Errors
     /// Where the database refuses, as for everything here.
-    pub async fn save_assignment(&self, whole: &AssignmentWithItems, entry: &Entry) -> Result<(), StoreFault> {
-        let AssignmentWithItems { assignment, items, .. } = whole;
+    pub async fn save_assignment(&self, whole: &AssignmentWithItems, entry: &Entry) -> Result<bool, StoreFault> {
+        let AssignmentWithItems { assignment, items, revision } = whole;
         let key = assignment.key.to_string();
-        let mut statements = vec![save(assignment)?, query("DELETE FROM item WHERE assignment = $1").bind(key)];
+        let mut statements =
+            vec![save(assignment, *revision)?, query("DELETE FROM item WHERE assignment = $1").bind(key)];
         for item in items {
             statements.push(save_item(item)?);
         }
         statements.push(changed(assignment.key));
         statements.push(entry.statement()?);
-        self.write(statements).await.map(|_| ())
+        self.write_if(1, statements).await
     }
 
     /// Keeps items of an assignment as they became.
@@ -155,14 +157,15 @@ impl Store {
     }
 }
 
-fn save(assignment: &Assignment) -> Result<Statement, StoreFault> {
+fn save(assignment: &Assignment, revision: i64) -> Result<Statement, StoreFault> {
     let statement = query(
         "INSERT INTO assignment (key, course, opens, closes, revision, data) VALUES ($1, $2, $3, $4, 0, $5) \
-         ON CONFLICT (key) DO UPDATE SET opens = excluded.opens, closes = excluded.closes, data = excluded.data",
+         ON CONFLICT (key) DO UPDATE SET opens = excluded.opens, closes = excluded.closes, data = excluded.data \
+         WHERE assignment.revision = $6",
     );
     let [opens, closes] = [assignment.policy.opens, assignment.policy.closes].map(Moment::millis);
     let statement = statement.bind(assignment.key.to_string()).bind(assignment.course.to_string());
-    Ok(statement.bind(opens).bind(closes).bind(kept(assignment)?))
+    Ok(statement.bind(opens).bind(closes).bind(kept(assignment)?).bind(revision))
 }
 
 /// After a change: what was marked by the rules before is not handed in any more, and the latest close counts extensions in.

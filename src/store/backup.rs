@@ -7,7 +7,6 @@ use futures_util::TryStreamExt;
 use sqlx::AnyConnection;
 use sqlx::AssertSqlSafe;
 use sqlx::Connection;
-use sqlx::Executor;
 use sqlx::Row;
 use sqlx::TypeInfo;
 use sqlx::ValueRef;
@@ -17,7 +16,7 @@ use sqlx::query;
 use super::address;
 use super::address::Address;
 use super::fault::StoreFault;
-use super::open::{Store, connect};
+use super::open::{Store, connect, connect_plainly};
 use super::schema::{TABLES, VERSION, migrate};
 use super::writer::Statement;
 
@@ -44,7 +43,7 @@ impl Store {
 
     async fn copy_to(&self, file: &Path) -> Result<(), StoreFault> {
         let mut to = sqlite(file).await?;
-        let mut from = connect(&self.address, &self.address.url()).await?;
+        let mut from = connect(&self.address).await?;
         // What others write meanwhile is not in the copy, and nothing is copied by half.
         let begin = match self.address {
             Address::Folder(_) => "BEGIN",
@@ -53,7 +52,6 @@ impl Store {
         let mut source = from.begin_with(begin).await?;
         copy(&mut source, &mut to).await?;
         source.rollback().await?;
-        to.execute("PRAGMA journal_mode = DELETE").await?;
         to.close().await?;
         Ok(())
     }
@@ -74,7 +72,7 @@ impl Store {
         let own = side.path().join("copy.sqlite");
         std::fs::copy(file, &own).map_err(|error| StoreFault::Folder(file.to_owned(), error))?;
         let mut from = sqlite(&own).await?;
-        let mut to = connect(&self.address, &self.address.url()).await?;
+        let mut to = connect(&self.address).await?;
         let mut transaction = to.begin().await?;
         copy(&mut from, &mut transaction).await?;
         transaction.commit().await?;
@@ -84,8 +82,7 @@ impl Store {
 
 /// A file of SQLite with the tables of this version.
 async fn sqlite(file: &Path) -> Result<AnyConnection, StoreFault> {
-    let folder = Address::Folder(file.to_owned());
-    let mut connection = connect(&folder, &address::sqlite(file)).await?;
+    let mut connection = connect_plainly(&address::sqlite(file)).await?;
     let mut transaction = connection.begin().await?;
     migrate(&mut transaction).await?;
     transaction.commit().await?;

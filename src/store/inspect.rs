@@ -28,6 +28,10 @@ pub struct Inspection {
     pub latest: Option<Moment>,
     /// What the database's clock says, where it has one of its own.
     pub now: Option<Moment>,
+    /// Whether there are no tables yet, and the user of the database may not make them.
+    pub lacks_rights: bool,
+    /// The settings of a database server by which a loss of power can take away what it said was kept: `fsync`.
+    pub unsafe_settings: Vec<String>,
 }
 
 impl Inspection {
@@ -66,17 +70,25 @@ async fn inspect(address: &Address) -> Result<Inspection, StoreFault> {
         }
     };
     let mut connection = connect_plainly(&url).await?;
-    let now = match address {
-        Address::Folder(_) => None,
-        Address::Postgres(_) => {
-            number(&mut connection, "SELECT CAST(EXTRACT(EPOCH FROM clock_timestamp()) * 1000 AS BIGINT)").await?
+    let mut inspection = Inspection { is_served, ..Inspection::default() };
+    if let Address::Postgres(_) = address {
+        let now = "SELECT CAST(EXTRACT(EPOCH FROM clock_timestamp()) * 1000 AS BIGINT)";
+        inspection.now = number(&mut connection, now).await?.map(Moment::from_millis);
+        let off = query(
+            "SELECT name FROM pg_settings WHERE name IN ('fsync', 'full_page_writes') AND setting = 'off' ORDER BY name",
+        );
+        for row in off.fetch_all(&mut connection).await? {
+            inspection.unsafe_settings.push(row.try_get(0)?);
         }
-    };
-    let inspection = Inspection { is_served, now: now.map(Moment::from_millis), ..Inspection::default() };
+    }
     // A text of this file, of nothing that anybody typed.
     let tables = sqlx::AssertSqlSafe(format!("SELECT COUNT(*) FROM {tables}"));
     let has_tables: i64 = query(tables).fetch_one(&mut connection).await?.try_get(0)?;
     if has_tables == 0 {
+        if let Address::Postgres(_) = address {
+            let lacks = "SELECT NOT COALESCE(has_schema_privilege(current_schema(), 'CREATE'), false)";
+            inspection.lacks_rights = query(lacks).fetch_one(&mut connection).await?.try_get(0)?;
+        }
         return Ok(inspection);
     }
     let version = number(&mut connection, "SELECT MAX(number) FROM version").await?;

@@ -26,6 +26,11 @@ const READERS: u32 = 8;
 const SQLITE: &str =
     "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA busy_timeout = 10000; PRAGMA foreign_keys = ON";
 
+/// The same for PostgreSQL, whatever its configuration says; a stricter setting stays. That it writes to the disk at all (`fsync`) is
+/// not for a connection to say.
+const POSTGRES: &str =
+    "SELECT set_config('synchronous_commit', 'on', false) WHERE current_setting('synchronous_commit') = 'off'";
+
 /// The records of all courses. Clones share their connections.
 #[derive(Clone)]
 pub struct Store {
@@ -67,19 +72,18 @@ impl Store {
     }
 
     async fn open(address: &Address, lock: Option<Arc<Lock>>) -> Result<Self, StoreFault> {
-        let url = address.url();
-        let mut connection = connect(address, &url).await?;
+        let mut connection = connect(address).await?;
         let mut transaction = connection.begin().await?;
         schema::migrate(&mut transaction).await?;
         transaction.commit().await?;
-        let is_folder = matches!(address, Address::Folder(_));
+        let settings = settings(address);
         let options = AnyPoolOptions::new().max_connections(READERS).after_connect(move |connection, _| {
-            Box::pin(async move { if is_folder { connection.execute(SQLITE).await.map(|_| ()) } else { Ok(()) } })
+            Box::pin(async move { connection.execute(settings).await.map(|_| ()) })
         });
         Ok(Self {
             address: address.clone(),
-            readers: options.connect(&url).await?,
-            writer: Writer::start(connection),
+            readers: options.connect(&address.url()).await?,
+            writer: Writer::start(address.clone(), connection),
             reads: Arc::default(),
             rows: Arc::default(),
             handed_in: Arc::default(),
@@ -118,17 +122,24 @@ impl Store {
         self.readers.close().await;
     }
 
-    /// How SQLite writes its journal, and how far a commit waits for the disk (`2` is until all is on it).
+    /// How the writer's connection keeps what it was given: for SQLite its journal, and how far a commit waits for the disk (`2` is
+    /// until all is on it); for PostgreSQL `fsync` and `synchronous_commit`.
     ///
     /// # Errors
-    /// Where it is another database.
+    /// Where the database refuses.
     pub async fn durability(&self) -> Result<[String; 2], StoreFault> {
-        let journal = self.rows(sqlx::query("PRAGMA journal_mode")).await?;
-        let synchronous = self.rows(sqlx::query("PRAGMA synchronous")).await?;
-        let [journal, synchronous] = [journal, synchronous].map(|rows| rows.into_iter().next());
-        let journal = journal.map(|row| row.try_get(0)).transpose()?;
-        let synchronous: Option<i64> = synchronous.map(|row| row.try_get(0)).transpose()?;
-        Ok([journal.unwrap_or_default(), synchronous.unwrap_or_default().to_string()])
+        let mut connection = connect(&self.address).await?;
+        match self.address {
+            Address::Folder(_) => {
+                let journal = connection.fetch_one("PRAGMA journal_mode").await?.try_get(0)?;
+                let synchronous: i64 = connection.fetch_one("PRAGMA synchronous").await?.try_get(0)?;
+                Ok([journal, synchronous.to_string()])
+            }
+            Address::Postgres(_) => {
+                let fsync = connection.fetch_one("SHOW fsync").await?.try_get(0)?;
+                Ok([fsync, connection.fetch_one("SHOW synchronous_commit").await?.try_get(0)?])
+            }
+        }
     }
 
     /// Carries statements out, all or none, and says how many rows each changed.
@@ -136,9 +147,9 @@ impl Store {
         self.writer.write(statements).await
     }
 
-    /// Carries statements out, all of them where the first changes something, else none. Says whether it did.
-    pub(super) async fn write_if(&self, statements: Vec<Statement>) -> Result<bool, StoreFault> {
-        Ok(self.writer.write_if(statements).await?.iter().sum::<u64>() > 0)
+    /// Carries statements out, all of them where each of the first, so many, changes something, else none. Says whether it did.
+    pub(super) async fn write_if(&self, guards: usize, statements: Vec<Statement>) -> Result<bool, StoreFault> {
+        Ok(!self.writer.write_if(guards, statements).await?.is_empty())
     }
 }
 
@@ -162,10 +173,15 @@ pub(super) async fn connect_plainly(url: &str) -> Result<AnyConnection, StoreFau
 }
 
 /// A connection of its own, set up as all are.
-pub(super) async fn connect(address: &Address, url: &str) -> Result<AnyConnection, StoreFault> {
-    let mut connection = connect_plainly(url).await?;
-    if matches!(address, Address::Folder(_)) {
-        connection.execute(SQLITE).await?;
-    }
+pub(super) async fn connect(address: &Address) -> Result<AnyConnection, StoreFault> {
+    let mut connection = connect_plainly(&address.url()).await?;
+    connection.execute(settings(address)).await?;
     Ok(connection)
+}
+
+fn settings(address: &Address) -> &'static str {
+    match address {
+        Address::Folder(_) => SQLITE,
+        Address::Postgres(_) => POSTGRES,
+    }
 }

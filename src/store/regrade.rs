@@ -33,16 +33,18 @@ impl Store {
     /// Where the database refuses, as for everything here.
     pub async fn regrade(&self, key: Key<Correction>, step: &Regrade<'_>, entry: &Entry) -> Result<bool, StoreFault> {
         let Regrade { item, correction, attempts, revision, handed_in } = *step;
-        let guard = query(
-            "UPDATE assignment SET revision = revision + 1 WHERE key = $1 AND revision = $2 AND $4 = \
-             (SELECT COUNT(*) FROM attempt a JOIN sheet s ON s.key = a.sheet WHERE s.item = $3)",
+        // The first holds the assignment, so that nobody hands in any more; the second counts what was handed in until then.
+        let held = query("UPDATE assignment SET revision = revision + 1 WHERE key = $1 AND revision = $2");
+        let held = held.bind(item.assignment.to_string()).bind(revision);
+        let counted = query(
+            "UPDATE assignment SET revision = revision + 1 WHERE key = $1 AND $3 = \
+             (SELECT COUNT(*) FROM attempt a JOIN sheet s ON s.key = a.sheet WHERE s.item = $2)",
         );
-        let guard = guard.bind(item.assignment.to_string()).bind(revision).bind(item.key.to_string());
-        let guard = guard.bind(handed_in);
+        let counted = counted.bind(item.assignment.to_string()).bind(item.key.to_string()).bind(handed_in);
         let decision = query("INSERT INTO decision (key, sheet, item, at, data) VALUES ($1, NULL, $2, $3, $4)");
         let decision = decision.bind(key.to_string()).bind(correction.item.to_string());
         let decision = decision.bind(correction.at.millis()).bind(kept(correction)?);
-        let mut statements = vec![guard, save_item(item)?, decision];
+        let mut statements = vec![held, counted, save_item(item)?, decision];
         for attempt in attempts {
             let (sheet, number) = (attempt.sheet.to_string(), i64::from(attempt.number));
             let before = query(
@@ -55,7 +57,7 @@ impl Store {
         }
         statements.push(changed(item.assignment));
         statements.push(entry.statement()?);
-        self.write_if(statements).await
+        self.write_if(2, statements).await
     }
 
     /// How many attempts there are at all sheets of an item.

@@ -3,10 +3,12 @@
 use std::collections::BTreeMap;
 use std::sync::atomic::Ordering;
 
+use sqlx::AssertSqlSafe;
 use sqlx::query;
 
 use crate::course::{Assignment, Attempt, Draft, HintShown, Item, Key, Member, Override, Sheet};
 
+use super::address::Address;
 use super::fault::StoreFault;
 use super::open::Store;
 use super::records::kept;
@@ -143,13 +145,20 @@ impl Store {
     pub async fn hand_in(&self, own: HandIn<'_>) -> Result<HandedIn, StoreFault> {
         let HandIn { attempt, assignment, revision } = own;
         let [sheet, request] = [attempt.sheet.to_string(), attempt.request.clone()];
-        let statement = query(
+        let held = match self.address {
+            // There is one writer.
+            Address::Folder(_) => "",
+            // Whoever changes the assignment through another server waits, or is waited for.
+            Address::Postgres(_) => "FOR SHARE",
+        };
+        // A text of this file, of nothing that anybody typed.
+        let statement = query(AssertSqlSafe(format!(
             "INSERT INTO attempt (sheet, number, request, data) \
              SELECT CAST($1 AS TEXT), CAST($2 AS BIGINT), CAST($3 AS TEXT), CAST($4 AS TEXT) \
-             WHERE EXISTS (SELECT 1 FROM assignment WHERE key = $5 AND revision = $6) \
+             WHERE EXISTS (SELECT 1 FROM assignment WHERE key = $5 AND revision = $6 {held}) \
              AND (SELECT COUNT(*) FROM attempt WHERE sheet = $1) = CAST($2 AS BIGINT) - 1 \
              ON CONFLICT DO NOTHING",
-        );
+        )));
         let statement = statement.bind(sheet.clone()).bind(i64::from(attempt.number)).bind(request.clone());
         let statement = statement.bind(kept(attempt)?).bind(assignment.to_string()).bind(revision);
         if self.write(vec![statement]).await?.iter().sum::<u64>() > 0 {

@@ -8,7 +8,9 @@ use sqlx::query::Query;
 use tokio::sync::mpsc;
 use tokio::sync::oneshot;
 
+use super::address::Address;
 use super::fault::StoreFault;
+use super::open::connect;
 
 /// A statement with its values.
 pub(super) type Statement = Query<'static, Any, AnyArguments>;
@@ -22,8 +24,8 @@ const WAITING: usize = 1024;
 /// Statements that are kept all or none.
 struct Work {
     statements: Vec<Statement>,
-    /// Whether nothing is done where the first statement changes nothing.
-    guarded: bool,
+    /// How many of them are guards, at the beginning: nothing is done where one of these changes nothing.
+    guards: usize,
     tell: oneshot::Sender<Result<Vec<u64>, StoreFault>>,
 }
 
@@ -34,41 +36,47 @@ pub(super) struct Writer {
 }
 
 impl Writer {
-    /// A writer with a connection of its own. It ends once nobody has a way to it any more.
-    pub(super) fn start(connection: AnyConnection) -> Self {
+    /// A writer with a connection of its own to the database at this address. It ends once nobody has a way to it any more.
+    pub(super) fn start(address: Address, connection: AnyConnection) -> Self {
         let (works, waiting) = mpsc::channel(WAITING);
-        tokio::spawn(run(connection, waiting));
+        tokio::spawn(run(address, connection, waiting));
         Self { works }
     }
 
     /// Carries statements out, all or none, and says how many rows each changed. What it returns is kept: it is on the disk.
     pub(super) async fn write(&self, statements: Vec<Statement>) -> Result<Vec<u64>, StoreFault> {
-        self.work(statements, false).await
+        self.write_if(0, statements).await
     }
 
-    /// The same, where the first statement changes something; else nothing is done, and nothing was changed.
-    pub(super) async fn write_if(&self, statements: Vec<Statement>) -> Result<Vec<u64>, StoreFault> {
-        self.work(statements, true).await
-    }
-
-    async fn work(&self, statements: Vec<Statement>, guarded: bool) -> Result<Vec<u64>, StoreFault> {
+    /// The same, where each of the first statements, so many, changes something; else nothing is done, and nothing was changed.
+    pub(super) async fn write_if(&self, guards: usize, statements: Vec<Statement>) -> Result<Vec<u64>, StoreFault> {
         let (tell, told) = oneshot::channel();
-        self.works.send(Work { statements, guarded, tell }).await.map_err(|_| StoreFault::Stopped)?;
+        self.works.send(Work { statements, guards, tell }).await.map_err(|_| StoreFault::Stopped)?;
         told.await.map_err(|_| StoreFault::Stopped)?
     }
 }
 
-async fn run(mut connection: AnyConnection, mut waiting: mpsc::Receiver<Work>) {
+async fn run(address: Address, mut connection: AnyConnection, mut waiting: mpsc::Receiver<Work>) {
     while let Some(first) = waiting.recv().await {
         let mut works = vec![first];
         while works.len() < TOGETHER {
             let Ok(next) = waiting.try_recv() else { break };
             works.push(next);
         }
+        if is_lost(&address, &mut connection).await
+            && let Ok(another) = connect(&address).await
+        {
+            connection = another;
+        }
         together(&mut connection, works).await;
     }
     // The connection is closed with its last commit; there is nobody to tell of what is wrong with that.
     let _ = connection.close().await;
+}
+
+/// Whether the database has closed the connection, as a server does that is started anew.
+async fn is_lost(address: &Address, connection: &mut AnyConnection) -> bool {
+    matches!(address, Address::Postgres(_)) && connection.ping().await.is_err()
 }
 
 /// One transaction for several works. One that fails leaves the others alone.
@@ -84,8 +92,8 @@ async fn together(connection: &mut AnyConnection, works: Vec<Work>) {
         }
     };
     let mut done = Vec::with_capacity(works.len());
-    for Work { statements, guarded, tell } in works {
-        let result = alone(&mut transaction, statements, guarded).await;
+    for Work { statements, guards, tell } in works {
+        let result = alone(&mut transaction, statements, guards).await;
         done.push((tell, result));
     }
     let mut failed = transaction.commit().await.err();
@@ -100,15 +108,15 @@ async fn together(connection: &mut AnyConnection, works: Vec<Work>) {
 async fn alone(
     connection: &mut AnyConnection,
     statements: Vec<Statement>,
-    guarded: bool,
+    guards: usize,
 ) -> Result<Vec<u64>, StoreFault> {
     let mut savepoint = connection.begin().await?;
     let mut changed = Vec::with_capacity(statements.len());
     for statement in statements {
         changed.push(statement.execute(&mut *savepoint).await?.rows_affected());
-        if guarded && changed == [0] {
+        if changed.len() <= guards && changed.last() == Some(&0) {
             savepoint.rollback().await?;
-            return Ok(changed);
+            return Ok(Vec::new());
         }
     }
     savepoint.commit().await?;

@@ -5,6 +5,7 @@ mod answer;
 mod app;
 mod assets;
 mod courses;
+mod explained;
 mod headers;
 mod health;
 pub mod invite;

@@ -28,6 +28,7 @@ use crate::store::StoreFault;
 use super::answer;
 use super::app::{App, Shared};
 use super::courses::{Rest, Withheld, with_courses};
+use super::explained::explained;
 use super::headers::{FOR_EVER, HEADERS};
 use super::health::health;
 use super::observed::observed;
@@ -74,6 +75,7 @@ pub fn router(app: Arc<App>) -> Router {
     }
     let own = with_courses(own, &app);
     let own = own.with_state(Arc::clone(&app)).layer(DefaultBodyLimit::max(app.settings.limits.request_bytes));
+    let own = own.layer(from_fn_with_state(Arc::clone(&app), explained));
     let mut all = if base.is_empty() {
         own
     } else {

@@ -11,7 +11,7 @@ use momentous::course::{
 use momentous::exercise::Exercise;
 use momentous::fault::Source;
 use momentous::grade::DecimalMark;
-use momentous::problem::{Problem, compile, load};
+use momentous::problem::{CourseSymbols, Problem, compile, load};
 
 pub const ZONE: &str = "Europe/Berlin";
 
@@ -65,6 +65,7 @@ pub fn item(position: u32, points: u32) -> Item {
         form: Some("forward".into()),
         points,
         digest: None,
+        letters: CourseSymbols::default(),
         issue: 1,
         dropped: false,
     }

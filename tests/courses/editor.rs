@@ -158,10 +158,7 @@ fn two_who_edit_at_once_are_told() {
     let whole = make(&university, &mut ida);
     let edit = university.address(&format!("/assignments/{}/edit", whole.assignment.key));
     let page = ida.post(&edit, &typed(&[("revision", "0"), ("title", "Mine")], SAVE)).text(422);
-    assert!(
-        page.contains("Somebody has changed this assignment since you opened it.") && page.contains("Mine"),
-        "{page}"
-    );
+    assert!(page.contains("This assignment has changed since you opened it.") && page.contains("Mine"), "{page}");
     assert_eq!(only(&university).assignment.title, "Sheet & <1>");
 }
 

@@ -146,6 +146,26 @@ fn a_roster_changes_what_was_shown_and_nothing_else() {
 }
 
 #[test]
+fn a_roster_renames_nobody_who_is_known_elsewhere() {
+    let university = University::new();
+    let mut ida = university.browser_of("ida");
+    let [preview, apply] = ["/roster/preview", "/roster/apply"].map(|path| university.address(path));
+    let mut roster = |table: &str| {
+        let page = ida.post(&preview, &[("table", table)]).text(200);
+        if page.contains("name=\"shown\"") {
+            ida.post(&apply, &[("table", table), ("shown", &hidden(&page, "shown"))]).to();
+        }
+        page
+    };
+    roster("id,name\nada,Ada\ncleo,Cleo\nolga,Olga\n");
+    let page = roster("id,name\nada,Ada King\ncleo,Somebody\nolga,Nobody\n");
+    assert!(page.contains("<td>Ada King") && !page.contains("<td>Somebody") && !page.contains("<td>Nobody"), "{page}");
+    let name = |login| university.wait(async |store| store.person(University::key(login)).await.unwrap().unwrap().name);
+    let expected = ["Ada King", "cleo <script>", "olga <script>"];
+    assert_eq!(["ada", "cleo", "olga"].map(name), expected, "cleo is in another course, and olga runs the server");
+}
+
+#[test]
 fn a_table_that_cannot_be_used_stays_with_what_is_wrong() {
     let university = University::new();
     let mut ida = university.browser_of("ida");

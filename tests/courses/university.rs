@@ -10,6 +10,7 @@ use momentous::course::{
     Assignment, Course, Item, Key, Member, Moment, Person, Policy, Release, Role, Share, SolutionRelease,
 };
 use momentous::grade::DecimalMark;
+use momentous::problem::CourseSymbols;
 use momentous::store::{Address, AssignmentWithItems, Entry, Store};
 use momentous::web::{App, Clock, Courses, Settings, invite, router};
 use tempfile::TempDir;
@@ -54,7 +55,13 @@ impl University {
     }
 
     pub fn with(settings: Settings) -> Self {
-        let folder = tempfile::tempdir().unwrap();
+        let own = Self::over(tempfile::tempdir().unwrap(), settings);
+        own.fill();
+        own
+    }
+
+    /// A server over what is in the folder `data` of a folder.
+    pub fn over(folder: TempDir, settings: Settings) -> Self {
         let runtime = Builder::new_multi_thread().enable_all().build().unwrap();
         let clock = Arc::new(AtomicI64::new(BEGIN));
         let read = Arc::clone(&clock);
@@ -72,9 +79,7 @@ impl University {
             created: Moment::from_millis(BEGIN),
         });
         let router = router(Arc::new(app));
-        let own = Self { runtime, router, store, clock, course, other, _folder: folder };
-        own.fill();
-        own
+        Self { runtime, router, store, clock, course, other, _folder: folder }
     }
 
     fn fill(&self) {
@@ -164,6 +169,7 @@ impl University {
             form: (!form.is_empty()).then(|| (*form).to_owned()),
             points: *points,
             digest: None,
+            letters: CourseSymbols::default(),
             issue: 0,
             dropped: false,
         });

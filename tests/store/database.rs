@@ -20,6 +20,13 @@ fn postgres() -> Option<String> {
     address
 }
 
+/// A database of PostgreSQL, asked with a setting of the connection's own.
+pub fn postgres_with(url: &str, setting: &str) -> Address {
+    let (name, value) = setting.split_once('=').unwrap();
+    let before = if url.contains('?') { '&' } else { '?' };
+    Address::Postgres(format!("{url}{before}options[{name}]={value}"))
+}
+
 /// Runs a test on SQLite, and on PostgreSQL where the machine has it.
 #[allow(clippy::needless_pass_by_value, reason = "a test is written where it is passed")]
 pub fn on_both(test: impl AsyncFn(&Database)) {
@@ -69,12 +76,17 @@ impl Database {
         Store::serve(&self.address()).await.unwrap()
     }
 
-    /// Carries out a statement past the store.
-    pub async fn execute(&self, statement: &'static str) {
+    /// A connection past the store.
+    pub async fn connection(&self) -> AnyConnection {
         let url = match self.address() {
             Address::Folder(folder) => format!("sqlite://{}", folder.join("momentous.sqlite").display()),
             Address::Postgres(url) => url,
         };
-        AnyConnection::connect(&url).await.unwrap().execute(statement).await.unwrap();
+        AnyConnection::connect(&url).await.unwrap()
+    }
+
+    /// Carries out a statement past the store.
+    pub async fn execute(&self, statement: &'static str) {
+        self.connection().await.execute(statement).await.unwrap();
     }
 }

@@ -87,7 +87,7 @@ fn an_inspection_changes_nothing() {
     on_both(async |database| {
         let address = database.address();
         let before = Inspection::of(&address).await.unwrap();
-        assert_eq!((before.version, before.latest), (None, None));
+        assert_eq!((before.version, before.latest, before.lacks_rights), (None, None, false));
         assert_eq!(Inspection::of(&address).await.unwrap().version, None, "it made nothing");
         let store = database.serve().await;
         Sample::kept(&store).await;

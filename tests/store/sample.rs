@@ -5,6 +5,7 @@ use momentous::course::{
     SolutionRelease,
 };
 use momentous::grade::DecimalMark;
+use momentous::problem::CourseSymbols;
 use momentous::store::{AssignmentWithItems, Entry, Store};
 
 use super::NOW;
@@ -72,6 +73,7 @@ impl Sample {
             form: Some("forward".into()),
             points: 5,
             digest: None,
+            letters: CourseSymbols::default(),
             issue: 0,
             dropped: false,
         };

@@ -124,7 +124,11 @@ fn large_requests_are_refused() {
     let client = Client::new();
     let large = "x".repeat(100_000);
     assert_eq!(client.post("/practice/impact/two-carts", &format!("answer.v_A2={large}")).status, 413);
-    assert_eq!(client.call("mark", &json!({ "problem": large })).status, 413);
+    let refused = client.call("mark", &json!({ "problem": large })).json(413);
+    assert_eq!(
+        (&refused["kind"], &refused["message"]),
+        (&json!("too_large"), &json!("a request has at most 65536 bytes"))
+    );
     let many: Vec<(String, String)> = (0..1000).map(|place| (format!("set.x{place}"), "1".to_owned())).collect();
     assert_eq!(client.post("/solve/impact/two-carts", &encoded(&many)).status, 413);
 }
@@ -133,6 +137,15 @@ fn large_requests_are_refused() {
 fn other_methods_are_refused() {
     let client = Client::new();
     for (method, address) in [(Method::DELETE, "/"), (Method::PUT, "/api/mark"), (Method::GET, "/api/mark")] {
-        assert_eq!(client.bytes(method, address, "text/plain", Vec::new()).status, 405);
+        let refused = client.bytes(method, address, "text/plain", Vec::new()).text(405);
+        let reason = if address == "/" { "This address does not take such a request" } else { "{\"kind\":\"invalid\"" };
+        assert!(refused.contains(reason), "{refused}");
+    }
+    for refused in
+        [client.get("/practice/%ff"), client.bytes(Method::POST, "/practice/impact/two-carts", "a/b", vec![1])]
+    {
+        let status = refused.status;
+        assert!([400, 415].contains(&status));
+        assert!(refused.text(status).contains("The request cannot be read"));
     }
 }

@@ -106,6 +106,10 @@ impl Check {
             let what = format!("passwords and answers go through the network as anyone can read them, to {bind}");
             findings.push(Finding::wrong(what, help));
         }
+        if metrics.is_some_and(|metrics| metrics == *bind && metrics.port() != 0) {
+            let what = format!("the pages and what is measured are both to be served on {bind}");
+            findings.push(Finding::wrong(what, "choose another port with --metrics"));
+        }
         if let Some(metrics) = metrics.filter(|metrics| !metrics.ip().is_loopback()) {
             findings.push(Finding::Note(format!("whoever reaches {metrics} reads how busy the server is")));
         }
@@ -126,7 +130,7 @@ impl Check {
         let runtime = runtime.map_err(|error| Failure::unusable(format!("the program cannot go on: {error}")))?;
         match runtime.block_on(Inspection::of(address)) {
             Ok(inspection) => findings.extend(self.inspected(&inspection)),
-            Err(fault) => findings.push(Finding::wrong(format!("{address}: {fault}"), help(&fault))),
+            Err(fault) => findings.push(Finding::wrong(format!("{address}: {fault}"), help(address, &fault))),
         }
         Ok(findings)
     }
@@ -151,6 +155,11 @@ impl Check {
                 "start it, or name its folder with --data",
             ));
         }
+        if found.lacks_rights {
+            let help = "`GRANT CREATE ON SCHEMA public TO` the user, or make it the owner of the database";
+            findings.push(Finding::wrong(format!("{address}: the user may not make tables there"), help));
+        }
+        findings.extend(found.unsafe_settings.iter().map(|name| unsafe_setting(address, name)));
         findings.push(clock(now(), found));
         findings
     }
@@ -163,14 +172,29 @@ fn is_there(address: &Address) -> bool {
     }
 }
 
-fn help(fault: &StoreFault) -> &'static str {
-    match fault {
-        StoreFault::Newer { .. } => {
+fn help(address: &Address, fault: &StoreFault) -> &'static str {
+    match (fault, address) {
+        (StoreFault::Newer { .. }, _) => {
             "start the program that wrote them, or a later one; a backup of before the upgrade can be restored"
         }
-        StoreFault::Folder(..) => "let the user of the server read and write the folder, or choose another with --data",
-        _ => "see whether the database runs, and whether --data names its host, user, password and name rightly",
+        (StoreFault::Folder(..), _) => {
+            "let the user of the server read and write the folder, or choose another with --data"
+        }
+        (_, Address::Folder(_)) => {
+            "let the user of the server read and write the files in it; where they are damaged, restore a backup into another folder"
+        }
+        (_, Address::Postgres(_)) => {
+            "see whether the database runs, and whether --data names its host, user, password and name rightly"
+        }
     }
+}
+
+/// A setting of a database server by which answers can be lost that students were told are kept.
+fn unsafe_setting(address: &Address, name: &str) -> Finding {
+    Finding::wrong(
+        format!("{address}: `{name}` is off, so that a loss of power can take away what students were told is kept"),
+        format!("`ALTER SYSTEM SET {name} = on`, then `SELECT pg_reload_conf()`"),
+    )
 }
 
 fn now() -> Moment {

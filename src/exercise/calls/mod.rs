@@ -101,7 +101,8 @@ fn json<Request: DeserializeOwned, Response: Serialize>(
     let mut reader = serde_json::Deserializer::from_slice(request);
     let request: Request = serde_path_to_error::deserialize(&mut reader).map_err(|error| {
         let place = error.path().to_string();
-        let place = if place == "." { String::new() } else { format!("`{place}`: ") };
+        // `?` stands where the text ends too early for a place.
+        let place = if [".", "?"].contains(&place.as_str()) { String::new() } else { format!("`{place}`: ") };
         Refused::new(RefusedKind::Invalid, format!("{place}{}", error.inner()))
     })?;
     let response = call(&request)?;

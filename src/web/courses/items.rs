@@ -2,17 +2,20 @@
 
 use std::sync::Arc;
 
-use crate::bank::FOLDER;
+use crate::bank::{FOLDER, course_letters};
 use crate::course::{Course, Item, Key, Member, Moment, ProblemFile, Sheet};
 use crate::exercise::calls::{Refused, RefusedKind};
 use crate::exercise::{Derivation, Exercise, SeedSource};
 use crate::fault::Source;
-use crate::problem::{Problem, digest};
+use crate::problem::{CourseSymbols, Problem, digest};
 use crate::store::AssignmentWithItems;
 
 use super::outcome::NotShown;
 use super::session;
 use super::visit::Visit;
+
+/// How often problems are pinned again where others change the assignment at the same time.
+const AGAIN: usize = 8;
 
 /// An assignment of the course of the address, with one of its items.
 pub(super) async fn of(visit: &Visit, item: Key<Item>) -> Result<(AssignmentWithItems, Key<Item>), NotShown> {
@@ -29,23 +32,28 @@ pub(super) async fn pinned(visit: &Visit, whole: AssignmentWithItems) -> Result<
 
 /// The same, even before it opens: for sheets that are handed out on paper.
 pub(super) async fn pinned_now(visit: &Visit, whole: AssignmentWithItems) -> Result<AssignmentWithItems, NotShown> {
-    if whole.assignment.pinned.is_some() {
-        return Ok(whole);
+    let mut whole = whole;
+    for _ in 0..AGAIN {
+        if whole.assignment.pinned.is_some() {
+            return Ok(whole);
+        }
+        for item in &mut whole.items {
+            pin(visit, item).await?;
+        }
+        whole.assignment.pinned = Some(visit.now);
+        let entry = visit.entry("problems pinned", whole.assignment.key.to_string());
+        visit.store().save_assignment(&whole, &entry).await?;
+        // Another request may have pinned them, or changed the assignment; what is kept counts.
+        let missing = || NotShown::missing("there is no such assignment in this course");
+        whole = visit.store().assignment(whole.assignment.key).await?.ok_or_else(missing)?;
     }
-    let mut pinned = whole.clone();
-    for item in &mut pinned.items {
-        pin(visit, item).await?;
-    }
-    pinned.assignment.pinned = Some(visit.now);
-    let entry = visit.entry("problems pinned", pinned.assignment.key.to_string());
-    visit.store().save_assignment(&pinned, &entry).await?;
-    // Another request may have done the same; what is kept counts.
-    Ok(visit.store().assignment(pinned.assignment.key).await?.unwrap_or(pinned))
+    Err(NotShown::Conflict("the assignment was changed again and again at the moment when it opened".to_owned()))
 }
 
-/// Writes into an item from which file its sheets are drawn, and keeps that file.
+/// Writes into an item from which file and in which letters its sheets are drawn, and keeps that file.
 pub(super) async fn pin(visit: &Visit, item: &mut Item) -> Result<(), NotShown> {
     let file = current(visit, &item.problem).await?;
+    item.letters = letters(visit, &file).await?;
     item.digest = Some(file.digest.clone());
     // A file of the course is kept already.
     if file.course.is_none() {
@@ -57,8 +65,25 @@ pub(super) async fn pin(visit: &Visit, item: &mut Item) -> Result<(), NotShown> 
 /// A problem as an item that is not pinned and stands in no assignment.
 pub(super) fn unpinned(problem: &str) -> Item {
     let (key, assignment) = (session::key(), session::key());
-    let problem = problem.to_owned();
-    Item { key, assignment, position: 0, problem, form: None, points: 1, digest: None, issue: 0, dropped: false }
+    let (problem, letters) = (problem.to_owned(), CourseSymbols::default());
+    Item {
+        key,
+        assignment,
+        position: 0,
+        problem,
+        form: None,
+        points: 1,
+        digest: None,
+        letters,
+        issue: 0,
+        dropped: false,
+    }
+}
+
+/// The letters in which a file is printed now.
+pub(super) async fn letters(visit: &Visit, file: &ProblemFile) -> Result<CourseSymbols, NotShown> {
+    let source = source(file);
+    visit.work(move |_| Ok(course_letters(&source)?)).await
 }
 
 /// A problem file for its readers. In this folder it is under the settings of the bank, as it was when it was read from there.
@@ -87,18 +112,26 @@ pub(super) async fn current(visit: &Visit, problem: &str) -> Result<ProblemFile,
 /// The problem of an item, compiled: as it was pinned, or before that as it is now.
 pub(super) async fn problem(visit: &Visit, item: &Item) -> Result<Arc<Problem>, NotShown> {
     let course = visit.course()?.clone();
-    if let Some(known) = item.digest.as_ref().and_then(|digest| visit.courses.library.known(course.key, digest)) {
+    let known = |digest: &String| visit.courses.library.known(course.key, digest, &item.letters);
+    if let Some(known) = item.digest.as_ref().and_then(known) {
         return Ok(known);
     }
-    let file = match &item.digest {
-        Some(digest) => visit.store().problem_file(course.key, digest).await?.ok_or_else(|| {
-            let message = format!("the file of {} with the digest {digest} is missing", item.problem);
-            NotShown::Refused(Refused::new(RefusedKind::Fault, message))
-        })?,
-        None => current(visit, &item.problem).await?,
+    let (file, letters) = match &item.digest {
+        Some(digest) => {
+            let file = visit.store().problem_file(course.key, digest).await?.ok_or_else(|| {
+                let message = format!("the file of {} with the digest {digest} is missing", item.problem);
+                NotShown::Refused(Refused::new(RefusedKind::Fault, message))
+            })?;
+            (file, item.letters.clone())
+        }
+        None => {
+            let file = current(visit, &item.problem).await?;
+            let letters = letters(visit, &file).await?;
+            (file, letters)
+        }
     };
     let courses = Arc::clone(&visit.courses);
-    visit.work(move |_| Ok(courses.library.problem(&course, &file.digest, source(&file))?)).await
+    visit.work(move |_| Ok(courses.library.problem(&course, &file, &letters)?)).await
 }
 
 /// A new sheet of an item for a member of the course.

@@ -5,19 +5,20 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use lru::LruCache;
 
-use crate::bank::load_in_course;
-use crate::course::{Course, Key};
-use crate::fault::{Faults, Source};
-use crate::problem::{Problem, compile};
+use crate::course::{Course, Key, ProblemFile};
+use crate::fault::Faults;
+use crate::problem::{self, CourseSymbols, Problem, compile, load};
+
+use super::items;
 
 /// The compiled problems that are kept; each takes up to a few megabytes.
 const MOST: NonZeroUsize = NonZeroUsize::new(128).expect("not zero");
 
-/// Problems compiled with the secret of a course, by course and digest; those least asked for are forgotten.
+/// Problems compiled with the secret of a course; those least asked for are forgotten.
 pub(super) struct CourseLibrary(Mutex<Compiled>);
 
-/// Compiled problems by course and digest.
-type Compiled = LruCache<(Key<Course>, String), Arc<Problem>>;
+/// Compiled problems by course, digest and the course's letters.
+type Compiled = LruCache<(Key<Course>, String, CourseSymbols), Arc<Problem>>;
 
 impl Default for CourseLibrary {
     fn default() -> Self {
@@ -27,25 +28,29 @@ impl Default for CourseLibrary {
 
 impl CourseLibrary {
     /// A problem that was compiled before and is still kept.
-    pub(super) fn known(&self, course: Key<Course>, digest: &str) -> Option<Arc<Problem>> {
+    pub(super) fn known(&self, course: Key<Course>, digest: &str, letters: &CourseSymbols) -> Option<Arc<Problem>> {
         let mut kept = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        kept.get(&(course, digest.to_owned())).map(Arc::clone)
+        kept.get(&(course, digest.to_owned(), letters.clone())).map(Arc::clone)
     }
 
-    /// A problem as a course draws it, by its text and the digest of that.
+    /// A problem as a course draws it, printed in these letters.
     ///
     /// # Errors
-    /// Where the text is no problem.
-    pub(super) fn problem(&self, course: &Course, digest: &str, source: Source) -> Result<Arc<Problem>, Faults> {
-        if let Some(problem) = self.known(course.key, digest) {
+    /// Where the file is no problem.
+    pub(super) fn problem(
+        &self,
+        course: &Course,
+        file: &ProblemFile,
+        letters: &CourseSymbols,
+    ) -> Result<Arc<Problem>, Faults> {
+        if let Some(problem) = self.known(course.key, &file.digest, letters) {
             return Ok(problem);
         }
         // Others are served while it compiles.
-        let problem = Arc::new(compile(load_in_course(source)?, Some(course.secret.as_bytes()))?);
-        self.0
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .put((course.key, digest.to_owned()), Arc::clone(&problem));
+        let loaded = load(items::source(file))?.in_course(&problem::Course { symbols: letters.clone() });
+        let problem = Arc::new(compile(loaded, Some(course.secret.as_bytes()))?);
+        let name = (course.key, file.digest.clone(), letters.clone());
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).put(name, Arc::clone(&problem));
         Ok(problem)
     }
 }

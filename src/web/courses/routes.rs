@@ -91,6 +91,11 @@ async fn visit(
     // Whoever may not see the page has nothing read.
     row.who.admits(&visit)?;
     let fields = fields(row.does, request).await?;
+    let has_nul = |(name, value): &(String, String)| name.contains('\0') || value.contains('\0');
+    if visit.path.iter().chain(&fields).any(has_nul) {
+        // PostgreSQL keeps no such text.
+        return Err(NotShown::field("a text has a character that nobody can type (NUL)"));
+    }
     visit.fields = Parameters::new(fields, &visit.app.settings.limits)?;
     Ok(visit)
 }

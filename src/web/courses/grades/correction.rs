@@ -68,12 +68,12 @@ async fn one(
     sheets: Vec<Kept>,
 ) -> Result<Corrected, NotShown> {
     let (course, courses) = (visit.course()?.clone(), Arc::clone(&visit.courses));
-    let source = items::source(&file);
-    let (digest, policy) = (file.digest.clone(), whole.assignment.policy.clone());
+    // What was printed in some letters is read in them.
+    let (own_file, letters, policy) = (file.clone(), item.letters.clone(), whole.assignment.policy.clone());
     let sheets = Arc::new(sheets);
     let own = Arc::clone(&sheets);
     let worked = move || {
-        let problem = courses.library.problem(&course, &digest, source);
+        let problem = courses.library.problem(&course, &own_file, &letters);
         let (problem, fault): (Option<Arc<Problem>>, _) = match problem {
             Ok(problem) => (Some(problem), None),
             Err(faults) => (None, Some(faults.to_string())),

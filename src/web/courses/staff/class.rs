@@ -66,6 +66,12 @@ impl Class {
         }
     }
 
+    /// Whether whoever signs in by this name takes part in another course, too, or runs the server.
+    pub(super) fn is_known_elsewhere(&self, login: &str) -> bool {
+        let mut people = self.members.iter().map(|own| &own.person);
+        people.any(|own| own.login == login && (own.operator || self.elsewhere.contains_key(&own.key)))
+    }
+
     /// Whether somebody else than this member teaches the course.
     pub(super) fn is_taught_without(&self, key: Key<Member>) -> bool {
         use crate::course::Role::Instructor;

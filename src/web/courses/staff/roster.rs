@@ -118,7 +118,11 @@ impl Class {
     /// What a table would change.
     fn changes(&self, text: &str) -> Result<Vec<RosterChange>, Vec<String>> {
         let said = |message: String| sentences(&message);
-        let rows = RosterRow::all(text).map_err(|faults| faults.into_iter().map(said).collect::<Vec<_>>())?;
+        let mut rows = RosterRow::all(text).map_err(|faults| faults.into_iter().map(said).collect::<Vec<_>>())?;
+        // A name is the same in all courses: the roster of one renames nobody who is known in another.
+        for row in rows.iter_mut().filter(|row| self.is_known_elsewhere(&row.login)) {
+            row.name.clear();
+        }
         roster_changes(&rows, &self.pairs()).map_err(|staff| {
             let of =
                 |login: String| format!("`{login}` teaches this course. Leave the row out; staff are changed below.");

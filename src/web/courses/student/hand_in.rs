@@ -1,11 +1,12 @@
 //! Handing in, saving a draft, and reading while somebody types.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use serde_json::json;
 
 use crate::course::{self, Attempt, Draft, Refusal};
-use crate::exercise::calls::{ReadResponse, within};
+use crate::exercise::calls::{ReadResponse, Refused, within};
 use crate::store::{HandIn, HandedIn};
 
 use super::super::outcome::NotShown;
@@ -16,15 +17,17 @@ use super::own_sheet::OwnSheet;
 
 /// Before the name of a part in the names of fields.
 pub(super) const ANSWER: &str = "answer.";
+/// The bytes of the longest key by which a repeated request is known; the pages' own have 32.
+const LONGEST_KEY: usize = 64;
 /// How often an attempt is marked again where others are handed in at the same time.
 const AGAIN: usize = 8;
 
 /// Hands in what was typed. The page that follows shows what is kept; a reload hands nothing in again.
 pub(in crate::web::courses) async fn hand_in(visit: &Visit) -> Result<Reply, NotShown> {
     visit.courses.limits.answer(visit.person()?.key)?;
-    let answers = visit.fields.behind(ANSWER);
-    within(answers.len(), visit.app.settings.limits.values, "answers can be handed in")?;
+    let answers = answers(visit)?;
     let request = visit.fields.get("request").unwrap_or_default().to_owned();
+    within(request.len(), LONGEST_KEY, "bytes make the key of a request")?;
     for _ in 0..AGAIN {
         let own = OwnSheet::of(visit).await?;
         if own.attempts.iter().any(|attempt| !request.is_empty() && attempt.request == request) {
@@ -61,6 +64,15 @@ pub(in crate::web::courses) async fn hand_in(visit: &Visit) -> Result<Reply, Not
     ))
 }
 
+/// What was typed, by part. It is kept for years, so there is not too much of it.
+fn answers(visit: &Visit) -> Result<BTreeMap<String, String>, Refused> {
+    let (answers, limits) = (visit.fields.behind(ANSWER), &visit.app.settings.limits);
+    within(answers.len(), limits.values, "answers can be sent")?;
+    let bytes = answers.iter().map(|(part, text)| part.len() + text.len()).sum();
+    within(bytes, limits.request_bytes, "bytes of answers can be sent")?;
+    Ok(answers)
+}
+
 /// The page with what was typed, and why it was not taken.
 async fn refused(visit: &Visit, own: &OwnSheet, refusal: Refusal) -> Result<Reply, NotShown> {
     let after = After { typed: Some(visit.fields.behind(ANSWER)), refusal: Some(refusal.to_string()) };
@@ -70,8 +82,7 @@ async fn refused(visit: &Visit, own: &OwnSheet, refusal: Refusal) -> Result<Repl
 /// Keeps what was typed without handing it in.
 pub(in crate::web::courses) async fn draft(visit: &Visit) -> Result<Reply, NotShown> {
     visit.courses.limits.answer(visit.person()?.key)?;
-    let answers = visit.fields.behind(ANSWER);
-    within(answers.len(), visit.app.settings.limits.values, "answers can be saved")?;
+    let answers = answers(visit)?;
     let own = OwnSheet::of(visit).await?;
     visit.store().save_draft(&Draft { sheet: own.sheet.key, answers, saved: visit.now }).await?;
     if visit.fields.get("do") == Some("script") {

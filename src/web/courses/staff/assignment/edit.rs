@@ -40,18 +40,17 @@ async fn current(visit: &Visit) -> Result<AssignmentWithItems, NotShown> {
     items::pinned(visit, super::of(visit).await?).await
 }
 
+/// What stands over the fields where they were not kept.
+const CHANGED: &str = "this assignment has changed since you opened it\nhelp: look at it in another tab; kept again, your fields take its place";
+
 async fn keep(visit: &Visit, before: Option<AssignmentWithItems>) -> Result<Reply, NotShown> {
     let mut draft = Draft::sent(visit)?;
     let catalogue = Catalogue::of(visit).await?;
     if visit.fields.get("do") != Some("save") {
         return editor::page(visit, draft, &catalogue, before.as_ref()).await;
     }
-    let revision = before.as_ref().map_or_else(String::new, |before| before.revision.to_string());
-    if draft.revision != revision {
-        let message = "somebody has changed this assignment since you opened it\nhelp: look at it in another tab; kept again, your fields take its place";
-        draft.say(&[FieldFault { field: "items", message: message.to_owned() }], &[]);
-        draft.revision = revision;
-        return editor::page(visit, draft, &catalogue, before.as_ref()).await;
+    if draft.revision != revision(before.as_ref()) {
+        return changed(visit, draft, &catalogue, before).await;
     }
     let mut whole = match read(&draft, visit.course()?, &catalogue, before.as_ref()) {
         Ok(whole) => whole,
@@ -67,8 +66,26 @@ async fn keep(visit: &Visit, before: Option<AssignmentWithItems>) -> Result<Repl
     }
     let what = if before.is_some() { "assignment changed" } else { "assignment made" };
     let entry = visit.entry(what, format!("{}: {}", whole.assignment.key, summary(&whole.items)));
-    visit.store().save_assignment(&whole, &entry).await?;
+    if !visit.store().save_assignment(&whole, &entry).await? {
+        return changed(visit, draft, &catalogue, Some(current(visit).await?)).await;
+    }
     Ok(Reply::To(visit.in_course(&format!("/assignments/{}/edit?saved=yes", whole.assignment.key))?))
+}
+
+/// The editor with the fields as they were typed, beside an assignment that has changed meanwhile.
+async fn changed(
+    visit: &Visit,
+    mut draft: Draft,
+    catalogue: &Catalogue,
+    now: Option<AssignmentWithItems>,
+) -> Result<Reply, NotShown> {
+    draft.say(&[FieldFault { field: "items", message: CHANGED.to_owned() }], &[]);
+    draft.revision = revision(now.as_ref());
+    editor::page(visit, draft, catalogue, now.as_ref()).await
+}
+
+fn revision(of: Option<&AssignmentWithItems>) -> String {
+    of.map_or_else(String::new, |whole| whole.revision.to_string())
 }
 
 /// What an assignment consists of, for the trail.

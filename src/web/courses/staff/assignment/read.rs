@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use crate::course::{Assignment, Course, FieldFault, Item, Key, Policy};
+use crate::problem::CourseSymbols;
 use crate::store::AssignmentWithItems;
 
 use super::super::super::session;
@@ -109,6 +110,7 @@ fn item(
         form,
         points,
         digest: None,
+        letters: CourseSymbols::default(),
         issue: 0,
         dropped: false,
     })

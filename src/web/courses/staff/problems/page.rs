@@ -30,7 +30,8 @@ pub(in crate::web::courses) async fn show(visit: &Visit) -> Result<Reply, NotSho
 }
 
 async fn with(visit: &Visit, file: ProblemFile, checked: Option<Checked>) -> Result<Reply, NotShown> {
-    let item = Item { digest: Some(file.digest.clone()), ..items::unpinned(&file.problem) };
+    let letters = items::letters(visit, &file).await?;
+    let item = Item { digest: Some(file.digest.clone()), letters, ..items::unpinned(&file.problem) };
     let problem = items::problem(visit, &item).await?;
     let forms: Vec<String> = problem.forms().iter().filter_map(|form| form.question.name.clone()).collect();
     let form = visit.fields.get("form").map(str::to_owned).or_else(|| forms.first().cloned());

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
+use crate::bank::course_letters;
 use crate::course::ProblemFile;
 use crate::fault::{Faults, Source};
 use crate::problem::{compile, digest, load};
@@ -46,7 +47,7 @@ pub(in crate::web::courses) async fn save(visit: &Visit) -> Result<Reply, NotSho
             let problem = problem.id().to_owned();
             let (digest, key) = (digest(&source), Some(course.key));
             let file = ProblemFile { digest, problem, text: own, course: key, published: None, saved: now };
-            courses.library.problem(&course, &file.digest, items::source(&file))?;
+            courses.library.problem(&course, &file, &course_letters(&items::source(&file))?)?;
             Ok(file)
         };
         Ok(read())
