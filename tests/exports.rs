@@ -21,10 +21,14 @@ mod cases;
 mod hostile;
 #[path = "exports/moodle.rs"]
 mod moodle;
+#[path = "exports/moodle_cases.rs"]
+mod moodle_cases;
 #[path = "exports/python.rs"]
 mod python;
 #[path = "exports/qti.rs"]
 mod qti;
+#[path = "exports/qti_cases.rs"]
+mod qti_cases;
 #[path = "exports/xml.rs"]
 mod xml;
 

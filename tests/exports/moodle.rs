@@ -11,6 +11,16 @@ pub struct Answer {
     pub feedback: String,
 }
 
+impl Answer {
+    /// Moodle keeps fourteen digits of the value and of the tolerance, and adds a unit of the last one.
+    fn takes(&self, number: f64) -> bool {
+        let kept = |number: f64| format!("{number:.13e}").parse::<f64>().unwrap();
+        let (value, tolerance) = (kept(self.text.parse().unwrap()), kept(self.tolerance));
+        let tolerance = tolerance + 1e-14 * tolerance.max(value.abs());
+        (value - tolerance..=value + tolerance).contains(&number)
+    }
+}
+
 /// One field.
 #[derive(Clone, Debug, Default)]
 pub struct Field {
@@ -107,9 +117,7 @@ impl Field {
             .unwrap_or_else(|| panic!("{typed} is no number"));
         let known = self.units.iter().find(|(name, _)| name == unit);
         let in_default = known.map(|(_, multiplier)| number / multiplier);
-        let find = |number: f64| {
-            self.answers.iter().find(|own| (number - own.text.parse::<f64>().unwrap()).abs() <= own.tolerance)
-        };
+        let find = |number: f64| self.answers.iter().find(|own| own.takes(number));
         let penalty = if self.units.is_empty() { 0.0 } else { self.penalty };
         let fits = in_default.and_then(find).map(|own| (own, 0.0)).or(find(number).map(|own| (own, penalty)));
         fits.map_or((0.0, ""), |(own, penalty)| (own.fraction / 100.0 * (1.0 - penalty), &own.feedback))

@@ -53,6 +53,12 @@ const USUAL_UNITS: [&str; 38] = [
     "%",
 ];
 
+/// Moodle keeps fourteen digits of a number.
+const DIGITS: usize = 14;
+
+/// As a share of a number, more than what is lost by that.
+const KEPT: f64 = 1e-13;
+
 /// One answer to a numerical question.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Answer<'i> {
@@ -70,21 +76,29 @@ pub(super) fn nearest(share: f64) -> f64 {
     FRACTIONS.into_iter().min_by(|left, right| away(left).total_cmp(&away(right))).unwrap_or(0.0)
 }
 
+/// What Moodle keeps of a number.
+fn kept(number: f64) -> f64 {
+    format!("{number:.*e}", DIGITS - 1).parse().unwrap_or(number)
+}
+
 /// The answers in the order in which Moodle tries them, the right one as it is printed first.
 pub(super) fn answers(item: &NumberItem, out_of: u32) -> Vec<Answer<'_>> {
     let bands = bands(item, out_of);
     let printed = printed(item);
     let parsed: f64 = printed.parse().unwrap_or(item.right);
     let home = bands.iter().find(|own| own.is_full() && (own.low..=own.high).contains(&parsed));
-    let first =
-        home.map(|own| Answer { value: printed, tolerance: (parsed - own.low).min(own.high - parsed), ..answer(own) });
+    let reach = |own: &Band<'_>| kept((parsed - own.low).min(own.high - parsed));
+    let first = home.map(|own| Answer { value: printed, tolerance: reach(own), ..answer(own) });
     first.into_iter().chain(bands.iter().map(answer)).collect()
 }
 
 fn answer<'i>(band: &Band<'i>) -> Answer<'i> {
+    let value = kept(band.middle());
+    let reach = (value - band.low).max(band.high - value);
     Answer {
-        value: band.middle().to_string(),
-        tolerance: band.reach(),
+        value: value.to_string(),
+        // Rounded up, so that both ends belong to it.
+        tolerance: kept(reach * (1.0 + KEPT) + KEPT * value.abs()),
         fraction: nearest(band.share),
         feedback: band.feedback,
         is_coarse: band.is_coarse,
