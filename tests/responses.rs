@@ -2,14 +2,16 @@
 
 #![allow(clippy::unwrap_used, reason = "a test says bluntly what it expects")]
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 use std::sync::Arc;
 
 use assert_cmd::Command;
 use momentous::bank::Bank;
-use momentous::exercise::{Exercise, Item, ItemAnswers};
-use momentous::export::Coded;
+use momentous::exercise::{Exercise, Item, ItemAnswers, ItemPart, NumberItem};
+use momentous::export::{Coded, Question, Responses, Target};
+use momentous::grade::{DecimalMark, Verdict};
 use momentous::problem::{compile, load};
 
 fn item(problem: &str, seed: u64) -> Item {
@@ -104,6 +106,73 @@ fn responses_of_canvas_are_marked_and_make_a_gradebook() {
     let verdicts: Vec<&str> = marks.lines().skip(1).filter_map(|line| line.split(',').nth(9)).collect();
     let count = |verdict: &str| verdicts.iter().filter(|own| **own == verdict).count();
     assert_eq!([count("right"), count("unanswered")], [2, verdicts.len() - 3], "{marks}");
+}
+
+/// What is typed into the fields of a part, or chosen there, when it is right.
+fn right(part: &ItemPart) -> Vec<String> {
+    let number = |own: &NumberItem| match own.whole {
+        true => format!("{:.0}", own.right),
+        false => format!("{:.*e}", own.figures - 1, own.right),
+    };
+    match &part.answers {
+        ItemAnswers::Number(own) => vec![number(own)],
+        ItemAnswers::Roots(all) | ItemAnswers::Vector(all) => all.iter().map(number).collect(),
+        ItemAnswers::Interval { low, high } => [low, high].into_iter().flatten().map(|own| number(own)).collect(),
+        ItemAnswers::Choice { options, right, .. } => vec![options[*right].clone()],
+        ItemAnswers::Formula { .. } => vec![part.printed.clone()],
+    }
+}
+
+#[test]
+fn right_numbers_in_fields_are_right_with_the_units_printed_behind_them() {
+    let mut typed = 0;
+    for source in Bank::built_in().sources().cloned() {
+        let problem = Arc::new(compile(load(source).unwrap(), None).unwrap());
+        for form in 0..problem.forms().len() {
+            let exercise = Exercise::draw(&problem, form, 1).unwrap();
+            let item = exercise.item();
+            let coded = Coded::of(&Question::new(&item), Target::named("qti3").unwrap());
+            let mut fields: Vec<(String, String)> = Vec::new();
+            for own in &coded.parts {
+                let part = item.parts.iter().find(|part| part.field.id == own.id).unwrap();
+                fields.extend(own.fields.iter().cloned().zip(right(part)));
+            }
+            let answers: BTreeMap<String, String> = coded.answers(&fields).into_iter().collect();
+            let report = exercise.grade(&answers, DecimalMark::Point);
+            for own in &coded.parts {
+                let marked = report.parts.iter().find(|part| part.id == own.id).unwrap();
+                assert_eq!(marked.verdict, Verdict::Right, "{} {answers:?}", item.identity.problem);
+                typed += 1;
+            }
+        }
+    }
+    assert!(typed > 300, "{typed}");
+}
+
+#[test]
+fn a_table_that_moodle_wrote_is_read() {
+    let codes = include_str!("fixtures/moodle-codes.jsonl").lines();
+    let codes: Vec<Coded> = codes.map(|line| serde_json::from_str(line).unwrap()).collect();
+    let table = include_str!("fixtures/moodle-responses.csv").trim_start_matches('\u{feff}');
+    let mut table = csv::Reader::from_reader(table.as_bytes());
+    let headings: Vec<String> = table.headers().unwrap().iter().map(str::to_owned).collect();
+    let responses = Responses::new(&codes, &headings, None).unwrap();
+    let read = table.records().map(|row| {
+        let row = row.unwrap();
+        let found = responses.of_row(&row.iter().collect::<Vec<_>>());
+        let students: Vec<String> = found.iter().map(|own| own.student.clone()).collect();
+        let answers = found.iter().flat_map(|own| own.coded.answers(&own.typed)).map(|(_, answer)| answer);
+        (students, answers.collect::<Vec<_>>())
+    });
+    let expected = [
+        ("s-ann", vec!["3.88 m/s", "6.58°", "m_B*E/(m_A + m_B)", "29.0 mph"]),
+        ("s-bob", vec!["1,40 m/s", "6.58°", "-m_B*sqrt(m_A*E/(2*m_B*(m_A + m_B)))", "29.0"]),
+        ("s-eve", vec!["3.88 m/s"]),
+    ];
+    let expected = expected.map(|(student, answers)| {
+        (vec![student.to_owned(); 3], answers.into_iter().map(str::to_owned).collect::<Vec<_>>())
+    });
+    assert_eq!(read.collect::<Vec<_>>(), expected);
 }
 
 #[test]

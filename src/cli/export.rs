@@ -131,7 +131,7 @@ impl Export {
                 if !question.is_empty() {
                     file.write(&question)?;
                     if self.codes.is_some() {
-                        codes.extend([&serde_json::to_string(&Coded::of(&question))?, "\n"]);
+                        codes.extend([&serde_json::to_string(&Coded::of(&question, target))?, "\n"]);
                     }
                 }
             }

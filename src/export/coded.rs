@@ -7,6 +7,7 @@ use crate::exercise::ItemAnswers;
 use crate::exercise::ItemPart;
 
 use super::question::{Asking, Question};
+use super::target::Target;
 
 /// What stands for the answer to a field.
 const FIELD: &str = "{}";
@@ -40,30 +41,34 @@ pub struct CodedPart {
 }
 
 impl Coded {
-    /// What the code of a question stands for.
+    /// What the code of a question stands for in a target. Where students type the unit there, it is not added to what they typed.
     ///
     /// ```
     /// use std::sync::Arc;
     /// use momentous::bank::Bank;
     /// use momentous::exercise::Exercise;
-    /// use momentous::export::{Coded, Question};
+    /// use momentous::export::{Coded, Question, TARGETS};
     /// use momentous::problem::{compile, load};
     ///
     /// let source = Bank::built_in().find("impact/two-carts")?.clone();
     /// let problem = Arc::new(compile(load(source)?, None)?);
     /// let item = Exercise::draw(&problem, 0, 7)?.item();
-    /// let coded = Coded::of(&Question::new(&item));
+    /// let coded = Coded::of(&Question::new(&item), &TARGETS[0]);
     /// assert_eq!(coded.parts[0].answer, "{} m/s");
     /// assert_eq!(coded.answers(&[("a".into(), "3".into())]), [("v_A2".into(), "3 m/s".into())]);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[must_use]
-    pub fn of(question: &Question<'_>) -> Self {
+    pub fn of(question: &Question<'_>, target: &Target) -> Self {
         let identity = &question.item.identity;
         let mark = identity.secret.as_ref().map(|mark| format!("-{mark}")).unwrap_or_default();
         let part = |asking: &Asking<'_>| CodedPart {
             id: asking.part.field.id.clone(),
-            answer: answer(asking.part, asking.fields.len()),
+            answer: if target.types_unit(question) {
+                FIELD.to_owned()
+            } else {
+                answer(asking.part, asking.fields.len())
+            },
             fields: asking.fields.iter().map(|own| own.name.clone()).collect(),
         };
         Self {
@@ -103,12 +108,19 @@ fn answer(part: &ItemPart, fields: usize) -> String {
     if matches!(part.answers, ItemAnswers::Choice { .. } | ItemAnswers::Formula { .. }) {
         return FIELD.to_owned();
     }
-    let words = part.printed.split(' ').map(|word| {
-        let number = word.trim_matches(|letter| "()[],;".contains(letter));
-        if is_number(number) { word.replacen(number, FIELD, 1) } else { word.to_owned() }
-    });
+    let words = part.printed.split(' ');
+    let words = words.map(|word| number_in(word).map_or_else(|| word.to_owned(), |own| word.replacen(own, FIELD, 1)));
     let answer = words.collect::<Vec<_>>().join(" ");
     if answer.matches(FIELD).count() == fields { answer } else { vec![FIELD; fields].join("; ") }
+}
+
+/// The number in a word, between brackets and before a unit without a space: `(1.5,`, `30°`. What is divided is none: `1/s`.
+fn number_in(word: &str) -> Option<&str> {
+    let word = word.trim_start_matches(['(', '[']);
+    let end =
+        word.find(|letter: char| !letter.is_ascii_alphanumeric() && !"+-.".contains(letter)).unwrap_or(word.len());
+    let (number, rest) = word.split_at_checked(end)?;
+    (is_number(number) && !rest.starts_with('/')).then_some(number)
 }
 
 fn is_number(text: &str) -> bool {

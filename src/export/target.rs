@@ -6,6 +6,7 @@ use crate::render::Markup;
 
 use super::Export;
 use super::NotWritten;
+use super::question::Question;
 use super::{canvas, moodle, numbas, prairielearn, qti, rexams};
 
 /// What stands at the beginning of an export, and takes the questions.
@@ -21,7 +22,11 @@ pub struct Target {
     /// How mathematics can stand there; the first is the usual way.
     pub markup: &'static [Markup],
     begin: for<'w> fn(Box<dyn Write + 'w>, Markup) -> Begun<'w>,
+    types_unit: fn(&Question<'_>) -> bool,
 }
+
+/// Units are printed behind fields.
+const PRINTED: fn(&Question<'_>) -> bool = |_| false;
 
 /// Every target, in the order of the columns of [`super::FEATURES`].
 pub const TARGETS: [Target; 7] = [
@@ -30,42 +35,49 @@ pub const TARGETS: [Target; 7] = [
         about: "Moodle XML, for the question bank",
         markup: &[Markup::Tex, Markup::MathMl],
         begin: moodle::begin,
+        types_unit: moodle::types_unit,
     },
     Target {
         name: "qti3",
         about: "a package of QTI 3.0",
         markup: &[Markup::MathMl],
         begin: |out, _| Ok(qti::begin_3(out)),
+        types_unit: PRINTED,
     },
     Target {
         name: "qti21",
         about: "a package of QTI 2.1",
         markup: &[Markup::MathMl],
         begin: |out, _| Ok(qti::begin_2(out)),
+        types_unit: PRINTED,
     },
     Target {
         name: "canvas",
         about: "a package of QTI 1.2, as Classic Quizzes of Canvas import it",
         markup: &[Markup::Pictures],
         begin: |out, _| Ok(canvas::begin(out)),
+        types_unit: PRINTED,
     },
     Target {
         name: "numbas",
         about: "an exam of Numbas",
         markup: &[Markup::MathMl],
         begin: |out, _| numbas::begin(out),
+        types_unit: PRINTED,
     },
     Target {
         name: "prairielearn",
         about: "a zip file with folders of PrairieLearn questions",
         markup: &[Markup::Tex, Markup::MathMl],
         begin: |out, markup| Ok(prairielearn::begin(out, markup)),
+        types_unit: PRINTED,
     },
     Target {
         name: "rexams",
         about: "a zip file with Rmd files for R/exams",
         markup: &[Markup::Markdown],
         begin: |out, _| Ok(rexams::begin(out)),
+        types_unit: PRINTED,
     },
 ];
 
@@ -79,6 +91,11 @@ impl Target {
     #[must_use]
     pub fn named(name: &str) -> Option<&'static Self> {
         TARGETS.iter().find(|own| own.name == name)
+    }
+
+    /// Whether students type the unit of a question.
+    pub(super) fn types_unit(&self, question: &Question<'_>) -> bool {
+        (self.types_unit)(question)
     }
 
     /// Begins an export.

@@ -147,6 +147,13 @@ fn only<'q, 'i>(question: &'q Question<'i>) -> Option<(&'i ItemPart, &'q Field<'
     fields.next().is_none().then_some((asking.part, field))
 }
 
+/// Whether students type the unit of a question.
+pub(super) fn types_unit(question: &Question<'_>) -> bool {
+    let number =
+        only(question).and_then(|(_, field)| if let Asked::Number(own) = &field.asked { Some(own) } else { None });
+    number.is_some_and(|own| !answer::units(&own.unit).is_empty())
+}
+
 fn title(item: &Item) -> String {
     let Identity { form, seed, .. } = &item.identity;
     let form = form.as_ref().map(|form| format!(", {form}")).unwrap_or_default();
