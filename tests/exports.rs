@@ -237,6 +237,8 @@ fn every_form_of_the_bank_is_marked_in_numbas_as_here() {
             let numbers = numbers(item);
             assert_eq!(entries.clone().count(), numbers.len());
             for (part, (points, number)) in entries.zip(numbers) {
+                let read = part["notationStyles"].as_array().unwrap();
+                assert!(read.contains(&"scientific".into()), "Numbas reads 1.5e3 only in this notation");
                 mistakes += check(number, points, WHOLE, &item.code, |value| numbas_mark(part, value));
             }
         }

@@ -110,9 +110,8 @@ fn responses_of_canvas_are_marked_and_make_a_gradebook() {
 
 /// What is typed into the fields of a part, or chosen there, when it is right.
 fn right(part: &ItemPart) -> Vec<String> {
-    let number = |own: &NumberItem| match own.whole {
-        true => format!("{:.0}", own.right),
-        false => format!("{:.*e}", own.figures - 1, own.right),
+    let number = |own: &NumberItem| {
+        if own.whole { format!("{:.0}", own.right) } else { format!("{:.*e}", own.figures - 1, own.right) }
     };
     match &part.answers {
         ItemAnswers::Number(own) => vec![number(own)],

@@ -19,8 +19,8 @@ use super::target::Begun;
 
 const MARKUP: Markup = Markup::MathMl;
 
-/// How students may write numbers.
-const NOTATIONS: [&str; 2] = ["plain", "si-en"];
+/// How students may write numbers: `1500`, `1 500`, `1.5e3`.
+const NOTATIONS: [&str; 3] = ["plain", "si-en", "scientific"];
 
 /// The beginning of a file; groups of questions follow.
 const HEAD: &str = "// Numbas version: exam_results_page_options\n";

@@ -1,16 +1,24 @@
 //! Cases for other programs: what to answer, and what it has to give. They are written where `EXPORT_CASES` names a folder.
 
+use std::fs;
 use std::path::Path;
 
 use momentous::exercise::{NumberItem, Window};
+use momentous::export::Question;
 
+use super::bank::{exported, forms};
 use super::{moodle_cases, qti_cases};
 
-/// Writes the whole bank for a target, with its cases.
+/// Writes the whole bank for a target: with cases for Moodle and players of QTI, else a file for each form.
 pub fn write(target: &str, folder: &Path) {
     match target {
         "moodle" => moodle_cases::write(folder),
-        _ => qti_cases::write(target, folder),
+        "qti3" | "qti21" => qti_cases::write(target, folder),
+        _ => {
+            for items in forms().iter().filter(|items| !items.is_empty()) {
+                fs::write(folder.join(Question::new(&items[0]).name()), exported(target, items)).unwrap();
+            }
+        }
     }
 }
 

@@ -80,9 +80,11 @@ fn cloze(item: &Item, name: &str, fields: &[Field]) -> Vec<Value> {
     let numbers = numbers(item);
     let whole: u32 = fields.iter().map(|own| own.weight).sum();
     let mut asked = numbers.iter();
-    let right = |field: &Field| match field.is_choice {
-        true => field.answers.iter().find(|own| own.fraction >= 100.0).unwrap().text.clone(),
-        false => asked.next().map(|(_, own)| format!("{:.*e}", own.figures - 1, own.right)).unwrap(),
+    let right = |field: &Field| {
+        if field.is_choice {
+            return field.answers.iter().find(|own| own.fraction >= 100.0).unwrap().text.clone();
+        }
+        asked.next().map(|(_, own)| format!("{:.*e}", own.figures - 1, own.right)).unwrap()
     };
     let right: Map<String, Value> = gaps().zip(fields.iter().map(right).map(Value::from)).collect();
     let mut cases = vec![json!({ "question": name, "response": right, "fraction": 1.0, "accepted": "complete" })];
