@@ -6,8 +6,9 @@ use std::sync::{Arc, OnceLock};
 use momentous::bank::Bank;
 use momentous::exercise::{Exercise, Item, ItemAnswers, NumberItem, Window};
 use momentous::export::{Question, Target};
+use momentous::fault::Source;
 use momentous::grade::Verdict;
-use momentous::problem::{compile, load};
+use momentous::problem::{Problem, compile, load};
 
 /// The seeds of each form; the last is for other programs only, which are tried by hand.
 const SEEDS: [u64; 3] = [1, 8, 9];
@@ -16,20 +17,28 @@ fn seeds() -> &'static [u64] {
     if std::env::var_os("EXPORT_CASES").is_some() { &SEEDS } else { &SEEDS[..2] }
 }
 
-/// The items of every form, grouped by form; those that have nothing to ask left out.
+/// Every form of the bank: its problem, and its place among the forms of that.
+pub fn all_forms() -> &'static [(Arc<Problem>, usize)] {
+    static FORMS: OnceLock<Vec<(Arc<Problem>, usize)>> = OnceLock::new();
+    FORMS.get_or_init(|| {
+        let compiled = |source: Source| Arc::new(compile(load(source).unwrap(), None).unwrap());
+        let problems: Vec<Arc<Problem>> = Bank::built_in().sources().cloned().map(compiled).collect();
+        let forms = |own: Arc<Problem>| (0..own.forms().len()).map(move |form| (own.clone(), form));
+        problems.into_iter().flat_map(forms).collect()
+    })
+}
+
+/// Variants of a form; those that have nothing to ask left out.
+pub fn variants(problem: &Arc<Problem>, form: usize, seeds: impl IntoIterator<Item = u64>) -> Vec<Item> {
+    let items = seeds.into_iter().map(|seed| Exercise::draw(problem, form, seed).unwrap().item());
+    items.filter(|item| !Question::new(item).is_empty()).collect()
+}
+
+/// The items of every form, grouped by form.
 pub fn forms() -> &'static [Vec<Item>] {
     static FORMS: OnceLock<Vec<Vec<Item>>> = OnceLock::new();
-    FORMS.get_or_init(|| {
-        let mut all = Vec::new();
-        for source in Bank::built_in().sources().cloned() {
-            let problem = Arc::new(compile(load(source).unwrap(), None).unwrap());
-            for form in 0..problem.forms().len() {
-                let items = seeds().iter().map(|seed| Exercise::draw(&problem, form, *seed).unwrap().item());
-                all.push(items.filter(|item| !Question::new(item).is_empty()).collect());
-            }
-        }
-        all
-    })
+    let items = |(problem, form): &(Arc<Problem>, usize)| variants(problem, *form, seeds().iter().copied());
+    FORMS.get_or_init(|| all_forms().iter().map(items).collect())
 }
 
 /// An item of two carts.

@@ -9,8 +9,9 @@ use momentous::render::Markup;
 use proptest::prelude::*;
 
 use super::bank::{carts, exported, file, text, unpacked};
+use super::marked::numbas;
 use super::xml::{Node, decoded};
-use super::{moodle, numbas, python, qti, questions, xml};
+use super::{moodle, python, qti, questions, xml};
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
