@@ -7,6 +7,8 @@
 mod looked;
 #[path = "certificates/nearness.rs"]
 mod nearness;
+#[path = "certificates/replays.rs"]
+mod replays;
 #[path = "support/variants.rs"]
 mod variants;
 

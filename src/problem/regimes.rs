@@ -14,6 +14,7 @@ use crate::solve::Condition;
 use crate::solve::Equation;
 use crate::solve::Outcome;
 use crate::solve::Planner;
+use crate::solve::Precision;
 use crate::solve::Program;
 use crate::solve::Real;
 use crate::solve::Reason;
@@ -169,6 +170,11 @@ pub(super) struct Scratch {
 }
 
 impl Scratch {
+    /// Memory for replays of that precision.
+    pub(super) fn new(precision: Precision) -> Self {
+        Self { workspace: TreeWorkspace::new(precision), ..Self::default() }
+    }
+
     /// Solves from the inputs; gives the number of admissible solutions.
     pub(super) fn run(&mut self, regimes: &Regimes, inputs: &[Input], domains: &[Option<Domain>]) -> usize {
         if !self.take(regimes, |symbol| inputs.get(symbol.index()).and_then(Input::bounded)) {

@@ -7,6 +7,8 @@ use crate::quantity::Unit;
 use crate::solve::Bounded;
 use crate::solve::Cause;
 use crate::solve::Equation;
+use crate::solve::Precision;
+use crate::solve::Real;
 
 use super::domain::Domain;
 use super::input::Input;
@@ -22,6 +24,7 @@ use super::regimes::Scratch;
 use super::stream::Words;
 use super::variant::Variant;
 use super::variant::Worked;
+use super::variant::factor;
 
 /// Draws variants of one form, reusing its own memory; each thread takes its own.
 pub struct Sampler<'p> {
@@ -50,6 +53,15 @@ impl<'p> Sampler<'p> {
     /// # Errors
     /// [`NoVariant::NoForm`] where there is none.
     pub fn new(problem: &'p Problem, form: usize) -> Result<Self, NoVariant> {
+        Self::with_precision(problem, form, Precision::OnDemand)
+    }
+
+    /// The same with replays of that precision. What is accepted and found does not depend on it, but for the bounds on
+    /// errors.
+    ///
+    /// # Errors
+    /// [`NoVariant::NoForm`] where there is none.
+    pub fn with_precision(problem: &'p Problem, form: usize, precision: Precision) -> Result<Self, NoVariant> {
         let own = problem.forms().get(form).ok_or(NoVariant::NoForm)?;
         let count = problem.model().symbols.len();
         Ok(Self {
@@ -60,9 +72,9 @@ impl<'p> Sampler<'p> {
             drawn: vec![0; problem.known().len()],
             inputs: Input::all(problem, count),
             domains: domains(problem, count),
-            scratch: Scratch::default(),
-            forward: Scratch::default(),
-            weighing: Scratch::default(),
+            scratch: Scratch::new(precision),
+            forward: Scratch::new(precision),
+            weighing: Scratch::new(precision),
             units: own.units().collect(),
             directions: directions(problem, own),
             told: problem.known().iter().enumerate().filter(|(_, known)| own.told.contains(&known.symbol)).collect(),
@@ -256,8 +268,8 @@ impl<'p> Sampler<'p> {
             }
             for reveal in &self.form.reveal {
                 let value = self.forward.value(forward, reveal.symbol);
-                let printed = value
-                    .and_then(|value| Printed::new(value.for_print() / reveal.unit.factor().to_f64(), reveal.figures));
+                let size = factor(reveal.unit.factor().to_f64());
+                let printed = value.and_then(|value| Printed::new(value.div(&size).for_print(), reveal.figures));
                 let (Some(printed), Some(input)) = (printed, self.inputs.get_mut(reveal.symbol.index())) else {
                     return 0;
                 };

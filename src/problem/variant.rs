@@ -101,8 +101,8 @@ impl Variant {
         let unit = super::parts::unit_for(problem.loaded(), name, problem.model().symbols.entry(symbol).dimension);
         let figures = usize::from(problem.loaded().draft.figures.unwrap_or(3));
         let solved = self.value(symbol).or_else(|| self.forward.get(symbol.index()).copied().flatten());
-        let value = solved
-            .and_then(|value| crate::quantity::round_to_figures(value.for_print() / unit.factor().to_f64(), figures));
+        let size = factor(unit.factor().to_f64());
+        let value = solved.and_then(|value| crate::quantity::round_to_figures(value.div(&size).for_print(), figures));
         (value.unwrap_or_else(|| Decimal::from(0)), unit)
     }
 
@@ -134,7 +134,7 @@ impl Variant {
 }
 
 /// The size of a unit in SI units: the nearest double, with a bound on its error.
-fn factor(value: f64) -> Bounded {
+pub(super) fn factor(value: f64) -> Bounded {
     let exact = value.fract() == 0.0 && value < 9e15;
     Bounded { value, error: if exact { 0.0 } else { value * f64::EPSILON / 2.0 } }
 }

@@ -4,7 +4,6 @@ use crate::expr::Expr;
 use crate::expr::Symbol;
 
 use super::bounded::Bounded;
-use super::doubled::Doubled;
 use super::pending::{Pending, Test, Verify};
 use super::precise::Precise;
 use super::tape::{Instruction, Register, Stretch};
@@ -21,8 +20,6 @@ pub struct Program {
     pub(super) symbols: Vec<(Symbol, Register)>,
     pub(super) wanted: Vec<Symbol>,
     pub(super) fast: Constants<Bounded>,
-    /// For a replay with twice the digits, where all operations are algebraic.
-    pub(super) doubled: Option<Constants<Doubled>>,
     pub(super) precise: Constants<Precise>,
     pub(super) unchecked: Vec<usize>,
     /// Whether there is no choice of roots and no search: everything on the tape is computed once.
@@ -115,7 +112,6 @@ impl Program {
             symbols: writer.symbols.iter().collect(),
             wanted: wanted.to_vec(),
             fast: Constants::new(&writer),
-            doubled: writer.tape.iter().all(Instruction::is_algebraic).then(|| Constants::new(&writer)),
             precise: Constants::new(&writer),
             unchecked: tests.conditions(),
             tape: writer.tape,

@@ -130,7 +130,6 @@ pub trait Real: Clone {
 
 #[cfg(test)]
 mod tests {
-    use super::super::doubled::Doubled;
     use super::super::{Bounded, Precise};
     use super::*;
     use crate::quantity::Rational;
@@ -144,7 +143,6 @@ mod tests {
     #[test]
     fn nothing_times_what_may_have_no_value_is_not_known_to_be_nothing() {
         assert_eq!(nothing_times_a_quotient::<Bounded>(), Sign::Unsure);
-        assert_eq!(nothing_times_a_quotient::<Doubled>(), Sign::Unsure);
         assert_eq!(nothing_times_a_quotient::<Precise>(), Sign::Unsure);
     }
 }

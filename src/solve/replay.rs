@@ -5,19 +5,18 @@ use crate::expr::Symbol;
 use super::bounded::Bounded;
 use super::bracketing::root_above_zero;
 use super::counting::first_integer;
-use super::doubled::Doubled;
 use super::pending::Tested;
 use super::precise::Precise;
 use super::program::{Program, Stage, Work};
 use super::real::{Real, Sign};
 use super::tape::{Register, run};
-use super::workspace::{Cause, Death, Workspace, Workspaces};
+use super::workspace::{Cause, Death, Precision, Workspace, Workspaces};
 use super::{Exact, Outcome, Relation};
 
 /// At most this many branches are followed.
 const MOST_BRANCHES: usize = 4096;
 
-/// A wanted value whose bound is a larger share of it than this is computed again with more digits: so no certificate is more than a
+/// A wanted value whose bound is a larger share of it than this is computed again exactly: so no certificate is more than a
 /// thousand times what rounding the answer once costs.
 const TIGHT: f64 = 200.0 * f64::EPSILON;
 
@@ -48,9 +47,9 @@ impl Program {
         Outcome { program: self, workspace, exact: true }
     }
 
-    /// Solves one variant: in floating point, and again with more digits where that leaves something open: a condition that is
-    /// not decided, several solutions, or a wanted value whose bound is not tight. Twice the digits are often enough; what is
-    /// open even then is decided exactly. Values are rounded to floating point with bounds that cover the rounding.
+    /// Solves one variant: in floating point, and again exactly where that leaves something open: a condition that is not
+    /// decided, several solutions, or a wanted value whose bound is not tight. Values are rounded to floating point with
+    /// bounds that cover the rounding.
     pub fn solve<'a>(&'a self, inputs: &[Exact], workspaces: &'a mut Workspaces) -> Outcome<'a, Bounded> {
         let bounded: Vec<Bounded> = inputs.iter().map(Bounded::from_exact).collect();
         self.solve_from(&bounded, &|| inputs.to_vec(), workspaces)
@@ -64,31 +63,13 @@ impl Program {
         exact: &dyn Fn() -> Vec<Exact>,
         workspaces: &'a mut Workspaces,
     ) -> Outcome<'a, Bounded> {
-        let Workspaces { fast, doubled, precise, replayed } = workspaces;
-        *replayed = self.run(inputs, fast).is_open();
+        let Workspaces { precision, fast, precise, replayed } = workspaces;
+        *replayed = *precision == Precision::Exact || self.run(inputs, fast).is_open();
         if *replayed {
-            let exact = exact();
-            if self.run_doubled(&exact, doubled).is_none_or(|outcome| outcome.is_open()) {
-                self.run_exact(&exact, precise);
-                round(&self.symbols, precise, fast);
-            } else {
-                round(&self.symbols, doubled, fast);
-            }
+            self.run_exact(&exact(), precise);
+            round(&self.symbols, precise, fast);
         }
         Outcome { program: self, workspace: fast, exact: *replayed }
-    }
-
-    /// Replays with twice the digits of floating point; `None` where the program takes more than algebra.
-    fn run_doubled<'a>(
-        &'a self,
-        inputs: &[Exact],
-        workspace: &'a mut Workspace<Doubled>,
-    ) -> Option<Outcome<'a, Doubled>> {
-        let constants = self.doubled.as_ref()?;
-        let inputs: Vec<Doubled> = inputs.iter().map(Doubled::from_exact).collect();
-        workspace.prepare(constants, &self.inputs, inputs.iter());
-        Replay { program: self, workspace, last: false }.follow();
-        Some(Outcome { program: self, workspace, exact: false })
     }
 
     /// Solves a limiting case, in which conditions may hold with nothing to spare, in floating point alone: what is within its

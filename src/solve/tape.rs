@@ -50,24 +50,6 @@ pub(super) struct Instruction {
 }
 
 impl Instruction {
-    /// Whether it takes no more than sums, products, quotients and square roots.
-    pub(super) fn is_algebraic(&self) -> bool {
-        match self.operation {
-            Operation::Apply(function) => function == Function::Abs,
-            Operation::Root(degree) => degree == 2,
-            Operation::Raise | Operation::Angle => false,
-            // Each by name, so that a new operation must be put on one side or the other.
-            Operation::Add
-            | Operation::Subtract
-            | Operation::Multiply
-            | Operation::Divide
-            | Operation::Negate
-            | Operation::Power(_)
-            | Operation::Select
-            | Operation::Copy => true,
-        }
-    }
-
     /// Computes one register from others. Registers are below the length: the compiler of the tape made them.
     #[inline]
     fn execute<R: Real>(&self, registers: &mut [R]) {

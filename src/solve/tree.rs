@@ -1,7 +1,7 @@
 //! Regimes: starts to slide or not, catches up or not. One program each, with the conditions under which it holds.
 
 use super::real::Real;
-use super::workspace::Workspaces;
+use super::workspace::{Precision, Workspaces};
 use super::{Bounded, Exact, Outcome, Program};
 
 /// Programs for alternative regimes of one problem, with the same inputs. Each one's conditions say when it holds.
@@ -14,8 +14,17 @@ pub struct Tree {
 /// The memory of a tree's replays: one for each leaf, so that one can still be asked why it does not hold.
 #[derive(Clone, Debug, Default)]
 pub struct TreeWorkspace {
+    precision: Precision,
     leaves: Vec<Workspaces>,
     tried: usize,
+}
+
+impl TreeWorkspace {
+    /// Memory for replays of that precision.
+    #[must_use]
+    pub fn new(precision: Precision) -> Self {
+        Self { precision, ..Self::default() }
+    }
 }
 
 impl Tree {
@@ -47,7 +56,8 @@ impl Tree {
         workspace: &mut TreeWorkspace,
         solutions: &dyn Fn(&Program, &mut Workspaces) -> usize,
     ) -> Option<usize> {
-        workspace.leaves.resize_with(self.leaves.len(), Workspaces::default);
+        let precision = workspace.precision;
+        workspace.leaves.resize_with(self.leaves.len(), || Workspaces::new(precision));
         for (place, (leaf, memory)) in self.leaves.iter().zip(&mut workspace.leaves).enumerate() {
             workspace.tried = place + 1;
             if solutions(leaf, memory) > 0 {

@@ -118,11 +118,29 @@ pub struct Death {
     pub(super) path: (usize, usize),
 }
 
-/// The memory of [`super::Program::solve`]: a floating-point replay, and those with more digits where they are needed.
+/// When a variant is replayed exactly.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Precision {
+    /// Where floating point leaves something open.
+    #[default]
+    OnDemand,
+    /// Always: what is decided must be the same.
+    Exact,
+}
+
+/// The memory of [`super::Program::solve`]: a replay in floating point, and an exact one where it is needed.
 #[derive(Clone, Debug, Default)]
 pub struct Workspaces {
+    pub(super) precision: Precision,
     pub(super) fast: Workspace<super::Bounded>,
-    pub(super) doubled: Workspace<super::doubled::Doubled>,
     pub(super) precise: Workspace<super::Precise>,
     pub(super) replayed: bool,
+}
+
+impl Workspaces {
+    /// Memory for replays of that precision.
+    #[must_use]
+    pub fn new(precision: Precision) -> Self {
+        Self { precision, ..Self::default() }
+    }
 }
