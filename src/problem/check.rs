@@ -113,7 +113,7 @@ impl<'s> Checker<'s> {
             }
             _ => {}
         }
-        let fault = Fault::new(Code::Value, format!("{what} must be {}, not `{text}`", expected(forms)));
+        let fault = Fault::new(Code::Value, format!("{what} must be {}, not `{}`", expected(forms), beginning(text)));
         self.fault(
             match (did_you_mean(text, self.shapes.words(place)), truth(text)) {
                 (Some(word), _) => fault.help(format!("did you mean `{word}`?")),
@@ -240,6 +240,15 @@ fn trap(text: &str, numbers_welcome: bool) -> Option<&'static str> {
     // Every number begins so, and reading a document for each text is dear.
     let may_be_number = text.starts_with(|first: char| first.is_ascii_digit() || "+-.".contains(first));
     (!numbers_welcome && may_be_number && serde_yaml::from_str::<Number>(text).is_ok()).then_some("a number")
+}
+
+/// As much of a text as a message can bear.
+fn beginning(text: &str) -> String {
+    const MOST: usize = 40;
+    match text.char_indices().nth(MOST) {
+        Some((end, _)) => format!("{}...", &text[..end]),
+        None => text.to_owned(),
+    }
 }
 
 /// The truth value that YAML 1.1 or 1.2 sees in a word.
