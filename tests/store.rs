@@ -33,6 +33,23 @@ mod servers;
 const NOW: Moment = Moment::from_millis(1_764_576_000_000);
 
 #[test]
+fn more_may_read_at_once_than_there_are_connections() {
+    on_both(async |database| {
+        let store = database.serve().await;
+        let own = Sample::kept(&store).await;
+        let read = (0..50).map(|_| {
+            let (store, key) = (store.clone(), own.course.key);
+            tokio::spawn(async move { store.course(key).await.unwrap().unwrap() })
+        });
+        for found in read.collect::<Vec<_>>() {
+            assert_eq!(found.await.unwrap(), own.course);
+        }
+        store.close().await;
+        assert!(matches!(store.ping().await, Err(StoreFault::Stopped)), "whoever comes later is told");
+    });
+}
+
+#[test]
 fn what_is_kept_is_read_back() {
     on_both(async |database| {
         let store = database.serve().await;

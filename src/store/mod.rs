@@ -13,6 +13,7 @@ mod lock;
 mod open;
 mod people;
 mod problem_files;
+mod readers;
 mod records;
 mod regrade;
 mod retention;

@@ -6,20 +6,16 @@ use std::sync::Once;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use sqlx::AnyConnection;
-use sqlx::AnyPool;
 use sqlx::Connection;
 use sqlx::Executor;
 use sqlx::Row;
-use sqlx::any::AnyPoolOptions;
 
 use super::address::Address;
 use super::fault::StoreFault;
 use super::lock::Lock;
+use super::readers::Readers;
 use super::schema;
 use super::writer::{Statement, Writer};
-
-/// Connections that read at the same time.
-const READERS: u32 = 8;
 
 /// How SQLite keeps what it was given: a commit is on the disk when it returns, also if the power fails then, and readers never
 /// wait for the writer.
@@ -35,7 +31,7 @@ const POSTGRES: &str =
 #[derive(Clone)]
 pub struct Store {
     pub(super) address: Address,
-    pub(super) readers: AnyPool,
+    pub(super) readers: Arc<Readers>,
     pub(super) writer: Writer,
     pub(super) reads: Arc<AtomicU64>,
     pub(super) rows: Arc<AtomicU64>,
@@ -76,13 +72,9 @@ impl Store {
         let mut transaction = connection.begin().await?;
         schema::migrate(&mut transaction).await?;
         transaction.commit().await?;
-        let settings = settings(address);
-        let options = AnyPoolOptions::new().max_connections(READERS).after_connect(move |connection, _| {
-            Box::pin(async move { connection.execute(settings).await.map(|_| ()) })
-        });
         Ok(Self {
             address: address.clone(),
-            readers: options.connect(&address.url()).await?,
+            readers: Arc::new(Readers::new(address.clone())),
             writer: Writer::start(address.clone(), connection),
             reads: Arc::default(),
             rows: Arc::default(),

@@ -44,6 +44,7 @@ fn what_is_wrong_is_said_with_the_way_out() {
         ),
         (&["--bind", "0.0.0.0:0"], "passwords and answers go through the network", "--base-url https://"),
         (&["--base-url", "http://a.b"], "passwords and answers go through the network", "--base-url https://"),
+        (&["--bind", "127.0.0.1:9", "--metrics", "127.0.0.1:9"], "both to be served on 127.0.0.1:9", "--metrics"),
         (&["--data", "file"], "file is a file, and no folder", "--data"),
         (
             &["--data", "postgres://u:hidden@127.0.0.1:1/d"],
@@ -117,5 +118,8 @@ fn later_data_and_a_clock_that_is_behind_are_told() {
     fs::write(room.path().join("data/momentous.sqlite"), "no database, but a text that is long enough to be read")
         .unwrap();
     let (code, said) = check(room.path(), &[]);
-    assert!(code == 1 && said.contains("data: the database"), "{said}");
+    assert!(
+        code == 1 && said.contains("data: the database") && said.contains("help: let the user of the server"),
+        "{said}"
+    );
 }
