@@ -2,6 +2,9 @@
 
 use crate::scene::{Axis, Plane, Scene};
 
+use super::values::Values;
+use super::vector::{Vector, part};
+
 /// To the right and upwards on the page.
 const RIGHT: [f64; 2] = [1.0, 0.0];
 const UP: [f64; 2] = [0.0, 1.0];
@@ -76,14 +79,45 @@ impl Component {
     }
 }
 
-/// The components of a motion in a plane of its own: across, and in height where it stands upright.
-pub(super) fn plane(upright: bool) -> Vec<Component> {
-    vec![Component::only("x"), Component::own("y", upright, UP)]
+/// The axes along which a motion is seen.
+#[derive(Clone, Debug)]
+pub(super) struct Frame {
+    axes: Vec<Axis>,
+    pub components: Vec<Component>,
 }
 
-/// The components of a motion in space, with the height last.
-pub(super) fn upright_space() -> Vec<Component> {
-    vec![Component::only("x"), Component::own("y", false, AWAY), Component::own("z", true, UP)]
+impl Frame {
+    fn own(components: Vec<Component>) -> Self {
+        Self { axes: [Axis::X, Axis::Y, Axis::Z][..components.len()].to_vec(), components }
+    }
+
+    /// A line of its own.
+    pub(super) fn line(letter: &'static str) -> Self {
+        Self::own(vec![Component::only(letter)])
+    }
+
+    /// A plane of its own: across, and in height where it stands upright.
+    pub(super) fn plane(upright: bool) -> Self {
+        Self::own(vec![Component::only("x"), Component::own("y", upright, UP)])
+    }
+
+    /// Space, with the height last.
+    pub(super) fn upright_space() -> Self {
+        Self::own(vec![Component::only("x"), Component::own("y", false, AWAY), Component::own("z", true, UP)])
+    }
+
+    /// The components of a vector.
+    pub(super) fn split(&self, vector: Vector) -> Vec<f64> {
+        self.axes.iter().map(|axis| part(vector, *axis)).collect()
+    }
+}
+
+impl Values<'_> {
+    /// The axes of the scene.
+    pub(super) fn frame(&self) -> Frame {
+        let axes = self.axes();
+        Frame { components: axes.iter().map(|axis| Component::along(self.scene, *axis)).collect(), axes }
+    }
 }
 
 /// Where axes with these positive directions point on a page.

@@ -1,5 +1,7 @@
 //! Directions in words, as unit vectors.
 
+use crate::scene::{Axis, Term};
+
 use super::nothing::NothingToSimulate;
 use super::values::Values;
 use super::vector::{Vector, times, turned, unit};
@@ -35,6 +37,14 @@ impl Values<'_> {
             return Ok(turned(base, sign * self.number(angle)?));
         }
         Ok(turned([1.0, 0.0, 0.0], self.number(text)?))
+    }
+
+    /// Where something acts that may say so: along the first axis where it does not.
+    pub(super) fn towards(&self, direction: Option<&Term>) -> Result<Vector, NothingToSimulate> {
+        match direction {
+            Some(term) => self.direction(&term.0),
+            None => Ok(self.axes().first().map_or(unit(Axis::X), |axis| unit(*axis))),
+        }
     }
 
     /// Words for a direction along or against an axis.

@@ -1,11 +1,12 @@
-//! A body on a floor or a slope, along one axis: how it slides, and what ends the slide.
+//! Motions along a line: the slope that it has, and what ends them.
 
 use super::bench::Bench;
-use super::integrate::Slope as Changes;
+use super::course::Until;
+use super::integrate::End;
 use super::nothing::NothingToSimulate;
-use super::reel::{Look, Motion, Seen};
-use super::values::{OfTime, Values};
-use super::vector::{part, times, unit};
+use super::particles::{System, place, velocity};
+use super::values::Values;
+use super::vector::{Vector, dot, part};
 use crate::scene::{Axis, Term};
 
 /// A slope against the level.
@@ -17,44 +18,12 @@ pub(super) struct Slope {
     pub across: f64,
 }
 
-/// A body that slides.
-pub(super) struct Slide {
-    /// The acceleration along the axis without friction, in the time of the stage.
-    pub drive: OfTime,
-    /// The greatest deceleration by friction while it slides.
-    pub grip: OfTime,
-    /// Times at which the drive changes its law.
-    pub changes: Vec<f64>,
-    pub start: f64,
-    pub speed: f64,
-    /// What slides, where it is watched.
-    pub body: Option<Sliding>,
-}
-
-/// A body that slides, with the share of the drive that has a potential.
-#[derive(Clone)]
-pub(super) struct Sliding {
-    pub name: String,
-    pub mass: f64,
-    pub axis: Axis,
-    /// The acceleration by its weight along the axis.
-    pub weight: f64,
-}
-
-/// What ends a slide.
+/// What ends a motion along a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Until {
+pub(super) enum Finish {
     Rest,
     Time(f64),
     Way(f64),
-}
-
-/// How a slide ended: when, how far from where it began, and how fast.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Slid {
-    pub time: f64,
-    pub way: f64,
-    pub speed: f64,
 }
 
 impl Values<'_> {
@@ -92,68 +61,43 @@ impl Values<'_> {
         let Some(Term(text)) = direction else { return Ok(1.0) };
         Ok(part(self.direction(text)?, axis).signum())
     }
+
+    /// What ends a motion along a line that may end at rest, after a way, or after a time.
+    pub(super) fn finish(
+        &self,
+        at_rest: bool,
+        way: Option<f64>,
+        duration: Option<&Term>,
+    ) -> Result<Finish, NothingToSimulate> {
+        match (at_rest, way) {
+            (true, _) => Ok(Finish::Rest),
+            (false, Some(way)) => Ok(Finish::Way(way)),
+            (false, None) => self.known(duration).map_or_else(|| self.duration(), Ok).map(Finish::Time),
+        }
+    }
 }
 
-impl Slide {
-    /// Runs the slide; `sense` is where it goes if it starts from rest.
-    pub(super) fn run(&self, bench: &mut Bench<'_>, sense: f64, until: Until) -> Result<Slid, NothingToSimulate> {
-        let sense = if self.speed == 0.0 { sense } else { self.speed.signum() };
-        let end = match until {
-            Until::Time(time) => time,
-            Until::Rest | Until::Way(_) => f64::INFINITY,
-        };
-        let mut state = [0.0, self.speed];
-        let mut time = self.start;
-        let change = ((self.drive)(time).abs() + (self.grip)(time)).max(f64::MIN_POSITIVE);
-        let typical = match until {
-            Until::Way(way) => way / (self.speed.abs() + libm::sqrt(way * change)),
-            _ => self.speed.abs() / change,
-        };
-        let longest = if end.is_finite() { (end - time) / 4.0 } else { typical.clamp(1e-6, 100.0) / 4.0 };
-        let integrator = bench.integrator(longest);
-        let slope = |time: f64, state: &[f64; 2]| [state[1], (self.drive)(time) - sense * (self.grip)(time)];
-        let stop = |_: f64, state: &[f64; 2]| match until {
-            Until::Rest => sense * state[1],
-            Until::Time(_) => 1.0,
-            Until::Way(way) => way - state[0].abs(),
-        };
-        let stops = self.changes.iter().copied().filter(|change| *change > self.start && *change < end);
-        for next in stops.chain([end]) {
-            // Just before a change the old law holds.
-            let held = |at: f64, state: &[f64; 2]| slope(if at >= next { next.next_down() } else { at }, state);
-            let run = integrator.run(time, state, next, &held, &stop)?;
-            if let Some(body) = &self.body {
-                Self::film(bench, body, (time, state), run.time, &held)?;
-            }
-            (time, state) = (run.time, run.state);
-            if run.stopped {
-                break;
-            }
-        }
-        Ok(Slid { time: time - self.start, way: state[0], speed: if until == Until::Rest { 0.0 } else { state[1] } })
-    }
-
-    /// A piece of the motion as it is seen.
-    fn film(
-        bench: &mut Bench<'_>,
-        body: &Sliding,
-        start: (f64, [f64; 2]),
-        end: f64,
-        slope: Changes<'_, 2>,
-    ) -> Result<(), NothingToSimulate> {
-        let (mass, values) = (body.mass, bench.values);
-        let split = |value: f64| values.split(times(value, unit(body.axis)));
-        let look = |time: f64, state: &[f64; 2]| {
-            let (force, held) = (mass * slope(time, state)[1], mass * body.weight);
-            Look {
-                bodies: vec![Seen { mass, place: split(state[0]), velocity: split(state[1]) }],
-                outside: split(force),
-                potential: -held * state[0],
-                power: (force - held) * state[1],
-                ..Look::default()
+impl Bench<'_> {
+    /// Lets particles go, of which one leads along a line, until they have finished.
+    pub(super) fn go_along<const N: usize>(
+        &mut self,
+        system: &System<'_, N>,
+        (leads, line): (usize, Vector),
+        finish: Finish,
+    ) -> Result<End<N>, NothingToSimulate> {
+        let state = system.state();
+        let speed = dot(line, velocity(&state, leads)).abs();
+        let quick = dot(line, velocity(&system.slope(system.start, &state), leads)).abs().max(f64::MIN_POSITIVE);
+        let (time, until): (f64, Until<'_, N>) = match finish {
+            Finish::Time(end) => (end - system.start, Until::Time(end)),
+            Finish::Rest => (speed / quick, Until::Event(&|state| dot(line, velocity(state, leads)))),
+            Finish::Way(way) => {
+                let time = way / (speed + libm::sqrt(way * quick));
+                (time, Until::Event(&move |state| way - dot(line, place(state, leads)).abs()))
             }
         };
-        let (names, components) = (&[body.name.as_str()], values.components());
-        bench.film(&Motion { names, components, start, end, slope, look: &look })
+        let longest = if let Finish::Time(_) = finish { time } else { time.clamp(1e-6, 100.0) };
+        let integrator = self.integrator(longest / 4.0);
+        self.go(system, integrator, &until)
     }
 }

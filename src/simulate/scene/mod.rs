@@ -5,6 +5,7 @@
 mod bench;
 mod bounces;
 mod component;
+mod course;
 mod direction;
 mod experiment;
 mod floor;
@@ -14,6 +15,7 @@ mod integrate;
 mod measure;
 mod motion;
 mod nothing;
+mod particles;
 mod rate;
 mod reel;
 mod revolution;

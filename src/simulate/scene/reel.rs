@@ -6,8 +6,6 @@ use super::bench::Bench;
 use super::component::Component;
 use super::integrate::{Integrator, Slope};
 use super::nothing::NothingToSimulate;
-use super::values::Values;
-use super::vector::{Vector, part};
 
 /// The evenly spaced instants of a motion.
 const INSTANTS: u32 = 120;
@@ -52,18 +50,6 @@ pub(super) struct Motion<'a, const N: usize> {
     pub end: f64,
     pub slope: Slope<'a, N>,
     pub look: &'a dyn Fn(f64, &[f64; N]) -> Look,
-}
-
-impl Values<'_> {
-    /// The components along the axes of the scene.
-    pub(super) fn components(&self) -> Vec<Component> {
-        self.axes().into_iter().map(|axis| Component::along(self.scene, axis)).collect()
-    }
-
-    /// A vector by its components along the axes of the scene.
-    pub(super) fn split(&self, vector: Vector) -> Vec<f64> {
-        self.axes().into_iter().map(|axis| part(vector, axis)).collect()
-    }
 }
 
 impl Bench<'_> {

@@ -167,18 +167,18 @@ impl Touch {
                 });
                 let moving = movable.iter().map(|own| Seen {
                     mass: self.parties[*own].mass.unwrap_or(0.0),
-                    place: values.split(within(all, PLACES + 3 * own)),
-                    velocity: values.split(within(all, 1 + 3 * own)),
+                    place: values.frame().split(within(all, PLACES + 3 * own)),
+                    velocity: values.frame().split(within(all, 1 + 3 * own)),
                 });
                 Look {
                     bodies: moving.collect(),
-                    outside: values.split(add(outside[0], outside[1])),
+                    outside: values.frame().split(add(outside[0], outside[1])),
                     potential: force * (all[0] - phase.relaxed) / 2.0,
                     lost: phase.lost,
                     ..Look::default()
                 }
             };
-            let components = values.components();
+            let components = values.frame().components;
             let motion =
                 Motion { names: &names, components, start: (begun, all), end: phase.end, slope: &slope, look: &look };
             bench.film(&motion)?;

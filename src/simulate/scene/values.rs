@@ -86,6 +86,16 @@ impl Values<'_> {
         self.number(&term.0)
     }
 
+    /// What a term says that may be left out, where it can be worked out.
+    pub(super) fn known(&self, term: Option<&Term>) -> Option<f64> {
+        self.term(term?).ok()
+    }
+
+    /// What a term says; 0 where it is left out.
+    pub(super) fn or_zero(&self, term: Option<&Term>) -> Result<f64, NothingToSimulate> {
+        term.map_or(Ok(0.0), |term| self.term(term))
+    }
+
     /// A term that may contain the clock.
     pub(super) fn of_time(&self, term: &Term) -> Result<OfTime, NothingToSimulate> {
         let read = self.of_several(&term.0, &[CLOCK.to_owned()])?;

@@ -41,15 +41,15 @@ impl Bench<'_> {
         let look = |time: f64, state: &[f64; 6]| Look {
             bodies: vec![Seen {
                 mass,
-                place: values.split(within(state, 0)),
-                velocity: values.split(within(state, 3)),
+                place: values.frame().split(within(state, 0)),
+                velocity: values.frame().split(within(state, 3)),
             }],
-            outside: values.split(now(time)),
+            outside: values.frame().split(now(time)),
             power: dot(now(time), within(state, 3)),
             ..Look::default()
         };
         let [u, v, w] = before;
-        let (names, components, start) = (&[body], values.components(), (0.0, [0.0, 0.0, 0.0, u, v, w]));
+        let (names, components, start) = (&[body], values.frame().components, (0.0, [0.0, 0.0, 0.0, u, v, w]));
         self.film(&Motion { names, components, start, end, slope: &slope, look: &look })?;
         self.remark("How the force varies is not given: it is drawn as half a sine wave of one second.");
         Ok(())

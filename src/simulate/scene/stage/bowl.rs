@@ -3,7 +3,7 @@
 use crate::scene::stage::{Bowl, Way};
 
 use crate::simulate::scene::bench::Bench;
-use crate::simulate::scene::component::upright_space;
+use crate::simulate::scene::component::Frame;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::reel::{Look, Motion, Seen};
 use crate::simulate::scene::revolution::{Revolution, State, around, distance, speed};
@@ -63,7 +63,7 @@ impl Bench<'_> {
             potential: mass * gravity * state[2],
             ..Look::default()
         };
-        let (names, components, start_of) = (&[body], upright_space(), (0.0, state));
+        let (names, components, start_of) = (&[body], Frame::upright_space().components, (0.0, state));
         self.film(&Motion { names, components, start: start_of, end: time, slope: &slope, look: &look })?;
         self.note_level(stage, first, &state);
         self.note_level(stage, first + 1, &end);

@@ -3,7 +3,7 @@
 use crate::scene::stage::{Central, Orbit};
 
 use crate::simulate::scene::bench::Bench;
-use crate::simulate::scene::component::plane;
+use crate::simulate::scene::component::Frame;
 use crate::simulate::scene::integrate::Integrator;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::reel::{Look, Motion, Seen};
@@ -143,7 +143,14 @@ impl Bench<'_> {
         };
         let first = [start[0] * length, start[1] * length, start[2] * speed, start[3] * speed];
         let (names, start, end) = (&[body], (0.0, first), time * length / speed);
-        self.film(&Motion { names, components: plane(false), start, end, slope: &slope, look: &look })?;
+        self.film(&Motion {
+            names,
+            components: Frame::plane(false).components,
+            start,
+            end,
+            slope: &slope,
+            look: &look,
+        })?;
         self.about(vec![0.0; 2], false);
         Ok(())
     }

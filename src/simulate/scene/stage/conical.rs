@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use crate::scene::stage::Conical;
 
 use crate::simulate::scene::bench::Bench;
-use crate::simulate::scene::component::upright_space;
+use crate::simulate::scene::component::Frame;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::reel::{Look, Motion, Seen};
 use crate::simulate::scene::revolution::{Circle, Revolution, State, around, distance, parts};
@@ -47,7 +47,7 @@ impl Bench<'_> {
                 ..Look::default()
             }
         };
-        let (names, components) = (&[body], upright_space());
+        let (names, components) = (&[body], Frame::upright_space().components);
         self.film(&Motion { names, components, start: (0.0, start), end: turn, slope: &slope, look: &look })?;
         self.about(vec![0.0; 3], true);
         self.remark("How fast the cord is drawn in is not given: it is drawn in at a constant rate, within one turn. Positions are measured from the pivot.");

@@ -1,38 +1,40 @@
 //! A fall from a height.
 
-use crate::scene::Axis;
 use crate::scene::stage::Fall;
 
 use crate::simulate::scene::bench::Bench;
+use crate::simulate::scene::course::Until;
+use crate::simulate::scene::integrate::End;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::vector::{Vector, part, times, unit};
+use crate::simulate::scene::particles::{Particle, System, place, velocity};
+use crate::simulate::scene::vector::{dot, part, size, times, unit};
 
 impl Bench<'_> {
     pub(super) fn fall(&mut self, stage: &Fall) -> Result<(), NothingToSimulate> {
         let height = self.values.term(&stage.height)?;
         for axis in self.values.axes() {
-            let down = self.values.gravity(axis)?;
-            let before = self.values.velocity_before(&stage.body, axis).or_else(|missing| {
+            let falls = times(self.values.gravity(axis)?, unit(axis));
+            let name = self.values.velocity_after(&stage.body, axis);
+            let before = self.values.velocity_before(&stage.body, axis);
+            if part(falls, axis) == 0.0 {
                 // Across the fall nothing changes, so that it need not be known.
-                if down == 0.0 { Ok(0.0) } else { Err(missing) }
-            })?;
-            if down == 0.0 {
-                self.note(&self.values.velocity_after(&stage.body, axis), before, 0.0);
+                self.note(&name, before.unwrap_or(0.0), 0.0);
                 continue;
             }
-            let typical = height / (before.abs() + libm::sqrt(height * down.abs()));
-            let integrator = self.integrator(typical);
-            let state = [height, before * down.signum()];
-            let slope = |_: f64, state: &[f64; 2]| [-state[1], down.abs()];
-            let (time, state) = integrator.event(0.0, state, &slope, &|_, state| state[0])?;
-            let velocity = times(state[1] * down.signum(), unit(axis));
-            self.note_velocity_along(&stage.body, axis, velocity);
-            self.note_duration(None, time);
+            let body = Particle { falls, ..Particle::free(&stage.body, 1.0, times(before?, unit(axis))) };
+            let end = self.fall_through(body, height)?;
+            self.note(&name, part(velocity(&end.state, 0), axis), 0.0);
+            self.note_duration(None, end.time);
         }
         Ok(())
     }
 
-    fn note_velocity_along(&mut self, body: &str, axis: Axis, velocity: Vector) {
-        self.note(&self.values.velocity_after(body, axis), part(velocity, axis), 0.0);
+    /// A particle that falls from the origin until it is so much lower.
+    pub(super) fn fall_through(&mut self, body: Particle<'_>, height: f64) -> Result<End<6>, NothingToSimulate> {
+        let (speed, gravity) = (size(body.velocity), size(body.falls));
+        let down = times(1.0 / gravity, body.falls);
+        let system = System::<6>::new(self.values.frame(), vec![body]);
+        let integrator = self.integrator(height / (speed + libm::sqrt(height * gravity)));
+        self.try_out(&system, integrator, &Until::Event(&|state| height - dot(down, place(state, 0))))
     }
 }

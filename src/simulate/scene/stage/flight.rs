@@ -54,7 +54,7 @@ impl Bench<'_> {
                 tracks.push(self.track(body, axis, *fall)?);
             }
         }
-        self.go(&tracks, stage.until.as_ref(), stage.during.as_ref())
+        self.fly(&tracks, stage.until.as_ref(), stage.during.as_ref())
     }
 
     pub(super) fn drift(&mut self, stage: &Drift) -> Result<(), NothingToSimulate> {
@@ -72,7 +72,7 @@ impl Bench<'_> {
         if tracks.is_empty() {
             return Err(NothingToSimulate::ValueMissing);
         }
-        self.go(&tracks, stage.until.as_ref(), stage.during.as_ref())
+        self.fly(&tracks, stage.until.as_ref(), stage.during.as_ref())
     }
 
     fn track(&self, body: &str, axis: Axis, falls: f64) -> Result<Track, NothingToSimulate> {
@@ -80,7 +80,7 @@ impl Bench<'_> {
         Ok(Track { body: body.to_owned(), axis, place, speed: self.values.velocity_before(body, axis)?, falls })
     }
 
-    fn go(&mut self, tracks: &[Track], until: Option<&Term>, during: Option<&Term>) -> Result<(), NothingToSimulate> {
+    fn fly(&mut self, tracks: &[Track], until: Option<&Term>, during: Option<&Term>) -> Result<(), NothingToSimulate> {
         let ends = match until.map(|term| term.0.trim()) {
             None => Ends::Time(during.map_or_else(|| self.values.duration(), |term| self.values.term(term))?),
             Some("top") => Ends::Top,
@@ -139,7 +139,7 @@ impl Bench<'_> {
 
     /// All bodies on their tracks, each from where it is known to start, or else from nought.
     fn film_tracks(&mut self, tracks: &[Track], end: f64) -> Result<(), NothingToSimulate> {
-        let components = self.values.components();
+        let components = self.values.frame().components;
         let each: Vec<&[Track]> = tracks.chunks(components.len().max(1)).collect();
         let names: Vec<&str> = each.iter().map(|own| own[0].body.as_str()).collect();
         let masses: Vec<f64> = names.iter().map(|name| self.values.any_mass(name)).collect();

@@ -65,8 +65,8 @@ impl Bench<'_> {
         let look = |_: f64, state: &State| {
             let seen = masses.iter().enumerate().map(|(own, mass)| Seen {
                 mass: *mass,
-                place: values.split(vector(state, own)),
-                velocity: values.split(vector(state, MOST + own)),
+                place: values.frame().split(vector(state, own)),
+                velocity: values.frame().split(vector(state, MOST + own)),
             });
             let pairs = (1..bodies.len()).flat_map(|one| (0..one).map(move |other| (one, other)));
             let stretched = pairs.map(|(one, other)| apart(state, one, other)).map(|own| dot(own, own));
@@ -77,7 +77,7 @@ impl Bench<'_> {
                 ..Look::default()
             }
         };
-        let (names, components) = (&bodies[..], values.components());
+        let (names, components) = (&bodies[..], values.frame().components);
         self.film(&Motion { names, components, start: (0.0, start), end: time, slope: &slope, look: &look })?;
         self.remark("The forces between the bodies are not given: they are replaced by springs between all bodies.");
         let momenta: Vec<Vector> = (0..bodies.len()).map(|own| times(masses[own], vector(&end, MOST + own))).collect();

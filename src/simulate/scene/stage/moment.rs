@@ -6,9 +6,12 @@ use crate::scene::stage::{During, Moment};
 use crate::scene::{Axis, Strength};
 
 use crate::simulate::scene::bench::Bench;
-use crate::simulate::scene::floor::{Slide, Until};
+use crate::simulate::scene::component::Frame;
+use crate::simulate::scene::course::Until;
 use crate::simulate::scene::nothing::NothingToSimulate;
+use crate::simulate::scene::particles::{Force, Particle, System, velocity};
 use crate::simulate::scene::values::OfTime;
+use crate::simulate::scene::vector::{ZERO, part, times, unit};
 
 /// Half the distance of the tracks, in m.
 const ARM: f64 = 0.5;
@@ -37,9 +40,12 @@ impl Bench<'_> {
         };
         for (letter, moment, changes) in turnings {
             // Each particle feels one force of the couple.
-            let drive: OfTime = Arc::new(move |time| moment(time) / (2.0 * ARM) / MASS);
-            let pushed = Slide { drive, grip: Arc::new(|_| 0.0), changes, start, speed: 0.0, body: None };
-            let gained = 2.0 * ARM * MASS * pushed.run(self, 1.0, Until::Time(end))?.speed;
+            let pair = Force::in_time(vec![(0, times(1.0 / (2.0 * ARM), unit(Axis::X)))], moment);
+            let mut system = System::<6>::new(Frame::line("s"), vec![Particle::free("", MASS, ZERO)]);
+            (system.forces, system.changes, system.start) = (vec![pair], changes, start);
+            let integrator = self.integrator((end - start) / 4.0);
+            let pushed = self.try_out(&system, integrator, &Until::Time(end))?;
+            let gained = 2.0 * ARM * MASS * part(velocity(&pushed.state, 0), Axis::X);
             self.note_here(&format!("I_M{letter}"), gained, 0.0);
             let [before, after] = [1, 2].map(|own| format!("H_{}{}{letter}", stage.about, self.values.index + own));
             if let Ok(before) = self.values.named(&before) {

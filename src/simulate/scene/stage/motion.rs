@@ -135,13 +135,13 @@ impl Bench<'_> {
             let at = within(state, 0);
             let (moving, force) = (told.velocity(time, at).value, times(mass, told.acceleration(time, at).value));
             Look {
-                bodies: vec![Seen { mass, place: values.split(at), velocity: values.split(moving) }],
-                outside: values.split(force),
+                bodies: vec![Seen { mass, place: values.frame().split(at), velocity: values.frame().split(moving) }],
+                outside: values.frame().split(force),
                 power: dot(force, moving),
                 ..Look::default()
             }
         };
-        let (names, components, start) = (&[body], values.components(), (told.start, first));
+        let (names, components, start) = (&[body], values.frame().components, (told.start, first));
         self.film(&Watched { names, components, start, end: told.end, slope: &slope, look: &look })
     }
 }

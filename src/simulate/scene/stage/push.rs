@@ -3,20 +3,18 @@
 use std::sync::Arc;
 
 use crate::scene::stage::{During, Push};
-use crate::scene::{Axis, Force, Friction, Pull, Strength};
+use crate::scene::{Force, Friction, Pull, Strength};
 
 use crate::simulate::scene::bench::Bench;
-use crate::simulate::scene::floor::{Slide, Sliding, Until};
+use crate::simulate::scene::course::Until;
+use crate::simulate::scene::floor::Finish;
 use crate::simulate::scene::nothing::NothingToSimulate;
+use crate::simulate::scene::particles::{Force as Acting, Particle, System, place, velocity};
 use crate::simulate::scene::values::OfTime;
-use crate::simulate::scene::vector::{Vector, ZERO, across, add, dot, part, times, unit};
+use crate::simulate::scene::vector::{Vector, ZERO, across, add, dot, part, size, times, unit};
 
-/// What a body feels along an axis and across it, upwards: forces in the time of the stage.
-pub(super) struct Felt {
-    pub along: OfTime,
-    lifted: OfTime,
-    changes: Vec<f64>,
-}
+/// Pushes and pulls in the time of the stage, each with its direction; and when one of them changes its law.
+type Pulls = (Vec<(Vector, OfTime)>, Vec<f64>);
 
 impl Bench<'_> {
     pub(super) fn push(&mut self, stage: &Push) -> Result<(), NothingToSimulate> {
@@ -33,33 +31,38 @@ impl Bench<'_> {
             Err(NothingToSimulate::ValueMissing) if rated => return Ok(()),
             during => during?,
         };
-        let mass = self.values.mass(&stage.body)?;
-        let mut impulse = ZERO;
+        let mut before = ZERO;
         for axis in self.values.axes() {
-            let felt = self.felt(stage, unit(axis))?;
-            let weight = mass * self.values.gravity(axis)?;
-            let along = felt.along;
-            let drive: OfTime = Arc::new(move |time| (along(time) + weight) / mass);
-            let before = self.values.velocity_before(&stage.body, axis)?;
-            let rest: OfTime = Arc::new(|_| 0.0);
-            let slide = Slide { drive, grip: rest, changes: felt.changes, start, speed: before, body: None };
-            // What is gained from rest, in the velocity that the body has anyhow, is the impulse.
-            let gained = Slide {
-                speed: 0.0,
-                drive: Arc::clone(&slide.drive),
-                grip: Arc::clone(&slide.grip),
-                changes: slide.changes.clone(),
-                start,
-                body: None,
-            }
-            .run(self, 1.0, Until::Time(end))?;
-            let slid = slide.run(self, 1.0, Until::Time(end))?;
-            self.note(&self.values.velocity_after(&stage.body, axis), slid.speed, before);
-            impulse = add(impulse, times(mass * gained.speed, unit(axis)));
+            before = add(before, times(self.values.velocity_before(&stage.body, axis)?, unit(axis)));
         }
-        self.note_impulse(&stage.body, impulse, None);
+        let mut reached = Vec::new();
+        // What is gained from rest, in the velocity that the body has anyhow, is the impulse.
+        for moves in [before, ZERO] {
+            let mut system = self.pulled(stage, ZERO, moves)?;
+            system.start = start;
+            let integrator = self.integrator((end - start) / 4.0);
+            reached.push(velocity(&self.try_out(&system, integrator, &Until::Time(end))?.state, 0));
+        }
+        self.note_velocity(&stage.body, reached[0], size(before));
+        self.note_impulse(&stage.body, times(self.values.mass(&stage.body)?, reached[1]), None);
         self.note_duration(None, end - start);
         Ok(())
+    }
+
+    /// The body under its weight and all pushes and pulls, at a place and with a velocity.
+    pub(super) fn pulled<'s>(
+        &self,
+        stage: &'s Push,
+        place: Vector,
+        velocity: Vector,
+    ) -> Result<System<'s, 6>, NothingToSimulate> {
+        let (pulls, changes) = self.pulls(stage)?;
+        let guide = if let [only] = self.values.axes()[..] { Some(unit(only)) } else { None };
+        let free = Particle::free(&stage.body, self.values.mass(&stage.body)?, velocity);
+        let particle = Particle { place, falls: self.values.falling()?, guide, ..free };
+        let forces =
+            pulls.into_iter().map(|(towards, strength)| Acting::in_time(vec![(0, towards)], strength)).collect();
+        Ok(System { forces, changes, ..System::new(self.values.frame(), vec![particle]) })
     }
 
     /// When the forces act, on their own clock.
@@ -71,10 +74,8 @@ impl Bench<'_> {
         })
     }
 
-    /// What pushes and pulls make up along a direction, and at right angles to it.
-    pub(super) fn felt(&self, stage: &Push, along: Vector) -> Result<Felt, NothingToSimulate> {
-        let mut all: Vec<(Vector, OfTime)> = Vec::new();
-        let mut changes: Vec<f64> = Vec::new();
+    fn pulls(&self, stage: &Push) -> Result<Pulls, NothingToSimulate> {
+        let (mut all, mut changes): Pulls = (Vec::new(), Vec::new());
         for force in &stage.forces {
             let Force::Pull(Pull { value, direction, .. }) = force else { continue };
             if let Strength::Components(components) = value {
@@ -83,84 +84,79 @@ impl Bench<'_> {
                 }
                 continue;
             }
-            let towards = match direction {
-                Some(term) => self.values.direction(&term.0)?,
-                None => self.values.axes().first().map_or(unit(Axis::X), |axis| unit(*axis)),
-            };
             let (strength, own) = self.values.strength(value)?;
             changes.extend(own);
-            all.push((towards, strength));
+            all.push((self.values.towards(direction.as_ref())?, strength));
         }
         changes.sort_by(f64::total_cmp);
-        let sum = |of: Vector| -> OfTime {
-            let parts: Vec<(f64, OfTime)> =
-                all.iter().map(|(towards, strength)| (dot(*towards, of), Arc::clone(strength))).collect();
-            Arc::new(move |time| parts.iter().map(|(part, strength)| part * strength(time)).sum())
-        };
-        Ok(Felt { along: sum(along), lifted: sum(across(along)), changes })
+        Ok((all, changes))
     }
 
     /// Along one axis, on a floor or a slope.
     fn push_along(&mut self, stage: &Push, friction: Option<&Friction>) -> Result<(), NothingToSimulate> {
         let [axis] = self.values.axes()[..] else { return Err(NothingToSimulate::Unread) };
-        let (body, mass) = (stage.body.as_str(), self.values.mass(&stage.body)?);
+        let (body, along, mass) = (stage.body.as_str(), unit(axis), self.values.mass(&stage.body)?);
         let slope = self.values.slope(stage.incline.as_ref())?;
         let needs_weight = friction.is_some() || stage.incline.is_some();
         let gravity = if needs_weight { self.values.named("g")? } else { 0.0 };
-        let Felt { along, lifted, changes } = self.felt(stage, unit(axis))?;
-        let weight = mass * (gravity * slope.along + self.values.gravity(axis)?);
+        let at_rest = friction.and_then(|own| own.at_rest.as_ref());
+        let moves = if at_rest.is_some() { ZERO } else { self.values.moving(body)? };
+        let mut system = self.pulled(stage, ZERO, moves)?;
+        system.particles[0].falls = add(system.particles[0].falls, times(gravity * slope.along, along));
+        let (lifts, _) = self.pulls(stage)?;
         let pressed = mass * gravity * slope.across;
-        let normal: OfTime = Arc::new(move |time| pressed - lifted(time));
-        let drive: OfTime = Arc::new(move |time| (along(time) + weight) / mass);
-        let kinetic = friction.map_or(Ok(0.0), |own| self.values.term(&own.kinetic))?;
-        let pressing = Arc::clone(&normal);
-        let grip: OfTime = Arc::new(move |time| kinetic * pressing(time) / mass);
-        let sense = self.values.sense(stage.direction.as_ref(), axis)?;
+        let lifted =
+            move |(towards, strength): &(Vector, OfTime), time: f64| dot(*towards, across(along)) * strength(time);
+        let normal: OfTime = Arc::new(move |time| pressed - lifts.iter().map(|own| lifted(own, time)).sum::<f64>());
         let span = self.during(stage.during.as_ref());
-        let over = stage.over.as_ref().and_then(|term| self.values.term(term).ok());
-        let until = match (stage.until, &span, over) {
-            (Some(_), ..) => Until::Rest,
-            (None, Ok([_, end]), _) => Until::Time(*end),
-            (None, Err(_), Some(way)) => Until::Way(way),
+        let finish = match (stage.until, &span, self.values.known(stage.over.as_ref())) {
+            (Some(_), ..) => Finish::Rest,
+            (None, Ok([_, end]), _) => Finish::Time(*end),
+            (None, Err(_), Some(way)) => Finish::Way(way),
             (None, Err(missing), None) => return Err(*missing),
         };
-        let mut start = span.map_or(0.0, |[start, _]| start);
-        let begun = start;
-        let at_rest = friction.and_then(|own| own.at_rest.as_ref());
-        let speed = if at_rest.is_some() { 0.0 } else { self.velocity_or_rest(body, axis)? };
+        let begun = span.map_or(0.0, |[start, _]| start);
+        let mut begins = begun;
+        let mut sense = part(moves, axis);
+        if sense == 0.0 {
+            sense = self.values.sense(stage.direction.as_ref(), axis)?;
+        }
         if let Some(term) = at_rest {
-            let threshold = self.values.term(term)?;
-            let holds = |time: f64| threshold * normal(time) / mass - drive(time).abs();
-            let Until::Time(end) = until else { return Err(NothingToSimulate::NoMethod) };
-            if holds(start) > 0.0 {
-                let integrator = self.integrator((end - start) / 64.0);
-                let still = integrator.run(start, [0.0], end, &|_, _| [0.0], &|time, _| holds(time))?;
-                if !still.stopped {
+            let (threshold, Finish::Time(end)) = (self.values.term(term)?, finish) else {
+                return Err(NothingToSimulate::NoMethod);
+            };
+            let still = system.state();
+            let driven = |time: f64| mass * part(velocity(&system.slope(time, &still), 0), axis);
+            let holds = |time: f64| threshold * normal(time) - driven(time).abs();
+            if holds(begun) > 0.0 {
+                let integrator = self.integrator((end - begun) / 64.0);
+                let held = integrator.run(begun, [0.0], end, &|_, _| [0.0], &|time, _| holds(time))?;
+                if !held.stopped {
                     self.note(&self.values.velocity_after(body, axis), 0.0, 0.0);
                     return Ok(());
                 }
-                start = still.time;
+                begins = held.time;
             }
-            self.note_here("t_start", start, 0.0);
+            sense = driven(begins);
+            self.note_here("t_start", begins, 0.0);
         }
-        let sense = if at_rest.is_some() { drive(start).signum() } else { sense };
-        let pulled = Sliding { name: body.to_owned(), mass, axis, weight: weight / mass };
-        let slide = Slide { drive, grip, changes, start, speed, body: Some(pulled) };
-        let slid = slide.run(self, sense, until)?;
-        self.note(&self.values.velocity_after(body, axis), slid.speed, speed);
-        self.note_term(stage.over.as_ref(), slid.way.abs(), 0.0);
+        let ahead = times(sense.signum(), along);
+        system.start = begins;
+        if let Some(own) = friction {
+            let grip = times(-self.values.term(&own.kinetic)?, ahead);
+            system.forces.push(Acting::in_time(vec![(0, grip)], Arc::clone(&normal)));
+        }
+        let end = self.go_along(&system, (0, ahead), finish)?;
+        self.note_velocity(body, velocity(&end.state, 0), size(moves));
+        self.note_term(stage.over.as_ref(), dot(ahead, place(&end.state, 0)).abs(), 0.0);
         let term = match &stage.during {
             Some(During::For(term)) => Some(term),
             _ => None,
         };
-        self.note_duration(term, slid.time + start - begun);
+        self.note_duration(term, end.time - begun);
         if needs_weight {
-            self.note_here(&format!("N_{body}"), normal(start), 0.0);
+            self.note_here(&format!("N_{body}"), normal(begins), 0.0);
         }
         Ok(())
-    }
-
-    fn velocity_or_rest(&self, body: &str, axis: Axis) -> Result<f64, NothingToSimulate> {
-        Ok(part(self.values.moving(body)?, axis))
     }
 }

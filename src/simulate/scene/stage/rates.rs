@@ -3,12 +3,12 @@
 use crate::scene::stage::{During, Push};
 
 use crate::simulate::scene::bench::Bench;
-use crate::simulate::scene::integrate::Integrator;
-use crate::simulate::scene::measure::{Asked, centre, place, turning, velocity};
+use crate::simulate::scene::measure::{self, Asked, centre, turning};
 use crate::simulate::scene::nothing::NothingToSimulate;
+use crate::simulate::scene::particles::{System, place, velocity};
 use crate::simulate::scene::rate::{Rate, rate};
-use crate::simulate::scene::values::{OfTime, Values};
-use crate::simulate::scene::vector::{Vector, add, cross, less, times, unit};
+use crate::simulate::scene::values::Values;
+use crate::simulate::scene::vector::{Vector, cross, less, times};
 
 /// For how long the motion is looked at, in s.
 const SOON: f64 = 1e-4;
@@ -17,32 +17,25 @@ impl Bench<'_> {
     /// Notes the rates about every point of the scene; whether there was one.
     pub(super) fn note_rates(&mut self, stage: &Push) -> Result<bool, NothingToSimulate> {
         let mass = self.values.mass(&stage.body)?;
-        let (Ok(at), Ok(moving)) = (place(self.values, &stage.body), velocity(self.values, &stage.body)) else {
+        let (Ok(at), Ok(moving)) =
+            (measure::place(self.values, &stage.body), measure::velocity(self.values, &stage.body))
+        else {
             return Ok(false);
         };
         let start = match &stage.during {
             Some(During::Between([from, _])) => self.values.term(from)?,
             _ => 0.0,
         };
-        let mut drives: Vec<(Vector, OfTime, f64)> = Vec::new();
-        for axis in self.values.axes() {
-            drives.push((unit(axis), self.felt(stage, unit(axis))?.along, self.values.gravity(axis)?));
-        }
-        let slope = |time: f64, &[_, _, _, u, v, w]: &[f64; 6]| {
-            let each = drives.iter().map(|(along, force, falls)| times(force(time) / mass + falls, *along));
-            let [a, b, c] = each.fold([0.0; 3], add);
-            [u, v, w, a, b, c]
-        };
-        let from = [at[0], at[1], at[2], moving[0], moving[1], moving[2]];
-        let integrator = Integrator { longest: SOON, ..self.integrator(SOON) };
-        let moment = |seen: Vector, time: f64| -> Result<Vector, NothingToSimulate> {
-            let [x, y, z, u, v, w] = integrator.until(start, from, start + time, &slope)?;
-            Ok(times(mass, cross(less([x, y, z], seen), [u, v, w])))
-        };
+        let system = System { start, ..self.pulled(stage, at, moving)? };
+        let integrator = self.integrator(SOON);
         let instant = self.values.index + 1;
         let points = self.values.fixed_points();
         for (point, seen) in &points {
-            let found = rate(SOON, |time| moment(*seen, time))?;
+            let found = rate(SOON, |time| -> Result<Vector, NothingToSimulate> {
+                let end =
+                    integrator.until(start, system.state(), start + time, &|at, state| system.slope(at, state))?;
+                Ok(times(mass, cross(less(place(&end, 0), *seen), velocity(&end, 0))))
+            })?;
             self.note_turning(point, instant, found);
         }
         Ok(!points.is_empty())

@@ -7,7 +7,7 @@ use core::f64::consts::PI;
 use crate::scene::stage::Rotate;
 
 use crate::simulate::scene::bench::Bench;
-use crate::simulate::scene::component::plane;
+use crate::simulate::scene::component::Frame;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::reel::{Look, Motion, Seen};
 use crate::simulate::scene::values::OfTime;
@@ -92,7 +92,7 @@ impl Bench<'_> {
         for next in changes.into_iter().filter(|change| *change > start && *change < end).chain([end]) {
             let within = |at: f64, state: &[f64; 3]| slope(if at >= next { next.next_down() } else { at }, state);
             let look = |at: f64, state: &[f64; 3]| seen(&held, state, within(at, state), [at - start, span]);
-            let (components, begun) = (plane(false), (time, state));
+            let (components, begun) = (Frame::plane(false).components, (time, state));
             self.film(&Motion { names: &names, components, start: begun, end: next, slope: &within, look: &look })?;
             self.about(vec![0.0; 2], false);
             (state, time) = (integrator.until(time, state, next, &within)?, next);

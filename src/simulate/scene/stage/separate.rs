@@ -170,12 +170,16 @@ impl Bench<'_> {
                 outside = add(outside, party.yields(force).1);
                 power += dot(force, velocity);
                 let mass = party.mass.unwrap_or(0.0);
-                bodies.push(Seen { mass, place: values.split(place), velocity: values.split(velocity) });
+                bodies.push(Seen {
+                    mass,
+                    place: values.frame().split(place),
+                    velocity: values.frame().split(velocity),
+                });
             }
-            Look { bodies, outside: values.split(outside), power, ..Look::default() }
+            Look { bodies, outside: values.frame().split(outside), power, ..Look::default() }
         };
         let names: Vec<&str> = pieces.iter().map(|piece| piece.name).collect();
-        let (start, components) = ((0.0, []), values.components());
+        let (start, components) = ((0.0, []), values.frame().components);
         self.film(&Motion { names: &names, components, start, end: 1.0, slope: &|_, _| [], look: &look })?;
         self.remark("How long the parts push each other is not given: one second is assumed.");
         Ok(())

@@ -1,19 +1,18 @@
 //! A slide over a floor or along a slope, against kinetic friction.
 
-use std::sync::Arc;
-
-use crate::scene::stage::{self, Way};
+use crate::scene::stage::{Slide, Way};
 
 use crate::simulate::scene::bench::Bench;
-use crate::simulate::scene::floor::{Slide, Sliding, Slope, Until};
+use crate::simulate::scene::floor::Slope;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::vector::{times, unit};
+use crate::simulate::scene::particles::{Force, Particle, System, place, velocity};
+use crate::simulate::scene::vector::{dot, times, unit};
 
 /// The slope of a ramp of any shape: 45°.
 const RAMP: f64 = core::f64::consts::FRAC_1_SQRT_2;
 
 impl Bench<'_> {
-    pub(super) fn slide(&mut self, stage: &stage::Slide) -> Result<(), NothingToSimulate> {
+    pub(super) fn slide(&mut self, stage: &Slide) -> Result<(), NothingToSimulate> {
         let [axis] = self.values.axes()[..] else { return Err(NothingToSimulate::Unread) };
         let body = stage.body.as_str();
         let slope = match (&stage.incline, &stage.height, stage.way) {
@@ -24,32 +23,23 @@ impl Bench<'_> {
         let sense = self.values.sense(stage.direction.as_ref(), axis)?;
         // A ramp of any shape goes up or down along the motion.
         let slope = if stage.incline.is_none() { Slope { along: slope.along * sense, ..slope } } else { slope };
-        let friction = stage.friction.as_ref().map_or(Ok(0.0), |term| self.values.term(term))?;
+        let friction = self.values.or_zero(stage.friction.as_ref())?;
         let gravity = if friction == 0.0 && slope.along == 0.0 { 0.0 } else { self.values.named("g")? };
-        let (drive, grip) = (slope.along * gravity, friction * slope.across * gravity);
-        let speed = self.values.velocity_before(body, axis)?;
-        let slide = Slide {
-            drive: Arc::new(move |_| drive),
-            grip: Arc::new(move |_| grip),
-            changes: Vec::new(),
-            start: 0.0,
-            speed,
-            body: Some(Sliding { name: body.to_owned(), mass: self.values.any_mass(body), axis, weight: drive }),
-        };
-        let told = |term: &Option<crate::scene::Term>| term.as_ref().and_then(|term| self.values.term(term).ok());
-        let time = told(&stage.duration).or_else(|| self.values.duration().ok());
-        let way = told(&stage.distance).or_else(|| told(&stage.height).map(|height| height / slope.along.abs()));
-        let until = match (stage.until, time, way) {
-            (Some(_), ..) => Until::Rest,
-            (None, _, Some(way)) => Until::Way(way),
-            (None, Some(time), None) => Until::Time(time),
-            _ => return Err(NothingToSimulate::ValueMissing),
-        };
-        let slid = slide.run(self, sense, until)?;
-        self.note_velocity(body, times(slid.speed, unit(axis)), speed);
-        self.note_duration(stage.duration.as_ref(), slid.time);
-        self.note_term(stage.distance.as_ref(), slid.way.abs(), 0.0);
-        self.note_term(stage.height.as_ref(), (slid.way * slope.along).abs(), 0.0);
+        let (speed, mass) = (self.values.velocity_before(body, axis)?, self.values.any_mass(body));
+        let ahead = times(if speed == 0.0 { sense } else { speed.signum() }, unit(axis));
+        let falls = times(slope.along * gravity, unit(axis));
+        let slides = Particle { falls, ..Particle::free(body, mass, times(speed, unit(axis))) };
+        let grip = Force::steady(0, times(-mass * friction * slope.across * gravity, ahead));
+        let system = System::<6> { forces: vec![grip], ..System::new(self.values.frame(), vec![slides]) };
+        let climbs = self.values.known(stage.height.as_ref()).map(|height| height / slope.along.abs());
+        let way = self.values.known(stage.distance.as_ref()).or(climbs);
+        let finish = self.values.finish(stage.until.is_some(), way, stage.duration.as_ref())?;
+        let end = self.go_along(&system, (0, ahead), finish)?;
+        let way = dot(ahead, place(&end.state, 0)).abs();
+        self.note_velocity(body, velocity(&end.state, 0), speed);
+        self.note_duration(stage.duration.as_ref(), end.time);
+        self.note_term(stage.distance.as_ref(), way, 0.0);
+        self.note_term(stage.height.as_ref(), (way * slope.along).abs(), 0.0);
         if let Ok(mass) = self.values.mass(body)
             && gravity > 0.0
         {

@@ -93,16 +93,16 @@ impl Bench<'_> {
                 bodies: (0..2)
                     .map(|body| Seen {
                         mass: masses[body],
-                        place: values.split(place(body)),
-                        velocity: values.split([state[3 + 2 * body], state[4 + 2 * body], 0.0]),
+                        place: values.frame().split(place(body)),
+                        velocity: values.frame().split([state[3 + 2 * body], state[4 + 2 * body], 0.0]),
                     })
                     .collect(),
-                outside: values.split(add(reaction, times(masses[0] + masses[1], weight))),
+                outside: values.frame().split(add(reaction, times(masses[0] + masses[1], weight))),
                 potential: -fallen[0] - fallen[1],
                 ..Look::default()
             }
         };
-        let (names, components, start) = (&names, values.components(), (0.0, [0.0; 11]));
+        let (names, components, start) = (&names, values.frame().components, (0.0, [0.0; 11]));
         self.film(&Motion { names, components, start, end, slope: &all, look: &look })?;
         self.remark("Each position is measured from the starting point of its body.");
         Ok(())

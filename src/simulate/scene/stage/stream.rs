@@ -4,7 +4,7 @@ use crate::scene::Axis;
 use crate::scene::stage::Stream;
 
 use crate::simulate::scene::bench::{Bench, Way};
-use crate::simulate::scene::component::plane;
+use crate::simulate::scene::component::Frame;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::reel::{Look, Motion, Seen};
 use crate::simulate::scene::touch::{Party, Touch};
@@ -133,7 +133,7 @@ impl Bench<'_> {
                 ..Look::default()
             }
         };
-        let (names, components, start) = (&[DROPLET], plane(false), (0.0, state));
+        let (names, components, start) = (&[DROPLET], Frame::plane(false).components, (0.0, state));
         self.film(&Motion { names, components, start, end: turn.abs(), slope: &slope, look: &look })?;
         self.remark(SEEN);
         Ok([end[2], end[3], 0.0])

@@ -4,7 +4,7 @@ use crate::scene::Term;
 use crate::scene::stage::{Place, Swing, Way};
 
 use crate::simulate::scene::bench::Bench;
-use crate::simulate::scene::component::plane;
+use crate::simulate::scene::component::Frame;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::reel::{Look, Motion, Seen};
 use crate::simulate::scene::vector::{times, unit};
@@ -75,7 +75,14 @@ impl Bench<'_> {
             }
         };
         let (names, start_of) = (&[body], (0.0, first));
-        self.film(&Motion { names, components: plane(true), start: start_of, end: time, slope: &slope, look: &look })?;
+        self.film(&Motion {
+            names,
+            components: Frame::plane(true).components,
+            start: start_of,
+            end: time,
+            slope: &slope,
+            look: &look,
+        })?;
         self.about(vec![0.0, length], true);
         let reached = if stops { 0.0 } else { length * turning };
         let depth = |angle: f64| -length * libm::cos(angle);

@@ -123,7 +123,7 @@ impl Bench<'_> {
                 outside: vec![0.0],
                 ..Look::default()
             };
-            let (names, components, start) = (&[body], self.values.components(), (0.0, [burn.start]));
+            let (names, components, start) = (&[body], self.values.frame().components, (0.0, [burn.start]));
             self.film(&Motion { names, components, start, end: held.time, slope: &burning, look: &still })?;
             (begun, state[0]) = (held.time, held.state[0]);
         }
@@ -146,7 +146,7 @@ impl Bench<'_> {
                 ..Look::default()
             }
         };
-        let (names, components, start) = (&[body], self.values.components(), (begun, state));
+        let (names, components, start) = (&[body], self.values.frame().components, (begun, state));
         self.film(&Motion { names, components, start, end: time, slope: &slope, look: &look })?;
         self.remark(
             "Momentum and energy are those of the remaining mass; what the exhaust carries away counts as external.",

@@ -1,0 +1,257 @@
+//! Particles under forces and a constraint, said as data, and Newton's second law for all of them together.
+
+use std::borrow::Cow;
+use std::sync::Arc;
+
+use super::component::Frame;
+use super::reel::{Look, Seen};
+use super::values::OfTime;
+use super::vector::{Vector, ZERO, add, dot, less, times, within};
+
+/// A particle, and how it starts.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Particle<'a> {
+    pub name: &'a str,
+    /// Its mass; none where it is too heavy to be moved.
+    pub mass: Option<f64>,
+    pub place: Vector,
+    pub velocity: Vector,
+    /// Its acceleration in free fall.
+    pub falls: Vector,
+    /// The one direction in which a guide lets it move.
+    pub guide: Option<Vector>,
+}
+
+/// Particles by their places in a list, each with a vector: for a force, what a unit of its strength does to each; for something
+/// stretched between them, how much longer it gets for a metre that each moves.
+pub(super) type Lines = Vec<(usize, Vector)>;
+
+/// What acts on particles.
+pub(super) struct Force {
+    pub on: Lines,
+    pub strength: Strength,
+}
+
+/// How strong a force is.
+pub(super) enum Strength {
+    /// As the time says.
+    InTime(OfTime),
+    /// As a spring pulls, which is deformed by so much where all particles are at the origin.
+    Spring { stiffness: f64, deformed: f64 },
+}
+
+/// What particles cannot leave.
+pub(super) enum Constraint {
+    /// A cord or a coupling that keeps its length, or a straight face that one body slides along on another.
+    Length(Lines),
+    Surface(Surface),
+}
+
+/// The surface round a centre on which `x² s_x + y² s_y + z² s_z` is constant, for squares `s`: a sphere or a circle, or a cone with
+/// its tip in the centre.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Surface {
+    pub on: usize,
+    /// The particle that carries the surface, where it is not fixed.
+    pub carrier: Option<usize>,
+    pub centre: Vector,
+    pub squares: Vector,
+    /// Half the second derivative of the constant by the time.
+    pub changes: f64,
+}
+
+/// Particles, and all that acts on them. A state holds place and velocity of each particle, and behind them the impulses of the
+/// first forces, as many as it has room for: its length `N` is six for each particle, and one for each impulse.
+pub(super) struct System<'a, const N: usize> {
+    pub frame: Frame,
+    pub particles: Vec<Particle<'a>>,
+    pub forces: Vec<Force>,
+    pub constraint: Option<Constraint>,
+    /// When the motion starts.
+    pub start: f64,
+    /// Times at which a force changes its law.
+    pub changes: Vec<f64>,
+    /// The energy that was lost before.
+    pub lost: f64,
+}
+
+/// The place of a particle in a state.
+pub(super) fn place(state: &[f64], particle: usize) -> Vector {
+    within(state, 6 * particle)
+}
+
+/// The velocity of a particle in a state, or its acceleration in a slope.
+pub(super) fn velocity(state: &[f64], particle: usize) -> Vector {
+    within(state, 6 * particle + 3)
+}
+
+impl<'a> Particle<'a> {
+    /// A particle at the origin that nothing guides, and that does not fall.
+    pub(super) fn free(name: &'a str, mass: f64, velocity: Vector) -> Self {
+        Self { name, mass: Some(mass), place: ZERO, velocity, falls: ZERO, guide: None }
+    }
+
+    /// What a force does to it: the acceleration, and what its guide adds to the force.
+    pub(super) fn yields(&self, force: Vector) -> (Vector, Vector) {
+        let Some(mass) = self.mass else { return (ZERO, ZERO) };
+        let felt = self.let_through(force);
+        (times(1.0 / mass, felt), less(felt, force))
+    }
+
+    fn let_through(&self, vector: Vector) -> Vector {
+        self.guide.map_or(vector, |along| times(dot(along, vector), along))
+    }
+}
+
+impl Force {
+    /// A force in the time of the stage.
+    pub(super) fn in_time(on: Lines, strength: OfTime) -> Self {
+        Self { on, strength: Strength::InTime(strength) }
+    }
+
+    /// A force on one particle that stays what it is.
+    pub(super) fn steady(on: usize, force: Vector) -> Self {
+        Self::in_time(vec![(on, force)], Arc::new(|_| 1.0))
+    }
+
+    /// A spring that is deformed by so much where all particles are at the origin.
+    pub(super) fn spring(on: Lines, stiffness: f64, deformed: f64) -> Self {
+        Self { on, strength: Strength::Spring { stiffness, deformed } }
+    }
+
+    fn strength(&self, time: f64, state: &[f64]) -> f64 {
+        match &self.strength {
+            Strength::InTime(strength) => strength(time),
+            Strength::Spring { stiffness, .. } => -stiffness * self.deformation(state).unwrap_or(0.0),
+        }
+    }
+
+    /// How far a spring is deformed.
+    pub(super) fn deformation(&self, state: &[f64]) -> Option<f64> {
+        let Strength::Spring { deformed, .. } = self.strength else { return None };
+        Some(self.on.iter().fold(deformed, |sum, (own, along)| sum + dot(*along, place(state, *own))))
+    }
+}
+
+impl Surface {
+    /// A fixed surface for one particle.
+    pub(super) fn fixed(squares: Vector) -> Self {
+        Self { on: 0, carrier: None, centre: ZERO, squares, changes: 0.0 }
+    }
+
+    fn weighed(&self, vector: Vector) -> Vector {
+        [0, 1, 2].map(|own| self.squares[own] * vector[own])
+    }
+}
+
+impl Constraint {
+    /// Along which lines it acts on the particles, and what their accelerations along these lines must add up to.
+    fn lines(&self, state: &[f64]) -> (Cow<'_, [(usize, Vector)]>, f64) {
+        match self {
+            Self::Length(lines) => (Cow::Borrowed(lines), 0.0),
+            Self::Surface(own) => {
+                let seen = |of: fn(&[f64], usize) -> Vector| {
+                    own.carrier.map_or(of(state, own.on), |carrier| less(of(state, own.on), of(state, carrier)))
+                };
+                let (normal, moving) = (own.weighed(less(seen(place), own.centre)), seen(velocity));
+                let back = own.carrier.map(|carrier| (carrier, times(-1.0, normal)));
+                let lines = [(own.on, normal)].into_iter().chain(back).collect();
+                (Cow::Owned(lines), own.changes - dot(moving, own.weighed(moving)))
+            }
+        }
+    }
+}
+
+impl<'a, const N: usize> System<'a, N> {
+    /// Particles on which nothing acts.
+    pub(super) fn new(frame: Frame, particles: Vec<Particle<'a>>) -> Self {
+        Self { frame, particles, forces: Vec::new(), constraint: None, start: 0.0, changes: Vec::new(), lost: 0.0 }
+    }
+
+    /// The state at the start.
+    pub(super) fn state(&self) -> [f64; N] {
+        let mut state = [0.0; N];
+        for (part, particle) in state.chunks_exact_mut(6).zip(&self.particles) {
+            part[..3].copy_from_slice(&particle.place);
+            part[3..].copy_from_slice(&particle.velocity);
+        }
+        state
+    }
+
+    /// How the state changes.
+    pub(super) fn slope(&self, time: f64, state: &[f64; N]) -> [f64; N] {
+        let mut slope = self.free(time, state);
+        if let Some((lines, pull)) = self.pull(state, &slope) {
+            self.push(&mut slope, &lines, pull);
+        }
+        slope
+    }
+
+    /// How strongly the constraint acts along its lines: the tension of a cord that pulls along unit vectors.
+    pub(super) fn tension(&self, time: f64, state: &[f64; N]) -> f64 {
+        self.pull(state, &self.free(time, state)).map_or(0.0, |(_, pull)| pull)
+    }
+
+    /// How the state would change without the constraint.
+    fn free(&self, time: f64, state: &[f64; N]) -> [f64; N] {
+        let mut slope = [0.0; N];
+        for (own, (part, particle)) in slope.chunks_exact_mut(6).zip(&self.particles).enumerate() {
+            part[..3].copy_from_slice(&velocity(state, own));
+            part[3..].copy_from_slice(&particle.let_through(particle.falls));
+        }
+        for (own, force) in self.forces.iter().enumerate() {
+            let strength = force.strength(time, state);
+            self.push(&mut slope, &force.on, strength);
+            if let Some(impulse) = slope.get_mut(6 * self.particles.len() + own) {
+                *impulse = strength;
+            }
+        }
+        slope
+    }
+
+    /// Adds the accelerations by a force.
+    fn push(&self, slope: &mut [f64; N], on: &[(usize, Vector)], strength: f64) {
+        for (own, along) in on {
+            let (gained, _) = self.particles[*own].yields(times(strength, *along));
+            let changed = add(velocity(slope, *own), gained);
+            slope[6 * own + 3..6 * own + 6].copy_from_slice(&changed);
+        }
+    }
+
+    /// The lines of the constraint, and how strongly it acts along them so that the particles stay where it holds them.
+    fn pull(&self, state: &[f64; N], free: &[f64; N]) -> Option<(Cow<'_, [(usize, Vector)]>, f64)> {
+        let (lines, mut missing) = self.constraint.as_ref()?.lines(state);
+        let mut gained = 0.0;
+        for (own, along) in lines.iter() {
+            missing -= dot(*along, velocity(free, *own));
+            gained += dot(*along, self.particles[*own].yields(*along).0);
+        }
+        Some((lines, missing / gained))
+    }
+
+    /// What is seen of it.
+    pub(super) fn look(&self, time: f64, state: &[f64; N]) -> Look {
+        let slope = self.slope(time, state);
+        let (mut outside, mut look) = (ZERO, Look { lost: self.lost, ..Look::default() });
+        for (own, particle) in self.particles.iter().enumerate() {
+            let Some(mass) = particle.mass else { continue };
+            let (place, velocity, force) =
+                (place(state, own), velocity(state, own), times(mass, velocity(&slope, own)));
+            // What acts between particles cancels.
+            outside = add(outside, force);
+            look.potential -= mass * dot(particle.falls, place);
+            look.power += dot(force, velocity) - mass * dot(particle.falls, velocity);
+            look.bodies.push(Seen { mass, place: self.frame.split(place), velocity: self.frame.split(velocity) });
+        }
+        for force in &self.forces {
+            if let (Strength::Spring { stiffness, .. }, Some(deformation)) = (&force.strength, force.deformation(state))
+            {
+                let grows: f64 = force.on.iter().map(|(own, along)| dot(*along, velocity(state, *own))).sum();
+                look.potential += stiffness * deformation * deformation / 2.0;
+                look.power += stiffness * deformation * grows;
+            }
+        }
+        look.outside = self.frame.split(outside);
+        look
+    }
+}
