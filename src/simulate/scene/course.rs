@@ -48,9 +48,14 @@ impl Bench<'_> {
         integrator: Integrator,
         until: &Until<'_, N>,
     ) -> Result<End<N>, NothingToSimulate> {
+        self.unwatched(|bench| bench.go(system, integrator, until))
+    }
+
+    /// Runs something while nobody watches.
+    pub(super) fn unwatched<T>(&mut self, run: impl FnOnce(&mut Self) -> T) -> T {
         let reels = self.reels.take();
-        let reached = self.go(system, integrator, until);
+        let found = run(self);
         self.reels = reels;
-        reached
+        found
     }
 }

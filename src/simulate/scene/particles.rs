@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use super::component::Frame;
+use super::integrate::End;
 use super::reel::{Look, Seen};
 use super::values::OfTime;
 use super::vector::{Vector, ZERO, add, dot, less, times, within};
@@ -95,7 +96,7 @@ impl<'a> Particle<'a> {
     pub(super) fn yields(&self, force: Vector) -> (Vector, Vector) {
         let Some(mass) = self.mass else { return (ZERO, ZERO) };
         let felt = self.let_through(force);
-        (times(1.0 / mass, felt), less(felt, force))
+        (felt.map(|part| part / mass), less(felt, force))
     }
 
     fn let_through(&self, vector: Vector) -> Vector {
@@ -134,9 +135,19 @@ impl Force {
 }
 
 impl Surface {
-    /// A fixed surface for one particle.
-    pub(super) fn fixed(squares: Vector) -> Self {
-        Self { on: 0, carrier: None, centre: ZERO, squares, changes: 0.0 }
+    /// A fixed sphere round the origin, for one particle.
+    pub(super) fn sphere() -> Self {
+        Self { on: 0, carrier: None, centre: ZERO, squares: [1.0; 3], changes: 0.0 }
+    }
+
+    /// A fixed circle in the plane of x and y.
+    pub(super) fn circle(centre: Vector) -> Self {
+        Self { centre, squares: [1.0, 1.0, 0.0], ..Self::sphere() }
+    }
+
+    /// A fixed cone whose wall is so far from its axis for each metre of height.
+    pub(super) fn cone(tangent: f64) -> Self {
+        Self { squares: [1.0, 1.0, -tangent * tangent], ..Self::sphere() }
     }
 
     fn weighed(&self, vector: Vector) -> Vector {
@@ -166,6 +177,14 @@ impl<'a, const N: usize> System<'a, N> {
     /// Particles on which nothing acts.
     pub(super) fn new(frame: Frame, particles: Vec<Particle<'a>>) -> Self {
         Self { frame, particles, forces: Vec::new(), constraint: None, start: 0.0, changes: Vec::new(), lost: 0.0 }
+    }
+
+    /// Starts again where it ended.
+    pub(super) fn go_on_from(&mut self, end: &End<N>) {
+        self.start = end.time;
+        for (own, particle) in self.particles.iter_mut().enumerate() {
+            (particle.place, particle.velocity) = (place(&end.state, own), velocity(&end.state, own));
+        }
     }
 
     /// The state at the start.
@@ -253,5 +272,36 @@ impl<'a, const N: usize> System<'a, N> {
         }
         look.outside = self.frame.split(outside);
         look
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// At rest on a cone of 45°, half of the weight is felt along the wall: the acceleration is that of a slope.
+    #[test]
+    fn a_cone_is_a_slope_for_what_does_not_turn() {
+        let rests = Particle { place: [1.0, 0.0, 1.0], falls: [0.0, 0.0, -10.0], ..Particle::free("A", 2.0, ZERO) };
+        let cone = Some(Constraint::Surface(Surface::cone(1.0)));
+        let system = System::<6> { constraint: cone, ..System::new(Frame::upright_space(), vec![rests]) };
+        let slope = system.slope(0.0, &system.state());
+        assert!(
+            (slope[3] + 5.0).abs() < 1e-12 && (slope[5] + 5.0).abs() < 1e-12 && slope[..3] == [0.0; 3],
+            "{slope:?}"
+        );
+    }
+
+    /// 1 kg and 3 kg on one string, the heavier hanging: both with 7.5 m/s², a tension of 7.5 N, and what falls gains energy.
+    #[test]
+    fn a_cord_pulls_both_ends_alike() {
+        let ahead = [1.0, 0.0, 0.0];
+        let hangs = Particle { falls: [10.0, 0.0, 0.0], ..Particle::free("B", 3.0, ahead) };
+        let mut system = System::<12>::new(Frame::line("s"), vec![Particle::free("A", 1.0, ahead), hangs]);
+        system.constraint = Some(Constraint::Length(vec![(0, ahead), (1, times(-1.0, ahead))]));
+        let (slope, look) = (system.slope(0.0, &system.state()), system.look(0.0, &system.state()));
+        assert!((slope[3] - 7.5).abs() < 1e-12 && (slope[9] - 7.5).abs() < 1e-12, "{slope:?}");
+        assert!((system.tension(0.0, &system.state()) - 7.5).abs() < 1e-12);
+        assert!((look.outside[0] - 30.0).abs() < 1e-12 && look.power.abs() < 1e-12, "the tension is from inside");
     }
 }

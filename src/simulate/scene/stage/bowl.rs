@@ -4,10 +4,10 @@ use crate::scene::stage::{Bowl, Way};
 
 use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::component::Frame;
+use crate::simulate::scene::course::Until;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::reel::{Look, Motion, Seen};
-use crate::simulate::scene::revolution::{Revolution, State, around, distance, speed};
-use crate::simulate::scene::vector::{times, within};
+use crate::simulate::scene::particles::{Constraint, Particle, Surface, System};
+use crate::simulate::scene::revolution::{State, around, distance, speed};
 
 impl Bench<'_> {
     pub(super) fn bowl(&mut self, stage: &Bowl) -> Result<(), NothingToSimulate> {
@@ -28,43 +28,40 @@ impl Bench<'_> {
             (Some(term), _) => {
                 let angle = self.values.term(term)?;
                 let tangent = libm::tan(angle);
-                (Revolution::cone(tangent, gravity), start / tangent, libm::cos(angle))
+                (Surface::cone(tangent), start / tangent, libm::cos(angle))
             }
             (None, Some(term)) => {
                 let radius = self.values.term(term)?;
                 let depth = libm::sqrt((radius * radius - start * start).max(0.0));
-                (Revolution::sphere(gravity), -depth, start / radius)
+                (Surface::sphere(), -depth, start / radius)
             }
             // Any wall through both levels will do.
             (None, None) => {
                 let tangent = sense * (goal? - start) / height?;
                 let rises = 1.0 / libm::sqrt(1.0 + tangent * tangent);
-                (Revolution::cone(tangent, gravity), start / tangent, rises)
+                (Surface::cone(tangent), start / tangent, rises)
             }
         };
         let across = named("v", first, ".theta")?;
         let along = if stage.is_horizontal(0) { 0.0 } else { sense * named("v", first, ".s")?.abs() };
         let outwards = along * libm::sqrt((1.0 - steep * steep).max(0.0));
-        let state = [start, 0.0, level, outwards, across, along * steep];
+        let mass = self.values.any_mass(body);
+        let slides = Particle {
+            place: [start, 0.0, level],
+            falls: [0.0, 0.0, -gravity],
+            ..Particle::free(body, mass, [outwards, across, along * steep])
+        };
+        let wall = Some(Constraint::Surface(surface));
+        // In space, from the middle of the cone or bowl.
+        let system = System::<6> { constraint: wall, ..System::new(Frame::upright_space(), vec![slides]) };
         let integrator = self.integrator(0.02 * libm::sqrt(start / gravity));
-        let slope = |_: f64, state: &State| surface.slope(state, 0.0);
         let ends: Box<dyn Fn(&State) -> f64> = match (stage.is_horizontal(1), height, goal) {
             (true, ..) => Box::new(move |state| sense * state[5]),
             (false, Ok(height), _) => Box::new(move |state| height - sense * (state[2] - level)),
             (false, Err(_), Ok(goal)) => Box::new(move |state| (goal - start).signum() * (goal - distance(state))),
             (false, Err(missing), Err(_)) => return Err(missing),
         };
-        let (time, end) = integrator.event(0.0, state, &slope, &|_, state| ends(state))?;
-        // In space, from the middle of the cone or bowl: weight and the wall act.
-        let mass = self.values.any_mass(body);
-        let look = |time: f64, state: &State| Look {
-            bodies: vec![Seen { mass, place: within(state, 0).into(), velocity: within(state, 3).into() }],
-            outside: times(mass, within(&slope(time, state), 3)).into(),
-            potential: mass * gravity * state[2],
-            ..Look::default()
-        };
-        let (names, components, start_of) = (&[body], Frame::upright_space().components, (0.0, state));
-        self.film(&Motion { names, components, start: start_of, end: time, slope: &slope, look: &look })?;
+        let (state, end) = (system.state(), self.go(&system, integrator, &Until::Event(&ends))?.state);
         self.note_level(stage, first, &state);
         self.note_level(stage, first + 1, &end);
         let rise = (end[2] - level).abs();

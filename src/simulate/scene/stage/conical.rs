@@ -5,11 +5,11 @@ use core::f64::consts::TAU;
 use crate::scene::stage::Conical;
 
 use crate::simulate::scene::bench::Bench;
-use crate::simulate::scene::component::Frame;
+use crate::simulate::scene::course::Until;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::reel::{Look, Motion, Seen};
-use crate::simulate::scene::revolution::{Circle, Revolution, State, around, distance, parts};
-use crate::simulate::scene::vector::{dot, times, unit, within};
+use crate::simulate::scene::particles::{Constraint, Surface};
+use crate::simulate::scene::revolution::{Circle, around, distance};
+use crate::simulate::scene::vector::{add, times, unit};
 
 impl Bench<'_> {
     pub(super) fn conical(&mut self, stage: &Conical) -> Result<(), NothingToSimulate> {
@@ -27,28 +27,13 @@ impl Bench<'_> {
         // The cord is drawn in evenly within a turn; what the particle is like meanwhile nobody asks.
         let turn = TAU * circle.radius() / circle.speed;
         let drawn = (short - long) / turn;
+        let mut system = circle.system(body, self.values.any_mass(body), gravity);
+        let stretch = times(drawn / long, system.particles[0].place);
+        system.particles[0].velocity = add(system.particles[0].velocity, stretch);
         // The length is linear in the time: half the second derivative of its square is the square of its rate.
-        let cord = Revolution::sphere(gravity);
-        let slope = |_: f64, state: &State| cord.slope(state, drawn * drawn);
-        let mut start = circle.state();
-        let stretch = drawn / long;
-        for own in 0..3 {
-            start[own + 3] += stretch * start[own];
-        }
-        let end = self.integrator(turn / 64.0).until(0.0, start, turn, &slope)?;
-        let mass = self.values.any_mass(body);
-        let look = |time: f64, state: &State| {
-            let (place, velocity) = parts(state);
-            Look {
-                bodies: vec![Seen { mass, place: place.into(), velocity: velocity.into() }],
-                outside: times(mass, within(&slope(time, state), 3)).into(),
-                potential: mass * gravity * state[2],
-                power: mass * dot(cord.held(state, drawn * drawn), velocity),
-                ..Look::default()
-            }
-        };
-        let (names, components) = (&[body], Frame::upright_space().components);
-        self.film(&Motion { names, components, start: (0.0, start), end: turn, slope: &slope, look: &look })?;
+        system.constraint = Some(Constraint::Surface(Surface { changes: drawn * drawn, ..Surface::sphere() }));
+        let integrator = self.integrator(turn / 64.0);
+        let end = self.go(&system, integrator, &Until::Time(turn))?.state;
         self.about(vec![0.0; 3], true);
         self.remark("How fast the cord is drawn in is not given: it is drawn in at a constant rate, within one turn. Positions are measured from the pivot.");
         let swept = around(&end) * distance(&end);

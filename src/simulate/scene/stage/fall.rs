@@ -29,12 +29,13 @@ impl Bench<'_> {
         Ok(())
     }
 
-    /// A particle that falls from the origin until it is so much lower.
+    /// A particle that falls through a height.
     pub(super) fn fall_through(&mut self, body: Particle<'_>, height: f64) -> Result<End<6>, NothingToSimulate> {
         let (speed, gravity) = (size(body.velocity), size(body.falls));
         let down = times(1.0 / gravity, body.falls);
-        let system = System::<6>::new(self.values.frame(), vec![body]);
+        let high = Particle { place: times(-height, down), ..body };
+        let system = System::<6>::new(self.values.frame(), vec![high]);
         let integrator = self.integrator(height / (speed + libm::sqrt(height * gravity)));
-        self.try_out(&system, integrator, &Until::Event(&|state| height - dot(down, place(state, 0))))
+        self.try_out(&system, integrator, &Until::Event(&|state| -dot(down, place(state, 0))))
     }
 }

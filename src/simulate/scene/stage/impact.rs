@@ -4,7 +4,8 @@ use crate::scene::stage::{Impact, Partners};
 
 use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::touch::{Parted, Party, Touch};
+use crate::simulate::scene::particles::Particle;
+use crate::simulate::scene::touch::{Parted, Touch};
 use crate::simulate::scene::vector::{Vector, ZERO, across, add, dot, less, times, unit};
 
 /// The share of the energy before at which a search for the coefficient of restitution ends.
@@ -24,9 +25,9 @@ impl Bench<'_> {
     }
 
     /// A body as one that touches another.
-    pub(super) fn party(&self, body: &str) -> Result<Party, NothingToSimulate> {
+    pub(super) fn party<'s>(&self, body: &'s str) -> Result<Particle<'s>, NothingToSimulate> {
         let guide = self.values.guide(body).transpose()?;
-        Ok(Party { mass: Some(self.values.mass(body)?), velocity: self.values.moving(body)?, guide })
+        Ok(Particle { guide, ..Particle::free(body, self.values.mass(body)?, self.values.moving(body)?) })
     }
 
     fn collide(&mut self, stage: &Impact, bodies: [&str; 2]) -> Result<(), NothingToSimulate> {
@@ -40,8 +41,7 @@ impl Bench<'_> {
         let parties = [self.party(bodies[0])?, self.party(bodies[1])?];
         let touch = Touch { parties, normal, restitution: 0.0 };
         let touch = Touch { restitution: self.restitution(stage, &touch)?, ..touch };
-        let parted = touch.run(self)?;
-        touch.film(self, bodies)?;
+        let parted = touch.watched(self)?;
         if stage.loss.is_none() && parties.iter().all(|party| party.guide.is_none()) {
             self.take(&self.values.impact(stage)?)?;
         } else {
@@ -57,7 +57,7 @@ impl Bench<'_> {
     }
 
     /// The coefficient of restitution: given, or found by trying which one loses the energy that is given.
-    fn restitution(&mut self, stage: &Impact, touch: &Touch) -> Result<f64, NothingToSimulate> {
+    fn restitution(&mut self, stage: &Impact, touch: &Touch<'_>) -> Result<f64, NothingToSimulate> {
         let Some(term) = &stage.loss else { return self.values.coefficient(stage) };
         let loss = self.values.term(term)?;
         let energy = |velocities: [Vector; 2]| -> f64 {
@@ -80,14 +80,14 @@ impl Bench<'_> {
     fn rebound(&mut self, stage: &Impact, body: &str, surface: &str) -> Result<(), NothingToSimulate> {
         let entry = self.values.scene.surfaces.get(surface).ok_or(NothingToSimulate::NoStage)?;
         let outward = self.values.direction(&entry.normal.0)?;
-        let moves = entry.velocity.as_ref().map_or(Ok(0.0), |term| self.values.term(term))?;
+        let moves = self.values.or_zero(entry.velocity.as_ref())?;
         if stage.include.is_empty() {
             self.take(&self.values.impact(stage)?)?;
         }
         // Without a mass nothing but velocities can be spoken of.
         let Ok(mass) = self.values.mass(body) else { return Ok(()) };
-        let wall = Party { mass: None, velocity: times(moves, outward), guide: None };
-        let parties = [Party::free(mass, self.values.moving(body)?), wall];
+        let wall = Particle { mass: None, ..Particle::free(surface, 0.0, times(moves, outward)) };
+        let parties = [Particle::free(body, mass, self.values.moving(body)?), wall];
         let normal = times(-1.0, outward);
         let touch = Touch { parties, normal, restitution: self.values.coefficient(stage)? };
         let mut parted = touch.run(self)?;
@@ -142,19 +142,19 @@ impl Bench<'_> {
             }
         }
         let before = Touch { parties, ..held };
-        let carriers = |touch: &Touch| touch.parties.map(|party| (party.mass.unwrap_or(0.0), party.velocity));
+        let carriers = |touch: &Touch<'_>| touch.parties.map(|party| (party.mass.unwrap_or(0.0), party.velocity));
         self.note_energy(&carriers(&before), &carriers(&held));
         Ok(())
     }
 
-    fn note_velocities(&mut self, touch: &Touch, bodies: [&str; 2], parted: &Parted) {
+    fn note_velocities(&mut self, touch: &Touch<'_>, bodies: [&str; 2], parted: &Parted) {
         let scale = touch.parties.iter().map(|party| dot(party.velocity, party.velocity)).fold(0.0, f64::max);
         for (body, velocity) in bodies.iter().zip(parted.velocities) {
             self.note_velocity(body, velocity, libm::sqrt(scale));
         }
     }
 
-    fn note_parting(&mut self, stage: &Impact, touch: &Touch, bodies: &[&str], parted: &Parted) {
+    fn note_parting(&mut self, stage: &Impact, touch: &Touch<'_>, bodies: &[&str], parted: &Parted) {
         for (body, impulse) in bodies.iter().zip(parted.impulses) {
             self.note_impulse(body, impulse, stage.duration.as_ref());
         }

@@ -2,18 +2,22 @@
 //! afterwards say.
 
 use core::f64::consts::PI;
+use std::sync::Arc;
 
 use nalgebra::Matrix3;
 use nalgebra::Vector3;
 
-use crate::scene::Axis;
 use crate::scene::stage::{Relative, Separate, When};
 
 use crate::simulate::scene::bench::{Bench, kinetic};
+use crate::simulate::scene::course::Until;
 use crate::simulate::scene::nothing::NothingToSimulate;
+use crate::simulate::scene::particles::{Force, Particle, System, place, velocity};
 use crate::simulate::scene::reel::{Look, Motion, Seen};
-use crate::simulate::scene::touch::Party;
 use crate::simulate::scene::vector::{Vector, ZERO, across, add, dot, less, size, times, unit};
+
+/// The longest step beside the second that a force between parts takes.
+const LONGEST: f64 = 0.25;
 
 /// Velocities of both parts after the separation, and the impulse on the first.
 pub(super) struct Apart {
@@ -23,8 +27,7 @@ pub(super) struct Apart {
 
 /// A part, before and after.
 struct Piece<'a> {
-    name: &'a str,
-    party: Party,
+    party: Particle<'a>,
     after: Vector,
     impulse: Vector,
 }
@@ -35,9 +38,11 @@ impl Bench<'_> {
         let whole = self.values.moving(stage.from.as_deref().unwrap_or(first))?;
         let mut pieces = Vec::new();
         for name in &stage.into {
-            let party =
-                Party { guide: self.values.guide(name).transpose()?, ..Party::free(self.values.mass(name)?, whole) };
-            pieces.push(Piece { name, party, after: whole, impulse: ZERO });
+            let party = Particle {
+                guide: self.values.guide(name).transpose()?,
+                ..Particle::free(name, self.values.mass(name)?, whole)
+            };
+            pieces.push(Piece { party, after: whole, impulse: ZERO });
         }
         match (&stage.energy, &stage.relative, &mut pieces[..]) {
             (Some(energy), _, [one, other]) => {
@@ -46,7 +51,7 @@ impl Bench<'_> {
                 push_apart(one, other, &apart);
             }
             (None, Some(relative), [one, other]) => {
-                let apart = self.driven([one.party, other.party], [one.name, other.name], relative)?;
+                let apart = self.driven([one.party, other.party], relative)?;
                 push_apart(one, other, &apart);
             }
             (None, None, pieces) => self.parting(pieces)?,
@@ -57,34 +62,21 @@ impl Bench<'_> {
     }
 
     /// A spring between the parts, the first behind the second, that holds so much energy.
-    fn sprung(&mut self, parties: [Party; 2], energy: f64) -> Result<Apart, NothingToSimulate> {
+    fn sprung(&mut self, parties: [Particle<'_>; 2], energy: f64) -> Result<Apart, NothingToSimulate> {
         let [axis] = self.values.axes()[..] else { return Err(NothingToSimulate::NoMethod) };
-        let masses = parties.map(|party| party.mass.unwrap_or(1.0));
-        let stiffness = masses[0].min(masses[1]);
-        let start = [libm::sqrt(2.0 * energy / stiffness), 0.0, 0.0, 0.0];
-        let slope = |_: f64, state: &[f64; 4]| {
-            let force = stiffness * state[0];
-            [state[1] - state[2], -force / masses[0], force / masses[1], force]
-        };
-        let (_, end) = self.integrator(0.1).event(0.0, start, &slope, &|_, state| state[0])?;
-        let along = |speed: f64| times(speed, unit(axis));
-        let velocities = [add(parties[0].velocity, along(end[1])), add(parties[1].velocity, along(end[2]))];
-        Ok(Apart { velocities, impulse: along(-end[3]) })
+        let along = unit(axis);
+        let stiffness = parties.iter().filter_map(|party| party.mass).fold(f64::INFINITY, f64::min);
+        let pressed = libm::sqrt(2.0 * energy / stiffness);
+        let spring = Force::spring(vec![(0, along), (1, times(-1.0, along))], stiffness, pressed);
+        let left = |state: &[f64; 13]| pressed + dot(along, less(place(state, 0), place(state, 1)));
+        self.pushed_apart(parties, spring, along, &Until::Event(&left))
     }
 
     /// As strong as one part has to move as seen from the other.
-    fn driven(
-        &mut self,
-        parties: [Party; 2],
-        names: [&str; 2],
-        relative: &Relative,
-    ) -> Result<Apart, NothingToSimulate> {
-        let direction = match &relative.direction {
-            Some(term) => self.values.direction(&term.0)?,
-            None => self.values.axes().first().map_or(unit(Axis::X), |axis| unit(*axis)),
-        };
+    fn driven(&mut self, parties: [Particle<'_>; 2], relative: &Relative) -> Result<Apart, NothingToSimulate> {
+        let direction = self.values.towards(relative.direction.as_ref())?;
         let speed = self.values.term(&relative.velocity)?;
-        let of = usize::from(relative.of == names[1]);
+        let of = usize::from(relative.of == parties[1].name);
         let seen = |apart: &Apart| {
             let from = match relative.when {
                 When::After => apart.velocities[1 - of],
@@ -101,7 +93,7 @@ impl Bench<'_> {
         let mut told = Vec::new();
         for piece in pieces.iter() {
             let after = self.values.axes().into_iter().try_fold(ZERO, |all, axis| {
-                let after = self.values.named(&self.values.velocity_after(piece.name, axis))?;
+                let after = self.values.named(&self.values.velocity_after(piece.party.name, axis))?;
                 Ok(add(all, times(after, unit(axis))))
             });
             told.push(after.map_err(|reason| missing = reason).ok());
@@ -114,7 +106,9 @@ impl Bench<'_> {
             std::mem::swap(own, last);
         }
         for (piece, wanted) in before.iter_mut().zip(told) {
-            let now = |piece: &Piece<'_>| Party { velocity: piece.after, ..piece.party };
+            fn now<'a>(piece: &Piece<'a>) -> Particle<'a> {
+                Particle { velocity: piece.after, ..piece.party }
+            }
             let apart = self.searched([now(piece), now(last)], wanted.ok_or(missing)?, &|apart| apart.velocities[0])?;
             push_apart(piece, last, &apart);
         }
@@ -124,7 +118,7 @@ impl Bench<'_> {
     /// The force between the parts with which something comes out as it is wanted: trials along each axis say how it changes.
     pub(super) fn searched(
         &mut self,
-        parties: [Party; 2],
+        parties: [Particle<'_>; 2],
         wanted: Vector,
         seen: &dyn Fn(&Apart) -> Vector,
     ) -> Result<Apart, NothingToSimulate> {
@@ -145,14 +139,24 @@ impl Bench<'_> {
     }
 
     /// A force on the first part, and its opposite on the second, that rises and falls within a second.
-    fn forced(&mut self, parties: [Party; 2], force: Vector) -> Result<Apart, NothingToSimulate> {
-        let state = |[[a, b, c], [d, e, f], [g, h, i]]: [Vector; 3]| [a, b, c, d, e, f, g, h, i];
-        let start = state([parties[0].velocity, parties[1].velocity, ZERO]);
-        let [a, b, c, d, e, f, impulse @ ..] = self.integrator(0.25).until(0.0, start, 1.0, &|time, _| {
-            let now = times(libm::sin(PI * time), force);
-            state([parties[0].yields(now).0, parties[1].yields(times(-1.0, now)).0, now])
-        })?;
-        Ok(Apart { velocities: [[a, b, c], [d, e, f]], impulse })
+    fn forced(&mut self, parties: [Particle<'_>; 2], force: Vector) -> Result<Apart, NothingToSimulate> {
+        let lines = vec![(0, force), (1, times(-1.0, force))];
+        let wave = Force::in_time(lines, Arc::new(|time| libm::sin(PI * time)));
+        self.pushed_apart(parties, wave, force, &Until::Time(1.0))
+    }
+
+    /// Both parts when a force between them, along a vector, has done what it does.
+    fn pushed_apart(
+        &mut self,
+        parties: [Particle<'_>; 2],
+        force: Force,
+        along: Vector,
+        until: &Until<'_, 13>,
+    ) -> Result<Apart, NothingToSimulate> {
+        let system = System { forces: vec![force], ..System::new(self.values.frame(), parties.to_vec()) };
+        let integrator = self.integrator(LONGEST);
+        let end = self.try_out(&system, integrator, until)?.state;
+        Ok(Apart { velocities: [0, 1].map(|own| velocity(&end, own)), impulse: times(end[12], along) })
     }
 
     /// The parts while some force with the impulse that was found drives them apart: half a wave of one second.
@@ -178,7 +182,7 @@ impl Bench<'_> {
             }
             Look { bodies, outside: values.frame().split(outside), power, ..Look::default() }
         };
-        let names: Vec<&str> = pieces.iter().map(|piece| piece.name).collect();
+        let names: Vec<&str> = pieces.iter().map(|piece| piece.party.name).collect();
         let (start, components) = ((0.0, []), values.frame().components);
         self.film(&Motion { names: &names, components, start, end: 1.0, slope: &|_, _| [], look: &look })?;
         self.remark("How long the parts push each other is not given: one second is assumed.");
@@ -187,7 +191,8 @@ impl Bench<'_> {
 
     fn note_parts(&mut self, stage: &Separate, pieces: &[Piece<'_>]) {
         let scale = pieces.iter().map(|piece| size(piece.after)).fold(0.0, f64::max);
-        for Piece { name, party, after, impulse } in pieces {
+        for Piece { party, after, impulse } in pieces {
+            let name = party.name;
             self.note_velocity(name, *after, scale);
             self.note_impulse(name, *impulse, stage.duration.as_ref());
             if let Some(along) = party.guide {

@@ -5,10 +5,11 @@ use crate::scene::stage::Stream;
 
 use crate::simulate::scene::bench::{Bench, Way};
 use crate::simulate::scene::component::Frame;
+use crate::simulate::scene::course::Until;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::reel::{Look, Motion, Seen};
-use crate::simulate::scene::touch::{Party, Touch};
-use crate::simulate::scene::vector::{Vector, ZERO, across, dot, part, times, unit};
+use crate::simulate::scene::particles::{Constraint, Particle, Surface, System, velocity};
+use crate::simulate::scene::touch::Touch;
+use crate::simulate::scene::vector::{Vector, ZERO, across, dot, less, part, size, times, unit};
 
 /// How many droplets are counted.
 const DROPLETS: u32 = 1_000;
@@ -21,16 +22,13 @@ impl Bench<'_> {
     pub(super) fn stream(&mut self, stage: &Stream) -> Result<(), NothingToSimulate> {
         self.by(Way::Droplets);
         let body = stage.body.as_str();
-        let towards = match &stage.direction {
-            Some(term) => self.values.direction(&term.0)?,
-            None => self.values.axes().first().map_or(unit(Axis::X), |axis| unit(*axis)),
-        };
+        let towards = self.values.towards(stage.direction.as_ref())?;
         let speed = match (&stage.speed, &stage.drop) {
             (Some(term), _) => self.values.term(term)?,
             (None, Some(term)) => self.dropped(self.values.term(term)?)?,
             (None, None) => return Err(NothingToSimulate::ValueMissing),
         };
-        let moves = stage.moves.as_ref().map_or(Ok(0.0), |term| self.values.term(term))?;
+        let moves = self.values.or_zero(stage.moves.as_ref())?;
         let flow = self.flow(stage, speed, moves)?;
         let each = self.given(stage, towards, speed - moves)?;
         // Droplets of a kilogram: as many come in a second as the flow has kilograms.
@@ -67,12 +65,11 @@ impl Bench<'_> {
     }
 
     fn dropped(&mut self, height: f64) -> Result<f64, NothingToSimulate> {
-        let gravity = self.values.named("g")?;
-        let integrator = self.integrator(0.1 * libm::sqrt(height / gravity));
-        let slope = |_: f64, state: &[f64; 2]| [-state[1], gravity];
-        let (_, end) = integrator.event(0.0, [height, 0.0], &slope, &|_, state| state[0])?;
-        self.note_here("v_stream", end[1], 0.0);
-        Ok(end[1])
+        let falls = times(self.values.named("g")?, unit(Axis::X));
+        let end = self.fall_through(Particle { falls, ..Particle::free(DROPLET, 1.0, ZERO) }, height)?;
+        let speed = size(velocity(&end.state, 0));
+        self.note_here("v_stream", speed, 0.0);
+        Ok(speed)
     }
 
     /// The mass that reaches the body in a unit of time: droplets in a row, equally far apart, counted as they catch up with it.
@@ -103,39 +100,25 @@ impl Bench<'_> {
         if let Some(term) = &stage.turned {
             return self.along_vane(towards, relative, self.values.term(term)?);
         }
-        let restitution = stage.restitution.as_ref().map_or(Ok(0.0), |term| self.values.term(term))?;
-        let drop = Party::free(1.0, times(relative, towards));
-        let still = Party { mass: None, velocity: ZERO, guide: None };
+        let restitution = self.values.or_zero(stage.restitution.as_ref())?;
+        let drop = Particle::free(DROPLET, 1.0, times(relative, towards));
+        let still = Particle { mass: None, ..Particle::free("", 0.0, ZERO) };
         let normal = times(relative.signum(), towards);
-        let touch = Touch { parties: [drop, still], normal, restitution };
-        let parted = touch.run(self)?;
-        touch.film(self, [DROPLET, ""])?;
+        let parted = Touch { parties: [drop, still], normal, restitution }.watched(self)?;
         self.remark(SEEN);
         Ok(parted.impulses[1])
     }
 
-    /// A droplet that a smooth vane leads round an arc: the vane pushes it at right angles to its motion.
+    /// A droplet that a smooth vane leads round an arc, by a turn of 1 rad in a second.
     fn along_vane(&mut self, towards: Vector, relative: f64, turn: f64) -> Result<Vector, NothingToSimulate> {
         let start = times(relative, towards);
-        let sense = turn.signum();
-        // Velocity, the impulse on the vane, and the place; a turn of 1 rad in a second.
-        let slope = |_: f64, state: &[f64; 6]| {
-            let push = times(sense, across([state[0], state[1], 0.0]));
-            [push[0], push[1], -push[0], -push[1], state[0], state[1]]
-        };
-        let state = [start[0], start[1], 0.0, 0.0, 0.0, 0.0];
-        let end = self.integrator(0.1).until(0.0, state, turn.abs(), &slope)?;
-        let look = |time: f64, state: &[f64; 6]| {
-            let [x, y, ..] = slope(time, state);
-            Look {
-                bodies: vec![Seen { mass: 1.0, place: vec![state[4], state[5]], velocity: vec![state[0], state[1]] }],
-                outside: vec![x, y],
-                ..Look::default()
-            }
-        };
-        let (names, components, start) = (&[DROPLET], Frame::plane(false).components, (0.0, state));
-        self.film(&Motion { names, components, start, end: turn.abs(), slope: &slope, look: &look })?;
+        let droplet = Particle::free(DROPLET, 1.0, start);
+        let vane = Surface::circle(times(turn.signum(), across(start)));
+        let mut system = System::<6>::new(Frame::plane(false), vec![droplet]);
+        system.constraint = Some(Constraint::Surface(vane));
+        let integrator = self.integrator(0.1);
+        let end = self.go(&system, integrator, &Until::Time(turn.abs()))?;
         self.remark(SEEN);
-        Ok([end[2], end[3], 0.0])
+        Ok(less(start, velocity(&end.state, 0)))
     }
 }

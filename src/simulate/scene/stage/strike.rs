@@ -4,7 +4,8 @@ use crate::scene::stage::Strike;
 
 use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::touch::{Party, Touch};
+use crate::simulate::scene::particles::Particle;
+use crate::simulate::scene::touch::Touch;
 use crate::simulate::scene::vector::{dot, times, unit};
 
 impl Bench<'_> {
@@ -25,7 +26,8 @@ impl Bench<'_> {
         let resists = carried.iter().map(|(_, mass, arm)| mass * (arm / distance) * (arm / distance)).sum();
         let mass = self.values.mass(body)?;
         let speed = self.values.velocity_before(body, axis)?;
-        let parties = [Party::free(mass, times(speed, along)), Party::free(resists, times(turning * distance, along))];
+        let struck = Particle::free("arm", resists, times(turning * distance, along));
+        let parties = [Particle::free(body, mass, times(speed, along)), struck];
         let restitution = match (&stage.restitution, stage.plastic) {
             (Some(term), _) => self.values.term(term)?,
             (None, true) => 0.0,
@@ -33,8 +35,7 @@ impl Bench<'_> {
         };
         let sense = (speed - turning * distance).signum();
         let touch = Touch { parties, normal: times(sense, along), restitution };
-        let parted = touch.run(self)?;
-        touch.film(self, [body, "arm"])?;
+        let parted = touch.watched(self)?;
         self.remark(
             "The arm is shown as the point that is struck, with its effective mass there; its momentum is the angular momentum divided by the distance.",
         );

@@ -18,8 +18,7 @@ impl Bench<'_> {
         // The cord pulls the body ahead back, as a body in its way would push it.
         let parties = [self.party(ahead)?, self.party(behind)?];
         let touch = Touch { parties, normal: along, restitution: 0.0 };
-        let parted = touch.run(self)?;
-        touch.film(self, [ahead, behind])?;
+        let parted = touch.watched(self)?;
         let scale = dot(parties[0].velocity, parties[0].velocity) + dot(parties[1].velocity, parties[1].velocity);
         let each = [ahead, behind].into_iter().zip(parted.velocities).zip(parted.impulses).zip(parties);
         for (((body, velocity), impulse), party) in each {

@@ -1,13 +1,12 @@
 //! A body that throws mass away: the thrust of its droplets, and its motion while it becomes lighter.
 
 use crate::scene::stage::{BurningMass, Exhaust, Thrust};
-use crate::scene::{Axis, Term};
 
 use crate::simulate::scene::bench::{Bench, Way};
 use crate::simulate::scene::integrate::Integrator;
 use crate::simulate::scene::nothing::NothingToSimulate;
+use crate::simulate::scene::particles::Particle;
 use crate::simulate::scene::reel::{Look, Motion, Seen};
-use crate::simulate::scene::touch::Party;
 use crate::simulate::scene::vector::{ZERO, dot, less, part, times, unit};
 
 use super::separate::Apart;
@@ -29,18 +28,14 @@ impl Bench<'_> {
     pub(super) fn thrust(&mut self, stage: &Thrust) -> Result<(), NothingToSimulate> {
         let [axis] = self.values.axes()[..] else { return Err(NothingToSimulate::NoMethod) };
         let body = stage.body.as_str();
-        let told = |term: Option<&Term>| term.and_then(|term| self.values.term(term).ok());
         let (start, end) = match &stage.mass {
-            BurningMass::Both([start, end]) => (self.values.term(start)?, told(Some(end))),
+            BurningMass::Both([start, end]) => (self.values.term(start)?, self.values.known(Some(end))),
             BurningMass::Start(start) => (self.values.term(start)?, None),
         };
-        let time = told(stage.during.as_ref()).or_else(|| self.values.duration().ok());
+        let time = self.values.known(stage.during.as_ref()).or_else(|| self.values.duration().ok());
         let (force, flow) = self.jets(stage, start, end, time)?;
-        let along = match &stage.direction {
-            Some(term) => part(self.values.direction(&term.0)?, axis),
-            None => 1.0,
-        };
-        let resistance = stage.resistance.as_ref().map_or(Ok(0.0), |term| self.values.term(term))?;
+        let along = part(self.values.towards(stage.direction.as_ref())?, axis);
+        let resistance = self.values.or_zero(stage.resistance.as_ref())?;
         let burn = Burn { force, flow, start, weight: self.values.gravity(axis)?, resistance, along };
         let time = match (time, end) {
             (Some(time), _) => time,
@@ -63,8 +58,8 @@ impl Bench<'_> {
     /// What a body gains from droplets of a share of its mass that it throws away, as a force.
     fn droplets(&mut self, speed: f64, flow: f64, mass: f64, share: f64) -> Result<f64, NothingToSimulate> {
         let (droplet, left) = (share * mass, (1.0 - share) * mass);
-        let parties = [Party::free(left, ZERO), Party::free(droplet, ZERO)];
-        let axis = self.values.axes().first().map_or(unit(Axis::X), |axis| unit(*axis));
+        let parties = [left, droplet].map(|mass| Particle::free("", mass, ZERO));
+        let axis = self.values.towards(None)?;
         let seen = |apart: &Apart| less(apart.velocities[0], apart.velocities[1]);
         let apart = self.searched(parties, times(speed, axis), &seen)?;
         Ok(left * dot(apart.velocities[0], axis) / (droplet / flow))
