@@ -16,6 +16,7 @@ mod measure;
 mod motion;
 mod nothing;
 mod particles;
+mod pushed;
 mod rate;
 mod reel;
 mod revolution;

@@ -251,17 +251,10 @@ impl<'a, const N: usize> System<'a, N> {
     /// What is seen of it.
     pub(super) fn look(&self, time: f64, state: &[f64; N]) -> Look {
         let slope = self.slope(time, state);
-        let (mut outside, mut look) = (ZERO, Look { lost: self.lost, ..Look::default() });
-        for (own, particle) in self.particles.iter().enumerate() {
-            let Some(mass) = particle.mass else { continue };
-            let (place, velocity, force) =
-                (place(state, own), velocity(state, own), times(mass, velocity(&slope, own)));
-            // What acts between particles cancels.
-            outside = add(outside, force);
-            look.potential -= mass * dot(particle.falls, place);
-            look.power += dot(force, velocity) - mass * dot(particle.falls, velocity);
-            look.bodies.push(Seen { mass, place: self.frame.split(place), velocity: self.frame.split(velocity) });
-        }
+        let mut look = self.frame.look(self.particles.iter().enumerate().map(|(own, particle)| {
+            let now = Particle { place: place(state, own), velocity: velocity(state, own), ..*particle };
+            (now, velocity(&slope, own))
+        }));
         for force in &self.forces {
             if let (Strength::Spring { stiffness, .. }, Some(deformation)) = (&force.strength, force.deformation(state))
             {
@@ -270,7 +263,23 @@ impl<'a, const N: usize> System<'a, N> {
                 look.power += stiffness * deformation * grows;
             }
         }
-        look.outside = self.frame.split(outside);
+        Look { lost: self.lost, ..look }
+    }
+}
+
+impl Frame {
+    /// What is seen of particles, each with its acceleration. What acts between them cancels; what acts from outside and is not
+    /// weight does work.
+    pub(super) fn look<'a>(&self, all: impl Iterator<Item = (Particle<'a>, Vector)>) -> Look {
+        let (mut outside, mut look) = (ZERO, Look::default());
+        for (Particle { mass, place, velocity, falls, .. }, acceleration) in all {
+            let Some(mass) = mass else { continue };
+            outside = add(outside, times(mass, acceleration));
+            look.potential -= mass * dot(falls, place);
+            look.power += mass * dot(less(acceleration, falls), velocity);
+            look.bodies.push(Seen { mass, place: self.split(place), velocity: self.split(velocity) });
+        }
+        look.outside = self.split(outside);
         look
     }
 }

@@ -8,6 +8,7 @@ use super::course::Until;
 use super::integrate::Integrator;
 use super::nothing::NothingToSimulate;
 use super::particles::{Force, Particle, System, velocity};
+use super::pushed::Pushed;
 use super::vector::{Vector, dot, less, times};
 
 /// The longest step beside the time of the contact, which is of the order of a second.
@@ -24,12 +25,8 @@ pub(super) struct Touch<'a> {
 
 /// How they part.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Parted {
-    pub velocities: [Vector; 2],
-    /// The impulse of the contact on each.
-    pub impulses: [Vector; 2],
-    /// The impulse of the guide of each.
-    pub reactions: [Vector; 2],
+pub(super) struct Parted<'a> {
+    pub bodies: [Pushed<'a>; 2],
     /// The velocity of both along the normal when they are nearest.
     pub common: f64,
     /// The magnitude of the impulse until then, and from then on.
@@ -42,18 +39,18 @@ type State = [f64; 13];
 /// Where the impulse stands in a state.
 const IMPULSE: usize = 12;
 
-impl Touch<'_> {
+impl<'a> Touch<'a> {
     fn closing(&self, state: &State) -> f64 {
         dot(less(velocity(state, 0), velocity(state, 1)), self.normal)
     }
 
     /// Runs the contact to its end.
-    pub(super) fn run(&self, bench: &mut Bench<'_>) -> Result<Parted, NothingToSimulate> {
+    pub(super) fn run(&self, bench: &mut Bench<'_>) -> Result<Parted<'a>, NothingToSimulate> {
         bench.unwatched(|bench| self.watched(bench))
     }
 
     /// The same, watched from the approach to the parting.
-    pub(super) fn watched(&self, bench: &mut Bench<'_>) -> Result<Parted, NothingToSimulate> {
+    pub(super) fn watched(&self, bench: &mut Bench<'_>) -> Result<Parted<'a>, NothingToSimulate> {
         let mut system = System::new(bench.values.frame(), self.parties.to_vec());
         if self.closing(&system.state()) <= 0.0 {
             return Err(NothingToSimulate::NothingChanges);
@@ -79,12 +76,11 @@ impl Touch<'_> {
         bench.remark("The duration of the contact is not given: it is drawn as seconds. Each position is measured from where the bodies meet.");
         let pressing = -nearest.state[IMPULSE];
         let releasing = if e > 0.0 { -end.state[IMPULSE] } else { 0.0 };
-        let whole = pressing + releasing;
-        let on = [times(-whole, self.normal), times(whole, self.normal)];
+        let impulse = times(pressing + releasing, self.normal);
+        let [first, second] =
+            [0, 1].map(|own| Pushed { after: velocity(&end.state, own), ..Pushed::new(self.parties[own]) });
         Ok(Parted {
-            velocities: [0, 1].map(|own| velocity(&end.state, own)),
-            impulses: on,
-            reactions: [0, 1].map(|own| self.parties[own].yields(on[own]).1),
+            bodies: [Pushed { impulse: times(-1.0, impulse), ..first }, Pushed { impulse, ..second }],
             common: dot(velocity(&nearest.state, 0), self.normal),
             phases: [pressing, releasing],
         })
@@ -99,7 +95,7 @@ mod tests {
     use crate::simulate::scene::values::Values;
     use crate::simulate::scene::vector::ZERO;
 
-    fn parted(touch: &Touch<'_>) -> Parted {
+    fn parted<'a>(touch: &Touch<'a>) -> Parted<'a> {
         let scene: Scene = serde_json::from_str(r#"{ "axes": { "x": "east" }, "bodies": {} }"#).unwrap();
         let values = Values { scene: &scene, value: &|_| None, index: 0 };
         let mut bench = Bench::new(&values, 1e-12);
@@ -111,7 +107,7 @@ mod tests {
     fn a_spring_that_gives_back_less_returns_the_share_e() {
         let parties = [Particle::free("A", 3.0, [3.0, 1.0, 0.5]), Particle::free("B", 2.0, [-2.0, 0.0, 0.0])];
         let end = parted(&Touch { parties, normal: [1.0, 0.0, 0.0], restitution: 0.7 });
-        let found = [end.velocities[0][0], end.velocities[1][0], end.velocities[0][1], end.common];
+        let found = [end.bodies[0].after[0], end.bodies[1].after[0], end.bodies[0].after[1], end.common];
         for (found, right) in found.into_iter().chain(end.phases).zip([-0.4, 3.1, 1.0, 1.0, 6.0, 4.2]) {
             assert!((found - right).abs() < 1e-10, "{end:?}");
         }
@@ -129,7 +125,8 @@ mod tests {
             restitution: 0.0,
         };
         let end = parted(&touch);
-        assert!((end.velocities[1][0] - 0.8).abs() < 1e-10 && end.velocities[1][1] == 0.0, "{end:?}");
-        assert!((end.reactions[1][1] - 1.6).abs() < 1e-10 && end.reactions[1][0].abs() < 1e-12, "{end:?}");
+        assert!((end.bodies[1].after[0] - 0.8).abs() < 1e-10 && end.bodies[1].after[1] == 0.0, "{end:?}");
+        let carried = wedge.yields(end.bodies[1].impulse).1;
+        assert!((carried[1] - 1.6).abs() < 1e-10 && carried[0].abs() < 1e-12, "{end:?}");
     }
 }

@@ -2,11 +2,12 @@
 
 use crate::scene::stage::{Impact, Partners};
 
-use crate::simulate::scene::bench::Bench;
+use crate::simulate::scene::bench::{Bench, kinetic};
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::particles::Particle;
+use crate::simulate::scene::pushed::Pushed;
 use crate::simulate::scene::touch::{Parted, Touch};
-use crate::simulate::scene::vector::{Vector, ZERO, across, add, dot, less, times, unit};
+use crate::simulate::scene::vector::{Vector, across, add, dot, less, size, times, unit};
 
 /// The share of the energy before at which a search for the coefficient of restitution ends.
 const CLOSE: f64 = 1e-14;
@@ -45,14 +46,9 @@ impl Bench<'_> {
         if stage.loss.is_none() && parties.iter().all(|party| party.guide.is_none()) {
             self.take(&self.values.impact(stage)?)?;
         } else {
-            self.note_velocities(&touch, bodies, &parted);
+            self.note_velocities(&parted.bodies);
         }
-        self.note_parting(stage, &touch, &bodies, &parted);
-        for ((body, party), reaction) in bodies.iter().zip(parties).zip(parted.reactions) {
-            if let Some(along) = party.guide {
-                self.note_here(&format!("R_{body}"), dot(across(along), reaction), 0.0);
-            }
-        }
+        self.note_parting(stage, &touch, &parted, &parted.bodies);
         Ok(())
     }
 
@@ -62,13 +58,13 @@ impl Bench<'_> {
         let loss = self.values.term(term)?;
         let energy = |velocities: [Vector; 2]| -> f64 {
             let each = touch.parties.iter().zip(velocities);
-            each.map(|(party, velocity)| party.mass.unwrap_or(0.0) * dot(velocity, velocity) / 2.0).sum()
+            each.map(|(party, velocity)| kinetic(party.mass.unwrap_or(0.0), velocity)).sum()
         };
         let start = energy(touch.parties.map(|party| party.velocity));
         let (mut low, mut high) = (0.0, 1.0);
         for _ in 0..HALVINGS {
             let middle = f64::midpoint(low, high);
-            let lost = start - energy(Touch { restitution: middle, ..*touch }.run(self)?.velocities);
+            let lost = start - energy(Touch { restitution: middle, ..*touch }.run(self)?.bodies.map(|own| own.after));
             if (lost - loss).abs() <= CLOSE * start {
                 return Ok(middle);
             }
@@ -94,13 +90,14 @@ impl Bench<'_> {
         parted.common = -parted.common;
         // What is given of the contact is what it does together with weight.
         let weight = self.weight_in_contact(mass, &stage.include, stage.duration.as_ref())?;
-        parted.impulses[0] = less(parted.impulses[0], weight);
+        let [bounced, _] = &mut parted.bodies;
+        bounced.impulse = less(bounced.impulse, weight);
         if !stage.include.is_empty() {
             let along = times(dot(weight, outward), outward);
-            let velocity = add(parted.velocities[0], times(1.0 / mass, less(weight, along)));
-            self.note_velocity(body, velocity, libm::sqrt(dot(velocity, velocity)));
+            let velocity = add(bounced.after, times(1.0 / mass, less(weight, along)));
+            self.note_velocity(body, velocity, size(velocity));
         }
-        self.note_parting(stage, &touch, &[body], &parted);
+        self.note_parting(stage, &touch, &parted, &parted.bodies[..1]);
         Ok(())
     }
 
@@ -115,59 +112,34 @@ impl Bench<'_> {
         if guide.is_none() {
             self.take(&self.values.impact(stage)?)?;
         }
-        let mut held = Touch { parties, normal: ZERO, restitution: 0.0 };
-        let (mut impulses, mut reactions) = ([ZERO; 2], [ZERO; 2]);
+        let mut held = parties.map(Pushed::new);
         for along in lines {
-            let closing = dot(held.parties[0].velocity, along) - dot(held.parties[1].velocity, along);
+            let closing = dot(less(held[0].after, held[1].after), along);
             if closing == 0.0 {
                 continue;
             }
-            held.normal = times(closing.signum(), along);
-            let parted = held.run(self)?;
-            for own in [0, 1] {
-                held.parties[own].velocity = parted.velocities[own];
-                impulses[own] = add(impulses[own], parted.impulses[own]);
-                reactions[own] = add(reactions[own], parted.reactions[own]);
+            let now = held.map(|own| Particle { velocity: own.after, ..own.body });
+            let touch = Touch { parties: now, normal: times(closing.signum(), along), restitution: 0.0 };
+            for (own, parted) in held.iter_mut().zip(touch.run(self)?.bodies) {
+                *own = Pushed { after: parted.after, impulse: add(own.impulse, parted.impulse), ..*own };
             }
         }
-        for (body, impulse) in bodies.iter().zip(impulses) {
-            self.note_impulse(body, impulse, stage.duration.as_ref());
+        self.note_pushed(&held, stage.duration.as_ref());
+        let scale = parties.iter().map(|party| size(party.velocity)).fold(0.0, f64::max);
+        for body in parties.iter().filter(|party| party.guide.is_some()) {
+            let whole = stage.becomes.as_deref().unwrap_or(body.name);
+            self.note_velocity(whole, held[0].after, scale);
         }
-        for ((body, party), reaction) in bodies.iter().zip(parties).zip(reactions) {
-            if let Some(along) = party.guide {
-                self.note_here(&format!("R_{body}"), dot(across(along), reaction), 0.0);
-                let scale = parties.iter().map(|party| dot(party.velocity, party.velocity)).fold(0.0, f64::max);
-                let whole = stage.becomes.as_deref().unwrap_or(body);
-                self.note_velocity(whole, held.parties[0].velocity, libm::sqrt(scale));
-            }
-        }
-        let before = Touch { parties, ..held };
-        let carriers = |touch: &Touch<'_>| touch.parties.map(|party| (party.mass.unwrap_or(0.0), party.velocity));
-        self.note_energy(&carriers(&before), &carriers(&held));
         Ok(())
     }
 
-    fn note_velocities(&mut self, touch: &Touch<'_>, bodies: [&str; 2], parted: &Parted) {
-        let scale = touch.parties.iter().map(|party| dot(party.velocity, party.velocity)).fold(0.0, f64::max);
-        for (body, velocity) in bodies.iter().zip(parted.velocities) {
-            self.note_velocity(body, velocity, libm::sqrt(scale));
-        }
-    }
-
-    fn note_parting(&mut self, stage: &Impact, touch: &Touch<'_>, bodies: &[&str], parted: &Parted) {
-        for (body, impulse) in bodies.iter().zip(parted.impulses) {
-            self.note_impulse(body, impulse, stage.duration.as_ref());
-        }
-        for (body, impulse) in bodies.iter().zip(parted.impulses) {
-            self.note_here(&format!("J_{body}.n"), dot(touch.normal, impulse), 0.0);
+    fn note_parting(&mut self, stage: &Impact, touch: &Touch<'_>, parted: &Parted<'_>, bodies: &[Pushed<'_>]) {
+        self.note_pushed(bodies, stage.duration.as_ref());
+        for own in bodies {
+            self.note_here(&format!("J_{}.n", own.body.name), dot(touch.normal, own.impulse), 0.0);
         }
         self.note_here("v_common", parted.common, 0.0);
         self.note_here("J_def", parted.phases[0], 0.0);
         self.note_here("J_rest", parted.phases[1], parted.phases[0]);
-        let carriers = |velocities: [Vector; 2]| -> Vec<(f64, Vector)> {
-            let each = touch.parties.iter().zip(velocities);
-            each.filter_map(|(party, velocity)| Some((party.mass?, velocity))).collect()
-        };
-        self.note_energy(&carriers(touch.parties.map(|party| party.velocity)), &carriers(parted.velocities));
     }
 }

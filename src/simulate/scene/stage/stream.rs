@@ -106,7 +106,7 @@ impl Bench<'_> {
         let normal = times(relative.signum(), towards);
         let parted = Touch { parties: [drop, still], normal, restitution }.watched(self)?;
         self.remark(SEEN);
-        Ok(parted.impulses[1])
+        Ok(parted.bodies[1].impulse)
     }
 
     /// A droplet that a smooth vane leads round an arc, by a turn of 1 rad in a second.

@@ -39,7 +39,7 @@ impl Bench<'_> {
         self.remark(
             "The arm is shown as the point that is struck, with its effective mass there; its momentum is the angular momentum divided by the distance.",
         );
-        let [after, struck] = parted.velocities.map(|own| dot(own, along));
+        let [after, struck] = parted.bodies.map(|own| dot(own.after, along));
         let (mut ends, fast) = ([Vec::new(), Vec::new()], speed.abs() + (turning * distance).abs());
         for (side, (own, turning)) in [(speed, turning), (after, struck / distance)].into_iter().enumerate() {
             let mut moment = mass * distance * own;

@@ -6,10 +6,9 @@ use crate::simulate::scene::bench::{Bench, Way};
 use crate::simulate::scene::integrate::Integrator;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::particles::Particle;
+use crate::simulate::scene::pushed::Pushed;
 use crate::simulate::scene::reel::{Look, Motion, Seen};
 use crate::simulate::scene::vector::{ZERO, dot, less, part, times, unit};
-
-use super::separate::Apart;
 
 /// The share of the mass that one droplet carries away; it is halved to find what ever smaller droplets would do.
 const DROPLET: f64 = 1e-6;
@@ -58,11 +57,10 @@ impl Bench<'_> {
     /// What a body gains from droplets of a share of its mass that it throws away, as a force.
     fn droplets(&mut self, speed: f64, flow: f64, mass: f64, share: f64) -> Result<f64, NothingToSimulate> {
         let (droplet, left) = (share * mass, (1.0 - share) * mass);
-        let parties = [left, droplet].map(|mass| Particle::free("", mass, ZERO));
+        let parts = [left, droplet].map(|mass| Pushed::new(Particle::free("", mass, ZERO)));
         let axis = self.values.towards(None)?;
-        let seen = |apart: &Apart| less(apart.velocities[0], apart.velocities[1]);
-        let apart = self.searched(parties, times(speed, axis), &seen)?;
-        Ok(left * dot(apart.velocities[0], axis) / (droplet / flow))
+        let [pushed, _] = self.searched(parts, times(speed, axis), &|[one, other]| less(one.after, other.after))?;
+        Ok(left * dot(pushed.after, axis) / (droplet / flow))
     }
 
     /// The thrust of one jet.
