@@ -77,8 +77,7 @@ impl Values<'_> {
 
     /// The name of the place of a body.
     pub(super) fn place_name(&self, body: &str, instant: usize, axis: Axis) -> String {
-        let letter = if self.axes().len() > 1 { format!(".{}", axis.letter()) } else { String::new() };
-        format!("r_{body}{instant}{letter}")
+        format!("r_{body}{instant}{}", self.letter(axis))
     }
 
     /// The time at which the stage starts, where all that came before is known to have lasted so long.

@@ -181,8 +181,12 @@ impl Values<'_> {
     }
 
     fn velocity_name(&self, body: &str, instant: usize, axis: Axis) -> String {
-        let letter = if self.axes().len() > 1 { format!(".{}", axis.letter()) } else { String::new() };
-        format!("v_{body}{instant}{letter}")
+        format!("v_{body}{instant}{}", self.letter(axis))
+    }
+
+    /// What the name of a component ends with: `.x`; nothing where there is only one axis.
+    pub(super) fn letter(&self, axis: Axis) -> String {
+        if self.axes().len() > 1 { format!(".{}", axis.letter()) } else { String::new() }
     }
 
     /// A component of the velocity of a body before the stage.

@@ -34,7 +34,7 @@ impl Bench<'_> {
         let tried = self.try_out(&one, integrator, &until)?.state;
         for axis in self.values.axes() {
             let start = part(add(before, weight), axis);
-            let letter = if self.values.axes().len() > 1 { format!(".{}", axis.letter()) } else { String::new() };
+            let letter = self.values.letter(axis);
             let impulse = self.values.named(&format!("J_{body}{letter}{}", self.values.suffix()));
             let strength = match (impulse, self.values.named(&self.values.velocity_after(body, axis))) {
                 (_, Ok(after)) => (after - start) / dot(newton, velocity(&tried, 0)),

@@ -54,7 +54,7 @@ impl Bench<'_> {
         let scale = momenta.iter().map(|own| size(*own)).fold(0.0, f64::max);
         let instant = self.values.index + 2;
         for axis in self.values.axes() {
-            let letter = if self.values.axes().len() > 1 { format!(".{}", axis.letter()) } else { String::new() };
+            let letter = self.values.letter(axis);
             self.note_sum(&format!("p_{instant}{letter}"), part(total, axis), scale);
         }
         let inside: Vec<&str> = bodies.iter().flat_map(|body| self.values.scene.members(body)).collect();

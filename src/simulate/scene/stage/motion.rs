@@ -120,11 +120,10 @@ impl Bench<'_> {
 
     /// Notes a vector by its components, none of which may be further off than it says.
     fn note_rate(&mut self, name: &str, Rate { value, off }: Rate, factor: f64) {
-        let axes = self.values.axes();
-        for axis in &axes {
-            let letter = if axes.len() > 1 { format!(".{}", axis.letter()) } else { String::new() };
+        for axis in self.values.axes() {
+            let letter = self.values.letter(axis);
             let scale = factor * (size(value) + off / self.tolerance);
-            self.note(&format!("{name}{letter}"), factor * part(value, *axis), scale);
+            self.note(&format!("{name}{letter}"), factor * part(value, axis), scale);
         }
     }
 
