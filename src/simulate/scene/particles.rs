@@ -250,34 +250,59 @@ impl<'a, const N: usize> System<'a, N> {
 
     /// What is seen of it.
     pub(super) fn look(&self, time: f64, state: &[f64; N]) -> Look {
-        let slope = self.slope(time, state);
-        let mut look = self.frame.look(self.particles.iter().enumerate().map(|(own, particle)| {
-            let now = Particle { place: place(state, own), velocity: velocity(state, own), ..*particle };
-            (now, velocity(&slope, own))
-        }));
+        let now = |(own, particle): (usize, &Particle<'a>)| {
+            (Particle { place: place(state, own), velocity: velocity(state, own), ..*particle }, ZERO, 0.0)
+        };
+        let mut look = self.frame.look(self.particles.iter().enumerate().map(now));
+        let mut outside = ZERO;
         for force in &self.forces {
-            if let (Strength::Spring { stiffness, .. }, Some(deformation)) = (&force.strength, force.deformation(state))
-            {
-                let grows: f64 = force.on.iter().map(|(own, along)| dot(*along, velocity(state, *own))).sum();
-                look.potential += stiffness * deformation * deformation / 2.0;
-                look.power += stiffness * deformation * grows;
+            let strength = force.strength(time, state);
+            outside = add(outside, self.unbalanced(&force.on, strength));
+            match (&force.strength, force.deformation(state)) {
+                (Strength::Spring { stiffness, .. }, Some(deformation)) => {
+                    look.potential += stiffness * deformation * deformation / 2.0;
+                    // What a spring takes from an end that nothing moves.
+                    look.power -= strength * self.grows(&force.on, state, false);
+                }
+                _ => look.power += strength * self.grows(&force.on, state, true),
             }
         }
+        if let Some((lines, pull)) = self.pull(state, &self.free(time, state)) {
+            outside = add(outside, self.unbalanced(&lines, pull));
+            // What keeps its length or its shape does no work.
+            if matches!(&self.constraint, Some(Constraint::Surface(own)) if own.changes != 0.0) {
+                look.power += pull * self.grows(&lines, state, true);
+            }
+        }
+        for (sum, part) in look.outside.iter_mut().zip(self.frame.split(outside)) {
+            *sum += part;
+        }
         Look { lost: self.lost, ..look }
+    }
+
+    /// What a force comes to on all particles together: nothing where it acts between them, but for what guides take up.
+    fn unbalanced(&self, on: &[(usize, Vector)], strength: f64) -> Vector {
+        let movable = on.iter().filter(|(own, _)| self.particles[*own].mass.is_some());
+        movable.fold(ZERO, |all, (own, along)| add(all, self.particles[*own].let_through(times(strength, *along))))
+    }
+
+    /// How fast that gets longer which lies along lines, by the motion of what can be moved or of what cannot.
+    fn grows(&self, on: &[(usize, Vector)], state: &[f64; N], movable: bool) -> f64 {
+        let of = on.iter().filter(|(own, _)| self.particles[*own].mass.is_some() == movable);
+        of.map(|(own, along)| dot(*along, velocity(state, *own))).sum()
     }
 }
 
 impl Frame {
-    /// What is seen of particles, each with its acceleration. What acts between them cancels; what acts from outside and is not
-    /// weight does work.
-    pub(super) fn look<'a>(&self, all: impl Iterator<Item = (Particle<'a>, Vector)>) -> Look {
+    /// What is seen of particles, each with the force from outside on it besides its weight, and the power of all but its weight.
+    pub(super) fn look<'a>(&self, all: impl Iterator<Item = (Particle<'a>, Vector, f64)>) -> Look {
         let (mut outside, mut look) = (ZERO, Look::default());
-        for (Particle { mass, place, velocity, falls, .. }, acceleration) in all {
-            let Some(mass) = mass else { continue };
-            outside = add(outside, times(mass, acceleration));
-            look.potential -= mass * dot(falls, place);
-            look.power += mass * dot(less(acceleration, falls), velocity);
-            look.bodies.push(Seen { mass, place: self.split(place), velocity: self.split(velocity) });
+        for (own, force, power) in all {
+            let Some(mass) = own.mass else { continue };
+            outside = add(outside, add(force, times(mass, own.let_through(own.falls))));
+            look.potential -= mass * dot(own.falls, own.place);
+            look.power += power;
+            look.bodies.push(Seen { mass, place: self.split(own.place), velocity: self.split(own.velocity) });
         }
         look.outside = self.split(outside);
         look

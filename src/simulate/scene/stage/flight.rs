@@ -138,7 +138,7 @@ impl Bench<'_> {
     fn film_flights(&mut self, bodies: &[Particle<'_>], end: f64) -> Result<(), NothingToSimulate> {
         let frame = self.values.frame();
         let look =
-            |time: f64, _: &[f64; 0]| frame.look(bodies.iter().map(|own| (own.or_nought().after(time), own.falls)));
+            |time: f64, _: &[f64; 0]| frame.look(bodies.iter().map(|own| (own.or_nought().after(time), ZERO, 0.0)));
         let names: Vec<&str> = bodies.iter().map(|own| own.name).collect();
         let (start, components) = ((0.0, []), frame.components.clone());
         self.film(&Motion { names: &names, components, start, end, slope: &|_, _| [], look: &look })

@@ -152,7 +152,8 @@ impl Bench<'_> {
                 let (change, _) = body.yields(*impulse);
                 let place = add(times(time, body.velocity), times(gone, change));
                 let velocity = add(body.velocity, times(gained, change));
-                (Particle { place, velocity, ..*body }, times(libm::sin(phase) * PI / 2.0, change))
+                let force = times(libm::sin(phase) * PI / 2.0, *impulse);
+                (Particle { place, velocity, ..*body }, body.yields(force).1, dot(force, velocity))
             }))
         };
         let names: Vec<&str> = pieces.iter().map(|piece| piece.body.name).collect();
