@@ -3,8 +3,8 @@
 use super::bench::Bench;
 use super::integrate::{End, Integrator};
 use super::nothing::NothingToSimulate;
-use super::particles::System;
 use super::reel::Motion;
+use super::system::System;
 
 /// What ends a motion.
 pub(super) enum Until<'a, const N: usize> {

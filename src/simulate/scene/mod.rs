@@ -23,6 +23,7 @@ mod revolution;
 mod stage;
 mod state;
 mod strength;
+mod system;
 mod touch;
 mod values;
 mod vector;

@@ -1,7 +1,8 @@
 //! Steady circles round an upright axis, and what is read off a motion round it.
 
 use super::component::Frame;
-use super::particles::{Constraint, Particle, Surface, System, velocity};
+use super::particles::{Constraint, Particle, Surface, velocity};
+use super::system::System;
 use super::vector::size;
 
 /// Place and velocity, with the axis through the origin and z upwards.

@@ -7,8 +7,9 @@ use super::bench::{Bench, Way};
 use super::course::Until;
 use super::integrate::Integrator;
 use super::nothing::NothingToSimulate;
-use super::particles::{Force, Particle, System, velocity};
+use super::particles::{Force, Particle, velocity};
 use super::pushed::Pushed;
+use super::system::System;
 use super::vector::{Vector, dot, less, times};
 
 /// The longest step beside the time of the contact, which is of the order of a second.

@@ -9,7 +9,8 @@ use crate::scene::stage::Blow;
 use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::course::Until;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::{Force, Particle, System, velocity};
+use crate::simulate::scene::particles::{Force, Particle, velocity};
+use crate::simulate::scene::system::System;
 use crate::simulate::scene::vector::{Vector, ZERO, add, dot, part, size, times, unit};
 
 /// Where the impulse of the force stands in a state of one particle.

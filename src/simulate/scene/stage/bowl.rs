@@ -6,8 +6,9 @@ use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::component::Frame;
 use crate::simulate::scene::course::Until;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::{Constraint, Particle, Surface, System};
+use crate::simulate::scene::particles::{Constraint, Particle, Surface};
 use crate::simulate::scene::revolution::{State, around, distance, speed};
+use crate::simulate::scene::system::System;
 
 impl Bench<'_> {
     pub(super) fn bowl(&mut self, stage: &Bowl) -> Result<(), NothingToSimulate> {

@@ -1,12 +1,13 @@
 //! Two bodies on a string over a pulley, each along the string, towards the leading body.
 
+use crate::scene::Axis;
 use crate::scene::stage::{Connected, Strand};
 
-use crate::scene::Axis;
 use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::component::Frame;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::{Constraint, Force, Particle, System, place, velocity};
+use crate::simulate::scene::particles::{Constraint, Force, Particle, place, velocity};
+use crate::simulate::scene::system::System;
 use crate::simulate::scene::vector::{dot, times, unit};
 
 impl Bench<'_> {

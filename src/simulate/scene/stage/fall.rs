@@ -6,7 +6,8 @@ use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::course::Until;
 use crate::simulate::scene::integrate::End;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::{Particle, System, place, velocity};
+use crate::simulate::scene::particles::{Particle, place, velocity};
+use crate::simulate::scene::system::System;
 use crate::simulate::scene::vector::{dot, part, size, times, unit};
 
 impl Bench<'_> {

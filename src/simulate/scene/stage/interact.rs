@@ -6,7 +6,8 @@ use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::course::Until;
 use crate::simulate::scene::measure::{self, Asked, centre, turning};
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::{Force, Particle, System, place, velocity};
+use crate::simulate::scene::particles::{Force, Particle, place, velocity};
+use crate::simulate::scene::system::System;
 use crate::simulate::scene::vector::{Vector, ZERO, add, cross, less, part, size, times, unit};
 
 /// The most bodies.

@@ -9,7 +9,8 @@ use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::component::Frame;
 use crate::simulate::scene::course::Until;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::{Force, Particle, System, velocity};
+use crate::simulate::scene::particles::{Force, Particle, velocity};
+use crate::simulate::scene::system::System;
 use crate::simulate::scene::values::OfTime;
 use crate::simulate::scene::vector::{ZERO, part, times, unit};
 

@@ -9,7 +9,8 @@ use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::course::Until;
 use crate::simulate::scene::floor::Finish;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::{Force as Acting, Particle, System, place, velocity};
+use crate::simulate::scene::particles::{Force as Acting, Particle, place, velocity};
+use crate::simulate::scene::system::System;
 use crate::simulate::scene::values::OfTime;
 use crate::simulate::scene::vector::{Vector, ZERO, across, add, dot, part, size, times, unit};
 

@@ -5,8 +5,9 @@ use crate::scene::stage::{During, Push};
 use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::measure::{self, Asked, centre, turning};
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::{System, place, velocity};
+use crate::simulate::scene::particles::{place, velocity};
 use crate::simulate::scene::rate::{Rate, rate};
+use crate::simulate::scene::system::System;
 use crate::simulate::scene::values::Values;
 use crate::simulate::scene::vector::{Vector, cross, less, times};
 

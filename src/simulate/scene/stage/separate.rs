@@ -12,9 +12,10 @@ use crate::scene::stage::{Relative, Separate, When};
 use crate::simulate::scene::bench::{Bench, kinetic};
 use crate::simulate::scene::course::Until;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::{Force, Particle, System, place, velocity};
+use crate::simulate::scene::particles::{Force, Particle, place, velocity};
 use crate::simulate::scene::pushed::Pushed;
 use crate::simulate::scene::reel::Motion;
+use crate::simulate::scene::system::System;
 use crate::simulate::scene::vector::{Vector, ZERO, add, dot, less, size, times, unit};
 
 /// The longest step beside the second that a force between parts takes.

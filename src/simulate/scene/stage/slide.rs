@@ -5,7 +5,8 @@ use crate::scene::stage::{Slide, Way};
 use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::floor::Slope;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::{Force, Particle, System, place, velocity};
+use crate::simulate::scene::particles::{Force, Particle, place, velocity};
+use crate::simulate::scene::system::System;
 use crate::simulate::scene::vector::{dot, times, unit};
 
 /// The slope of a ramp of any shape: 45°.

@@ -5,7 +5,8 @@ use crate::scene::stage::SlideOff;
 use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::course::Until;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::{Constraint, Particle, Surface, System, place, velocity};
+use crate::simulate::scene::particles::{Constraint, Particle, Surface, place, velocity};
+use crate::simulate::scene::system::System;
 use crate::simulate::scene::vector::{ZERO, across, dot, less, size, times};
 
 impl Bench<'_> {

@@ -5,7 +5,8 @@ use crate::scene::stage::{Ends, Spring};
 use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::course::Until;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::{Force, Particle, System, velocity};
+use crate::simulate::scene::particles::{Force, Particle, velocity};
+use crate::simulate::scene::system::System;
 use crate::simulate::scene::vector::{dot, less, size, times, unit};
 
 impl Bench<'_> {

@@ -7,7 +7,8 @@ use crate::simulate::scene::bench::{Bench, Way};
 use crate::simulate::scene::component::Frame;
 use crate::simulate::scene::course::Until;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::{Constraint, Particle, Surface, System, velocity};
+use crate::simulate::scene::particles::{Constraint, Particle, Surface, velocity};
+use crate::simulate::scene::system::System;
 use crate::simulate::scene::touch::Touch;
 use crate::simulate::scene::vector::{Vector, ZERO, across, dot, less, part, size, times, unit};
 

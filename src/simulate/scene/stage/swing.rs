@@ -6,7 +6,8 @@ use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::component::Frame;
 use crate::simulate::scene::course::Until;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::{Constraint, Particle, Surface, System, place, velocity};
+use crate::simulate::scene::particles::{Constraint, Particle, Surface, place, velocity};
+use crate::simulate::scene::system::System;
 use crate::simulate::scene::vector::{cross, less, size, times, unit};
 
 /// The angle at which a swing starts whose cord may have any length.

@@ -5,7 +5,8 @@ use crate::scene::stage::Tow;
 use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::floor::Slope;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::{Constraint, Force, Particle, System, place, velocity};
+use crate::simulate::scene::particles::{Constraint, Force, Particle, place, velocity};
+use crate::simulate::scene::system::System;
 use crate::simulate::scene::vector::{dot, size, times, unit};
 
 impl Bench<'_> {

@@ -8,7 +8,8 @@ use crate::scene::stage::Walk;
 use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::course::Until;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::particles::{Force, Particle, System, place};
+use crate::simulate::scene::particles::{Force, Particle, place};
+use crate::simulate::scene::system::System;
 use crate::simulate::scene::vector::{ZERO, dot, times};
 
 impl Bench<'_> {
