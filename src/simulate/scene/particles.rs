@@ -24,6 +24,9 @@ pub(super) struct Particle<'a> {
 /// stretched between them, how much longer it gets for a metre that each moves.
 pub(super) type Lines = Vec<(usize, Vector)>;
 
+/// Lines that stay what they are, or that a state makes.
+pub(super) type SharedLines<'a> = Cow<'a, [(usize, Vector)]>;
+
 /// What acts on particles.
 pub(super) struct Force {
     pub on: Lines,
@@ -140,7 +143,7 @@ impl Surface {
 
 impl Constraint {
     /// Along which lines it acts on the particles, and what their accelerations along these lines must add up to.
-    pub(super) fn lines(&self, state: &[f64]) -> (Cow<'_, [(usize, Vector)]>, f64) {
+    pub(super) fn lines(&self, state: &[f64]) -> (SharedLines<'_>, f64) {
         match self {
             Self::Length(lines) => (Cow::Borrowed(lines), 0.0),
             Self::Surface(own) => {

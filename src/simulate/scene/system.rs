@@ -1,10 +1,8 @@
 //! Newton's second law for particles under forces and a constraint, all of them together.
 
-use std::borrow::Cow;
-
 use super::component::Frame;
 use super::integrate::End;
-use super::particles::{Constraint, Force, Particle, Strength, place, velocity};
+use super::particles::{Constraint, Force, Particle, SharedLines, Strength, place, velocity};
 use super::reel::{Look, Seen};
 use super::vector::{Vector, ZERO, add, dot, times};
 
@@ -88,7 +86,7 @@ impl<'a, const N: usize> System<'a, N> {
     }
 
     /// The lines of the constraint, and how strongly it acts along them so that the particles stay where it holds them.
-    fn pull(&self, state: &[f64; N], free: &[f64; N]) -> Option<(Cow<'_, [(usize, Vector)]>, f64)> {
+    fn pull(&self, state: &[f64; N], free: &[f64; N]) -> Option<(SharedLines<'_>, f64)> {
         let (lines, mut missing) = self.constraint.as_ref()?.lines(state);
         let mut gained = 0.0;
         for (own, along) in lines.iter() {

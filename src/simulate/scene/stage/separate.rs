@@ -21,6 +21,9 @@ use crate::simulate::scene::vector::{Vector, ZERO, add, dot, less, size, times, 
 /// The longest step beside the second that a force between parts takes.
 const LONGEST: f64 = 0.25;
 
+/// Two parts that push each other.
+type Pair<'a> = [Pushed<'a>; 2];
+
 impl Bench<'_> {
     pub(super) fn separate(&mut self, stage: &Separate) -> Result<(), NothingToSimulate> {
         let first = stage.into.first().ok_or(NothingToSimulate::NoStage)?;
@@ -33,9 +36,9 @@ impl Bench<'_> {
         match (&stage.energy, &stage.relative, &mut pieces[..]) {
             (Some(energy), _, [one, other]) => {
                 let energy = self.values.term(energy)?;
-                [*one, *other] = self.sprung([*one, *other], energy)?;
+                [*one, *other] = self.sprung(&[*one, *other], energy)?;
             }
-            (None, Some(relative), [one, other]) => [*one, *other] = self.driven([*one, *other], relative)?,
+            (None, Some(relative), [one, other]) => [*one, *other] = self.driven(&[*one, *other], relative)?,
             (None, None, pieces) => self.parting(pieces)?,
             _ => return Err(NothingToSimulate::NoMethod),
         }
@@ -44,7 +47,7 @@ impl Bench<'_> {
     }
 
     /// A spring between the parts, the first behind the second, that holds so much energy.
-    fn sprung<'a>(&mut self, pair: [Pushed<'a>; 2], energy: f64) -> Result<[Pushed<'a>; 2], NothingToSimulate> {
+    fn sprung<'a>(&mut self, pair: &Pair<'a>, energy: f64) -> Result<Pair<'a>, NothingToSimulate> {
         let [axis] = self.values.axes()[..] else { return Err(NothingToSimulate::NoMethod) };
         let along = unit(axis);
         let stiffness = pair.iter().filter_map(|own| own.body.mass).fold(f64::INFINITY, f64::min);
@@ -55,11 +58,11 @@ impl Bench<'_> {
     }
 
     /// As strong as one part has to move as seen from the other.
-    fn driven<'a>(&mut self, pair: [Pushed<'a>; 2], relative: &Relative) -> Result<[Pushed<'a>; 2], NothingToSimulate> {
+    fn driven<'a>(&mut self, pair: &Pair<'a>, relative: &Relative) -> Result<Pair<'a>, NothingToSimulate> {
         let direction = self.values.towards(relative.direction.as_ref())?;
         let speed = self.values.term(&relative.velocity)?;
         let of = usize::from(relative.of == pair[1].body.name);
-        let seen = |pair: &[Pushed<'_>; 2]| {
+        let seen = |pair: &Pair<'_>| {
             let from = match relative.when {
                 When::After => pair[1 - of].after,
                 When::Before => pair[1 - of].body.velocity,
@@ -88,7 +91,7 @@ impl Bench<'_> {
             std::mem::swap(own, last);
         }
         for (piece, wanted) in before.iter_mut().zip(told) {
-            [*piece, *last] = self.searched([*piece, *last], wanted.ok_or(missing)?, &|pair| pair[0].after)?;
+            [*piece, *last] = self.searched(&[*piece, *last], wanted.ok_or(missing)?, &|pair| pair[0].after)?;
         }
         Ok(())
     }
@@ -96,10 +99,10 @@ impl Bench<'_> {
     /// The force between the parts with which something comes out as it is wanted: trials along each axis say how it changes.
     pub(super) fn searched<'a>(
         &mut self,
-        pair: [Pushed<'a>; 2],
+        pair: &Pair<'a>,
         wanted: Vector,
-        seen: &dyn Fn(&[Pushed<'_>; 2]) -> Vector,
-    ) -> Result<[Pushed<'a>; 2], NothingToSimulate> {
+        seen: &dyn Fn(&Pair<'_>) -> Vector,
+    ) -> Result<Pair<'a>, NothingToSimulate> {
         let rest = seen(&self.forced(pair, ZERO)?);
         let missing = less(wanted, rest);
         // The force in units that change velocities by about as much as is wanted.
@@ -117,7 +120,7 @@ impl Bench<'_> {
     }
 
     /// A force on the first part, and its opposite on the second, that rises and falls within a second.
-    fn forced<'a>(&mut self, pair: [Pushed<'a>; 2], force: Vector) -> Result<[Pushed<'a>; 2], NothingToSimulate> {
+    fn forced<'a>(&mut self, pair: &Pair<'a>, force: Vector) -> Result<Pair<'a>, NothingToSimulate> {
         let lines = vec![(0, force), (1, times(-1.0, force))];
         let wave = Force::in_time(lines, Arc::new(|time| libm::sin(PI * time)));
         self.pushed_apart(pair, wave, force, &Until::Time(1.0))
@@ -126,17 +129,17 @@ impl Bench<'_> {
     /// Both parts when a force between them, along a vector, has done what it does.
     fn pushed_apart<'a>(
         &mut self,
-        pair: [Pushed<'a>; 2],
+        pair: &Pair<'a>,
         force: Force,
         along: Vector,
         until: &Until<'_, 13>,
-    ) -> Result<[Pushed<'a>; 2], NothingToSimulate> {
+    ) -> Result<Pair<'a>, NothingToSimulate> {
         let particles = pair.iter().map(|own| Particle { velocity: own.after, ..own.body }).collect();
         let system = System { forces: vec![force], ..System::new(self.values.frame(), particles) };
         let integrator = self.integrator(LONGEST);
         let end = self.try_out(&system, integrator, until)?.state;
         let impulse = times(end[12], along);
-        let [one, other] = pair;
+        let [one, other] = *pair;
         Ok([
             Pushed { after: velocity(&end, 0), impulse: add(one.impulse, impulse), ..one },
             Pushed { after: velocity(&end, 1), impulse: less(other.impulse, impulse), ..other },

@@ -59,7 +59,7 @@ impl Bench<'_> {
         let (droplet, left) = (share * mass, (1.0 - share) * mass);
         let parts = [left, droplet].map(|mass| Pushed::new(Particle::free("", mass, ZERO)));
         let axis = self.values.towards(None)?;
-        let [pushed, _] = self.searched(parts, times(speed, axis), &|[one, other]| less(one.after, other.after))?;
+        let [pushed, _] = self.searched(&parts, times(speed, axis), &|[one, other]| less(one.after, other.after))?;
         Ok(left * dot(pushed.after, axis) / (droplet / flow))
     }
 
