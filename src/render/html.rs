@@ -36,7 +36,7 @@ impl Writer for Html {
     }
 
     fn equation(&self, rows: &[Row<'_>], number: Option<u32>) -> String {
-        let mut out = format!("<div class=\"equation\">{}", display(rows));
+        let mut out = format!("<div class=\"equation\">{}", display(rows, ["<mtd>"; 2]));
         if let Some(number) = number {
             let _ = write!(out, "<span class=\"number\">({number})</span>");
         }
@@ -62,8 +62,9 @@ impl Writer for Html {
     }
 }
 
-/// Rows as one element of mathematics, aligned where there are several.
-pub(super) fn display(rows: &[Row<'_>]) -> String {
+/// Rows as one element of mathematics, aligned where there are several. The two cells of a row begin with these tags.
+pub(super) fn display(rows: &[Row<'_>], cells: [&str; 2]) -> String {
+    let [first, second] = cells;
     let mut out = String::from("<math display=\"block\">");
     if let [row] = rows {
         out.push_str(&Math::row_element(&equation::spread(row.whole())));
@@ -71,7 +72,7 @@ pub(super) fn display(rows: &[Row<'_>]) -> String {
         out.push_str("<mtable displaystyle=\"true\" class=\"aligned\">");
         for row in rows {
             let [left, right] = [row.left(), row.right()].map(|items| Math::row_element(&equation::spread(items)));
-            let _ = write!(out, "<mtr><mtd>{left}</mtd><mtd>{right}</mtd></mtr>");
+            let _ = write!(out, "<mtr>{first}{left}</mtd>{second}{right}</mtd></mtr>");
         }
         out.push_str("</mtable>");
     }

@@ -23,6 +23,9 @@ use super::latex_text;
 use super::markdown::Markdown;
 use super::writer::Writer;
 
+/// The cells of a row of an aligned equation. Style sheets do not go along, so each says by itself to which side it keeps.
+const ALIGNED: [&str; 2] = ["<mtd style=\"text-align: right\">", "<mtd style=\"text-align: left\">"];
+
 /// What a page of another program reads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Markup {
@@ -212,13 +215,16 @@ impl Writer for Markup {
         match self {
             Self::Markdown => Markdown.equation(rows, number),
             Self::Tex => self.paragraph(&self.tex(&latex_text::equation(rows, number), true)),
-            Self::MathMl | Self::Pictures => {
+            Self::MathMl => {
+                let mut equation = with_namespace(&html::display(rows, ALIGNED));
+                if let (Some(number), Some(end)) = (number, equation.rfind("</math>")) {
+                    equation.insert_str(end, &format!("<mspace width=\"2em\"/><mtext>({number})</mtext>"));
+                }
+                self.paragraph(&equation)
+            }
+            Self::Pictures => {
                 let number = number.map(|number| format!(" ({number})")).unwrap_or_default();
-                let equation = match self {
-                    Self::MathMl => with_namespace(&html::display(rows)),
-                    _ => self.tex(&latex_text::equation(rows, None), true),
-                };
-                self.paragraph(&(equation + &number))
+                self.paragraph(&(self.tex(&latex_text::equation(rows, None), true) + &number))
             }
         }
     }

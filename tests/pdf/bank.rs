@@ -11,9 +11,9 @@ use momentous::render::{Format, Page, Solution};
 use super::{RENDERER, poppler, print, problems};
 
 /// The sides of the text on a page, in points: A4 with margins of 2.4 cm.
-const SIDES: [f64; 2] = [68.0, 595.3 - 68.0];
+pub const SIDES: [f64; 2] = [68.0, 595.3 - 68.0];
 /// What may stand out on either side: a full stop hangs in the margin.
-const GROSS: f64 = 4.0;
+pub const GROSS: f64 = 4.0;
 
 #[test]
 fn every_sheet_and_solution_of_the_bank_says_what_the_page_says() {

@@ -6,6 +6,7 @@ use momentous::render::{Format, Identity, Page, Renderer, Sheet, SheetPart, text
 use proptest::prelude::*;
 use unicode_normalization::UnicodeNormalization;
 
+use super::bank::{GROSS, SIDES};
 use super::{PRESS, RENDERER, poppler, print};
 
 /// Pieces that Typst would read, or that a writer could break.
@@ -94,9 +95,9 @@ fn hostile() -> impl Strategy<Value = String> {
     prop::collection::vec(piece, 1..6).prop_map(|pieces| pieces.concat())
 }
 
-/// What poppler can give back: signs in their plain forms, without blanks.
+/// What poppler can give back: signs in their plain forms, without blanks and places where long words may break.
 fn plain(text: &str) -> String {
-    text.nfkc().filter(|sign| !sign.is_whitespace()).collect()
+    text.nfkc().filter(|sign| !sign.is_whitespace() && *sign != '\u{200b}').collect()
 }
 
 /// A text that fits the line, in which mathematics is not broken; a hat would raise what follows it.
@@ -190,6 +191,24 @@ fn author() -> impl Strategy<Value = String> {
         "$x'' \\langle a \\rangle \\lVert b \\rVert$",
     ];
     prop_oneof![4 => prop::sample::select(PIECES).prop_map(str::to_owned), 1 => "[ -~]{1,5}"]
+}
+
+#[test]
+fn a_word_wider_than_a_line_is_broken() {
+    if !poppler::is_installed() {
+        return;
+    }
+    let word = "Wholly".repeat(40);
+    let statement = format!(
+        "A {word}, *{word}* and `{word}` with https://example.org/{word}.\n\n| a | b |\n|---|---|\n| {word} | b |"
+    );
+    let part = SheetPart { label: "a".into(), text: vec![Inline::Text(word.clone())], ..SheetPart::default() };
+    let identity = Identity { problem: word.clone(), ..Identity::default() };
+    let sheet =
+        Sheet { title: word.clone(), statement, student: Some(word), identity, parts: vec![part], ..Sheet::default() };
+    for (left, right, word) in poppler::boxes(&print(&[Page::Sheet(sheet)])) {
+        assert!(left >= SIDES[0] - GROSS && right <= SIDES[1] + GROSS, "{left} {right} {word}");
+    }
 }
 
 #[test]
