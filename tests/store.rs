@@ -119,6 +119,7 @@ fn an_extension_keeps_a_problem_reserved_until_the_last_has_closed() {
         assert_eq!(store.open_assignments(closes).await.unwrap()[0].1.len(), 1);
         let found = store.extension(own.whole.assignment.key, own.member.key).await.unwrap().unwrap();
         assert_eq!(found.reason, "was ill");
+        assert_eq!(store.extensions_of(own.member.key).await.unwrap(), [found]);
         let shorter = AssignmentWithItems { revision: own.revision(&store).await, ..own.whole.clone() };
         assert!(store.save_assignment(&shorter, &own.entry(61)).await.unwrap());
         assert_eq!(open(closes.after(999)).await, 1, "a change of the assignment forgets no extension");

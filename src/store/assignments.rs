@@ -147,6 +147,15 @@ impl Store {
         self.records(statement.bind(assignment.to_string())).await
     }
 
+    /// The extensions of one student, in every assignment of the course.
+    ///
+    /// # Errors
+    /// Where the database refuses.
+    pub async fn extensions_of(&self, member: Key<Member>) -> Result<Vec<Extension>, StoreFault> {
+        let statement = query("SELECT data FROM extension WHERE member = $1 ORDER BY assignment");
+        self.records(statement.bind(member.to_string())).await
+    }
+
     /// The extension of one student.
     ///
     /// # Errors

@@ -1,9 +1,9 @@
 //! Nobody sees or does what is not theirs: every address, as everybody.
 
-use momentous::course::Role;
+use momentous::course::{Course, Member, Role};
 use momentous::web::{Who, addresses};
 
-use super::university::University;
+use super::university::{DAY, University};
 
 /// Everybody, with their role in the first course, and whether they run the server.
 const EVERYBODY: [(Option<&str>, Option<Role>, bool); 6] = [
@@ -66,4 +66,26 @@ fn no_page_of_a_course_is_kept_by_a_cache() {
     for address in ["/courses", &university.address("")] {
         assert_eq!(ada.get(address).header("cache-control"), Some("no-store"), "{address}");
     }
+}
+
+#[test]
+fn who_teaches_one_course_looks_up_no_open_problem_of_another_where_it_learns() {
+    let university = University::new();
+    university.assignment(&[("impact/two-carts", "forward", 5)], |_| {});
+    let teaches = Member {
+        key: University::member("ada elsewhere"),
+        course: university.other.key,
+        person: University::key("ada"),
+        role: Role::Instructor,
+        section: String::new(),
+        left: None,
+    };
+    university.wait(async |store| store.save_members(&[], &[teaches], &University::entry(60)).await).unwrap();
+    let look = |of: &Course, problem: &str| format!("/courses/{}/look?problem={problem}", of.key);
+    let mut ada = university.browser_of("ada");
+    assert_eq!(ada.get(&look(&university.other, "impact/two-carts")).status, 403, "with its answers");
+    assert_eq!(ada.get(&look(&university.other, "impulse/parcel-push")).status, 200);
+    assert_eq!(university.browser_of("ida").get(&look(&university.course, "impact/two-carts")).status, 200);
+    university.set_clock(3 * DAY + 1);
+    assert_eq!(ada.get(&look(&university.other, "impact/two-carts")).status, 200, "it has closed");
 }

@@ -184,6 +184,25 @@ fn points_set_by_hand_have_a_reason_and_nothing_before_is_lost() {
 }
 
 #[test]
+fn a_student_who_has_opened_nothing_can_have_points_and_finds_the_same_sheet() {
+    let handed = Handed::new();
+    let mut ida = handed.university.browser_of("ida");
+    let address = |login: &str, path: &str| handed.item(&format!("/students/{}{path}", University::member(login)));
+    assert!(ida.get(&address("bob", "")).text(200).contains("has not opened this problem"));
+    ida.post(&address("bob", "/points"), &[("points", "6"), ("reason", "did it on paper")]).to();
+    let page = ida.get(&handed.assignment("/gradebook")).text(200);
+    assert!(page.contains(">6</a> <span class=\"count\">by hand</span>"), "{page}");
+    let sheets = || handed.university.wait(async |store| store.sheets_of(University::member("bob")).await).unwrap();
+    let given = sheets();
+    assert_eq!(given.len(), 1);
+    handed.university.browser_of("bob").get(&handed.item("")).text(200);
+    assert_eq!(sheets(), given, "the page draws no other sheet");
+    let refused = ida.post(&address("ann", "/points"), &[("points", "6"), ("reason", "she helps")]);
+    assert!(refused.text(409).contains("nly students of the course have points"));
+    assert!(!ida.get(&address("ann", "")).text(200).contains("Set points by hand"));
+}
+
+#[test]
 fn a_redacted_answer_is_gone_and_its_points_stay() {
     let handed = Handed::new();
     let mut ida = handed.university.browser_of("ida");
@@ -222,7 +241,7 @@ fn a_corrected_problem_is_previewed_and_taken_in_once() {
     // Of 2 + 2 + 1 points Ada has 2; of 7 + 2 + 1 she has 7.
     handed.publish(&text().replace("v_A2, unit: m/s, points: 2", "v_A2, unit: m/s, points: 7"));
     let page = ida.get(&address).text(200);
-    assert!(page.contains("Of 1 sheet it draws 0 otherwise"), "{page}");
+    assert!(page.contains("It draws every sheet as it was handed out (1)"), "{page}");
     assert!(
         page.contains("<th scope=\"row\">ada &lt;script&gt;</th><td>4</td><td>7</td><td>10</td><td>–</td>"),
         "{page}"

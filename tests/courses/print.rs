@@ -34,6 +34,14 @@ fn a_printed_sheet_is_the_one_that_the_student_sees() {
     assert_eq!(again, sheets);
     let key = ida.get(&format!("{print}/key")).text(200);
     assert!(key.contains("ada &lt;script&gt; (ada)") && key.contains("m/s"), "{key}");
+    assert_eq!(ida.get(&format!("{print}/key?as=scroll")).status, 404);
+    let pdf = ida.get(&format!("{print}/key?as=pdf"));
+    assert_eq!(ida.get(&print).text(200).contains("?as=pdf"), cfg!(feature = "pdf"), "what is offered is there");
+    if cfg!(feature = "pdf") {
+        assert_eq!(pdf.header("content-type"), Some("application/pdf"));
+    } else {
+        assert_eq!(pdf.status, 404);
+    }
     for login in ["ada", "ann"] {
         assert_eq!(university.browser_of(login).get(&format!("{print}/key")).status, 403, "{login}");
     }

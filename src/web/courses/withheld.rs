@@ -10,7 +10,9 @@ use crate::problem::Problem;
 use crate::store::{Store, StoreFault, TicketKind};
 
 use super::super::app::App;
+use super::outcome::NotShown;
 use super::session;
+use super::visit::Visit;
 
 /// The problems that practice, own numbers, solutions, playing and calls refuse to a visitor: those of open assignments, unless the
 /// visitor teaches their courses.
@@ -41,6 +43,23 @@ impl Withheld {
         let mut reserved = Reserved::default();
         for (whole, extensions) in open.iter().filter(|(whole, _)| !taught.contains(&whole.assignment.course)) {
             reserved.add(&whole.assignment, &whole.items, extensions, now);
+        }
+        Ok(Self(reserved))
+    }
+
+    /// What is withheld from somebody who may see what practice refuses: problems of open assignments in which that person is a student.
+    pub(super) async fn from_student(visit: &Visit) -> Result<Self, NotShown> {
+        let person = visit.person()?.key;
+        let places = visit.store().courses_of(person).await?.into_iter();
+        let attended: BTreeSet<Key<Course>> =
+            places.filter(|own| !own.member.role.is_staff()).map(|own| own.course.key).collect();
+        let mut reserved = Reserved::default();
+        if !attended.is_empty() {
+            for (whole, extensions) in visit.store().open_assignments(visit.now).await? {
+                if attended.contains(&whole.assignment.course) {
+                    reserved.add(&whole.assignment, &whole.items, &extensions, visit.now);
+                }
+            }
         }
         Ok(Self(reserved))
     }

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::course::{Attempt, Item, Override, Sheet, StoredPart, StoredReport, is_redacted};
+use crate::course::{Attempt, Item, Override, Role, Sheet, StoredPart, StoredReport, is_redacted};
 use crate::grade::Points;
 use crate::laws::wrong;
 use crate::store::{AssignmentWithItems, Membership};
@@ -23,13 +23,15 @@ struct AnswersPage {
     member: String,
     name: String,
     points: u32,
-    /// Whether the student has seen the problem.
+    /// When the student was given the problem: by opening it, on paper, or with points set by hand.
     seen: Option<String>,
     /// The text of the sheet as it was shown.
     statement: String,
     attempts: Vec<AttemptShown>,
     by_hand: Vec<ByHandShown>,
     decides: bool,
+    /// Whether points can be set: those of students.
+    is_student: bool,
     typed: Typed,
 }
 
@@ -92,6 +94,26 @@ impl Place {
         Ok(Self { whole, item, student, sheet })
     }
 
+    /// The sheet that counts. A student who has not opened the problem is given it now, as on paper: points stand on a sheet.
+    pub(super) async fn issued(&self, visit: &Visit) -> Result<Sheet, NotShown> {
+        if let Some(sheet) = &self.sheet {
+            return Ok(sheet.clone());
+        }
+        let member = &self.student.member;
+        if member.role != Role::Student {
+            return Err(NotShown::Conflict("only students of the course have points".to_owned()));
+        }
+        let whole = items::pinned_now(visit, self.whole.clone()).await?;
+        let item = whole.items.into_iter().find(|own| own.key == self.item.key).unwrap_or_else(|| self.item.clone());
+        let problem = items::problem(visit, &item).await?;
+        let (course, member, now) = (visit.course()?.clone(), member.key, visit.now);
+        let (of, issue) = (item.key, item.issue);
+        let sheet = visit.work(move |_| items::sheet(&course, member, &item, &problem, now)).await?;
+        visit.store().add_sheet(&sheet).await?;
+        // The student may have opened the problem meanwhile: the first sheet that is kept counts.
+        Ok(visit.store().sheet(of, member, issue).await?.unwrap_or(sheet))
+    }
+
     /// The address of the page.
     pub(super) fn address(&self, visit: &Visit) -> Result<String, NotShown> {
         visit.in_course(&format!("/items/{}/students/{}", self.item.key, self.student.member.key))
@@ -127,7 +149,8 @@ pub(super) async fn page(visit: &Visit, place: &Place, typed: Typed) -> Result<R
         statement: sheet.as_ref().map(|sheet| sheet.issued.statement.clone()).unwrap_or_default(),
         attempts: attempts.iter().zip(&reports).map(|(own, report)| shown(own, report, counting, zone)).collect(),
         by_hand: by_hand.iter().filter(is_own).map(|own| set(own, zone)).collect(),
-        decides: visit.place()?.member.role == crate::course::Role::Instructor,
+        decides: visit.place()?.member.role == Role::Instructor,
+        is_student: student.member.role == Role::Student,
         typed,
     };
     visit.page("courses/grades/answers", page).await

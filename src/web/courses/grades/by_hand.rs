@@ -17,12 +17,6 @@ pub(in crate::web::courses) async fn set_points(visit: &Visit) -> Result<Reply, 
         let typed = Typed { points: points.clone(), reason: reason.clone(), fault: Some(fault) };
         Ok(page(visit, &place, typed).await?.wrong())
     };
-    let Some(sheet) = &place.sheet else {
-        return wrong(
-            "the student has not seen this problem, so there is no sheet whose points could be set".to_owned(),
-        )
-        .await;
-    };
     if reason.is_empty() {
         return wrong("say why: it is kept with the marks".to_owned()).await;
     }
@@ -30,6 +24,7 @@ pub(in crate::web::courses) async fn set_points(visit: &Visit) -> Result<Reply, 
         Ok(read) => read,
         Err(fault) => return wrong(fault).await,
     };
+    let sheet = &place.issued(visit).await?;
     let by = visit.person()?.key;
     let what = if read.is_some() { "points set by hand" } else { "points of marking count again" };
     let detail = format!("sheet {}: {}", sheet.key, read.as_deref().unwrap_or("as marked"));

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use crate::course::{Draft, Extension, Key, Override, Person, Role, Sheet, StudentData, Window};
+use crate::course::{Draft, Key, Override, Person, Role, Sheet, StudentData, Window};
 use crate::store::Membership;
 
 use super::super::outcome::NotShown;
@@ -59,12 +59,12 @@ pub(in crate::web::courses) async fn data(visit: &Visit) -> Result<Reply, NotSho
     let own = class::member(visit).await?;
     let store = visit.store();
     let mut windows = BTreeMap::new();
-    let (mut extensions, mut items, mut by_hand): (Vec<Extension>, BTreeMap<_, _>, Vec<Override>) = Default::default();
+    let extensions = store.extensions_of(own.member.key).await?;
+    let (mut items, mut by_hand): (BTreeMap<_, _>, Vec<Override>) = Default::default();
     for assignment in store.assignments(place.course.key).await? {
-        let extension = store.extension(assignment.key, own.member.key).await?;
-        let window = Window::of(&assignment.policy, extension.as_ref(), &place.course.zone);
+        let extension = extensions.iter().find(|extension| extension.assignment == assignment.key);
+        let window = Window::of(&assignment.policy, extension, &place.course.zone);
         windows.insert(assignment.key, window);
-        extensions.extend(extension);
         by_hand.extend(store.set_by_hand(assignment.key).await?);
         let whole = store.assignment(assignment.key).await?;
         items.extend(whole.into_iter().flat_map(|own| own.items).map(|item| (item.key, item.assignment)));

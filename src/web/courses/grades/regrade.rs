@@ -91,6 +91,8 @@ fn shown(own: &Corrected, name: impl Fn(&Effect) -> String) -> ItemShown {
         after: choices.iter().map(|choice| points(effect.score(*choice))).collect(),
     };
     let is_changed = |effect: &&Effect| choices.iter().any(|choice| effect.changes(*choice));
+    let mut changes: Vec<Change> = own.effects.iter().filter(is_changed).map(change).collect();
+    changes.sort_by_cached_key(|own| own.name.to_lowercase());
     let offered = CHOICES.into_iter().filter(|(choice, ..)| choices.contains(choice));
     ItemShown {
         key: own.item.key.to_string(),
@@ -103,7 +105,7 @@ fn shown(own: &Corrected, name: impl Fn(&Effect) -> String) -> ItemShown {
         choices: offered
             .map(|(choice, name, says)| ChoiceShown { name, says, changes: count(&|effect| effect.changes(choice)) })
             .collect(),
-        changes: own.effects.iter().filter(is_changed).map(change).collect(),
+        changes,
     }
 }
 

@@ -1,6 +1,7 @@
 //! The sheets of a class on paper, and their key: documents to save and to print.
 
 use std::collections::BTreeMap;
+use std::path::Path;
 use std::sync::Arc;
 
 use serde::Serialize;
@@ -8,8 +9,11 @@ use serde::Serialize;
 use crate::course::{Item, Key, Member, Role, Sheet};
 use crate::exercise::Exercise;
 use crate::exercise::calls::Refused;
+use crate::fault::Faults;
 use crate::problem::Problem;
 use crate::render;
+#[cfg(feature = "pdf")]
+use crate::render::Press;
 use crate::render::{Format, KeyRow, Page, Renderer, SheetPart};
 use crate::store::{AssignmentWithItems, Membership};
 
@@ -27,6 +31,46 @@ struct PrintPage {
     students: usize,
     sheets: usize,
     pinned: bool,
+    /// Whether this program makes PDF.
+    pdf: bool,
+}
+
+/// What a document is written as.
+#[derive(Clone, Copy)]
+enum Paper {
+    Html,
+    #[cfg(feature = "pdf")]
+    Pdf,
+}
+
+impl Paper {
+    /// What the address asks for.
+    fn asked(visit: &Visit) -> Result<Self, NotShown> {
+        match visit.fields.get("as") {
+            None => Ok(Self::Html),
+            #[cfg(feature = "pdf")]
+            Some("pdf") => Ok(Self::Pdf),
+            Some(_) => Err(NotShown::missing("this program prints no such kind of document")),
+        }
+    }
+
+    /// The end of a file's name, and what is in it.
+    fn kind(self) -> (&'static str, &'static str) {
+        match self {
+            Self::Html => ("html", "text/html; charset=utf-8"),
+            #[cfg(feature = "pdf")]
+            Self::Pdf => ("pdf", "application/pdf"),
+        }
+    }
+
+    fn bytes(self, pages: &[Page], templates: Option<&Path>) -> Result<Vec<u8>, Faults> {
+        let renderer = Renderer::new(templates)?.with_font();
+        match self {
+            Self::Html => Ok(renderer.render(pages, Format::Html)?.text.into_bytes()),
+            #[cfg(feature = "pdf")]
+            Self::Pdf => Press::new(templates)?.pdf(&renderer.render(pages, Format::Typst)?.text),
+        }
+    }
 }
 
 /// A drawn sheet, whose it is, and what it is worth.
@@ -45,6 +89,7 @@ pub(in crate::web::courses) async fn page(visit: &Visit) -> Result<Reply, NotSho
         students,
         sheets: students * counted(&whole).count(),
         pinned: whole.assignment.pinned.is_some(),
+        pdf: cfg!(feature = "pdf"),
         key: whole.assignment.key.to_string(),
         assignment: whole.assignment.title,
     };
@@ -55,7 +100,7 @@ pub(in crate::web::courses) async fn page(visit: &Visit) -> Result<Reply, NotSho
 pub(in crate::web::courses) async fn sheets(visit: &Visit) -> Result<Reply, NotShown> {
     let printed = drawn(visit).await?;
     let pages = printed.iter().map(|own| Page::Sheet(sheet(own))).collect();
-    document(visit, "sheets.html", pages).await
+    document(visit, "sheets", pages).await
 }
 
 /// The answers of every student.
@@ -71,16 +116,14 @@ pub(in crate::web::courses) async fn key(visit: &Visit) -> Result<Reply, NotShow
     };
     let title = assignment::of(visit).await?.assignment.title;
     let rows = printed.iter().flat_map(named).collect();
-    document(visit, "key.html", vec![Page::Key(render::Key { title, rows })]).await
+    document(visit, "key", vec![Page::Key(render::Key { title, rows })]).await
 }
 
 async fn document(visit: &Visit, name: &str, pages: Vec<Page>) -> Result<Reply, NotShown> {
-    let written = visit.work(move |app| {
-        let renderer = Renderer::new(app.settings.templates.as_deref())?.with_font();
-        Ok(renderer.render(&pages, Format::Html)?.text)
-    });
-    let bytes = written.await?.into_bytes();
-    Ok(Reply::Download { name: name.to_owned(), kind: "text/html; charset=utf-8", bytes })
+    let paper = Paper::asked(visit)?;
+    let (end, kind) = paper.kind();
+    let bytes = visit.work(move |app| Ok(paper.bytes(&pages, app.settings.templates.as_deref())?)).await?;
+    Ok(Reply::Download { name: format!("{name}.{end}"), kind, bytes })
 }
 
 /// A sheet without what costs points, and with the points of the assignment.

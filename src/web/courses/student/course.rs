@@ -33,9 +33,11 @@ pub(in crate::web::courses) async fn course(visit: &Visit) -> Result<Reply, NotS
     let place = visit.place()?;
     let all = visit.store().assignments(place.course.key).await?;
     let is_seen = |own: &Assignment| own.policy.opens <= visit.now || place.member.role.is_staff();
+    let extensions = visit.store().extensions_of(place.member.key).await?;
     let mut assignments = Vec::new();
     for own in all.into_iter().filter(is_seen) {
-        let window = window(visit, &own).await?;
+        let extension = extensions.iter().find(|extension| extension.assignment == own.key);
+        let window = Window::of(&own.policy, extension, &place.course.zone);
         assignments.push(OwnAssignment::of(visit, &own, &window)?);
     }
     let page = CoursePage { title: place.course.title.clone(), assignments };

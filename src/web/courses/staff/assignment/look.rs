@@ -14,6 +14,7 @@ use super::super::super::items;
 use super::super::super::outcome::NotShown;
 use super::super::super::reply::Reply;
 use super::super::super::visit::Visit;
+use super::super::super::withheld::Withheld;
 
 /// The seeds that are shown.
 const SEEDS: [u64; 3] = [1, 2, 3];
@@ -45,6 +46,7 @@ struct Answer {
 /// A problem that an assignment can have.
 pub(in crate::web::courses) async fn look(visit: &Visit) -> Result<Reply, NotShown> {
     let name = visit.fields.get("problem").unwrap_or_default();
+    Withheld::from_student(visit).await?.check(name)?;
     let problem = items::problem(visit, &items::unpinned(name)).await?;
     let forms: Vec<String> = problem.forms().iter().filter_map(|form| form.question.name.clone()).collect();
     let form = visit.fields.get("form").map(str::to_owned).or_else(|| forms.first().cloned());
