@@ -55,6 +55,17 @@ pub struct Course {
     pub created: Moment,
 }
 
+/// The milliseconds of a day.
+const DAY: i64 = 86_400_000;
+
+impl Course {
+    /// Until when answers are kept, by the close of the last assignment; nothing where they are kept without end.
+    #[must_use]
+    pub fn keeps_until(&self, closes: Moment) -> Option<Moment> {
+        Some(closes.after(i64::from(self.retention_days?).saturating_mul(DAY)))
+    }
+}
+
 /// What somebody is in a course, each with the rights of those before it.
 #[derive(Clone, Copy, Debug, Deserialize, Eq, Hash, Ord, PartialEq, PartialOrd, Serialize)]
 #[serde(rename_all = "snake_case")]

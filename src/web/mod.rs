@@ -16,6 +16,7 @@ mod observed;
 mod page_faults;
 mod pages;
 mod parameters;
+pub mod retention;
 mod routes;
 mod server;
 mod settings;

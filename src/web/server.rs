@@ -38,12 +38,16 @@ pub enum NotServed {
 /// The link with which the first operator signs in.
 const FIRST: &str = "operator";
 
-/// Serves until the program is told to stop (Ctrl-C, or SIGTERM); requests under way are answered first. `ready` hears the address as
-/// soon as there is one, and the path of a link for the first operator where nobody can sign in yet.
+/// Serves until the program is told to stop (Ctrl-C, or SIGTERM); requests under way are answered first. `clock` says what is in time.
+/// `ready` hears the address as soon as there is one, and the path of a link for the first operator where nobody can sign in yet.
 ///
 /// # Errors
 /// Where the bank or a template cannot be read, or the address is taken.
-pub fn serve(settings: Settings, ready: impl FnOnce(SocketAddr, Option<String>)) -> Result<(), NotServed> {
+pub fn serve(
+    settings: Settings,
+    clock: Clock,
+    ready: impl FnOnce(SocketAddr, Option<String>),
+) -> Result<(), NotServed> {
     let (bind, metrics, data) = (settings.bind, settings.metrics, settings.data.clone());
     let mut app = App::new(settings)?;
     Builder::new_multi_thread().enable_all().build()?.block_on(async {
@@ -51,9 +55,9 @@ pub fn serve(settings: Settings, ready: impl FnOnce(SocketAddr, Option<String>))
         if let Some(address) = data {
             let store = Store::serve(&address).await?;
             if store.is_empty().await? {
-                first = invite::add(&store, FIRST, "Operator", true, &Clock::default()).await?;
+                first = invite::add(&store, FIRST, "Operator", true, &clock).await?;
             }
-            app = app.with_courses(Courses::new(store, Clock::default()));
+            app = app.with_courses(Courses::new(store, clock));
         }
         let app = Arc::new(app);
         let listener = listening(bind).await?;

@@ -25,7 +25,7 @@ fn commands() -> Vec<(usize, Vec<String>)> {
 #[test]
 fn every_command_and_option_exists() {
     let room = folder();
-    let subcommands = ["check", "backup", "restore", "user"];
+    let subcommands = ["check", "backup", "restore", "retention", "user"];
     let mut met = BTreeSet::new();
     for (line, words) in commands() {
         let mut asked: Vec<&str> = vec!["serve"];
@@ -52,7 +52,7 @@ fn every_command_and_option_exists() {
             assert!(offered.contains(option), "docs/serving.md:{line}: {asked:?} has no {option}");
         }
     }
-    let expected = ["", "backup", "check", "restore", "user add", "user link"].map(str::to_owned);
+    let expected = ["", "backup", "check", "restore", "retention", "user add", "user link"].map(str::to_owned);
     assert_eq!(met, BTreeSet::from(expected), "the page shows every command");
 }
 

@@ -6,6 +6,7 @@ mod copy;
 mod data;
 mod finding;
 mod folder;
+mod retention;
 mod setup;
 mod user;
 
@@ -13,6 +14,7 @@ use clap::Args;
 use clap::Subcommand;
 
 use crate::store::Address;
+use crate::web::Clock;
 use crate::web::NotServed;
 use crate::web::Settings;
 use crate::web::serve;
@@ -54,6 +56,7 @@ enum Beside {
     Backup(copy::Backup),
     Check(check::Check),
     Restore(copy::Restore),
+    Retention(retention::Retention),
     User(user::User),
 }
 
@@ -63,6 +66,7 @@ impl Serve {
             Some(Beside::Backup(backup)) => backup.run(),
             Some(Beside::Check(check)) => check.run(),
             Some(Beside::Restore(restore)) => restore.run(),
+            Some(Beside::Retention(retention)) => retention.run(),
             Some(Beside::User(user)) => user.run(),
             None => self.serve(),
         }
@@ -71,7 +75,7 @@ impl Serve {
     fn serve(&self) -> Result<Exit, Failure> {
         let settings = Settings { log: !self.quiet, ..self.setup.settings() };
         let (base_url, path) = (&self.setup.base_url, settings.base_path.clone());
-        let told = serve(settings, |address, first| {
+        let told = serve(settings, Clock::default(), |address, first| {
             let page = |path: &str| match &base_url.host {
                 Some(host) => format!("{}://{host}{path}", if base_url.is_secure { "https" } else { "http" }),
                 None => format!("http://{address}{path}"),

@@ -2,15 +2,12 @@
 
 use serde::Serialize;
 
-use crate::course::Moment;
 use crate::store::Records;
 
+use super::super::super::retention::{DELETED, Retained};
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
 use super::super::visit::Visit;
-
-/// The milliseconds of a day.
-const DAY: i64 = 86_400_000;
 
 #[derive(Serialize)]
 struct RetentionPage {
@@ -24,12 +21,9 @@ struct RetentionPage {
     fault: Option<&'static str>,
 }
 
-/// When the last assignment closes for anybody, and when answers have been kept long enough.
-async fn ends(visit: &Visit) -> Result<(Option<Moment>, Option<Moment>), NotShown> {
-    let course = visit.course()?;
-    let closes = visit.store().last_close(course.key).await?;
-    let kept = course.retention_days.map(|days| i64::from(days).saturating_mul(DAY));
-    Ok((closes, closes.zip(kept).map(|(closes, kept)| closes.after(kept))))
+/// What the course keeps now.
+async fn retained(visit: &Visit) -> Result<Retained, NotShown> {
+    Ok(Retained::of(visit.store(), visit.course()?.clone(), visit.now).await?)
 }
 
 /// What would be deleted, and when.
@@ -38,15 +32,14 @@ pub(in crate::web::courses) async fn retention(visit: &Visit) -> Result<Reply, N
 }
 
 async fn page(visit: &Visit, fault: Option<&'static str>) -> Result<Reply, NotShown> {
-    let course = visit.course()?;
-    let (closes, ends) = ends(visit).await?;
+    let Retained { course, closes, until, is_over, records } = retained(visit).await?;
     let page = RetentionPage {
         title: "Retention",
         days: course.retention_days,
         closes: closes.map(|closes| closes.shown(&course.zone)),
-        ends: ends.map(|ends| ends.shown(&course.zone)),
-        is_over: ends.is_some_and(|ends| visit.now > ends),
-        records: visit.store().records_of(course.key).await?,
+        ends: until.map(|until| until.shown(&course.zone)),
+        is_over,
+        records,
         fault,
     };
     visit.page("courses/grades/retention", page).await
@@ -54,8 +47,8 @@ async fn page(visit: &Visit, fault: Option<&'static str>) -> Result<Reply, NotSh
 
 /// Deletes what students handed in, once it was kept long enough.
 pub(in crate::web::courses) async fn forget(visit: &Visit) -> Result<Reply, NotShown> {
-    let (_, ends) = ends(visit).await?;
-    if ends.is_none_or(|ends| visit.now <= ends) {
+    let retained = retained(visit).await?;
+    if !retained.is_over {
         return Ok(page(visit, Some("the answers have not been kept as long as the course says")).await?.wrong());
     }
     if visit.fields.get("sure") != Some("yes") {
@@ -63,8 +56,6 @@ pub(in crate::web::courses) async fn forget(visit: &Visit) -> Result<Reply, NotS
             .await?
             .wrong());
     }
-    let records = visit.store().records_of(visit.course()?.key).await?;
-    let detail = format!("{} sheets with {} attempts", records.sheets, records.attempts);
-    visit.store().forget_answers(visit.course()?.key, &visit.entry("answers deleted", detail)).await?;
+    visit.store().forget_answers(retained.course.key, &visit.entry(DELETED, retained.detail())).await?;
     Ok(Reply::To(visit.in_course("/retention")?))
 }

@@ -1,0 +1,50 @@
+//! `momentous serve retention`
+
+use clap::Args;
+
+use crate::web::Clock;
+use crate::web::retention::Retained;
+
+use super::super::exit::Exit;
+use super::super::failure::Failure;
+use super::super::output::Output;
+use super::data::Data;
+
+/// Say until when each course keeps answers, and delete those that were kept long enough
+#[derive(Args, Debug)]
+pub(super) struct Retention {
+    #[command(flatten)]
+    data: Data,
+    /// Delete the answers of courses whose time is over, with their marks: save the gradebooks first
+    #[arg(long)]
+    delete: bool,
+}
+
+impl Retention {
+    pub(super) fn run(&self) -> Result<Exit, Failure> {
+        let clock = Clock::default();
+        let all = self.data.beside(async |store| {
+            let all = Retained::all(&store, &clock).await?;
+            if self.delete {
+                for own in &all {
+                    own.forget(&store, &clock).await?;
+                }
+            }
+            Ok(all)
+        })?;
+        let lines: String = all.iter().map(|own| self.line(own)).collect();
+        Output::whole(None, if lines.is_empty() { "There is no course.\n" } else { &lines })?;
+        Ok(Exit::Fine)
+    }
+
+    fn line(&self, own: &Retained) -> String {
+        let state = match own.until.map(|until| until.shown(&own.course.zone)) {
+            Some(until) if !own.is_over => format!("kept until {until}"),
+            Some(_) if self.delete => "deleted".to_owned(),
+            Some(until) => format!("kept long enough since {until}; --delete deletes them"),
+            None if own.course.retention_days.is_some() => "kept; there is no assignment".to_owned(),
+            None => "kept without end".to_owned(),
+        };
+        format!("{}: {}, {state}\n", own.course.title, own.detail())
+    }
+}
