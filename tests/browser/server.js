@@ -18,6 +18,12 @@ export const program =
   ["release", "debug"].map((kind) => join(project, "target", kind, "momentous")).find(existsSync) ??
   "momentous";
 
+/** The same server with a clock that a test sets: CLOCKED, else the example `clocked` as the last build made it. */
+const clocked_program =
+  process.env.CLOCKED ??
+  ["release", "debug"].map((kind) => join(project, "target", kind, "examples/clocked")).find(existsSync) ??
+  "clocked";
+
 /** The browser: CHROMIUM, else Debian's. */
 const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
 
@@ -43,18 +49,56 @@ export async function start(more = []) {
     stdio: ["ignore", "pipe", "inherit"],
   });
   const lines = createInterface({ input: server.stdout });
-  const first = await Promise.race([once(lines, "line"), once(server, "exit"), once(server, "error")]);
-  const url = String(first[0]).match(/http:\/\/\S+/)?.[0]?.replace(/\/$/, "");
-  if (!url) throw new Error(`${program} serve did not start: ${first[0]}`);
+  const url = (await first_address(server, lines, "serve")).replace(/\/$/, "");
+  return { url, folder, stop: () => stopped(server, folder) };
+}
+
+/**
+ * Starts the server in an empty folder with a clock that stands where the test puts it.
+ * @param {string} moment when it begins, as ISO 8601
+ * @returns {Promise<{ url: string, link: string, folder: string, set: (moment: string) => Promise<void>, stop: () => Promise<void> }>}
+ *   with the link by which the first operator signs in
+ */
+export async function start_clocked(moment) {
+  const folder = mkdtempSync(join(tmpdir(), "momentous-"));
+  const server = spawn(clocked_program, [program], { cwd: folder, stdio: ["pipe", "pipe", "inherit"] });
+  const lines = createInterface({ input: server.stdout });
+  server.stdin.write(`${Date.parse(moment)}\n`);
+  const link = await first_address(server, lines, "clocked");
   return {
-    url,
+    url: new URL(link).origin,
+    link,
     folder,
-    stop: async () => {
-      server.kill("SIGTERM");
-      if (server.exitCode === null) await once(server, "exit");
-      rmSync(folder, { recursive: true, force: true });
+    set: async (moment) => {
+      const heard = once(lines, "line");
+      server.stdin.write(`${Date.parse(moment)}\n`);
+      await heard;
     },
+    stop: () => stopped(server, folder),
   };
+}
+
+/**
+ * The address that a server prints first.
+ * @param {import("node:child_process").ChildProcess} server
+ * @param {import("node:readline").Interface} lines
+ * @param {string} name
+ */
+async function first_address(server, lines, name) {
+  const first = await Promise.race([once(lines, "line"), once(server, "exit"), once(server, "error")]);
+  const address = String(first[0]).match(/http:\/\/\S+/)?.[0];
+  if (!address) throw new Error(`${name} did not start: ${first[0]}`);
+  return address;
+}
+
+/**
+ * @param {import("node:child_process").ChildProcess} server
+ * @param {string} folder
+ */
+async function stopped(server, folder) {
+  server.kill("SIGTERM");
+  if (server.exitCode === null) await once(server, "exit");
+  rmSync(folder, { recursive: true, force: true });
 }
 
 /** A headless browser. */
