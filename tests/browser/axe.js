@@ -1,4 +1,4 @@
-// What makes a page hard to use for somebody: what axe-core finds, and what lies beyond its window.
+// What makes a page hard to use for somebody: what axe-core finds, what lies beyond its window, and what is cut off.
 
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -11,14 +11,48 @@ const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.mi
  * @returns {Promise<string[]>}
  */
 export async function barriers(page) {
-  const beyond = await page.evaluate(() => {
-    const root = document.documentElement;
-    return root.scrollWidth - root.clientWidth;
-  });
+  const cut = await cut_off(page);
   await page.addScriptTag({ content: axe });
   const found = await page.evaluate("axe.run()");
   const violations = found.violations.map(
     (/** @type {any} */ own) => `${own.id}: ${own.nodes.map((/** @type {any} */ node) => node.html).join("; ")}`,
   );
-  return beyond > 0 ? [`${beyond} px too wide`, ...violations] : violations;
+  return [...cut, ...violations];
+}
+
+/**
+ * What cannot be seen of the page that is shown without scrolling it sideways: what lies beyond the window, what an element hides of what is
+ * in it, choices longer than their field, and numbers longer than theirs.
+ * @param {import("playwright-core").Page} page
+ * @returns {Promise<string[]>}
+ */
+export function cut_off(page) {
+  return page.evaluate(() => {
+    const root = document.documentElement;
+    const beyond = root.scrollWidth - root.clientWidth;
+    const found = beyond > 0 ? [`${beyond} px too wide`] : [];
+    const name = (/** @type {Element} */ element) => element.outerHTML.slice(0, 120);
+    for (const element of document.querySelectorAll("body *")) {
+      if (!(element instanceof HTMLElement) || element.closest(".aside, .hidden, .skip, [hidden]")) continue;
+      if (!element.matches("input, select")) {
+        const { overflowX, overflowY } = getComputedStyle(element);
+        const is_hidden = (/** @type {string} */ overflow) => overflow === "hidden" || overflow === "clip";
+        // What is laid out below an equation's last line is no ink.
+        const is_low = element.scrollHeight > element.clientHeight + (element.matches(".equation") ? 8 : 1);
+        if ((is_hidden(overflowX) && element.scrollWidth > element.clientWidth + 1) || (is_hidden(overflowY) && is_low)) found.push(`hides a part: ${name(element)}`);
+      }
+      if (element.matches("input[type=number]") && element.scrollWidth > element.clientWidth + 1) found.push(`a number is cut: ${name(element)}`);
+    }
+    for (const select of document.querySelectorAll("select")) {
+      if (select.clientWidth === 0) continue;
+      // As wide as its longest choice wants it.
+      const free = /** @type {HTMLSelectElement} */ (select.cloneNode(true));
+      free.style.cssText = "position: absolute; width: auto; min-width: 0; max-width: none; visibility: hidden";
+      select.after(free);
+      const wanted = free.offsetWidth;
+      free.remove();
+      if (wanted > select.offsetWidth + 1) found.push(`a choice needs ${wanted} px of ${select.offsetWidth}: ${name(select)}`);
+    }
+    return found;
+  });
 }

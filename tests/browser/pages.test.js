@@ -32,7 +32,8 @@ const PAGES = [
   "/play/mass-centre/three-boats",
 ];
 
-const WIDTHS = [320, 768, 1280];
+/** The widths at which pages are read; 640 is a window of 1280 at 200 %. */
+const WIDTHS = [320, 640, 768, 1280];
 
 /** A page is looked at when its scripts have shown what they ask for. */
 const SHOWN = "article.simulator:not([data-state=waiting], [data-state=asking]), html[data-state=ready], main:not(:has(.simulator, .play, .answers))";
