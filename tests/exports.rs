@@ -44,7 +44,9 @@ fn questions(root: &Node) -> Vec<&Node> {
 /// Marks every form of the bank in a target.
 fn whole_bank(target: &str) -> Met {
     let mut met = Met::default();
-    forms().iter().for_each(|items| met += marked_as_here(target, items));
+    for items in forms() {
+        met += marked_as_here(target, items);
+    }
     met
 }
 
@@ -99,14 +101,18 @@ fn twenty(targets: impl Fn(usize) -> &'static [Target] + Sync) -> Met {
             let place = next.fetch_add(1, Ordering::Relaxed);
             let Some((problem, form)) = forms.get(place) else { return met };
             let items = variants(problem, *form, TWENTY);
-            targets(place).iter().for_each(|target| met += marked_as_here(target.name, &items));
+            for target in targets(place) {
+                met += marked_as_here(target.name, &items);
+            }
         }
     };
     let mut met = Met::default();
     thread::scope(|scope| {
         let workers: Vec<_> =
             (0..thread::available_parallelism().map_or(1, usize::from)).map(|_| scope.spawn(work)).collect();
-        workers.into_iter().for_each(|worker| met += worker.join().unwrap());
+        for worker in workers {
+            met += worker.join().unwrap();
+        }
     });
     met
 }
