@@ -48,7 +48,9 @@ fn every_form_reads_well() {
 fn every_form_has_its_record() {
     for exercise in EXERCISES.iter() {
         let record = serde_json::to_string_pretty(&exercise.record(None)).unwrap();
-        check(&format!("{}.json", problems::name(exercise)), &record);
+        // How tight a bound is depends on the way in which it was found; `tests/certificates.rs` judges bounds.
+        let lines: Vec<&str> = record.lines().filter(|line| !line.contains("\"error_bound\": ")).collect();
+        check(&format!("{}.json", problems::name(exercise)), &lines.join("\n"));
     }
 }
 

@@ -97,7 +97,7 @@ pub(in crate::web::courses) async fn erase(visit: &Visit) -> Result<Reply, NotSh
     let typed = visit.fields.get("login").unwrap_or_default().trim();
     let fault = match () {
         () if own.person.erased.is_some() => Some("this name is erased already"),
-        () if own.person.key == visit.person()?.key => Some("nobody erases the own name"),
+        () if own.person.key == visit.person()?.key => Some("nobody erases their own name"),
         () if (elsewhere || own.person.operator) && !is_operator => Some(
             "this person takes part in other courses or runs the server, so that only an operator who is in this course may do it",
         ),
