@@ -19,6 +19,18 @@ export const STUDENTS = FAMILY.flatMap((family, row) =>
 /** The roster as a table. */
 export const ROSTER = ["id,name,section", ...STUDENTS.map((own) => `${own.id},${own.name},${own.section}`), ""].join("\n");
 
+/** The fields of an assignment: its title, its times and what it takes off. */
+export const RULES = {
+  title: "Sheet 1",
+  opens: "2026-10-05T10:00",
+  due: "2026-10-12T18:00",
+  late_until: "2026-10-14T18:00",
+  late_penalty: "20 %",
+  closes: "2026-10-15T18:00",
+  attempts: "3",
+  attempt_penalty: "10 %",
+};
+
 /**
  * The cells of a table of comma-separated values.
  * @param {string} text

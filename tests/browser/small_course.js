@@ -1,7 +1,7 @@
 // A course with something on each of its pages, made without a browser: an assignment that is open, answers, points set by hand, more
 // time for somebody, and a problem that was corrected.
 
-import { Visitor, coupled, plain } from "./classroom.js";
+import { RULES, Visitor, coupled, plain } from "./classroom.js";
 import { start_clocked } from "./server.js";
 
 /** When the server's clock stands: the assignment is open. */
@@ -48,14 +48,7 @@ export async function small_course(students = ["bob", "cleo"]) {
   await operator.post(`${problem}/publish`, {});
   const fields = {
     do: "save",
-    title: "Sheet 1",
-    opens: "2026-10-05T10:00",
-    due: "2026-10-12T18:00",
-    late_until: "2026-10-14T18:00",
-    late_penalty: "20 %",
-    closes: "2026-10-15T18:00",
-    attempts: "3",
-    attempt_penalty: "10 %",
+    ...RULES,
     hint_penalty: "10 %",
     ...Object.fromEntries(PROBLEMS.flatMap((id, place) => [[`item.${place}.problem`, id], [`item.${place}.points`, "5"]])),
   };

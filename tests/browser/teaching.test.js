@@ -6,7 +6,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 
-import { ROSTER, STUDENTS, Visitor, cells_of, coupled, fields_of, key_of, plain } from "./classroom.js";
+import { ROSTER, RULES, STUDENTS, Visitor, cells_of, coupled, fields_of, key_of, plain } from "./classroom.js";
 import { browse, start_clocked, strict_page } from "./server.js";
 
 const guide = readFileSync(new URL("../../docs/teaching.md", import.meta.url), "utf8");
@@ -234,16 +234,7 @@ const TOUR = [
       await row.getByLabel("Place").fill(String(PROBLEMS.indexOf(problem) + 1));
       await row.getByLabel("Points").fill("10");
     }
-    for (const [field, text] of Object.entries({
-      title: "Sheet 1",
-      opens: "2026-10-05T10:00",
-      due: "2026-10-12T18:00",
-      late_until: "2026-10-14T18:00",
-      late_penalty: "20 %",
-      closes: "2026-10-15T18:00",
-      attempts: "3",
-      attempt_penalty: "10 %",
-    })) await page.locator(`input[name="${field}"]`).fill(text);
+    for (const [field, text] of Object.entries(RULES)) await page.locator(`input[name="${field}"]`).fill(text);
     await picture(page, "assignment", page.getByRole("region", { name: "Title and times" }));
     await page.getByRole("button", { name: "Keep", exact: true }).click();
     await page.getByRole("status").waitFor();
