@@ -82,7 +82,7 @@ fn sentence(display: Display<'_>, part: &Part) -> Vec<Inline> {
                 words.extend((index > 0).then(|| Inline::Text(" or ".into())));
                 words.push(Inline::Math(Math::Row(equal)));
             }
-            if let Some(direction) = direction(display, part, number) {
+            if let Some(direction) = direction(display, number) {
                 words.push(Inline::Text(format!(", {direction}")));
             }
             words.push(Inline::Text(".".into()));
@@ -182,14 +182,15 @@ pub(super) fn printed(display: Display<'_>, number: &NumberPart, answer: Bounded
 }
 
 /// The direction of a signed component in words: "to the left"; "at rest" for zero.
-fn direction(display: Display<'_>, part: &Part, number: &NumberPart) -> Option<String> {
+fn direction(display: Display<'_>, number: &NumberPart) -> Option<String> {
     let senses = display.manner(number.symbol).senses.as_ref()?;
     if display.worked.answers(number).len() > 1 {
         return None;
     }
     let value = display.worked.answer(number);
     if value.is_zero() {
-        return part.id.starts_with("v_").then(|| "at rest".to_owned());
+        let kind = &display.worked.problem.model().name(number.symbol).kind;
+        return kind.is_velocity().then(|| "at rest".to_owned());
     }
     if value.value >= 0.0 {
         return Some(senses.positive.clone());

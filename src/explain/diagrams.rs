@@ -5,6 +5,7 @@ use crate::model::ForceKind;
 use crate::model::Impulse;
 use crate::model::Model;
 use crate::model::Omitted;
+use crate::problem::PartKind;
 use crate::problem::Worked;
 use crate::scene::Scene;
 use crate::scene::Stage;
@@ -202,9 +203,10 @@ fn why_not_energy(worked: Worked<'_>) -> Option<Block> {
         1 => "impact",
         _ => "impacts",
     };
-    let told_energy =
-        worked.variant.all_given().iter().any(|(symbol, ..)| symbols.entry(*symbol).name.starts_with("T_"));
-    let on_energy = worked.form.parts.iter().any(|part| part.id.starts_with("T_"));
+    let is_energy = |symbol| worked.problem.model().name(symbol).kind.is_kinetic_energy();
+    let told_energy = worked.variant.all_given().iter().any(|(symbol, ..)| is_energy(*symbol));
+    let found = worked.form.parts.iter().filter(|part| !matches!(part.kind, PartKind::Choice(_)));
+    let on_energy = found.flat_map(|part| part.kind.wanted()).any(is_energy);
     (!told_energy).then(|| {
         let afterwards = if on_energy { " The energy is worked out afterwards, from the velocities." } else { "" };
         text(&format!(

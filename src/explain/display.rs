@@ -12,6 +12,7 @@ use crate::expr::LeafKind;
 use crate::expr::Math;
 use crate::expr::Operator;
 use crate::expr::Symbol;
+use crate::model::QuantityKind;
 use crate::problem::AskedUnit;
 use crate::problem::NumberPart;
 use crate::problem::Worked;
@@ -39,8 +40,19 @@ use super::way::Way;
 /// The most characters above or below the bar of a fraction that is printed as such.
 const SHORT_FRACTION: usize = 4;
 
-/// Units of the same size as a product of base units in which quantities are usually printed, by the beginnings of names.
-const USUAL: [(&str, &str); 3] = [("J_", "N s"), ("I_", "N s"), ("omega", "rad/s")];
+/// The unit in which a quantity is usually printed, of the same size as a product of base units.
+fn usual_unit(kind: &QuantityKind) -> Option<&'static str> {
+    match kind {
+        QuantityKind::Impulse
+        | QuantityKind::DeformationImpulse
+        | QuantityKind::RestitutionImpulse
+        | QuantityKind::TimeIntegral => Some("N s"),
+        QuantityKind::AngularVelocity => Some("rad/s"),
+        // Of the dimension of an energy, and none.
+        QuantityKind::Moment | QuantityKind::AngularMomentumRate => Some("N m"),
+        _ => None,
+    }
+}
 
 /// Shows the quantities of one variant.
 #[derive(Clone, Copy)]
@@ -169,17 +181,15 @@ impl<'a> Display<'a> {
     fn unit_chosen(self, symbol: Symbol) -> Unit {
         let problem = self.worked.problem;
         let entry = problem.model().symbols.entry(symbol);
+        let kind = &problem.model().name(symbol).kind;
         if entry.dimension == Dimension::NONE {
             return problem.unit_given(symbol).filter(|unit| unit.factor().pi != 0).unwrap_or_else(|| {
-                if is_angle(&entry.name) { Unit::parse("deg").unwrap_or_default() } else { Unit::none() }
+                if kind.is_angle() { Unit::parse("deg").unwrap_or_default() } else { Unit::none() }
             });
         }
         let coherent = coherent_unit(entry.dimension, problem.units());
         let spoken_of = problem.unit_given(symbol).or_else(|| self.asked_unit(symbol));
-        let usual = USUAL.iter().filter(|(start, _)| entry.name.starts_with(start)).map(|(_, unit)| *unit);
-        // Of the dimension of an energy, and none.
-        let moment = entry.meaning.contains("moment").then_some("N m");
-        let usual = usual.chain(moment).filter_map(|unit| Unit::parse(unit).ok());
+        let usual = usual_unit(kind).and_then(|unit| Unit::parse(unit).ok());
         let mut candidates = spoken_of.into_iter().flat_map(|unit| [unit.without_prefixes(), unit]).chain(usual);
         let same = |unit: &Unit| unit.dimension() == entry.dimension && unit.factor() == coherent.factor();
         candidates.find(same).unwrap_or(coherent)
@@ -371,8 +381,4 @@ pub(super) fn number_math(text: String) -> Math {
 /// A value to so many figures, as plain text.
 pub(super) fn printed(value: f64, figures: usize) -> String {
     Printed::new(value, figures).map_or_else(|| "?".into(), |printed| printed.plain())
-}
-
-fn is_angle(name: &str) -> bool {
-    name.starts_with("angle") || ["alpha", "beta", "theta", "phi", "psi"].iter().any(|greek| name.starts_with(greek))
 }

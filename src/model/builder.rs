@@ -32,8 +32,11 @@ use super::Impulse;
 use super::Influence;
 use super::Instance;
 use super::Integral;
+use super::Meaning;
+use super::Name;
 use super::Omission;
 use super::Omitted;
+use super::QuantityKind;
 use super::Reason;
 use super::Slope;
 use super::Warning;
@@ -52,6 +55,10 @@ pub struct Builder<'s> {
     pub(super) timeline: Timeline,
     pub(super) axes: Vec<(Axis, Senses)>,
     pub(super) symbols: SymbolTable,
+    /// What each symbol is.
+    pub(super) names: Vec<Name>,
+    /// Of components, what the whole vector is.
+    pub(super) vectors: BTreeMap<Symbol, Meaning>,
     pub(super) instances: Vec<Instance>,
     pub(super) reasons: Vec<Reason>,
     pub(super) system: System,
@@ -92,6 +99,8 @@ impl<'s> Builder<'s> {
             timeline: Timeline::new(scene),
             axes: scene.axes.rectangular(),
             symbols: SymbolTable::default(),
+            names: Vec::new(),
+            vectors: BTreeMap::new(),
             instances: Vec::new(),
             reasons: Vec::new(),
             system: System::default(),
@@ -118,14 +127,14 @@ impl<'s> Builder<'s> {
     }
 
     /// The symbol of that name, made if need be.
-    pub(super) fn symbol(
-        &mut self,
-        name: impl Into<String>,
-        dimension: Dimension,
-        meaning: impl Into<String>,
-    ) -> Symbol {
-        let (name, meaning) = (name.into(), meaning.into());
+    pub(super) fn symbol(&mut self, own: Name, dimension: Dimension, meaning: impl Into<String>) -> Symbol {
+        let (name, meaning) = (own.to_string(), meaning.into());
         let symbol = self.symbols.intern(SymbolEntry { name: name.clone(), dimension, meaning: String::new() });
+        match self.names.get_mut(symbol.index()) {
+            None => self.names.push(own),
+            Some(known) if matches!(known.kind, QuantityKind::Own(_)) => *known = own,
+            Some(_) => {}
+        }
         let given = self.symbols.entry(symbol).dimension;
         if given != dimension && self.given.contains(&name) && self.defined.insert(format!("clash {name}")) {
             let [expected, found] = [dimension, given].map(dimension_name);
@@ -141,15 +150,30 @@ impl<'s> Builder<'s> {
     }
 
     /// The same, for a quantity that is positive in every admissible solution.
-    pub(super) fn positive(
-        &mut self,
-        name: impl Into<String>,
-        dimension: Dimension,
-        meaning: impl Into<String>,
-    ) -> Symbol {
+    pub(super) fn positive(&mut self, name: Name, dimension: Dimension, meaning: impl Into<String>) -> Symbol {
         let symbol = self.symbol(name, dimension, meaning);
         self.system.positive.insert(symbol);
         symbol
+    }
+
+    /// The same, for a vector or for the component of it that the name says.
+    pub(super) fn component(&mut self, name: Name, dimension: Dimension, vector: Meaning) -> Symbol {
+        let which = name.component.as_ref().map_or_else(String::new, |letter| format!("the {letter}-component of "));
+        let symbol = self.symbol(name, dimension, format!("{which}{vector}"));
+        self.vectors.insert(symbol, vector);
+        symbol
+    }
+
+    /// What a quantity is: its name, taken apart.
+    #[must_use]
+    pub fn name(&self, symbol: Symbol) -> &Name {
+        &self.names[symbol.index()]
+    }
+
+    /// What the vector is of which a quantity is a component.
+    #[must_use]
+    pub fn vector_of(&self, component: Symbol) -> Option<String> {
+        self.vectors.get(&component).map(Meaning::to_string)
     }
 
     /// Adds one use of a law.
@@ -277,7 +301,7 @@ impl<'s> Builder<'s> {
                 let scene = self.scene;
                 Expr::sum(scene.division_of(body).into_iter().map(|part| self.mass(part)).collect::<Vec<_>>())
             }
-            None => self.positive(format!("m_{body}"), Dimension::MASS, meaning).into(),
+            None => self.positive(Name::of(QuantityKind::Mass, body), Dimension::MASS, meaning).into(),
         }
     }
 
@@ -296,21 +320,27 @@ impl<'s> Builder<'s> {
     /// A velocity component at an instant; under the instant since which the body has it.
     pub(super) fn velocity(&mut self, body: &str, instant: usize, axis: Axis) -> Expr {
         let since = self.timeline.since(body, instant).unwrap_or(instant);
-        if self.axes.len() == 1 {
-            return self.velocity_named(format!("v_{body}{since}"), body, since, "").into();
-        }
-        let letter = axis.letter();
-        let name = format!("v_{body}{since}.{letter}");
-        self.velocity_named(name, body, since, &format!("{letter}-component of the ")).into()
+        let name = Name::of(QuantityKind::Velocity, body).at(since).along(self.letter(axis));
+        self.velocity_named(name, body, since).into()
     }
 
-    /// The symbol of that name for the velocity of a body since an instant, or for a part of it.
-    pub(super) fn velocity_named(&mut self, name: String, body: &str, since: usize, part: &str) -> Symbol {
-        if let Some(known) = self.symbols.find(&name).filter(|known| self.symbols.is_described(*known)) {
+    /// The symbol of that name for the velocity of a body since an instant, or for a component of it.
+    pub(super) fn velocity_named(&mut self, name: Name, body: &str, since: usize) -> Symbol {
+        if let Some(known) = self.symbols.find(&name.to_string()).filter(|known| self.symbols.is_described(*known)) {
             return known;
         }
-        let meaning = format!("the {part}velocity of {} {}", self.called(body), self.when(since));
-        self.symbol(name, Dimension::VELOCITY, meaning)
+        let of = format!("of {} {}", self.called(body), self.when(since));
+        self.component(name, Dimension::VELOCITY, Meaning { noun: "the velocity", of })
+    }
+
+    /// An axis as it stands in the names of components; none where there is only one.
+    pub(super) fn letter(&self, axis: Axis) -> Option<&'static str> {
+        (self.axes.len() > 1).then_some(axis.letter())
+    }
+
+    /// The same in the words that follow what has the component: ` along x`.
+    pub(super) fn along(&self, axis: Axis) -> String {
+        self.letter(axis).map_or_else(String::new, |letter| format!(" along {letter}"))
     }
 
     /// All velocity components at an instant, in the order of the axes.
@@ -321,7 +351,8 @@ impl<'s> Builder<'s> {
 
     /// The acceleration of free fall.
     pub(super) fn gravity(&mut self) -> Expr {
-        self.positive("g", Dimension::ACCELERATION, "the acceleration of free fall").into()
+        self.positive(Name::of(QuantityKind::Gravity, ""), Dimension::ACCELERATION, "the acceleration of free fall")
+            .into()
     }
 
     /// When an instant is, as an adverbial phrase: `just after the impact`.

@@ -17,38 +17,51 @@ use crate::scene::stage::SlideOff;
 use crate::scene::stage::Walk;
 
 use super::Name;
+use super::QuantityKind;
+use super::VectorName;
+use super::name::MASS_CENTRE;
 use super::timeline::Timeline;
-
-/// The one kind of quantity that only a scene makes and whose name may stand without anything else.
-const WORK: &str = "work";
-/// Kinds of quantity that only a scene makes.
-const STRUCTURAL: &[&str] = &[
-    "v", "speed", "angle", "p", "J", "F_avg", "T", "T_lost", "T_gained", "J_def", "J_rest", "v_common", "T_rel",
-    "v_rel", "H", "W", WORK,
-];
-/// Kinds of quantity about a fixed point or the centre of mass, at an instant.
-const ABOUT: &[&str] = &["M", "H_rate"];
-/// Kinds of place, of a body at an instant.
-const PLACES: &[&str] = &["r", "x", "y", "z"];
 
 /// Whether a name is one that the scene makes by itself, rather than one that the author chose.
 pub(super) fn is_structural(scene: &Scene, name: &str) -> bool {
-    if name.starts_with("angle(") || name.starts_with("magnitude(") {
+    if VectorName::parse(name).is_some() {
         return true;
     }
     let Some(name) = Name::parse(name) else { return false };
-    if name.is_plain() && name.base != WORK {
+    // Only work may stand without anything else.
+    if name.is_plain() && name.kind != QuantityKind::Work {
         return false;
     }
     let timeline = Timeline::new(scene);
     let known_subject = name.subject.is_empty()
-        || name.subject == "G"
+        || name.is_of_mass_centre()
         || scene.points.contains_key(&name.subject)
         || timeline.bodies().any(|body| body == name.subject);
-    let is_place = PLACES.contains(&name.base.as_str()) && !name.subject.is_empty() && name.instant.is_some();
-    let is_about = ABOUT.contains(&name.base.as_str()) && name.instant.is_some();
-    let is_about = is_about && (name.subject == "G" || scene.points.contains_key(&name.subject));
-    known_subject && (STRUCTURAL.contains(&name.base.as_str()) || is_place || is_about)
+    known_subject
+        && match name.kind {
+            QuantityKind::Velocity
+            | QuantityKind::Speed
+            | QuantityKind::Direction(_)
+            | QuantityKind::Momentum
+            | QuantityKind::Impulse
+            | QuantityKind::MeanForce
+            | QuantityKind::KineticEnergy
+            | QuantityKind::EnergyLost
+            | QuantityKind::EnergyGained
+            | QuantityKind::DeformationImpulse
+            | QuantityKind::RestitutionImpulse
+            | QuantityKind::CommonVelocity
+            | QuantityKind::RelativeEnergy
+            | QuantityKind::RelativeVelocity
+            | QuantityKind::AngularMomentum
+            | QuantityKind::Weight
+            | QuantityKind::Work => true,
+            QuantityKind::Position | QuantityKind::Coordinate(_) => !name.subject.is_empty() && name.instant.is_some(),
+            QuantityKind::Moment | QuantityKind::AngularMomentumRate => {
+                name.instant.is_some() && (name.is_of_mass_centre() || scene.points.contains_key(&name.subject))
+            }
+            _ => false,
+        }
 }
 
 /// Every way in which the parts of a scene contradict each other.
@@ -334,7 +347,7 @@ fn separation(scene: &Scene, timeline: &Timeline, index: usize, stage: &Separate
 
 /// Whether names such as `v_A1` can be made of a body's short name.
 fn is_body_name(name: &str) -> bool {
-    name.ends_with(|last: char| last.is_alphabetic()) && name != "G"
+    name.ends_with(|last: char| last.is_alphabetic()) && name != MASS_CENTRE
 }
 
 fn bad_body_name(name: &str) -> Fault {

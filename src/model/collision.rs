@@ -9,15 +9,16 @@ use crate::quantity::Dimension;
 use crate::scene::Stage;
 
 use super::Builder;
+use super::Name;
+use super::QuantityKind;
 
-/// The name of the time that runs within a stage, and what it is.
-const RUNNING: (&str, &str) = ("t", "the time");
+/// What the time is that runs within a stage.
+const RUNNING: &str = "the time";
 
 impl Builder<'_> {
     /// The time that runs within a stage.
     pub(super) fn running_time(&mut self) -> Symbol {
-        let (name, meaning) = RUNNING;
-        self.symbol(name, Dimension::TIME, meaning)
+        self.symbol(Name::of(QuantityKind::Time, ""), Dimension::TIME, RUNNING)
     }
 
     /// Notes that the author named a quantity at a place of the scene.
@@ -27,8 +28,7 @@ impl Builder<'_> {
 
     /// A fault where what is fixed has the name of the time that runs.
     pub(super) fn not_the_running_time(&mut self, symbol: Symbol, path: &Path) {
-        let entry = self.symbols.entry(symbol);
-        if (entry.name.as_str(), entry.meaning.as_str()) == RUNNING {
+        if self.name(symbol).kind == QuantityKind::Time && self.symbols.entry(symbol).meaning == RUNNING {
             self.named_at(symbol, path);
             self.collision(symbol, "the running time of a stage", "a fixed time");
         }
@@ -67,10 +67,12 @@ impl Builder<'_> {
     /// fault.
     pub(super) fn times_of_instants(&mut self) {
         for instant in 1..=self.timeline.last() {
-            let Some(symbol) = self.symbols.find(&format!("t_{instant}")) else { continue };
+            let Some(symbol) = self.symbols.find(&Name::of(QuantityKind::Time, "").at(instant).to_string()) else {
+                continue;
+            };
             let Some(time) = self.time_until(instant) else { continue };
             // One that nobody named was made as the time at its instant.
-            let is_own = !self.named.contains_key(&symbol) && !self.given.contains(&format!("t_{instant}"));
+            let is_own = !self.named.contains_key(&symbol) && !self.given.contains(&self.symbols.entry(symbol).name);
             if is_own || time.simplify() == Expr::from(symbol) {
                 continue;
             }

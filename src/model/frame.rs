@@ -10,6 +10,8 @@ use crate::scene::Axis;
 use crate::scene::Term;
 
 use super::Builder;
+use super::Name;
+use super::QuantityKind;
 use super::read::is_bare_name;
 
 /// A direction in the plane of the first two axes, or along the third.
@@ -237,10 +239,9 @@ impl Builder<'_> {
             return Split { along, across: Some(across) };
         }
         let since = self.timeline.since(body, instant).unwrap_or(instant);
-        let suffix = self.frame_suffix(stage);
         let [along, across] = ["n", "t"].map(|letter| {
-            let name = format!("v_{body}{since}.{letter}{suffix}");
-            Expr::Symbol(self.velocity_named(name, body, since, &format!("{letter}-component of the ")))
+            let name = Name::of(QuantityKind::Velocity, body).at(since).along(letter).during(self.frame_label(stage));
+            Expr::Symbol(self.velocity_named(name, body, since))
         });
         self.turn_velocity(stage, frame, [x.clone(), y.clone()], [&along, &across]);
         Split { along, across: Some(across) }
@@ -281,8 +282,8 @@ impl Builder<'_> {
     }
 
     /// Distinguishes the n and t of several oblique impacts of one scene.
-    fn frame_suffix(&self, stage: usize) -> String {
+    fn frame_label(&self, stage: usize) -> Option<String> {
         let earlier = self.frames.iter().take(stage).flatten().any(|frame| !frame.normal.turn.is_zero());
-        if earlier { format!("[{}]", stage + 1) } else { String::new() }
+        earlier.then(|| (stage + 1).to_string())
     }
 }

@@ -17,6 +17,8 @@ use super::Agent;
 use super::Builder;
 use super::Impulse;
 use super::Integral;
+use super::Name;
+use super::QuantityKind;
 use super::Warning;
 use super::acting::Acts;
 use super::alternative::Alternative;
@@ -106,7 +108,7 @@ impl Builder<'_> {
             pressed
         } else {
             let meaning = format!("the normal force on {}", self.called(body));
-            let name = format!("N_{body}{}", self.stage_suffix(index));
+            let name = Name::of(QuantityKind::NormalForce, body).during(self.stage_label(index));
             let symbol = Expr::from(self.positive(name, Dimension::FORCE, meaning));
             let because = "the normal force balances what presses on the floor";
             self.law(&force::NORMAL_FORCE, Some(index), because, (symbol.clone(), pressed));
@@ -192,8 +194,8 @@ impl Builder<'_> {
         let mass = self.mass(pushed.body);
         let Some(value) = self.net_impulse(&net, pushed.clock, begins, &pushed.end) else { return Vec::new() };
         let meaning = format!("the impulse on {name} while it slides");
-        let gained =
-            Expr::from(self.symbol(format!("I_net{}", self.stage_suffix(index)), Dimension::MOMENTUM, meaning));
+        let gained = Name::of(QuantityKind::TimeIntegral, "net").during(self.stage_label(index));
+        let gained = Expr::from(self.symbol(gained, Dimension::MOMENTUM, meaning));
         let integral = net.contains(pushed.clock).then(|| Integral {
             integrand: net.clone(),
             variable: pushed.clock,
@@ -211,7 +213,7 @@ impl Builder<'_> {
 
     /// The time at which a body at rest starts to slide.
     fn begins(&mut self, index: usize, name: &str) -> Expr {
-        let symbol = format!("t_start{}", self.stage_suffix(index));
+        let symbol = Name::of(QuantityKind::StartTime, "").during(self.stage_label(index));
         self.symbol(symbol, Dimension::TIME, format!("the time at which {name} starts to slide")).into()
     }
 

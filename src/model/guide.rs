@@ -10,6 +10,8 @@ use crate::scene::Axis;
 use super::Agent;
 use super::Builder;
 use super::Impulse;
+use super::Name;
+use super::QuantityKind;
 use super::frame::Direction;
 
 /// The guide of a body, read.
@@ -73,7 +75,7 @@ impl Builder<'_> {
         let Some(guide) = guided.first().cloned() else {
             let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
             for (position, axis) in axes.iter().enumerate() {
-                let along = if axes.len() > 1 { format!(" along {}", axis.letter()) } else { String::new() };
+                let along = self.along(*axis);
                 let because = format!("{because}, and no other impulse acts{along}");
                 let [from, to] = [&start, &end].map(|own| component(own, position));
                 self.law(&momentum::CONSERVATION, Some(stage), because, momentum::conservation(&from, &to));
@@ -93,9 +95,9 @@ impl Builder<'_> {
         let line = format!("{because}, and no impulse of {} acts along the line on which {name} can move", guide.by);
         let [from, to] = [&start, &end].map(|own| projected(own, &along));
         self.law(&momentum::CONSERVATION, Some(stage), line, momentum::conservation(&from, &to));
-        let suffix = self.stage_suffix(stage);
+        let reaction = Name::of(QuantityKind::GuideImpulse, &guide.body).during(self.stage_label(stage));
         let meaning = format!("the impulse of {} on {name}", guide.by);
-        let reaction = Expr::from(self.symbol(format!("R_{}{suffix}", guide.body), Dimension::MOMENTUM, meaning));
+        let reaction = Expr::from(self.symbol(reaction, Dimension::MOMENTUM, meaning));
         let line = format!("at right angles to that line, {name} receives an external impulse from {}", guide.by);
         let [from, to] = [&start, &end].map(|own| projected(own, &across));
         self.law(&momentum::SYSTEM, Some(stage), line, momentum::system(&from, &reaction, &to));

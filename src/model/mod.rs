@@ -18,6 +18,7 @@ mod name;
 mod overview;
 mod pair;
 mod place;
+mod quantity_kind;
 mod read;
 mod space;
 mod stage;
@@ -35,7 +36,9 @@ pub use frame::{Direction, Frame};
 pub use influence::{Effect, Influence, Moment, Work};
 pub use instance::{Agent, Impulse, Instance, Integral, Omission, Omitted, Reason, Warning};
 pub use mistaken::Mistaken;
-pub use name::{Instant, Name, component_name};
+use name::Meaning;
+pub use name::{Instant, Name, VectorName, component_name};
+pub use quantity_kind::{QuantityKind, VectorKind};
 pub use timeline::Timeline;
 
 use std::collections::BTreeMap;
@@ -63,6 +66,7 @@ use crate::solve::System;
 pub struct Model {
     /// The quantities.
     pub symbols: SymbolTable,
+    names: Vec<Name>,
     /// The equations that hold whatever happens. Their tags count [`Model::instances`].
     pub system: System,
     /// For each stage that can go several ways, the ways.
@@ -106,7 +110,7 @@ impl<'s> Builder<'s> {
         builder.given = given.iter().map(|(name, _)| name.clone()).collect();
         for (name, dimension) in given {
             if !check::is_structural(scene, name) {
-                builder.symbol(name.clone(), *dimension, "");
+                builder.symbol(Name::written(name), *dimension, "");
             }
         }
         builder.stages();
@@ -161,7 +165,7 @@ impl<'s> Builder<'s> {
     pub fn declare(&mut self, name: &str, text: &str, meaning: &str, path: &Path) {
         let term = self.read_any(text, path);
         let dimension = term.dimension(&self.symbols).unwrap_or_default();
-        self.symbol(name, dimension, meaning);
+        self.symbol(Name::written(name), dimension, meaning);
     }
 
     /// A condition on terms; it is not added to the system.
@@ -232,9 +236,13 @@ impl<'s> Builder<'s> {
         if start.quarters == 0 && !clockwise {
             return Some(angle);
         }
-        let entry = self.symbols.entry(angle).clone();
+        let (name, meaning) = (self.name(angle).clone(), self.symbols.entry(angle).meaning.clone());
         let sense = if clockwise { "clockwise" } else { "counter-clockwise" };
-        let own = self.symbol(entry.name.replacen("angle", "phi", 1), Dimension::NONE, entry.meaning);
+        let kind = match name.kind {
+            QuantityKind::Direction(vector) => QuantityKind::CountedDirection(vector),
+            other => QuantityKind::OwnAngle(format!("phi_{}", other.spelling())),
+        };
+        let own = self.symbol(Name { kind, ..name }, Dimension::NONE, meaning);
         let (law, because, value) = match self.directions.get(&angle) {
             Some([x, y]) => {
                 let [along, across] = start.from_axis(x, y);
@@ -281,6 +289,7 @@ impl<'s> Builder<'s> {
         }
         Ok(Model {
             symbols: self.symbols,
+            names: self.names,
             system: self.system,
             choices: self.choices,
             instances: self.instances,
@@ -319,6 +328,12 @@ impl Model {
         let conditions = self.system.conditions.iter().chain(ways().flat_map(|way| &way.conditions));
         let sides = conditions.flat_map(|condition| [condition.left.symbols(), condition.right.symbols()]);
         equations.map(Equation::symbols).chain(sides).flatten().collect()
+    }
+
+    /// What a quantity is: its name, taken apart.
+    #[must_use]
+    pub fn name(&self, symbol: Symbol) -> &Name {
+        &self.names[symbol.index()]
     }
 
     /// The quantity that a mentioned name stands for, in whichever spelling it was mentioned.

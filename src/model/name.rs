@@ -1,10 +1,17 @@
 //! The grammar of names: `v_A1.x`, `T_lost[hit]`, `v_A@top`, `F_avg_A`.
 
-/// A name, taken apart. Which names a scene has is decided elsewhere.
+use std::fmt;
+
+use super::QuantityKind;
+
+/// The mass centre as it stands in names.
+pub(super) const MASS_CENTRE: &str = "G";
+
+/// What a symbol stands for: a name, taken apart. Which names a scene has is decided elsewhere.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Name {
-    /// The kind of quantity: `v`, `speed`, `T_lost`, `F_avg`.
-    pub base: String,
+    /// The kind of quantity.
+    pub kind: QuantityKind,
     /// Whose: the short name of a body, of a point, or `G` for the centre of mass; empty for the system.
     pub subject: String,
     /// When, where the name says so.
@@ -24,25 +31,85 @@ pub enum Instant {
     Named(String),
 }
 
-/// Bases that contain an underscore themselves, longest first.
-const JOINED: &[&str] =
-    &["areal_rate", "H_rate", "T_rel", "v_rel", "T_lost", "T_gained", "J_def", "J_rest", "v_common", "F_avg"];
+/// The names of what has no place in the grammar of other names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum VectorName<'a> {
+    /// `angle(v_A2, v_B2)`.
+    AngleBetween([&'a str; 2]),
+    /// `magnitude(H_O1)`.
+    Magnitude(&'a str),
+}
+
+impl<'a> VectorName<'a> {
+    /// Takes such a name apart.
+    #[must_use]
+    pub fn parse(text: &'a str) -> Option<Self> {
+        let inner = |start: &str| text.strip_prefix(start)?.strip_suffix(')');
+        if let Some((one, other)) = inner("angle(").and_then(|pair| pair.split_once(',')) {
+            return Some(Self::AngleBetween([one.trim(), other.trim()]));
+        }
+        Some(Self::Magnitude(inner("magnitude(")?.trim()))
+    }
+}
+
+/// What a quantity is, as a noun and what belongs to it: `the velocity`, `of cart A just before the impact`.
+#[derive(Clone, Debug)]
+pub(super) struct Meaning {
+    pub noun: &'static str,
+    pub of: String,
+}
+
+impl fmt::Display for Meaning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.noun.is_empty() { f.write_str(&self.of) } else { write!(f, "{} {}", self.noun, self.of) }
+    }
+}
 
 impl Name {
+    /// The quantity of a body, of a point, or of the system where the subject is empty.
+    #[must_use]
+    pub fn of(kind: QuantityKind, subject: &str) -> Self {
+        Self { kind, subject: subject.to_owned(), instant: None, component: None, stage: None }
+    }
+
+    /// The same at an instant.
+    #[must_use]
+    pub fn at(self, instant: usize) -> Self {
+        Self { instant: Some(Instant::Number(instant)), ..self }
+    }
+
+    /// One component of it; the only one where none is said.
+    #[must_use]
+    pub fn along<'a>(self, component: impl Into<Option<&'a str>>) -> Self {
+        Self { component: component.into().map(str::to_owned), ..self }
+    }
+
+    /// The same in a stage; in the only one where none is said.
+    #[must_use]
+    pub fn during(self, stage: Option<String>) -> Self {
+        Self { stage, ..self }
+    }
+
     /// Whether it refers to no body, no instant and no stage, so that authors may use it for anything: `v`, `T`, `v_0`.
     #[must_use]
     pub fn is_plain(&self) -> bool {
         let no_instant = matches!(self.instant, None | Some(Instant::Number(0)));
         let bare = self.subject.is_empty() && self.component.is_none() && self.stage.is_none();
-        bare && no_instant && !self.base.contains('_')
+        bare && no_instant && !self.kind.spelling().contains('_')
+    }
+
+    /// Whether it is a quantity of the centre of mass.
+    #[must_use]
+    pub fn is_of_mass_centre(&self) -> bool {
+        self.subject == MASS_CENTRE
     }
 
     /// Takes a name apart; `None` where it does not follow the grammar.
     ///
     /// ```
-    /// use momentous::model::{Instant, Name};
+    /// use momentous::model::{Instant, Name, QuantityKind};
     /// let name = Name::parse("v_A1.x").unwrap();
-    /// assert_eq!((name.base.as_str(), name.subject.as_str(), name.instant), ("v", "A", Some(Instant::Number(1))));
+    /// assert_eq!((name.kind, name.subject.as_str(), name.instant), (QuantityKind::Velocity, "A", Some(Instant::Number(1))));
     /// assert_eq!(Name::parse("T_lost[hit]").unwrap().stage.as_deref(), Some("hit"));
     /// ```
     #[must_use]
@@ -62,11 +129,7 @@ impl Name {
             Some((rest, component)) => (rest, Some(component.to_owned())),
             None => (rest.as_str(), None),
         };
-        let joined = JOINED.iter().find(|base| rest == **base || rest.starts_with(&format!("{base}_")));
-        let (base, tail) = match joined {
-            Some(base) => (*base, rest[base.len()..].trim_start_matches('_')),
-            None => rest.split_once('_').unwrap_or((rest, "")),
-        };
+        let (kind, tail) = QuantityKind::parse(rest);
         let subject = tail.trim_end_matches(|letter: char| letter.is_ascii_digit());
         let digits = &tail[subject.len()..];
         let instant = match (digits, named) {
@@ -76,13 +139,43 @@ impl Name {
             (_, Some(_)) => return None,
         };
         let plain = |text: &str| text.chars().all(|letter| letter.is_alphanumeric() || letter == '_');
-        (!base.is_empty() && plain(base) && plain(subject)).then(|| Self {
-            base: base.to_owned(),
-            subject: subject.to_owned(),
+        let subject = subject.to_owned();
+        let base = kind.spelling();
+        (!base.is_empty() && plain(&base) && plain(&subject)).then_some(Self {
+            kind,
+            subject,
             instant,
             component,
             stage,
         })
+    }
+
+    /// What a name of the author's own stands for, as far as its letter says.
+    pub(super) fn written(text: &str) -> Self {
+        let own = || Self::of(QuantityKind::Own(text.to_owned()), "");
+        Self::parse(text).filter(|name| name.to_string() == text).unwrap_or_else(own)
+    }
+}
+
+/// The one spelling under which the symbol of a name is kept.
+impl fmt::Display for Name {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.kind.spelling())?;
+        if !self.subject.is_empty() || self.instant.is_some() {
+            write!(f, "_{}", self.subject)?;
+        }
+        match &self.instant {
+            Some(Instant::Number(number)) => write!(f, "{number}")?,
+            Some(Instant::Named(named)) => write!(f, "@{named}")?,
+            None => {}
+        }
+        if let Some(component) = &self.component {
+            write!(f, ".{component}")?;
+        }
+        if let Some(stage) = &self.stage {
+            write!(f, "[{stage}]")?;
+        }
+        Ok(())
     }
 }
 
@@ -98,5 +191,33 @@ pub fn component_name(vector: &str, axis: &str) -> String {
     match vector.split_once('[') {
         Some((before, stage)) => format!("{before}.{axis}[{stage}"),
         None => format!("{vector}.{axis}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_spelt_as_they_are_read() {
+        let names = [
+            "v_A1.x",
+            "T_lost[hit]",
+            "v_A@top.x",
+            "F_avg_A.x[2]",
+            "v_rel_A1",
+            "H_G2.z",
+            "angle_J_A[1]",
+            "work",
+            "T_1",
+            "mu_k",
+            "theta1",
+            "I_F2[pull]",
+        ];
+        for text in names {
+            assert_eq!(Name::parse(text).map(|name| name.to_string()).as_deref(), Some(text));
+        }
+        assert!(Name::parse("v_A1@top").is_none() && Name::parse("T[").is_none());
+        assert_eq!(Name::written("5*x").kind, QuantityKind::Own("5*x".to_owned()));
     }
 }

@@ -9,6 +9,8 @@ use crate::scene::Term;
 use super::Agent;
 use super::Builder;
 use super::Impulse;
+use super::Name;
+use super::QuantityKind;
 
 /// Two bodies and their velocities along the line through both, before and after.
 pub(super) struct Pair<'a> {
@@ -28,14 +30,13 @@ impl Builder<'_> {
     pub(super) fn pair(
         &mut self,
         pair: &Pair<'_>,
-        component: &str,
+        component: Option<&str>,
         resolve: &dyn Fn(&Self, &Expr) -> Vec<Expr>,
         duration: Option<&Term>,
         path: &Path,
     ) {
         let masses = pair.bodies.map(|body| self.mass(body));
         let names = pair.bodies.map(|body| self.called(body));
-        let suffix = self.stage_suffix(pair.index);
         let side = |values: &[Expr; 2]| [0, 1].map(|own| (masses[own].clone(), values[own].clone()));
         let sides = momentum::conservation(&side(&pair.before), &side(&pair.after));
         let [first, second] = &names;
@@ -58,7 +59,8 @@ impl Builder<'_> {
         self.law(law, Some(pair.index), because, sides);
         let impulses = [0, 1].map(|own| {
             let meaning = format!("the impulse on {} from {}", names[own], pair.link);
-            let name = format!("J_{}{component}{suffix}", pair.bodies[own]);
+            let name = Name::of(QuantityKind::Impulse, pair.bodies[own]).along(component);
+            let name = name.during(self.stage_label(pair.index));
             Expr::from(self.symbol(name, Dimension::MOMENTUM, meaning))
         });
         for own in [0, 1] {

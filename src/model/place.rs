@@ -6,18 +6,18 @@ use crate::scene::Axis;
 use crate::scene::Stage;
 
 use super::Builder;
+use super::Meaning;
+use super::Name;
+use super::QuantityKind;
 
 impl Builder<'_> {
     /// A component of the place of a body at an instant, under the name of the instant since which it is there.
     pub(super) fn place(&mut self, body: &str, instant: usize, axis: Axis) -> Expr {
         let (body, instant) = self.place_since(body, instant);
         let (owner, when) = (self.called(&body), self.when(instant));
-        let (letter, which) = match self.axes.len() {
-            1 => (String::new(), String::new()),
-            _ => (format!(".{}", axis.letter()), format!("the {}-component of ", axis.letter())),
-        };
-        let meaning = format!("{which}the position of {owner} {when}");
-        self.symbol(format!("r_{body}{instant}{letter}"), Dimension::LENGTH, meaning).into()
+        let name = Name::of(QuantityKind::Position, &body).at(instant).along(self.letter(axis));
+        let meaning = Meaning { noun: "the position", of: format!("of {owner} {when}") };
+        self.component(name, Dimension::LENGTH, meaning).into()
     }
 
     /// Whose place, and since when, a body has at an instant. Impacts and separations take no time, a part starts where the

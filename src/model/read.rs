@@ -19,6 +19,7 @@ use crate::scene::Term;
 
 use super::Builder;
 use super::Name;
+use super::QuantityKind;
 
 /// Names of what a whole stage does, which need the stage in brackets where there are several.
 const STAGED: &[&str] = &["T_lost", "T_gained", "work", "J_def", "J_rest", "v_common", "dt"];
@@ -49,6 +50,9 @@ impl Builder<'_> {
         let quantity = Quantity::parse(text).ok()?;
         let entry = SymbolEntry { name: text.to_owned(), dimension: quantity.unit.dimension(), meaning: String::new() };
         let symbol = self.symbols.intern(entry);
+        if symbol.index() == self.names.len() {
+            self.names.push(Name::of(QuantityKind::Value(text.to_owned()), ""));
+        }
         if !self.literals.iter().any(|(own, _)| *own == symbol) {
             if quantity.unit.dimension() == Dimension::NONE {
                 self.system.fixed.insert(symbol, Expr::measured(&quantity.value, &quantity.unit));
@@ -63,7 +67,7 @@ impl Builder<'_> {
     pub(super) fn read(&mut self, term: &Term, dimension: Dimension, meaning: &str, path: &Path) -> Expr {
         let text = term.0.trim();
         if is_bare_name(text) && self.resolve(text).is_none() {
-            let symbol = self.symbol(text, dimension, meaning);
+            let symbol = self.symbol(Name::written(text), dimension, meaning);
             self.free.insert(symbol);
             self.named_at(symbol, path);
             return symbol.into();
@@ -146,7 +150,8 @@ impl Builder<'_> {
             Some(near) => fault.help(format!("did you mean `{near}`?")),
             None if STAGED.contains(&name) && self.scene.stages.len() > 1 => {
                 let stages = 0..self.scene.stages.len();
-                let each: Vec<String> = stages.map(|stage| format!("`{name}{}`", self.stage_suffix(stage))).collect();
+                let labels = stages.filter_map(|stage| self.stage_label(stage));
+                let each: Vec<String> = labels.map(|label| format!("`{name}[{label}]`")).collect();
                 fault.help(format!("several stages have this quantity: write {}", each.join(" or ")))
             }
             None if is_bare_name(name) && !name.contains('_') => {
@@ -160,7 +165,10 @@ impl Builder<'_> {
 impl Builder<'_> {
     /// The fault of a moment about a body, which moves.
     fn about_a_moving_point(&self, name: &str) -> Option<Fault> {
-        let own = Name::parse(name).filter(|own| ["H", "M", "H_rate"].contains(&own.base.as_str()))?;
+        let is_moment = |kind: &QuantityKind| {
+            matches!(kind, QuantityKind::AngularMomentum | QuantityKind::Moment | QuantityKind::AngularMomentumRate)
+        };
+        let own = Name::parse(name).filter(|own| is_moment(&own.kind))?;
         let instant = own.instant.is_some() && self.timeline.bodies().any(|body| body == own.subject);
         instant.then(|| moving_point(&self.called(&own.subject)))
     }

@@ -9,6 +9,8 @@ use crate::scene::Stage;
 use crate::scene::stage::Partners;
 
 use super::Builder;
+use super::Name;
+use super::QuantityKind;
 
 impl Builder<'_> {
     /// The momentum of bodies at an instant along the axis of that position.
@@ -62,7 +64,10 @@ impl Builder<'_> {
                 let Some(Stage::Strike(strike)) = scene.stages.get(stage) else {
                     let alive = self.timeline.alive(instant);
                     let all = alive.into_iter().all(|own| movers.iter().any(|(body, _)| body == own));
-                    let own: Symbol = self.symbols.find(&format!("H_{about}{instant}")).filter(|_| all)?;
+                    let own: Symbol = self
+                        .symbols
+                        .find(&Name::of(QuantityKind::AngularMomentum, about).at(instant).to_string())
+                        .filter(|_| all)?;
                     return Some(vec![own.into()]);
                 };
                 if strike.about != about {

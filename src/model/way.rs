@@ -11,6 +11,8 @@ use crate::scene::Term;
 use crate::solve::Relation;
 
 use super::Builder;
+use super::Name;
+use super::QuantityKind;
 use super::Warning;
 
 /// The speeds of a body along its motion, and which way that is.
@@ -57,7 +59,7 @@ impl Builder<'_> {
 
     /// The speed of a body.
     fn speed_of(&mut self, body: &str, instant: usize) -> Expr {
-        self.resolve(&format!("speed_{body}{instant}")).map_or_else(Expr::zero, Expr::from)
+        self.quantity(Name::of(QuantityKind::Speed, body).at(instant)).map_or_else(Expr::zero, Expr::from)
     }
 
     /// Along (1) or against (-1) the first axis.

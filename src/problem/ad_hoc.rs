@@ -3,6 +3,8 @@
 use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Path;
+use crate::model::Name;
+use crate::model::QuantityKind;
 
 use super::ask::Answered;
 use super::ask::Ask;
@@ -92,6 +94,7 @@ pub fn typed(loaded: &Loaded, form: usize, set: &[(String, String)], find: &[Str
 fn asked(parts: &[Ask], name: &str) -> Ask {
     let own = parts.iter().find(|part| matches!(part, Ask::Find(find) if find.find == name));
     own.cloned().unwrap_or_else(|| {
+        let is_direction = Name::parse(name).is_some_and(|own| matches!(own.kind, QuantityKind::Direction(_)));
         Ask::Find(Find {
             find: name.to_owned(),
             answered: Answered::Number,
@@ -100,8 +103,8 @@ fn asked(parts: &[Ask], name: &str) -> Ask {
             points: None,
             tolerance: None,
             figures: None,
-            from: Some("+x".into()).filter(|_| name.starts_with("angle")),
-            sense: Some(super::ask::Turn::CounterClockwise).filter(|_| name.starts_with("angle")),
+            from: Some("+x".into()).filter(|_| is_direction),
+            sense: Some(super::ask::Turn::CounterClockwise).filter(|_| is_direction),
             label: None,
         })
     })

@@ -7,6 +7,7 @@ use crate::fault::Fault;
 use crate::fault::Path;
 use crate::model::Builder;
 use crate::model::Name;
+use crate::model::QuantityKind;
 use crate::quantity::Decimal;
 use crate::quantity::Dimension;
 use crate::quantity::Unit;
@@ -227,7 +228,8 @@ pub(super) fn number_part(
 /// A direction is asked from a stated axis and in a stated sense; the symbol that is counted so, and the words for it.
 fn reference(find: &Find, symbol: Symbol, builder: &mut Builder<'_>, path: &Path) -> Option<(Symbol, String)> {
     // Along one axis there are no directions to count: an angle is one between a cord and the vertical.
-    let is_direction = builder.symbols().entry(symbol).name.starts_with("angle_") && builder.axis_letters().len() > 1;
+    let is_direction =
+        matches!(builder.name(symbol).kind, QuantityKind::Direction(_)) && builder.axis_letters().len() > 1;
     let (Some(from), Some(sense)) = (&find.from, find.sense) else {
         if is_direction {
             let message = format!("the axis and the sense from which `{}` is measured are missing", find.find);
@@ -270,16 +272,16 @@ fn asked_in(loaded: &Loaded, name: &str) -> Option<Unit> {
 
 /// The unit of a given of the same kind: velocities of one story are told in one unit.
 fn of_its_kind(loaded: &Loaded, name: &str, dimension: Dimension) -> Option<Unit> {
-    let base = |name: &str| Name::parse(name).map(|name| name.base);
-    let own = base(name)?;
+    let kind = |name: &str| Name::parse(name).map(|name| name.kind);
+    let own = kind(name)?;
     let alike = |(other, given): (&str, &Given)| {
         let unit = match given {
             Given::Drawn { unit, .. } => unit,
             Given::Literal(literal) => &literal.unit,
             Given::Any(_) | Given::Expression(_) => return None,
         };
-        let speed = |base: &str| base == "v" || base == "speed";
-        let kin = base(other).is_some_and(|base| base == own || speed(&base) && speed(&own));
+        let speed = |kind: &QuantityKind| matches!(kind, QuantityKind::Velocity | QuantityKind::Speed);
+        let kin = kind(other).is_some_and(|kind| kind == own || speed(&kind) && speed(&own));
         (kin && unit.dimension() == dimension).then(|| unit.clone())
     };
     loaded.given.iter().find_map(alike)

@@ -12,6 +12,7 @@ use crate::expr::SymbolEntry;
 use crate::laws::Law;
 use crate::model::Model;
 use crate::model::Name;
+use crate::model::QuantityKind;
 use crate::quantity::Dimension;
 use crate::quantity::Unit;
 use crate::quantity::UnitSystem;
@@ -198,26 +199,28 @@ impl Problem {
     #[must_use]
     pub fn math_of(&self, symbol: Symbol) -> Math {
         let set = || {
-            let name = &self.model.symbols.entry(symbol).name;
-            let math = self.notation.math(&self.set_apart(name));
-            if self.is_speed_on_line(name) { Math::Bars(Arc::new(math)) } else { math }
+            let math = self.notation.math(&self.set_apart(symbol));
+            if self.is_speed_on_line(symbol) { Math::Bars(Arc::new(math)) } else { math }
         };
         self.names.get(symbol.index()).map_or_else(set, |name| name.get_or_init(|| set().shared()).clone())
     }
 
     /// The name under which a quantity is typeset: a period has a letter of its own beside kinetic energies.
-    fn set_apart<'n>(&self, name: &'n str) -> Cow<'n, str> {
-        let is_energy = |entry: &SymbolEntry| entry.name.starts_with("T_") && entry.dimension == Dimension::ENERGY;
-        match name.strip_prefix("period") {
-            Some(rest) if self.model.symbols.iter().any(|(_, entry)| is_energy(entry)) => format!("tau{rest}").into(),
-            _ => name.into(),
+    fn set_apart(&self, symbol: Symbol) -> Cow<'_, str> {
+        let name = self.model.name(symbol);
+        let is_energy = |(symbol, entry): (Symbol, &SymbolEntry)| {
+            self.model.name(symbol).kind.is_kinetic_energy() && entry.dimension == Dimension::ENERGY
+        };
+        if name.kind == QuantityKind::Period && self.model.symbols.iter().any(is_energy) {
+            return Name { kind: QuantityKind::Own("tau".to_owned()), ..name.clone() }.to_string().into();
         }
+        self.model.symbols.entry(symbol).name.as_str().into()
     }
 
-    /// Whether a name is that of a speed whose velocity is a single number: both would be written with the same letter.
-    fn is_speed_on_line(&self, name: &str) -> bool {
+    /// Whether a quantity is a speed whose velocity is a single number: both would be written with the same letter.
+    fn is_speed_on_line(&self, symbol: Symbol) -> bool {
         let is_line = self.loaded.draft.scene.axes.rectangular().len() == 1;
-        is_line && Name::parse(name).is_some_and(|name| name.base == "speed")
+        is_line && self.model.name(symbol).kind == QuantityKind::Speed
     }
 
     /// What is known, in the order of the file.

@@ -1,6 +1,7 @@
 //! Drawing variants: numbers from their streams, revealed values rounded as they are printed, everything else solved.
 
 use crate::expr::Symbol;
+use crate::model::QuantityKind;
 use crate::quantity::Decimal;
 use crate::quantity::Printed;
 use crate::quantity::Unit;
@@ -338,9 +339,11 @@ impl<'p> Sampler<'p> {
 
 /// The directions that a form asks for.
 fn directions(problem: &Problem, form: &Form) -> Vec<Symbol> {
-    let name = |symbol: &Symbol| &problem.model().symbols.entry(*symbol).name;
+    let is_direction = |symbol: &Symbol| {
+        matches!(problem.model().name(*symbol).kind, QuantityKind::Direction(_) | QuantityKind::CountedDirection(_))
+    };
     let numbers = form.parts.iter().flat_map(|part| part.kind.numbers()).map(|number| number.symbol);
-    numbers.filter(|symbol| ["angle_", "phi_"].iter().any(|start| name(symbol).starts_with(start))).collect()
+    numbers.filter(is_direction).collect()
 }
 
 /// The domain of each drawn symbol.

@@ -1,7 +1,7 @@
 //! Filling an author's text: how a quantity is said in a sentence.
 
 use crate::expr::Symbol;
-use crate::model::Name;
+use crate::model::QuantityKind;
 use crate::quantity::Decimal;
 use crate::quantity::Printed;
 use crate::quantity::Unit;
@@ -164,20 +164,25 @@ impl Speaker<'_> {
     }
 }
 
-/// The first parts of names whose sign is a direction: velocities, momenta, impulses and forces.
-const DIRECTED: [&str; 9] = ["v", "v_rel", "v_common", "p", "J", "J_def", "J_rest", "F", "F_avg"];
-
 impl Problem {
     /// The words for the two directions between which the sign of a quantity decides; none where the sign is no direction,
     /// as that of a place or an energy, or where the direction is given separately, as that of a thrust is.
     #[must_use]
     pub fn senses(&self, symbol: Symbol) -> Option<Senses> {
-        let text = &self.model().symbols.entry(symbol).name;
-        let name = Name::parse(text).filter(|name| !name.is_plain() && DIRECTED.contains(&name.base.as_str()))?;
         let scene = &self.loaded().draft.scene;
-        let strength =
-            name.base == "F" && (!scene.bodies.contains_key(&name.subject) || has_thrust(scene, &name.subject));
-        senses_of(scene, text).filter(|_| !strength)
+        let name = Some(self.model().name(symbol)).filter(|name| !name.is_plain())?;
+        let is_directed = match name.kind {
+            ref kind if kind.is_velocity() => true,
+            QuantityKind::Momentum
+            | QuantityKind::Impulse
+            | QuantityKind::DeformationImpulse
+            | QuantityKind::RestitutionImpulse
+            | QuantityKind::MeanForce => true,
+            // The direction of a strength is given separately.
+            QuantityKind::Force => scene.bodies.contains_key(&name.subject) && !has_thrust(scene, &name.subject),
+            _ => false,
+        };
+        senses_of(scene, &self.model().symbols.entry(symbol).name).filter(|_| is_directed)
     }
 
     /// The letter of the axis along which a component is counted.

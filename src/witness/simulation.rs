@@ -9,7 +9,10 @@ use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::model::Instant;
 use crate::model::Name;
+use crate::model::QuantityKind;
 use crate::model::Timeline;
+use crate::model::VectorKind;
+use crate::model::VectorName;
 use crate::model::component_name;
 use crate::problem::Problem;
 use crate::problem::Variant;
@@ -178,16 +181,15 @@ impl<'a> Witness<'a> {
 
     /// A component of a velocity of which speed and direction are said.
     fn component(&self, name: &str) -> Option<f64> {
-        let Name { base, subject, instant: Some(Instant::Number(at)), component: Some(letter), .. } =
-            Name::parse(name)?
+        let name = Name::parse(name).filter(|name| name.kind == QuantityKind::Velocity)?;
+        let (Some(Instant::Number(at)), Some(letter), 2) =
+            (name.instant, name.component, self.case.scene.axes.rectangular().len())
         else {
             return None;
         };
-        if base != "v" || self.case.scene.axes.rectangular().len() != 2 {
-            return None;
-        }
-        let angle = self.said_of(&format!("angle_{subject}{at}"))?;
-        let speed = self.said_of(&format!("speed_{subject}{at}"))?;
+        let said = |kind| self.said_of(&Name::of(kind, &name.subject).at(at).to_string());
+        let angle = said(QuantityKind::Direction(VectorKind::Velocity))?;
+        let speed = said(QuantityKind::Speed)?;
         self.used.borrow_mut().extend([angle.0, speed.0]);
         match letter.as_str() {
             "x" => Some(speed.1 * libm::cos(angle.1)),
@@ -198,14 +200,13 @@ impl<'a> Witness<'a> {
 
     /// A velocity under the name of the instant since which the body has it.
     pub(super) fn since(&self, name: &str) -> String {
-        let Some(Name { base, subject, instant: Some(Instant::Number(at)), component, stage: None }) =
-            Name::parse(name)
-        else {
-            return name.to_owned();
-        };
-        let since = self.timeline.since(&subject, at).unwrap_or(at);
-        let component = component.map_or_else(String::new, |letter| format!(".{letter}"));
-        if base == "v" { format!("v_{subject}{since}{component}") } else { name.to_owned() }
+        match Name::parse(name) {
+            Some(own @ Name { kind: QuantityKind::Velocity, instant: Some(Instant::Number(at)), stage: None, .. }) => {
+                let since = self.timeline.since(&own.subject, at).unwrap_or(at);
+                own.at(since).to_string()
+            }
+            _ => name.to_owned(),
+        }
     }
 
     /// What the simulation finds of a quantity by name: itself, or measured on what it finds of the bodies.
@@ -243,14 +244,15 @@ impl<'a> Witness<'a> {
             None => return None,
         };
         let component = parsed.component.as_deref();
-        of(Asked { base: &parsed.base, subject: &parsed.subject, instant, component }, &self.timeline.alive(instant))
+        let base = &parsed.kind.spelling();
+        of(Asked { base, subject: &parsed.subject, instant, component }, &self.timeline.alive(instant))
     }
 
     /// The magnitude of a vector by what is found of its components.
     fn magnitude(&self, name: &str) -> Option<Seen> {
-        let vector = name.strip_prefix("magnitude(")?.strip_suffix(')')?;
+        let Some(VectorName::Magnitude(vector)) = VectorName::parse(name) else { return None };
         let axes = self.case.scene.axes.rectangular();
-        let parts = axes.iter().map(|(axis, _)| self.seen(&component_name(vector.trim(), axis.letter())));
+        let parts = axes.iter().map(|(axis, _)| self.seen(&component_name(vector, axis.letter())));
         let parts: Vec<Seen> = parts.collect::<Option<_>>()?;
         let value = libm::sqrt(parts.iter().map(|own| own.value * own.value).sum());
         Some(Seen { value, error: parts.iter().map(|own| own.error).sum() })
@@ -275,25 +277,29 @@ impl<'a> Witness<'a> {
     pub(super) fn comparison(&self, symbol: Symbol) -> Option<Comparison> {
         let name = &self.case.problem.model().symbols.entry(symbol).name;
         let seen = self.seen(name)?;
-        Some(self.compared(symbol, self.said(symbol)?, seen, name.starts_with("angle")))
+        Some(self.compared(symbol, self.said(symbol)?, seen))
     }
 
-    fn compared(&self, symbol: Symbol, said: f64, seen: Seen, turns: bool) -> Comparison {
+    fn compared(&self, symbol: Symbol, said: f64, seen: Seen) -> Comparison {
+        let turns = matches!(
+            self.case.problem.model().name(symbol).kind,
+            QuantityKind::Direction(_) | QuantityKind::CountedDirection(_) | QuantityKind::AngleBetween(_)
+        );
         let own = self.case.variant.value(symbol).map_or(0.0, |value| value.error);
         Comparison { said, found: seen.value, error: seen.error + own, turns }
     }
 
     /// A direction that is counted from somewhere.
     pub(super) fn direction(&self, symbol: Symbol, from: &str, clockwise: bool) -> Option<Comparison> {
-        let name = &self.case.problem.model().symbols.entry(symbol).name;
-        let parsed = Name::parse(name)?;
-        let Some(Instant::Number(at)) = parsed.instant else { return None };
-        let part = |letter: &str| self.seen(&format!("v_{}{at}.{letter}", parsed.subject));
+        let name = self.case.problem.model().name(symbol);
+        let velocity = Name { kind: QuantityKind::Velocity, ..name.clone() };
+        velocity.instant.as_ref()?;
+        let part = |letter: &str| self.seen(&velocity.clone().along(letter).to_string());
         let (x, y) = (part("x")?, part("y")?);
         let angle = angle_from(self.case.scene, from, [x.value, y.value, 0.0], &|name| self.value(name))?;
         let error = (x.error + y.error) / libm::hypot(x.value, y.value) + self.tolerance;
         let seen = Seen { value: if clockwise { -angle } else { angle }, error };
-        Some(self.compared(symbol, self.said(symbol)?, seen, true))
+        Some(self.compared(symbol, self.said(symbol)?, seen))
     }
 
     /// Everything that is both said and found, under a name each.
@@ -305,7 +311,7 @@ impl<'a> Witness<'a> {
         for reached in self.found.values() {
             if let Some((symbol, said)) = self.said_of(&reached.name) {
                 let seen = Seen { value: reached.value, error: reached.error };
-                all.insert(reached.name.clone(), self.compared(symbol, said, seen, reached.name.starts_with("angle")));
+                all.insert(reached.name.clone(), self.compared(symbol, said, seen));
             }
         }
         for (bodies, sum) in &self.sums {

@@ -9,6 +9,7 @@ use crate::figure::Form;
 use crate::figure::MomentumDiagram;
 use crate::model::ForceKind;
 use crate::model::Impulse;
+use crate::model::QuantityKind;
 use crate::scene::Stage;
 use crate::scene::stage::Ends;
 use crate::scene::stage::Partners;
@@ -122,8 +123,12 @@ pub(super) fn diagram(quantities: &Quantities<'_>, compass: &Compass, stage: usi
 
 /// Whether anything in the problem speaks of the centre of mass.
 pub(super) fn concerns_mass_centre(quantities: &Quantities<'_>) -> bool {
-    let is_of_centre = |name: &str| name.starts_with("v_G") || name.starts_with("r_G");
-    quantities.model().symbols.iter().any(|(_, entry)| is_of_centre(&entry.name))
+    let model = quantities.model();
+    model
+        .symbols
+        .iter()
+        .map(|(symbol, _)| model.name(symbol))
+        .any(|name| name.is_of_mass_centre() && matches!(name.kind, QuantityKind::Velocity | QuantityKind::Position))
 }
 
 /// Who takes part in a stage, and with which body it moves at either end.

@@ -14,19 +14,20 @@ use super::super::ActingForce;
 use super::super::Builder;
 use super::super::Direction;
 use super::super::ForceKind;
+use super::super::Meaning;
 use super::super::Name;
+use super::super::QuantityKind;
 use super::super::builder::SECOND_COST;
+use super::super::name::MASS_CENTRE;
 
 pub(super) fn angular_momentum(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let instant = builder.number(name)?;
     let (about, centre, when) = (name.subject.as_str(), builder.centre(&name.subject)?, builder.when(instant));
-    let spelling = builder.spelling(name);
-    let component = Builder::component_phrase(name);
-    let meaning = format!("{component}the angular momentum about {centre} {when}");
+    let meaning = Meaning { noun: "the angular momentum", of: format!("about {centre} {when}") };
     let bodies: Vec<String> = builder.timeline.alive(instant).into_iter().map(str::to_owned).collect();
     let mut terms = Vec::new();
     if builder.axes.is_empty() {
-        if about == "G" || name.component.is_some() {
+        if name.is_of_mass_centre() || name.component.is_some() {
             return None;
         }
         for body in &bodies {
@@ -42,13 +43,13 @@ pub(super) fn angular_momentum(builder: &mut Builder<'_>, name: &Name) -> Option
             terms.push(mass * angular::moments(&arm, &velocity).into_iter().nth(turning)?);
         }
     }
-    let symbol = builder.symbol(spelling, Dimension::ANGULAR_MOMENTUM, meaning);
+    let symbol = builder.component(builder.kept(name), Dimension::ANGULAR_MOMENTUM, meaning);
     let because = match bodies.len() {
         1 => "angular momentum is the moment of the momentum",
         _ => "the angular momentum of the system is the sum of the moments of the momenta",
     };
     builder.law(&angular::ANGULAR_MOMENTUM, None, because, (symbol.into(), Expr::sum(terms)));
-    if about == "G" {
+    if name.is_of_mass_centre() {
         builder.moment_of_the_whole(name, instant, symbol);
     }
     Some(symbol)
@@ -70,10 +71,9 @@ pub(super) fn moment_of_forces(builder: &mut Builder<'_>, name: &Name) -> Option
         let arm = builder.arm(&force.on, instant, &name.subject)?;
         terms.push(angular::moments(&arm, &parts).into_iter().nth(turning)?.simplify());
     }
-    let component = Builder::component_phrase(name);
-    let meaning = format!("{component}the moment of the forces about {centre} {}", builder.when(instant));
-    let spelling = builder.spelling(name);
-    let symbol = builder.symbol(spelling, Dimension::ENERGY, meaning);
+    let of = format!("about {centre} {}", builder.when(instant));
+    let meaning = Meaning { noun: "the moment of the forces", of };
+    let symbol = builder.component(builder.kept(name), Dimension::ENERGY, meaning);
     let because = "each force is multiplied by its arm";
     builder.law(&angular::MOMENT, None, because, (symbol.into(), Expr::sum(terms)));
     Some(symbol)
@@ -82,13 +82,11 @@ pub(super) fn moment_of_forces(builder: &mut Builder<'_>, name: &Name) -> Option
 pub(super) fn rate_of_angular_momentum(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let instant = builder.number(name)?;
     let centre = builder.centre(&name.subject)?;
-    let moment = moment_of_forces(builder, &Name { base: "M".into(), ..name.clone() })?;
-    let component = Builder::component_phrase(name);
-    let meaning =
-        format!("{component}the rate of change of the angular momentum about {centre} {}", builder.when(instant));
-    let spelling = builder.spelling(name);
-    let symbol = builder.symbol(spelling, Dimension::ENERGY, meaning);
-    let because = format!("{centre} {}", if name.subject == "G" { "is the centre of mass" } else { "is fixed" });
+    let moment = moment_of_forces(builder, &Name { kind: QuantityKind::Moment, ..name.clone() })?;
+    let of = format!("about {centre} {}", builder.when(instant));
+    let meaning = Meaning { noun: "the rate of change of the angular momentum", of };
+    let symbol = builder.component(builder.kept(name), Dimension::ENERGY, meaning);
+    let because = format!("{centre} {}", if name.is_of_mass_centre() { "is the centre of mass" } else { "is fixed" });
     builder.law(&angular::RATE, None, because, (symbol.into(), moment.into()));
     Some(symbol)
 }
@@ -97,7 +95,7 @@ impl Builder<'_> {
     /// How a fixed point, or the centre of mass, is called in a sentence.
     pub(in crate::model) fn centre(&self, about: &str) -> Option<String> {
         match about {
-            "G" => Some("the centre of mass".to_owned()),
+            MASS_CENTRE => Some("the centre of mass".to_owned()),
             point => self.scene.points.get(point).map(|entry| entry.name.clone()),
         }
     }
@@ -115,7 +113,10 @@ impl Builder<'_> {
     pub(in crate::model) fn arm(&mut self, body: &str, instant: usize, about: &str) -> Option<Vec<Expr>> {
         let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
         let from = |builder: &mut Self, axis: &Axis| match about {
-            "G" => builder.resolve(&format!("r_G{instant}.{}", axis.letter())).map(Expr::from),
+            MASS_CENTRE => {
+                let centre = Name::of(QuantityKind::Position, MASS_CENTRE).at(instant).along(axis.letter());
+                builder.quantity(centre).map(Expr::from)
+            }
             point => Some(builder.coordinate_of(point, *axis)),
         };
         axes.iter().map(|axis| Some(self.place(body, instant, *axis) - from(self, axis)?)).collect()
@@ -139,20 +140,20 @@ impl Builder<'_> {
         let Some(turning) = self.turning(name).filter(|_| bodies.len() > 1) else { return };
         let mass = Expr::sum(bodies.iter().map(|body| self.mass(body)).collect::<Vec<_>>());
         let letters = self.axis_letters();
-        let velocity: Option<Vec<Expr>> =
-            letters.iter().map(|letter| self.resolve(&format!("v_G{instant}.{letter}")).map(Expr::from)).collect();
-        let component = name.component.as_ref().map_or_else(String::new, |letter| format!(".{letter}"));
+        let of_centre = |kind, letter: &str| Name::of(kind, MASS_CENTRE).at(instant).along(letter);
+        let velocity = letters.iter().map(|letter| self.quantity(of_centre(QuantityKind::Velocity, letter)));
+        let velocity: Option<Vec<Expr>> = velocity.map(|own| own.map(Expr::from)).collect();
         for point in scene.points.keys() {
             let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
             let arm: Option<Vec<Expr>> = axes
                 .iter()
                 .map(|axis| {
-                    let centre = self.resolve(&format!("r_G{instant}.{}", axis.letter()))?;
+                    let centre = self.quantity(of_centre(QuantityKind::Position, axis.letter()))?;
                     Some(Expr::from(centre) - self.coordinate_of(point, *axis))
                 })
                 .collect();
             let (Some(arm), Some(velocity), Some(whole)) =
-                (arm, &velocity, self.resolve(&format!("H_{point}{instant}{component}")))
+                (arm, &velocity, self.quantity(Name { subject: point.clone(), ..name.clone() }))
             else {
                 return;
             };

@@ -9,11 +9,12 @@ use crate::scene::Stage;
 
 use super::super::Builder;
 use super::super::Name;
+use super::super::QuantityKind;
 use super::relative::energy_of_the_centre;
 
 pub(super) fn kinetic_energy(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let instant = builder.number(name)?;
-    if name.subject == "G" {
+    if name.is_of_mass_centre() {
         return energy_of_the_centre(builder, instant);
     }
     let when = builder.when(instant);
@@ -24,8 +25,7 @@ pub(super) fn kinetic_energy(builder: &mut Builder<'_>, name: &Name) -> Option<S
         (builder.called(&body), vec![body])
     };
     let whose = if bodies.len() == 1 { builder.called(&bodies[0]) } else { whose };
-    let spelling = builder.spelling(name);
-    let symbol = builder.symbol(spelling, Dimension::ENERGY, format!("the kinetic energy of {whose} {when}"));
+    let symbol = builder.symbol(builder.kept(name), Dimension::ENERGY, format!("the kinetic energy of {whose} {when}"));
     let terms: Vec<Expr> = bodies.iter().map(|body| builder.kinetic_term(body, instant)).collect();
     builder.law(&energy::KINETIC, None, "by definition", (symbol.into(), Expr::sum(terms)));
     let turned: Option<Vec<Expr>> = bodies.iter().map(|body| builder.kinetic_turned(body, instant)).collect();
@@ -38,22 +38,22 @@ pub(super) fn kinetic_energy(builder: &mut Builder<'_>, name: &Name) -> Option<S
 pub(super) fn energy_lost(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let stage = balanced_stage(builder, name, &builder.impacts())?;
     let meaning = format!("the kinetic energy lost in {}", builder.stage_phrase(stage));
-    balance_of_energy(builder, &energy::LOSS, stage, "T_lost", meaning)
+    balance_of_energy(builder, &energy::LOSS, stage, QuantityKind::EnergyLost, meaning)
 }
 
 pub(super) fn energy_gained(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let stage = balanced_stage(builder, name, &(0..builder.scene.stages.len()).collect::<Vec<_>>())?;
     let meaning = format!("the kinetic energy gained in {}", builder.stage_phrase(stage));
-    balance_of_energy(builder, &energy::GAIN, stage, "T_gained", meaning)
+    balance_of_energy(builder, &energy::GAIN, stage, QuantityKind::EnergyGained, meaning)
 }
 
 /// The work of all forces in a stage, by what it makes of the kinetic energy.
 pub(super) fn work(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let stage = balanced_stage(builder, name, &(0..builder.scene.stages.len()).collect::<Vec<_>>())?;
-    let (suffix, phrase) = (builder.stage_suffix(stage), builder.stage_phrase(stage));
-    let meaning = format!("the work done during {phrase}");
-    let symbol = builder.symbol(format!("work{suffix}"), Dimension::ENERGY, meaning);
-    let [before, after] = [stage + 1, stage + 2].map(|instant| builder.resolve(&format!("T_{instant}")));
+    let meaning = format!("the work done during {}", builder.stage_phrase(stage));
+    let own = Name::of(QuantityKind::Work, "").during(builder.stage_label(stage));
+    let symbol = builder.symbol(own, Dimension::ENERGY, meaning);
+    let [before, after] = builder.kinetic_energies(stage);
     let sides = energy::work_energy(before?.into(), [symbol.into()], after?.into());
     let because = "the work of all forces equals the change in kinetic energy";
     builder.law(&energy::WORK_ENERGY, Some(stage), because, sides);
@@ -78,12 +78,12 @@ fn balance_of_energy(
     builder: &mut Builder<'_>,
     law: &'static Law,
     stage: usize,
-    base: &str,
+    kind: QuantityKind,
     meaning: String,
 ) -> Option<Symbol> {
-    let suffix = builder.stage_suffix(stage);
-    let symbol = builder.symbol(format!("{base}{suffix}"), Dimension::ENERGY, meaning);
-    let [before, after] = [stage + 1, stage + 2].map(|instant| builder.resolve(&format!("T_{instant}")));
+    let own = Name::of(kind, "").during(builder.stage_label(stage));
+    let symbol = builder.symbol(own, Dimension::ENERGY, meaning);
+    let [before, after] = builder.kinetic_energies(stage);
     let [before, after] = [Expr::from(before?), Expr::from(after?)];
     let change = if law.id == energy::LOSS.id { before - after } else { after - before };
     builder.law(law, Some(stage), "by definition", (symbol.into(), change));
@@ -91,6 +91,11 @@ fn balance_of_energy(
 }
 
 impl Builder<'_> {
+    /// The kinetic energies of all bodies before and after a stage.
+    fn kinetic_energies(&mut self, stage: usize) -> [Option<Symbol>; 2] {
+        [stage + 1, stage + 2].map(|instant| self.quantity(Name::of(QuantityKind::KineticEnergy, "").at(instant)))
+    }
+
     /// The stages that are impacts; all of them where none is.
     fn impacts(&self) -> Vec<usize> {
         let impact = |index: &usize| matches!(self.scene.stages.get(*index), Some(Stage::Impact(_)));
@@ -110,7 +115,8 @@ impl Builder<'_> {
     pub(in crate::model) fn kinetic_term(&mut self, body: &str, instant: usize) -> Expr {
         let mass = self.mass(body);
         if self.axes.is_empty() {
-            let speed = self.resolve(&format!("speed_{body}{instant}")).map_or_else(Expr::zero, Expr::from);
+            let speed = self.quantity(Name::of(QuantityKind::Speed, body).at(instant));
+            let speed = speed.map_or_else(Expr::zero, Expr::from);
             return energy::kinetic(&mass, &[speed]);
         }
         let components = self.velocities(body, instant);

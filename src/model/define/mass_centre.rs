@@ -12,15 +12,16 @@ use crate::scene::stage::Separate;
 
 use super::super::Agent;
 use super::super::Builder;
+use super::super::Meaning;
 use super::super::Name;
+use super::super::QuantityKind;
+use super::super::name::MASS_CENTRE;
 
 pub(super) fn mass_centre_velocity(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let instant = builder.number(name)?;
     let axis = builder.axis_of(name)?;
-    let spelling = builder.spelling(name);
-    let when = builder.when(instant);
-    let meaning = format!("{}the velocity of the centre of mass {when}", Builder::component_phrase(name));
-    let symbol = builder.symbol(spelling, Dimension::VELOCITY, meaning);
+    let meaning = Meaning { noun: "the velocity", of: format!("of the centre of mass {}", builder.when(instant)) };
+    let symbol = builder.component(builder.kept(name), Dimension::VELOCITY, meaning);
     let parts = builder.carriers(instant, axis);
     let because = builder.momentum_of_the_whole(instant);
     builder.law(&mass_centre::MASS_CENTRE, None, because, mass_centre::mass_centre(&symbol.into(), &parts));
@@ -45,8 +46,8 @@ impl Builder<'_> {
     /// The velocity of the centre of mass from one instant to the next, by the impulses from outside the system.
     fn mass_centre_motion(&mut self, instant: usize, axis: Axis, after: Symbol) {
         let Some(before_instant) = instant.checked_sub(1).filter(|before| *before >= 1) else { return };
-        let letter = if self.axes.len() > 1 { format!(".{}", axis.letter()) } else { String::new() };
-        let Some(before) = self.resolve(&format!("v_G{before_instant}{letter}")) else { return };
+        let before = Name::of(QuantityKind::Velocity, MASS_CENTRE).at(before_instant).along(self.letter(axis));
+        let Some(before) = self.quantity(before) else { return };
         let position = self.axes.iter().position(|(own, _)| *own == axis).unwrap_or(0);
         let alive = self.timeline.alive(instant).len();
         let outside: Vec<Expr> = self
@@ -78,15 +79,13 @@ impl Builder<'_> {
 
 pub(super) fn mass_centre_position(builder: &mut Builder<'_>, name: &Name, instant: usize) -> Option<Symbol> {
     let axis = builder.axis_of(name)?;
-    let spelling = builder.spelling(name);
-    let meaning =
-        format!("{}the position of the centre of mass {}", Builder::component_phrase(name), builder.when(instant));
-    let symbol = builder.symbol(spelling, Dimension::LENGTH, meaning);
-    let letter = if builder.axes.len() > 1 { format!(".{}", axis.letter()) } else { String::new() };
+    let meaning = Meaning { noun: "the position", of: format!("of the centre of mass {}", builder.when(instant)) };
+    let symbol = builder.component(builder.kept(name), Dimension::LENGTH, meaning);
+    let letter = builder.letter(axis);
     let bodies: Vec<String> = builder.timeline.alive(instant).into_iter().map(str::to_owned).collect();
     let mut parts = Vec::new();
     for body in bodies {
-        let place = builder.resolve(&format!("r_{body}{instant}{letter}"))?;
+        let place = builder.quantity(Name::of(QuantityKind::Position, &body).at(instant).along(letter))?;
         parts.push((builder.mass(&body), Expr::from(place)));
     }
     let sides = mass_centre::mass_centre(&symbol.into(), &parts);
@@ -111,8 +110,9 @@ impl Builder<'_> {
         {
             return Some((self.place(whole, index, axis), self.velocity(whole, index, axis)));
         }
-        let letter = if self.axes.len() > 1 { format!(".{}", axis.letter()) } else { String::new() };
-        let [from, velocity] = ["r", "v"].map(|base| self.resolve(&format!("{base}_G{}{letter}", index + 1)));
+        let letter = self.letter(axis);
+        let [from, velocity] = [QuantityKind::Position, QuantityKind::Velocity]
+            .map(|kind| self.quantity(Name::of(kind, MASS_CENTRE).at(index + 1).along(letter)));
         Some((from?.into(), velocity?.into()))
     }
 

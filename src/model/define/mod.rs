@@ -1,5 +1,5 @@
 //! Quantities that exist because somebody mentions them: speeds, momenta, energies, the centre of mass. A table by the
-//! beginning of the name; each row makes the symbol and the equation that defines it.
+//! kind of the quantity; each row makes the symbol and the equation that defines it.
 
 mod angular;
 mod kinetic;
@@ -22,7 +22,11 @@ use crate::scene::Stage;
 use super::Builder;
 use super::ForceKind;
 use super::Instant;
+use super::Meaning;
 use super::Name;
+use super::QuantityKind;
+use super::VectorKind;
+use super::VectorName;
 use super::builder::SECOND_COST;
 use angular::angular_momentum;
 use angular::moment_of_forces;
@@ -43,32 +47,32 @@ use speed::speed;
 
 type Define = for<'b, 's> fn(&'b mut Builder<'s>, &Name) -> Option<Symbol>;
 
-/// The beginning of a name, and what makes the quantity.
-const DEFINITIONS: &[(&str, Define)] = &[
-    ("v", velocity),
-    ("speed", speed),
-    ("angle", angle),
-    ("r", position),
-    ("x", coordinate),
-    ("y", coordinate),
-    ("z", coordinate),
-    ("t", clock),
-    ("p", linear_momentum),
-    ("J", impulse),
-    ("F_avg", mean_force),
-    ("T", kinetic_energy),
-    ("T_lost", energy_lost),
-    ("T_gained", energy_gained),
-    ("work", work),
-    ("J_def", deformation),
-    ("J_rest", restoring),
-    ("v_common", common_velocity),
-    ("T_rel", relative_energy),
-    ("v_rel", relative_velocity),
-    ("H", angular_momentum),
-    ("M", moment_of_forces),
-    ("H_rate", rate_of_angular_momentum),
-    ("W", weight),
+/// What makes a quantity that exists because it is mentioned.
+const DEFINITIONS: &[(QuantityKind, Define)] = &[
+    (QuantityKind::Velocity, velocity),
+    (QuantityKind::Speed, speed),
+    (QuantityKind::Direction(VectorKind::Velocity), angle),
+    (QuantityKind::Position, position),
+    (QuantityKind::Coordinate(Axis::X), coordinate),
+    (QuantityKind::Coordinate(Axis::Y), coordinate),
+    (QuantityKind::Coordinate(Axis::Z), coordinate),
+    (QuantityKind::Time, clock),
+    (QuantityKind::Momentum, linear_momentum),
+    (QuantityKind::Impulse, impulse),
+    (QuantityKind::MeanForce, mean_force),
+    (QuantityKind::KineticEnergy, kinetic_energy),
+    (QuantityKind::EnergyLost, energy_lost),
+    (QuantityKind::EnergyGained, energy_gained),
+    (QuantityKind::Work, work),
+    (QuantityKind::DeformationImpulse, deformation),
+    (QuantityKind::RestitutionImpulse, restoring),
+    (QuantityKind::CommonVelocity, common_velocity),
+    (QuantityKind::RelativeEnergy, relative_energy),
+    (QuantityKind::RelativeVelocity, relative_velocity),
+    (QuantityKind::AngularMomentum, angular_momentum),
+    (QuantityKind::Moment, moment_of_forces),
+    (QuantityKind::AngularMomentumRate, rate_of_angular_momentum),
+    (QuantityKind::Weight, weight),
 ];
 
 impl Builder<'_> {
@@ -77,13 +81,18 @@ impl Builder<'_> {
         if let Some(symbol) = self.symbols.find(name) {
             return Some(symbol);
         }
-        if name.starts_with("angle(") {
-            return self.angle_between(name);
+        match VectorName::parse(name) {
+            Some(VectorName::AngleBetween(names)) => self.angle_between(names),
+            Some(VectorName::Magnitude(vector)) => self.magnitude_of(vector),
+            None => self.quantity(Name::parse(name)?),
         }
-        if name.starts_with("magnitude(") {
-            return self.magnitude_of(name);
+    }
+
+    /// The symbol of a name, taken apart.
+    pub(in crate::model) fn quantity(&mut self, mut name: Name) -> Option<Symbol> {
+        if let Some(symbol) = self.symbols.find(&name.to_string()) {
+            return Some(symbol);
         }
-        let mut name = Name::parse(name)?;
         if let Some(Instant::Named(instant)) = &name.instant {
             name.instant = Some(Instant::Number(self.timeline.instant(instant)?));
         }
@@ -95,8 +104,7 @@ impl Builder<'_> {
         if let Some(stage) = name.stage.take() {
             let index =
                 self.timeline.stage(self.scene, &stage).or_else(|| stage.parse::<usize>().ok()?.checked_sub(1))?;
-            let suffix = self.stage_suffix(index);
-            name.stage = (!suffix.is_empty()).then(|| suffix.trim_matches(['[', ']']).to_owned());
+            name.stage = self.stage_label(index);
         }
         // With one axis there is one component, and `r_A1.x` is `r_A1`.
         if let [(only, _)] = self.axes[..]
@@ -104,46 +112,28 @@ impl Builder<'_> {
         {
             name.component = None;
         }
-        let spelling = self.spelling(&name);
-        if let Some(symbol) = self.symbols.find(&spelling) {
+        let kept = self.kept(&name);
+        if let Some(symbol) = self.symbols.find(&kept.to_string()) {
             return Some(symbol);
         }
-        let define = DEFINITIONS.iter().find(|(base, _)| *base == name.base).map(|row| row.1);
-        define.and_then(|define| define(self, &name)).or_else(|| self.only_stage(&spelling))
+        let define = DEFINITIONS.iter().find(|(kind, _)| *kind == name.kind).map(|row| row.1);
+        define.and_then(|define| define(self, &name)).or_else(|| self.only_stage(&kept))
     }
 
-    /// The one spelling under which a name's symbol is kept.
-    fn spelling(&self, name: &Name) -> String {
-        let mut text = name.base.clone();
+    /// The one name under which a quantity is kept.
+    fn kept(&self, name: &Name) -> Name {
+        let Some(Instant::Number(number)) = name.instant else { return name.clone() };
         // A part begins where the whole was.
-        let place = name.instant.as_ref().and_then(|instant| match instant {
-            Instant::Number(number) if name.base == "r" && name.subject != "G" => {
-                Some(self.place_since(&name.subject, *number))
-            }
-            _ => None,
-        });
-        let (subject, since) = place.map_or((name.subject.clone(), None), |(body, since)| (body, Some(since)));
-        if !name.subject.is_empty() || name.instant.is_some() {
-            text.push('_');
-            text.push_str(&subject);
-        }
-        if let Some(Instant::Number(number)) = name.instant {
-            let since = since.unwrap_or_else(|| self.timeline.since(&name.subject, number).unwrap_or(number));
-            text.push_str(&since.to_string());
-        }
-        if let Some(component) = &name.component {
-            text.push('.');
-            text.push_str(component);
-        }
-        if let Some(stage) = &name.stage {
-            text = format!("{text}[{stage}]");
-        }
-        text
+        let (subject, since) = match name.kind {
+            QuantityKind::Position if !name.is_of_mass_centre() => self.place_since(&name.subject, number),
+            _ => (name.subject.clone(), self.timeline.since(&name.subject, number).unwrap_or(number)),
+        };
+        Name { subject, ..name.clone() }.at(since)
     }
 
-    /// A name without brackets, where only one stage could be meant.
-    fn only_stage(&self, spelling: &str) -> Option<Symbol> {
-        let start = format!("{spelling}[");
+    /// A name without a stage, where only one could be meant.
+    fn only_stage(&self, name: &Name) -> Option<Symbol> {
+        let start = format!("{name}[");
         let mut found =
             self.symbols.iter().filter(|(_, entry)| entry.name.starts_with(&start)).map(|(symbol, _)| symbol);
         let first = found.next()?;
@@ -192,14 +182,10 @@ impl Builder<'_> {
     pub(super) fn clock(&mut self, instant: usize) -> Option<Symbol> {
         let time = self.time_until(instant)?;
         let meaning = format!("the time {}, measured from the start", self.when(instant));
-        let symbol = self.symbol(format!("t_{instant}"), Dimension::TIME, meaning);
+        let symbol = self.symbol(Name::of(QuantityKind::Time, "").at(instant), Dimension::TIME, meaning);
         let because = "all times are measured from the start";
         self.law(&kinematics::CLOCK, None, because, (symbol.into(), time));
         Some(symbol)
-    }
-
-    fn component_phrase(name: &Name) -> String {
-        name.component.as_ref().map_or_else(String::new, |letter| format!("the {letter}-component of "))
     }
 
     /// Mass and velocity component of every body alive at an instant.
@@ -210,12 +196,11 @@ impl Builder<'_> {
 
     /// The magnitude of a vector with these components, under the name without a component.
     pub(super) fn resultant(&mut self, stage: usize, body: &str, components: &[Expr], meaning: &str) {
-        let suffix = self.stage_suffix(stage);
-        let magnitude =
-            self.positive(format!("J_{body}{suffix}"), Dimension::MOMENTUM, format!("the magnitude of {meaning}"));
+        let [magnitude, direction] = [QuantityKind::Impulse, QuantityKind::Direction(VectorKind::Impulse)]
+            .map(|kind| Name::of(kind, body).during(self.stage_label(stage)));
+        let magnitude = self.positive(magnitude, Dimension::MOMENTUM, format!("the magnitude of {meaning}"));
         if let [x, y] = components {
-            let direction =
-                self.symbol(format!("angle_J_{body}{suffix}"), Dimension::NONE, format!("the direction of {meaning}"));
+            let direction = self.symbol(direction, Dimension::NONE, format!("the direction of {meaning}"));
             self.directions.insert(direction, [x.clone(), y.clone()]);
             let because = "the impulse is resolved along the axes";
             for sides in geometry::components(&magnitude.into(), &direction.into(), x, y) {
@@ -231,7 +216,7 @@ impl Builder<'_> {
 }
 
 fn velocity(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
-    if name.subject == "G" {
+    if name.is_of_mass_centre() {
         return mass_centre_velocity(builder, name);
     }
     let (body, instant) = builder.body_at(name)?;
@@ -252,24 +237,21 @@ fn polar_velocity(builder: &mut Builder<'_>, body: &str, instant: usize, compone
         _ => return None,
     };
     let meaning = format!("the {words} velocity of {} {}", builder.called(body), builder.when(instant));
-    Some(builder.symbol(format!("v_{body}{instant}.{component}"), Dimension::VELOCITY, meaning))
+    let name = Name::of(QuantityKind::Velocity, body).at(instant).along(component);
+    Some(builder.symbol(name, Dimension::VELOCITY, meaning))
 }
 
 fn position(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let instant = builder.number(name)?;
     let when = builder.when(instant);
-    if name.subject == "G" {
+    if name.is_of_mass_centre() {
         return mass_centre_position(builder, name, instant);
     }
     let (body, _) = builder.body_at(name)?;
     let owner = builder.called(&body);
-    let spelling = builder.spelling(name);
     if builder.axes.is_empty() {
-        return Some(builder.positive(
-            spelling,
-            Dimension::LENGTH,
-            format!("the distance of {owner} from the centre {when}"),
-        ));
+        let meaning = format!("the distance of {owner} from the centre {when}");
+        return Some(builder.positive(builder.kept(name), Dimension::LENGTH, meaning));
     }
     let axis = builder.axis_of(name)?;
     match builder.place(&body, instant, axis) {
@@ -280,7 +262,8 @@ fn position(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
 
 /// `x_A1` is another spelling of the place of A along x.
 fn coordinate(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
-    let axis = builder.axis(&name.base)?;
+    let QuantityKind::Coordinate(axis) = name.kind else { return None };
+    let axis = builder.axis(axis.letter())?;
     let (body, _) = builder.body_at(name)?;
     match builder.place(&body, builder.number(name)?, axis) {
         Expr::Symbol(symbol) => Some(symbol),
@@ -297,7 +280,6 @@ fn clock(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
 fn linear_momentum(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let instant = builder.number(name)?;
     let axis = builder.axis_of(name)?;
-    let spelling = builder.spelling(name);
     let when = builder.when(instant);
     let (whose, parts) = if name.subject.is_empty() {
         ("the system".to_owned(), builder.carriers(instant, axis))
@@ -305,8 +287,8 @@ fn linear_momentum(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
         let (body, since) = builder.body_at(name)?;
         (builder.called(&body), vec![(builder.mass(&body), builder.velocity(&body, since, axis))])
     };
-    let meaning = format!("{}the momentum of {whose} {when}", Builder::component_phrase(name));
-    let symbol = builder.symbol(spelling, Dimension::MOMENTUM, meaning);
+    let meaning = Meaning { noun: "the momentum", of: format!("of {whose} {when}") };
+    let symbol = builder.component(builder.kept(name), Dimension::MOMENTUM, meaning);
     builder.law(&momentum::MOMENTUM, None, "by definition", (symbol.into(), momentum::total(&parts)));
     Some(symbol)
 }
@@ -316,7 +298,7 @@ fn impulse(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let axis = builder.axis_of(name)?;
     let position = builder.axes.iter().position(|(own, _)| *own == axis)?;
     let in_stage = |stage: usize| match &name.stage {
-        Some(wanted) => builder.stage_suffix(stage) == format!("[{wanted}]"),
+        Some(_) => builder.stage_label(stage) == name.stage,
         None => true,
     };
     let acting: Vec<(usize, Expr)> = builder
@@ -329,14 +311,9 @@ fn impulse(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     if acting.iter().any(|(own, _)| *own != stage) {
         return None;
     }
-    let meaning = format!(
-        "{}the impulse on {} during {}",
-        Builder::component_phrase(name),
-        builder.called(&name.subject),
-        builder.stage_phrase(stage)
-    );
-    let spelling = builder.spelling(name);
-    let symbol = builder.symbol(spelling, Dimension::MOMENTUM, meaning);
+    let of = format!("on {} during {}", builder.called(&name.subject), builder.stage_phrase(stage));
+    let meaning = Meaning { noun: "the impulse", of };
+    let symbol = builder.component(builder.kept(name), Dimension::MOMENTUM, meaning);
     let weight = builder.impulse_of_weight(&name.subject, stage, position);
     let total = Expr::sum(acting.into_iter().map(|(_, impulse)| impulse).chain(weight));
     builder.law(&force::IMPULSE, Some(stage), "by definition", (symbol.into(), total));
@@ -346,7 +323,7 @@ fn impulse(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
 /// The average force over a push: that which would give the same impulse in the same time.
 fn mean_force(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let in_stage = |stage: usize| match &name.stage {
-        Some(wanted) => builder.stage_suffix(stage) == format!("[{wanted}]"),
+        Some(_) => builder.stage_label(stage) == name.stage,
         None => true,
     };
     let acts = |stage: &usize| builder.impulses.iter().any(|own| own.stage == *stage && own.on == name.subject);
@@ -354,12 +331,11 @@ fn mean_force(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let stages = (0..builder.scene.stages.len()).filter(|stage| is_push(stage) && acts(stage) && in_stage(*stage));
     let [stage] = stages.collect::<Vec<_>>()[..] else { return None };
     let lasts = builder.lasting.get(stage)?.clone()?;
-    let total = Name { base: "J".into(), ..name.clone() };
-    let total = Expr::from(builder.resolve(&builder.spelling(&total))?);
+    let total = Name { kind: QuantityKind::Impulse, ..name.clone() };
+    let total = Expr::from(builder.quantity(total)?);
     let (body, phrase) = (builder.called(&name.subject), builder.stage_phrase(stage));
-    let meaning = format!("{}the average force on {body} during {phrase}", Builder::component_phrase(name));
-    let spelling = builder.spelling(name);
-    let symbol = builder.symbol(spelling, Dimension::FORCE, meaning);
+    let meaning = Meaning { noun: "the average force", of: format!("on {body} during {phrase}") };
+    let symbol = builder.component(builder.kept(name), Dimension::FORCE, meaning);
     let because = "the average force would give the same impulse in the same time";
     let sides = force::mean_force(&total, &symbol.into(), &lasts);
     builder.law(&force::MEAN_FORCE, Some(stage), because, sides);
@@ -371,8 +347,7 @@ fn weight(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
         return None;
     }
     let meaning = format!("the weight of {}", builder.called(&name.subject));
-    let spelling = builder.spelling(name);
-    let symbol = builder.positive(spelling, Dimension::FORCE, meaning);
+    let symbol = builder.positive(builder.kept(name), Dimension::FORCE, meaning);
     let (mass, gravity) = (builder.mass(&name.subject), builder.gravity());
     builder.law(&force::WEIGHT, None, "by definition", (symbol.into(), mass * gravity));
     Some(symbol)

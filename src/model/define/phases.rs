@@ -9,6 +9,7 @@ use crate::scene::stage::Partners;
 
 use super::super::Builder;
 use super::super::Name;
+use super::super::QuantityKind;
 
 /// Masses, and the velocities before along the line of impact, of the two bodies; the second may be a surface.
 struct Deformed {
@@ -19,7 +20,7 @@ struct Deformed {
 pub(super) fn deformation(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let stage = builder.impact_of(name)?;
     let common = common_symbol(builder, stage)?;
-    let symbol = impulse(builder, stage, "J_def", "deformation");
+    let symbol = impulse(builder, stage, QuantityKind::DeformationImpulse, "deformation");
     let Deformed { masses, before } = builder.deformed(stage)?;
     let (mass, start) = masses.into_iter().zip(before).find_map(|(mass, start)| Some((mass?, start)))?;
     let slowed = mass * (start - common.into());
@@ -31,7 +32,7 @@ pub(super) fn deformation(builder: &mut Builder<'_>, name: &Name) -> Option<Symb
 pub(super) fn restoring(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let stage = builder.impact_of(name)?;
     let deformation = deformation(builder, name)?;
-    let symbol = impulse(builder, stage, "J_rest", "restitution");
+    let symbol = impulse(builder, stage, QuantityKind::RestitutionImpulse, "restitution");
     let Some(Stage::Impact(impact)) = builder.scene.stages.get(stage) else { return None };
     let path = crate::fault::Path::root().key("scene").key("stages").index(stage).key("impact").key("restitution");
     let e = match &impact.restitution {
@@ -48,22 +49,17 @@ pub(super) fn common_velocity(builder: &mut Builder<'_>, name: &Name) -> Option<
     common_symbol(builder, stage)
 }
 
-fn impulse(builder: &mut Builder<'_>, stage: usize, base: &str, phase: &str) -> Symbol {
-    let suffix = builder.stage_suffix(stage);
-    let phrase = builder.stage_phrase(stage);
-    builder.symbol(
-        format!("{base}{suffix}"),
-        Dimension::MOMENTUM,
-        format!("the magnitude of the impulse of {phase} in {phrase}"),
-    )
+fn impulse(builder: &mut Builder<'_>, stage: usize, kind: QuantityKind, phase: &str) -> Symbol {
+    let meaning = format!("the magnitude of the impulse of {phase} in {}", builder.stage_phrase(stage));
+    builder.symbol(Name::of(kind, "").during(builder.stage_label(stage)), Dimension::MOMENTUM, meaning)
 }
 
 /// The velocity that both bodies have along the line of impact when they are nearest.
 fn common_symbol(builder: &mut Builder<'_>, stage: usize) -> Option<Symbol> {
-    let suffix = builder.stage_suffix(stage);
+    let name = Name::of(QuantityKind::CommonVelocity, "").during(builder.stage_label(stage));
     let phrase = builder.stage_phrase(stage);
     let meaning = format!("the common velocity along the line of impact at the greatest deformation in {phrase}");
-    let symbol = builder.symbol(format!("v_common{suffix}"), Dimension::VELOCITY, meaning);
+    let symbol = builder.symbol(name, Dimension::VELOCITY, meaning);
     let Deformed { masses: [first, second], before: [a, b] } = builder.deformed(stage)?;
     let common = Expr::from(symbol);
     let (because, sides) = match (first, second) {

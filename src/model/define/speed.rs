@@ -8,6 +8,8 @@ use crate::quantity::Dimension;
 
 use super::super::Builder;
 use super::super::Name;
+use super::super::QuantityKind;
+use super::super::VectorKind;
 use super::super::builder::SECOND_COST;
 use super::polar_velocity;
 
@@ -26,12 +28,13 @@ impl Builder<'_> {
     fn speed_and_angle(&mut self, body: &str, instant: usize) -> (Symbol, Symbol) {
         let (owner, when) = (self.called(body), self.when(instant));
         let speed = self.positive(
-            format!("speed_{body}{instant}"),
+            Name::of(QuantityKind::Speed, body).at(instant),
             Dimension::VELOCITY,
             format!("the speed of {owner} {when}"),
         );
         let meaning = format!("the direction of motion of {owner} {when}");
-        let angle = self.symbol(format!("angle_{body}{instant}"), Dimension::NONE, meaning);
+        let angle = Name::of(QuantityKind::Direction(VectorKind::Velocity), body).at(instant);
+        let angle = self.symbol(angle, Dimension::NONE, meaning);
         if !self.defined.insert(format!("speed {body}{instant}")) {
             return (speed, angle);
         }
@@ -111,6 +114,7 @@ impl Builder<'_> {
 
     /// Whether the speed or the direction of a body is given, so that components follow from it rather than the reverse.
     fn is_given(&self, body: &str, instant: usize) -> bool {
-        ["speed", "angle"].iter().any(|base| self.given.contains(&format!("{base}_{body}{instant}")))
+        let kinds = [QuantityKind::Speed, QuantityKind::Direction(VectorKind::Velocity)];
+        kinds.into_iter().any(|kind| self.given.contains(&Name::of(kind, body).at(instant).to_string()))
     }
 }

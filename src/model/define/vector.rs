@@ -8,14 +8,17 @@ use crate::quantity::Dimension;
 
 use super::super::Builder;
 use super::super::Instant;
+use super::super::Meaning;
 use super::super::Name;
+use super::super::QuantityKind;
+use super::super::VectorKind;
 use super::super::builder::SECOND_COST;
 use super::super::component_name;
 
 /// A vector that a name stands for, or a direction.
 struct Vector {
     /// What it is, as a noun phrase.
-    meaning: String,
+    meaning: Meaning,
     /// Its components along the axes of the scene.
     components: Vec<Expr>,
     /// Its magnitude; one for a direction.
@@ -26,7 +29,7 @@ struct Vector {
 
 impl Builder<'_> {
     /// The components of a vector by its name, with what it is and its dimension.
-    fn components_of(&mut self, name: &str) -> Option<(Vec<Expr>, String, Dimension)> {
+    fn components_of(&mut self, name: &str) -> Option<(Vec<Expr>, Meaning, Dimension)> {
         let letters = self.axis_letters();
         if letters.len() < 2 {
             return None;
@@ -34,20 +37,21 @@ impl Builder<'_> {
         let symbols: Vec<Symbol> =
             letters.iter().map(|letter| self.resolve(&component_name(name, letter))).collect::<Option<_>>()?;
         let first = self.symbols.entry(*symbols.first()?).clone();
-        let component = format!("the {}-component of ", letters.first()?);
-        let meaning = first.meaning.strip_prefix(&component).unwrap_or(&first.meaning).to_owned();
+        let known = self.vectors.get(symbols.first()?).cloned();
+        let meaning = known.unwrap_or(Meaning { noun: "", of: first.meaning });
         Some((symbols.into_iter().map(Expr::from).collect(), meaning, first.dimension))
     }
 
     /// The magnitude of a vector that has components.
-    pub(super) fn magnitude_of(&mut self, text: &str) -> Option<Symbol> {
-        let name = text.strip_prefix("magnitude(")?.strip_suffix(')')?.trim();
-        let velocity = Name::parse(name).filter(|own| own.base == "v" && own.subject != "G" && own.component.is_none());
-        if let Some(Name { subject, instant: Some(Instant::Number(number)), .. }) = velocity {
-            return self.resolve(&format!("speed_{subject}{number}"));
+    pub(super) fn magnitude_of(&mut self, name: &str) -> Option<Symbol> {
+        if let Some(velocity) = velocity(name).filter(|own| !own.is_of_mass_centre() && own.component.is_none())
+            && matches!(velocity.instant, Some(Instant::Number(_)))
+        {
+            return self.quantity(Name { kind: QuantityKind::Speed, stage: None, ..velocity });
         }
         let (components, meaning, dimension) = self.components_of(name)?;
-        let symbol = self.positive(format!("magnitude({name})"), dimension, format!("the magnitude of {meaning}"));
+        let own = Name::of(QuantityKind::Magnitude(name.to_owned()), "");
+        let symbol = self.positive(own, dimension, format!("the magnitude of {meaning}"));
         if self.defined.insert(format!("magnitude {name}")) {
             let squares = Expr::sum(components.into_iter().map(|component| component.powi(2)));
             let because = "the components of the vector are perpendicular";
@@ -62,31 +66,30 @@ impl Builder<'_> {
             let components = self.components(&direction);
             let dimension = Dimension::NONE;
             return Some(Vector {
-                meaning: format!("the direction {name}"),
+                meaning: Meaning { noun: "the direction", of: name.to_owned() },
                 components,
                 magnitude: Expr::one(),
                 dimension,
             });
         }
         let (components, meaning, dimension) = self.components_of(name)?;
-        let magnitude = self.magnitude_of(&format!("magnitude({name})"))?.into();
+        let magnitude = self.magnitude_of(name)?.into();
         Some(Vector { meaning, components, magnitude, dimension })
     }
 
     /// The angle between two vectors, with the equations that relate it to their components.
-    pub(super) fn angle_between(&mut self, text: &str) -> Option<Symbol> {
-        let (one, other) = text.strip_prefix("angle(")?.strip_suffix(')')?.split_once(',')?;
-        let [one, other] = [one, other].map(|name| self.at_its_instant(name.trim()));
+    pub(super) fn angle_between(&mut self, names: [&str; 2]) -> Option<Symbol> {
+        let [one, other] = names.map(|name| self.at_its_instant(name));
         let [first, second] = [&one, &other].map(|name| self.vector(name));
         let (first, second) = (first?, second?);
         let both_velocities = [&first, &second].iter().all(|own| own.dimension == Dimension::VELOCITY);
         let meaning = if both_velocities {
-            let [a, b] = [&first, &second].map(|own| own.meaning.replacen("the velocity", "that", 1));
-            format!("the angle between two velocities: {a} and {b}")
+            format!("the angle between two velocities: that {} and that {}", first.meaning.of, second.meaning.of)
         } else {
             format!("the angle between {} and {}", first.meaning, second.meaning)
         };
-        let angle = self.positive(format!("angle({one}, {other})"), Dimension::NONE, meaning);
+        let name = Name::of(QuantityKind::AngleBetween([one.clone(), other.clone()]), "");
+        let angle = self.positive(name, Dimension::NONE, meaning);
         if !self.defined.insert(format!("between {one} {other}")) {
             return Some(angle);
         }
@@ -98,7 +101,8 @@ impl Builder<'_> {
         self.law(&geometry::BETWEEN, None, because, (angle.into(), value));
         self.law_at(SECOND_COST, &geometry::BETWEEN, None, because, (product, sizes * Expr::from(angle).cos()));
         if self.axes.len() == 2 && both_velocities {
-            let [one, other] = [one, other].map(|name| self.resolve(&name.replacen("v_", "angle_", 1)));
+            let direction = |name: Name| Name { kind: QuantityKind::Direction(VectorKind::Velocity), ..name };
+            let [one, other] = [one, other].map(|name| self.quantity(direction(velocity(&name)?)));
             let apart = Expr::from(one?) - Expr::from(other?);
             let because = "it is the difference between the directions, without its sign";
             self.law_at(SECOND_COST, &geometry::BETWEEN, None, because, (apart.cos(), Expr::from(angle).cos()));
@@ -109,10 +113,15 @@ impl Builder<'_> {
     /// The name of a velocity under the instant since which the body has it.
     fn at_its_instant(&self, name: &str) -> String {
         let since = || {
-            let own = Name::parse(name).filter(|own| own.base == "v")?;
+            let own = velocity(name)?;
             let (body, since) = self.body_at(&own)?;
-            Some(format!("v_{body}{since}"))
+            Some(Name::of(QuantityKind::Velocity, &body).at(since).to_string())
         };
         since().unwrap_or_else(|| name.to_owned())
     }
+}
+
+/// A name that is one of a velocity, taken apart.
+fn velocity(name: &str) -> Option<Name> {
+    Name::parse(name).filter(|own| own.kind == QuantityKind::Velocity)
 }

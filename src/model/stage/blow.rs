@@ -6,6 +6,8 @@ use crate::laws::momentum;
 use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Impulse;
+use crate::model::Name;
+use crate::model::QuantityKind;
 use crate::model::contact_weight::Lasting;
 use crate::quantity::Dimension;
 use crate::scene::Axis;
@@ -18,18 +20,16 @@ impl Builder<'_> {
         let name = self.called(body);
         let mass = self.mass(body);
         let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
-        let suffix = self.stage_suffix(index);
         let contact = Lasting { index, duration: stage.duration.as_ref(), include: &stage.include, path };
         let gained = self.included_weight(&contact, body);
         let mut components = Vec::new();
         for (position, axis) in axes.iter().enumerate() {
             let [before, after] = [index + 1, index + 2].map(|instant| self.velocity(body, instant, *axis));
-            let (letter, along) = match axes.len() {
-                1 => (String::new(), String::new()),
-                _ => (format!(".{}", axis.letter()), format!(" along {}", axis.letter())),
-            };
+            let along = self.along(*axis);
             let meaning = format!("the impulse on {name} from {}{along}", stage.by);
-            let impulse = Expr::from(self.symbol(format!("J_{body}{letter}{suffix}"), Dimension::MOMENTUM, meaning));
+            let impulse = Name::of(QuantityKind::Impulse, body).along(self.letter(*axis));
+            let impulse = impulse.during(self.stage_label(index));
+            let impulse = Expr::from(self.symbol(impulse, Dimension::MOMENTUM, meaning));
             let weight = gained.as_ref().map(|gained| gained[position].clone()).filter(|gained| !gained.is_zero());
             let because = match weight {
                 None => format!("{} gives {name} an impulse{along}", stage.by),
@@ -48,7 +48,7 @@ impl Builder<'_> {
             self.resultant(index, body, &components, &format!("the impulse on {name} from {}", stage.by));
             if stage.duration.is_some() {
                 let magnitude = Expr::from(self.positive(
-                    format!("J_{body}{suffix}"),
+                    Name::of(QuantityKind::Impulse, body).during(self.stage_label(index)),
                     Dimension::MOMENTUM,
                     format!("the magnitude of the impulse on {name} from {}", stage.by),
                 ));

@@ -9,9 +9,21 @@ use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Impulse;
 use crate::model::Influence;
+use crate::model::Name;
+use crate::model::QuantityKind;
 use crate::quantity::Dimension;
 use crate::scene::Stage;
 use crate::scene::stage::Bounces;
+
+/// All bounces together, as they stand in names.
+pub(super) const IN_ALL: &str = "total";
+/// The bounce that is counted.
+pub(super) const COUNTED: &str = "n";
+
+/// A quantity of the bounce that is counted.
+pub(super) fn at_bounce(kind: QuantityKind) -> Name {
+    Name::of(kind, COUNTED)
+}
 
 impl Builder<'_> {
     pub(in crate::model) fn bounces(&mut self, index: usize, stage: &Bounces, path: &Path) {
@@ -60,7 +72,7 @@ impl Builder<'_> {
         let heights = format!("{speeds}, hence the height that it reaches by the square of e");
         let times = format!("{speeds}, hence the time of each flight by e");
         let law =
-            |builder: &mut Self, (law, because): (&'static Law, &str), symbol: (&str, Dimension, String), value| {
+            |builder: &mut Self, (law, because): (&'static Law, &str), symbol: (Name, Dimension, String), value| {
                 let symbol = builder.positive(symbol.0, symbol.1, symbol.2);
                 builder.law(law, Some(index), because, (symbol.into(), value));
             };
@@ -69,28 +81,44 @@ impl Builder<'_> {
             law(
                 self,
                 (&bouncing::BOUNCE_HEIGHT, &heights),
-                ("h_n", Dimension::LENGTH, format!("the height that {name} reaches after the n-th bounce")),
+                (
+                    at_bounce(QuantityKind::Height),
+                    Dimension::LENGTH,
+                    format!("the height that {name} reaches after the n-th bounce"),
+                ),
                 height,
             );
             let speed = bouncing::bounce_speed(e, count, &gravity, &drop);
             law(
                 self,
                 (&bouncing::BOUNCE_SPEED, &speeds),
-                ("v_n", Dimension::VELOCITY, format!("the speed of {name} just after the n-th bounce")),
+                (
+                    at_bounce(QuantityKind::Velocity),
+                    Dimension::VELOCITY,
+                    format!("the speed of {name} just after the n-th bounce"),
+                ),
                 speed.clone(),
             );
             let flight = bouncing::flight(&speed, &gravity);
             law(
                 self,
                 (&bouncing::BOUNCE_FLIGHT, &times),
-                ("dt_n", Dimension::TIME, format!("the duration of the flight of {name} after the n-th bounce")),
+                (
+                    at_bounce(QuantityKind::Duration),
+                    Dimension::TIME,
+                    format!("the duration of the flight of {name} after the n-th bounce"),
+                ),
                 flight,
             );
             let time = bouncing::bounce_time(e, count, &first);
             law(
                 self,
                 (&bouncing::BOUNCE_TIME, &times),
-                ("t_n", Dimension::TIME, "the time of the n-th bounce, measured from the release".into()),
+                (
+                    at_bounce(QuantityKind::Time),
+                    Dimension::TIME,
+                    "the time of the n-th bounce, measured from the release".into(),
+                ),
                 time,
             );
         }
@@ -98,14 +126,22 @@ impl Builder<'_> {
         law(
             self,
             (&bouncing::BOUNCE_TIME, &times),
-            ("t_total", Dimension::TIME, format!("the time at which {name} comes to rest, measured from the release")),
+            (
+                Name::of(QuantityKind::Time, IN_ALL),
+                Dimension::TIME,
+                format!("the time at which {name} comes to rest, measured from the release"),
+            ),
             total,
         );
         let path_length = bouncing::total_path(e, &drop);
         law(
             self,
             (&bouncing::BOUNCE_PATH, &heights),
-            ("path_total", Dimension::LENGTH, format!("the total distance travelled by {name}")),
+            (
+                Name::of(QuantityKind::PathLength, IN_ALL),
+                Dimension::LENGTH,
+                format!("the total distance travelled by {name}"),
+            ),
             path_length,
         );
     }
@@ -119,7 +155,7 @@ impl Builder<'_> {
                 let path = Path::root().key("scene").key("stages").index(before).key("fall").key("height");
                 self.read_positive(&fall.height, Dimension::LENGTH, &meaning, &path)
             }
-            _ => self.positive("h_0", Dimension::LENGTH, meaning).into(),
+            _ => self.positive(Name::of(QuantityKind::Height, "").at(0), Dimension::LENGTH, meaning).into(),
         }
     }
 }

@@ -7,8 +7,11 @@ use crate::laws::Law;
 use crate::laws::bouncing;
 use crate::laws::momentum;
 use crate::model::Builder;
+use crate::model::Name;
+use crate::model::QuantityKind;
 use crate::model::Warning;
 use crate::model::incline::Fall;
+use crate::model::stage::bounces::{COUNTED, IN_ALL, at_bounce};
 use crate::quantity::Dimension;
 use crate::scene::Axis;
 use crate::scene::stage::Bounces;
@@ -66,19 +69,17 @@ impl Builder<'_> {
     fn speeds_and_times(&mut self, own: &Bouncing<'_>) {
         let (name, e, press) = (&own.name, own.e, &own.press);
         let because = format!("each bounce multiplies the speed of {name} away from the floor by e");
-        let speed = own.quantity(
-            self,
-            "v_n",
+        let speed = self.positive(
+            at_bounce(QuantityKind::Velocity),
             Dimension::VELOCITY,
-            "the speed of {} away from the floor just after the n-th bounce",
+            format!("the speed of {name} away from the floor just after the n-th bounce"),
         );
         let value = bouncing::speed_after(e, own.count, &own.arrival);
         own.law(self, &bouncing::BOUNCE_SPEED, &because, (speed, value));
-        let height = own.quantity(
-            self,
-            "h_n",
+        let height = self.positive(
+            at_bounce(QuantityKind::Height),
             Dimension::LENGTH,
-            "the greatest distance of {} from the floor after the n-th bounce",
+            format!("the greatest distance of {name} from the floor after the n-th bounce"),
         );
         let value = bouncing::height_of(&speed.into(), press);
         own.law(
@@ -87,8 +88,8 @@ impl Builder<'_> {
             &format!("{name} rises until it no longer moves away from the floor"),
             (height, value),
         );
-        let flight =
-            own.quantity(self, "dt_n", Dimension::TIME, "the duration of the flight of {} after the n-th bounce");
+        let meaning = format!("the duration of the flight of {name} after the n-th bounce");
+        let flight = self.positive(at_bounce(QuantityKind::Duration), Dimension::TIME, meaning);
         let value = bouncing::flight(&speed.into(), press);
         own.law(
             self,
@@ -96,13 +97,15 @@ impl Builder<'_> {
             &format!("{name} returns to the floor with the speed with which it left"),
             (flight, value),
         );
-        let start = self.resolve(&format!("t_{}", own.index + 1)).map_or_else(Expr::zero, Expr::from);
+        let start = self.clock(own.index + 1).map_or_else(Expr::zero, Expr::from);
         let because = format!("{because}, hence the time of each flight by e");
         let whole = own.whole();
-        let time = own.quantity(self, "t_n", Dimension::TIME, "the time of the n-th bounce of {}");
+        let meaning = format!("the time of the n-th bounce of {name}");
+        let time = self.positive(at_bounce(QuantityKind::Time), Dimension::TIME, meaning);
         let value = start.clone() + bouncing::time_to(e, own.count, &whole);
         own.law(self, &bouncing::BOUNCE_TIME, &because, (time, value));
-        let total = own.quantity(self, "t_total", Dimension::TIME, "the time at which {} stops bouncing");
+        let meaning = format!("the time at which {name} stops bouncing");
+        let total = self.positive(Name::of(QuantityKind::Time, IN_ALL), Dimension::TIME, meaning);
         let value = start + bouncing::time_of_all(e, &whole);
         own.law(self, &bouncing::BOUNCE_TIME, &because, (total, value));
     }
@@ -119,19 +122,19 @@ impl Builder<'_> {
         };
         let way = |time: &Expr| bouncing::along(&along.velocity, &along.acceleration, time);
         let times = [
-            ("n", "at its n-th bounce", bouncing::time_to(own.e, own.count, &own.whole())),
-            ("total", "where its bouncing ends", bouncing::time_of_all(own.e, &own.whole())),
+            (COUNTED, "at its n-th bounce", bouncing::time_to(own.e, own.count, &own.whole())),
+            (IN_ALL, "where its bouncing ends", bouncing::time_of_all(own.e, &own.whole())),
         ];
         for (which, when, time) in times {
             let meaning = format!("the {letter}-component of the position of {} {when}", own.name);
-            let place = self.symbol(format!("{letter}_{which}"), Dimension::LENGTH, meaning);
+            let place = self.symbol(Name::of(QuantityKind::Coordinate(along.axis), which), Dimension::LENGTH, meaning);
             own.law(self, &bouncing::BOUNCE_PLACE, &because, (place, along.from.clone() + way(&time)));
         }
-        let flight = own.quantity(self, "dt_n", Dimension::TIME, "");
+        let flight = self.positive(at_bounce(QuantityKind::Duration), Dimension::TIME, String::new());
         let gained = bouncing::time_to(own.e, own.count, &own.whole()) * along.acceleration.clone();
         let leaving = if level { along.velocity.clone() } else { along.velocity.clone() + gained };
         let meaning = format!("the distance along the floor from the n-th bounce of {} to the next", own.name);
-        let range = self.symbol("range_n", Dimension::LENGTH, meaning);
+        let range = self.symbol(at_bounce(QuantityKind::Range), Dimension::LENGTH, meaning);
         let value = bouncing::along(&leaving, &along.acceleration, &flight.into());
         own.law(self, &bouncing::BOUNCE_RANGE, &because, (range, value));
         if level {
@@ -145,10 +148,6 @@ impl Bouncing<'_> {
     /// The duration of a flight that begins with the speed of the first arrival.
     fn whole(&self) -> Expr {
         bouncing::flight(&self.arrival, &self.press)
-    }
-
-    fn quantity(&self, builder: &mut Builder<'_>, name: &str, dimension: Dimension, meaning: &str) -> Symbol {
-        builder.positive(name, dimension, meaning.replace("{}", &self.name))
     }
 
     fn law(&self, builder: &mut Builder<'_>, law: &'static Law, because: &str, (symbol, value): (Symbol, Expr)) {

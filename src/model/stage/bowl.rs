@@ -13,6 +13,9 @@ use crate::model::Builder;
 use crate::model::Effect;
 use crate::model::Impulse;
 use crate::model::Influence;
+use crate::model::Name;
+use crate::model::QuantityKind;
+use crate::model::VectorKind;
 use crate::model::builder::SECOND_COST;
 use crate::quantity::Dimension;
 use crate::scene::stage::Bowl;
@@ -57,7 +60,7 @@ impl Builder<'_> {
         let (body, instant) = (stage.body.as_str(), index + 1 + side);
         let since = self.timeline.since(body, instant).unwrap_or(instant);
         let (name, when) = (self.called(body), self.when(since));
-        let speed = format!("speed_{body}{since}");
+        let speed = Name::of(QuantityKind::Speed, body).at(since);
         let speed = Expr::from(self.positive(speed, Dimension::VELOCITY, format!("the speed of {name} {when}")));
         if stage.is_horizontal(side) {
             let because = format!("{name} moves horizontally {when}");
@@ -66,12 +69,14 @@ impl Builder<'_> {
             return speed;
         }
         let meaning = format!("the velocity of {name} along the slope of the wall {when}");
-        let along = Expr::from(self.symbol(format!("v_{body}{since}.s"), Dimension::VELOCITY, meaning));
+        let along = Name::of(QuantityKind::Velocity, body).at(since).along("s");
+        let along = Expr::from(self.symbol(along, Dimension::VELOCITY, meaning));
         let squares = across.clone().powi(2) + along.powi(2);
         let because = "the horizontal part of the velocity and that along the slope are perpendicular";
         self.law(&geometry::MAGNITUDE, Some(index), because, (speed.clone(), squares.sqrt()));
         let meaning = format!("the angle between the velocity of {name} and the horizontal {when}");
-        let angle = Expr::from(self.positive(format!("angle_{body}{since}"), Dimension::NONE, meaning));
+        let angle = Name::of(QuantityKind::Direction(VectorKind::Velocity), body).at(since);
+        let angle = Expr::from(self.positive(angle, Dimension::NONE, meaning));
         let ratio = Expr::apply(Function::Abs, across.clone()) / speed.clone();
         let because = "the horizontal part of the velocity is its component along the circle";
         self.law(&geometry::COMPONENTS, Some(index), because, (angle, Expr::apply(Function::Acos, ratio)));
@@ -83,7 +88,7 @@ impl Builder<'_> {
         match &stage.height {
             Some(term) => self.read_positive(term, Dimension::LENGTH, meaning, &path.key("height")),
             None => {
-                let own = format!("h_{}{}", stage.body, self.stage_suffix(index));
+                let own = Name::of(QuantityKind::Height, &stage.body).during(self.stage_label(index));
                 self.positive(own, Dimension::LENGTH, meaning).into()
             }
         }
@@ -130,7 +135,8 @@ impl Builder<'_> {
         let (body, instant) = (stage.body.as_str(), index + 1 + side);
         let since = self.timeline.since(body, instant).unwrap_or(instant);
         let meaning = format!("the depth of {} below the centre of the bowl {}", self.called(body), self.when(since));
-        let depth = Expr::from(self.symbol(format!("depth_{body}{since}"), Dimension::LENGTH, meaning));
+        let depth = Name::of(QuantityKind::Depth, body).at(since);
+        let depth = Expr::from(self.symbol(depth, Dimension::LENGTH, meaning));
         let because = "the position is on the sphere, below its centre";
         let sides = (distance.clone().powi(2) + depth.clone().powi(2), radius.clone().powi(2));
         self.law(&geometry::HEIGHT_IN_BOWL, Some(index), because, sides);

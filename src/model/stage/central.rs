@@ -8,6 +8,8 @@ use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Impulse;
 use crate::model::Influence;
+use crate::model::Name;
+use crate::model::QuantityKind;
 use crate::model::Work;
 use crate::quantity::Dimension;
 use crate::scene::stage::Central;
@@ -24,7 +26,7 @@ impl Builder<'_> {
         let sides = (r1.clone() * v1.clone(), r2 * v2);
         self.law(&angular::CENTRAL, Some(index), because, sides);
         let rate = self.symbol(
-            "areal_rate",
+            Name::of(QuantityKind::ArealRate, ""),
             Dimension::new(0, 2, -1),
             format!("the rate at which the radius from {centre} sweeps out area"),
         );
@@ -60,7 +62,9 @@ impl Builder<'_> {
         let body = stage.body.as_str();
         let [(start, across), (end, _)] =
             [index + 1, index + 2].map(|instant| self.polar_state(body, &stage.about, instant));
-        let radial = self.resolve(&format!("v_{body}{}.r", index + 1)).map_or_else(Expr::zero, Expr::from);
+        let radial = self
+            .quantity(Name::of(QuantityKind::Velocity, body).at(index + 1).along("r"))
+            .map_or_else(Expr::zero, Expr::from);
         let needed = self.mass(body) * across.power(Expr::integer(2)) / start.clone();
         Work::UnlessRound([end - start, radial, (strength - needed).simplify()])
     }
@@ -105,12 +109,13 @@ impl Builder<'_> {
         let since = self.timeline.since(body, instant).unwrap_or(instant);
         let (name, centre, when) = (self.called(body), self.point(point), self.when(since));
         let radius = self.positive(
-            format!("r_{body}{since}"),
+            Name::of(QuantityKind::Position, body).at(since),
             Dimension::LENGTH,
             format!("the distance of {name} from {centre} {when}"),
         );
         let meaning = format!("the transverse velocity of {name} {when}");
-        let velocity = self.symbol(format!("v_{body}{since}.theta"), Dimension::VELOCITY, meaning);
+        let velocity = Name::of(QuantityKind::Velocity, body).at(since).along("theta");
+        let velocity = self.symbol(velocity, Dimension::VELOCITY, meaning);
         (radius.into(), velocity.into())
     }
 }

@@ -11,6 +11,8 @@ use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Impulse;
 use crate::model::Influence;
+use crate::model::Name;
+use crate::model::QuantityKind;
 use crate::model::Warning;
 use crate::model::Work;
 use crate::quantity::Dimension;
@@ -61,8 +63,8 @@ impl Builder<'_> {
             }
         }
         let meaning = format!("the tension of the string during {}", self.stage_phrase(index));
-        let tension =
-            Expr::from(self.symbol(format!("tension{}", self.stage_suffix(index)), Dimension::FORCE, meaning));
+        let tension = Name::of(QuantityKind::Tension, "").during(self.stage_label(index));
+        let tension = Expr::from(self.symbol(tension, Dimension::FORCE, meaning));
         let sides = [&trailing, &leading];
         let because = format!(
             "the string runs freely over {pulley} and pulls both equally, {} forwards and {} back along it, so its impulses cancel in the sum",

@@ -18,7 +18,7 @@ impl Builder<'_> {
         let meaning = format!("the duration of {phrase}");
         let time = match &stage.during {
             Some(term) => self.read_positive(term, Dimension::TIME, &meaning, &path.key("during")),
-            None => self.positive(format!("dt{}", self.stage_suffix(index)), Dimension::TIME, meaning).into(),
+            None => self.positive(self.duration_name(index), Dimension::TIME, meaning).into(),
         };
         self.lasting[index] = Some(time.clone());
         let bodies: Vec<String> = self.timeline.alive(index + 1).into_iter().map(str::to_owned).collect();

@@ -41,8 +41,8 @@ impl Builder<'_> {
                 Expr::zero(),
                 format!("{} downwards at the end of {phrase}", self.does(&stage.body, ["moves", "move"])),
             );
-            let suffix = self.stage_suffix(index);
-            let time = self.positive(format!("dt{suffix}"), Dimension::TIME, format!("the duration of {phrase}"));
+            let meaning = format!("the duration of {phrase}");
+            let time = self.positive(self.duration_name(index), Dimension::TIME, meaning);
             self.lasting[index] = Some(time.into());
             let gained = Expr::product([Expr::integer(down), gravity.clone(), time.into()]);
             self.law(&kinematics::FALL_TIME, Some(index), because, (before + gained, after));

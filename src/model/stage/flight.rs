@@ -47,7 +47,7 @@ impl Builder<'_> {
         let path = Path::root().key("scene").key("stages").index(index).key("flight").key("during");
         match &stage.during {
             Some(term) => self.read_positive(term, Dimension::TIME, &meaning, &path),
-            None => self.positive(format!("dt{}", self.stage_suffix(index)), Dimension::TIME, meaning).into(),
+            None => self.positive(self.duration_name(index), Dimension::TIME, meaning).into(),
         }
     }
 

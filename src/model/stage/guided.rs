@@ -6,6 +6,8 @@ use crate::laws::restitution;
 use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Impulse;
+use crate::model::Name;
+use crate::model::QuantityKind;
 use crate::model::Warning;
 use crate::quantity::Dimension;
 use crate::scene::Axis;
@@ -31,9 +33,9 @@ impl Builder<'_> {
         self.frames[index] = Some(frame.clone());
         let [[a1, b1], [a2, b2]] =
             [index + 1, index + 2].map(|instant| [first, second].map(|body| self.split(body, instant, index, &frame)));
-        let suffix = self.stage_suffix(index);
         let meaning = format!("the impulse on {name_b} from {name_a} along the line of impact");
-        let impulse = Expr::from(self.symbol(format!("J_{second}.n{suffix}"), Dimension::MOMENTUM, meaning));
+        let impulse = Name::of(QuantityKind::Impulse, second).along("n").during(self.stage_label(index));
+        let impulse = Expr::from(self.symbol(impulse, Dimension::MOMENTUM, meaning));
         for (body, other, own, [start, end]) in
             [(first, second, -impulse.clone(), [&a1, &a2]), (second, first, impulse.clone(), [&b1, &b2])]
         {
@@ -93,7 +95,7 @@ impl Builder<'_> {
 
     /// The impulse on the body that is free, which changes its momentum along every axis, and the opposite one on the other.
     fn impulse_on_free(&mut self, contact: &Contact<'_>, body: &str, other: &str) {
-        let (index, suffix) = (contact.index, self.stage_suffix(contact.index));
+        let index = contact.index;
         let names = [body, other].map(|own| self.called(own));
         let after = contact.stage.becomes.as_deref().unwrap_or(body);
         let mass = self.mass(body);
@@ -102,7 +104,8 @@ impl Builder<'_> {
         for axis in axes {
             let letter = axis.letter();
             let meaning = format!("the impulse on {} from {} along {letter}", names[0], names[1]);
-            let impulse = Expr::from(self.symbol(format!("J_{body}.{letter}{suffix}"), Dimension::MOMENTUM, meaning));
+            let impulse = Name::of(QuantityKind::Impulse, body).along(letter).during(self.stage_label(index));
+            let impulse = Expr::from(self.symbol(impulse, Dimension::MOMENTUM, meaning));
             let ends = [self.velocity(body, index + 1, axis), self.velocity(after, index + 2, axis)];
             let because = format!("the only impulse on {} alone is that of the contact", names[0]);
             let sides = momentum::impulse_momentum(&mass, &ends[0], std::slice::from_ref(&impulse), &ends[1]);

@@ -11,6 +11,8 @@ use crate::laws::restitution;
 use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Impulse;
+use crate::model::Name;
+use crate::model::QuantityKind;
 use crate::model::Warning;
 use crate::model::contact_weight::Lasting;
 use crate::model::frame::Frame;
@@ -168,11 +170,11 @@ impl Builder<'_> {
     ) {
         let index = contact.index;
         let names = bodies.map(|body| self.called(body));
-        let turned = if before[0].across.is_some() { ".n" } else { "" };
+        let turned = before[0].across.is_some().then_some("n");
         let impulses = [0, 1].map(|own| {
             let meaning = format!("the impulse on {} from {}", names[own], names[1 - own]);
-            let suffix = self.stage_suffix(index);
-            Expr::from(self.symbol(format!("J_{}{turned}{suffix}", bodies[own]), Dimension::MOMENTUM, meaning))
+            let name = Name::of(QuantityKind::Impulse, bodies[own]).along(turned).during(self.stage_label(index));
+            Expr::from(self.symbol(name, Dimension::MOMENTUM, meaning))
         });
         for own in [0, 1] {
             let because = format!("the only impulse on {} alone is that of the contact", names[own]);
@@ -260,13 +262,12 @@ impl Builder<'_> {
                 pair(&end).to_vec()
             };
             self.law(&momentum::CONSERVATION, Some(index), because, momentum::conservation(&pair(&start), &total));
-            let suffix = self.stage_suffix(index);
-            let letter = if axes.len() > 1 { format!(".{}", axis.letter()) } else { String::new() };
             let mut impulses = Vec::new();
             for own in [0, 1] {
                 let meaning = format!("the impulse on {} from {}{along}", names[own], names[1 - own]);
-                let impulse =
-                    Expr::from(self.symbol(format!("J_{}{letter}{suffix}", before[own]), Dimension::MOMENTUM, meaning));
+                let name = Name::of(QuantityKind::Impulse, before[own]).along(self.letter(*axis));
+                let impulse = name.during(self.stage_label(index));
+                let impulse = Expr::from(self.symbol(impulse, Dimension::MOMENTUM, meaning));
                 let because = format!("the only impulse on {} alone is that of the contact", names[own]);
                 let sides =
                     momentum::impulse_momentum(&masses[own], &start[own], std::slice::from_ref(&impulse), &end[own]);
@@ -372,19 +373,21 @@ impl Builder<'_> {
         let phrase = self.stage_phrase(index);
         let time =
             self.read_positive(term, Dimension::TIME, &format!("the duration of {phrase}"), &path.key("duration"));
-        let suffix = self.stage_suffix(index);
         let meaning = format!("the average force on {} during {phrase}", self.called(body));
-        let force = Expr::from(self.symbol(format!("F_avg_{body}{suffix}"), Dimension::FORCE, meaning));
+        let force = Name::of(QuantityKind::MeanForce, body).during(self.stage_label(index));
+        let force = Expr::from(self.symbol(force, Dimension::FORCE, meaning));
         let because = "the average force would give the same impulse in the same time";
         self.law(&force::MEAN_FORCE, Some(index), because, force::mean_force(impulse, &force, &time));
     }
 
+    /// The name of the duration of a stage.
+    pub(in crate::model) fn duration_name(&self, index: usize) -> Name {
+        Name::of(QuantityKind::Duration, "").during(self.stage_label(index))
+    }
+
     /// What tells the impulses of several stages apart in their names.
-    pub(in crate::model) fn stage_suffix(&self, index: usize) -> String {
-        match self.scene.stages.get(index).and_then(crate::scene::Stage::name) {
-            Some(name) if self.scene.stages.len() > 1 => format!("[{name}]"),
-            _ if self.scene.stages.len() > 1 => format!("[{}]", index + 1),
-            _ => String::new(),
-        }
+    pub(in crate::model) fn stage_label(&self, index: usize) -> Option<String> {
+        let own = || self.scene.stages.get(index).and_then(crate::scene::Stage::name).map(str::to_owned);
+        (self.scene.stages.len() > 1).then(|| own().unwrap_or_else(|| (index + 1).to_string()))
     }
 }

@@ -7,6 +7,8 @@ use crate::fault::Path;
 use crate::laws::angular;
 use crate::laws::energy;
 use crate::model::Builder;
+use crate::model::Name;
+use crate::model::QuantityKind;
 use crate::quantity::Dimension;
 use crate::scene::Plane;
 use crate::scene::stage::Interact;
@@ -22,15 +24,16 @@ impl Builder<'_> {
         self.momentum_of_all(index, because, [&bodies, &bodies]);
         let scene = self.scene;
         let letters = self.axis_letters();
-        let turnings: Vec<String> = match &letters[..] {
-            [_, _] => vec![String::new()],
-            [_, _, _] => letters.iter().map(|letter| format!(".{letter}")).collect(),
+        let turnings: Vec<Option<&str>> = match &letters[..] {
+            [_, _] => vec![None],
+            [_, _, _] => letters.iter().map(|letter| Some(*letter)).collect(),
             _ => Vec::new(),
         };
         for point in scene.points.keys() {
             for letter in &turnings {
-                let [before, after] = [index + 1, index + 2]
-                    .map(|instant| self.resolve(&format!("H_{point}{instant}{letter}")).map(Expr::from));
+                let about = Name::of(QuantityKind::AngularMomentum, point).along(*letter);
+                let [before, after] =
+                    [index + 1, index + 2].map(|instant| self.quantity(about.clone().at(instant)).map(Expr::from));
                 let (Some(before), Some(after)) = (before, after) else { continue };
                 let because =
                     "the forces between the bodies are equal and opposite along one line, and their moments cancel";

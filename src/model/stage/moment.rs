@@ -6,6 +6,8 @@ use crate::laws::angular;
 use crate::model::Builder;
 use crate::model::Effect;
 use crate::model::Influence;
+use crate::model::Name;
+use crate::model::QuantityKind;
 use crate::model::Work;
 use crate::quantity::Dimension;
 use crate::scene::Strength;
@@ -19,12 +21,12 @@ impl Builder<'_> {
         let letters = self.axis_letters();
         let meaning = format!("the moment about {centre}");
         let at = path.key("value");
-        let moments: Vec<(String, Expr)> = match (&stage.value, &letters[..]) {
+        let moments: Vec<(Option<&str>, Expr)> = match (&stage.value, &letters[..]) {
             (Strength::Components(components), [_, _, _]) => {
                 let moments = self.strengths(components, Dimension::ENERGY, &meaning, &at);
-                letters.iter().map(|letter| format!(".{letter}")).zip(moments).collect()
+                letters.iter().map(|letter| Some(*letter)).zip(moments).collect()
             }
-            (value, [_, _]) => vec![(String::new(), self.strength(value, Dimension::ENERGY, &meaning, &at))],
+            (value, [_, _]) => vec![(None, self.strength(value, Dimension::ENERGY, &meaning, &at))],
             _ => {
                 let fault = crate::fault::Fault::new(crate::fault::Code::Value, "a moment in space is a vector");
                 self.faults.push(fault.help("write its components: `value: { x: 3 N*m, z: M }`").at_path(at));
@@ -34,18 +36,19 @@ impl Builder<'_> {
         let sizes: Vec<Expr> = moments.iter().map(|(_, moment)| moment.clone()).collect();
         self.moment_acts(index, &stage.about, &centre, &sizes);
         for (letter, moment) in moments {
-            let [before, after] = [index + 1, index + 2]
-                .map(|instant| self.resolve(&format!("H_{}{instant}{letter}", stage.about)).map(Expr::from));
+            let about = Name::of(QuantityKind::AngularMomentum, &stage.about).along(letter);
+            let [before, after] =
+                [index + 1, index + 2].map(|instant| self.quantity(about.clone().at(instant)).map(Expr::from));
             let (Some(before), Some(after)) = (before, after) else { return };
             self.told_throughout(&meaning, &moment, &end);
-            let along = letter.trim_start_matches('.');
+            let along = letter.unwrap_or_default();
             let (law, because) = if moment.is_zero() {
                 (&angular::CONSERVATION, format!("the moment about {centre} has no {along}-component"))
             } else {
                 (&angular::ANGULAR_IMPULSE, format!("only the moment changes the angular momentum about {centre}"))
             };
             let gained =
-                (!moment.is_zero()).then(|| self.angular_impulse(index, (&centre, &letter), &moment, &start, &end));
+                (!moment.is_zero()).then(|| self.angular_impulse(index, (&centre, letter), &moment, &start, &end));
             self.law(law, Some(index), because, (Expr::sum([before].into_iter().chain(gained)), after));
         }
         if self.weight_acts_across() {

@@ -14,6 +14,8 @@ use crate::model::Effect;
 use crate::model::Impulse;
 use crate::model::Influence;
 use crate::model::Integral;
+use crate::model::Name;
+use crate::model::QuantityKind;
 use crate::quantity::Dimension;
 use crate::scene::Axis;
 use crate::scene::stage::Motion;
@@ -87,7 +89,12 @@ impl Builder<'_> {
             (Some(term), None) => {
                 let is_place = |word: &str| number == 1 && word == letter;
                 let by_place = term.0.split(|own: char| !own.is_alphanumeric() && own != '_').any(is_place);
-                let variable = if by_place { self.symbol(letter, Dimension::LENGTH, "the position") } else { clock };
+                let variable = match by_place {
+                    true => {
+                        self.symbol(Name::of(QuantityKind::Coordinate(axis), ""), Dimension::LENGTH, "the position")
+                    }
+                    false => clock,
+                };
                 let meaning = format!("the velocity{along}");
                 let velocity = self.read(term, Dimension::VELOCITY, &meaning, &path.key("velocity"));
                 if by_place && velocity.contains(clock) {
@@ -123,14 +130,17 @@ impl Builder<'_> {
     fn velocities_told(&mut self, index: usize, stage: &Motion, course: &Course, ends: &[Expr; 2]) {
         let (name, body) = (self.called(&stage.body), stage.body.as_str());
         let mass = self.mass(body);
-        let (letter, along) = self.component_words(course.axis);
+        let along = self.along(course.axis);
+        let whose = |kind, instant| Name::of(kind, body).at(instant).along(self.letter(course.axis));
+        let names = [index + 1, index + 2]
+            .map(|instant| [QuantityKind::Acceleration, QuantityKind::Force].map(|kind| whose(kind, instant)));
         let rate = course.velocity.differentiate(course.variable);
         let rate = if course.by_place { rate * course.velocity.clone() } else { rate }.simplify();
         let at = |term: &Expr, end: &Expr| {
             let value = term.substitute(&|own| (own == course.variable).then(|| end.clone()));
             if end.is_zero() { value.simplify() } else { value }
         };
-        for (instant, end) in [index + 1, index + 2].into_iter().zip(ends) {
+        for ((instant, end), [acceleration, force]) in [index + 1, index + 2].into_iter().zip(ends).zip(names) {
             let when = self.when(instant);
             if let Some(place) = &course.place {
                 let own = self.place(body, instant, course.axis);
@@ -144,13 +154,12 @@ impl Builder<'_> {
             let velocity = self.velocity(body, instant, course.axis);
             self.law(&motion::VELOCITY, Some(index), because, (velocity, at(&course.velocity, end)));
             let meaning = format!("the acceleration of {name}{along} {when}");
-            let acceleration =
-                Expr::from(self.symbol(format!("a_{body}{instant}{letter}"), Dimension::ACCELERATION, meaning));
+            let acceleration = Expr::from(self.symbol(acceleration, Dimension::ACCELERATION, meaning));
             let with = if course.by_place { "its position" } else { "the time" };
             let because = format!("the velocity of {name} depends on {with}");
             self.law(&motion::ACCELERATION, Some(index), because, (acceleration.clone(), at(&rate, end)));
             let meaning = format!("the net force on {name}{along} {when}");
-            let force = self.symbol(format!("F_{body}{instant}{letter}"), Dimension::FORCE, meaning);
+            let force = self.symbol(force, Dimension::FORCE, meaning);
             let because = format!("the net force on {name} accelerates it");
             self.law(&motion::NET_FORCE, Some(index), because, motion::net_force(&mass, &acceleration, &force.into()));
         }
@@ -181,26 +190,19 @@ impl Builder<'_> {
     /// The impulse of all forces along an axis, and its mean.
     fn impulse_of_all(&mut self, index: usize, stage: &Motion, axis: Axis, lasts: &Expr) -> Expr {
         let (name, body) = (self.called(&stage.body), stage.body.as_str());
-        let (letter, along) = self.component_words(axis);
-        let (mass, suffix, phrase) = (self.mass(body), self.stage_suffix(index), self.stage_phrase(index));
+        let (mass, along, phrase) = (self.mass(body), self.along(axis), self.stage_phrase(index));
+        let [impulse, mean] = [QuantityKind::Impulse, QuantityKind::MeanForce]
+            .map(|kind| Name::of(kind, body).along(self.letter(axis)).during(self.stage_label(index)));
         let [before, after] = [index + 1, index + 2].map(|instant| self.velocity(body, instant, axis));
         let meaning = format!("the impulse on {name}{along} during {phrase}");
-        let impulse = Expr::from(self.symbol(format!("J_{body}{letter}{suffix}"), Dimension::MOMENTUM, meaning));
+        let impulse = Expr::from(self.symbol(impulse, Dimension::MOMENTUM, meaning));
         let because = format!("the impulse of all forces on {name} is its change of momentum{along}");
         let sides = momentum::impulse_momentum(&mass, &before, std::slice::from_ref(&impulse), &after);
         self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
         let meaning = format!("the average net force on {name}{along} during {phrase}");
-        let mean = Expr::from(self.symbol(format!("F_avg_{body}{letter}{suffix}"), Dimension::FORCE, meaning));
+        let mean = Expr::from(self.symbol(mean, Dimension::FORCE, meaning));
         let because = "the average force would give the same impulse in the same time";
         self.law(&force::MEAN_FORCE, Some(index), because, force::mean_force(&impulse, &mean, lasts));
         impulse
-    }
-
-    /// The end of a component's name, and what is said of it.
-    fn component_words(&self, axis: Axis) -> (String, String) {
-        match self.axes.len() {
-            1 => (String::new(), String::new()),
-            _ => (format!(".{}", axis.letter()), format!(" along {}", axis.letter())),
-        }
     }
 }

@@ -12,6 +12,8 @@ use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Impulse;
 use crate::model::Integral;
+use crate::model::Name;
+use crate::model::QuantityKind;
 use crate::model::acting::Acts;
 use crate::model::frame::Direction;
 use crate::model::incline::Incline;
@@ -298,11 +300,12 @@ impl Builder<'_> {
         if !force.strength.contains(clock) {
             return force.strength.clone() * (end.clone() - start.clone());
         }
-        let suffix = self.stage_suffix(index);
-        let count = self.symbols.iter().filter(|(_, entry)| entry.name.starts_with("I_F")).count();
-        let number = if count == 0 { String::new() } else { (count + 1).to_string() };
+        let of_force = Name::of(QuantityKind::TimeIntegral, "F");
+        let is_alike = |name: &&Name| name.kind == of_force.kind && name.subject == of_force.subject;
+        let count = self.names.iter().filter(is_alike).count();
+        let own = if count == 0 { of_force } else { of_force.at(count + 1) };
         let meaning = format!("the impulse of {}", force.name);
-        let symbol = self.symbol(format!("I_F{number}{suffix}"), Dimension::MOMENTUM, meaning);
+        let symbol = self.symbol(own.during(self.stage_label(index)), Dimension::MOMENTUM, meaning);
         let Some(value) = force.strength.definite(clock, start, end) else {
             let fault =
                 Fault::new(Code::Stuck, format!("{} cannot be integrated over time", wording::force_of(&force.name)));

@@ -10,6 +10,9 @@ use crate::model::Effect;
 use crate::model::Impulse;
 use crate::model::Influence;
 use crate::model::Integral;
+use crate::model::Meaning;
+use crate::model::Name;
+use crate::model::QuantityKind;
 use crate::model::Work;
 use crate::quantity::Dimension;
 use crate::scene::stage::Arm;
@@ -36,7 +39,7 @@ impl Builder<'_> {
             };
             self.lasting[index] = Some(end.clone() - start.clone());
             self.told_throughout("the moment", moment, &end);
-            gained = Some(self.angular_impulse(index, (&centre, ""), moment, &start, &end));
+            gained = Some(self.angular_impulse(index, (&centre, None), moment, &start, &end));
         }
         let because = match (&gained, &held[..]) {
             (Some(_), [_]) => {
@@ -130,7 +133,7 @@ impl Builder<'_> {
             let turn = match held {
                 [_] => {
                     let meaning = format!("the angular velocity of {name} about {centre} {}", self.when(instant));
-                    self.symbol(format!("omega_{body}{instant}"), TURN, meaning).into()
+                    self.symbol(Name::of(QuantityKind::AngularVelocity, body).at(instant), TURN, meaning).into()
                 }
                 _ => self.turn_of_arm(&centre, instant),
             };
@@ -138,7 +141,7 @@ impl Builder<'_> {
             self.towards_the_centre(index, [body, &centre], instant, &arm);
         }
         let meaning = format!("the angular momentum about {centre} {}", self.when(instant));
-        let momentum = format!("H_{}{instant}", stage.about);
+        let momentum = Name::of(QuantityKind::AngularMomentum, &stage.about).at(instant);
         let momentum = Expr::from(self.symbol(momentum, Dimension::ANGULAR_MOMENTUM, meaning));
         let because = match held {
             [(body, _)] => format!("{} moves at right angles to the radius", self.called(body)),
@@ -151,14 +154,14 @@ impl Builder<'_> {
     /// The angular velocity of an arm that carries several bodies.
     pub(in crate::model) fn turn_of_arm(&mut self, centre: &str, instant: usize) -> Expr {
         let meaning = format!("the angular velocity about {centre} {}", self.when(instant));
-        self.symbol(format!("omega_{instant}"), TURN, meaning).into()
+        self.symbol(Name::of(QuantityKind::AngularVelocity, "").at(instant), TURN, meaning).into()
     }
 
     /// The velocity of a body at right angles to its radius.
     pub(in crate::model) fn transverse(&mut self, body: &str, instant: usize) -> Expr {
         let since = self.timeline.since(body, instant).unwrap_or(instant);
         let meaning = format!("the transverse velocity of {} {}", self.called(body), self.when(since));
-        self.symbol(format!("v_{body}{since}"), Dimension::VELOCITY, meaning).into()
+        self.symbol(Name::of(QuantityKind::Velocity, body).at(since), Dimension::VELOCITY, meaning).into()
     }
 
     /// The angular momentum of a body on an arm, whose velocity follows from the turning.
@@ -182,7 +185,8 @@ impl Builder<'_> {
         let name = self.called(body);
         let velocity = self.transverse(body, instant);
         let meaning = format!("the acceleration of {name} towards {centre} {}", self.when(instant));
-        let turning = self.symbol(format!("a_{body}{instant}.n"), Dimension::ACCELERATION, meaning);
+        let turning = Name::of(QuantityKind::Acceleration, body).at(instant).along("n");
+        let turning = self.symbol(turning, Dimension::ACCELERATION, meaning);
         let because = format!("{name} moves on a circle at that instant");
         let sides = (turning.into(), velocity.powi(2) / arm.clone());
         self.law(&geometry::TURNING, Some(index), because, sides);
@@ -192,7 +196,7 @@ impl Builder<'_> {
     pub(in crate::model) fn angular_impulse(
         &mut self,
         index: usize,
-        (centre, letter): (&str, &str),
+        (centre, letter): (&str, Option<&str>),
         moment: &Expr,
         start: &Expr,
         end: &Expr,
@@ -201,13 +205,9 @@ impl Builder<'_> {
         if !moment.contains(clock) {
             return moment.clone() * (end.clone() - start.clone());
         }
-        let suffix = self.stage_suffix(index);
-        let along = letter.strip_prefix('.').map_or_else(String::new, |letter| format!("the {letter}-component of "));
-        let symbol = self.symbol(
-            format!("I_M{letter}{suffix}"),
-            Dimension::ANGULAR_MOMENTUM,
-            format!("{along}the angular impulse about {centre}"),
-        );
+        let name = Name::of(QuantityKind::TimeIntegral, "M").along(letter).during(self.stage_label(index));
+        let meaning = Meaning { noun: "the angular impulse", of: format!("about {centre}") };
+        let symbol = self.component(name, Dimension::ANGULAR_MOMENTUM, meaning);
         match moment.definite(clock, start, end) {
             Some(value) => {
                 let integral =

@@ -10,6 +10,8 @@ use crate::laws::separation;
 use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Impulse;
+use crate::model::Name;
+use crate::model::QuantityKind;
 use crate::model::Warning;
 use crate::model::frame::Direction;
 use crate::model::stage::push::Acting;
@@ -99,7 +101,7 @@ impl Builder<'_> {
         let clock = self.running_time();
         let force = Acting { name: name.to_owned(), strength, direction: Direction::axis(0, false) };
         let impulse = self.impulse_of(index, &force, clock, [&Expr::zero(), &end]);
-        let own = format!("J_{ahead}{}", self.stage_suffix(index));
+        let own = Name::of(QuantityKind::Impulse, ahead).during(self.stage_label(index));
         let meaning = format!("the impulse on {}", self.called(ahead));
         let own = Expr::from(self.symbol(own, Dimension::MOMENTUM, meaning));
         let because = format!("{name} drives {} forwards throughout", self.called(ahead));
@@ -147,7 +149,6 @@ impl Builder<'_> {
 
     /// The impulse on each part, for whoever asks for it, and for the diagram.
     fn impulses_of_parts(&mut self, index: usize, stage: &Separate, before: &[&str], parts: &[&str], path: &Path) {
-        let suffix = self.stage_suffix(index);
         let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
         let mut all: Vec<Vec<Expr>> = Vec::new();
         for part in parts {
@@ -156,13 +157,11 @@ impl Builder<'_> {
             let (mass, held) = (self.mass(part), self.guided(part).is_some());
             let mut components = Vec::new();
             for axis in &axes {
-                let (letter, along) = match axes.len() {
-                    1 => (String::new(), String::new()),
-                    _ => (format!(".{}", axis.letter()), format!(" along {}", axis.letter())),
-                };
+                let along = self.along(*axis);
                 let meaning = format!("the impulse on {name} in {}{along}", self.stage_phrase(index));
-                let impulse =
-                    Expr::from(self.symbol(format!("J_{part}{letter}{suffix}"), Dimension::MOMENTUM, meaning));
+                let impulse = Name::of(QuantityKind::Impulse, part).along(self.letter(*axis));
+                let impulse = impulse.during(self.stage_label(index));
+                let impulse = Expr::from(self.symbol(impulse, Dimension::MOMENTUM, meaning));
                 let [start, end] =
                     [(whole, index + 1), (part, index + 2)].map(|(own, at)| self.velocity(own, at, *axis));
                 // On a part that is guided, its guide acts, too.

@@ -11,6 +11,8 @@ use crate::model::Builder;
 use crate::model::Effect;
 use crate::model::Impulse;
 use crate::model::Influence;
+use crate::model::Name;
+use crate::model::QuantityKind;
 use crate::model::acting::Acts;
 use crate::model::incline::Incline;
 use crate::model::way::Way;
@@ -81,7 +83,7 @@ impl Builder<'_> {
         let meaning = format!("the duration of {}", self.stage_phrase(index));
         match term {
             Some(term) => self.read_positive(term, Dimension::TIME, &meaning, &path.key("duration")),
-            None => self.positive(format!("dt{}", self.stage_suffix(index)), Dimension::TIME, meaning).into(),
+            None => self.positive(self.duration_name(index), Dimension::TIME, meaning).into(),
         }
     }
 
@@ -142,9 +144,9 @@ impl Builder<'_> {
         way: &Way,
         duration: &Expr,
     ) {
-        let suffix = self.stage_suffix(index);
+        let normal = Name::of(QuantityKind::NormalForce, body).during(self.stage_label(index));
         let meaning = format!("the normal force on {}", self.called(body));
-        let normal = Expr::from(self.positive(format!("N_{body}{suffix}"), Dimension::FORCE, meaning));
+        let normal = Expr::from(self.positive(normal, Dimension::FORCE, meaning));
         let mass = self.mass(body);
         let weight = mass * self.gravity();
         let sides = (normal.clone(), weight.clone() * incline.press.clone());

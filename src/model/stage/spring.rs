@@ -12,6 +12,8 @@ use crate::model::Builder;
 use crate::model::Effect;
 use crate::model::Impulse;
 use crate::model::Influence;
+use crate::model::Name;
+use crate::model::QuantityKind;
 use crate::model::Warning;
 use crate::model::pair::Pair;
 use crate::quantity::Dimension;
@@ -63,7 +65,7 @@ impl Builder<'_> {
         let before = match &stage.carried {
             Some(pan) => {
                 let own = before.unwrap_or_else(|| {
-                    let name = format!("s_{pan}{}", self.stage_suffix(index));
+                    let name = Name::of(QuantityKind::SpringDeformation, pan).during(self.stage_label(index));
                     self.positive(name, Dimension::LENGTH, from).into()
                 });
                 let load = self.mass(pan) * self.gravity();
@@ -183,7 +185,7 @@ impl Builder<'_> {
             self.acts(spring.works(Effect::Open, SPRING_WORKS));
         }
         let pair = Pair { index, bodies, before, after, link: "the spring", pulley: None };
-        self.pair(&pair, "", &|_, impulse| vec![impulse.clone()], None, path);
+        self.pair(&pair, None, &|_, impulse| vec![impulse.clone()], None, path);
         self.neglect("friction and other resistance", "the problem does not mention any");
     }
 }

@@ -12,6 +12,10 @@ use crate::model::Builder;
 use crate::model::Flowing;
 use crate::model::Impulse;
 use crate::model::Influence;
+use crate::model::Meaning;
+use crate::model::Name;
+use crate::model::QuantityKind;
+use crate::model::VectorKind;
 use crate::model::builder::SECOND_COST;
 use crate::model::frame::Direction;
 use crate::quantity::Dimension;
@@ -42,15 +46,11 @@ impl Builder<'_> {
         let (leaving, back) = self.stream_leaves(stage, &direction, path);
         let (cause, parts) = (why(stage, &name), self.changes(&direction, leaving.as_ref(), &back));
         let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
-        let suffix = self.stage_suffix(index);
         let mut forces = Vec::new();
         for (axis, part) in axes.iter().zip(parts) {
-            let letter = if axes.len() == 1 { String::new() } else { format!(".{}", axis.letter()) };
-            let meaning = match axes.len() {
-                1 => format!("the force of {by} on {name}"),
-                _ => format!("the {}-component of the force of {by} on {name}", axis.letter()),
-            };
-            let force = Expr::from(self.symbol(format!("F_{body}{letter}{suffix}"), Dimension::FORCE, meaning));
+            let meaning = Meaning { noun: "the force", of: format!("of {by} on {name}") };
+            let force = Name::of(QuantityKind::Force, body).along(self.letter(*axis)).during(self.stage_label(index));
+            let force = Expr::from(self.component(force, Dimension::FORCE, meaning));
             let sides = (force.clone(), Expr::product([flow.clone(), relative.clone(), part]));
             self.law(&variable_mass::STREAM, Some(index), cause.clone(), sides);
             forces.push(force);
@@ -90,8 +90,8 @@ impl Builder<'_> {
             (None, Some(term)) => {
                 let meaning_of_drop = format!("the height through which {} falls", stage.by);
                 let drop = self.read_positive(term, Dimension::LENGTH, &meaning_of_drop, &path.key("drop"));
-                let suffix = self.stage_suffix(index);
-                let speed = Expr::from(self.positive(format!("v_stream{suffix}"), Dimension::VELOCITY, meaning));
+                let speed = Name::of(QuantityKind::StreamVelocity, "").during(self.stage_label(index));
+                let speed = Expr::from(self.positive(speed, Dimension::VELOCITY, meaning));
                 let gravity = self.gravity();
                 let sides = kinematics::fall_speed(&gravity, &drop, &Expr::zero(), &speed);
                 let because = format!("{} falls freely from rest", stage.by);
@@ -133,8 +133,8 @@ impl Builder<'_> {
                 return None;
             }
         };
-        let suffix = self.stage_suffix(index);
-        let flow = Expr::from(self.positive(format!("flow_{}{suffix}", stage.body), FLOW, meaning));
+        let flow = Name::of(QuantityKind::MassFlow, &stage.body).during(self.stage_label(index));
+        let flow = Expr::from(self.positive(flow, FLOW, meaning));
         let because = match (&stage.moves, stage.series) {
             (Some(_), true) => format!("none of {by} passes between them, since they follow each other closely"),
             (Some(_), false) => format!("only the part that catches up with {name} reaches it"),
@@ -184,12 +184,20 @@ impl Builder<'_> {
         moves: Option<&Expr>,
         direction: &Direction,
     ) {
-        let (body, suffix, name) = (stage.body.as_str(), self.stage_suffix(index), self.called(&stage.body));
+        let name = self.called(&stage.body);
+        let named = |kind| Name::of(kind, &stage.body).during(self.stage_label(index));
+        let [size, angle, hold, power] = [
+            QuantityKind::Force,
+            QuantityKind::Direction(VectorKind::Force),
+            QuantityKind::HoldingForce,
+            QuantityKind::Power,
+        ]
+        .map(named);
         if let [x, y] = forces {
             let meaning = format!("the magnitude of the force of {} on {name}", stage.by);
-            let size = Expr::from(self.positive(format!("F_{body}{suffix}"), Dimension::FORCE, meaning));
+            let size = Expr::from(self.positive(size, Dimension::FORCE, meaning));
             let meaning = format!("the direction of the force of {} on {name}", stage.by);
-            let angle = Expr::from(self.symbol(format!("angle_F_{body}{suffix}"), Dimension::NONE, meaning));
+            let angle = Expr::from(self.symbol(angle, Dimension::NONE, meaning));
             for sides in geometry::components(&size, &angle, x, y) {
                 let because = "the force is resolved along the axes";
                 self.law_at(SECOND_COST, &geometry::COMPONENTS, Some(index), because, sides);
@@ -202,7 +210,7 @@ impl Builder<'_> {
         }
         if let [force] = forces {
             let meaning = format!("the force that holds {name} against {}, or keeps it going", stage.by);
-            let hold = Expr::from(self.symbol(format!("F_hold_{body}{suffix}"), Dimension::FORCE, meaning));
+            let hold = Expr::from(self.symbol(hold, Dimension::FORCE, meaning));
             let because = format!("{name} moves at constant velocity, so the forces on it balance");
             self.law(&crate::laws::force::BALANCE, Some(index), because, (hold, -force.clone()));
         }
@@ -210,7 +218,7 @@ impl Builder<'_> {
         let along =
             Expr::sum(self.components(direction).into_iter().zip(forces).map(|(part, force)| part * force.clone()));
         let meaning = format!("the power of the force of {} on {name}", stage.by);
-        let power = Expr::from(self.symbol(format!("P_{body}{suffix}"), Dimension::new(1, 2, -3), meaning));
+        let power = Expr::from(self.symbol(power, Dimension::new(1, 2, -3), meaning));
         let because = format!("{name} moves along {}", stage.by);
         self.law(&variable_mass::POWER, Some(index), because, (power, along * moves.clone()));
     }
@@ -234,9 +242,9 @@ impl Builder<'_> {
         };
         let mass = self.mass(&stage.body);
         let gravity = self.gravity();
-        let suffix = self.stage_suffix(index);
         let meaning = format!("the force that supports {name}");
-        let support = self.positive(format!("N_{}{suffix}", stage.body), Dimension::FORCE, meaning);
+        let support = Name::of(QuantityKind::NormalForce, &stage.body).during(self.stage_label(index));
+        let support = self.positive(support, Dimension::FORCE, meaning);
         let carried = (mass + caught) * gravity + Expr::integer(down) * force.clone();
         let because = format!("{name} stays at rest while {} comes to rest on it", stage.by);
         self.law(&variable_mass::SUPPORT, Some(index), because, (support.into(), carried));

@@ -9,6 +9,8 @@ use crate::laws::restitution;
 use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Impulse;
+use crate::model::Name;
+use crate::model::QuantityKind;
 use crate::model::Warning;
 use crate::quantity::Dimension;
 use crate::scene::stage::Strike;
@@ -34,7 +36,7 @@ impl Builder<'_> {
                 terms.push(self.on_arm(index, carried, instant, &arm, &turn));
             }
             let meaning = format!("the angular momentum about {centre} {}", self.when(instant));
-            let own = format!("H_{}{instant}", stage.about);
+            let own = Name::of(QuantityKind::AngularMomentum, &stage.about).at(instant);
             let momentum = Expr::from(self.symbol(own, Dimension::ANGULAR_MOMENTUM, meaning));
             let because = "all move at right angles to the arm";
             self.law(&angular::ANGULAR_MOMENTUM, Some(index), because, (momentum.clone(), Expr::sum(terms)));

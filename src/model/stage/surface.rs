@@ -7,6 +7,8 @@ use crate::laws::restitution;
 use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Impulse;
+use crate::model::Name;
+use crate::model::QuantityKind;
 use crate::model::Warning;
 use crate::model::contact_weight::Lasting;
 use crate::model::frame::Frame;
@@ -63,9 +65,9 @@ impl Builder<'_> {
             }
             self.neglect(format!("friction with {wall}"), format!("{wall} is smooth"));
         }
-        let suffix = self.stage_suffix(index);
+        let impulse = Name::of(QuantityKind::Impulse, body).during(self.stage_label(index));
         let meaning = format!("the impulse on {name} from {wall}");
-        let impulse = Expr::from(self.symbol(format!("J_{body}{suffix}"), Dimension::MOMENTUM, meaning));
+        let impulse = Expr::from(self.symbol(impulse, Dimension::MOMENTUM, meaning));
         let because = match fallen {
             None => format!("along the normal, the only impulse on {name} is that of {wall}"),
             Some(_) => format!("along the normal, {wall} and weight exert impulses on {name}"),

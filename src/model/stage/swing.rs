@@ -12,6 +12,9 @@ use crate::model::Builder;
 use crate::model::Effect;
 use crate::model::Impulse;
 use crate::model::Influence;
+use crate::model::Name;
+use crate::model::QuantityKind;
+use crate::model::VectorKind;
 use crate::model::Warning;
 use crate::quantity::Dimension;
 use crate::scene::Stage;
@@ -84,7 +87,10 @@ impl Builder<'_> {
                         let key = path.key(if side == 0 { "from" } else { "to" });
                         self.read_positive(term, Dimension::NONE, &meaning, &key)
                     }
-                    None => self.positive(format!("angle_{body}{since}"), Dimension::NONE, meaning).into(),
+                    None => {
+                        let angle = Name::of(QuantityKind::Direction(VectorKind::Velocity), body).at(since);
+                        self.positive(angle, Dimension::NONE, meaning).into()
+                    }
                 };
                 (false, angle)
             }
@@ -144,7 +150,7 @@ impl Builder<'_> {
                 format!("the height from which {}", self.does(&stage.body, ["swings down", "swing down"]))
             }
         };
-        let own = format!("h_{}{}", stage.body, self.stage_suffix(index));
+        let own = Name::of(QuantityKind::Height, &stage.body).during(self.stage_label(index));
         let height = match &stage.height {
             Some(term) => self.read(term, Dimension::LENGTH, &meaning, &path.key("height")),
             None => self.symbol(own, Dimension::LENGTH, meaning).into(),
@@ -196,13 +202,14 @@ impl Builder<'_> {
         let (body, instant) = (stage.body.as_str(), index + 1 + side);
         let since = self.timeline.since(body, instant).unwrap_or(instant);
         let name = self.called(body);
-        let (when, suffix) = if self.changes_cord(stage) {
-            (format!("at the {} of {}", ["start", "end"][side], self.stage_phrase(index)), self.stage_suffix(index))
+        let (when, stage) = if self.changes_cord(stage) {
+            (format!("at the {} of {}", ["start", "end"][side], self.stage_phrase(index)), self.stage_label(index))
         } else {
-            (self.when(since), String::new())
+            (self.when(since), None)
         };
         let meaning = format!("the tension of the cord of {name} {when}");
-        let tension = Expr::from(self.symbol(format!("tension_{body}{since}{suffix}"), Dimension::FORCE, meaning));
+        let tension = Name::of(QuantityKind::Tension, body).at(since).during(stage);
+        let tension = Expr::from(self.symbol(tension, Dimension::FORCE, meaning));
         let (mass, gravity) = (self.mass(body), self.gravity());
         let cosine = end.angle.clone().cos().simplify();
         let sides = force::tension(&tension, [&mass, &gravity], &cosine, &end.velocity, length);

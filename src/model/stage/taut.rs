@@ -36,7 +36,7 @@ impl Builder<'_> {
             pulley: stage.over.as_deref(),
         };
         let resolve = |builder: &Self, impulse: &Expr| builder.resolved(impulse, &frame);
-        self.pair(&pair, if plane { ".n" } else { "" }, &resolve, stage.duration.as_ref(), path);
+        self.pair(&pair, plane.then_some("n"), &resolve, stage.duration.as_ref(), path);
         let because = format!(
             "the string does not stretch: once it is taut, {first} and {second} have the same velocity along it"
         );

@@ -10,6 +10,8 @@ use crate::model::Alternative;
 use crate::model::Builder;
 use crate::model::Impulse;
 use crate::model::Influence;
+use crate::model::Name;
+use crate::model::QuantityKind;
 use crate::model::Warning;
 use crate::model::acting::Acts;
 use crate::model::builder::LAW_COST;
@@ -72,7 +74,7 @@ impl Builder<'_> {
 
     fn read_burn(&mut self, index: usize, stage: &Thrust, path: &Path) -> Burn {
         let body = stage.body.clone();
-        let (name, phrase, suffix) = (self.called(&body), self.stage_phrase(index), self.stage_suffix(index));
+        let (name, phrase) = (self.called(&body), self.stage_phrase(index));
         let meanings = [index + 1, index + 2].map(|instant| format!("the mass of {name} {}", self.when(instant)));
         let at = path.key("mass");
         let masses = match &stage.mass {
@@ -82,18 +84,22 @@ impl Builder<'_> {
             ],
             BurningMass::Start(start) => [
                 self.read_positive(start, Dimension::MASS, &meanings[0], &at),
-                self.positive(format!("m_{body}{}", index + 2), Dimension::MASS, meanings[1].clone()).into(),
+                self.positive(Name::of(QuantityKind::Mass, &body).at(index + 2), Dimension::MASS, meanings[1].clone())
+                    .into(),
             ],
         };
         let meaning = format!("the duration of {phrase}");
         let time = match &stage.during {
             Some(term) => self.read_positive(term, Dimension::TIME, &meaning, &path.key("during")),
-            None => self.positive(format!("dt{suffix}"), Dimension::TIME, meaning).into(),
+            None => self.positive(self.duration_name(index), Dimension::TIME, meaning).into(),
         };
         let meaning = format!("the thrust on {name}");
         let thrust = match &stage.force {
             Some(term) => self.read_positive(term, Dimension::FORCE, &meaning, &path.key("force")),
-            None => self.positive(format!("F_{body}{suffix}"), Dimension::FORCE, meaning).into(),
+            None => {
+                let thrust = Name::of(QuantityKind::Force, &body).during(self.stage_label(index));
+                self.positive(thrust, Dimension::FORCE, meaning).into()
+            }
         };
         let (exhaust, flow) = self.read_exhaust(index, stage, &thrust, path);
         let direction = match &stage.direction {
@@ -107,10 +113,12 @@ impl Builder<'_> {
     fn read_exhaust(&mut self, index: usize, stage: &Thrust, thrust: &Expr, path: &Path) -> (Expr, Expr) {
         let name = self.called(&stage.body);
         let meaning = format!("the mass that {name} expels per unit time");
-        let suffix = self.stage_suffix(index);
         let flow = match &stage.flow {
             Some(term) => self.read_positive(term, FLOW, &meaning, &path.key("flow")),
-            None => self.positive(format!("flow_{}{suffix}", stage.body), FLOW, meaning).into(),
+            None => {
+                let flow = Name::of(QuantityKind::MassFlow, &stage.body).during(self.stage_label(index));
+                self.positive(flow, FLOW, meaning).into()
+            }
         };
         let at = path.key("exhaust");
         let jets = match &stage.exhaust {
@@ -161,10 +169,10 @@ impl Builder<'_> {
     fn way(&mut self, burn: &Burn, [start, end]: &[Expr; 2], time: &Expr) -> Option<(Expr, Expr)> {
         let [(axis, _)] = self.axes[..] else { return None };
         let part = self.components(&burn.direction).into_iter().next()?;
-        let suffix = self.stage_suffix(burn.index);
         let (name, phrase) = (self.called(&burn.body), self.stage_phrase(burn.index));
         let meaning = format!("the distance travelled by {name} during {phrase}");
-        let way = self.symbol(format!("s_{}{suffix}", burn.body), Dimension::LENGTH, meaning);
+        let way = Name::of(QuantityKind::Displacement, &burn.body).during(self.stage_label(burn.index));
+        let way = self.symbol(way, Dimension::LENGTH, meaning);
         let before = self.velocity(&burn.body, burn.index + 1, axis);
         let driven = part * variable_mass::way(&burn.exhaust, [start, end], time);
         let fallen = self.downwards(0).map(|down| {
@@ -188,7 +196,7 @@ impl Builder<'_> {
         };
         let (index, name, gravity) = (burn.index, self.called(&burn.body), self.gravity());
         let [start, end] = &burn.masses;
-        let symbol = format!("t_start{}", self.stage_suffix(index));
+        let symbol = Name::of(QuantityKind::StartTime, "").during(self.stage_label(index));
         let begins = Expr::from(self.symbol(symbol, Dimension::TIME, format!("the time at which {name} lifts off")));
         let after = self.velocity(&burn.body, index + 2, *axis);
         let weight = |mass: &Expr| mass.clone() * gravity.clone();
@@ -253,16 +261,17 @@ impl Builder<'_> {
         };
         let (name, axis) = (self.called(&burn.body), self.axes[0].0);
         let [before, after] = [1, 2].map(|side| self.velocity(&burn.body, burn.index + side, axis));
-        let suffix = self.stage_suffix(burn.index);
+        let [even, ratio] = [QuantityKind::TerminalSpeed, QuantityKind::SpeedRatio]
+            .map(|kind| Name::of(kind, "").during(self.stage_label(burn.index)));
         let meaning = "the speed at which the resistance equals the thrust";
-        let even = Expr::from(self.positive(format!("w{suffix}"), Dimension::VELOCITY, meaning));
+        let even = Expr::from(self.positive(even, Dimension::VELOCITY, meaning));
         let because = format!("{name} cannot become faster than that");
         let sides = (resistance.clone() * even.clone().powi(2), burn.thrust.clone());
         self.law(&variable_mass::EVEN_SPEED, Some(burn.index), because, sides);
         let masses = [&burn.masses[0], &burn.masses[1]];
         let value = variable_mass::ratio_against_resistance(&even, resistance, &burn.flow, masses, &before);
         let meaning = "the ratio of w - v to w + v at the end";
-        let ratio = Expr::from(self.symbol(format!("f{suffix}"), Dimension::NONE, meaning));
+        let ratio = Expr::from(self.symbol(ratio, Dimension::NONE, meaning));
         let because = "thrust minus resistance accelerates the remaining mass";
         self.law(&variable_mass::ROCKET_DRAG, Some(burn.index), because, (ratio.clone(), value));
         let sides = (after, variable_mass::against_resistance(&even, &ratio));

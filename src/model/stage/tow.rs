@@ -12,6 +12,8 @@ use crate::model::Direction;
 use crate::model::ForceKind;
 use crate::model::Impulse;
 use crate::model::Influence;
+use crate::model::Name;
+use crate::model::QuantityKind;
 use crate::model::Warning;
 use crate::model::Work;
 use crate::model::acting::Acts;
@@ -85,7 +87,8 @@ impl Builder<'_> {
     fn pull_of_joint(&mut self, index: usize, stage: &Tow, duration: &Expr) -> Expr {
         let joint = stage.joint();
         let meaning = format!("the pull of {joint} during {} (negative where it pushes)", self.stage_phrase(index));
-        let symbol = self.symbol(format!("tension{}", self.stage_suffix(index)), Dimension::FORCE, meaning);
+        let tension = Name::of(QuantityKind::Tension, "").during(self.stage_label(index));
+        let symbol = self.symbol(tension, Dimension::FORCE, meaning);
         let names = stage.both().map(|own| own.body.clone());
         for (own, other, reversed) in [(0, 1, true), (1, 0, false)] {
             let acts = Acts { stage: index, on: &names[own], during: [&Expr::zero(), duration] };
@@ -129,7 +132,7 @@ impl Builder<'_> {
     ) -> Member {
         let body = towed.body.as_str();
         let name = self.called(body);
-        let (mass, suffix) = (self.mass(body), self.stage_suffix(index));
+        let mass = self.mass(body);
         let weight = mass.clone() * self.gravity();
         let acts = Acts { stage: index, on: body, during: [&Expr::zero(), duration] };
         let mut acting = Vec::new();
@@ -154,7 +157,8 @@ impl Builder<'_> {
             self.forces.push(acts.force(ForceKind::Weight, "weight", weight, down));
         } else {
             let meaning = format!("the normal force on {name}");
-            let normal = Expr::from(self.positive(format!("N_{body}{suffix}"), Dimension::FORCE, meaning));
+            let normal = Name::of(QuantityKind::NormalForce, body).during(self.stage_label(index));
+            let normal = Expr::from(self.positive(normal, Dimension::FORCE, meaning));
             let sides = (normal.clone(), weight.clone() * incline.press.clone());
             self.law(&force::NORMAL_FORCE, Some(index), "the normal force balances what presses on the floor", sides);
             self.note_floor(acts, incline, weight, normal, friction.unwrap_or_else(Expr::zero), false);

@@ -8,6 +8,8 @@ use crate::laws::separation;
 use crate::model::Builder;
 use crate::model::Effect;
 use crate::model::Influence;
+use crate::model::Name;
+use crate::model::QuantityKind;
 use crate::quantity::Dimension;
 use crate::scene::stage::Walk;
 
@@ -16,7 +18,6 @@ impl Builder<'_> {
         for body in [&stage.body, &stage.on] {
             self.starts_from_rest(index, body);
         }
-        let suffix = self.stage_suffix(index);
         let bodies = [stage.body.as_str(), stage.on.as_str()];
         let [name, other] = bodies.map(|body| self.called(body));
         for [own, its] in [bodies, [bodies[1], bodies[0]]] {
@@ -26,7 +27,8 @@ impl Builder<'_> {
         }
         let displacements = bodies.map(|body| {
             let meaning = format!("the displacement of {} over the ground", self.called(body));
-            Expr::from(self.symbol(format!("s_{body}{suffix}"), Dimension::LENGTH, meaning))
+            let name = Name::of(QuantityKind::Displacement, body).during(self.stage_label(index));
+            Expr::from(self.symbol(name, Dimension::LENGTH, meaning))
         });
         if let [(axis, _)] = self.axes[..] {
             for (body, displacement) in bodies.into_iter().zip(&displacements) {

@@ -8,6 +8,7 @@ use crate::expr::Symbol;
 use crate::model::Builder;
 use crate::model::Instant;
 use crate::model::Name;
+use crate::model::QuantityKind;
 use crate::solve::Closed;
 use crate::solve::Equation;
 use crate::solve::Plan;
@@ -182,21 +183,21 @@ pub(super) fn fixed(loaded: &Loaded, builder: &Builder<'_>) -> BTreeMap<Symbol, 
 
 /// Whether a quantity is one with which a stage begins, or a property of what takes part: all but what the stage makes.
 fn is_brought(loaded: &Loaded, builder: &Builder<'_>, symbol: Symbol, stage: usize, all: &BTreeSet<Symbol>) -> bool {
-    let name = &builder.symbols().entry(symbol).name;
-    if builder.is_literal(symbol) {
-        return true;
-    }
-    let Some(parsed) = Name::parse(name) else { return is_given(loaded, builder, symbol) };
-    match (&parsed.instant, &parsed.component) {
-        (Some(Instant::Number(at)), component) => {
+    let name = builder.name(symbol);
+    match (&name.kind, &name.instant) {
+        (QuantityKind::Value(_), _) => true,
+        (QuantityKind::AngleBetween(_) | QuantityKind::Magnitude(_), _) => is_given(loaded, builder, symbol),
+        (kind, Some(Instant::Number(at))) => {
             // Along a line of impact the components n and t stand in place of x and y.
-            let turned = |own: &Symbol| {
-                let start = format!("{}_{}{at}.n", parsed.base, parsed.subject);
-                builder.symbols().entry(*own).name.starts_with(&start)
+            let along = |letter: &str| Name { stage: None, ..name.clone() }.along(letter);
+            let is_normal = |own: &Symbol| Name { stage: None, ..builder.name(*own).clone() } == along("n");
+            let is_turned = matches!(name.component.as_deref(), Some("x" | "y")) && all.iter().any(is_normal);
+            let is_state = match kind {
+                QuantityKind::Velocity | QuantityKind::Position | QuantityKind::AngularVelocity => true,
+                QuantityKind::AngularMomentum => !has_parts(builder, symbol),
+                _ => false,
             };
-            let is_turned = matches!(component.as_deref(), Some("x" | "y")) && all.iter().any(turned);
-            let is_state = ["v", "r", "omega", "H"].contains(&parsed.base.as_str());
-            *at <= stage + 1 && is_state && !is_turned && (parsed.base != "H" || !has_parts(builder, symbol))
+            *at <= stage + 1 && is_state && !is_turned
         }
         _ => builder.is_positive(symbol) || is_given(loaded, builder, symbol),
     }
