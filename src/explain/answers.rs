@@ -21,13 +21,13 @@ use crate::solve::Bounded;
 use super::Block;
 use super::Inline;
 use super::algebra;
+use super::cache::SolutionCache;
 use super::display::Display;
 use super::display::Shown;
 use super::display::number_math;
 use super::display::with_unit;
 use super::interval;
 use super::ledger::Item;
-use super::way::Memory;
 use super::wording::capitalised;
 
 /// One paragraph for each part.
@@ -108,8 +108,8 @@ fn formula_sentence(display: Display<'_>, part: &Part, formula: &FormulaPart) ->
 /// A formula as it is printed.
 #[must_use]
 pub fn printed_formula(worked: Worked<'_>, part: &FormulaPart) -> Option<Math> {
-    let memory = Memory::of(worked);
-    let display = Display { worked, way: memory.way(worked), shown: &Shown::default() };
+    let cache = SolutionCache::of(worked);
+    let display = Display { worked, way: cache.way(worked), shown: &Shown::default() };
     let formula = worked.formula(part)?;
     Some(display.symbolic(&algebra::positive_first(&formula)))
 }
@@ -137,8 +137,8 @@ fn to_the_unit(display: Display<'_>, number: &NumberPart, answer: Bounded) -> Ve
 /// The answers to a part as they are printed, with their unit: one, or every root.
 #[must_use]
 pub fn printed_answers(worked: Worked<'_>, number: &NumberPart) -> Vec<Math> {
-    let memory = Memory::of(worked);
-    let display = Display { worked, way: memory.way(worked), shown: &Shown::default() };
+    let cache = SolutionCache::of(worked);
+    let display = Display { worked, way: cache.way(worked), shown: &Shown::default() };
     worked.answers(number).into_iter().map(|answer| printed(display, number, answer)).collect()
 }
 

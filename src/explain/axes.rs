@@ -32,13 +32,7 @@ const TURNING: [&str; 2] = ["counter-clockwise", "clockwise"];
 
 /// The section's blocks; none where there is nothing to say.
 pub(super) fn axes(display: Display<'_>) -> Vec<Block> {
-    let paragraphs = || directions(display).into_iter().map(Block::Paragraph);
-    let turns = display.worked.problem.model().frames.iter().flatten().any(|frame| !frame.normal.turn.is_zero());
-    let mut blocks: Vec<Block> = if turns {
-        paragraphs().collect()
-    } else {
-        display.way.directions.get_or_init(|| paragraphs().map(Block::shared).collect()).clone()
-    };
+    let mut blocks: Vec<Block> = directions(display).into_iter().map(Block::Paragraph).collect();
     let used = display.way.used.get_or_init(|| used(display.worked));
     let literals = &display.worked.problem.model().literals;
     let told = display.worked.variant.all_given().iter();

@@ -180,7 +180,7 @@ fn balances(display: Display<'_>) -> Vec<Balance> {
         let computes = !is_nothing && [left, right].into_iter().any(|side| !matches!(side, Expr::Symbol(_)));
         let is_shown = told(left) && told(right) && computes && !is_read_off(place, left, right);
         let sides = || [left, right].map(|side| display.term(side.clone()));
-        is_shown.then(|| Balance { words: text(words).shared(), sides: sides() })
+        is_shown.then(|| Balance { words: text(words), sides: sides() })
     };
     leaf.system.equations.iter().enumerate().filter_map(balance).collect()
 }

@@ -10,6 +10,7 @@ use crate::solve::Closed;
 use crate::solve::Move;
 use crate::solve::Step;
 
+use super::cache::SolutionCache;
 use super::checks;
 use super::counting;
 use super::display::Display;
@@ -24,7 +25,6 @@ use super::script::Script;
 use super::steps::Detail;
 use super::steps::Steps;
 use super::steps::taken;
-use super::way::Memory;
 
 /// How many figures the numbers of a variant's solution have. What does not come out with the most figures is computed from
 /// the givens, which are exact.
@@ -45,9 +45,9 @@ pub(super) fn figures(display: Display<'_>) -> Figures {
 /// How many results of a variant's worked solution do not come out of the numbers printed before them.
 #[must_use]
 pub fn lines_out(worked: Worked<'_>) -> usize {
-    let memory = Memory::of(worked);
+    let cache = SolutionCache::of(worked);
     let shown = Shown::default();
-    figures(Display { worked, way: memory.way(worked), shown: &shown }).stubborn.len()
+    figures(Display { worked, way: cache.way(worked), shown: &shown }).stubborn.len()
 }
 
 /// The lines of a solution but those of some results.

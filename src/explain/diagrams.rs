@@ -60,7 +60,7 @@ fn sentences(worked: Worked<'_>) -> Vec<Block> {
             blocks.extend([text(heading), Block::List(items)]);
         }
     }
-    blocks.into_iter().map(Block::shared).collect()
+    blocks
 }
 
 /// One sentence on what acts in a stage.

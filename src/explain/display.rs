@@ -28,14 +28,14 @@ use crate::solve::Step;
 
 use super::algebra::has_angle_of_point;
 use super::algebra::positive_first;
+use super::cache::Manner;
+use super::cache::WayCache;
 use super::ledger::Figures;
 use super::letters::Letters;
 use super::letters::Powers;
 use super::term::Measured;
 use super::term::Term;
 use super::term::suffix;
-use super::way::Manner;
-use super::way::Way;
 
 /// The most characters above or below the bar of a fraction that is printed as such.
 const SHORT_FRACTION: usize = 4;
@@ -59,7 +59,7 @@ fn usual_unit(kind: &QuantityKind) -> Option<&'static str> {
 pub(super) struct Display<'a> {
     pub worked: Worked<'a>,
     /// What it shares with the other variants that go its way.
-    pub way: &'a Way,
+    pub way: &'a WayCache,
     /// What was shown before.
     pub shown: &'a Shown,
 }
@@ -109,7 +109,7 @@ impl<'a> Display<'a> {
         let rest = (term.clone() / product.clone()).dimension(symbols).unwrap_or_default();
         // Not as `symbolic`, which asks for this very measure.
         let named = |letter| Leaf { math: self.worked.problem.math_of(letter), kind: LeafKind::Name };
-        let math = product.layout(&named).shared();
+        let math = product.layout(&named);
         (Measured::new(coherent_unit(rest, self.worked.problem.units())).with_letters(product, math), is_multiple)
     }
 
@@ -257,7 +257,7 @@ impl<'a> Display<'a> {
         let arranged = expr.arranged();
         let (unit, is_multiple) = self.measure(&expr);
         Term {
-            symbols: arranged.with(&|symbol| self.named(symbol)).shared(),
+            symbols: arranged.with(&|symbol| self.named(symbol)),
             unit,
             is_multiple,
             mentions: expr.symbols().into_iter().collect(),

@@ -46,7 +46,7 @@ fn loss(display: Display<'_>, equation: &Equation) -> Option<Loss> {
     let phrase = display.worked.problem.model().phrase(&display.worked.problem.loaded().draft.scene, stage);
     (!display.is_open(*lost)).then(|| Loss {
         lost: *lost,
-        words: text(&format!("Kinetic energy lost in {phrase}:")).shared(),
+        words: text(&format!("Kinetic energy lost in {phrase}:")),
         difference: display.term(right.clone()),
         formula: formula(display, stage)
             .filter(|formula| display.worked.are_equal(right, formula))

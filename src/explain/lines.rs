@@ -11,6 +11,7 @@ use crate::solve::Closed;
 use crate::solve::Move;
 use crate::solve::Step;
 
+use super::cache::SolutionCache;
 use super::computed;
 use super::derivation;
 use super::derivation::Origin;
@@ -25,7 +26,6 @@ use super::script::Script;
 use super::steps::Detail;
 use super::steps::Steps;
 use super::steps::taken;
-use super::way::Memory;
 
 /// One equation of a worked solution.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -91,9 +91,9 @@ pub enum Operation {
 /// The equations of the worked solution of a variant, in their order.
 #[must_use]
 pub fn lines(worked: Worked<'_>) -> Vec<Line> {
-    let memory = Memory::of(worked);
+    let cache = SolutionCache::of(worked);
     let shown = Shown::default();
-    let display = Display { worked, way: memory.way(worked), shown: &shown };
+    let display = Display { worked, way: cache.way(worked), shown: &shown };
     shown.figures.get_or_init(|| computed::figures(display));
     let mut list = List { display, steps: Steps::new(display, Detail::Full), lines: Vec::new(), results: Vec::new() };
     let scripts = display.way.laws.get_or_init(|| script::scripts(display));

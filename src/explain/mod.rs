@@ -3,6 +3,7 @@
 mod algebra;
 mod answers;
 mod axes;
+mod cache;
 mod checks;
 mod computed;
 mod counting;
@@ -26,7 +27,6 @@ mod sentence;
 mod solution;
 mod steps;
 mod term;
-mod way;
 mod wording;
 
 pub use answers::{printed_answers, printed_formula, printed_vector};
@@ -34,7 +34,7 @@ pub use computed::lines_out;
 pub use interval::printed_range;
 pub use lines::Line;
 pub use lines::lines;
-pub use outline::{Audience, Block, Inline, Outline, Section, SharedBlock};
+pub use outline::{Audience, Block, Inline, Outline, Section};
 pub use pictures::situation;
 pub use solution::brief;
 pub use solution::solution;

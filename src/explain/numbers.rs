@@ -70,17 +70,17 @@ impl Display<'_> {
         let measured = &self.manner(symbol).measured;
         let leaf = match self.exact(symbol) {
             Some(Exact { math, .. }) if measured.letters.is_some() && math == Math::Number("1".into()) => {
-                Leaf { math: measured.put(math).shared(), kind: LeafKind::Name }
+                Leaf { math: measured.put(math), kind: LeafKind::Name }
             }
             Some(Exact { math, negative, .. }) => {
-                Leaf { math: measured.put(math).shared(), kind: LeafKind::Number { negative } }
+                Leaf { math: measured.put(math), kind: LeafKind::Number { negative } }
             }
             None => {
                 let value = self.worked.variant.value(symbol).map_or(f64::NAN, Bounded::for_print);
                 let shown = value / self.size(measured);
                 let number = printed(shown, self.figures(Item::Quantity(symbol), shown));
                 let kind = LeafKind::Number { negative: number.starts_with('-') };
-                Leaf { math: measured.put(number_math(number)).shared(), kind }
+                Leaf { math: measured.put(number_math(number)), kind }
             }
         };
         self.shown.leaves.borrow_mut().push((symbol, leaf.clone()));

@@ -1,11 +1,7 @@
 //! The outline of a document: prose, equations and figures, in no format yet.
 
-use std::any::Any;
-use std::sync::Arc;
-
 use crate::expr::Math;
 use crate::figure::Drawing;
-use crate::problem::Kept;
 
 /// A worked solution, section by section.
 #[derive(Clone, Debug, PartialEq)]
@@ -66,49 +62,6 @@ pub enum Block {
         /// How many lines.
         lines: u32,
     },
-    /// Any of these, the same in many documents.
-    Shared(Arc<SharedBlock>),
-}
-
-/// A block of many documents, and what each format made of it.
-#[derive(Debug)]
-pub struct SharedBlock {
-    block: Block,
-    made: [Kept; FORMATS],
-}
-
-/// How many ways of writing a block there are: the formats of documents, and those of pieces for other programs.
-const FORMATS: usize = 8;
-
-impl SharedBlock {
-    /// What the format of that place made of it when it first came upon it.
-    pub fn made<T: Any + Send + Sync>(&self, format: usize, make: impl Fn(&Block) -> T) -> Arc<T> {
-        let make = || make(&self.block);
-        self.made.get(format).map_or_else(|| Arc::new(make()), |kept| kept.get(make))
-    }
-}
-
-impl PartialEq for SharedBlock {
-    fn eq(&self, other: &Self) -> bool {
-        self.block == other.block
-    }
-}
-
-impl Block {
-    /// The same, to be held by many documents and written once.
-    #[must_use]
-    pub fn shared(self) -> Self {
-        Self::Shared(Arc::new(SharedBlock { block: self, made: Default::default() }))
-    }
-
-    /// What it is, shared or not.
-    #[must_use]
-    pub fn bare(&self) -> &Self {
-        match self {
-            Self::Shared(shared) => &shared.block,
-            block => block,
-        }
-    }
 }
 
 /// A run inside a paragraph.

@@ -119,7 +119,7 @@ impl Writer<'_> {
             Formula::Fixed(None) | Formula::Varies => None,
         };
         let words = value.and_then(|value| sentence::before_result(self.display, derivation, unknown, value));
-        Found { words: words.map(Block::shared), formula }
+        Found { words, formula }
     }
 
     fn formula(&self, step: &Step, unknown: Symbol, closed: &Closed) -> Formula {
@@ -137,14 +137,14 @@ impl Writer<'_> {
         let leaf = self.display.worked.leaf();
         let Some(stated) = leaf.system.equations.get(equation) else { return Vec::new() };
         let Some(instance) = self.display.worked.problem.model().instances.get(stated.tag) else { return Vec::new() };
-        let (name, reason) = (instance.law.name, text(&reason(instance, &stated.statement)).shared());
+        let (name, reason) = (instance.law.name, text(&reason(instance, &stated.statement)));
         if instance.integral.is_none() && closes.is_some_and(|step| is_definition(step, &line.left, &line.right)) {
             return vec![Opening::Law { name, reason, equation: None }];
         }
         let right = instance.integral.as_ref().map(|integral| self.integral(integral));
         let right = right.unwrap_or_else(|| self.display.symbolic(&line.right));
         let lines = vec![Math::relation(self.display.symbolic(&line.left), line.relation, right)];
-        let equation = Some(Block::Equation { lines, number: line.number }.shared());
+        let equation = Some(Block::Equation { lines, number: line.number });
         let mut opening = vec![Opening::Law { name, reason, equation }];
         if let (Statement::Equal { left, right }, None) = (&stated.statement, &instance.integral) {
             let sides = [left, right].map(Clone::clone);
@@ -166,7 +166,7 @@ impl Writer<'_> {
 }
 
 fn written(blocks: Vec<Block>) -> impl Iterator<Item = Opening> {
-    blocks.into_iter().map(|block| Opening::Written(block.shared()))
+    blocks.into_iter().map(Opening::Written)
 }
 
 /// The sides of the only equation of a step.

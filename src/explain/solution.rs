@@ -12,6 +12,7 @@ use super::Outline;
 use super::Section;
 use super::answers;
 use super::axes;
+use super::cache::SolutionCache;
 use super::checks;
 use super::computed;
 use super::diagrams;
@@ -23,22 +24,21 @@ use super::steps::Detail;
 use super::steps::Steps;
 use super::steps::WITHOUT_ZEROS;
 use super::steps::text;
-use super::way::Memory;
 use super::wording::capitalised;
 use super::wording::list;
 
 /// The worked solution of a variant, with a last section where instructors read it.
 #[must_use]
 pub fn solution(worked: Worked<'_>, audience: Audience) -> Outline {
-    let memory = Memory::of(worked);
+    let cache = SolutionCache::of(worked);
     let shown = Shown::default();
-    let display = Display { worked, way: memory.way(worked), shown: &shown };
+    let display = Display { worked, way: cache.way(worked), shown: &shown };
     shown.figures.get_or_init(|| computed::figures(display));
     let answers = answers::answers(display);
     let checks = checks::checks(display);
     let closing = if checks.is_empty() { "Answer" } else { "Answer and check" };
     let mut sections = vec![
-        section("System", display.way.system.get_or_init(|| kept(system(worked))).clone()),
+        section("System", display.way.system.get_or_init(|| system(worked)).clone()),
         acting(display),
         section("Axes and what is given", axes::axes(display)),
         section("Laws", laws(display, Detail::Full)),
@@ -54,16 +54,16 @@ pub fn solution(worked: Worked<'_>, audience: Audience) -> Outline {
 /// What acts, with its diagrams where there are any.
 fn acting(display: Display<'_>) -> Section {
     let blocks = diagrams::diagrams(display);
-    let drawn = blocks.iter().any(|block| matches!(block.bare(), Block::Figure(_)));
+    let drawn = blocks.iter().any(|block| matches!(block, Block::Figure(_)));
     section(if drawn { "Momentum and impulse diagrams" } else { "Forces and impulses" }, blocks)
 }
 
 /// The worked solution on one page: what is given, the laws with their equations, the values found, and the answers.
 #[must_use]
 pub fn brief(worked: Worked<'_>) -> Outline {
-    let memory = Memory::of(worked);
+    let cache = SolutionCache::of(worked);
     let shown = Shown::default();
-    let display = Display { worked, way: memory.way(worked), shown: &shown };
+    let display = Display { worked, way: cache.way(worked), shown: &shown };
     shown.figures.get_or_init(|| computed::figures(display));
     let mut sections = vec![
         section("Axes and what is given", axes::axes(display)),
@@ -72,10 +72,6 @@ pub fn brief(worked: Worked<'_>) -> Outline {
     ];
     sections.retain(|section| !section.blocks.is_empty());
     Outline { title: worked.problem.title().to_owned(), sections }
-}
-
-fn kept(blocks: Vec<Block>) -> Vec<Block> {
-    blocks.into_iter().map(Block::shared).collect()
 }
 
 fn section(heading: &str, blocks: Vec<Block>) -> Section {
@@ -207,8 +203,8 @@ fn without_repetition(blocks: Vec<Block>) -> Vec<Block> {
     let mut said: Option<usize> = None;
     let mut kept: Vec<Block> = Vec::with_capacity(blocks.len());
     for block in blocks {
-        if matches!(block.bare(), Block::Paragraph(_)) && *block.bare() != text(WITHOUT_ZEROS) {
-            if said.and_then(|place| kept.get(place)).map(Block::bare) == Some(block.bare()) {
+        if matches!(block, Block::Paragraph(_)) && block != text(WITHOUT_ZEROS) {
+            if said.and_then(|place| kept.get(place)) == Some(&block) {
                 continue;
             }
             said = Some(kept.len());

@@ -41,7 +41,7 @@ pub(super) struct Measured {
 
 impl Measured {
     pub(super) fn new(unit: Unit) -> Self {
-        Self { suffix: suffix(&unit).map(Math::shared), unit, letters: None, product: None }
+        Self { suffix: suffix(&unit), unit, letters: None, product: None }
     }
 
     pub(super) fn with_letters(self, letters: Expr, product: Math) -> Self {
@@ -50,16 +50,18 @@ impl Measured {
 
     /// A number followed by the unit.
     pub(super) fn put(&self, number: Math) -> Math {
-        let is = |text: &str| matches!(number.bare(), Math::Number(digits) if digits == text);
+        let is = |number: &Math, text: &str| matches!(number, Math::Number(digits) if digits == text);
         let times = |number: Math, product: &Math| {
             Math::Row(vec![number, Math::Operator(Operator::Juxtapose), product.clone()])
         };
         match (&self.suffix, &self.product) {
             (None, None) => number,
-            (_, Some(_)) if is("0") => number,
+            (_, Some(_)) if is(&number, "0") => number,
             (Some(suffix), None) => Math::Row(vec![number, suffix.clone()]),
-            (None, Some(product)) if is("1") => product.clone(),
-            (None, Some(product)) if is("-1") => Math::Row(vec![Math::Operator(Operator::Minus), product.clone()]),
+            (None, Some(product)) if is(&number, "1") => product.clone(),
+            (None, Some(product)) if is(&number, "-1") => {
+                Math::Row(vec![Math::Operator(Operator::Minus), product.clone()])
+            }
             (None, Some(product)) => times(number, product),
             (Some(suffix), Some(product)) => {
                 times(Math::Bracketed(Arc::new(Math::Row(vec![number, suffix.clone()]))), product)

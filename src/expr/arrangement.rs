@@ -199,11 +199,11 @@ fn row(factors: &[Node], leaf: &Put<'_>) -> (Math, Shape) {
 
 fn power([base, exponent]: &[Node; 2], leaf: &Put<'_>) -> (Math, Shape) {
     let (math, shape) = base.put(leaf);
-    let fraction = matches!(math.bare(), Math::Fraction(..) | Math::Sup(..) | Math::SubSup(..));
+    let fraction = matches!(math, Math::Fraction(..) | Math::Sup(..) | Math::SubSup(..));
     let holds = matches!(shape, Shape::Whole | Shape::Constant) && !fraction;
     let exponent = Arc::new(exponent.put(leaf).0);
     let base = if holds { math } else { bracketed(math) };
-    let raised = match base.bare() {
+    let raised = match base {
         Math::Sub(name, subscript) => Math::SubSup(name.clone(), subscript.clone(), exponent),
         _ => Math::Sup(Arc::new(base), exponent),
     };
@@ -215,7 +215,7 @@ fn apply(name: &Math, may_be_bare: bool, arguments: &[Node], leaf: &Put<'_>) -> 
     if let ([single], true) = (arguments, may_be_bare) {
         let (math, shape) = single.put(leaf);
         let bare = matches!(shape, Shape::Whole | Shape::Constant | Shape::Number { negative: false });
-        if bare && !matches!(math.bare(), Math::Fraction(..)) {
+        if bare && !matches!(math, Math::Fraction(..)) {
             return (Math::Row(vec![name, Math::Operator(Operator::Juxtapose), math]), Shape::Open);
         }
         return (Math::Row(vec![name, bracketed(math)]), Shape::Whole);
@@ -257,7 +257,7 @@ fn bracketed(math: Math) -> Math {
 }
 
 fn has_brackets(math: &Math) -> bool {
-    match math.bare() {
+    match math {
         Math::Bracketed(_) | Math::Squared(_) => true,
         Math::Row(parts) => parts.iter().any(has_brackets),
         Math::Sub(base, _) | Math::Sup(base, _) | Math::SubSup(base, _, _) => has_brackets(base),
@@ -266,7 +266,7 @@ fn has_brackets(math: &Math) -> bool {
 }
 
 fn starts_with_bracket(math: &Math) -> bool {
-    match math.bare() {
+    match math {
         Math::Bracketed(_) | Math::Squared(_) => true,
         Math::Sub(base, _) | Math::Sup(base, _) | Math::SubSup(base, _, _) => starts_with_bracket(base),
         Math::Row(parts) => parts.first().is_some_and(starts_with_bracket),
@@ -275,7 +275,7 @@ fn starts_with_bracket(math: &Math) -> bool {
 }
 
 fn ends_with_bracket(math: &Math) -> bool {
-    match math.bare() {
+    match math {
         Math::Bracketed(_) | Math::Squared(_) | Math::Number(_) => true,
         Math::Sup(base, _) => ends_with_bracket(base),
         Math::Row(parts) => parts.last().is_some_and(ends_with_bracket),
@@ -284,7 +284,7 @@ fn ends_with_bracket(math: &Math) -> bool {
 }
 
 fn starts_with_digit(math: &Math) -> bool {
-    match math.bare() {
+    match math {
         Math::Number(_) => true,
         Math::Sup(base, _) => starts_with_digit(base),
         Math::Row(parts) => parts.first().is_some_and(starts_with_digit),

@@ -41,7 +41,7 @@ fn constant(value: &Rational) -> (Math, Shape) {
 }
 
 fn fixed((math, shape): (Math, Shape)) -> Node {
-    Node::Fixed(math.shared(), shape)
+    Node::Fixed(math, shape)
 }
 
 fn one() -> Node {
@@ -86,7 +86,7 @@ fn product(factors: &[Expr]) -> Node {
         && rest.len() > 1
     // 1/2 m v^2, but v^2/2
     {
-        return Node::Coefficient(constant(number).0.shared(), nodes(rest));
+        return Node::Coefficient(constant(number).0, nodes(rest));
     }
     if below.is_empty() {
         return Node::Row(nodes(&above));

@@ -2,8 +2,6 @@
 
 use std::sync::Arc;
 
-use super::shared::Shared;
-
 /// A piece of typeset mathematics. What it is made of may be shared: the name of a quantity stands in many places.
 ///
 /// Terms ([`super::Expr`]) are laid out as this; so are quantities with their units, and the few marks that explanations need.
@@ -43,8 +41,6 @@ pub enum Math {
     Integral(Arc<Math>, Arc<Math>, Arc<Math>, Arc<Math>),
     /// A vector's name, set bold.
     Vector(String),
-    /// Any of these, held in many places.
-    Shared(Arc<Shared>),
 }
 
 /// The operators and relations of the subject.
@@ -111,7 +107,7 @@ impl Math {
 /// What is held in many places equals the same by itself.
 impl PartialEq for Math {
     fn eq(&self, other: &Self) -> bool {
-        match (self.bare(), other.bare()) {
+        match (self, other) {
             (own, other) if std::ptr::eq(own, other) => true,
             (Self::Row(own), Self::Row(other)) => own == other,
             (Self::Number(own), Self::Number(other))
@@ -146,14 +142,14 @@ impl Default for Math {
 impl Math {
     /// Whether an operator is a sign in front, since nothing that it could join stands before it.
     pub(crate) fn is_prefix(before: Option<&Self>) -> bool {
-        matches!(before.map(Self::bare), None | Some(Self::Operator(_)))
+        matches!(before, None | Some(Self::Operator(_)))
     }
 
     /// Whether a space belongs between neighbours: a number and its unit, a word and what follows.
     pub(crate) fn needs_space(before: Option<&Self>, after: &Self) -> bool {
         let Some(before) = before else { return false };
         let joins = |part: &Self| matches!(part, Self::Operator(_));
-        match (before.bare(), after.bare()) {
+        match (before, after) {
             (before, _) if joins(before) => false,
             (_, Self::Text(text)) => text.starts_with(char::is_alphanumeric),
             (Self::Text(text), after) => !joins(after) && !text.ends_with(char::is_whitespace),

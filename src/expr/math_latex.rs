@@ -122,7 +122,7 @@ impl Math {
                 subscript.write_subscript(out);
             }
             Self::Sup(base, exponent) => {
-                if matches!(base.bare(), Self::Sup(..) | Self::SubSup(..)) {
+                if matches!(**base, Self::Sup(..) | Self::SubSup(..)) {
                     base.write_group(out);
                 } else {
                     base.write_latex(out);
@@ -171,7 +171,6 @@ impl Math {
                 }
             }
             Self::Vector(name) => write_command("mathbf", name, out),
-            Self::Shared(shared) => out.push_str(shared.latex()),
         }
     }
 
@@ -185,7 +184,7 @@ impl Math {
     /// Letters of a subscript in italics when single, upright when they form a word: `A1`, `avg,A`.
     fn write_subscript(&self, out: &mut String) {
         out.push('_');
-        let Self::Text(text) = self.bare() else { return self.write_group(out) };
+        let Self::Text(text) = self else { return self.write_group(out) };
         out.push('{');
         for part in super::math::subscript_parts(text) {
             let word = part.chars().count() > 1 && part.starts_with(char::is_alphabetic);
@@ -208,7 +207,7 @@ impl Math {
 
     /// Whether brackets around it must grow.
     pub(super) fn is_tall(&self) -> bool {
-        match self.bare() {
+        match self {
             Self::Fraction(..) | Self::Cases(_) | Self::Integral(..) => true,
             Self::Row(parts) => parts.iter().any(Self::is_tall),
             Self::Root(inner) | Self::Bracketed(inner) | Self::Squared(inner) | Self::Bars(inner) => inner.is_tall(),
@@ -283,7 +282,7 @@ fn write_row(parts: &[Math], out: &mut String) {
     let start = out.len();
     let mut before: Option<&Math> = None;
     for part in parts {
-        let mark = match part.bare() {
+        let mark = match part {
             Math::Operator(_) => out.len(),
             _ => {
                 if Math::needs_space(before, part) {
@@ -292,9 +291,9 @@ fn write_row(parts: &[Math], out: &mut String) {
                 out.len()
             }
         };
-        match part.bare() {
+        match part {
             Math::Operator(Operator::Juxtapose) if is_function(before) => out.push(' '),
-            Math::Operator(Operator::Juxtapose) if matches!(before.map(Math::bare), Some(Math::Sup(..))) => {
+            Math::Operator(Operator::Juxtapose) if matches!(before, Some(Math::Sup(..))) => {
                 out.push_str(r"\,");
             }
             Math::Operator(operator) if Math::is_prefix(before) => out.push_str(operator.latex().trim()),
@@ -310,7 +309,7 @@ fn write_row(parts: &[Math], out: &mut String) {
 }
 
 fn is_function(part: Option<&Math>) -> bool {
-    match part.map(Math::bare) {
+    match part {
         Some(Math::Function(_)) => true,
         Some(Math::Sup(base, _)) => is_function(Some(base)),
         _ => false,

@@ -84,13 +84,12 @@ impl Math {
             Self::Vector(name) => {
                 format!("<mi mathvariant=\"normal\">{}</mi>", name.chars().map(bold).collect::<String>())
             }
-            Self::Shared(shared) => shared.mathml().to_owned(),
         }
     }
 
     /// Letters of a subscript in italics when single, upright when they form a word.
     fn subscript(&self) -> String {
-        let Self::Text(text) = self.bare() else { return self.element() };
+        let Self::Text(text) = self else { return self.element() };
         let part = |part: &str| match part.chars().next() {
             Some(first) if first.is_ascii_digit() => format!("<mn>{part}</mn>"),
             Some(first) if first.is_alphabetic() => format!("<mi>{}</mi>", escaped(part)),
@@ -112,7 +111,7 @@ fn row<M: Borrow<Math>>(parts: &[M]) -> String {
     let mut elements = String::new();
     let mut before = None;
     for part in parts.iter().map(M::borrow) {
-        match part.bare() {
+        match part {
             Math::Operator(Operator::Juxtapose) => {
                 elements.push_str("<mo lspace=\"0\" rspace=\"0.1667em\">\u{2062}</mo>");
             }

@@ -57,7 +57,6 @@ impl Math {
                 let (low, high) = (low.plain(), high.plain());
                 format!("integral from {low} to {high} of {} d{}", integrand.plain(), variable.plain())
             }
-            Self::Shared(shared) => shared.plain().to_owned(),
         }
     }
 
@@ -68,8 +67,8 @@ impl Math {
 
     /// In brackets where a fraction bar or a power would else seem to take a part of it.
     fn held(&self, tight: bool) -> String {
-        let loose = match self.bare() {
-            Self::Row(parts) => parts.iter().any(|part| match part.bare() {
+        let loose = match self {
+            Self::Row(parts) => parts.iter().any(|part| match part {
                 Self::Operator(Operator::Juxtapose) => tight,
                 Self::Operator(_) => true,
                 _ => tight && parts.len() > 1,
@@ -85,7 +84,7 @@ fn row(parts: &[Math]) -> String {
     let mut text = String::new();
     for (index, part) in parts.iter().enumerate() {
         let before = index.checked_sub(1).and_then(|index| parts.get(index));
-        match part.bare() {
+        match part {
             Math::Operator(operator) if Math::is_prefix(before) => text.push_str(operator.plain().trim()),
             Math::Operator(operator) => text.push_str(operator.plain()),
             _ => {

@@ -166,7 +166,6 @@ impl TypstMath {
                 self.math(variable);
             }
             Math::Vector(name) => self.call("bold", |code| code.words(name)),
-            Math::Shared(shared) => self.put(shared.typst()),
         }
     }
 
@@ -174,7 +173,7 @@ impl TypstMath {
     pub(crate) fn row(&mut self, parts: &[Math]) {
         let mut before: Option<&Math> = None;
         for part in parts {
-            match part.bare() {
+            match part {
                 // Typst sets the gap behind a function by itself.
                 Math::Operator(Operator::Juxtapose) if is_function(before) => {}
                 Math::Operator(operator) if Math::is_prefix(before) => self.prefix(*operator),
@@ -237,7 +236,7 @@ impl TypstMath {
 
     /// Letters of a subscript in italics when single, upright when they form a word: `A1`, `avg,A`.
     fn subscript(&mut self, math: &Math) {
-        let Math::Text(text) = math.bare() else { return self.math(math) };
+        let Math::Text(text) = math else { return self.math(math) };
         for part in super::math::subscript_parts(text) {
             let is_single = part.chars().count() == 1 && part.chars().all(char::is_alphabetic);
             if is_single { self.put(part) } else { self.words(part) }
@@ -261,7 +260,7 @@ impl TypstMath {
 }
 
 fn is_function(part: Option<&Math>) -> bool {
-    match part.map(Math::bare) {
+    match part {
         Some(Math::Function(_)) => true,
         Some(Math::Sup(base, _)) => is_function(Some(base)),
         _ => false,

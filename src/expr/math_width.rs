@@ -30,13 +30,12 @@ impl Math {
             Self::Integral(low, high, inner, variable) => {
                 2.0 + SCRIPT * low.width().max(high.width()) + inner.width() + variable.width()
             }
-            Self::Shared(shared) => shared.widths().iter().sum(),
         }
     }
 
     /// The parts of rows within rows, one after another.
     pub(crate) fn spread<'a>(&'a self, put: &mut dyn FnMut(&'a Self)) {
-        match self.bare() {
+        match self {
             Self::Row(parts) => parts.iter().for_each(|part| part.spread(put)),
             _ => put(self),
         }

@@ -218,15 +218,6 @@ pub(super) struct Measure {
 
 impl Measure {
     pub(super) fn of(text: &Math) -> Self {
-        let Math::Shared(shared) = text else { return Self::taken(text) };
-        let [width, above, below] = shared.size(|text| {
-            let Self { width, above, below } = Self::taken(text);
-            [width, above, below]
-        });
-        Self { width, above, below }
-    }
-
-    fn taken(text: &Math) -> Self {
         let mut gauge = Gauge { whole: Self { width: 0.0, above: LOW_HEIGHT, below: 0.0 }, run: None };
         set(text, &mut |piece, look| gauge.put(piece, look));
         gauge.close();

@@ -89,7 +89,7 @@ impl AxisMark {
     /// An axis by its letter.
     #[must_use]
     pub fn new(name: &str, angle: f64) -> Self {
-        Self { name: Math::Identifier(name.to_owned()).shared(), angle, length: 1.0 }
+        Self { name: Math::Identifier(name.to_owned()), angle, length: 1.0 }
     }
 
     /// An axis by its letter, with its unit on the drawing.

@@ -49,7 +49,7 @@ impl Quantity {
                 ["momentum before", "impulses", "momentum after"],
                 ["angular momentum before", "angular impulse", "angular momentum after"],
             ]
-            .map(|row| row.map(|words| Math::Text(words.to_owned()).shared()))
+            .map(|row| row.map(|words| Math::Text(words.to_owned())))
         });
         let [one, many, angular] = &*HEADINGS;
         match (self, several) {

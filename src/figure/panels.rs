@@ -24,8 +24,7 @@ pub(super) struct Row {
 }
 
 /// What stands between the panels: before + impulse = after.
-static SIGNS: LazyLock<[Math; 2]> =
-    LazyLock::new(|| [Operator::Plus, Operator::Equals].map(|sign| Math::Operator(sign).shared()));
+static SIGNS: LazyLock<[Math; 2]> = LazyLock::new(|| [Operator::Plus, Operator::Equals].map(Math::Operator));
 
 /// Rows in columns: headings above, signs between, axes at the lower left.
 pub(super) fn assemble(headings: &[Math], rows: Vec<Row>, axes: &[AxisMark]) -> Canvas {

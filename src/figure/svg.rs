@@ -165,13 +165,6 @@ fn paint_on_paper(property: &str, style: &Style) -> String {
     format!("{property}:{}", style.colour)
 }
 
-/// A label without its place.
-fn markup(text: &Math) -> String {
-    let mut page = Page { out: String::new(), low: Point::ORIGIN, high: Point::ORIGIN };
-    page.markup(text);
-    page.out
-}
-
 struct Page {
     out: String,
     low: Point,
@@ -300,10 +293,7 @@ impl Page {
         self.put(["<text class=\"", style(role).class, "\" x=\""]);
         self.pair(baseline, "\" y=\"");
         self.put(["\">"]);
-        match text {
-            Math::Shared(shared) => self.put([shared.label(markup)]),
-            text => self.markup(text),
-        }
+        self.markup(text);
         self.put(["</text>\n"]);
     }
 

@@ -98,7 +98,7 @@ impl Line<'_> {
     }
 
     fn set_parts(&mut self, math: &Math) {
-        match math.bare() {
+        match math {
             Math::Row(parts) => self.row(parts),
             Math::Number(digits) => self.put_with(digits, '-', "\u{2212}"),
             Math::Identifier(name) => self.put(name, Face::Italic),
@@ -148,7 +148,6 @@ impl Line<'_> {
                 self.put("\u{2009}d", Face::Upright);
                 self.set(variable);
             }
-            Math::Shared(_) => {}
         }
     }
 
@@ -158,7 +157,7 @@ impl Line<'_> {
             if Math::needs_space(before, part) {
                 self.put(SPACE, Face::Upright);
             }
-            match part.bare() {
+            match part {
                 Math::Operator(operator) => self.operator(*operator, Math::is_prefix(before)),
                 _ => self.set(part),
             }
@@ -168,7 +167,7 @@ impl Line<'_> {
 
     /// Single letters slanted, words and digits upright, as the writer for LaTeX sets them.
     fn subscript(&mut self, math: &Math) {
-        let Math::Text(text) = math.bare() else { return self.script(math, -DROP) };
+        let Math::Text(text) = math else { return self.script(math, -DROP) };
         self.shifted(-DROP, |line| {
             for part in subscript_parts(text) {
                 let is_letter = part.chars().count() == 1 && part.starts_with(char::is_alphabetic);
@@ -185,7 +184,7 @@ impl Line<'_> {
 
     /// In brackets where a stroke or a root would otherwise take only the first part.
     fn grouped(&mut self, inner: &Math) {
-        match inner.bare() {
+        match inner {
             Math::Row(parts) if parts.len() > 1 => self.enclosed("(", inner, ")"),
             _ => self.set(inner),
         }

@@ -4,8 +4,8 @@ mod angle;
 mod closeness;
 mod figures;
 mod formula;
+mod formula_cache;
 mod interval;
-mod known;
 mod proof;
 mod slip;
 mod vector;
@@ -45,7 +45,7 @@ pub fn judge(expected: &Expected, answer: &Answer) -> Judgement {
         (ExpectedKind::Number(number), Answer::Number(answer)) => judge_number(number, answer),
         (ExpectedKind::Vector(vector), Answer::Vector(answer)) => vector::judge(vector, answer),
         (ExpectedKind::Formula(formula), Answer::Formula(answer)) => {
-            known::judged(formula, answer, || formula::judge(formula, answer))
+            formula_cache::judged(formula, answer, || formula::judge(formula, answer))
         }
         (ExpectedKind::Interval(interval), Answer::Interval(answer)) => interval::judge(interval, answer),
         (ExpectedKind::Choice { right, because, .. }, Answer::Choice(answer)) => judge_choice(*right, because, answer),

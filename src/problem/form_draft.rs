@@ -15,8 +15,8 @@ use super::allowed::Allowed;
 use super::condition::condition;
 use super::follow::Followings;
 use super::form::Question;
+use super::form_cache::FormCache;
 use super::formula::Formulas;
-use super::kept::Kept;
 use super::known::Known;
 use super::load::Loaded;
 use super::mistakes::Mistakes;
@@ -160,7 +160,7 @@ impl FormDraft {
             mistakes: Mistakes::default(),
             sensitivities: Sensitivities::default(),
             followings: Followings::default(),
-            kept: Kept::default(),
+            cache: FormCache::default(),
         })
     }
 }

@@ -21,8 +21,8 @@ use super::allowed::Meant;
 use super::compile::Built;
 use super::follow::Followings;
 use super::form::Question;
+use super::form_cache::FormCache;
 use super::formula::Formulas;
-use super::kept::Kept;
 use super::known::Known;
 use super::load::Loaded;
 use super::mistakes::Mistakes;
@@ -82,7 +82,7 @@ pub struct Form {
     /// Values of its givens near which formulas are compared; drawn when a formula is first marked.
     pub(super) samples: Samples,
     /// What all explanations of the form have in common; worked out when one is first wanted.
-    pub kept: Kept,
+    pub cache: FormCache,
 }
 
 /// A value that is solved first and then given, rounded as it is printed.
@@ -202,7 +202,7 @@ impl Problem {
             let math = self.notation.math(&self.set_apart(symbol));
             if self.is_speed_on_line(symbol) { Math::Bars(Arc::new(math)) } else { math }
         };
-        self.names.get(symbol.index()).map_or_else(set, |name| name.get_or_init(|| set().shared()).clone())
+        self.names.get(symbol.index()).map_or_else(set, |name| name.get_or_init(|| set()).clone())
     }
 
     /// The name under which a quantity is typeset: a period has a letter of its own beside kinetic energies.

@@ -102,7 +102,7 @@ fn line_rows(line: &Math) -> Vec<Row<'_>> {
 /// The only row of a line that fits, rows within it left as they are; none where it must be broken, or where a row within
 /// would look otherwise if its parts stood in the line themselves.
 fn unbroken(line: &Math) -> Option<Row<'_>> {
-    let parts = match line.bare() {
+    let parts = match line {
         Math::Row(parts) => parts.as_slice(),
         other => std::slice::from_ref(other),
     };
@@ -121,11 +121,9 @@ fn unbroken(line: &Math) -> Option<Row<'_>> {
 fn stand_apart(parts: &[Math]) -> bool {
     let is_sign = |part: Option<&Math>| part.is_none_or(|part| matches!(part, Math::Operator(_)));
     parts.iter().enumerate().all(|(place, part)| {
-        let Math::Row(inner) = part.bare() else { return true };
+        let Math::Row(inner) = part else { return true };
         let before = place.checked_sub(1).and_then(|before| parts.get(before));
-        // What is held in many places is a term or a quantity, and looked at once would do.
-        let is_set = matches!(part, Math::Shared(_)) || stand_apart(inner);
-        is_sign(before) && is_sign(parts.get(place + 1)) && is_set && !inner.iter().any(relates)
+        is_sign(before) && is_sign(parts.get(place + 1)) && stand_apart(inner) && !inner.iter().any(relates)
     })
 }
 
@@ -133,7 +131,6 @@ fn stand_apart(parts: &[Math]) -> bool {
 fn spread_width(parts: &[Math]) -> f64 {
     fn add(math: &Math, total: &mut f64) {
         match math {
-            Math::Shared(shared) => shared.widths().iter().for_each(|width| *total += width),
             Math::Row(parts) => parts.iter().for_each(|part| add(part, total)),
             other => *total += other.width(),
         }
@@ -148,7 +145,7 @@ fn spread_width(parts: &[Math]) -> f64 {
 /// A fraction that is too wide for a row, as one over its denominator times the sum above it, and a wide bracket opened: those can
 /// be broken.
 fn unfolded(item: Item<'_>, room: f64) -> Vec<Item<'_>> {
-    let (before, inner, [open, close]) = match item.math.bare() {
+    let (before, inner, [open, close]) = match &*item.math {
         Math::Fraction(over, under) if over.width() > room => {
             (Some(Math::Fraction(Arc::new(Math::Number("1".to_owned())), under.clone())), over, ["[", "]"])
         }

@@ -50,7 +50,7 @@ fn solving(sections: &[&Section]) -> Option<usize> {
 }
 
 fn is_step(block: &Block) -> bool {
-    matches!(block.bare(), Block::Equation { .. })
+    matches!(block, Block::Equation { .. })
 }
 
 /// The blocks up to the last step shown, then space for those that are not.

@@ -14,7 +14,6 @@ use crate::fault::Faults;
 use crate::figure::Drawing;
 
 use super::authored::{Authored, Piece};
-use super::document::Format;
 use super::equation;
 use super::equation::Row;
 use super::html;
@@ -38,9 +37,6 @@ pub enum Markup {
     /// Markdown with mathematics as TeX in dollars.
     Markdown,
 }
-
-/// The places of what is written here in [`crate::explain::SharedBlock`], behind those of the documents' formats.
-const PLACES: usize = Format::ALL.len();
 
 impl Markup {
     /// A text.
@@ -121,7 +117,7 @@ impl Markup {
             };
             out.push_str(&heading);
             for block in &section.blocks {
-                match block.bare() {
+                match block {
                     Block::Figure(drawing) => out.push_str(&picture(drawing)),
                     Block::Authored(text) => {
                         out.push_str(&self.authored(&outline.title, text, level + 1)?);
@@ -152,14 +148,6 @@ impl Markup {
                 out.push_str(behind);
             }
             Block::Table { head, rows } => out.push_str(&self.table(head, rows)),
-            Block::Shared(shared) => {
-                let made = shared.made(PLACES + self as usize, |block| {
-                    let mut own = String::new();
-                    self.block(block, &mut own);
-                    own
-                });
-                out.push_str(&made);
-            }
             // The first two are no business of a single block; space is left on paper only.
             Block::Figure(_) | Block::Authored(_) | Block::Space { .. } => {}
         }

@@ -154,7 +154,7 @@ impl<'a> View<'a> {
     }
 
     fn block(&mut self, id: &str, block: &Block) -> Result<Value, Faults> {
-        Ok(match block.bare() {
+        Ok(match block {
             Block::Figure(drawing) => map([("kind", "figure".into()), ("figure", self.figure(drawing))]),
             Block::Authored(text) => {
                 map([("kind", "authored".into()), ("text", self.authored(&format!("{id}: text"), text)?)])
@@ -179,7 +179,6 @@ impl<'a> View<'a> {
                 ("rows", Value::from(rows.iter().map(|row| cells(row)).collect::<Vec<_>>())),
             ]),
             Block::Space { lines } => map([("kind", "space".into()), ("lines", (*lines).into())]),
-            Block::Shared(shared) => Value::clone(&shared.made(self.format as usize, |block| self.written(block))),
             Block::Figure(_) | Block::Authored(_) => Value::none(),
         }
     }

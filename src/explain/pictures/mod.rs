@@ -24,7 +24,7 @@ use crate::problem::Worked;
 use crate::scene::Plane;
 use crate::scene::Stage;
 
-use super::way::Memory;
+use super::cache::SolutionCache;
 
 pub(super) use compass::Compass;
 pub(super) use momentum::Plan;
@@ -36,8 +36,8 @@ pub(super) fn solution(worked: Worked<'_>) -> Vec<Drawing> {
     let sibling = solved_sibling(worked);
     let worked = sibling.as_ref().and_then(|variant| Worked::new(worked.problem, variant)).unwrap_or(worked);
     let quantities = Quantities::new(worked, Scope::Solved);
-    let memory = Memory::of(worked);
-    let compass = memory.compass(worked);
+    let cache = SolutionCache::of(worked);
+    let compass = cache.compass(worked);
     let stages = &quantities.scene().stages;
     if stages.is_empty() {
         return snapshot::drawing(&quantities, compass).into_iter().collect();
@@ -111,6 +111,6 @@ fn solved_sibling(worked: Worked<'_>) -> Option<Variant> {
 #[must_use]
 pub fn situation(worked: Worked<'_>) -> Option<Drawing> {
     let quantities = Quantities::new(worked, Scope::Given);
-    let memory = Memory::of(worked);
-    sheet::drawing(&quantities, memory.compass(worked)).filter(|drawing| !drawing.is_bare())
+    let cache = SolutionCache::of(worked);
+    sheet::drawing(&quantities, cache.compass(worked)).filter(|drawing| !drawing.is_bare())
 }

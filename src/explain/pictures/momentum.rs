@@ -14,7 +14,7 @@ use crate::scene::Stage;
 use crate::scene::stage::Ends;
 use crate::scene::stage::Partners;
 
-use super::super::way::Memory;
+use super::super::cache::SolutionCache;
 use super::besides::Besides;
 use super::compass::Compass;
 use super::quantities::Quantities;
@@ -61,12 +61,12 @@ fn plan(quantities: &Quantities<'_>, own: &Stage, stage: usize) -> Plan {
     }
     let row = |participant: Participant| {
         let Participant { body, before, after } = &participant;
-        let impulses = impulses_on(quantities, stage, body).map(|impulse| quantities.impulse_name(impulse).shared());
+        let impulses = impulses_on(quantities, stage, body).map(|impulse| quantities.impulse_name(impulse));
         Planned {
-            name: body_math(body).shared(),
+            name: body_math(body),
             form: quantities.form(body),
-            before: quantities.momentum_name(body, before, stage + 1).shared(),
-            after: quantities.momentum_name(body, after, stage + 2).shared(),
+            before: quantities.momentum_name(body, before, stage + 1),
+            after: quantities.momentum_name(body, after, stage + 2),
             impulses: impulses.collect(),
             participant,
         }
@@ -81,8 +81,8 @@ fn impulses_on<'a>(quantities: &Quantities<'a>, stage: usize, body: &str) -> imp
 /// The diagram of a stage.
 pub(super) fn diagram(quantities: &Quantities<'_>, compass: &Compass, stage: usize) -> Option<Drawing> {
     let own = quantities.scene().stages.get(stage)?;
-    let memory = Memory::of(quantities.worked);
-    let kept = memory.way(quantities.worked).diagrams.get(stage)?;
+    let cache = SolutionCache::of(quantities.worked);
+    let kept = cache.way(quantities.worked).diagrams.get(stage)?;
     let Plan { rows, besides } = kept.get_or_init(|| plan(quantities, own, stage));
     let tilted = quantities.slope(stage).map(|(rise, _)| compass.tilted(rise));
     let compass = tilted.as_ref().unwrap_or(compass);

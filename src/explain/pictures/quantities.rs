@@ -19,9 +19,9 @@ use crate::scene::Term;
 use crate::solve::Equation;
 use crate::solve::Statement;
 
+use super::super::cache::SolutionCache;
 use super::super::display::Display;
 use super::super::display::Shown;
-use super::super::way::Memory;
 use super::oblique::Oblique;
 use super::vectors::factor;
 
@@ -195,8 +195,8 @@ impl<'a> Quantities<'a> {
 
     /// A term in symbols.
     pub(super) fn symbolic(&self, expr: &Expr) -> Math {
-        let memory = Memory::of(self.worked);
-        Display { worked: self.worked, way: memory.way(self.worked), shown: &Shown::default() }.symbolic(expr)
+        let cache = SolutionCache::of(self.worked);
+        Display { worked: self.worked, way: cache.way(self.worked), shown: &Shown::default() }.symbolic(expr)
     }
 
     /// A term in symbols without the sign in front of it, where an arrow shows the sense.

@@ -42,7 +42,7 @@ pub(super) fn sentences(words: impl IntoIterator<Item = String>) -> String {
 
 /// Whether a vector is the impulse of all forces in one.
 fn is_resultant(impulse: &Labelled) -> bool {
-    matches!(impulse.label.bare(), Math::Integral(_, _, force, _) if matches!(force.bare(), Math::Row(_)))
+    matches!(&impulse.label, Math::Integral(_, _, force, _) if matches!(**force, Math::Row(_)))
 }
 
 /// What is said about a momentum diagram.
@@ -99,7 +99,7 @@ impl Speak<'_> {
 
     /// `m_A v_A1, 8.00 kg m/s to the right`.
     fn vector(&self, vector: &Labelled) -> String {
-        let name = match vector.label.bare() {
+        let name = match vector.label {
             Math::Integral(..) if is_resultant(vector) => "the total impulse of all forces".to_owned(),
             Math::Integral(..) => "the integral of F over time".to_owned(),
             _ => vector.label.plain(),

@@ -5,8 +5,8 @@ use crate::quantity::UnitFault;
 use crate::quantity::UnitFaultKind;
 
 use super::arithmetic::{At, begins_number};
-use super::known_units;
 use super::quantity::ENDS;
+use super::unit_cache;
 use super::unreadable::UnreadableKind;
 
 /// Signs behind which something is missing where nothing follows.
@@ -69,8 +69,8 @@ pub(super) fn unit(text: &str, from: usize, to: usize, asked: &Unit) -> At<Optio
     let per = bare.strip_prefix("per ").filter(|below| below.split(' ').next() != Some("cent"));
     match bare.strip_prefix('/').or(per) {
         // `5 /s`: five per second.
-        Some(below) => known_units::parse(&format!("1/{below}"), asked).map_err(|found| fault(found, 1)),
-        None => known_units::parse(written, asked).map_err(|found| fault(found, 0)),
+        Some(below) => unit_cache::parse(&format!("1/{below}"), asked).map_err(|found| fault(found, 1)),
+        None => unit_cache::parse(written, asked).map_err(|found| fault(found, 0)),
     }
     .map(Some)
 }
@@ -83,7 +83,7 @@ fn remarked(written: &str, asked: &Unit) -> Option<Unit> {
     if own.is_empty() || again.trim().is_empty() {
         return None;
     }
-    let (own, again) = (known_units::parse(own, asked).ok()?, known_units::parse(again, asked).ok()?);
+    let (own, again) = (unit_cache::parse(own, asked).ok()?, unit_cache::parse(again, asked).ok()?);
     (own.dimension() == again.dimension() && own.factor() == again.factor()).then_some(own)
 }
 

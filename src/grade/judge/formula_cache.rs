@@ -1,4 +1,4 @@
-//! Formulas that were judged before: many students of a class type the same one.
+//! A cache of formulas that were judged before: many students of a class type the same one, and the worst takes milliseconds.
 
 use std::cell::RefCell;
 use std::sync::Arc;
@@ -18,7 +18,7 @@ struct Known {
 }
 
 thread_local! {
-    static KNOWN: RefCell<Vec<Known>> = RefCell::default();
+    static CACHE: RefCell<Vec<Known>> = RefCell::default();
 }
 
 /// The judgement on a formula, from memory where it was found before on this thread.
@@ -37,10 +37,10 @@ pub(super) fn judged(
             && known.expected == *expected
             && known.expected.values == expected.values
     };
-    let found = KNOWN.with_borrow(|known| known.iter().find(is_same).map(|known| known.judgement.clone()));
+    let found = CACHE.with_borrow(|known| known.iter().find(is_same).map(|known| known.judgement.clone()));
     found.unwrap_or_else(|| {
         let judgement = judge();
-        KNOWN.with_borrow_mut(|known| {
+        CACHE.with_borrow_mut(|known| {
             if known.len() >= MOST {
                 known.clear();
             }
@@ -86,6 +86,6 @@ mod tests {
         for number in 0..200 {
             judge(&one, number);
         }
-        assert!(KNOWN.with_borrow(Vec::len) <= MOST);
+        assert!(CACHE.with_borrow(Vec::len) <= MOST);
     }
 }

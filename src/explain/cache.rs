@@ -1,4 +1,5 @@
-//! What the solutions of one way of a form have in common: worked out for the first of them, and kept for the others.
+//! A cache of what the worked solutions of a form have in common: worked out for the first variant, and used for the others.
+//! Without it, a worked solution takes about three times as long (`docs/performance.md`).
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -19,15 +20,15 @@ use super::script::Script;
 use super::term::Measured;
 
 /// What is kept of a form: one place for each way in which the scene can go.
-pub(super) struct Memory {
-    ways: Vec<Way>,
+pub(super) struct SolutionCache {
+    ways: Vec<WayCache>,
     /// Where the directions of the scene point on drawings.
     compass: OnceLock<Compass>,
 }
 
 /// One way. Nothing here depends on the numbers of a variant.
 #[derive(Default)]
-pub(super) struct Way {
+pub(super) struct WayCache {
     /// What is shown in letters that the sheet leaves open.
     pub letters: OnceLock<Letters>,
     /// How each quantity is shown.
@@ -38,8 +39,6 @@ pub(super) struct Way {
     pub diagrams: Vec<OnceLock<Plan>>,
     /// The sentences beneath the diagrams.
     pub acting: OnceLock<Vec<Block>>,
-    /// Where the axes point, where no number turns them.
-    pub directions: OnceLock<Vec<Block>>,
     /// The quantities that the answer needs.
     pub used: OnceLock<BTreeSet<Symbol>>,
     /// The steps of the answer plan.
@@ -48,7 +47,7 @@ pub(super) struct Way {
     pub checks: OnceLock<Checks>,
 }
 
-impl Way {
+impl WayCache {
     fn new(worked: Worked<'_>) -> Self {
         let symbols = worked.problem.model().symbols.len();
         let stages = worked.problem.loaded().draft.scene.stages.len();
@@ -76,11 +75,14 @@ pub(super) struct Manner {
     pub is_whole: bool,
 }
 
-impl Memory {
+impl SolutionCache {
     /// What is kept of a form.
     pub(super) fn of(worked: Worked<'_>) -> Arc<Self> {
-        let PlannedForm { kept, solver, .. } = worked.form;
-        kept.get(|| Self { ways: solver.leaves().iter().map(|_| Way::new(worked)).collect(), compass: OnceLock::new() })
+        let PlannedForm { cache, solver, .. } = worked.form;
+        cache.get(|| Self {
+            ways: solver.leaves().iter().map(|_| WayCache::new(worked)).collect(),
+            compass: OnceLock::new(),
+        })
     }
 
     /// Where the directions of the scene point on drawings.
@@ -89,7 +91,7 @@ impl Memory {
     }
 
     /// What is kept of the way that a variant goes.
-    pub(super) fn way(&self, worked: Worked<'_>) -> &Way {
+    pub(super) fn way(&self, worked: Worked<'_>) -> &WayCache {
         // There is always one, as there is of the ways themselves.
         self.ways.get(worked.variant.leaf()).unwrap_or(&self.ways[0])
     }

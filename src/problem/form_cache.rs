@@ -1,4 +1,4 @@
-//! Room beside a form for what a later room works out of it.
+//! A cache beside a form, for what a later room works out of it.
 
 use std::any::Any;
 use std::fmt;
@@ -7,9 +7,9 @@ use std::sync::OnceLock;
 
 /// What a later room works out of a form once, for all its variants. Only that room knows the type.
 #[derive(Clone, Default)]
-pub struct Kept(OnceLock<Arc<dyn Any + Send + Sync>>);
+pub struct FormCache(OnceLock<Arc<dyn Any + Send + Sync>>);
 
-impl Kept {
+impl FormCache {
     /// What is kept, made when it is first wanted.
     pub fn get<T: Any + Send + Sync>(&self, make: impl Fn() -> T) -> Arc<T> {
         let kept = self.0.get_or_init(|| Arc::new(make()));
@@ -18,8 +18,8 @@ impl Kept {
     }
 }
 
-impl fmt::Debug for Kept {
+impl fmt::Debug for FormCache {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        out.debug_tuple("Kept").field(&self.0.get().is_some()).finish()
+        out.debug_tuple("FormCache").field(&self.0.get().is_some()).finish()
     }
 }
