@@ -22,7 +22,7 @@ impl Tally {
     fn solution(&mut self, exercise: &Exercise) {
         for section in exercise.outline(Audience::Everyone).sections {
             for block in &section.blocks {
-                match block.bare() {
+                match block {
                     Block::Equation { lines, .. } => self.chain(exercise, lines),
                     Block::Paragraph(runs) => self.runs(exercise, runs),
                     Block::List(rows) => rows.iter().for_each(|runs| self.runs(exercise, runs)),

@@ -49,7 +49,7 @@ pub fn sides(lines: &[Math]) -> Vec<Vec<Math>> {
 
 /// Rows within rows as one row.
 fn flatten(math: &Math, flat: &mut Vec<Math>) {
-    match math.bare() {
+    match math {
         Math::Row(parts) => parts.iter().for_each(|part| flatten(part, flat)),
         other => flat.push(other.clone()),
     }
@@ -84,7 +84,7 @@ fn both(parts: &[Math]) -> Option<Vec<Float>> {
 fn replaced(math: &Math, sign: Operator) -> Math {
     use std::sync::Arc;
     let inner = |part: &Arc<Math>| Arc::new(replaced(part, sign));
-    match math.bare() {
+    match math {
         Math::Operator(Operator::PlusMinus) => Math::Operator(sign),
         Math::Row(parts) => Math::Row(parts.iter().map(|part| replaced(part, sign)).collect()),
         Math::Fraction(above, below) => Math::Fraction(inner(above), inner(below)),
@@ -101,7 +101,7 @@ fn is_number(parts: &[Math]) -> bool {
 }
 
 fn is_power_of_ten(math: &Math) -> bool {
-    matches!(math.bare(), Math::Sup(base, _) if matches!(base.bare(), Math::Number(ten) if ten == "10"))
+    matches!(math, Math::Sup(base, _) if matches!(&**base, Math::Number(ten) if ten == "10"))
 }
 
 fn half_unit(parts: &[Math]) -> Option<Float> {
@@ -112,7 +112,7 @@ fn half_unit(parts: &[Math]) -> Option<Float> {
     let place = Decimal::parse(&format!("0.5e{}", -digits.scale())).ok()?;
     let [mut half, ten] = [float(&place.to_rational()), Float::from(10)];
     for part in parts {
-        half = match part.bare() {
+        half = match part {
             Math::Sup(_, exponent) => half * ten.clone().with_precision(BITS).value().powi(integer(exponent)?.into()),
             Math::Text(text) => half * unit(text)?,
             _ => half,
@@ -214,7 +214,7 @@ impl Reader<'_> {
                 let inner = Self::read(&[(*inner).clone()]).filter(|inner| *inner >= Float::ZERO)?;
                 Some(precise(inner.sqrt()))
             }
-            Math::Sup(base, exponent) => match base.bare() {
+            Math::Sup(base, exponent) => match &*base {
                 Math::Function(name) => Some(self.function(name)?.powi(integer(&exponent)?.into())),
                 _ => {
                     let [base, exponent] = [base, exponent].map(|part| Self::read(&[(*part).clone()]));

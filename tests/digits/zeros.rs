@@ -25,7 +25,7 @@ fn is_noisy(text: &str) -> bool {
 fn solution(exercise: &Exercise) -> Vec<String> {
     let mut texts = Vec::new();
     for block in exercise.outline(Audience::Everyone).sections.iter().flat_map(|section| &section.blocks) {
-        match block.bare() {
+        match block {
             Block::Equation { lines, .. } => texts.extend(lines.iter().map(Math::plain)),
             Block::Paragraph(runs) => texts.extend(runs.iter().filter_map(|run| match run {
                 Inline::Math(math) => Some(math.plain()),
