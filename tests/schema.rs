@@ -27,6 +27,7 @@ const BEYOND_A_SCHEMA: &[&str] = &[
     "kind_undecided",
     "direction_of_a_mass",
     "division_by_zero",
+    "expression_",
     "find_of_a_given",
     "force_",
     "motion_of_a_coefficient",

@@ -149,6 +149,17 @@ pub const BOUNDARY: Law = Law {
     wrong: &[],
 };
 
+/// What an expression in a question stands for.
+pub const ASKED: Law = Law {
+    id: "expression-asked",
+    name: "the definition of what is asked for",
+    statement: "A question may give a name to an expression of several quantities.",
+    signs: "As for the quantities in it.",
+    when: "Always, by definition.",
+    source: "The question.",
+    wrong: &[],
+};
+
 /// Given by the author.
 pub const RELATION: Law = Law {
     id: "stated-relation",
@@ -175,6 +186,7 @@ pub const LAWS: &[&Law] = &[
     &HEIGHT_OF_SLOPE,
     &HEIGHT_IN_BOWL,
     &BOUNDARY,
+    &ASKED,
     &RELATION,
 ];
 

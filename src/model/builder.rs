@@ -79,6 +79,7 @@ pub struct Builder<'s> {
     pub(super) defined: BTreeSet<String>,
     pub(super) free: BTreeSet<Symbol>,
     pub(super) given: BTreeSet<String>,
+    pub(super) expressions: BTreeMap<Symbol, Expr>,
     /// What the author named at a place of the scene, with the first such place.
     pub(super) named: BTreeMap<Symbol, Path>,
     pub(super) mentions: BTreeMap<String, Symbol>,
@@ -119,6 +120,7 @@ impl<'s> Builder<'s> {
             defined: BTreeSet::new(),
             free: BTreeSet::new(),
             given: BTreeSet::new(),
+            expressions: BTreeMap::new(),
             named: BTreeMap::new(),
             mentions: BTreeMap::new(),
             words: Vec::new(),

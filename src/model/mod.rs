@@ -7,6 +7,7 @@ mod check;
 mod collision;
 mod contact_weight;
 mod define;
+mod expression;
 mod frame;
 mod friction;
 mod guide;
@@ -93,6 +94,8 @@ pub struct Model {
     pub frames: Vec<Option<Frame>>,
     /// Names that terms introduced without defining them: to be given, or asked.
     pub free: BTreeSet<Symbol>,
+    /// What questions call by names of their own, each with the expression for which it stands.
+    pub expressions: BTreeMap<Symbol, Expr>,
     mentions: BTreeMap<String, Symbol>,
 }
 
@@ -303,6 +306,7 @@ impl<'s> Builder<'s> {
             frames: self.frames,
             slopes: self.slopes,
             free: self.free,
+            expressions: self.expressions,
             mentions: self.mentions,
         })
     }

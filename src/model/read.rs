@@ -112,6 +112,11 @@ impl Builder<'_> {
         expr
     }
 
+    /// Whether a text is a term in quantities of the scene.
+    pub fn is_term(&mut self, text: &str) -> bool {
+        parse(text, &mut Resolver { builder: self, unknown: Vec::new() }).is_ok()
+    }
+
     /// Reads a term of any dimension; faults are noted, and zero is returned in their place.
     pub(super) fn read_any(&mut self, text: &str, path: &Path) -> Expr {
         let mut resolver = Resolver { builder: self, unknown: Vec::new() };

@@ -96,6 +96,7 @@ fn asked(parts: &[Ask], name: &str) -> Ask {
     own.cloned().unwrap_or_else(|| {
         let is_direction = Name::parse(name).is_some_and(|own| matches!(own.kind, QuantityKind::Direction(_)));
         Ask::Find(Find {
+            id: None,
             find: name.to_owned(),
             answered: Answered::Number,
             roots: None,

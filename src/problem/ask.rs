@@ -33,8 +33,11 @@ pub enum Ask {
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Find {
-    /// The name of the quantity: `v_A2`, `T_lost`, `J_A[hit]`.
+    /// The name of the quantity: `v_A2`, `T_lost`, `J_A[hit]`; or, with an `id`, an expression of several: `v_B2 - v_A2`.
     pub find: String,
+    /// The name under which an expression is answered: `gap`. It needs a `label` as well.
+    #[serde(default)]
+    pub id: Option<String>,
     /// How it is answered. Default: by a number.
     #[serde(default, rename = "as")]
     pub answered: Answered,
@@ -64,6 +67,14 @@ pub struct Find {
     /// The name of the part on the sheet. Default: the meaning of the name.
     #[serde(default)]
     pub label: Option<String>,
+}
+
+impl Find {
+    /// What the part is called in answers.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        self.id.as_deref().unwrap_or(&self.find)
+    }
 }
 
 /// How the value of a quantity is answered.

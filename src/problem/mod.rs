@@ -19,6 +19,7 @@ mod domain;
 mod draft;
 mod entries;
 mod equality;
+mod expression;
 mod feedback;
 mod follow;
 mod form;

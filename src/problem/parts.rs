@@ -27,6 +27,7 @@ use super::comparison::split_relation;
 use super::concept;
 use super::condition::are_comparable;
 use super::conserved;
+use super::expression;
 use super::form::Question;
 use super::formula::FormulaPart;
 use super::given::Given;
@@ -134,7 +135,11 @@ fn points_and_label(ask: &Ask) -> (Option<u32>, Option<String>) {
 type Named = (String, String, PartKind);
 
 fn number(loaded: &Loaded, find: &Find, builder: &mut Builder<'_>, path: &Path) -> Option<Named> {
-    let Some(symbol) = builder.mention(&find.find) else {
+    let symbol = match &find.id {
+        Some(id) => Some(expression::asked(find, id, builder, path)?),
+        None => builder.mention(&find.find),
+    };
+    let Some(symbol) = symbol else {
         if let Some(symbols) = vector::components(&find.find, builder) {
             if find.answered == Answered::Formula {
                 let fault =
@@ -145,8 +150,8 @@ fn number(loaded: &Loaded, find: &Find, builder: &mut Builder<'_>, path: &Path) 
             }
             return vector::read(loaded, find, &symbols, builder, path);
         }
-        let fault = builder.unknown(&find.find).at_path(path.key("find"));
-        builder.fault(fault);
+        let fault = expression::without_id(find, builder).unwrap_or_else(|| builder.unknown(&find.find));
+        builder.fault(fault.at_path(path.key("find")));
         return None;
     };
     let (symbol, reference) = reference(find, symbol, builder, path)?;
@@ -155,9 +160,9 @@ fn number(loaded: &Loaded, find: &Find, builder: &mut Builder<'_>, path: &Path) 
         Answered::Number => PartKind::Number(number_part(loaded, find, symbol, builder, path)?),
         Answered::Formula => PartKind::Formula(formula_part(find, symbol, builder, path)?),
     };
-    let meaning = if entry.meaning.is_empty() { format!("the value of {}", find.find) } else { entry.meaning };
+    let meaning = if entry.meaning.is_empty() { format!("the value of {}", find.name()) } else { entry.meaning };
     let label = format!("{meaning}{reference}");
-    Some((find.find.clone(), label, kind))
+    Some((find.name().to_owned(), label, kind))
 }
 
 /// A formula has no unit and no figures; it may be a multiple of a quantity.
@@ -188,7 +193,7 @@ pub(super) fn number_part(
 ) -> Option<NumberPart> {
     let entry = builder.symbols().entry(symbol).clone();
     let unit = match &find.unit {
-        None => AskedUnit::Unit(unit_for(loaded, &find.find, entry.dimension)),
+        None => AskedUnit::Unit(unit_for(loaded, find.name(), entry.dimension)),
         Some(text) => match (Unit::parse(text), builder.mention(text)) {
             (Ok(unit), _) if unit.dimension() == entry.dimension => AskedUnit::Unit(unit),
             (_, Some(other)) if builder.symbols().entry(other).dimension == entry.dimension => {
@@ -196,7 +201,7 @@ pub(super) fn number_part(
             }
             (Ok(unit), _) => {
                 let [expected, found] = [entry.dimension, unit.dimension()].map(dimension_name);
-                let message = format!("`{}` is {expected}, but `{text}` is a unit of {found}", find.find);
+                let message = format!("`{}` is {expected}, but `{text}` is a unit of {found}", find.name());
                 builder.fault(
                     Fault::new(Code::Dimension, message)
                         .help("write a unit of its own dimension")
@@ -227,6 +232,9 @@ pub(super) fn number_part(
 
 /// A direction is asked from a stated axis and in a stated sense; the symbol that is counted so, and the words for it.
 fn reference(find: &Find, symbol: Symbol, builder: &mut Builder<'_>, path: &Path) -> Option<(Symbol, String)> {
+    if find.id.is_some() {
+        return Some((symbol, String::new()));
+    }
     // Along one axis there are no directions to count: an angle is one between a cord and the vertical.
     let is_direction =
         matches!(builder.name(symbol).kind, QuantityKind::Direction(_)) && builder.axis_letters().len() > 1;
@@ -265,7 +273,7 @@ pub(super) fn unit_for(loaded: &Loaded, name: &str, dimension: Dimension) -> Uni
 fn asked_in(loaded: &Loaded, name: &str) -> Option<Unit> {
     let mut asks = loaded.questions.iter().flat_map(|question| &question.ask);
     asks.find_map(|ask| match ask {
-        Ask::Find(find) if find.find == name => Unit::parse(find.unit.as_deref()?).ok(),
+        Ask::Find(find) if find.name() == name => Unit::parse(find.unit.as_deref()?).ok(),
         _ => None,
     })
 }

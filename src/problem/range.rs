@@ -90,6 +90,7 @@ pub(super) fn read(
         return None;
     };
     let find = Find {
+        id: None,
         find: ask.range.clone(),
         answered: Answered::Number,
         roots: None,

@@ -58,9 +58,14 @@ impl<'a> Answer<'a> {
     pub(super) fn wrong(&self, worked: &Worked<'_>) -> Option<(Symbol, f64)> {
         let Self::Number { symbol, whole, .. } = self else { return None };
         let right = worked.variant.value(*symbol)?.value;
-        let step = if right == 0.0 { WRONG } else { right * WRONG };
-        Some((*symbol, if *whole { right + 1.0 } else { right + step }))
+        Some((*symbol, if *whole { right + 1.0 } else { off(worked, *symbol)? }))
     }
+}
+
+/// A value that is wrong by a thousandth.
+pub(super) fn off(worked: &Worked<'_>, symbol: Symbol) -> Option<f64> {
+    let right = worked.variant.value(symbol)?.value;
+    Some(right + if right == 0.0 { WRONG } else { right * WRONG })
 }
 
 /// Comparisons that belong to what is asked rather than to a quantity: directions counted from somewhere, and boundaries.

@@ -232,7 +232,20 @@ impl<'a> Witness<'a> {
             let watched = || watch(self.case.scene, alive, asked, &value).filter(|_| asked.instant == 1);
             own.or_else(|| watched().inspect(|_| self.watched.set(true)))
         });
-        own.map(|(value, scale)| Seen { value, error: self.tolerance * value.abs().max(scale) })
+        own.map(|own| self.as_seen(own))
+    }
+
+    /// What a quantity at the start is by what is told of the bodies: part of something that is found, and nothing by itself.
+    pub(super) fn started_with(&self, name: &str) -> Option<Seen> {
+        let value = |name: &str| self.value(name);
+        let at_start = |asked: Asked<'_>, alive: &[&str]| {
+            measure(self.case.scene, alive, asked, &value).filter(|_| asked.instant == 1)
+        };
+        self.asked(name, &at_start).map(|own| self.as_seen(own))
+    }
+
+    fn as_seen(&self, (value, scale): (f64, f64)) -> Seen {
+        Seen { value, error: self.tolerance * value.abs().max(scale) }
     }
 
     /// A name taken apart, with who exists at its instant.
@@ -260,23 +273,37 @@ impl<'a> Witness<'a> {
 
     /// What a term comes to with what the simulation finds; none where it finds nothing in it.
     pub(super) fn evaluated(&self, expr: &Expr) -> Option<Seen> {
-        let (error, any) = (Cell::new(0.0), Cell::new(false));
-        let value = expr.evaluate(&|symbol| {
+        let model = self.case.problem.model();
+        let finds = |symbol: &Symbol| self.seen(&model.symbols.entry(*symbol).name).is_some();
+        expr.symbols().iter().any(finds).then(|| self.worked_out(expr))
+    }
+
+    /// What a term comes to with what the simulation finds, and otherwise with what is said.
+    fn worked_out(&self, expr: &Expr) -> Seen {
+        let of = |symbol| {
             let name = &self.case.problem.model().symbols.entry(symbol).name;
-            if let Some(seen) = self.seen(name) {
-                error.set(error.get() + seen.error);
-                any.set(true);
-                return seen.value;
-            }
-            self.said(symbol).unwrap_or(f64::NAN)
+            let said = || Seen { value: self.said(symbol).unwrap_or(f64::NAN), error: self.error_of(symbol) };
+            self.seen(name).or_else(|| self.started_with(name)).unwrap_or_else(said)
+        };
+        let all: BTreeMap<Symbol, Seen> = expr.symbols().into_iter().map(|symbol| (symbol, of(symbol))).collect();
+        let value = |symbol| all.get(&symbol).map_or(f64::NAN, |own| own.value);
+        let mut error = 0.0;
+        expr.slopes(&value, 1.0, &mut |symbol, slope| {
+            error += slope.abs() * all.get(&symbol).map_or(0.0, |own| own.error);
         });
-        any.get().then(|| Seen { value, error: error.get() })
+        Seen { value: expr.evaluate(&value), error }
+    }
+
+    fn error_of(&self, symbol: Symbol) -> f64 {
+        self.case.variant.value(symbol).map_or(0.0, |own| own.error)
     }
 
     /// A quantity of the variant with what the simulation finds of it.
     pub(super) fn comparison(&self, symbol: Symbol) -> Option<Comparison> {
         let name = &self.case.problem.model().symbols.entry(symbol).name;
-        let seen = self.seen(name)?;
+        // An expression that a question names is what its parts make of it.
+        let expression = || self.case.problem.model().expressions.get(&symbol).map(|own| self.worked_out(own));
+        let seen = self.seen(name).or_else(expression)?;
         Some(self.compared(symbol, self.said(symbol)?, seen))
     }
 
@@ -285,8 +312,7 @@ impl<'a> Witness<'a> {
             self.case.problem.model().name(symbol).kind,
             QuantityKind::Direction(_) | QuantityKind::CountedDirection(_) | QuantityKind::AngleBetween(_)
         );
-        let own = self.case.variant.value(symbol).map_or(0.0, |value| value.error);
-        Comparison { said, found: seen.value, error: seen.error + own, turns }
+        Comparison { said, found: seen.value, error: seen.error + self.error_of(symbol), turns }
     }
 
     /// A direction that is counted from somewhere.

@@ -7,6 +7,8 @@ use std::ops::RangeInclusive;
 
 use serde::Serialize;
 
+use crate::expr::Expr;
+use crate::expr::Symbol;
 use crate::problem::Problem;
 use crate::problem::Sampler;
 use crate::problem::Worked;
@@ -141,21 +143,42 @@ impl<'a> Trial<'a> {
     /// Puts into the bounds what the errors of the inputs can do: a run more for each of them.
     fn widen(&mut self) {
         let [_, coarse] = TOLERANCES;
+        let expressions = self.expressions();
         for symbol in self.witness.inputs() {
             let Some(value) = self.worked.variant.value(symbol).filter(|value| value.error > 0.0) else { continue };
             let nudge = if value.value == 0.0 { NUDGE } else { value.value.abs() * NUDGE };
             let other = Case { said: vec![(symbol, value.value - nudge)], ..*self.case };
             // The coarser run will do for a slope, so long as it is compared with its like.
             let changed = compared(self.worked, &Witness::new(&other, coarse));
-            for (name, (_, bound)) in &mut self.all {
+            for (name, (_, bound)) in self.all.iter_mut().filter(|(name, _)| !expressions.contains_key(name.as_str())) {
                 if let (Some(changed), Some(rough)) = (changed.get(name), self.rough.get(name)) {
                     // Twice the slope: a chord is not the tangent.
                     *bound += 2.0 * ((changed.apart() - rough.apart()) / nudge).abs() * value.error;
                 }
             }
         }
+        for (name, parts) in expressions {
+            let of_parts: f64 =
+                parts.iter().filter_map(|(part, slope)| Some(slope.abs() * self.all.get(*part)?.1)).sum();
+            if let Some((_, bound)) = self.all.get_mut(name) {
+                *bound += of_parts;
+            }
+        }
         self.wide = true;
         self.compare_formulas();
+    }
+
+    /// The expressions that questions name, each with how it moves with its parts.
+    fn expressions(&self) -> BTreeMap<&'a str, Vec<(&'a str, f64)>> {
+        let (variant, model) = (self.worked.variant, self.worked.problem.model());
+        let value = |symbol| variant.value(symbol).map_or(f64::NAN, |own| own.value);
+        let name = |symbol: Symbol| model.symbols.entry(symbol).name.as_str();
+        let parts = |expression: &Expr| {
+            let mut parts = Vec::new();
+            expression.slopes(&value, 1.0, &mut |symbol, slope| parts.push((name(symbol), slope)));
+            parts
+        };
+        model.expressions.iter().map(|(symbol, expression)| (name(*symbol), parts(expression))).collect()
     }
 
     /// A formula that is asked is compared as the quantity for which it stands.
@@ -204,19 +227,38 @@ impl<'a> Trial<'a> {
             let found_out = match answer.wrong(self.worked) {
                 // Any other phrase would differ from the one that the simulation finds.
                 None => parts::agrees(self.worked, self.case, &self.witness, &answer, TOLERANCES[0]).is_some(),
-                Some(wrong) => {
-                    let case = Case { said: vec![wrong], ..*self.case };
-                    let witness = Witness::new(&case, TOLERANCES[0]);
-                    let differs = |(name, other): (&String, &Comparison)| {
-                        self.all.get(name).is_some_and(|(_, bound)| other.apart().abs() > *bound)
-                    };
-                    compared(self.worked, &witness).iter().any(differs)
-                        || parts::agrees(self.worked, &case, &witness, &answer, TOLERANCES[0]) == Some(false)
+                Some((symbol, wrong)) => {
+                    self.finds_out(symbol, wrong, Some(&answer))
+                        && self.parts_of(symbol).all(|(part, wrong)| self.finds_out(part, wrong, None))
                 }
             };
             let list = if found_out { &mut simulated.witnessed } else { &mut simulated.unseen };
             list.push(answer.id().to_owned());
         }
+    }
+
+    /// Whether it is found out that a quantity has another value than its own; that an expression contains it shows nothing.
+    fn finds_out(&self, symbol: Symbol, wrong: f64, answer: Option<&Answer<'_>>) -> bool {
+        let case = Case { said: vec![(symbol, wrong)], ..*self.case };
+        let witness = Witness::new(&case, TOLERANCES[0]);
+        let (expressions, own) = (self.expressions(), &self.worked.problem.model().symbols.entry(symbol).name);
+        let differs = |(name, other): (&String, &Comparison)| {
+            let bound = self.all.get(name).filter(|_| name == own || !expressions.contains_key(name.as_str()));
+            bound.is_some_and(|(_, bound)| other.apart().abs() > *bound)
+        };
+        let agrees = |answer| parts::agrees(self.worked, &case, &witness, answer, TOLERANCES[0]);
+        compared(self.worked, &witness).iter().any(differs) || answer.and_then(agrees) == Some(false)
+    }
+
+    /// Where a question names an expression: what it is made of that neither the sheet tells nor the start shows, each with a
+    /// value that is not its own.
+    fn parts_of(&self, symbol: Symbol) -> impl Iterator<Item = (Symbol, f64)> {
+        let (worked, model) = (self.worked, self.worked.problem.model());
+        let parts = model.expressions.get(&symbol).map(Expr::symbols).unwrap_or_default();
+        let is_solved = |own: &Symbol| {
+            !worked.form.told.contains(own) && self.witness.started_with(&model.symbols.entry(*own).name).is_none()
+        };
+        parts.into_iter().filter(is_solved).filter_map(|own| Some((own, parts::off(worked, own)?)))
     }
 }
 
@@ -237,7 +279,6 @@ fn compared(worked: &Worked<'_>, witness: &Witness<'_>) -> BTreeMap<String, Comp
 #[allow(clippy::unwrap_used, reason = "a test says bluntly what it expects")]
 mod tests {
     use super::*;
-    use crate::expr::Symbol;
     use crate::fault::Source;
     use crate::problem::compile;
     use crate::problem::load;

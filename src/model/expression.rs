@@ -1,0 +1,61 @@
+//! Expressions that questions ask for: each is a quantity of its own, with the equation that says what it is.
+
+use crate::expr::Symbol;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::laws::geometry;
+use crate::quantity::UnitSystem;
+use crate::quantity::coherent_unit;
+
+use super::Builder;
+use super::Name;
+use super::QuantityKind;
+use super::check;
+use super::read::is_bare_name;
+
+impl Builder<'_> {
+    /// The quantity `id`, which is the value of an expression: the same one each time for the same expression. `path` is the
+    /// question; faults are noted.
+    pub fn expression(&mut self, id: &str, text: &str, meaning: &str, path: &Path) -> Option<Symbol> {
+        let known = self.faults.len();
+        let term = self.read_any(text, &path.key("find"));
+        if self.faults.len() > known {
+            return None;
+        }
+        let existing = self.resolve(id);
+        if let Some(symbol) = existing.filter(|own| self.expressions.get(own) == Some(&term)) {
+            return Some(symbol);
+        }
+        let dimension = if !is_bare_name(id) {
+            let fault = Fault::new(Code::Value, format!("`{id}` is not a name"));
+            Err(fault.help("write letters, digits and `_`, beginning with a letter: `gap`").at_path(path.key("id")))
+        } else if existing.is_some() || check::is_structural(self.scene, id) {
+            let fault = Fault::new(Code::Duplicate, format!("`{id}` stands for something else in this problem"));
+            Err(fault.help("choose another name").at_path(path.key("id")))
+        } else if term.symbols().iter().all(|own| self.is_literal(*own)) {
+            let fault = Fault::new(Code::Value, format!("`{text}` contains no quantity"));
+            Err(fault.help("write an expression of quantities: `v_B2 - v_A2`").at_path(path.key("find")))
+        } else {
+            term.dimension(&self.symbols).map_err(|clash| {
+                let unit = |dimension| coherent_unit(dimension, UnitSystem::Si).to_string();
+                let message = format!("`{text}` cannot be evaluated: {}", clash.sentence(&self.symbols, &unit));
+                Fault::new(Code::Dimension, message).help("check its units").at_path(path.key("find"))
+            })
+        };
+        match dimension {
+            Ok(dimension) => {
+                let own = Name::of(QuantityKind::Own(id.to_owned()), "");
+                let symbol = self.symbol(own, dimension, meaning);
+                self.named_at(symbol, &path.key("id"));
+                self.law(&geometry::ASKED, None, "by definition", (symbol.into(), term.clone()));
+                self.expressions.insert(symbol, term);
+                Some(symbol)
+            }
+            Err(fault) => {
+                self.faults.push(fault);
+                None
+            }
+        }
+    }
+}
