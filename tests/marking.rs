@@ -49,7 +49,7 @@ fn set(number: &mut ExpectedNumber, settings: &str) {
                 let (plus, minus) = value.split_once('|').unwrap_or_else(|| panic!("{setting}"));
                 number.senses = Some([plus.to_owned(), minus.to_owned()]);
             }
-            "magnitude" => number.magnitude = true,
+            "magnitude" => number.signed = false,
             "whole" => number.whole = true,
             "cyclic" => number.cyclic = true,
             "inexact" => number.exact = None,

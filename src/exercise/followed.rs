@@ -241,5 +241,4 @@ fn aim(number: &mut grade::ExpectedNumber, right: &grade::ExpectedNumber, value:
     number.error = DOUBLE * value.abs();
     number.exact = None;
     number.allowance = right.allowance.max(ROUNDING * value.abs());
-    number.magnitude = number.senses.is_none() && value >= 0.0;
 }

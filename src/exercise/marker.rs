@@ -233,6 +233,7 @@ fn blank_number(rules: Rules<'_>, part: &Part, number: &NumberPart) -> grade::Ex
         writing: rules.writing(),
         reference: rules.reference(part),
         figures: number.figures,
+        signed: rules.problem.has_sign(number.symbol),
         senses: senses.map(|senses| [senses.positive, senses.negative]),
         whole: number.whole,
         called: Some(Arc::new(called)),
@@ -253,5 +254,4 @@ fn fill(blank: &mut grade::ExpectedNumber, worked: Worked<'_>, number: &NumberPa
     }
     (blank.value, blank.error) = (answer.value, answer.error);
     (blank.allowance, blank.scale) = (0.0, 0.0);
-    blank.magnitude = blank.senses.is_none() && answer.value >= 0.0;
 }

@@ -68,8 +68,9 @@ pub struct ExpectedNumber {
     pub cyclic: bool,
     /// The words for a positive and for a negative value, for the component of a vector: `to the right`, `to the left`.
     pub senses: Option<[String; 2]>,
-    /// Whether it is never negative by its meaning, as a speed or an energy lost: a student's sign is then only a slip of the pen.
-    pub magnitude: bool,
+    /// Whether it may be negative by its meaning, as a component or a difference: of anything else a student's minus sign is only
+    /// a slip of the pen.
+    pub signed: bool,
     /// Whether it is a whole number, found by counting.
     pub whole: bool,
     /// Which units will do.
@@ -257,13 +258,19 @@ impl ExpectedNumber {
             scale: 0.0,
             cyclic: false,
             senses: None,
-            magnitude: false,
+            signed: true,
             whole: false,
             units: Units::Any,
             writing: Writing::Advise,
             reference: None,
             called: None,
         }
+    }
+
+    /// Whether it is a magnitude, in whose answer a minus sign is only a slip of the pen.
+    #[must_use]
+    pub fn is_magnitude(&self) -> bool {
+        !self.signed && self.value >= 0.0
     }
 }
 

@@ -139,7 +139,7 @@ fn compare(target: &Target, answer: &NumberAnswer, number: &Number) -> Found {
     {
         return Found::Elsewhere;
     }
-    if expected.magnitude {
+    if expected.is_magnitude() {
         return Found::NegativeMagnitude;
     }
     // A bare magnitude says nothing of direction; a sign or a word says the wrong one.

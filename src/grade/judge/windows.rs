@@ -71,7 +71,7 @@ pub fn windows(expected: &ExpectedNumber) -> Vec<VerdictWindow> {
     if expected.whole {
         return vec![VerdictWindow::around(right, BESIDE_A_WHOLE_NUMBER, Verdict::Right)];
     }
-    let opposite = match (expected.magnitude, right < 0.0) {
+    let opposite = match (expected.is_magnitude(), right < 0.0) {
         (true, _) => Verdict::RightWithNote,
         // Without its sign, the number says nothing of the direction.
         (false, true) => Verdict::Sense,
