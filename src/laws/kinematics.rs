@@ -39,6 +39,17 @@ pub const UNIFORM: Law = Law {
     wrong: wrong::kinematics::UNIFORM,
 };
 
+/// Displacement under forces that stay the same.
+pub const MEAN_VELOCITY: Law = Law {
+    id: "mean-velocity",
+    name: "the kinematics of constant acceleration",
+    statement: "If the velocity of a body changes evenly, its displacement is the mean of its velocities before and after, times the time.",
+    signs: "Positive along the axis.",
+    when: "The net force along the axis does not change.",
+    source: "The velocity under constant acceleration, integrated over time.",
+    wrong: wrong::kinematics::MEAN_VELOCITY,
+};
+
 /// Place in free flight.
 pub const FLIGHT_PLACE: Law = Law {
     id: "flight-place",
@@ -154,6 +165,7 @@ pub const LAWS: &[&Law] = &[
     &FALL_SPEED,
     &FALL_TIME,
     &UNIFORM,
+    &MEAN_VELOCITY,
     &FLIGHT_PLACE,
     &FLIGHT_SPEED,
     &TOP,
@@ -177,6 +189,13 @@ pub fn fall_speed(gravity: &Expr, height: &Expr, before: &Expr, after: &Expr) ->
 #[must_use]
 pub fn uniform(from: &Expr, velocity: &Expr, time: &Expr, to: &Expr) -> Sides {
     (to.clone(), from.clone() + velocity.clone() * time.clone())
+}
+
+/// `r_2 - r_1 = (v_1 + v_2)/2 t`.
+#[must_use]
+pub fn mean_velocity([from, to]: [&Expr; 2], [before, after]: [&Expr; 2], time: &Expr) -> Sides {
+    let mean = Expr::ratio(1, 2) * (before.clone() + after.clone());
+    (to.clone() - from.clone(), mean * time.clone())
 }
 
 /// `r_2 = r_1 + v_1 t + a t^2 / 2`.

@@ -50,6 +50,17 @@ pub const NET_FORCE: Law = Law {
     wrong: wrong::motion::NET_FORCE,
 };
 
+/// The net force where every force is known.
+pub const ALL_FORCES: Law = Law {
+    id: "sum-of-forces",
+    name: "the sum of the forces",
+    statement: "The net force on a body at an instant is the sum of all forces on it, each with its value at that instant.",
+    signs: "Positive along the axis.",
+    when: "All forces on the body are known.",
+    source: "The definition.",
+    wrong: &[],
+};
+
 /// The way in a time.
 pub const DISPLACEMENT: Law = Law {
     id: "displacement",
@@ -73,7 +84,7 @@ pub const TIME_OF_WAY: Law = Law {
 };
 
 /// The laws of this chapter.
-pub const LAWS: &[&Law] = &[&PLACE, &VELOCITY, &ACCELERATION, &NET_FORCE, &DISPLACEMENT, &TIME_OF_WAY];
+pub const LAWS: &[&Law] = &[&PLACE, &VELOCITY, &ACCELERATION, &NET_FORCE, &ALL_FORCES, &DISPLACEMENT, &TIME_OF_WAY];
 
 /// `F = m a`.
 #[must_use]

@@ -80,7 +80,10 @@ impl Builder<'_> {
                     self.read(term, Dimension::NONE, "the coefficient of static friction", &path.key("static"));
                 self.start_from_rest(pushed, &contact, &(threshold * contact.normal.clone()));
             }
-            None => self.sliding(pushed, &contact),
+            None => {
+                self.sliding(pushed, &contact);
+                self.motion_along(pushed, axis, &[Expr::integer(pushed.sign) * contact.net()]);
+            }
         }
         if let Some(distance) = &pushed.over {
             let sign = Expr::integer(pushed.sign);

@@ -73,6 +73,23 @@ impl Scene {
         parts.into_iter().flatten().map(String::as_str).collect()
     }
 
+    /// Whether the stage before pushes the body. A force may jump between the two: that at the instant between them is the one at
+    /// the end of the push.
+    #[must_use]
+    pub fn follows_a_push(&self, index: usize, body: &str) -> bool {
+        matches!(self.stage_before(index), Some(Stage::Push(push)) if push.body == body)
+    }
+
+    /// Whether the stage before gives the motion of the body, and so the force on it at the instant between the two.
+    #[must_use]
+    pub fn follows_a_motion(&self, index: usize, body: &str) -> bool {
+        matches!(self.stage_before(index), Some(Stage::Motion(motion)) if motion.body == body)
+    }
+
+    fn stage_before(&self, index: usize) -> Option<&Stage> {
+        self.stages.get(index.checked_sub(1)?)
+    }
+
     /// The declared bodies that a body consists of; of a declared body, itself.
     #[must_use]
     pub fn members<'a>(&'a self, body: &'a str) -> Vec<&'a str> {

@@ -35,6 +35,13 @@ pub const FALL_HALF: Misconception = Misconception {
     ask: "The velocity of a fall grows from the first moment on: what is its average over the time?",
     hint: "Draw the velocity against time: the distance is the area of a triangle.",
 };
+/// `(v_1 + v_2) t`, from rest `v_2 t`.
+pub const MEAN_HALF: Misconception = Misconception {
+    id: "mean-half-forgotten",
+    does: "multiplies the time by the sum of the velocities before and after, not by their mean",
+    ask: "The velocity changes evenly: what is its mean over the time?",
+    hint: "Draw the velocity against time: the displacement is the area under the line.",
+};
 /// The first velocity left out.
 pub const FIRST_VELOCITY: Misconception = Misconception {
     id: "first-velocity-forgotten",
@@ -88,6 +95,8 @@ pub const UNIFORM: &[WrongForm] = &[
     WrongForm { of: &START_PLACE, write: |law| law.without(&|term| !law.has(term, Dimension::VELOCITY)) },
     WrongForm { of: &SIGN_LOST, write: sign_lost },
 ];
+/// Wrong forms of the displacement under forces that stay the same.
+pub const MEAN_VELOCITY: &[WrongForm] = &[WrongForm { of: &MEAN_HALF, write: |law| law.both(without_numbers) }];
 /// Wrong forms of the speed after a fall.
 pub const FALL_SPEED: &[WrongForm] =
     &[WrongForm { of: &TWO, write: two_forgotten }, WrongForm { of: &ROOT, write: root_forgotten }];
@@ -113,6 +122,10 @@ fn doubled(law: &Taught<'_>, term: &Expr) -> Expr {
         Expr::Product(_) if law.has_gravity(term) => Expr::integer(2) * term.clone(),
         other => other.map_children(|part| doubled(law, part)),
     }
+}
+
+fn without_numbers(term: &Expr) -> Expr {
+    Expr::product(factors(term).into_iter().filter(|factor| factor.as_number().is_none()))
 }
 
 fn root_forgotten(law: &Taught<'_>) -> Vec<Wrong> {

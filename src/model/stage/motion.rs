@@ -140,6 +140,7 @@ impl Builder<'_> {
             let value = term.substitute(&|own| (own == course.variable).then(|| end.clone()));
             if end.is_zero() { value.simplify() } else { value }
         };
+        let follows = self.scene.follows_a_push(index, body);
         for ((instant, end), [acceleration, force]) in [index + 1, index + 2].into_iter().zip(ends).zip(names) {
             let when = self.when(instant);
             if let Some(place) = &course.place {
@@ -153,6 +154,9 @@ impl Builder<'_> {
             };
             let velocity = self.velocity(body, instant, course.axis);
             self.law(&motion::VELOCITY, Some(index), because, (velocity, at(&course.velocity, end)));
+            if follows && instant == index + 1 {
+                continue;
+            }
             let meaning = format!("the acceleration of {name}{along} {when}");
             let acceleration = Expr::from(self.symbol(acceleration, Dimension::ACCELERATION, meaning));
             let with = if course.by_place { "its position" } else { "the time" };

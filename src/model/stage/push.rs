@@ -126,6 +126,14 @@ impl Builder<'_> {
             };
             let sides = momentum::impulse_momentum(&mass, &before, &along, &after);
             self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
+            let weight = match (on_slope, self.downwards(position)) {
+                (true, _) => Some(self.weight_on_slope(body, &pushed.incline)),
+                (false, down) => down.map(|down| Expr::integer(down) * mass.clone() * self.gravity()),
+            };
+            let pulls = pushed.acting.iter().zip(&parts);
+            let pulls = pulls.map(|(force, part)| force.strength.clone() * part[position].clone());
+            let forces: Vec<Expr> = pulls.chain(weight).collect();
+            self.motion_along(pushed, *axis, &forces);
         }
         if let ([axis], Some(distance)) = (&axes[..], &pushed.over) {
             let forces = pushed.acting.iter().zip(&parts).map(|(force, part)| force.strength.clone() * part[0].clone());

@@ -98,6 +98,9 @@ impl Bench<'_> {
         }
         for (instant, (velocity, acceleration)) in [index + 1, index + 2].into_iter().zip(ends) {
             self.note_rate(&format!("v_{body}{instant}"), velocity, 1.0);
+            if instant == index + 1 && self.values.scene.follows_a_push(index, body) {
+                continue;
+            }
             self.note_rate(&format!("a_{body}{instant}"), acceleration, 1.0);
             if let Ok(mass) = self.values.mass(body) {
                 self.note_rate(&format!("F_{body}{instant}"), acceleration, mass);

@@ -37,17 +37,54 @@ impl Bench<'_> {
             before = add(before, times(self.values.velocity_before(&stage.body, axis)?, unit(axis)));
         }
         let mut reached = Vec::new();
+        let mut displaced = ZERO;
         // What is gained from rest, in the velocity that the body has anyhow, is the impulse.
         for moves in [before, ZERO] {
             let mut system = self.pulled(stage, ZERO, moves)?;
             system.start = start;
             let integrator = self.integrator((end - start) / 4.0);
-            reached.push(velocity(&self.try_out(&system, integrator, &Until::Time(end))?.state, 0));
+            let last = self.try_out(&system, integrator, &Until::Time(end))?;
+            if reached.is_empty() {
+                self.note_ends(&stage.body, &system, [(start, &system.state()), (end, &last.state)]);
+                displaced = place(&last.state, 0);
+            }
+            reached.push(velocity(&last.state, 0));
         }
         self.note_velocity(&stage.body, reached[0], size(before));
+        self.note_place(&stage.body, displaced);
         self.note_impulse(&stage.body, times(self.values.mass(&stage.body)?, reached[1]), None);
         self.note_duration(None, end - start);
         Ok(())
+    }
+
+    /// Notes acceleration and net force at both ends of a push.
+    fn note_ends(&mut self, body: &str, system: &System<'_, 6>, ends: [(f64, &[f64; 6]); 2]) {
+        let (scene, index) = (self.values.scene, self.values.index);
+        let first = usize::from(scene.follows_a_push(index, body) || scene.follows_a_motion(index, body));
+        // What vanishes at an end is as sure as the force in between is large.
+        let [(start, state), (end, _)] = ends;
+        let between = [0.0, 0.3, 0.5, 1.0].map(|share| system.slope(start + share * (end - start), state));
+        let largest = between.iter().map(|slope| size(velocity(slope, 0))).fold(0.0, f64::max);
+        for (instant, (time, state)) in (index + 1..).zip(ends).skip(first) {
+            let acceleration = velocity(&system.slope(time, state), 0);
+            for axis in self.values.axes() {
+                let (letter, along) = (self.values.letter(axis), part(acceleration, axis));
+                self.note(&format!("a_{body}{instant}{letter}"), along, largest);
+                if let Ok(mass) = self.values.mass(body) {
+                    self.note(&format!("F_{body}{instant}{letter}"), mass * along, mass * largest);
+                }
+            }
+        }
+    }
+
+    /// Notes where a body is after the stage, where it is known where it was before.
+    fn note_place(&mut self, body: &str, displaced: Vector) {
+        for axis in self.values.axes() {
+            if let Ok(from) = self.values.place_before(body, axis) {
+                let name = self.values.place_name(body, self.values.index + 2, axis);
+                self.note(&name, from + part(displaced, axis), from.abs().max(size(displaced)));
+            }
+        }
     }
 
     /// The body under its weight and all pushes and pulls, at a place and with a velocity.
@@ -148,6 +185,10 @@ impl Bench<'_> {
             system.forces.push(Acting::in_time(vec![(0, grip)], Arc::clone(&normal)));
         }
         let end = self.go_along(&system, (0, ahead), finish)?;
+        if at_rest.is_none() {
+            self.note_ends(body, &system, [(begun, &system.state()), (end.time, &end.state)]);
+            self.note_place(body, place(&end.state, 0));
+        }
         self.note_velocity(body, velocity(&end.state, 0), size(moves));
         self.note_term(stage.over.as_ref(), dot(ahead, place(&end.state, 0)).abs(), 0.0);
         let term = match &stage.during {

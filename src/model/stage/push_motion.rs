@@ -1,0 +1,66 @@
+//! How a body moves while known forces act on it: where it is at the end, its acceleration and net force at both ends.
+
+use crate::expr::Expr;
+use crate::laws::kinematics;
+use crate::laws::motion;
+use crate::model::Builder;
+use crate::model::Integral;
+use crate::model::Name;
+use crate::model::QuantityKind;
+use crate::quantity::Dimension;
+use crate::scene::Axis;
+
+use super::push::Pushed;
+
+impl Builder<'_> {
+    /// Place, acceleration and net force along one axis, along which these forces act.
+    pub(in crate::model) fn motion_along(&mut self, pushed: &Pushed<'_>, axis: Axis, forces: &[Expr]) {
+        let net = Expr::sum(forces.iter().cloned()).simplify();
+        self.rates_along(pushed, axis, &net);
+        let (index, body) = (pushed.index, pushed.body);
+        let (name, mass) = (self.called(body), self.mass(body));
+        let [from, to] = [index + 1, index + 2].map(|instant| self.place(body, instant, axis));
+        let [before, after] = [index + 1, index + 2].map(|instant| self.velocity(body, instant, axis));
+        if !net.contains(pushed.clock) {
+            let after = if pushed.stops { Expr::zero() } else { after };
+            let time = pushed.end.clone() - pushed.start.clone();
+            let because = format!("the forces on {name} do not change, so its velocity changes evenly");
+            let sides = kinematics::mean_velocity([&from, &to], [&before, &after], &time);
+            self.law(&kinematics::MEAN_VELOCITY, Some(index), because, sides);
+            return;
+        }
+        let Some(gained) = net.definite(pushed.clock, &pushed.start, &pushed.clock.into()) else { return };
+        let velocity = before + gained.simplify() / mass;
+        let Some(value) = velocity.definite(pushed.clock, &pushed.start, &pushed.end) else { return };
+        let because = format!("the impulse up to each time gives the velocity of {name} at that time");
+        let (low, high) = (pushed.start.clone(), pushed.end.clone());
+        let integral = Integral { integrand: velocity, variable: pushed.clock, low, high };
+        self.integral(&motion::DISPLACEMENT, index, because, (to - from, value.simplify()), integral);
+    }
+
+    /// Acceleration and net force at both ends.
+    fn rates_along(&mut self, pushed: &Pushed<'_>, axis: Axis, net: &Expr) {
+        let (name, mass) = (self.called(pushed.body), self.mass(pushed.body));
+        let along = self.along(axis);
+        let first = usize::from(
+            self.scene.follows_a_push(pushed.index, pushed.body)
+                || self.scene.follows_a_motion(pushed.index, pushed.body),
+        );
+        let ends = [(pushed.index + 1, &pushed.start), (pushed.index + 2, &pushed.end)];
+        for (instant, end) in ends.into_iter().skip(first) {
+            let when = self.when(instant);
+            let meaning = format!("the net force on {name}{along} {when}");
+            let own = |kind| Name::of(kind, pushed.body).at(instant).along(self.letter(axis));
+            let [force, acceleration] = [QuantityKind::Force, QuantityKind::Acceleration].map(own);
+            let force = Expr::from(self.symbol(force, Dimension::FORCE, meaning));
+            let there = net.substitute(&|own| (own == pushed.clock).then(|| end.clone()));
+            let because = format!("these are all forces on {name}{along}");
+            self.law(&motion::ALL_FORCES, Some(pushed.index), because, (force.clone(), there));
+            let meaning = format!("the acceleration of {name}{along} {when}");
+            let acceleration = Expr::from(self.symbol(acceleration, Dimension::ACCELERATION, meaning));
+            let because = format!("the net force on {name} accelerates it");
+            let sides = motion::net_force(&mass, &acceleration, &force);
+            self.law(&motion::NET_FORCE, Some(pushed.index), because, sides);
+        }
+    }
+}
