@@ -2,7 +2,7 @@
 
 #![allow(clippy::expect_used, clippy::unwrap_used, reason = "a test may panic")]
 
-mod certificates;
+mod bounds;
 mod planning;
 mod values;
 mod world;
