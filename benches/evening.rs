@@ -21,11 +21,11 @@ use class::Class;
 use client::Client;
 use server::Server;
 
-#[path = "../tests/store/class.rs"]
+#[path = "../tests/classes/store/class.rs"]
 mod class;
-#[path = "../tests/store/client.rs"]
+#[path = "../tests/classes/store/client.rs"]
 mod client;
-#[path = "../tests/store/server.rs"]
+#[path = "../tests/classes/store/server.rs"]
 mod server;
 
 /// The items of the assignment, and what is handed in of each: a part and its unit.

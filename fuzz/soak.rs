@@ -5,11 +5,11 @@ use std::fs;
 use std::path::Path;
 
 #[allow(dead_code, reason = "each target runs one of them")]
-#[path = "../tests/fuzz/targets.rs"]
+#[path = "../tests/program/fuzz/targets.rs"]
 mod targets;
 
 #[allow(dead_code, reason = "each target has its own seeds")]
-#[path = "../tests/fuzz/seeds.rs"]
+#[path = "../tests/program/fuzz/seeds.rs"]
 mod seeds;
 
 use targets::Target;

@@ -145,7 +145,7 @@ struct Mistaken<'m> {
 }
 
 impl Exercise {
-    /// This variant as an item. Marking decides in the same way: `tests/items.rs` holds them against each other.
+    /// This variant as an item. Marking decides in the same way: `tests/marking/items.rs` holds them against each other.
     #[must_use]
     pub fn item(&self) -> Item {
         let sheet = self.student_sheet();

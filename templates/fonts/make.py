@@ -6,7 +6,7 @@ and what grows around them, and momentous-serif*.woff2 with the letters of the L
     pip install fonttools==4.68.0 brotli==1.2.1
     python3 make.py stix2-otf
 
-Whoever needs a further character adds it below. `cargo test --test fonts` says what the bank prints and the font lacks.
+Whoever needs a further character adds it below. `cargo test --test pages fonts` says what the bank prints and the font lacks.
 """
 
 import sys

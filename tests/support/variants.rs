@@ -1,7 +1,6 @@
 //! What the tests of whole problems share: the bank, problems written in a test, and their variants.
 
 #![allow(dead_code, reason = "each test takes what it needs")]
-#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test says bluntly what it expects")]
 
 pub mod truth;
 

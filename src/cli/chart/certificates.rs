@@ -21,7 +21,7 @@ pub(super) struct Row {
     greatest_certificate: f64,
 }
 
-/// Reads the table that `cargo test --test certificates` writes.
+/// Reads the table that `cargo test --test solver near` writes.
 pub(super) fn read(path: &Path) -> Result<Vec<Row>, Failure> {
     let said = |error: csv::Error| Failure::unusable(format!("{} cannot be read: {error}", path.display()));
     let rows: Vec<Row> = table::typed(path).map_err(said)?;

@@ -54,7 +54,7 @@ pub(super) struct Chart {
     /// Measure again the table of costs from which `momentous simulate` chooses
     #[arg(long, conflicts_with_all = ["tasks", "from", "stability", "format"])]
     costs: bool,
-    /// Draw the table of certificates and errors that `cargo test --test certificates` writes
+    /// Draw the table of certificates and errors that `cargo test --test solver near` writes
     #[arg(long, value_name = "FILE", conflicts_with_all = ["tasks", "from", "stability", "costs"])]
     certificates: Option<PathBuf>,
     /// Draw the points of a table that was measured before
@@ -158,7 +158,7 @@ fn theme(dark: bool) -> Theme {
     if dark { Theme::Dark } else { Theme::Light }
 }
 
-/// The table as `tests/stability/table.txt` holds it.
+/// The table as `tests/fixtures/stability.txt` holds it.
 fn stability_text(out: &mut Vec<u8>) -> Result<(), Failure> {
     let mut scene = "";
     for row in run_all() {

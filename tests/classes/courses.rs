@@ -1,0 +1,14 @@
+//! Courses, request by request, without a network: SQLite in a folder of the test's own, and a clock that the test sets.
+
+mod access;
+mod early;
+mod editor;
+mod grades;
+mod old_data;
+mod print;
+mod problems;
+mod refused;
+mod sign_in;
+mod staff;
+mod student;
+mod university;

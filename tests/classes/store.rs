@@ -1,0 +1,316 @@
+//! The records of courses: one suite over both databases.
+
+use std::collections::BTreeMap;
+
+use momentous::course::{Attempt, Course, Draft, HintShown, Key, Member, Moment, Override, Person, Role, Sheet};
+use momentous::exercise::Exercise;
+use momentous::store::{Address, AssignmentWithItems, HandIn, HandedIn, Store, StoreFault, Ticket, TicketKind};
+
+use database::{Database, on_both, postgres_with};
+use sample::Sample;
+
+mod class;
+mod client;
+mod database;
+mod decided;
+mod killed;
+mod letters;
+pub mod sample;
+mod server;
+mod servers;
+
+const NOW: Moment = Moment::from_millis(1_764_576_000_000);
+
+#[test]
+fn more_may_read_at_once_than_there_are_connections() {
+    on_both(async |database| {
+        let store = database.serve().await;
+        let own = Sample::kept(&store).await;
+        let read = (0..50).map(|_| {
+            let (store, key) = (store.clone(), own.course.key);
+            tokio::spawn(async move { store.course(key).await.unwrap().unwrap() })
+        });
+        for found in read.collect::<Vec<_>>() {
+            assert_eq!(found.await.unwrap(), own.course);
+        }
+        store.close().await;
+        assert!(matches!(store.ping().await, Err(StoreFault::Stopped)), "whoever comes later is told");
+    });
+}
+
+#[test]
+fn what_is_kept_is_read_back() {
+    on_both(async |database| {
+        let store = database.serve().await;
+        let own = Sample::kept(&store).await;
+        assert_eq!(store.course(own.course.key).await.unwrap().unwrap(), own.course);
+        let membership = store.membership(own.course.key, own.student.key).await.unwrap().unwrap();
+        assert_eq!((membership.member, membership.person), (own.member.clone(), own.student.clone()));
+        assert_eq!(membership.course.secret, "a secret of the course");
+        let found = store.assignment(own.whole.assignment.key).await.unwrap().unwrap();
+        assert_eq!((found.assignment, found.items), (own.whole.assignment.clone(), own.whole.items.clone()));
+        assert_eq!(store.sheet(own.sheet.item, own.member.key, 0).await.unwrap().unwrap(), own.sheet);
+        assert_eq!(store.trail(own.course.key, 10).await.unwrap().len(), 2);
+        assert_eq!(store.courses_of(own.student.key).await.unwrap().len(), 1);
+    });
+}
+
+#[test]
+fn an_attempt_takes_its_number_once() {
+    on_both(async |database| {
+        let store = database.serve().await;
+        let own = Sample::kept(&store).await;
+        let revision = own.revision(&store).await;
+        let [first, second, other] =
+            [(1, "a"), (2, "b"), (2, "c")].map(|(number, request)| own.attempt(number, request));
+        let hand_in = |attempt| HandIn { attempt, assignment: own.whole.assignment.key, revision };
+        assert!(matches!(store.hand_in(hand_in(&second)).await.unwrap(), HandedIn::Stale), "a number is left out");
+        assert!(matches!(store.hand_in(hand_in(&first)).await.unwrap(), HandedIn::Kept));
+        let again = store.hand_in(hand_in(&first)).await.unwrap();
+        assert!(
+            matches!(again, HandedIn::Before(before) if before.number == 1),
+            "a repeated request is the same attempt"
+        );
+        let both = tokio::join!(store.hand_in(hand_in(&second)), store.hand_in(hand_in(&other)));
+        let kept = [both.0.unwrap(), both.1.unwrap()];
+        assert_eq!(kept.iter().filter(|own| matches!(own, HandedIn::Kept)).count(), 1, "two tabs at the same time");
+        assert_eq!(store.attempts(own.sheet.key).await.unwrap().len(), 2);
+        assert_eq!(store.last_attempts(own.whole.assignment.key).await.unwrap()[0].number, 2);
+    });
+}
+
+#[test]
+fn nothing_is_handed_in_by_rules_that_no_longer_hold() {
+    on_both(async |database| {
+        let store = database.serve().await;
+        let own = Sample::kept(&store).await;
+        let revision = own.revision(&store).await;
+        store.save_items(&own.whole.items, &own.entry(50)).await.unwrap();
+        let attempt = own.attempt(1, "a");
+        let hand_in = HandIn { attempt: &attempt, assignment: own.whole.assignment.key, revision };
+        assert!(matches!(store.hand_in(hand_in).await.unwrap(), HandedIn::Stale));
+        let hand_in = HandIn { revision: own.revision(&store).await, ..hand_in };
+        assert!(matches!(store.hand_in(hand_in).await.unwrap(), HandedIn::Kept));
+    });
+}
+
+#[test]
+fn an_extension_keeps_a_problem_reserved_until_the_last_has_closed() {
+    on_both(async |database| {
+        let store = database.serve().await;
+        let own = Sample::kept(&store).await;
+        let closes = own.whole.assignment.policy.closes;
+        let open = async |moment| store.open_assignments(moment).await.unwrap().len();
+        assert_eq!([open(closes).await, open(closes.after(1)).await], [1, 0]);
+        assert_eq!(store.open_assignments(closes).await.unwrap()[0].0.items, own.whole.items);
+        store.extend(&own.extension(closes.after(1000)), &own.entry(60)).await.unwrap();
+        assert_eq!([open(closes.after(1000)).await, open(closes.after(1001)).await], [1, 0]);
+        assert_eq!(store.open_assignments(closes).await.unwrap()[0].1.len(), 1);
+        let found = store.extension(own.whole.assignment.key, own.member.key).await.unwrap().unwrap();
+        assert_eq!(found.reason, "was ill");
+        assert_eq!(store.extensions_of(own.member.key).await.unwrap(), [found]);
+        let shorter = AssignmentWithItems { revision: own.revision(&store).await, ..own.whole.clone() };
+        assert!(store.save_assignment(&shorter, &own.entry(61)).await.unwrap());
+        assert_eq!(open(closes.after(999)).await, 1, "a change of the assignment forgets no extension");
+    });
+}
+
+#[test]
+fn a_course_knows_who_has_a_password_and_who_is_elsewhere() {
+    on_both(async |database| {
+        let store = database.serve().await;
+        let own = Sample::kept(&store).await;
+        let course = own.course.key;
+        assert!(store.with_password(course).await.unwrap().is_empty());
+        store.set_password(own.student.key, "a hash".into(), &own.entry(90)).await.unwrap();
+        assert_eq!(store.with_password(course).await.unwrap().into_iter().collect::<Vec<_>>(), [own.student.key]);
+        assert!(store.elsewhere(course).await.unwrap().is_empty());
+        let other = Course { key: Key::new([91; 16]), ..own.course.clone() };
+        let there = Member { key: Key::new([92; 16]), course: other.key, role: Role::Assistant, ..own.member.clone() };
+        store.add_course(&other, &there, &own.entry(93)).await.unwrap();
+        assert_eq!(store.elsewhere(course).await.unwrap()[0].member, there);
+        let left = Member { left: Some(NOW), ..there };
+        let renamed = Person { name: "Ada King".into(), ..own.student.clone() };
+        store.save_members(std::slice::from_ref(&renamed), &[left], &own.entry(94)).await.unwrap();
+        assert!(store.elsewhere(course).await.unwrap().is_empty());
+        assert_eq!(store.person(renamed.key).await.unwrap(), Some(renamed));
+    });
+}
+
+#[test]
+fn a_ticket_is_taken_once_and_ends() {
+    on_both(async |database| {
+        let store = database.serve().await;
+        let own = Sample::kept(&store).await;
+        let ticket =
+            Ticket { hash: "h".into(), person: own.student.key, kind: TicketKind::Link, expires: NOW.after(10) };
+        store.add_tickets(vec![ticket], NOW, None).await.unwrap();
+        assert_eq!(store.holder("h", TicketKind::Link, NOW).await.unwrap(), Some(own.student.clone()));
+        assert_eq!(store.holder("h", TicketKind::Session, NOW).await.unwrap(), None, "a link is no session");
+        assert_eq!(store.holder("h", TicketKind::Link, NOW.after(10)).await.unwrap(), None);
+        let both = tokio::join!(store.take_ticket("h"), store.take_ticket("h"));
+        assert_eq!(u8::from(both.0.unwrap()) + u8::from(both.1.unwrap()), 1);
+    });
+}
+
+#[test]
+fn an_erased_person_leaves_its_answers_without_a_name() {
+    on_both(async |database| {
+        let store = database.serve().await;
+        let own = Sample::kept(&store).await;
+        store.set_password(own.student.key, "hash".into(), &own.entry(70)).await.unwrap();
+        assert_eq!(store.password(own.student.key).await.unwrap().as_deref(), Some("hash"));
+        let erased = Person { login: String::new(), name: String::new(), erased: Some(NOW), ..own.student.clone() };
+        store.erase_person(&erased, &own.entry(71)).await.unwrap();
+        assert_eq!(store.password(own.student.key).await.unwrap(), None);
+        assert_eq!(store.person_named("s17").await.unwrap(), None);
+        assert_eq!(store.person(own.student.key).await.unwrap().unwrap().shown(), "(erased)");
+        assert_eq!(store.sheets_of(own.member.key).await.unwrap().len(), 1);
+        let again = Person { key: Key::new([80; 16]), ..own.student.clone() };
+        store.add_people(&[again], &own.entry(72)).await.expect("the name is free again");
+    });
+}
+
+#[test]
+fn of_people_with_a_name_that_is_taken_none_is_added() {
+    on_both(async |database| {
+        let store = database.serve().await;
+        let own = Sample::kept(&store).await;
+        let [new, same] = [("s18", 81), ("s17", 82)].map(|(login, key)| {
+            let login = login.to_owned();
+            Person { key: Key::new([key; 16]), login, ..own.student.clone() }
+        });
+        let member = Member { key: Key::new([83; 16]), person: new.key, role: Role::Student, ..own.member.clone() };
+        let fault = store.save_members(&[new, same], &[member], &own.entry(73)).await.unwrap_err();
+        assert!(fault.is_taken(), "{fault}");
+        assert_eq!(store.person_named("s18").await.unwrap(), None);
+        assert_eq!(store.members(own.course.key).await.unwrap().len(), 1);
+    });
+}
+
+#[test]
+fn hints_drafts_and_points_by_hand_are_kept() {
+    on_both(async |database| {
+        let store = database.serve().await;
+        let own = Sample::kept(&store).await;
+        let hint = HintShown { sheet: own.sheet.key, part: None, number: 1, at: NOW };
+        for _ in 0..2 {
+            store.show_hint(&hint).await.unwrap();
+        }
+        assert_eq!(store.hints(own.sheet.key).await.unwrap(), [hint]);
+        for text in ["1", "2"] {
+            let answers = BTreeMap::from([("v_A2".to_owned(), text.to_owned())]);
+            store.save_draft(&Draft { sheet: own.sheet.key, answers, saved: NOW }).await.unwrap();
+        }
+        assert_eq!(store.draft(own.sheet.key).await.unwrap().unwrap().answers["v_A2"], "2");
+        for (key, points) in [(90, Some("1/3")), (91, None)] {
+            let points = points.map(str::to_owned);
+            let at = NOW.after(i64::from(key));
+            let set = Override { sheet: own.sheet.key, points, reason: "r".into(), by: own.student.key, at };
+            store.set_points(Key::new([key; 16]), &set, &own.entry(key)).await.unwrap();
+        }
+        let set = store.set_by_hand(own.whole.assignment.key).await.unwrap();
+        assert_eq!(set.iter().map(|own| own.points.as_deref()).collect::<Vec<_>>(), [Some("1/3"), None]);
+    });
+}
+
+#[test]
+fn a_copy_leads_back_and_from_one_database_to_the_other() {
+    on_both(async |database| {
+        let store = database.serve().await;
+        let own = Sample::kept(&store).await;
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("copy.sqlite");
+        store.backup(&file).await.unwrap();
+        assert!(store.backup(&file).await.is_err(), "no copy is written over another");
+        assert!(matches!(store.restore(&file).await, Err(StoreFault::NotEmpty)));
+        let other = Address::Folder(folder.path().join("other"));
+        for target in [Database::Folder(other), database.another().await] {
+            let restored = target.serve().await;
+            restored.restore(&file).await.unwrap();
+            assert_eq!(restored.course(own.course.key).await.unwrap().unwrap(), own.course);
+            assert_eq!(restored.sheet_by_key(own.sheet.key).await.unwrap().unwrap(), own.sheet);
+            assert_eq!(
+                restored.trail(own.course.key, 10).await.unwrap(),
+                store.trail(own.course.key, 10).await.unwrap()
+            );
+        }
+    });
+}
+
+#[test]
+fn a_folder_is_served_by_one_and_read_beside_it() {
+    on_both(async |database| {
+        let store = database.serve().await;
+        let own = Sample::kept(&store).await;
+        let beside = Store::beside(store.address()).await.unwrap();
+        assert_eq!(beside.course(own.course.key).await.unwrap().unwrap(), own.course);
+        let second = Store::serve(store.address()).await;
+        match store.address() {
+            Address::Folder(_) => assert!(matches!(second, Err(StoreFault::Locked(_)))),
+            Address::Postgres(_) => {
+                // Two servers over one database see at once what the other keeps.
+                let second = second.unwrap();
+                let draft = Draft { sheet: own.sheet.key, answers: BTreeMap::new(), saved: NOW };
+                second.save_draft(&draft).await.unwrap();
+                assert_eq!(store.draft(own.sheet.key).await.unwrap(), Some(draft));
+            }
+        }
+    });
+}
+
+#[test]
+fn data_of_a_later_program_are_refused_by_name() {
+    on_both(async |database| {
+        drop(database.serve().await);
+        database.execute("INSERT INTO version (number) VALUES (99)").await;
+        let refused = Store::beside(&database.address()).await.err().unwrap();
+        assert_eq!(
+            refused.to_string(),
+            "the data are of version 99, and this program knows versions up to 1; use a later program"
+        );
+    });
+}
+
+#[test]
+fn a_commit_waits_until_it_is_on_the_disk() {
+    on_both(async |database| {
+        let careless = match database.address() {
+            folder @ Address::Folder(_) => folder,
+            Address::Postgres(url) => postgres_with(&url, "synchronous_commit=off"),
+        };
+        let store = Store::serve(&careless).await.unwrap();
+        let durability = store.durability().await.unwrap();
+        match careless {
+            Address::Folder(_) => assert_eq!(durability, ["wal", "2"]),
+            Address::Postgres(_) => assert_eq!(durability[1], "on", "whatever the address says"),
+        }
+    });
+}
+
+/// The sheet of a variant of the bank.
+fn exercise() -> Exercise {
+    use std::sync::Arc;
+    let source = momentous::bank::Bank::built_in().find("impact/two-carts").unwrap().clone();
+    let problem = momentous::problem::compile(momentous::problem::load(source).unwrap(), None).unwrap();
+    Exercise::draw(&Arc::new(problem), 0, 7).unwrap()
+}
+
+/// What a sheet and an attempt look like.
+impl Sample {
+    fn attempt(&self, number: u32, request: &str) -> Attempt {
+        Attempt {
+            sheet: self.sheet.key,
+            number,
+            received: NOW,
+            answers: BTreeMap::from([("v_A2".to_owned(), "1 m/s".to_owned())]),
+            report: serde_json::value::to_raw_value(&serde_json::json!({ "points": "1/3" })).unwrap(),
+            request: request.to_owned(),
+        }
+    }
+
+    fn sheet(item: Key<momentous::course::Item>, member: Key<Member>) -> Sheet {
+        let issued = exercise().issue(None, momentous::grade::DecimalMark::Point);
+        Sheet { key: Key::new([5; 16]), item, member, issue: 0, issued, seen: NOW }
+    }
+}

@@ -1,9 +1,0 @@
-//! What is printed can be computed with: the numbers of a sheet lead to its answers, and
-//! each line of a worked solution can be computed again.
-
-#![allow(clippy::unwrap_used, reason = "a test says bluntly what it expects")]
-
-mod givens;
-mod lines;
-mod printed;
-mod zeros;

@@ -1,0 +1,97 @@
+//! What `momentous check` finds of a form, and what its author may mean all the same.
+
+use momentous::bank::Outcome;
+use momentous::bank::Promise;
+use momentous::bank::Seeds;
+use momentous::bank::audit;
+use momentous::fault::Source;
+use momentous::render::Renderer;
+
+/// Two gliders of one mass that exchange their velocities, so that an answer is always a given.
+const TWINS: &str = "\
+id: a/b
+title: B
+level: intro
+scene:
+  axes: { x: to the right }
+  bodies: { A: { name: glider A, mass: m }, B: { name: glider B, mass: m } }
+  stages: [{ impact: { between: [A, B], restitution: 1 } }]
+given:
+  m: { min: 1, max: 6, step: 0.5, unit: kg }
+  v_A1: { min: 2, max: 6, step: 0.5, unit: m/s }
+  v_B1: { min: -3, max: -1, step: 0.5, unit: m/s }
+text: Glider A ({{ m }}) {{ v_A1 | motion }} and hits its twin, which {{ v_B1 | motion }}.
+ask: [{ find: v_B2, unit: m/s }]
+";
+
+const KINDS: &str = "\
+id: a/c
+title: C
+level: intro
+scene:
+  axes: { x: to the right }
+  bodies: { A: { name: glider A }, B: { name: glider B } }
+  stages: [{ impact: { between: [A, B], plastic: true } }]
+given:
+  m_A: { min: 1, max: 6, step: 0.5, unit: kg }
+  m_B: { min: 1, max: 6, step: 0.5, unit: kg }
+  v_A1: { min: 2, max: 6, step: 0.5, unit: m/s }
+  v_B1: 0 m/s
+text: Glider A ({{ m_A }}, {{ m_B }}) {{ v_A1 | motion }} and hits glider B, which {{ v_B1 | motion }}.
+ask: [{ classify: impact }]
+";
+
+const THROWN: &str = "\
+id: a/d
+title: D
+level: intro
+scene:
+  axes: { y: upwards }
+  plane: vertical
+  bodies: { A: { name: the ball } }
+  stages: [{ blow: { body: A, by: the bat, duration: dt } }]
+given:
+  m_A: { min: 0.1, max: 0.2, step: 0.01, unit: kg }
+  v_A1: 0 m/s
+  v_A2: { min: 9, max: 10, step: 0.1, unit: m/s }
+  dt: { min: 40, max: 50, step: 1, unit: ms }
+text: A bat strikes a ball ({{ m_A }}) straight up; it {{ v_A1 | motion }}, and leaves at {{ v_A2 }} after {{ dt }}.
+ask: [{ find: F_avg_A, unit: N }]
+";
+
+/// One component of the vector that is asked stays as it is given; the vector does not.
+const TURNED: &str = include_str!("../fixtures/problems/torque_on_all.yaml");
+
+/// A file, what is added to it, a promise, what is found of that and a word of the remark.
+const FOUND: &[(&str, &str, Promise, &str, &str)] = &[
+    (TWINS, "", Promise::NotGiven, "broken", "`v_B2` equals a given"),
+    (TWINS, "allow: [equals-given]\n", Promise::NotGiven, "kept", ""),
+    (TURNED, "", Promise::NotGiven, "kept", ""),
+    (TWINS, "", Promise::Variety, "kept", ""),
+    (KINDS, "", Promise::Variety, "noted", "the same answers"),
+    (KINDS, "allow: [one-answer]\n", Promise::Variety, "kept", ""),
+    (KINDS, "allow: [one-sheet]\n", Promise::Variety, "noted", "the same answers"),
+    (THROWN, "", Promise::Neglected, "noted", "% of the change of momentum of the ball"),
+];
+
+fn found(text: &str, promise: Promise) -> Outcome {
+    let audit = audit(&Source::new("a.yaml", text), Seeds { drawn: 200, simulated: 1 }, &Renderer::new(None).unwrap());
+    audit.forms.first().and_then(|form| form.outcome(promise)).cloned().unwrap()
+}
+
+#[test]
+fn what_is_found_and_what_is_meant() {
+    for (file, added, promise, outcome, remark) in FOUND {
+        let own = found(&format!("{file}{added}"), *promise);
+        assert_eq!(own.name(), *outcome, "{added}{}: {own:?}", promise.name());
+        assert!(own.remark().unwrap_or_default().contains(remark), "{own:?}");
+    }
+}
+
+#[test]
+fn the_text_that_prints_no_number_has_one_sheet() {
+    let silent = KINDS.replace("({{ m_A }}, {{ m_B }}) {{ v_A1 | motion }}", "moves to the right");
+    let outcome = found(&silent, Promise::Variety);
+    assert!(outcome.remark().is_some_and(|remark| remark.contains("the same sheet")), "{outcome:?}");
+    assert_eq!(found(&format!("{silent}allow: [one-sheet]\n"), Promise::Variety), Outcome::Kept);
+}

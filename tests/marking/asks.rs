@@ -1,0 +1,164 @@
+//! Questions whose answer is not one number, taken from the file to the mark.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use momentous::exercise::Exercise;
+use momentous::fault::Source;
+use momentous::grade::DecimalMark;
+use momentous::problem::{compile, load};
+
+/// One variant of a problem whose givens are all fixed.
+fn exercise(text: &str) -> Exercise {
+    let problem =
+        compile(load(Source::new("asks.yaml", text)).unwrap(), None).unwrap_or_else(|faults| panic!("{faults}"));
+    Exercise::draw(&Arc::new(problem), 0, 1).unwrap_or_else(|reason| panic!("{reason}"))
+}
+
+/// The verdict on an answer to the part of that name.
+fn verdict(exercise: &Exercise, part: &str, answer: &str) -> String {
+    let answers = BTreeMap::from([(part.to_owned(), answer.to_owned())]);
+    let report = exercise.grade(&answers, DecimalMark::Point);
+    report.parts.iter().find(|own| own.id == part).unwrap().verdict.to_string()
+}
+
+fn printed(exercise: &Exercise) -> Vec<String> {
+    exercise.worked().form.parts.iter().map(|part| exercise.printed(part)).collect()
+}
+
+/// m v is kept along both axes: (2 kg)(3, 0) m/s = (1 kg)(1, 2) m/s + (1 kg)(5, -2) m/s.
+const SKATERS: &str = "
+id: test/skaters
+title: Skaters
+level: intro
+scene:
+  axes: { x: east, y: north }
+  bodies: { A: { name: the first skater }, B: { name: the second skater } }
+  stages: [ { separate: { called: push, from: W, into: [A, B] } } ]
+given: { m_A: 1 kg, m_B: 1 kg, v_W1.x: 3 m/s, v_W1.y: 0 m/s, v_A2.x: 1 m/s, v_A2.y: 2 m/s }
+text: 'Two skaters ({{ m_A }}, {{ m_B }}) part; {{ v_W1.x }}, {{ v_A2.x }}, {{ v_A2.y }}.'
+ask: [ { find: v_B2, unit: m/s } ]
+";
+
+#[test]
+fn a_vector_is_asked_by_its_components() {
+    let skaters = exercise(SKATERS);
+    assert_eq!(printed(&skaters), ["(5.00, -2.00) m/s"]);
+    let verdicts = [
+        ("(5, -2) m/s", "right"),
+        ("5 i - 2 j m/s", "right"),
+        ("(18, -7.2) km/h", "right"),
+        ("5.385 m/s at 21.8° below +x", "right"),
+        ("(-2, 5) m/s", "components_exchanged"),
+        ("(-5, 2) m/s", "sense_reversed"),
+        ("(5, -2)", "unit_missing"),
+        ("(5, 2) m/s", "component_sign"),
+        ("(4, 3) m/s", "wrong"),
+    ];
+    for (answer, code) in verdicts {
+        assert_eq!(verdict(&skaters, "v_B2", answer), code, "{answer}");
+    }
+    let record = skaters.record(None);
+    let asked = &record["ask"][0];
+    assert_eq!((&asked["kind"], &asked["axes"]), (&"vector".into(), &serde_json::json!(["x", "y"])));
+    assert_eq!(asked["value"], serde_json::json!([5.0, -2.0]));
+}
+
+/// With B at rest, `v_A2 = (m_A - e m_B) v_A1 / (m_A + m_B)`, which is negative where `e > m_A/m_B = 1/4`.
+const BUMPERS: &str = "
+id: test/bumpers
+title: Bumpers
+level: intro
+scene:
+  axes: { x: to the right }
+  bodies: { A: { name: trolley A }, B: { name: trolley B } }
+  stages: [ { impact: { between: [A, B], restitution: e } } ]
+given: { m_A: 1 kg, m_B: 4 kg, v_A1: 5 m/s, v_B1: 0 m/s }
+text: 'Two trolleys ({{ m_A }}, {{ m_B }}) collide; the first {{ v_A1 | motion }}.'
+ask: [ { range: e, where: CLAIM } ]
+";
+
+#[test]
+fn a_range_is_asked_by_what_holds_in_it() {
+    let above = exercise(&BUMPERS.replace("CLAIM", "v_A2 < 0 m/s"));
+    assert_eq!(printed(&above), ["0.250 < e <= 1"]);
+    let verdicts = [
+        ("0.25 < e <= 1", "right"),
+        ("(0.25, 1]", "right"),
+        ("e > 0.25", "right"),
+        ("e >= 0.25", "interval_ends"),
+        ("e < 0.25", "wrong"),
+        ("0.5 < e <= 1", "interval_half"),
+        ("e > 0.5", "wrong"),
+    ];
+    for (answer, code) in verdicts {
+        assert_eq!(verdict(&above, "e", answer), code, "{answer}");
+    }
+    let claims = [
+        ("v_A2 <= 0 m/s", "0.250 <= e <= 1"),
+        ("v_A2 > 0 m/s", "0 <= e < 0.250"),
+        ("v_A2 >= 0.5 m/s", "0 <= e <= 0.125"),
+        ("v_B2 > 3*v_A2", "0.154 < e <= 1"),
+    ];
+    for (claim, interval) in claims {
+        assert_eq!(printed(&exercise(&BUMPERS.replace("CLAIM", &format!("\"{claim}\"")))), [interval], "{claim}");
+    }
+}
+
+#[test]
+fn a_range_without_a_boundary_is_refused() {
+    let text = BUMPERS.replace("CLAIM", "v_A2 < 2 m/s");
+    let faults = compile(load(Source::new("asks.yaml", &text)).unwrap(), None).unwrap_err().to_string();
+    assert!(faults.contains("the values have no admissible solution"), "{faults}");
+}
+
+/// `v_A2 + v_B2 = 2 m/s` and `v_A2^2 + v_B2^2 = 2 + 2 E = 20 (m/s)^2`, so that one is 4 m/s and the other -2 m/s. B is in front.
+const RELEASE: &str = "
+id: test/release
+title: Release
+level: intro
+scene:
+  axes: { x: to the right }
+  bodies: { A: { name: trolley A }, B: { name: trolley B } }
+  stages: [ { separate: { called: release, from: W, into: [A, B], energy: E } } ]
+given: { m_A: 1 kg, m_B: 1 kg, v_W1: 1 m/s, E: 9 J }
+text: 'Two trolleys ({{ m_A }}, {{ m_B }}) {{ v_W1 | motion }} and are pushed apart with {{ E }}.'
+ask: [ { find: NAME, unit: m/s, roots: every, points: 2 }, { physical: NAME } ]
+";
+
+#[test]
+fn both_roots_are_asked_and_which_of_them_is_possible() {
+    let through = "is impossible, because trolley A would pass through trolley B";
+    for (name, roots, right, wrong) in
+        [("v_B2", "4.00 m/s or -2.00 m/s", "1", "2"), ("v_A2", "-2.00 m/s or 4.00 m/s", "2", "1")]
+    {
+        let release = exercise(&RELEASE.replace("NAME", name));
+        let reason = if right == "1" { "the greater; the lesser" } else { "the lesser; the greater" };
+        assert_eq!(printed(&release), [roots.to_owned(), format!("{reason} {through}")]);
+        assert_eq!(verdict(&release, "b", right), "right");
+        for other in [wrong, "3", "4", "5"] {
+            assert_eq!(verdict(&release, "b", other), "choice_wrong", "{name} {other}");
+        }
+        let answers = BTreeMap::from([(name.to_owned(), "-2 m/s or 4 m/s".to_owned())]);
+        let report = release.grade(&answers, DecimalMark::Point);
+        let reached: Vec<String> = report.parts.iter().map(|part| part.verdict.to_string()).collect();
+        assert_eq!(reached, ["right", "unanswered"]);
+        assert_eq!(
+            release
+                .grade(&BTreeMap::from([(name.to_owned(), "4 m/s".to_owned())]), DecimalMark::Point)
+                .total
+                .to_string(),
+            "1"
+        );
+    }
+}
+
+#[test]
+fn an_equation_with_one_root_leaves_nothing_to_choose() {
+    let text = BUMPERS
+        .replace("ask: [ { range: e, where: CLAIM } ]", "ask: [ { physical: v_A2 } ]")
+        .replace("given: {", "given: { e: 0.5,")
+        .replace("first {{", "first with e = {{ e }} {{");
+    let faults = compile(load(Source::new("asks.yaml", &text)).unwrap(), None).unwrap_err().to_string();
+    assert!(faults.contains("only one value"), "{faults}");
+}

@@ -1,0 +1,80 @@
+//! A student who does everything right and rounds every value on the way never loses a mark.
+
+use std::sync::Arc;
+
+use momentous::bank::Bank;
+use momentous::exercise::{Drawer, Exercise, Marker};
+use momentous::grade::{DecimalMark, Report, Sitting};
+use momentous::problem::{Problem, compile, load};
+
+/// What an honest student is told who rounds on the way, where that is not simply right. Where rounding may move an answer by more
+/// than half of it nothing is promised, and `momentous check` says so.
+fn wronged(marker: &mut Marker, exercise: &Exercise) -> Option<Report> {
+    let answers = exercise.rounded_answers();
+    let answers: Vec<(&str, &str)> = answers.iter().map(|(part, text)| (part.as_str(), text.as_str())).collect();
+    let report = marker.mark(exercise.worked(), &answers, Sitting::default());
+    let worked = exercise.worked();
+    let is_ill_chosen = |id: &str| {
+        let part = worked.form.parts.iter().find(|part| part.id == id);
+        part.is_some_and(|part| part.numbers().any(|(_, number)| worked.is_ill_chosen(number)))
+    };
+    let is_wronged = report.parts.iter().any(|part| {
+        (part.diagnosis.is_some() || part.follows.is_some() || !part.verdict.is_right()) && !is_ill_chosen(&part.id)
+    });
+    is_wronged.then_some(report)
+}
+
+fn all_wronged(problem: &Arc<Problem>, seeds: u64) -> Vec<String> {
+    let mut found = Vec::new();
+    for form in 0..problem.forms().len() {
+        let mut marker = Marker::new(problem, form, DecimalMark::Point).expect("the form is there");
+        let mut drawer = Drawer::new(problem, form).expect("the form is there");
+        for seed in 1..=seeds {
+            let Ok(exercise) = drawer.draw(seed) else { continue };
+            let report = wronged(&mut marker, &exercise);
+            found.extend(report.map(|report| format!("{} form {form} seed {seed}\n{report}", problem.id())));
+        }
+    }
+    found
+}
+
+#[test]
+fn numbers_of_the_bank_are_seldom_ill_chosen() {
+    let (mut ill_chosen, mut drawn) = (0, 0);
+    for source in Bank::built_in().sources() {
+        let problem = Arc::new(compile(load(source.clone()).expect("it loads"), None).expect("it compiles"));
+        for form in 0..problem.forms().len() {
+            let mut drawer = Drawer::new(&problem, form).expect("the form is there");
+            for exercise in (1..=10).filter_map(|seed| drawer.draw(seed).ok()) {
+                let worked = exercise.worked();
+                let numbers = worked.form.parts.iter().flat_map(|part| part.kind.numbers());
+                for number in numbers.filter(|number| !number.whole) {
+                    drawn += 1;
+                    ill_chosen += usize::from(worked.is_ill_chosen(number));
+                }
+            }
+        }
+    }
+    assert!(1000 * ill_chosen < drawn, "{ill_chosen} of {drawn}");
+}
+
+#[test]
+fn honest_rounding_never_costs_a_mark() {
+    let mut found = Vec::new();
+    for source in Bank::built_in().sources() {
+        let problem = Arc::new(compile(load(source.clone()).expect("it loads"), None).expect("it compiles"));
+        found.extend(all_wronged(&problem, 40));
+    }
+    assert!(found.is_empty(), "{} are wronged:\n{}", found.len(), found.join("\n"));
+}
+
+/// The allowance fell short here: an angle rounded once more in degrees, a value beside a power of ten, a slope that changes.
+#[test]
+fn honest_rounding_costs_no_mark_where_small_differences_remain() {
+    for id in ["impact/hockey-pucks", "impulse/lift-cable", "impulse/softball-hit", "streams/moon-lander"] {
+        let source = Bank::built_in().find(id).expect("it is in the bank").clone();
+        let problem = Arc::new(compile(load(source).expect("it loads"), None).expect("it compiles"));
+        let found = all_wronged(&problem, 1000);
+        assert!(found.is_empty(), "{} are wronged:\n{}", found.len(), found.join("\n"));
+    }
+}

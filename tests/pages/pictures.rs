@@ -1,0 +1,224 @@
+//! The figures of every problem in the bank, over many seeds: nothing overlaps, nothing is infinite, and the sheet's figure
+//! tells nothing that is not given.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::PathBuf;
+use std::sync::LazyLock;
+
+use momentous::explain;
+use momentous::explain::Audience;
+use momentous::explain::Block;
+use momentous::expr::Math;
+use momentous::expr::name_math;
+use momentous::fault::Source;
+use momentous::figure::Drawing;
+use momentous::figure::Point;
+use momentous::figure::Shape;
+use momentous::figure::overlaps;
+use momentous::figure::svg;
+use momentous::problem;
+use momentous::problem::Problem;
+use momentous::problem::Sampler;
+use momentous::problem::Worked;
+use momentous::scene::Stage;
+use rayon::prelude::*;
+
+const SEEDS: u64 = 200;
+
+/// The problems of the bank, and scenes that are not in it; read once for all tests.
+fn bank() -> &'static [Problem] {
+    static BANK: LazyLock<Vec<Problem>> = LazyLock::new(read_bank);
+    &BANK
+}
+
+fn read_bank() -> Vec<Problem> {
+    let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
+    let topics =
+        fs::read_dir(root.join("problem_bank")).expect("the bank").map(|entry| entry.expect("a folder").path());
+    let folders = topics.chain([root.join("tests/fixtures/pictures")]);
+    let mut files: Vec<PathBuf> = folders
+        .flat_map(|folder| fs::read_dir(folder).expect("a topic").map(|entry| entry.expect("a file").path()))
+        .collect();
+    files.sort();
+    assert!(files.len() >= 14, "the bank is nearly empty");
+    let read = |file: &PathBuf| {
+        let text = fs::read_to_string(file).expect("a problem");
+        let name = file.display().to_string();
+        let loaded = problem::load(Source::new(&name, &text)).unwrap_or_else(|faults| panic!("{name}: {faults}"));
+        problem::compile(loaded, None).unwrap_or_else(|faults| panic!("{name}: {faults}"))
+    };
+    files.par_iter().map(read).collect()
+}
+
+/// Shows every variant of every form to `look`.
+fn each_variant(seeds: u64, look: impl Fn(&str, Worked<'_>) + Sync) {
+    bank().par_iter().for_each(|problem| each_variant_of(problem, seeds, &look));
+}
+
+fn each_variant_of(problem: &Problem, seeds: u64, look: &impl Fn(&str, Worked<'_>)) {
+    for form in 0..problem.forms().len() {
+        let mut sampler = Sampler::new(problem, form).expect("a form");
+        for seed in 1..=seeds {
+            let variant = sampler.variant(seed).expect("a variant");
+            let at = format!("{}, form {form}, seed {seed}", problem.id());
+            look(&at, Worked::new(problem, &variant).expect("its own problem"));
+        }
+    }
+}
+
+fn drawings_of_solution(worked: Worked<'_>) -> Vec<Drawing> {
+    let blocks = explain::solution(worked, Audience::Everyone).sections.into_iter().flat_map(|section| section.blocks);
+    let figure = |block| match block {
+        Block::Figure(drawing) => Some(*drawing),
+        _ => None,
+    };
+    blocks.filter_map(figure).collect()
+}
+
+fn points(shape: &Shape) -> Vec<Point> {
+    match shape {
+        Shape::Line { points, .. } | Shape::Area { points, .. } => points.clone(),
+        Shape::Arrow { from, to, .. } => vec![*from, *to],
+        Shape::Circle { centre, radius, .. } => vec![*centre, Point::new(*radius, 0.0)],
+        Shape::Rectangle { centre, size, angle, .. } => vec![*centre, *size, Point::new(*angle, 0.0)],
+        Shape::Arc { centre, radius, from, to, .. } => vec![*centre, Point::new(*radius, 0.0), Point::new(*from, *to)],
+        Shape::Label { at, .. } => vec![*at],
+    }
+}
+
+fn labels(drawing: &Drawing) -> Vec<&Math> {
+    let label =
+        drawing.shapes.iter().map(|shape| if let Shape::Label { text, .. } = shape { Some(text) } else { None });
+    label.flatten().collect()
+}
+
+#[test]
+fn no_label_touches_anything_and_every_coordinate_is_finite() {
+    each_variant(SEEDS, |at, worked| {
+        let sheet = explain::situation(worked);
+        for drawing in sheet.iter().chain(&drawings_of_solution(worked)) {
+            let found = overlaps(drawing);
+            assert!(found.is_empty(), "{at}, {}: {found:?}", drawing.title);
+            let corners = [drawing.low, drawing.high];
+            let finite =
+                drawing.shapes.iter().flat_map(points).chain(corners).all(|p| p.x.is_finite() && p.y.is_finite());
+            assert!(finite, "{at}, {}: a coordinate is not finite", drawing.title);
+        }
+    });
+}
+
+#[test]
+fn every_figure_says_what_it_is() {
+    each_variant(2, |at, worked| {
+        let sheet = explain::situation(worked);
+        let solution = drawings_of_solution(worked);
+        assert!(sheet.as_ref().is_none_or(|sheet| !sheet.is_bare()), "{at}: the sheet's figure shows bare outlines");
+        assert!(!solution.is_empty(), "{at}: no figure in the solution");
+        for drawing in sheet.iter().chain(&solution) {
+            for words in [&drawing.title, &drawing.description, &drawing.caption] {
+                assert!(words.starts_with(char::is_uppercase), "{at}: {words:?}");
+                assert!(!words.contains("NaN") && !words.contains("  "), "{at}: {words:?}");
+            }
+        }
+    });
+}
+
+#[test]
+fn every_stage_has_its_diagram() {
+    each_variant(3, |at, worked| {
+        let stages = &worked.problem.loaded().draft.scene.stages;
+        // Where nothing acts nothing is drawn; a swing, a ramp and a walk have figures of their own.
+        let momentum = |stage: &&Stage| match stage {
+            Stage::Slide(slide) => !slide.is_ramp(),
+            Stage::Impact(_)
+            | Stage::Push(_)
+            | Stage::Blow(_)
+            | Stage::Separate(_)
+            | Stage::SlideOff(_)
+            | Stage::Spring(_)
+            | Stage::Taut(_)
+            | Stage::Connected(_)
+            | Stage::Stream(_)
+            | Stage::Interact(_)
+            | Stage::Thrust(_) => true,
+            _ => false,
+        };
+        let swing = |stage: &&Stage| matches!(stage, Stage::Swing(_));
+        let angular = |stage: &&Stage| {
+            matches!(
+                stage,
+                Stage::Rotate(_)
+                    | Stage::Central(_)
+                    | Stage::Moment(_)
+                    | Stage::Strike(_)
+                    | Stage::Conical(_)
+                    | Stage::Bowl(_)
+            )
+        };
+        let drawings = drawings_of_solution(worked);
+        let titled = |start: &str| drawings.iter().filter(|drawing| drawing.title.starts_with(start)).count();
+        assert!(titled("Impulse-momentum") >= stages.iter().filter(momentum).count(), "{at}");
+        let swings = drawings.iter().filter(|drawing| drawing.title.ends_with("on its cord")).count();
+        assert_eq!(swings, stages.iter().filter(swing).count(), "{at}");
+        assert_eq!(titled("Angular impulse-momentum"), stages.iter().filter(angular).count(), "{at}");
+        let unknown = drawings.iter().flat_map(labels).any(|label| label.plain().ends_with("= ?"));
+        assert!(!unknown, "{at}: a momentum or an impulse is not known");
+    });
+}
+
+/// The names that a label may stand for: a quantity, and its vector where it is a component or a speed.
+fn spellings(name: &str) -> BTreeSet<String> {
+    let vector = name.split('.').next().unwrap_or(name);
+    let vector = if name.contains('[') { name } else { vector };
+    [name, vector].iter().map(|name| name_math(name).plain()).collect()
+}
+
+#[test]
+fn the_sheet_names_nothing_that_is_not_given() {
+    each_variant(20, |at, worked| {
+        let Some(drawing) = explain::situation(worked) else { return };
+        let symbols = &worked.problem.model().symbols;
+        let told = &worked.form.told;
+        let given: BTreeSet<String> = told.iter().flat_map(|symbol| spellings(&symbols.entry(*symbol).name)).collect();
+        let hidden: BTreeSet<String> = symbols
+            .iter()
+            .filter(|(symbol, _)| !told.contains(symbol))
+            .map(|(_, entry)| name_math(&entry.name).plain())
+            // Variables of functions are no secrets, and an axis has the name of the place along it.
+            .filter(|name| !given.contains(name) && !["t", "x", "y", "z"].contains(&name.as_str()))
+            .collect();
+        for label in labels(&drawing) {
+            let label = label.plain();
+            let name = label.split(" = ").next().unwrap_or(&label);
+            assert!(!hidden.contains(name), "{at}: the sheet's figure names {name}");
+        }
+    });
+}
+
+/// What is asked follows from what is given; so the figure must be the same function of what is given in every form that
+/// gives the same, whatever that form solves.
+#[test]
+fn the_sheet_of_a_form_does_not_depend_on_what_it_solves() {
+    let mut compared = 0;
+    for problem in bank() {
+        let forms = problem.forms();
+        let pairs = (0..forms.len()).flat_map(|one| (0..one).map(move |other| (one, other)));
+        for (one, other) in pairs.filter(|(one, other)| forms[*one].told == forms[*other].told) {
+            for seed in 1..=20 {
+                let [a, b] = [one, other].map(|form| Sampler::new(problem, form).expect("a form").variant(seed));
+                let (a, b) = (a.expect("a variant"), b.expect("a variant"));
+                if a.all_given() != b.all_given() {
+                    continue;
+                }
+                let figure = |variant| {
+                    let worked = Worked::new(problem, variant).expect("its own problem");
+                    explain::situation(worked).map(|drawing| svg(&drawing))
+                };
+                assert_eq!(figure(&a), figure(&b), "{}, forms {one} and {other}, seed {seed}", problem.id());
+                compared += 1;
+            }
+        }
+    }
+    assert!(compared > 0, "no two forms of the bank give the same");
+}

@@ -1,0 +1,19 @@
+//! The program as whoever runs it meets it: its commands, its files, and what it refuses.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test says bluntly what it expects")]
+
+#[path = "../support/blocks.rs"]
+mod blocks;
+mod cli;
+mod course_symbols;
+mod found;
+#[cfg(feature = "serve")]
+mod fuzz;
+mod grade_files;
+mod readme;
+#[path = "../support/room.rs"]
+mod room;
+mod trust;
+mod trusted_tables;
+#[path = "../support/works.rs"]
+mod works;
