@@ -14,7 +14,7 @@ fn load_file(path: &Path) -> Result<Loaded, String> {
 
 #[test]
 fn message() {
-    glob!("../fixtures/bad_problems/*.yaml", |path| {
+    glob!("../fixtures/bad_problems", "*.yaml", |path| {
         let name = path.file_name().unwrap().to_str().unwrap();
         let source = Source::new(name, &std::fs::read_to_string(path).unwrap());
         let compiled = load(source).and_then(|loaded| compile(loaded, None));
@@ -25,7 +25,7 @@ fn message() {
 
 #[test]
 fn good_problems_load() {
-    glob!("../fixtures/problems/*.yaml", |path| {
+    glob!("../fixtures/problems", "*.yaml", |path| {
         if let Err(message) = load_file(path) {
             panic!("{message}");
         }

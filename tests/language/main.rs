@@ -12,5 +12,6 @@ mod draws;
 mod golden;
 mod load_properties;
 mod schema;
+mod stages;
 #[path = "../support/works.rs"]
 mod works;
