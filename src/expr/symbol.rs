@@ -49,6 +49,13 @@ impl SymbolTable {
         }
     }
 
+    /// Says which dimension a symbol has.
+    pub fn measure(&mut self, symbol: Symbol, dimension: Dimension) {
+        if let Some(entry) = self.entries.get_mut(symbol.index()) {
+            entry.dimension = dimension;
+        }
+    }
+
     /// Whether it is said what a symbol is.
     #[must_use]
     pub fn is_described(&self, symbol: Symbol) -> bool {

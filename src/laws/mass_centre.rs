@@ -17,6 +17,17 @@ pub const MASS_CENTRE: Law = Law {
     wrong: wrong::mass_centre::MASS_CENTRE,
 };
 
+/// The mass of bodies that are one.
+pub const TOTAL_MASS: Law = Law {
+    id: "total-mass",
+    name: "the sum of the masses",
+    statement: "The mass of a body is the sum of the masses of its parts.",
+    signs: "Masses are positive.",
+    when: "The parts join to form the body, or it comes apart into them, and nothing is lost.",
+    source: "Conservation of mass.",
+    wrong: &[],
+};
+
 /// Motion of the centre of mass.
 pub const MOTION: Law = Law {
     id: "motion-of-the-mass-centre",
@@ -95,7 +106,8 @@ pub const ANGULAR: Law = Law {
 };
 
 /// The laws of this chapter.
-pub const LAWS: &[&Law] = &[&MASS_CENTRE, &MOTION, &PATH, &REST, &RELATIVE, &NO_MOMENTUM, &ENERGY, &ANGULAR];
+pub const LAWS: &[&Law] =
+    &[&TOTAL_MASS, &MASS_CENTRE, &MOTION, &PATH, &REST, &RELATIVE, &NO_MOMENTUM, &ENERGY, &ANGULAR];
 
 /// `(sum of m) q_G = sum of m q` over (mass, q), q being a position or a velocity component.
 #[must_use]

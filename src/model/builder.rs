@@ -80,6 +80,8 @@ pub struct Builder<'s> {
     pub(super) free: BTreeSet<Symbol>,
     pub(super) given: BTreeSet<String>,
     pub(super) expressions: BTreeMap<Symbol, Expr>,
+    /// Names that are asked and whose dimension only their place can say.
+    pub(super) unmeasured: BTreeSet<String>,
     /// What the author named at a place of the scene, with the first such place.
     pub(super) named: BTreeMap<Symbol, Path>,
     pub(super) mentions: BTreeMap<String, Symbol>,
@@ -121,6 +123,7 @@ impl<'s> Builder<'s> {
             free: BTreeSet::new(),
             given: BTreeSet::new(),
             expressions: BTreeMap::new(),
+            unmeasured: BTreeSet::new(),
             named: BTreeMap::new(),
             mentions: BTreeMap::new(),
             words: Vec::new(),

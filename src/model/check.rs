@@ -56,6 +56,7 @@ pub(super) fn is_structural(scene: &Scene, name: &str) -> bool {
             | QuantityKind::AngularMomentum
             | QuantityKind::Weight
             | QuantityKind::Work => true,
+            QuantityKind::Mass => !scene.parts_of(&name.subject).is_empty(),
             QuantityKind::Position | QuantityKind::Coordinate(_) => !name.subject.is_empty() && name.instant.is_some(),
             QuantityKind::Moment | QuantityKind::AngularMomentumRate => {
                 name.instant.is_some() && (name.is_of_mass_centre() || scene.points.contains_key(&name.subject))

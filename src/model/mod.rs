@@ -100,16 +100,22 @@ pub struct Model {
 }
 
 impl<'s> Builder<'s> {
-    /// A model of a scene with the equations of its stages.
+    /// A model of a scene with the equations of its stages. `given` are names of the author's own with their dimensions; the
+    /// place of `unmeasured` ones in a term says theirs.
     ///
     /// # Errors
     /// Everything in the scene that does not fit together.
-    pub fn of(scene: &'s Scene, given: &[(String, Dimension)]) -> Result<Self, Vec<Fault>> {
+    pub fn of(
+        scene: &'s Scene,
+        given: &[(String, Dimension)],
+        unmeasured: BTreeSet<String>,
+    ) -> Result<Self, Vec<Fault>> {
         let faults = check::check(scene);
         if !faults.is_empty() {
             return Err(faults);
         }
         let mut builder = Self::new(scene);
+        builder.unmeasured = unmeasured;
         builder.given = given.iter().map(|(name, _)| name.clone()).collect();
         for (name, dimension) in given {
             if !check::is_structural(scene, name) {

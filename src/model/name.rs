@@ -114,16 +114,22 @@ impl Name {
     /// ```
     #[must_use]
     pub fn parse(text: &str) -> Option<Self> {
+        // The component stands before the stage or after it.
         let (rest, stage) = match text.split_once('[') {
-            Some((rest, stage)) => (rest, Some(stage.strip_suffix(']')?.to_owned())),
-            None => (text, None),
+            Some((rest, tail)) => {
+                let (stage, component) = tail.split_once(']')?;
+                let joined = format!("{rest}{component}");
+                let is_part = component.is_empty() || component.starts_with('.') && !rest.contains('.');
+                (is_part.then_some(joined)?, Some(stage.to_owned()))
+            }
+            None => (text.to_owned(), None),
         };
         let (rest, named) = match rest.split_once('@') {
             Some((before, after)) => {
                 let (instant, component) = after.split_once('.').map_or((after, None), |(i, c)| (i, Some(c)));
                 (component.map_or_else(|| before.to_owned(), |c| format!("{before}.{c}")), Some(instant.to_owned()))
             }
-            None => (rest.to_owned(), None),
+            None => (rest, None),
         };
         let (rest, component) = match rest.split_once('.') {
             Some((rest, component)) => (rest, Some(component.to_owned())),
@@ -217,7 +223,9 @@ mod tests {
         for text in names {
             assert_eq!(Name::parse(text).map(|name| name.to_string()).as_deref(), Some(text));
         }
-        assert!(Name::parse("v_A1@top").is_none() && Name::parse("T[").is_none());
+        assert_eq!(Name::parse("J_A[hit].x"), Name::parse("J_A.x[hit]"));
+        let wrong = ["v_A1@top", "T[", "J_A.x[hit].y", "J_A[hit]x", "J_A[1][2]"];
+        assert_eq!(wrong.map(|text| Name::parse(text)), [const { None }; 5]);
         assert_eq!(Name::written("5*x").kind, QuantityKind::Own("5*x".to_owned()));
     }
 }

@@ -166,6 +166,7 @@ const READ: &[QuantityKind] = &[
     QuantityKind::AngularMomentum,
     QuantityKind::Moment,
     QuantityKind::AngularVelocity,
+    QuantityKind::Mass,
 ];
 
 /// Beginnings of authors' names that are angles wherever they are pure numbers.

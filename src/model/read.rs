@@ -32,7 +32,7 @@ struct Resolver<'b, 's> {
 
 impl Names for Resolver<'_, '_> {
     fn symbol(&mut self, name: &str) -> Option<Symbol> {
-        let found = self.builder.resolve(name);
+        let found = self.builder.resolve(name).or_else(|| self.builder.to_measure(name));
         if found.is_none() {
             self.unknown.push(name.to_owned());
         }
@@ -73,6 +73,7 @@ impl Builder<'_> {
             return symbol.into();
         }
         let expr = self.read_any(text, path);
+        self.measure(&expr, dimension);
         if let Expr::Symbol(symbol) = expr {
             if self.symbols.entry(symbol).meaning.is_empty() {
                 self.symbols.describe(symbol, meaning.to_owned());
@@ -101,6 +102,22 @@ impl Builder<'_> {
             }
         }
         expr
+    }
+
+    /// A name that is asked and whose dimension is not said yet; a pure number, unless its place says otherwise.
+    fn to_measure(&mut self, name: &str) -> Option<Symbol> {
+        self.unmeasured.contains(name).then(|| self.symbol(Name::written(name), Dimension::NONE, ""))
+    }
+
+    /// Gives a name the dimension that a term of a known one needs, where its dimension is the only one that is not said.
+    fn measure(&mut self, term: &Expr, dimension: Dimension) {
+        let is_open = |symbol: &Symbol| self.unmeasured.contains(&self.symbols.entry(*symbol).name);
+        let [open] = term.symbols().into_iter().filter(is_open).collect::<Vec<_>>()[..] else { return };
+        let slope = term.differentiate(open);
+        if let (false, Ok(found)) = (slope.contains(open), slope.dimension(&self.symbols)) {
+            self.unmeasured.remove(&self.symbols.entry(open).name);
+            self.symbols.measure(open, dimension / found);
+        }
     }
 
     /// The same, for a quantity that is positive.

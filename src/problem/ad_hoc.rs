@@ -78,6 +78,7 @@ pub fn typed(loaded: &Loaded, form: usize, set: &[(String, String)], find: &[Str
     }
     let told = |name: &String| set.iter().any(|(own, _)| own == name);
     question.reveal.retain(|name| !told(name) && !find.contains(name));
+    question.elsewhere.retain(|name| !told(name));
     let places = || [&changed.text, &question.text].into_iter().flat_map(Text::placeholders);
     let is_told = |name: &str| places().any(|own| own.name == name && own.filter.tells());
     let untold = set.iter().map(|(name, _)| name).filter(|name| is_name(name) && !is_told(name));
@@ -92,7 +93,7 @@ pub fn typed(loaded: &Loaded, form: usize, set: &[(String, String)], find: &[Str
 
 /// The file's own way of asking for a quantity, or a plain one.
 fn asked(parts: &[Ask], name: &str) -> Ask {
-    let own = parts.iter().find(|part| matches!(part, Ask::Find(find) if find.find == name));
+    let own = parts.iter().find(|part| matches!(part, Ask::Find(find) if find.name() == name));
     own.cloned().unwrap_or_else(|| {
         let is_direction = Name::parse(name).is_some_and(|own| matches!(own.kind, QuantityKind::Direction(_)));
         Ask::Find(Find {

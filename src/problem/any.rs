@@ -11,6 +11,8 @@ use crate::fault::Fault;
 use crate::fault::Path;
 use crate::model::Model;
 use crate::solve::Closed;
+use crate::solve::Condition;
+use crate::solve::Relation;
 use crate::solve::may_grow;
 
 use super::formula::symbols_only;
@@ -28,12 +30,13 @@ pub(super) fn free(loaded: &Loaded, model: &Model, known: &[Known], form: &Form)
 }
 
 /// A fault for each answer of a form that is not proven to be the same whatever its `any` givens are.
-pub(super) fn check(known: &[Known], form: &Form) -> Vec<Fault> {
+pub(super) fn check(model: &Model, known: &[Known], form: &Form) -> Vec<Fault> {
     let free: Vec<&Known> = known.iter().filter(|known| form.free.contains(&known.symbol)).collect();
     let mut faults = Vec::new();
     if free.is_empty() {
         return faults;
     }
+    let zeros = zeros(model, known);
     for leaf in form.solver.leaves() {
         let sources = Sources::of(leaf);
         let mut written = fixed(known);
@@ -49,7 +52,7 @@ pub(super) fn check(known: &[Known], form: &Form) -> Vec<Fault> {
                     AskedUnit::Unit(_) => [(number.symbol, None)],
                 };
                 let grows = |symbol| {
-                    leaf.system.positive.contains(&symbol) && may_grow(&leaf.system, &form.told, symbol, &alike)
+                    is_positive(leaf, &zeros, symbol) && may_grow(&leaf.system, &form.told, &zeros, symbol, &alike)
                 };
                 let open: Vec<&Known> = open.filter(|known| !grows(known.symbol)).collect();
                 if open.is_empty() {
@@ -75,6 +78,21 @@ pub(super) fn check(known: &[Known], form: &Form) -> Vec<Fault> {
         }
     }
     faults
+}
+
+/// What is zero in every variant.
+fn zeros(model: &Model, known: &[Known]) -> BTreeSet<Symbol> {
+    let given = known.iter().filter(|known| matches!(&known.origin, Origin::Fixed(value) if value.is_zero()));
+    let written = model.literals.iter().filter(|(_, own)| own.value.is_zero());
+    given.map(|known| known.symbol).chain(written.map(|(symbol, _)| *symbol)).collect()
+}
+
+/// Whether a quantity is positive by its meaning, or because the problem requires it.
+fn is_positive(leaf: &Leaf, zeros: &BTreeSet<Symbol>, symbol: Symbol) -> bool {
+    let is_zero = |side: &Expr| side.is_zero() || matches!(side, Expr::Symbol(own) if zeros.contains(own));
+    let requires =
+        |own: &Condition| own.relation == Relation::Greater && own.left == Expr::from(symbol) && is_zero(&own.right);
+    leaf.system.positive.contains(&symbol) || leaf.system.conditions.iter().any(requires)
 }
 
 /// The values that never change, as exact numbers.

@@ -163,7 +163,14 @@ impl<'s> Checker<'s> {
                         let own = keys.required.first().copied().unwrap_or_default();
                         format!("it cannot be combined with `{own}`: begin a new item with `- `")
                     }
-                    (false, Some(name)) => format!("did you mean `{name}`?"),
+                    (false, Some(name)) => {
+                        let others: Vec<&str> = free.iter().copied().filter(|own| *own != name).collect();
+                        let others = match &others[..] {
+                            [] => String::new(),
+                            others => format!(" Other keys here: {}.", quoted(others, "and")),
+                        };
+                        format!("did you mean `{name}`?{others}")
+                    }
                     (false, None) if free.is_empty() => {
                         "all possible keys are already here: remove this one".to_owned()
                     }

@@ -21,10 +21,12 @@ use crate::solve::Planner;
 use super::any;
 use super::condition::condition;
 use super::declared::declared;
+use super::declared::unmeasured;
 use super::draft::Units;
 use super::feedback;
 use super::form_draft::FormDraft;
 use super::formula;
+use super::given::Fraction;
 use super::given::Given;
 use super::known::Known;
 use super::known::Origin;
@@ -119,7 +121,7 @@ pub(super) struct Built {
 fn build(loaded: &Loaded, secret: Option<&[u8]>, asked: Asked) -> Result<Built, Vec<Fault>> {
     let draft = &loaded.draft;
     let notation = draft.symbols.notation()?;
-    let mut builder = Builder::of(&draft.scene, &declared(loaded))?;
+    let mut builder = Builder::of(&draft.scene, &declared(loaded), unmeasured(loaded))?;
     let mut known = givens(loaded, &mut builder);
     for (index, relation) in draft.relations.iter().enumerate() {
         let path = Path::root().key("relations").index(index).key("equation");
@@ -155,7 +157,7 @@ fn build(loaded: &Loaded, secret: Option<&[u8]>, asked: Asked) -> Result<Built, 
             Err(found) => faults.extend(found),
         }
     }
-    faults.extend(forms.iter().flat_map(|form| any::check(&known, form)));
+    faults.extend(forms.iter().flat_map(|form| any::check(&model, &known, form)));
     faults.extend(forms.iter().flat_map(|form| formula::check(&known, &model.literals, form)));
     faults.extend(forms.iter().flat_map(roots::check));
     if !faults.is_empty() {
@@ -261,6 +263,17 @@ fn givens(loaded: &Loaded, builder: &mut Builder<'_>) -> Vec<Known> {
                 }
             },
             Given::Expression(text) => {
+                // `10/3 kg` is a third of ten kilograms where that is what the quantity is measured in.
+                let own = builder.mention(name).map(|symbol| builder.symbols().entry(symbol).dimension);
+                let fraction =
+                    Fraction::read(text.trim()).filter(|read| own.is_none_or(|own| own == read.unit.dimension()));
+                if let Some(exact) = fraction.as_ref().and_then(Fraction::decimal)
+                    && let (Some(_), Some(fraction)) = (own, &fraction)
+                {
+                    add(builder, name, Origin::Fixed(exact), &fraction.unit);
+                    continue;
+                }
+                let text = &fraction.map_or_else(|| text.clone(), |fraction| fraction.expression());
                 if builder.mention(name).is_none() {
                     let meaning = "the value given for it";
                     builder.declare(name, text, meaning, &path);

@@ -2,7 +2,13 @@
 
 use std::collections::BTreeSet;
 
+use crate::expr::Names;
+use crate::expr::Symbol;
+use crate::expr::SymbolEntry;
+use crate::expr::SymbolTable;
+use crate::expr::parse;
 use crate::quantity::Dimension;
+use crate::quantity::Quantity;
 use crate::quantity::Unit;
 
 use super::ask::Ask;
@@ -14,7 +20,55 @@ use super::text::is_name;
 
 /// Every name whose dimension the file says, with its dimension.
 pub(super) fn declared(loaded: &Loaded) -> Vec<(String, Dimension)> {
-    loaded.given.iter().filter_map(of_given).chain(sought(loaded)).collect()
+    let mut known: Vec<(String, Dimension)> = loaded.given.iter().filter_map(of_given).chain(sought(loaded)).collect();
+    // One may be given by another that is given by a third.
+    loop {
+        let is_new = |name: &str| is_within_only(loaded, name) && known.iter().all(|(own, _)| own != name);
+        let found = loaded.given.iter().filter(|(name, _)| is_new(name));
+        let found: Vec<_> = found.filter_map(|own| of_expression(own, &known)).collect();
+        if found.is_empty() {
+            return known;
+        }
+        known.extend(found);
+    }
+}
+
+/// Whether the file refers to a name only within longer terms of its scene and its relations. One that stands alone is told by its
+/// place.
+fn is_within_only(loaded: &Loaded, name: &str) -> bool {
+    loaded.spoken.within.contains(name) && !loaded.spoken.alone.contains(name)
+}
+
+/// Name and dimension of a given that is an expression of names whose dimension is known.
+fn of_expression((name, given): (&str, &Given), known: &[(String, Dimension)]) -> Option<(String, Dimension)> {
+    let Given::Expression(text) = given else { return None };
+    let mut names = Declared { known, table: SymbolTable::default() };
+    let term = parse(text, &mut names).ok()?;
+    Some((name.to_owned(), term.dimension(&names.table).ok()?))
+}
+
+/// The names whose dimension the file says.
+struct Declared<'a> {
+    known: &'a [(String, Dimension)],
+    table: SymbolTable,
+}
+
+impl Declared<'_> {
+    fn measured(&mut self, name: &str, dimension: Dimension) -> Symbol {
+        self.table.intern(SymbolEntry { name: name.to_owned(), dimension, meaning: String::new() })
+    }
+}
+
+impl Names for Declared<'_> {
+    fn symbol(&mut self, name: &str) -> Option<Symbol> {
+        let (_, dimension) = self.known.iter().find(|(own, _)| own == name)?;
+        Some(self.measured(name, *dimension))
+    }
+
+    fn literal(&mut self, text: &str) -> Option<Symbol> {
+        let quantity = Quantity::parse(text).ok()?;
+        Some(self.measured(text, quantity.unit.dimension()))
+    }
 }
 
 /// Name and dimension of a given whose unit says it.
@@ -30,17 +84,23 @@ fn of_given((name, given): (&str, &Given)) -> Option<(String, Dimension)> {
 /// Names that are asked, and that the file refers to only within longer terms of its scene and its relations: the unit in
 /// which they are asked says what they are. A name that stands alone is told by its place.
 fn sought(loaded: &Loaded) -> impl Iterator<Item = (String, Dimension)> + '_ {
-    let Spoken { within, alone } = &loaded.spoken;
     let asked = loaded.questions.iter().flat_map(|question| &question.ask);
-    asked.filter_map(move |ask| match ask {
-        Ask::Find(find)
-            if within.contains(&find.find) && !alone.contains(&find.find) && loaded.given.get(&find.find).is_none() =>
-        {
-            let unit = Unit::parse(find.unit.as_deref().unwrap_or_default()).ok()?;
-            Some((find.find.clone(), unit.dimension()))
+    asked.filter_map(|ask| match ask {
+        Ask::Find(find) if is_within_only(loaded, &find.find) && loaded.given.get(&find.find).is_none() => {
+            Some((find.find.clone(), Unit::parse(find.unit.as_deref()?).ok()?.dimension()))
         }
         _ => None,
     })
+}
+
+/// The same, where no unit says what they are: as their formulas are asked.
+pub(super) fn unmeasured(loaded: &Loaded) -> BTreeSet<String> {
+    let asked = loaded.questions.iter().flat_map(|question| &question.ask);
+    let names = asked.filter_map(|ask| match ask {
+        Ask::Find(find) if find.unit.as_deref().is_none_or(|unit| Unit::parse(unit).is_err()) => Some(&find.find),
+        _ => None,
+    });
+    names.filter(|name| is_within_only(loaded, name) && loaded.given.get(name).is_none()).cloned().collect()
 }
 
 /// The words of a file's scene and relations: those within longer texts, and those that stand alone.

@@ -1,5 +1,7 @@
 //! The forms of a problem, each complete: what stands at the top of the file holds for every form.
 
+use std::collections::BTreeSet;
+
 use crate::fault::Path;
 
 use super::ask::Ask;
@@ -29,6 +31,8 @@ pub struct Question {
     pub expect: Option<Expect>,
     /// Hints, the general ones first.
     pub hints: Vec<Text>,
+    /// The names of what the texts of other forms tell, and those of this one do not.
+    pub elsewhere: BTreeSet<String>,
 }
 
 impl Question {
@@ -49,7 +53,15 @@ impl Question {
             return vec![Self::of(draft, None, &form, root)];
         }
         let forms = root.key("forms");
-        draft.forms.iter().map(|(name, form)| Self::of(draft, Some(name), form, forms.key(name))).collect()
+        let forms = draft.forms.iter().map(|(name, form)| Self::of(draft, Some(name), form, forms.key(name)));
+        let mut all: Vec<Self> = forms.collect();
+        let story = Text::read(&draft.text).unwrap_or_default().told();
+        let told: Vec<BTreeSet<String>> = all.iter().map(|own| own.text.told()).collect();
+        for (own, here) in all.iter_mut().zip(&told) {
+            own.elsewhere =
+                told.iter().flatten().filter(|name| !here.contains(*name) && !story.contains(*name)).cloned().collect();
+        }
+        all
     }
 
     fn of(draft: &Draft, name: Option<&str>, form: &Form, path: Path) -> Self {
@@ -73,6 +85,7 @@ impl Question {
             expect: form.expect.or(draft.expect),
             hints: draft.hints.iter().chain(&form.hints).map(read).collect(),
             path,
+            elsewhere: BTreeSet::new(),
         }
     }
 }

@@ -22,6 +22,7 @@ use super::load::Loaded;
 use super::mistakes::Mistakes;
 use super::neglected;
 use super::part::Part;
+use super::part::PartKind;
 use super::parts;
 use super::planned::Form;
 use super::planned::Reveal;
@@ -101,6 +102,7 @@ impl FormDraft {
             told.remove(symbol);
         }
         told.extend(self.reveal.iter().map(|reveal| reveal.symbol));
+        self.leave_open(planner, model, &mut told);
         // What an answer is a multiple of must be known too, and where it is not told it is solved.
         let multiplied = self.parts.iter().filter_map(|part| part.kind.in_terms_of());
         let wanted: Vec<Symbol> =
@@ -162,6 +164,20 @@ impl FormDraft {
             followings: Followings::default(),
             cache: FormCache::default(),
         })
+    }
+}
+
+impl FormDraft {
+    /// A range asks about what may have any value: what only another form tells would settle it, and is left out unless the
+    /// claim needs it.
+    fn leave_open(&self, planner: &mut Planner, model: &Model, told: &mut BTreeSet<Symbol>) {
+        let elsewhere: BTreeSet<Symbol> =
+            self.question.elsewhere.iter().filter_map(|name| model.symbol_of(name)).collect();
+        let has_range = self.parts.iter().any(|part| matches!(part.kind, PartKind::Range(_)));
+        let open = &*told - &elsewhere;
+        if has_range && range::trials(planner, model, &self.parts, &open, &self.allowed.warnings).is_ok() {
+            *told = open;
+        }
     }
 }
 

@@ -80,12 +80,13 @@ pub enum Given {
 }
 
 impl Given {
-    /// The text of a plain number that is written as a calculation: `1/3`.
+    /// The text of a plain number that is written as a calculation, `1/3`, or of a fraction with its unit, `10/3 kg`.
     #[must_use]
     pub fn constant(&self) -> Option<&str> {
         let Self::Expression(text) = self else { return None };
         let is_number = |letter: char| letter.is_ascii_digit() || " .+-*/()".contains(letter);
-        Some(text.trim()).filter(|text| text.chars().all(is_number))
+        let text = text.trim();
+        (text.chars().all(is_number) || Fraction::read(text).is_some()).then_some(text)
     }
 
     /// Reads an entry that stands at a path.
@@ -117,6 +118,38 @@ impl Given {
             }
         };
         given.ok_or(reader.faults)
+    }
+}
+
+/// A fraction of two decimals as it is written, with the unit of the whole: `1/2`, `10/3 kg`.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Fraction {
+    above: Decimal,
+    below: Decimal,
+    /// Its unit.
+    pub(super) unit: Unit,
+}
+
+impl Fraction {
+    pub(super) fn read(text: &str) -> Option<Self> {
+        let (above, rest) = text.split_once('/')?;
+        let end = rest.find(|letter: char| !letter.is_ascii_digit() && letter != '.').unwrap_or(rest.len());
+        let (below, unit) = rest.split_at(end);
+        let [above, below] = [above, below].map(|text| Decimal::parse(text.trim()).ok());
+        Some(Self { above: above?, below: below.filter(|own| !own.is_zero())?, unit: Unit::parse(unit.trim()).ok()? })
+    }
+
+    /// Its value, where a decimal gives it exactly.
+    pub(super) fn decimal(&self) -> Option<Decimal> {
+        let value = self.above.to_rational() / self.below.to_rational();
+        let digits = f64::try_from(value.clone()).ok()?.to_string();
+        Decimal::parse(&digits).ok().filter(|decimal| decimal.to_rational() == value)
+    }
+
+    /// The same as an expression, in which a unit belongs to the number before it alone.
+    pub(super) fn expression(&self) -> String {
+        let Self { above, below, unit } = self;
+        if unit.is_none() { format!("{above}/{below}") } else { format!("{above}/{below}*(1 {unit})") }
     }
 }
 

@@ -83,7 +83,10 @@ impl Regimes {
             let planned = match planner.plan(&system, told, wanted) {
                 Ok(planned) => planned,
                 Err(stuck) => {
-                    stuck_at.get_or_insert_with(|| fault(model, &system, &stuck));
+                    stuck_at.get_or_insert_with(|| {
+                        let ways = ways_out(planner, &system, &stuck, wanted);
+                        fault(model, &system, &stuck, &ways)
+                    });
                     continue;
                 }
             };
@@ -125,8 +128,19 @@ impl Regimes {
     }
 }
 
-/// Why a form cannot be solved, in the author's terms.
-fn fault(model: &Model, system: &System, stuck: &Stuck) -> Fault {
+/// Where no tactic closes some equations: the quantities of which any one, told as well, lets the rest be found.
+fn ways_out(planner: &mut Planner, system: &System, stuck: &Stuck, wanted: &[Symbol]) -> Vec<Symbol> {
+    let Reason::NoTactic { unknowns, .. } = &stuck.reason else { return Vec::new() };
+    let mut works = |symbol: &Symbol| {
+        let known = stuck.known.iter().copied().chain([*symbol]).collect();
+        let wanted: Vec<Symbol> = wanted.iter().copied().filter(|own| own != symbol).collect();
+        planner.plan(system, &known, &wanted).is_ok()
+    };
+    unknowns.iter().copied().filter(|symbol| works(symbol)).collect()
+}
+
+/// Why a form cannot be solved, in the author's terms; `ways` are quantities that would have to be told as well.
+fn fault(model: &Model, system: &System, stuck: &Stuck, ways: &[Symbol]) -> Fault {
     let name = |symbol: &Symbol| format!("`{}`", model.symbols.entry(*symbol).name);
     let names = |symbols: &[Symbol]| symbols.iter().map(name).collect::<Vec<_>>().join(", ");
     let laws = |equations: &[usize]| {
@@ -152,7 +166,11 @@ fn fault(model: &Model, system: &System, stuck: &Stuck) -> Fault {
         }
         Reason::NoTactic { equations, unknowns } => {
             let message = format!("no known method gives {} from {}", names(unknowns), laws(equations));
-            Fault::new(Code::Stuck, message).help("give one of these quantities, or ask for another")
+            let help = match ways {
+                [] => "describe the scene by other quantities, or ask for another".to_owned(),
+                ways => format!("the rest can be found where one of these is given: {}", names(ways)),
+            };
+            Fault::new(Code::Stuck, message).help(help)
         }
         Reason::Contradiction { equations } => {
             let message = format!("the givens contradict each other in {}", laws(equations));

@@ -1,5 +1,7 @@
 //! The author's text: words, and placeholders for quantities.
 
+use std::collections::BTreeSet;
+
 use crate::fault::{Code, Fault, Span, did_you_mean};
 
 /// A text with its placeholders, read by a grammar of our own.
@@ -144,6 +146,12 @@ impl Text {
         })
     }
 
+    /// The names whose values it tells.
+    pub(super) fn told(&self) -> BTreeSet<String> {
+        let told = self.placeholders().filter(|placeholder| placeholder.filter.tells());
+        told.map(|placeholder| placeholder.name.clone()).collect()
+    }
+
     /// The text with each placeholder replaced.
     #[must_use]
     pub fn fill(&self, say: &dyn Fn(&Placeholder) -> String) -> String {
@@ -203,7 +211,8 @@ fn trimmed(text: &str, offset: usize) -> Span {
     Span { start, end: start + text.trim().len() }
 }
 
-/// Whether a text is a name: a word, then at most one each of `@instant`, `[stage]` and `.component`; or an angle between two names.
+/// Whether a text is a name: a word, then at most one each of `@instant`, `[stage]` and `.component`, the last two in either order; or
+/// an angle between two names.
 #[must_use]
 pub fn is_name(text: &str) -> bool {
     if let Some(pair) = text.strip_prefix("angle(").and_then(|rest| rest.strip_suffix(')')) {
@@ -215,14 +224,16 @@ pub fn is_name(text: &str) -> bool {
 }
 
 fn is_plain_name(text: &str) -> bool {
+    let take_stage = |text| match str::strip_suffix(text, ']').and_then(|inner| inner.split_once('[')) {
+        Some((rest, stage)) => (rest, Some(stage)),
+        None => (text, None),
+    };
+    let (text, last) = take_stage(text);
     let (text, component) = match text.rsplit_once('.') {
         Some((rest, component)) => (rest, Some(component)),
         None => (text, None),
     };
-    let (text, stage) = match text.strip_suffix(']').and_then(|inner| inner.split_once('[')) {
-        Some((rest, stage)) => (rest, Some(stage)),
-        None => (text, None),
-    };
+    let (text, stage) = if last.is_some() { (text, last) } else { take_stage(text) };
     let (base, instant) = match text.split_once('@') {
         Some((base, instant)) => (base, Some(instant)),
         None => (text, None),
@@ -252,13 +263,17 @@ mod tests {
     #[test]
     fn names_and_filters_are_read() {
         let text =
-            Text::read("{{v_A@top.x|motion}} $\\sqrt{\\frac{a}{b}}$ {{ J_A[hit-2] }}{{ angle(v_A2, v_B2) | value }}")
+            Text::read("{{v_A@top.x|motion}} $\\sqrt{\\frac{a}{b}}$ {{ J_A[hit-2] }}{{ J_A.x[hit] }}{{ angle(v_A2, v_B2) | value }}")
                 .unwrap();
         let read: Vec<_> = text.placeholders().map(|found| (found.name.as_str(), found.filter)).collect();
-        let expected =
-            [("v_A@top.x", Filter::Motion), ("J_A[hit-2]", Filter::Quantity), ("angle(v_A2,v_B2)", Filter::Value)];
+        let expected = [
+            ("v_A@top.x", Filter::Motion),
+            ("J_A[hit-2]", Filter::Quantity),
+            ("J_A.x[hit]", Filter::Quantity),
+            ("angle(v_A2,v_B2)", Filter::Value),
+        ];
         assert_eq!(read, expected);
-        assert_eq!(text.fill(&|_| "!".into()), "! $\\sqrt{\\frac{a}{b}}$ !!");
+        assert_eq!(text.fill(&|_| "!".into()), "! $\\sqrt{\\frac{a}{b}}$ !!!");
     }
 
     #[test]
@@ -270,7 +285,22 @@ mod tests {
 
     #[test]
     fn what_is_not_a_name_is_refused() {
-        for text in ["", "2m", "v_A1.", "J[", "J[]", "J]x[", "a b", "v@", "angle(v_A2)", "é", "v.x.y", "a@b@c"] {
+        for text in [
+            "",
+            "2m",
+            "v_A1.",
+            "J[",
+            "J[]",
+            "J]x[",
+            "a b",
+            "v@",
+            "angle(v_A2)",
+            "J[a][b]",
+            "J.x[a].y",
+            "é",
+            "v.x.y",
+            "a@b@c",
+        ] {
             assert!(!is_name(text), "{text}");
         }
     }

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::fault::Code;
 use crate::fault::Fault;
@@ -13,6 +14,7 @@ use crate::quantity::Decimal;
 use crate::quantity::Quantity;
 use crate::quantity::Unit;
 use crate::solve::Equation;
+use crate::solve::Statement;
 
 use super::known::Known;
 use super::known::Origin;
@@ -100,7 +102,7 @@ impl Problem {
     pub fn untold(&self, form: &Form) -> Vec<&str> {
         let model = self.model();
         let prose = prose(self.loaded(), form);
-        let needed = in_laws(model, form);
+        let needed = in_laws(self, form);
         let untold = |(symbol, value): &&(Symbol, Quantity)| {
             needed.contains(symbol) && !is_said(&prose, &value.value, &value.unit)
         };
@@ -109,11 +111,23 @@ impl Problem {
     }
 }
 
-/// What the laws that lead to the answers refer to; what a question compares with, it says itself.
-fn in_laws(model: &Model, form: &Form) -> BTreeSet<Symbol> {
+/// What the laws that lead to the answers refer to; what a question compares with, it says itself, and what defines a quantity whose
+/// value the text prints need not be told.
+fn in_laws(problem: &Problem, form: &Form) -> BTreeSet<Symbol> {
+    let (model, loaded) = (problem.model(), problem.loaded());
     let asked = [&geometry::BOUNDARY, &kinematics::COUNT];
+    let printed: BTreeSet<Expr> = [&loaded.text, &form.question.text]
+        .into_iter()
+        .flat_map(Text::told)
+        .filter_map(|name| model.symbol_of(&name))
+        .map(Expr::from)
+        .collect();
+    let defines =
+        |equation: &Equation| matches!(&equation.statement, Statement::Equal { left, .. } if printed.contains(left));
     let is_law = |equation: &&Equation| {
-        model.instances.get(equation.tag).is_some_and(|own| asked.iter().all(|law| law.id != own.law.id))
+        model.instances.get(equation.tag).is_some_and(|own| {
+            asked.iter().all(|law| law.id != own.law.id) && !(own.law.id == geometry::RELATION.id && defines(equation))
+        })
     };
     let equations = form.solver.leaves().iter().flat_map(|leaf| {
         let positions = leaf.answer_steps().iter().flat_map(|step| &step.equations);

@@ -13,12 +13,18 @@ use super::system::Statement;
 use super::system::System;
 
 /// Whether every solution of a system turns into another one as `grown`, which is positive, grows: what is known besides stays,
-/// and each quantity of `alike` grows as the one beside it, or stays where there is none.
+/// and each quantity of `alike` grows as the one beside it, or stays where there is none. `zeros` are always zero.
 ///
 /// All roots and all conditions are covered: solutions go over into solutions, so there are as many of them as before.
 #[must_use]
-pub fn may_grow(system: &System, known: &BTreeSet<Symbol>, grown: Symbol, alike: &[(Symbol, Option<Symbol>)]) -> bool {
-    let mut powers = Powers { system, known, grown, rows: BTreeMap::new() };
+pub fn may_grow(
+    system: &System,
+    known: &BTreeSet<Symbol>,
+    zeros: &BTreeSet<Symbol>,
+    grown: Symbol,
+    alike: &[(Symbol, Option<Symbol>)],
+) -> bool {
+    let mut powers = Powers { system, known, zeros, grown, rows: BTreeMap::new() };
     let fits = |powers: &mut Powers<'_>| {
         for equation in &system.equations {
             match &equation.statement {
@@ -67,6 +73,7 @@ impl Power {
 struct Powers<'a> {
     system: &'a System,
     known: &'a BTreeSet<Symbol>,
+    zeros: &'a BTreeSet<Symbol>,
     grown: Symbol,
     rows: BTreeMap<Symbol, Power>,
 }
@@ -140,7 +147,7 @@ impl Powers<'_> {
         Ok(match expr {
             Expr::Number(value) => (!value.is_zero()).then(Power::default),
             Expr::Pi => Some(Power::default()),
-            Expr::Symbol(symbol) => Some(self.of(*symbol)),
+            Expr::Symbol(symbol) => (!self.zeros.contains(symbol)).then(|| self.of(*symbol)),
             Expr::Sum(terms) => self.common(terms.iter())?,
             Expr::Product(factors) => {
                 let mut product = Power::default();
@@ -210,10 +217,10 @@ mod tests {
     fn a_mass_that_drops_out_may_grow() {
         let [mass, speed, whole, height] = symbols();
         let known = BTreeSet::from([mass, speed]);
-        assert!(may_grow(&energy(), &known, mass, &[(height, None)]));
-        assert!(may_grow(&energy(), &known, mass, &[(whole, Some(mass)), (height, None)]));
-        assert!(!may_grow(&energy(), &known, mass, &[(whole, None)]));
-        assert!(!may_grow(&energy(), &known, speed, &[(height, None)]));
+        assert!(may_grow(&energy(), &known, &BTreeSet::new(), mass, &[(height, None)]));
+        assert!(may_grow(&energy(), &known, &BTreeSet::new(), mass, &[(whole, Some(mass)), (height, None)]));
+        assert!(!may_grow(&energy(), &known, &BTreeSet::new(), mass, &[(whole, None)]));
+        assert!(!may_grow(&energy(), &known, &BTreeSet::new(), speed, &[(height, None)]));
     }
 
     #[test]
@@ -221,6 +228,18 @@ mod tests {
         let [mass, speed, _, height] = symbols();
         let told = Condition { left: mass.into(), relation: Relation::Less, right: Expr::integer(2), tag: 0 };
         let system = System { conditions: vec![told], ..energy() };
-        assert!(!may_grow(&system, &BTreeSet::from([mass, speed]), mass, &[(height, None)]));
+        assert!(!may_grow(&system, &BTreeSet::from([mass, speed]), &BTreeSet::new(), mass, &[(height, None)]));
+    }
+
+    #[test]
+    fn what_is_zero_notices_nothing() {
+        let [mass, speed, whole, height] = symbols();
+        // The potential energy of the start is added; it is zero.
+        let [of_mass, of_speed, of_whole] = [mass, speed, whole].map(Expr::from);
+        let sum = of_whole.clone() + Expr::from(height);
+        let system = System { equations: vec![equal(sum, of_mass * of_speed.powi(2))], ..System::default() };
+        let known = BTreeSet::from([mass, speed, height]);
+        assert!(!may_grow(&system, &known, &BTreeSet::new(), mass, &[(whole, Some(mass))]));
+        assert!(may_grow(&system, &known, &BTreeSet::from([height]), mass, &[(whole, Some(mass))]));
     }
 }

@@ -29,6 +29,18 @@ pub(super) fn mass_centre_velocity(builder: &mut Builder<'_>, name: &Name) -> Op
     Some(symbol)
 }
 
+/// The mass of a body that a stage makes of others, or divides.
+pub(super) fn total_mass(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
+    if *name != Name::of(QuantityKind::Mass, &name.subject) || builder.parts_of(&name.subject).is_empty() {
+        return None;
+    }
+    let meaning = format!("the mass of {}", builder.called(&name.subject));
+    let symbol = builder.positive(name.clone(), Dimension::MASS, meaning);
+    let parts = builder.mass(&name.subject);
+    builder.law(&mass_centre::TOTAL_MASS, None, "together they are one body", (symbol.into(), parts));
+    Some(symbol)
+}
+
 impl Builder<'_> {
     /// Why the velocity of the centre of mass is what it is, and whose velocity did not change just before the instant.
     fn momentum_of_the_whole(&self, instant: usize) -> String {

@@ -37,6 +37,7 @@ use kinetic::kinetic_energy;
 use kinetic::work;
 use mass_centre::mass_centre_position;
 use mass_centre::mass_centre_velocity;
+use mass_centre::total_mass;
 use phases::common_velocity;
 use phases::deformation;
 use phases::restoring;
@@ -73,6 +74,7 @@ const DEFINITIONS: &[(QuantityKind, Define)] = &[
     (QuantityKind::Moment, moment_of_forces),
     (QuantityKind::AngularMomentumRate, rate_of_angular_momentum),
     (QuantityKind::Weight, weight),
+    (QuantityKind::Mass, total_mass),
 ];
 
 impl Builder<'_> {

@@ -102,10 +102,12 @@ impl Builder<'_> {
         self.law_at(SECOND_COST, &geometry::BETWEEN, None, because, (product, sizes * Expr::from(angle).cos()));
         if self.axes.len() == 2 && both_velocities {
             let direction = |name: Name| Name { kind: QuantityKind::Direction(VectorKind::Velocity), ..name };
-            let [one, other] = [one, other].map(|name| self.quantity(direction(velocity(&name)?)));
-            let apart = Expr::from(one?) - Expr::from(other?);
-            let because = "it is the difference between the directions, without its sign";
-            self.law_at(SECOND_COST, &geometry::BETWEEN, None, because, (apart.cos(), Expr::from(angle).cos()));
+            // A velocity seen from the centre of mass has no direction of its own.
+            if let [Some(one), Some(other)] = [one, other].map(|name| self.quantity(direction(velocity(&name)?))) {
+                let apart = Expr::from(one) - Expr::from(other);
+                let because = "it is the difference between the directions, without its sign";
+                self.law_at(SECOND_COST, &geometry::BETWEEN, None, because, (apart.cos(), Expr::from(angle).cos()));
+            }
         }
         Some(angle)
     }
