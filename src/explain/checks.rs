@@ -12,7 +12,6 @@ use crate::laws::mass_centre;
 use crate::laws::momentum;
 use crate::laws::orbit;
 use crate::laws::restitution;
-use crate::model::Warning;
 use crate::solve;
 use crate::solve::Equation;
 use crate::solve::Statement;
@@ -257,11 +256,11 @@ fn evaluated(display: Display<'_>, side: &Term, item: Item) -> Math {
 fn conditions(display: Display<'_>) -> Vec<Condition> {
     let reasons = &display.worked.problem.model().reasons;
     let condition = |condition: &solve::Condition| {
-        let reason = reasons.get(condition.tag).filter(|reason| reason.warning == Some(Warning::PassesThrough))?;
+        let kept = reasons.get(condition.tag)?.kept()?;
         let (unit, _) = display.measure(&(condition.left.clone() - condition.right.clone()));
         Some(Condition {
             unit,
-            words: format!("{}: ", capitalised(&reason.text.replace("would pass", "does not pass"))),
+            words: format!("{}: ", capitalised(&kept)),
             sides: [&condition.left, &condition.right].map(|side| display.term(side.clone())),
         })
     };

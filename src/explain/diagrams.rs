@@ -17,7 +17,6 @@ use super::Inline;
 use super::display::Display;
 use super::pictures;
 use super::steps::text;
-use super::wording::agree;
 use super::wording::capitalised;
 use super::wording::list;
 
@@ -73,7 +72,7 @@ fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) -> Option<S
     let first = impulses.first()?;
     let name = |body: &str| scene.called(body);
     let body = name(&first.on);
-    let [is, its] = [["is", "are"], ["its", "their"]].map(|forms| agree(&body, forms));
+    let [is, its] = if scene.members(&first.on).len() > 1 { ["are", "their"] } else { ["is", "its"] };
     let phrase = model.phrase(scene, index);
     let during = |sentence: String| match scene.stages.len() {
         1 => format!("{}.", capitalised(&sentence)),

@@ -53,7 +53,7 @@ impl Exact {
             },
             _ => self.math,
         };
-        Self { negative: math.plain().starts_with('\u{2212}'), math, half: self.half }
+        Self { negative: math.begins_with_minus(), math, half: self.half }
     }
 }
 
@@ -100,7 +100,7 @@ impl Display<'_> {
             return self.multiple(symbol, letters);
         }
         if let Some(math) = &manner.constant {
-            return Some(Exact { math: math.clone(), negative: math.plain().starts_with('\u{2212}'), half: 0.0 });
+            return Some(Exact { math: math.clone(), negative: math.begins_with_minus(), half: 0.0 });
         }
         if let Some((other, turned)) = manner.equals {
             let exact = self.exact(other).filter(|_| self.unit(other) == self.unit(symbol));
@@ -133,7 +133,7 @@ impl Display<'_> {
         let is_algebra = own == (self.worked.in_givens(symbol, &BTreeMap::new())? / letters.clone()).simplify();
         let number = own.as_number().filter(|number| number.is_int() || is_algebra)?;
         let math = self.symbolic(&Expr::Number(number.clone()));
-        Some(Exact { negative: math.plain().starts_with('\u{2212}'), math, half: 0.05 })
+        Some(Exact { negative: math.begins_with_minus(), math, half: 0.05 })
     }
 
     /// To how many figures a number is printed.

@@ -7,6 +7,7 @@ use crate::expr::Math;
 use crate::expr::Operator;
 use crate::expr::Symbol;
 use crate::laws::geometry;
+use crate::model::Because;
 use crate::model::Instance;
 use crate::model::Integral;
 use crate::solve::Closed;
@@ -229,14 +230,12 @@ pub(super) fn operator(relation: Relation) -> Operator {
 /// Why an equation holds, as what stands before it.
 fn reason(instance: &Instance, statement: &Statement) -> String {
     let law = instance.law.name;
-    let because = instance.because.as_str();
-    if matches!(statement, Statement::FirstInteger { .. }) {
-        return format!("{}:", capitalised(because));
-    }
-    match because {
-        "" | "by definition" => format!("By {law}:"),
+    let because = capitalised(&instance.because.to_string());
+    match (statement, &instance.because) {
+        (Statement::FirstInteger { .. }, _) => format!("{because}:"),
+        (_, Because::Definition) => format!("By {law}:"),
+        (_, Because::Fact(_)) => format!("{because}, so by {law}:"),
         // One "so" to a sentence.
-        because if because.contains(" so ") => format!("{}. By {law}:", capitalised(because)),
-        because => format!("{}, so by {law}:", capitalised(because)),
+        (_, Because::Conclusion(..)) => format!("{because}. By {law}:"),
     }
 }

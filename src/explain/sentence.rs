@@ -38,7 +38,7 @@ fn words(display: Display<'_>, derivation: &Derivation, line: &Line) -> Vec<Inli
                 (false, _) => {
                     let mut words = said(format!("Multiply {times} by "));
                     words.push(Inline::Math(display.symbolic(&size)));
-                    words.extend(where_not_zero(display, divisors::of_term(factor)).unwrap_or_default());
+                    words.extend(where_not_zero(display, ", where ", divisors::of_term(factor)));
                     let then = if is_minus { "subtract it from" } else { "add it to" };
                     words.push(Inline::Text(format!(", and {then} {to}")));
                     words
@@ -97,7 +97,8 @@ fn solved(display: Display<'_>, sources: &[&Line], unknown: Symbol, value: &Expr
         ([first, ..], _) => Some(format!("From ({first})")),
     };
     let mut words: Vec<Inline> = words.map(Inline::Text).into_iter().collect();
-    words.extend(where_not_zero(display, divisors::of_solution(sources, unknown, value)).unwrap_or_default());
+    let opening = if words.is_empty() { "Where " } else { ", where " };
+    words.extend(where_not_zero(display, opening, divisors::of_solution(sources, unknown, value)));
     words
 }
 
@@ -109,27 +110,22 @@ pub(super) fn before_result(
     value: &Expr,
 ) -> Option<Block> {
     let mut words = solved(display, &derivation.sources_of(unknown), unknown, value);
-    if let Some(Inline::Text(first)) = words.first_mut()
-        && let Some(rest) = first.strip_prefix(", where ")
-    {
-        *first = format!("Where {rest}");
-    }
     words.push(Inline::Text(":".into()));
     (words.len() > 1).then_some(Block::Paragraph(words))
 }
 
 /// `, where cos(beta) is not zero`, for factors of which that is not plain.
-fn where_not_zero(display: Display<'_>, factors: Vec<Expr>) -> Option<Vec<Inline>> {
+fn where_not_zero(display: Display<'_>, opening: &str, factors: Vec<Expr>) -> Vec<Inline> {
     let doubtful = divisors::doubtful(factors, &display.worked.leaf().system.positive);
     if doubtful.is_empty() {
-        return None;
+        return Vec::new();
     }
     let zero = || Math::Number("0".into());
     let differs = |factor: &Expr| {
         let condition = Math::relation(display.symbolic(factor), Operator::Differs, zero());
         vec![Inline::Math(condition)]
     };
-    let mut words = vec![Inline::Text(", where ".into())];
+    let mut words = vec![Inline::Text(opening.into())];
     words.extend(join(doubtful.iter().map(differs).collect()));
-    Some(words)
+    words
 }

@@ -8,11 +8,6 @@ pub(super) fn capitalised(text: &str) -> String {
     letters.next().map_or_else(String::new, |first| first.to_uppercase().collect::<String>() + letters.as_str())
 }
 
-/// The form of a verb for one body, or for two that stay together.
-pub(super) fn agree<'a>(name: &str, [one, several]: [&'a str; 2]) -> &'a str {
-    if name.ends_with(" together") { several } else { one }
-}
-
 /// `a`, `a and b`, `a, b and c`.
 pub(super) fn list(items: &[String]) -> String {
     match items {

@@ -25,6 +25,12 @@ impl Operator {
 }
 
 impl Math {
+    /// Whether a minus sign stands in front.
+    #[must_use]
+    pub fn begins_with_minus(&self) -> bool {
+        self.plain().starts_with('\u{2212}')
+    }
+
     /// On one line, with true minus signs: `m_A v_A1 = (2 kg)(−3 m/s)`.
     ///
     /// ```

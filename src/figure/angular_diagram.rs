@@ -6,7 +6,7 @@ use crate::expr::Math;
 use crate::expr::Operator;
 
 use super::body::{Attach, Body};
-use super::input::{AxisMark, Form, LabelledVector, Wording};
+use super::input::{AxisMark, Form, LabelledVector, Wording, unknown};
 use super::panels::{Row, assemble};
 use super::place::{Anchor, Canvas};
 use super::scale::Scale;
@@ -165,8 +165,4 @@ pub(super) fn turn_panel(name: &Math, impulse: &AngularImpulse) -> Canvas {
 
 fn number(digits: &str) -> Math {
     Math::Number(digits.to_owned())
-}
-
-fn unknown() -> Math {
-    Math::Text("?".to_owned())
 }

@@ -2,6 +2,8 @@
 
 use crate::expr::Math;
 
+use super::input::unknown;
+
 /// A drawing in its own units (about one point each), y upwards.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Drawing {
@@ -150,6 +152,13 @@ impl Drawing {
     /// Whether a shape has that role.
     pub(super) fn has(&self, role: Role) -> bool {
         self.shapes.iter().any(|shape| shape.role() == role)
+    }
+
+    /// Whether everything that it shows has a value.
+    #[must_use]
+    pub fn is_known(&self) -> bool {
+        let is_unknown = |text: &Math| matches!(text, Math::Row(parts) if parts.last() == Some(&unknown()));
+        !self.shapes.iter().any(|shape| matches!(shape, Shape::Label { text, .. } if is_unknown(text)))
     }
 
     /// Whether it shows nothing but outlines of bodies and axes: less than any text says.

@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 use crate::expr::Math;
 
 use super::body::{Attach, Body};
-use super::input::{AxisMark, Form, LabelledVector, MARGIN, Wording};
+use super::input::{AxisMark, Form, LabelledVector, MARGIN, Wording, unknown};
 use super::panels::{Row, assemble};
 use super::place::Canvas;
 use super::scale::Scale;
@@ -200,7 +200,7 @@ fn draw_vector(
     normal: Option<Point>,
 ) {
     let Some(value) = vector.vector() else {
-        return body.draw_note(canvas, &vector.equals(Math::Text("?".to_owned())), role);
+        return body.draw_note(canvas, &vector.equals(unknown()), role);
     };
     let Some(arrow) = scale.arrow(value) else {
         return body.draw_note(canvas, &vector.equals(Math::Number("0".to_owned())), role);

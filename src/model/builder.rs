@@ -26,6 +26,7 @@ use crate::solve::Statement;
 use crate::solve::System;
 
 use super::ActingForce;
+use super::Because;
 use super::ContactWeight;
 use super::Flowing;
 use super::Impulse;
@@ -39,7 +40,6 @@ use super::Omitted;
 use super::QuantityKind;
 use super::Reason;
 use super::Slope;
-use super::Warning;
 use super::alternative::Alternative;
 use super::frame::Frame;
 use super::timeline::Timeline;
@@ -132,7 +132,13 @@ impl<'s> Builder<'s> {
     }
 
     /// The symbol of that name, made if need be.
-    pub(super) fn symbol(&mut self, own: Name, dimension: Dimension, meaning: impl Into<String>) -> Symbol {
+    pub(super) fn symbol(&mut self, name: Name, meaning: impl Into<String>) -> Symbol {
+        let dimension = name.kind.dimension();
+        self.symbol_of(name, dimension, meaning)
+    }
+
+    /// The same, where the kind of quantity does not say its dimension.
+    pub(super) fn symbol_of(&mut self, own: Name, dimension: Dimension, meaning: impl Into<String>) -> Symbol {
         let (name, meaning) = (own.to_string(), meaning.into());
         let symbol = self.symbols.intern(SymbolEntry { name: name.clone(), dimension, meaning: String::new() });
         match self.names.get_mut(symbol.index()) {
@@ -155,16 +161,16 @@ impl<'s> Builder<'s> {
     }
 
     /// The same, for a quantity that is positive in every admissible solution.
-    pub(super) fn positive(&mut self, name: Name, dimension: Dimension, meaning: impl Into<String>) -> Symbol {
-        let symbol = self.symbol(name, dimension, meaning);
+    pub(super) fn positive(&mut self, name: Name, meaning: impl Into<String>) -> Symbol {
+        let symbol = self.symbol(name, meaning);
         self.system.positive.insert(symbol);
         symbol
     }
 
     /// The same, for a vector or for the component of it that the name says.
-    pub(super) fn component(&mut self, name: Name, dimension: Dimension, vector: Meaning) -> Symbol {
+    pub(super) fn component(&mut self, name: Name, vector: Meaning) -> Symbol {
         let which = name.component.as_ref().map_or_else(String::new, |letter| format!("the {letter}-component of "));
-        let symbol = self.symbol(name, dimension, format!("{which}{vector}"));
+        let symbol = self.symbol(name, format!("{which}{vector}"));
         self.vectors.insert(symbol, vector);
         symbol
     }
@@ -182,7 +188,7 @@ impl<'s> Builder<'s> {
     }
 
     /// Adds one use of a law.
-    pub(super) fn law(&mut self, law: &'static Law, stage: Option<usize>, because: impl Into<String>, sides: Sides) {
+    pub(super) fn law(&mut self, law: &'static Law, stage: Option<usize>, because: impl Into<Because>, sides: Sides) {
         self.law_at(LAW_COST, law, stage, because, sides);
     }
 
@@ -192,7 +198,7 @@ impl<'s> Builder<'s> {
         cost: u32,
         law: &'static Law,
         stage: Option<usize>,
-        because: impl Into<String>,
+        because: impl Into<Because>,
         sides: Sides,
     ) {
         let equation = self.stated(cost, law, stage, because, sides, None);
@@ -204,7 +210,7 @@ impl<'s> Builder<'s> {
         &mut self,
         law: &'static Law,
         stage: usize,
-        because: impl Into<String>,
+        because: impl Into<Because>,
         sides: Sides,
         integral: Integral,
     ) {
@@ -218,7 +224,7 @@ impl<'s> Builder<'s> {
         cost: u32,
         law: &'static Law,
         stage: Option<usize>,
-        because: impl Into<String>,
+        because: impl Into<Because>,
         (left, right): Sides,
         integral: Option<Integral>,
     ) -> Equation {
@@ -228,31 +234,15 @@ impl<'s> Builder<'s> {
     }
 
     /// A condition of every admissible solution, with what to say of a root that breaks it.
-    pub(super) fn require(
-        &mut self,
-        warning: Warning,
-        left: Expr,
-        relation: Relation,
-        right: Expr,
-        reason: impl Into<String>,
-    ) {
+    pub(super) fn require(&mut self, left: Expr, relation: Relation, right: Expr, reason: Reason) {
         let condition = self.condition(left, relation, right, reason);
-        if let Some(reason) = self.reasons.last_mut() {
-            reason.warning = Some(warning);
-        }
         self.system.conditions.push(condition);
     }
 
     /// A condition that is not yet part of the system.
-    pub(super) fn condition(
-        &mut self,
-        left: Expr,
-        relation: Relation,
-        right: Expr,
-        reason: impl Into<String>,
-    ) -> Condition {
+    pub(super) fn condition(&mut self, left: Expr, relation: Relation, right: Expr, reason: Reason) -> Condition {
         let tag = self.reasons.len();
-        self.reasons.push(Reason { text: reason.into(), warning: None });
+        self.reasons.push(reason);
         Condition { left, relation, right, tag }
     }
 
@@ -306,7 +296,7 @@ impl<'s> Builder<'s> {
                 let scene = self.scene;
                 Expr::sum(scene.division_of(body).into_iter().map(|part| self.mass(part)).collect::<Vec<_>>())
             }
-            None => self.positive(Name::of(QuantityKind::Mass, body), Dimension::MASS, meaning).into(),
+            None => self.positive(Name::of(QuantityKind::Mass, body), meaning).into(),
         }
     }
 
@@ -335,7 +325,7 @@ impl<'s> Builder<'s> {
             return known;
         }
         let of = format!("of {} {}", self.called(body), self.when(since));
-        self.component(name, Dimension::VELOCITY, Meaning { noun: "the velocity", of })
+        self.component(name, Meaning { noun: "the velocity", of })
     }
 
     /// An axis as it stands in the names of components; none where there is only one.
@@ -356,8 +346,7 @@ impl<'s> Builder<'s> {
 
     /// The acceleration of free fall.
     pub(super) fn gravity(&mut self) -> Expr {
-        self.positive(Name::of(QuantityKind::Gravity, ""), Dimension::ACCELERATION, "the acceleration of free fall")
-            .into()
+        self.positive(Name::of(QuantityKind::Gravity, ""), "the acceleration of free fall").into()
     }
 
     /// When an instant is, as an adverbial phrase: `just after the impact`.

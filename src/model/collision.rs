@@ -5,7 +5,6 @@ use crate::expr::Symbol;
 use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Path;
-use crate::quantity::Dimension;
 use crate::scene::Stage;
 
 use super::Builder;
@@ -18,7 +17,7 @@ const RUNNING: &str = "the time";
 impl Builder<'_> {
     /// The time that runs within a stage.
     pub(super) fn running_time(&mut self) -> Symbol {
-        self.symbol(Name::of(QuantityKind::Time, ""), Dimension::TIME, RUNNING)
+        self.symbol(Name::of(QuantityKind::Time, ""), RUNNING)
     }
 
     /// Notes that the author named a quantity at a place of the scene.

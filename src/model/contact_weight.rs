@@ -12,7 +12,7 @@ use crate::solve::Relation;
 use super::Agent;
 use super::Builder;
 use super::Impulse;
-use super::Warning;
+use super::Reason;
 use super::frame::Direction;
 use super::frame::Frame;
 use super::guide::dot;
@@ -145,12 +145,8 @@ impl Builder<'_> {
             let own = ContactWeight { stage: contact.index, on: (*before).to_owned(), included, fall, change };
             if !included {
                 let [weight, change] = own.squares();
-                let reason = format!(
-                    "weight would give {} 10 % or more of its change of momentum in {}, where it is neglected (`include: [weight]` takes it into account)",
-                    self.called(before),
-                    self.stage_phrase(contact.index)
-                );
-                self.require(Warning::WeightNeglected, weight, Relation::Less, change, reason);
+                let reason = Reason::WeightNotNegligible(self.called(before), self.stage_phrase(contact.index));
+                self.require(weight, Relation::Less, change, reason);
             }
             self.weights.push(own);
         }

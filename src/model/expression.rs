@@ -46,7 +46,7 @@ impl Builder<'_> {
         match dimension {
             Ok(dimension) => {
                 let own = Name::of(QuantityKind::Own(id.to_owned()), "");
-                let symbol = self.symbol(own, dimension, meaning);
+                let symbol = self.symbol_of(own, dimension, meaning);
                 self.named_at(symbol, &path.key("id"));
                 self.law(&geometry::ASKED, None, "by definition", (symbol.into(), term.clone()));
                 self.expressions.insert(symbol, term);

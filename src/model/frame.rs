@@ -76,6 +76,19 @@ pub struct Frame {
     pub normal: Direction,
 }
 
+/// An angle above (1) or below (-1) an axis, as authors write a direction: `alpha above +x`.
+#[must_use]
+pub fn above_or_below(text: &str) -> Option<(&str, i64, &str)> {
+    let split = |(joint, sign)| text.split_once(joint).map(|(turn, base)| (turn, sign, base));
+    [(" above ", 1), (" below ", -1)].into_iter().find_map(split)
+}
+
+/// Whether an axis is written with the sign of its negative direction: `-x`.
+#[must_use]
+pub fn is_reversed(axis: &str) -> bool {
+    axis.trim().starts_with('-')
+}
+
 /// The components of the velocity of a body along and across a contact's normal.
 pub(super) struct Split {
     /// Along n.
@@ -91,14 +104,12 @@ impl Builder<'_> {
         if let Some(direction) = self.axis_direction(text) {
             return direction;
         }
-        for (joint, sign_of_y) in [(" above ", 1), (" below ", -1)] {
-            if let Some((turn, base)) = text.split_once(joint) {
-                if self.axes.len() > 2 {
-                    self.not_in_space(text, path);
-                    return self.first_axis();
-                }
-                return self.turned(turn, base, sign_of_y, path);
+        if let Some((turn, sign_of_y, base)) = above_or_below(text) {
+            if self.axes.len() > 2 {
+                self.not_in_space(text, path);
+                return self.first_axis();
             }
+            return self.turned(turn, base, sign_of_y, path);
         }
         if let Some((turn, base)) = text.split_once(" from ") {
             let base = self.base_direction(base, path);

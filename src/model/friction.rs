@@ -17,9 +17,8 @@ use super::Agent;
 use super::Builder;
 use super::Impulse;
 use super::Integral;
-use super::Name;
 use super::QuantityKind;
-use super::Warning;
+use super::Reason;
 use super::acting::Acts;
 use super::alternative::Alternative;
 use super::builder::LAW_COST;
@@ -111,8 +110,7 @@ impl Builder<'_> {
             pressed
         } else {
             let meaning = format!("the normal force on {}", self.called(body));
-            let name = Name::of(QuantityKind::NormalForce, body).during(self.stage_label(index));
-            let symbol = Expr::from(self.positive(name, Dimension::FORCE, meaning));
+            let symbol = Expr::from(self.positive(self.in_stage(QuantityKind::NormalForce, body, index), meaning));
             let because = "the normal force balances what presses on the floor";
             self.law(&force::NORMAL_FORCE, Some(index), because, (symbol.clone(), pressed));
             symbol
@@ -132,11 +130,11 @@ impl Builder<'_> {
         let sides = momentum::impulse_momentum(&mass, &contact.before, &[impulse], &contact.after);
         self.law(&momentum::IMPULSE_MOMENTUM, Some(pushed.index), because, sides);
         if !pushed.stops {
-            let reason = format!("{name} would stop and friction would reverse before the end");
-            self.require(Warning::Reverses, contact.after.clone(), Relation::AtLeast, Expr::zero(), reason);
+            let reason = Reason::StopsEarly(name.clone());
+            self.require(contact.after.clone(), Relation::AtLeast, Expr::zero(), reason);
         }
-        let reason = format!("{name} would have to slide forwards for friction to act backwards");
-        self.require(Warning::Reverses, contact.before.clone(), Relation::AtLeast, Expr::zero(), reason);
+        let reason = Reason::SlidesBackwards(name);
+        self.require(contact.before.clone(), Relation::AtLeast, Expr::zero(), reason);
     }
 
     /// A body that starts from rest: it slides from the time at which the push reaches the threshold, at once, or not at all.
@@ -147,7 +145,7 @@ impl Builder<'_> {
         let at = |expr: &Expr, time: &Expr| expr.substitute(&|symbol| (symbol == pushed.clock).then(|| time.clone()));
         let changes = along.contains(pushed.clock) || threshold.contains(pushed.clock);
         let alternative = |what: String| Alternative { what, ..Alternative::default() };
-        let backwards = format!("the push exceeds static friction backwards, so {name} does not stay at rest");
+        let backwards = Reason::BeyondBackwards(name.clone());
         let mut ways = Vec::new();
 
         // A push that does not change reaches the threshold at no time of its own.
@@ -157,15 +155,15 @@ impl Builder<'_> {
             let sides = (at(along, &begins), at(threshold, &begins));
             moves.equations.push(self.stated(LAW_COST, &force::THRESHOLD, Some(index), because, sides, None));
             moves.equations.extend(self.gains(pushed, contact, &begins, "from then on "));
-            let early = "the push would exceed static friction before it began";
+            let early = Reason::BeyondBeforeStart;
             moves.conditions.push(self.condition(begins.clone(), Relation::AtLeast, start.clone(), early));
-            let at_first = "the push exceeds static friction from the beginning";
+            let at_first = Reason::BeyondFromStart;
             moves.conditions.push(self.condition(at(along, start), Relation::AtMost, at(threshold, start), at_first));
             if !pushed.incline.is_level() {
                 let held = -at(threshold, start);
                 moves.conditions.push(self.condition(at(along, start), Relation::AtLeast, held, backwards.clone()));
             }
-            let late = format!("the push never exceeds static friction, so {name} stays at rest");
+            let late = Reason::NeverBeyond(name.clone());
             moves.conditions.push(self.condition(begins.clone(), Relation::Less, end.clone(), late));
             ways.push(moves);
         }
@@ -174,7 +172,7 @@ impl Builder<'_> {
         let sides = (begins, start.clone());
         at_once.equations.push(self.stated(LAW_COST, &force::THRESHOLD, Some(index), because, sides, None));
         at_once.equations.extend(self.gains(pushed, contact, start, ""));
-        let weak = "the push does not exceed static friction when it begins";
+        let weak = Reason::NotBeyondAtStart;
         at_once.conditions.push(self.condition(at(along, start), Relation::Greater, at(threshold, start), weak));
         ways.push(at_once);
 
@@ -183,7 +181,7 @@ impl Builder<'_> {
         let because = format!("the push stays below the greatest static friction, and {name} does not move");
         let sides = (contact.after.clone(), Expr::zero());
         stays.equations.push(self.stated(LAW_COST, &force::THRESHOLD, Some(index), because, sides, None));
-        let reason = format!("the push exceeds static friction, so {name} does not stay at rest");
+        let reason = Reason::Beyond(name);
         stays.conditions.push(self.condition(at(along, end), Relation::AtMost, at(threshold, end), reason));
         stays.conditions.push(self.condition(at(along, end), Relation::AtLeast, -at(threshold, end), backwards));
         ways.push(stays);
@@ -197,8 +195,7 @@ impl Builder<'_> {
         let mass = self.mass(pushed.body);
         let Some(value) = self.net_impulse(&net, pushed.clock, begins, &pushed.end) else { return Vec::new() };
         let meaning = format!("the impulse on {name} while it slides");
-        let gained = Name::of(QuantityKind::TimeIntegral, "net").during(self.stage_label(index));
-        let gained = Expr::from(self.symbol(gained, Dimension::MOMENTUM, meaning));
+        let gained = Expr::from(self.symbol(self.in_stage(QuantityKind::TimeIntegral, "net", index), meaning));
         let integral = net.contains(pushed.clock).then(|| Integral {
             integrand: net.clone(),
             variable: pushed.clock,
@@ -216,8 +213,11 @@ impl Builder<'_> {
 
     /// The time at which a body at rest starts to slide.
     fn begins(&mut self, index: usize, name: &str) -> Expr {
-        let symbol = Name::of(QuantityKind::StartTime, "").during(self.stage_label(index));
-        self.symbol(symbol, Dimension::TIME, format!("the time at which {name} starts to slide")).into()
+        self.symbol(
+            self.in_stage(QuantityKind::StartTime, "", index),
+            format!("the time at which {name} starts to slide"),
+        )
+        .into()
     }
 
     fn net_impulse(&mut self, net: &Expr, clock: Symbol, start: &Expr, end: &Expr) -> Option<Expr> {

@@ -4,13 +4,11 @@ use crate::expr::Expr;
 use crate::fault::Path;
 use crate::laws::momentum;
 use crate::laws::separation;
-use crate::quantity::Dimension;
 use crate::scene::Axis;
 
 use super::Agent;
 use super::Builder;
 use super::Impulse;
-use super::Name;
 use super::QuantityKind;
 use super::frame::Direction;
 
@@ -95,9 +93,9 @@ impl Builder<'_> {
         let line = format!("{because}, and no impulse of {} acts along the line on which {name} can move", guide.by);
         let [from, to] = [&start, &end].map(|own| projected(own, &along));
         self.law(&momentum::CONSERVATION, Some(stage), line, momentum::conservation(&from, &to));
-        let reaction = Name::of(QuantityKind::GuideImpulse, &guide.body).during(self.stage_label(stage));
+        let reaction = self.in_stage(QuantityKind::GuideImpulse, &guide.body, stage);
         let meaning = format!("the impulse of {} on {name}", guide.by);
-        let reaction = Expr::from(self.symbol(reaction, Dimension::MOMENTUM, meaning));
+        let reaction = Expr::from(self.symbol(reaction, meaning));
         let line = format!("at right angles to that line, {name} receives an external impulse from {}", guide.by);
         let [from, to] = [&start, &end].map(|own| projected(own, &across));
         self.law(&momentum::SYSTEM, Some(stage), line, momentum::system(&from, &reaction, &to));

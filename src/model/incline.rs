@@ -10,6 +10,7 @@ use crate::scene::Term;
 use super::Builder;
 use super::acting::Slope;
 use super::frame::Direction;
+use super::frame::above_or_below;
 
 /// How the way of a body lies in space.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -53,10 +54,6 @@ pub(super) enum Fall {
     /// It has this part along the floor: zero where the floor is level.
     Along(Expr),
 }
-
-/// Words of an axis that runs up a slope, and down.
-const UP: &[&str] = &["up ", "uphill"];
-const DOWN: &[&str] = &["down ", "downhill"];
 
 impl Builder<'_> {
     /// The slope that a stage states; without one the floor is level, or the axis of a vertical plane is vertical.
@@ -116,25 +113,18 @@ impl Builder<'_> {
 
     /// Whether the positive axis rises or falls, and the angle of the slope.
     fn incline_angle(&mut self, term: &Term, path: &Path) -> (i64, Expr) {
-        let words = self.axes.first().map_or_else(String::new, |(_, senses)| senses.positive.clone());
-        if term.0.contains(" above ") || term.0.contains(" below ") {
+        if let Some((_, above, _)) = above_or_below(&term.0) {
             let direction = self.direction(term, path);
-            let above = if term.0.contains(" above ") { 1 } else { -1 };
             // What rises towards -x falls towards +x.
             let sign = if direction.quarters == 2 { -above } else { above };
             return (sign, (Expr::integer(sign) * direction.turn).simplify());
         }
-        let starts = |list: &[&str]| list.iter().any(|word| words.starts_with(word));
-        let sign = match (starts(UP), starts(DOWN)) {
-            (true, _) => 1,
-            (_, true) => -1,
-            _ => {
-                let fault = Fault::new(Code::Value, "the side to which the floor rises is missing");
-                let help = "write `alpha above +x` if it rises towards +x, `alpha below +x` if it falls";
-                self.faults.push(fault.help(help).at_path(path.clone()));
-                1
-            }
-        };
-        (sign, self.read_angle(&term.0, path))
+        let sign = self.axes.first().and_then(|(_, senses)| senses.climb());
+        if sign.is_none() {
+            let fault = Fault::new(Code::Value, "the side to which the floor rises is missing");
+            let help = "write `alpha above +x` if it rises towards +x, `alpha below +x` if it falls";
+            self.faults.push(fault.help(help).at_path(path.clone()));
+        }
+        (sign.unwrap_or(1), self.read_angle(&term.0, path))
     }
 }

@@ -1,5 +1,7 @@
 //! A law as it is used in one scene.
 
+use std::fmt;
+
 use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::laws::Law;
@@ -9,12 +11,57 @@ use crate::laws::Law;
 pub struct Instance {
     /// The law.
     pub law: &'static Law,
-    /// Why it applies here, as a sentence without a full stop.
-    pub because: String,
+    /// Why it applies here.
+    pub because: Because,
     /// The stage in which it is used, counted from 0; none for a relation at one instant.
     pub stage: Option<usize>,
     /// The integral that the equation's right side is the value of, where the law defines one.
     pub integral: Option<Integral>,
+}
+
+/// Why an equation may be used.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Because {
+    /// By the definition of a quantity, or because the author says so without a reason.
+    Definition,
+    /// A clause from which the law follows.
+    Fact(String),
+    /// A clause, and what follows from it for the equation.
+    Conclusion(String, String),
+}
+
+impl Because {
+    /// A reason of the author's own, who may have drawn a conclusion.
+    pub(super) fn written(text: &str) -> Self {
+        match text.split_once(", so ") {
+            _ if text.is_empty() => Self::Definition,
+            Some((fact, follows)) => Self::Conclusion(fact.to_owned(), follows.to_owned()),
+            None => Self::Fact(text.to_owned()),
+        }
+    }
+}
+
+impl From<&str> for Because {
+    fn from(fact: &str) -> Self {
+        Self::Fact(fact.to_owned())
+    }
+}
+
+impl From<String> for Because {
+    fn from(fact: String) -> Self {
+        Self::Fact(fact)
+    }
+}
+
+/// As a clause.
+impl fmt::Display for Because {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Definition => f.write_str("by definition"),
+            Self::Fact(fact) => f.write_str(fact),
+            Self::Conclusion(fact, follows) => write!(f, "{fact}, so {follows}"),
+        }
+    }
 }
 
 /// A definite integral, to be shown before its value.
@@ -78,42 +125,4 @@ pub enum Agent {
     Guide,
     /// Something outside the scene: a hand, an engine, the earth.
     Outside,
-}
-
-/// What a root or a regime must satisfy, and what to say where it does not.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Reason {
-    /// What to say of a root that breaks it, as a clause: `the bodies would pass through each other`.
-    pub text: String,
-    /// What an author may allow by name; none where it only tells one way of a scene from another.
-    pub warning: Option<Warning>,
-}
-
-/// What is unphysical about a solution, by the names that authors write under `allow`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Warning {
-    /// The bodies would not meet.
-    NoImpact,
-    /// A body would pass through another, or through a surface.
-    PassesThrough,
-    /// Kinetic energy would be created in an impact, or restitution lies outside 0 to 1.
-    EnergyCreated,
-    /// A body would move the other way than its stage says.
-    Reverses,
-    /// A cord or a string would go slack.
-    GoesSlack,
-    /// Weight, which a short contact leaves out, would give a tenth or more of the change of momentum.
-    WeightNeglected,
-}
-
-impl Warning {
-    /// Every warning with its name.
-    pub const NAMES: &[(&str, Self)] = &[
-        ("no-impact", Self::NoImpact),
-        ("passes-through", Self::PassesThrough),
-        ("energy-created", Self::EnergyCreated),
-        ("reverses", Self::Reverses),
-        ("goes-slack", Self::GoesSlack),
-        ("weight-neglected", Self::WeightNeglected),
-    ];
 }

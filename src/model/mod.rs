@@ -21,6 +21,7 @@ mod pair;
 mod place;
 mod quantity_kind;
 mod read;
+mod reason;
 mod space;
 mod stage;
 mod strength;
@@ -33,13 +34,14 @@ pub use acting::{ActingForce, Flowing, ForceKind, Slope};
 pub use alternative::Alternative;
 pub use builder::Builder;
 pub use contact_weight::ContactWeight;
-pub use frame::{Direction, Frame};
+pub use frame::{Direction, Frame, above_or_below, is_reversed};
 pub use influence::{Effect, Influence, Moment, Work};
-pub use instance::{Agent, Impulse, Instance, Integral, Omission, Omitted, Reason, Warning};
+pub use instance::{Agent, Because, Impulse, Instance, Integral, Omission, Omitted};
 pub use mistaken::Mistaken;
 use name::Meaning;
 pub use name::{Instant, Name, VectorName, component_name};
 pub use quantity_kind::{QuantityKind, VectorKind};
+pub use reason::{Reason, Warning};
 pub use timeline::Timeline;
 
 use std::collections::BTreeMap;
@@ -55,6 +57,7 @@ use crate::laws::geometry;
 use crate::laws::kinematics;
 use crate::quantity::Dimension;
 use crate::quantity::Quantity;
+use crate::quantity::with_minus_signs;
 use crate::scene::Scene;
 use crate::solve::Condition;
 use crate::solve::Equation;
@@ -119,7 +122,7 @@ impl<'s> Builder<'s> {
         builder.given = given.iter().map(|(name, _)| name.clone()).collect();
         for (name, dimension) in given {
             if !check::is_structural(scene, name) {
-                builder.symbol(Name::written(name), *dimension, "");
+                builder.symbol_of(Name::written(name), *dimension, "");
             }
         }
         builder.stages();
@@ -153,7 +156,7 @@ impl<'s> Builder<'s> {
             return;
         };
         let sides = (self.read_any(left, path), self.read_any(right, path));
-        self.law(&geometry::RELATION, None, because, sides);
+        self.law(&geometry::RELATION, None, Because::written(because), sides);
     }
 
     /// Takes a quantity of the author's own, given by positive values only, to be positive. Quantities that the scene makes
@@ -174,11 +177,11 @@ impl<'s> Builder<'s> {
     pub fn declare(&mut self, name: &str, text: &str, meaning: &str, path: &Path) {
         let term = self.read_any(text, path);
         let dimension = term.dimension(&self.symbols).unwrap_or_default();
-        self.symbol(Name::written(name), dimension, meaning);
+        self.symbol_of(Name::written(name), dimension, meaning);
     }
 
     /// A condition on terms; it is not added to the system.
-    pub fn compare(&mut self, left: Expr, relation: Relation, right: Expr, reason: &str) -> Condition {
+    pub fn compare(&mut self, left: Expr, relation: Relation, right: Expr, reason: Reason) -> Condition {
         self.condition(left, relation, right, reason)
     }
 
@@ -197,7 +200,7 @@ impl<'s> Builder<'s> {
 
     /// Why a law writes some quantity of a term in terms of `symbol`.
     #[must_use]
-    pub fn reason_of(&self, term: &Expr, symbol: Symbol) -> Option<&str> {
+    pub fn reason_of(&self, term: &Expr, symbol: Symbol) -> Option<&Because> {
         let defines = |left: &Expr, right: &Expr| {
             matches!(left, Expr::Symbol(own) if term.contains(*own)) && right.contains(symbol)
         };
@@ -205,7 +208,7 @@ impl<'s> Builder<'s> {
             self.system.equations.iter().find(
                 |equation| matches!(&equation.statement, Statement::Equal { left, right } if defines(left, right)),
             )?;
-        self.instances.get(equation.tag).map(|instance| instance.because.as_str())
+        self.instances.get(equation.tag).map(|instance| &instance.because)
     }
 
     /// The equation that `unknown` is the first integer, from `from` upwards, for which the comparison holds; `because`
@@ -222,7 +225,7 @@ impl<'s> Builder<'s> {
         let tag = self.instances.len();
         let sought = "find the smallest whole number for which";
         let because = because.map_or_else(|| sought.to_owned(), |because| format!("{because}; {sought}"));
-        self.instances.push(Instance { law: &kinematics::COUNT, because, stage: None, integral: None });
+        self.instances.push(Instance { law: &kinematics::COUNT, because: because.into(), stage: None, integral: None });
         Equation {
             statement: Statement::FirstInteger { unknown, from, left, relation, right },
             tag,
@@ -233,7 +236,7 @@ impl<'s> Builder<'s> {
     /// The equation of the boundary between where a comparison holds and where it does not; it is not added to the system.
     pub fn boundary(&mut self, left: Expr, right: Expr) -> Equation {
         let tag = self.instances.len();
-        let because = "the boundary is where both sides are equal".to_owned();
+        let because = "the boundary is where both sides are equal".into();
         self.instances.push(Instance { law: &geometry::BOUNDARY, because, stage: None, integral: None });
         Equation { statement: Statement::Equal { left, right }, tag, cost: builder::LAW_COST }
     }
@@ -251,7 +254,7 @@ impl<'s> Builder<'s> {
             QuantityKind::Direction(vector) => QuantityKind::CountedDirection(vector),
             other => QuantityKind::OwnAngle(format!("phi_{}", other.spelling())),
         };
-        let own = self.symbol(Name { kind, ..name }, Dimension::NONE, meaning);
+        let own = self.symbol(Name { kind, ..name }, meaning);
         let (law, because, value) = match self.directions.get(&angle) {
             Some([x, y]) => {
                 let [along, across] = start.from_axis(x, y);
@@ -263,7 +266,7 @@ impl<'s> Builder<'s> {
                 (&geometry::COUNTED, "the question asks for the angle", if clockwise { -turned } else { turned })
             }
         };
-        let because = format!("{because}, measured {sense} from {}", from.replace('-', "\u{2212}"));
+        let because = format!("{because}, measured {sense} from {}", with_minus_signs(from));
         self.law(law, None, because, (own.into(), value));
         Some(own)
     }

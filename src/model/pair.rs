@@ -3,10 +3,10 @@
 use crate::expr::Expr;
 use crate::fault::Path;
 use crate::laws::momentum;
-use crate::quantity::Dimension;
 use crate::scene::Term;
 
 use super::Agent;
+use super::Because;
 use super::Builder;
 use super::Impulse;
 use super::Name;
@@ -43,16 +43,19 @@ impl Builder<'_> {
         let (law, because) = match pair.pulley {
             None => (
                 &momentum::CONSERVATION,
-                format!(
+                Because::Fact(format!(
                     "{} exerts equal and opposite impulses on {first} and {second}, and no other impulse acts along it",
                     pair.link
-                ),
+                )),
             ),
             Some(pulley) => (
                 &momentum::IMPULSE_MOMENTUM,
-                format!(
-                    "{} runs freely over {pulley} and pulls both equally, {first} forwards and {second} back along it, so its impulses cancel in the sum",
-                    pair.link
+                Because::Conclusion(
+                    format!(
+                        "{} runs freely over {pulley} and pulls both equally, {first} forwards and {second} back along it",
+                        pair.link
+                    ),
+                    "its impulses cancel in the sum".to_owned(),
                 ),
             ),
         };
@@ -61,7 +64,7 @@ impl Builder<'_> {
             let meaning = format!("the impulse on {} from {}", names[own], pair.link);
             let name = Name::of(QuantityKind::Impulse, pair.bodies[own]).along(component);
             let name = name.during(self.stage_label(pair.index));
-            Expr::from(self.symbol(name, Dimension::MOMENTUM, meaning))
+            Expr::from(self.symbol(name, meaning))
         });
         for own in [0, 1] {
             let impulse = &impulses[own];

@@ -1,7 +1,6 @@
 //! Where bodies are: what moves them, and what happens too quickly to.
 
 use crate::expr::Expr;
-use crate::quantity::Dimension;
 use crate::scene::Axis;
 use crate::scene::Stage;
 
@@ -17,7 +16,7 @@ impl Builder<'_> {
         let (owner, when) = (self.called(&body), self.when(instant));
         let name = Name::of(QuantityKind::Position, &body).at(instant).along(self.letter(axis));
         let meaning = Meaning { noun: "the position", of: format!("of {owner} {when}") };
-        self.component(name, Dimension::LENGTH, meaning).into()
+        self.component(name, meaning).into()
     }
 
     /// Whose place, and since when, a body has at an instant. Impacts and separations take no time, a part starts where the

@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 
+use crate::quantity::Dimension;
 use crate::scene::Axis;
 
 /// What kind of quantity a symbol stands for. It is known where the symbol is made.
@@ -79,8 +80,10 @@ pub enum QuantityKind {
     DeformationImpulse,
     /// Impulse of restitution.
     RestitutionImpulse,
-    /// Impulse of one force, of the net force or of a moment, as an integral over time.
+    /// Impulse of one force or of the net force, as an integral over time.
     TimeIntegral,
+    /// Angular impulse, as an integral over time.
+    AngularImpulse,
     /// Impulse of a guide.
     GuideImpulse,
     /// Force.
@@ -173,68 +176,82 @@ const READ: &[QuantityKind] = &[
 const ANGLES: &[&str] = &["angle", "alpha", "beta", "theta", "phi", "psi"];
 
 impl QuantityKind {
+    /// How names of this kind begin, and its dimension; none of what an author names.
+    fn row(&self) -> (Cow<'_, str>, Dimension) {
+        let (spelling, dimension) = match self {
+            Self::Velocity => ("v", Dimension::VELOCITY),
+            Self::RelativeVelocity => ("v_rel", Dimension::VELOCITY),
+            Self::CommonVelocity => ("v_common", Dimension::VELOCITY),
+            Self::StreamVelocity => ("v_stream", Dimension::VELOCITY),
+            Self::Speed => ("speed", Dimension::VELOCITY),
+            Self::TerminalSpeed => ("w", Dimension::VELOCITY),
+            Self::SpeedRatio => ("f", Dimension::NONE),
+            Self::Direction(VectorKind::Velocity) => ("angle", Dimension::NONE),
+            Self::Direction(VectorKind::Impulse) => ("angle_J", Dimension::NONE),
+            Self::Direction(VectorKind::Force) => ("angle_F", Dimension::NONE),
+            Self::CountedDirection(VectorKind::Velocity) => ("phi", Dimension::NONE),
+            Self::CountedDirection(VectorKind::Impulse) => ("phi_J", Dimension::NONE),
+            Self::CountedDirection(VectorKind::Force) => ("phi_F", Dimension::NONE),
+            Self::TrueAnomaly => ("theta", Dimension::NONE),
+            Self::EccentricAnomaly => ("E", Dimension::NONE),
+            Self::Position => ("r", Dimension::LENGTH),
+            Self::Displacement => ("s", Dimension::LENGTH),
+            Self::SpringDeformation => ("s", Dimension::LENGTH),
+            Self::Height => ("h", Dimension::LENGTH),
+            Self::Depth => ("depth", Dimension::LENGTH),
+            Self::PathLength => ("path", Dimension::LENGTH),
+            Self::Range => ("range", Dimension::LENGTH),
+            Self::SemiMajorAxis => ("a", Dimension::LENGTH),
+            Self::Acceleration => ("a", Dimension::ACCELERATION),
+            Self::Eccentricity => ("ecc", Dimension::NONE),
+            Self::Period => ("period", Dimension::TIME),
+            Self::Time => ("t", Dimension::TIME),
+            Self::StartTime => ("t_start", Dimension::TIME),
+            Self::Duration => ("dt", Dimension::TIME),
+            Self::Gravity => ("g", Dimension::ACCELERATION),
+            Self::Mass => ("m", Dimension::MASS),
+            Self::MassFlow => ("flow", Dimension::new(1, 0, -1)),
+            Self::Momentum => ("p", Dimension::MOMENTUM),
+            Self::Impulse => ("J", Dimension::MOMENTUM),
+            Self::DeformationImpulse => ("J_def", Dimension::MOMENTUM),
+            Self::RestitutionImpulse => ("J_rest", Dimension::MOMENTUM),
+            Self::TimeIntegral => ("I", Dimension::MOMENTUM),
+            Self::AngularImpulse => ("I_M", Dimension::ANGULAR_MOMENTUM),
+            Self::GuideImpulse => ("R", Dimension::MOMENTUM),
+            Self::Force => ("F", Dimension::FORCE),
+            Self::HoldingForce => ("F_hold", Dimension::FORCE),
+            Self::MeanForce => ("F_avg", Dimension::FORCE),
+            Self::Tension => ("tension", Dimension::FORCE),
+            Self::NormalForce => ("N", Dimension::FORCE),
+            Self::Weight => ("W", Dimension::FORCE),
+            Self::Power => ("P", Dimension::new(1, 2, -3)),
+            Self::KineticEnergy => ("T", Dimension::ENERGY),
+            Self::RelativeEnergy => ("T_rel", Dimension::ENERGY),
+            Self::EnergyLost => ("T_lost", Dimension::ENERGY),
+            Self::EnergyGained => ("T_gained", Dimension::ENERGY),
+            Self::Work => ("work", Dimension::ENERGY),
+            Self::AngularMomentum => ("H", Dimension::ANGULAR_MOMENTUM),
+            Self::AngularMomentumRate => ("H_rate", Dimension::ENERGY),
+            Self::Moment => ("M", Dimension::ENERGY),
+            Self::AngularVelocity => ("omega", Dimension::new(0, 0, -1)),
+            Self::ArealRate => ("areal_rate", Dimension::new(0, 2, -1)),
+            Self::Coordinate(axis) => (axis.letter(), Dimension::LENGTH),
+            Self::Value(text) | Self::Own(text) | Self::OwnAngle(text) => (text.as_str(), Dimension::NONE),
+            Self::AngleBetween([one, other]) => return (format!("angle({one}, {other})").into(), Dimension::NONE),
+            Self::Magnitude(vector) => return (format!("magnitude({vector})").into(), Dimension::NONE),
+        };
+        (spelling.into(), dimension)
+    }
+
     /// How names of this kind begin.
     #[must_use]
     pub fn spelling(&self) -> Cow<'_, str> {
-        Cow::Borrowed(match self {
-            Self::Velocity => "v",
-            Self::RelativeVelocity => "v_rel",
-            Self::CommonVelocity => "v_common",
-            Self::StreamVelocity => "v_stream",
-            Self::Speed => "speed",
-            Self::TerminalSpeed => "w",
-            Self::SpeedRatio => "f",
-            Self::Direction(VectorKind::Velocity) => "angle",
-            Self::Direction(VectorKind::Impulse) => "angle_J",
-            Self::Direction(VectorKind::Force) => "angle_F",
-            Self::CountedDirection(VectorKind::Velocity) => "phi",
-            Self::CountedDirection(VectorKind::Impulse) => "phi_J",
-            Self::CountedDirection(VectorKind::Force) => "phi_F",
-            Self::TrueAnomaly => "theta",
-            Self::EccentricAnomaly => "E",
-            Self::Position => "r",
-            Self::Coordinate(axis) => axis.letter(),
-            Self::Displacement | Self::SpringDeformation => "s",
-            Self::Height => "h",
-            Self::Depth => "depth",
-            Self::PathLength => "path",
-            Self::Range => "range",
-            Self::SemiMajorAxis | Self::Acceleration => "a",
-            Self::Eccentricity => "ecc",
-            Self::Period => "period",
-            Self::Time => "t",
-            Self::StartTime => "t_start",
-            Self::Duration => "dt",
-            Self::Gravity => "g",
-            Self::Mass => "m",
-            Self::MassFlow => "flow",
-            Self::Momentum => "p",
-            Self::Impulse => "J",
-            Self::DeformationImpulse => "J_def",
-            Self::RestitutionImpulse => "J_rest",
-            Self::TimeIntegral => "I",
-            Self::GuideImpulse => "R",
-            Self::Force => "F",
-            Self::HoldingForce => "F_hold",
-            Self::MeanForce => "F_avg",
-            Self::Tension => "tension",
-            Self::NormalForce => "N",
-            Self::Weight => "W",
-            Self::Power => "P",
-            Self::KineticEnergy => "T",
-            Self::RelativeEnergy => "T_rel",
-            Self::EnergyLost => "T_lost",
-            Self::EnergyGained => "T_gained",
-            Self::Work => "work",
-            Self::AngularMomentum => "H",
-            Self::AngularMomentumRate => "H_rate",
-            Self::Moment => "M",
-            Self::AngularVelocity => "omega",
-            Self::ArealRate => "areal_rate",
-            Self::Value(text) | Self::Own(text) | Self::OwnAngle(text) => text,
-            Self::AngleBetween([one, other]) => return format!("angle({one}, {other})").into(),
-            Self::Magnitude(vector) => return format!("magnitude({vector})").into(),
-        })
+        self.row().0
+    }
+
+    /// The dimension of the kinds that a scene makes.
+    pub(super) fn dimension(&self) -> Dimension {
+        self.row().1
     }
 
     /// The kind that the beginning of an author's name says, and the rest of the name.

@@ -67,7 +67,7 @@ impl Builder<'_> {
     pub(super) fn read(&mut self, term: &Term, dimension: Dimension, meaning: &str, path: &Path) -> Expr {
         let text = term.0.trim();
         if is_bare_name(text) && self.resolve(text).is_none() {
-            let symbol = self.symbol(Name::written(text), dimension, meaning);
+            let symbol = self.symbol_of(Name::written(text), dimension, meaning);
             self.free.insert(symbol);
             self.named_at(symbol, path);
             return symbol.into();
@@ -106,7 +106,7 @@ impl Builder<'_> {
 
     /// A name that is asked and whose dimension is not said yet; a pure number, unless its place says otherwise.
     fn to_measure(&mut self, name: &str) -> Option<Symbol> {
-        self.unmeasured.contains(name).then(|| self.symbol(Name::written(name), Dimension::NONE, ""))
+        self.unmeasured.contains(name).then(|| self.symbol_of(Name::written(name), Dimension::NONE, ""))
     }
 
     /// Gives a name the dimension that a term of a known one needs, where its dimension is the only one that is not said.

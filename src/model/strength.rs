@@ -14,6 +14,7 @@ use crate::scene::Strength;
 use crate::scene::Term;
 
 use super::Builder;
+use super::Reason;
 
 impl Builder<'_> {
     /// A strength as a function of the time `t`.
@@ -44,7 +45,7 @@ impl Builder<'_> {
                     .collect();
                 let ends: Vec<Expr> = pieces.iter().filter_map(|(until, _)| until.clone()).collect();
                 for pair in ends.windows(2) {
-                    self.in_order(&pair[0], &pair[1], "the pieces of a force must be in order of time");
+                    self.in_order(&pair[0], &pair[1], Reason::PiecesInOrder);
                 }
                 Expr::Piecewise(Arc::new(Piecewise { variable: clock, pieces }))
             }
@@ -72,7 +73,7 @@ impl Builder<'_> {
                     self.faults.push(fault.help(help).at_path(path.key("points")));
                 }
                 for pair in points.windows(2) {
-                    self.in_order(&pair[0][0], &pair[1][0], "the points of a graph must be in order of time");
+                    self.in_order(&pair[0][0], &pair[1][0], Reason::PointsInOrder);
                 }
                 // Two points at one time are a step, over which no time passes.
                 let pieces = points.windows(2).filter(|pair| pair[0][0] != pair[1][0]).map(|pair| {

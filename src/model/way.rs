@@ -13,7 +13,7 @@ use crate::solve::Relation;
 use super::Builder;
 use super::Name;
 use super::QuantityKind;
-use super::Warning;
+use super::Reason;
 
 /// The speeds of a body along its motion, and which way that is.
 pub(super) struct Way {
@@ -98,9 +98,9 @@ impl Builder<'_> {
     pub(super) fn moves_along(&mut self, index: usize, body: &str, ends: [&Expr; 2]) {
         let (name, phrase) = (self.called(body), self.stage_phrase(index));
         for (speed, end) in ends.into_iter().zip(["start", "end"]) {
-            let reason = format!("{name} would move the other way at the {end} of {phrase}");
+            let reason = Reason::MovesBackAt(name.clone(), end.to_owned(), phrase.clone());
             if !speed.is_zero() {
-                self.require(Warning::Reverses, speed.clone(), Relation::AtLeast, Expr::zero(), reason);
+                self.require(speed.clone(), Relation::AtLeast, Expr::zero(), reason);
             }
         }
     }

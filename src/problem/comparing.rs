@@ -8,6 +8,7 @@ use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Path;
 use crate::model::Builder;
+use crate::model::Reason;
 use crate::quantity::dimension_name;
 use crate::solve::Relation;
 
@@ -32,7 +33,7 @@ pub(super) fn holds(loaded: &Loaded, ask: &Holds, builder: &mut Builder<'_>, pat
 
 /// A comparison in words, and what it claims.
 pub(super) fn claim(loaded: &Loaded, text: &str, builder: &mut Builder<'_>, path: &Path) -> Option<(String, Claim)> {
-    let condition = condition(builder, text, "the question asks for it", path)?;
+    let condition = condition(builder, text, Reason::Asked, path)?;
     let (left, relation, right) = (condition.left, condition.relation, condition.right);
     let words = [&left, &right].map(|side| in_words(builder, side));
     let than = match relation {

@@ -9,6 +9,7 @@ use crate::fault::Path;
 use crate::fault::did_you_mean;
 use crate::model::Builder;
 use crate::model::Model;
+use crate::model::Reason;
 use crate::quantity::Decimal;
 use crate::quantity::Unit;
 use crate::quantity::UnitSystem;
@@ -132,8 +133,8 @@ fn build(loaded: &Loaded, secret: Option<&[u8]>, asked: Asked) -> Result<Built, 
         .iter()
         .enumerate()
         .filter_map(|(index, text)| {
-            let reason = format!("the problem requires `{text}`");
-            condition(&mut builder, text, &reason, &Path::root().key("require").index(index))
+            let reason = Reason::Required(text.clone());
+            condition(&mut builder, text, reason, &Path::root().key("require").index(index))
         })
         .collect();
     mention_for_checks(&draft.scene.stages, &mut builder);

@@ -5,9 +5,11 @@ use crate::fault::Fault;
 use crate::fault::Path;
 use crate::fault::did_you_mean;
 use crate::laws::wrong::Misconception;
+use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::ContactWeight;
 use crate::model::Impulse;
+use crate::model::Reason;
 use crate::solve::Condition;
 use crate::solve::Relation;
 
@@ -52,8 +54,8 @@ pub(super) fn impulsive(
     let bare = force.trim_start_matches("the ");
     let acts = |impulse: &&Impulse| {
         let named = impulse.called.trim_start_matches("the ");
-        impulse.stage == stage
-            && (named == bare || named.strip_prefix("contact with ") == Some(bare) || bare == "contact force")
+        let touches = matches!(&impulse.by, Agent::Body(other) if builder.name_of(other) == bare);
+        impulse.stage == stage && (named == bare || touches || bare == "contact force")
     };
     let from_scene = builder.impulses().iter().find(acts).map(|impulse| impulse.impulsive);
     let ordinary = ORDINARY.iter().find(|(name, _)| *name == bare);
@@ -91,8 +93,7 @@ fn is_weak(ask: &Impulsive, builder: &mut Builder<'_>, stage: usize) -> Vec<Cond
     let weights: Vec<ContactWeight> = builder.weights().iter().filter(meant).cloned().collect();
     let weak = |weight: ContactWeight| {
         let [weight, change] = weight.squares();
-        let reason = "weight would give 10 % or more of the change of momentum, too much to be called negligible";
-        builder.compare(weight, Relation::Less, change, reason)
+        builder.compare(weight, Relation::Less, change, Reason::WeightNotSmall)
     };
     weights.into_iter().map(weak).collect()
 }

@@ -5,6 +5,7 @@ use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Path;
 use crate::model::Builder;
+use crate::model::Reason;
 use crate::quantity::UnitSystem;
 use crate::quantity::coherent_unit;
 use crate::quantity::dimension_name;
@@ -13,7 +14,7 @@ use crate::solve::Condition;
 use super::comparison::split_relation;
 
 /// Reads `v_A1 > v_B1`; a fault is noted where it cannot be read.
-pub(super) fn condition(builder: &mut Builder<'_>, text: &str, reason: &str, path: &Path) -> Option<Condition> {
+pub(super) fn condition(builder: &mut Builder<'_>, text: &str, reason: Reason, path: &Path) -> Option<Condition> {
     let Some((left, relation, right)) = split_relation(text) else {
         let fault = Fault::new(Code::Syntax, format!("`{text}` is not a condition"));
         builder.fault(fault.help("compare two terms: `v_A1 > v_B1`").at_path(path.clone()));

@@ -11,6 +11,7 @@ use crate::expr::Symbol;
 use crate::laws::Law;
 use crate::laws::energy;
 use crate::model::Model;
+use crate::model::Reason;
 use crate::model::Warning;
 use crate::solve::Bounded;
 use crate::solve::Cause;
@@ -143,7 +144,7 @@ impl Following {
         outcome.dead().iter().find_map(|death| match death.cause {
             Cause::Condition(place) => {
                 let reason = model.reasons.get(conditions.get(place)?.tag);
-                Some(reason.map_or_else(|| "kinetic energy would be created".to_owned(), |own| own.text.clone()))
+                Some(reason.unwrap_or(&Reason::CreatesEnergy).to_string())
             }
             _ => None,
         })
@@ -236,7 +237,7 @@ fn judge(
     }
     let mut system = leaf.system.clone();
     system.conditions.retain(|condition| {
-        let warning = model.reasons.get(condition.tag).and_then(|reason| reason.warning);
+        let warning = model.reasons.get(condition.tag).and_then(Reason::warning);
         matches!(warning, Some(Warning::PassesThrough | Warning::EnergyCreated | Warning::NoImpact))
     });
     system.conditions.extend(system.equations.iter().filter_map(|equation| {

@@ -7,6 +7,7 @@ use crate::fault::Code;
 use crate::fault::Fault;
 use crate::model::Builder;
 use crate::model::Model;
+use crate::model::Reason;
 use crate::solve::Condition;
 use crate::solve::Equation;
 use crate::solve::Planner;
@@ -68,7 +69,7 @@ impl FormDraft {
         }
         let conditions = question.conditions.iter();
         let conditions = conditions
-            .filter_map(|(path, text)| condition(builder, text, "the problem asks for the other solution", path))
+            .filter_map(|(path, text)| condition(builder, text, Reason::OtherSolutionAsked, path))
             .chain(read.conditions)
             .collect();
         Self {

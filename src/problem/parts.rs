@@ -5,14 +5,17 @@ use crate::expr::Symbol;
 use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Path;
+use crate::model::Because;
 use crate::model::Builder;
 use crate::model::Name;
 use crate::model::QuantityKind;
+use crate::model::VectorName;
 use crate::quantity::Decimal;
 use crate::quantity::Dimension;
 use crate::quantity::Unit;
 use crate::quantity::coherent_unit;
 use crate::quantity::dimension_name;
+use crate::quantity::with_minus_signs;
 use crate::scene::Term;
 use crate::solve::Condition;
 use crate::solve::Equation;
@@ -254,7 +257,7 @@ fn reference(find: &Find, symbol: Symbol, builder: &mut Builder<'_>, path: &Path
         return None;
     };
     let words = if clockwise { "clockwise" } else { "counter-clockwise" };
-    Some((counted, format!(", measured {words} from {}", from.replace('-', "\u{2212}"))))
+    Some((counted, format!(", measured {words} from {}", with_minus_signs(from))))
 }
 
 /// The unit in which a quantity is asked where the file does not say: that in which it is given, else the system's own.
@@ -263,10 +266,16 @@ pub(super) fn unit_for(loaded: &Loaded, name: &str, dimension: Dimension) -> Uni
         Some(Given::Drawn { unit, .. }) => unit.clone(),
         Some(Given::Literal(literal)) => literal.unit.clone(),
         _ if asked_in(loaded, name).is_some() => asked_in(loaded, name).unwrap_or_default(),
-        _ if dimension == Dimension::NONE && name.starts_with("angle") => Unit::parse("deg").unwrap_or_default(),
+        _ if dimension == Dimension::NONE && is_angle(name) => Unit::parse("deg").unwrap_or_default(),
         _ => of_its_kind(loaded, name, dimension)
             .unwrap_or_else(|| coherent_unit(dimension, super::compile::unit_system(loaded.draft.units))),
     }
+}
+
+/// Whether a name is that of a direction or of an angle between two.
+fn is_angle(name: &str) -> bool {
+    matches!(VectorName::parse(name), Some(VectorName::AngleBetween(_)))
+        || Name::parse(name).is_some_and(|own| matches!(own.kind, QuantityKind::Direction(_)))
 }
 
 /// The unit in which some form of the file asks for a quantity.
@@ -348,7 +357,7 @@ fn counted(count: &Count, builder: &mut Builder<'_>, path: &Path, counts: &mut V
     if !are_comparable(builder, text, [&left, &right], &path) {
         return None;
     }
-    let because = [&left, &right].into_iter().find_map(|side| builder.reason_of(side, symbol)).map(str::to_owned);
+    let because = [&left, &right].into_iter().find_map(|side| builder.reason_of(side, symbol)).map(Because::to_string);
     let [left, right] = [left, right].map(|side| builder.written_out(&side, symbol));
     let meaning = builder.symbols().entry(symbol).meaning.clone();
     let meaning = if meaning.is_empty() { "the number".into() } else { meaning };

@@ -69,7 +69,7 @@ impl Regimes {
         allowed: &[Warning],
     ) -> Result<Self, Fault> {
         let applies = |condition: &Condition| {
-            let warning = model.reasons.get(condition.tag).and_then(|reason| reason.warning);
+            let warning = model.reasons.get(condition.tag).and_then(crate::model::Reason::warning);
             warning.is_none_or(|warning| !allowed.contains(&warning))
         };
         let inputs: Vec<Symbol> = told.iter().copied().collect();

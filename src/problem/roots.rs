@@ -7,6 +7,7 @@ use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Path;
 use crate::model::Builder;
+use crate::model::Reason;
 use crate::solve::Bounded;
 use crate::solve::Cause;
 use crate::solve::Closed;
@@ -96,7 +97,7 @@ impl Worked<'_> {
             Cause::Condition(condition) => {
                 let tag = system.conditions.get(condition).map(|condition| condition.tag);
                 let reason = tag.and_then(|tag| model.reasons.get(tag));
-                reason.map_or_else(String::new, |reason| reason.text.clone())
+                reason.map_or_else(String::new, Reason::to_string)
             }
             Cause::Equation(equation) => {
                 let tag = system.equations.get(equation).map(|equation| equation.tag);
@@ -148,6 +149,6 @@ impl Worked<'_> {
         }
         let speaks = system.conditions.iter().find(|own| own.left.contains(symbol) || own.right.contains(symbol));
         let reason = speaks.and_then(|own| self.problem.model().reasons.get(own.tag));
-        reason.map_or_else(|| "it must be positive".to_owned(), |reason| reason.text.clone())
+        reason.map_or_else(|| "it must be positive".to_owned(), Reason::to_string)
     }
 }

@@ -130,7 +130,7 @@ impl Worked<'_> {
     fn approach(&self) -> f64 {
         let condition = self.leaf().system.conditions.iter().find(|condition| {
             let reason = self.problem.model().reasons.get(condition.tag);
-            reason.is_some_and(|reason| reason.warning == Some(crate::model::Warning::NoImpact))
+            reason.is_some_and(|reason| reason.warning() == Some(crate::model::Warning::NoImpact))
         });
         condition.map_or(0.0, |condition| {
             let side = |side: &Expr| side.evaluate(&|own| self.value(own));

@@ -2,6 +2,7 @@
 
 use crate::expr::Symbol;
 use crate::model::QuantityKind;
+use crate::model::Reason;
 use crate::quantity::Decimal;
 use crate::quantity::Printed;
 use crate::quantity::Unit;
@@ -182,7 +183,7 @@ impl<'p> Sampler<'p> {
             Cause::Condition(position) => {
                 let condition = leaf.system.conditions.get(position);
                 let reason = condition.and_then(|condition| model.reasons.get(condition.tag));
-                Rejection::Condition(reason.map_or_else(String::new, |reason| reason.text.clone()))
+                Rejection::Condition(reason.map_or_else(String::new, Reason::to_string))
             }
             Cause::Equation(position) => {
                 let equation = leaf.system.equations.get(position);

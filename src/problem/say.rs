@@ -6,6 +6,7 @@ use crate::model::QuantityKind;
 use crate::quantity::Decimal;
 use crate::quantity::Printed;
 use crate::quantity::Unit;
+use crate::quantity::with_minus_signs;
 use crate::scene::Axis;
 use crate::scene::Scene;
 use crate::scene::Senses;
@@ -140,7 +141,7 @@ impl Speaker<'_> {
     /// A number that is given as a calculation, as `1/3`: it is printed as it is written, since its decimals would be rounded.
     fn constant(&self) -> Option<String> {
         let constant = self.problem.loaded().given.get(self.name)?.constant()?;
-        Some(constant.replace('-', "\u{2212}"))
+        Some(with_minus_signs(&constant))
     }
 
     fn senses(&self) -> Option<Senses> {
@@ -249,7 +250,7 @@ fn has_verb_of_motion(before: &str) -> bool {
 /// A number as it stands in a sentence, with a true minus sign.
 #[must_use]
 pub fn number(value: &Decimal) -> String {
-    Printed::written(value).plain().replace('-', "\u{2212}")
+    with_minus_signs(&Printed::written(value).plain())
 }
 
 /// A value with its unit as it stands in a sentence; a no-break space keeps them together.

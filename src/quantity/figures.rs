@@ -31,6 +31,12 @@ pub struct Printed {
     power_of_ten: Option<i32>,
 }
 
+/// A text with true minus signs in place of hyphens, as numbers and axes stand in sentences.
+#[must_use]
+pub fn with_minus_signs(text: &str) -> String {
+    text.replace('-', "\u{2212}")
+}
+
 impl Printed {
     /// Rounds a double to `figures` figures (1 to 40); `None` where it is not finite.
     #[must_use]

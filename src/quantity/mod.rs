@@ -24,7 +24,7 @@ pub use dimension::Dimension;
 pub use dimension_name::{UnitSystem, coherent_unit, dimension_name};
 pub use double::nearest_double;
 pub use factor::Factor;
-pub use figures::{Printed, round_rational, round_to_figures};
+pub use figures::{Printed, round_rational, round_to_figures, with_minus_signs};
 pub use place::{first_place, half_unit, unit_of_place};
 pub use unit::Unit;
 pub use unit_fault::{UnitFault, UnitFaultKind};

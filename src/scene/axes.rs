@@ -84,6 +84,25 @@ const OPPOSITES: &[(&str, &str, &str, &str)] = &[
     ("along the floor", "forwards along the floor", "back along the floor", "back along the floor"),
 ];
 
+impl Senses {
+    /// Whether the axis points up (1) or down (-1), where it is vertical.
+    #[must_use]
+    pub fn rise(&self) -> Option<i64> {
+        match self.positive.as_str() {
+            "upwards" => Some(1),
+            "downwards" => Some(-1),
+            _ => None,
+        }
+    }
+
+    /// Whether the axis runs up (1) or down (-1) a slope, where its words say so.
+    #[must_use]
+    pub fn climb(&self) -> Option<i64> {
+        let begins = |words: [&str; 2]| words.into_iter().any(|word| self.positive.starts_with(word));
+        if begins(["up ", "uphill"]) { Some(1) } else { begins(["down ", "downhill"]).then_some(-1) }
+    }
+}
+
 impl Sense {
     /// How both directions of the axis are said; unknown phrases are kept, and their opposite is "in the negative x direction".
     ///

@@ -55,6 +55,14 @@ pub struct Surface {
     pub velocity: Option<Term>,
 }
 
+impl Point {
+    /// The vertical line through the point, which the author may have called an axis.
+    #[must_use]
+    pub fn vertical(&self) -> String {
+        if self.name.contains("axis") { self.name.clone() } else { format!("the vertical axis through {}", self.name) }
+    }
+}
+
 /// A fixed point.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

@@ -1,5 +1,6 @@
 //! The table of impacts, for people.
 
+use crate::quantity::with_minus_signs;
 use crate::simulate::RecordedImpact;
 
 use super::film::Film;
@@ -45,7 +46,7 @@ fn figures(value: f64) -> String {
     } else {
         format!("{rounded:e}")
     };
-    text.replace('-', "\u{2212}")
+    with_minus_signs(&text)
 }
 
 #[cfg(test)]

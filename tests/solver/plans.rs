@@ -165,7 +165,7 @@ fn the_energy_lost_leaves_two_coefficients_and_physics_chooses() {
     let e = (found("v_B2") - found("v_A2")) / (3.0 - -2.0);
     assert!((e + 0.6).abs() < 1e-12, "{e}");
     let Cause::Condition(condition) = dead.cause else { panic!("{:?}", dead.cause) };
-    let reason = &problem.model().reasons[leaf.system.conditions[condition].tag].text;
+    let reason = problem.model().reasons[leaf.system.conditions[condition].tag].to_string();
     assert_eq!(reason, "cart A would pass through cart B");
 }
 

@@ -110,7 +110,7 @@ impl Truth {
                 "{} seed {:?}: {}",
                 problem.id(),
                 variant.seed(),
-                problem.model().reasons[condition.tag].text
+                problem.model().reasons[condition.tag]
             );
         }
         for symbol in &leaf.system.positive {

@@ -17,7 +17,6 @@ mod vectors;
 mod words;
 
 use crate::figure::Drawing;
-use crate::figure::Shape;
 use crate::problem::Sampler;
 use crate::problem::Variant;
 use crate::problem::Worked;
@@ -87,13 +86,8 @@ pub(super) fn solution(worked: Worked<'_>) -> Vec<Drawing> {
             vec![momentum::diagram(&quantities, compass, index)]
         }
     });
-    drawings.flatten().filter(is_known).collect()
-}
-
-/// Whether every arrow of a diagram has a value: what nobody asks for may be solved without its forces.
-fn is_known(drawing: &Drawing) -> bool {
-    let is_unknown = |shape: &Shape| matches!(shape, Shape::Label { text, .. } if text.plain().ends_with("= ?"));
-    !drawing.shapes.iter().any(is_unknown)
+    // What nobody asks for may be solved without its forces.
+    drawings.flatten().filter(Drawing::is_known).collect()
 }
 
 /// The same numbers in a form that solves something, for a form that only asks for concepts and has nothing to draw.

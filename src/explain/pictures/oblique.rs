@@ -16,9 +16,8 @@ impl Oblique {
     /// The projection of a scene with three axes; none of any other.
     pub(super) fn of(axes: &[(Axis, Senses)]) -> Option<Self> {
         let [_, _, _] = axes else { return None };
-        let stands = |(_, senses): &(Axis, Senses)| ["upwards", "downwards"].contains(&senses.positive.as_str());
-        let upright = axes.iter().position(stands).unwrap_or(2);
-        let up = if axes[upright].1.positive == "downwards" { [0.0, -1.0] } else { [0.0, 1.0] };
+        let upright = axes.iter().position(|(_, senses)| senses.rise().is_some()).unwrap_or(2);
+        let up = if axes[upright].1.rise() == Some(-1) { [0.0, -1.0] } else { [0.0, 1.0] };
         let towards = AWAY.map(|part| -part);
         let right = [1.0, 0.0];
         // The axes are right-handed.

@@ -10,7 +10,11 @@ use crate::expr::name_math;
 use crate::expr::parse;
 use crate::model::Direction;
 use crate::model::Model;
+use crate::model::Name;
+use crate::model::QuantityKind;
 use crate::model::Timeline;
+use crate::model::VectorKind;
+use crate::model::is_reversed;
 use crate::problem::Worked;
 use crate::scene::Axis;
 use crate::scene::Scene;
@@ -159,7 +163,7 @@ impl<'a> Quantities<'a> {
     /// Whether words point against the only axis.
     pub(super) fn is_backwards(&self, direction: Option<&Term>) -> bool {
         let words = direction.map_or("", |term| term.0.trim());
-        words.starts_with('-') || self.scene().axes.rectangular().iter().any(|(_, senses)| senses.negative == words)
+        is_reversed(words) || self.scene().axes.rectangular().iter().any(|(_, senses)| senses.negative == words)
     }
 
     /// Whether a quantity stands for any value, so that no number of the problem means anything by itself.
@@ -202,7 +206,7 @@ impl<'a> Quantities<'a> {
     /// A term in symbols without the sign in front of it, where an arrow shows the sense.
     pub(super) fn unsigned(&self, expr: &Expr) -> Math {
         let math = self.symbolic(expr);
-        if math.plain().starts_with(['-', '\u{2212}']) { self.symbolic(&-expr.clone()) } else { math }
+        if math.begins_with_minus() { self.symbolic(&-expr.clone()) } else { math }
     }
 
     /// A direction as a unit vector along x and y.
@@ -238,10 +242,14 @@ impl<'a> Quantities<'a> {
         }
     }
 
+    /// A quantity of a body at an instant, under the instant since which the body has its velocity.
+    pub(super) fn since(&self, kind: QuantityKind, body: &str, instant: usize) -> Name {
+        Name::of(kind, body).at(self.timeline.since(body, instant).unwrap_or(instant))
+    }
+
     /// The name of a body's velocity at an instant, without a component.
     pub(super) fn velocity_name(&self, body: &str, instant: usize) -> String {
-        let since = self.timeline.since(body, instant).unwrap_or(instant);
-        format!("v_{body}{since}")
+        self.since(QuantityKind::Velocity, body, instant).to_string()
     }
 
     /// A body's velocity along x and y (radially and transversely, for polar axes), from whichever components, along the
@@ -255,7 +263,7 @@ impl<'a> Quantities<'a> {
                 let components = axes.iter().map(|axis| self.named(&format!("{name}.{}", axis.letter())));
                 let components: Option<Vec<f64>> = components.collect();
                 let own = components.and_then(|components| self.along_axes(&components));
-                own.or_else(|| self.turned_velocity(&name)).or_else(|| self.polar_velocity(&name))
+                own.or_else(|| self.turned_velocity(&name)).or_else(|| self.polar_velocity(body, instant))
             }
         }
     }
@@ -274,9 +282,10 @@ impl<'a> Quantities<'a> {
     }
 
     /// From speed and direction.
-    fn polar_velocity(&self, name: &str) -> Option<[f64; 2]> {
-        let subject = name.strip_prefix('v')?;
-        let (speed, angle) = (self.named(&format!("speed{subject}"))?, self.named(&format!("angle{subject}"))?);
+    fn polar_velocity(&self, body: &str, instant: usize) -> Option<[f64; 2]> {
+        let value = |kind| self.named(&self.since(kind, body, instant).to_string());
+        let speed = value(QuantityKind::Speed)?;
+        let angle = value(QuantityKind::Direction(VectorKind::Velocity))?;
         Some([speed * libm::cos(angle), speed * libm::sin(angle)])
     }
 

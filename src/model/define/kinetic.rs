@@ -4,9 +4,9 @@ use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::laws::Law;
 use crate::laws::energy;
-use crate::quantity::Dimension;
 use crate::scene::Stage;
 
+use super::super::Because;
 use super::super::Builder;
 use super::super::Name;
 use super::super::QuantityKind;
@@ -25,12 +25,12 @@ pub(super) fn kinetic_energy(builder: &mut Builder<'_>, name: &Name) -> Option<S
         (builder.called(&body), vec![body])
     };
     let whose = if bodies.len() == 1 { builder.called(&bodies[0]) } else { whose };
-    let symbol = builder.symbol(builder.kept(name), Dimension::ENERGY, format!("the kinetic energy of {whose} {when}"));
+    let symbol = builder.symbol(builder.kept(name), format!("the kinetic energy of {whose} {when}"));
     let terms: Vec<Expr> = bodies.iter().map(|body| builder.kinetic_term(body, instant)).collect();
-    builder.law(&energy::KINETIC, None, "by definition", (symbol.into(), Expr::sum(terms)));
+    builder.law(&energy::KINETIC, None, Because::Definition, (symbol.into(), Expr::sum(terms)));
     let turned: Option<Vec<Expr>> = bodies.iter().map(|body| builder.kinetic_turned(body, instant)).collect();
     if let Some(terms) = turned {
-        builder.law(&energy::KINETIC, None, "by definition", (symbol.into(), Expr::sum(terms)));
+        builder.law(&energy::KINETIC, None, Because::Definition, (symbol.into(), Expr::sum(terms)));
     }
     Some(symbol)
 }
@@ -51,8 +51,8 @@ pub(super) fn energy_gained(builder: &mut Builder<'_>, name: &Name) -> Option<Sy
 pub(super) fn work(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let stage = balanced_stage(builder, name, &(0..builder.scene.stages.len()).collect::<Vec<_>>())?;
     let meaning = format!("the work done during {}", builder.stage_phrase(stage));
-    let own = Name::of(QuantityKind::Work, "").during(builder.stage_label(stage));
-    let symbol = builder.symbol(own, Dimension::ENERGY, meaning);
+    let own = builder.in_stage(QuantityKind::Work, "", stage);
+    let symbol = builder.symbol(own, meaning);
     let [before, after] = builder.kinetic_energies(stage);
     let sides = energy::work_energy(before?.into(), [symbol.into()], after?.into());
     let because = "the work of all forces equals the change in kinetic energy";
@@ -81,12 +81,12 @@ fn balance_of_energy(
     kind: QuantityKind,
     meaning: String,
 ) -> Option<Symbol> {
-    let own = Name::of(kind, "").during(builder.stage_label(stage));
-    let symbol = builder.symbol(own, Dimension::ENERGY, meaning);
+    let own = builder.in_stage(kind, "", stage);
+    let symbol = builder.symbol(own, meaning);
     let [before, after] = builder.kinetic_energies(stage);
     let [before, after] = [Expr::from(before?), Expr::from(after?)];
     let change = if law.id == energy::LOSS.id { before - after } else { after - before };
-    builder.law(law, Some(stage), "by definition", (symbol.into(), change));
+    builder.law(law, Some(stage), Because::Definition, (symbol.into(), change));
     Some(symbol)
 }
 

@@ -5,7 +5,6 @@ use crate::expr::Symbol;
 use crate::laws::kinematics;
 use crate::laws::mass_centre;
 use crate::laws::momentum;
-use crate::quantity::Dimension;
 use crate::scene::Axis;
 use crate::scene::Stage;
 use crate::scene::stage::Separate;
@@ -21,7 +20,7 @@ pub(super) fn mass_centre_velocity(builder: &mut Builder<'_>, name: &Name) -> Op
     let instant = builder.number(name)?;
     let axis = builder.axis_of(name)?;
     let meaning = Meaning { noun: "the velocity", of: format!("of the centre of mass {}", builder.when(instant)) };
-    let symbol = builder.component(builder.kept(name), Dimension::VELOCITY, meaning);
+    let symbol = builder.component(builder.kept(name), meaning);
     let parts = builder.carriers(instant, axis);
     let because = builder.momentum_of_the_whole(instant);
     builder.law(&mass_centre::MASS_CENTRE, None, because, mass_centre::mass_centre(&symbol.into(), &parts));
@@ -35,7 +34,7 @@ pub(super) fn total_mass(builder: &mut Builder<'_>, name: &Name) -> Option<Symbo
         return None;
     }
     let meaning = format!("the mass of {}", builder.called(&name.subject));
-    let symbol = builder.positive(name.clone(), Dimension::MASS, meaning);
+    let symbol = builder.positive(name.clone(), meaning);
     let parts = builder.mass(&name.subject);
     builder.law(&mass_centre::TOTAL_MASS, None, "together they are one body", (symbol.into(), parts));
     Some(symbol)
@@ -92,7 +91,7 @@ impl Builder<'_> {
 pub(super) fn mass_centre_position(builder: &mut Builder<'_>, name: &Name, instant: usize) -> Option<Symbol> {
     let axis = builder.axis_of(name)?;
     let meaning = Meaning { noun: "the position", of: format!("of the centre of mass {}", builder.when(instant)) };
-    let symbol = builder.component(builder.kept(name), Dimension::LENGTH, meaning);
+    let symbol = builder.component(builder.kept(name), meaning);
     let letter = builder.letter(axis);
     let bodies: Vec<String> = builder.timeline.alive(instant).into_iter().map(str::to_owned).collect();
     let mut parts = Vec::new();

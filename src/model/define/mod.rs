@@ -15,10 +15,10 @@ use crate::laws::force;
 use crate::laws::geometry;
 use crate::laws::kinematics;
 use crate::laws::momentum;
-use crate::quantity::Dimension;
 use crate::scene::Axis;
 use crate::scene::Stage;
 
+use super::Because;
 use super::Builder;
 use super::ForceKind;
 use super::Instant;
@@ -135,9 +135,9 @@ impl Builder<'_> {
 
     /// A name without a stage, where only one could be meant.
     fn only_stage(&self, name: &Name) -> Option<Symbol> {
-        let start = format!("{name}[");
-        let mut found =
-            self.symbols.iter().filter(|(_, entry)| entry.name.starts_with(&start)).map(|(symbol, _)| symbol);
+        let spelling = name.to_string();
+        let is_meant = |own: &Name| own.stage.is_some() && Name { stage: None, ..own.clone() }.to_string() == spelling;
+        let mut found = self.symbols.iter().map(|(symbol, _)| symbol).filter(|symbol| is_meant(self.name(*symbol)));
         let first = found.next()?;
         found.next().is_none().then_some(first)
     }
@@ -184,7 +184,7 @@ impl Builder<'_> {
     pub(super) fn clock(&mut self, instant: usize) -> Option<Symbol> {
         let time = self.time_until(instant)?;
         let meaning = format!("the time {}, measured from the start", self.when(instant));
-        let symbol = self.symbol(Name::of(QuantityKind::Time, "").at(instant), Dimension::TIME, meaning);
+        let symbol = self.symbol(Name::of(QuantityKind::Time, "").at(instant), meaning);
         let because = "all times are measured from the start";
         self.law(&kinematics::CLOCK, None, because, (symbol.into(), time));
         Some(symbol)
@@ -199,10 +199,10 @@ impl Builder<'_> {
     /// The magnitude of a vector with these components, under the name without a component.
     pub(super) fn resultant(&mut self, stage: usize, body: &str, components: &[Expr], meaning: &str) {
         let [magnitude, direction] = [QuantityKind::Impulse, QuantityKind::Direction(VectorKind::Impulse)]
-            .map(|kind| Name::of(kind, body).during(self.stage_label(stage)));
-        let magnitude = self.positive(magnitude, Dimension::MOMENTUM, format!("the magnitude of {meaning}"));
+            .map(|kind| self.in_stage(kind, body, stage));
+        let magnitude = self.positive(magnitude, format!("the magnitude of {meaning}"));
         if let [x, y] = components {
-            let direction = self.symbol(direction, Dimension::NONE, format!("the direction of {meaning}"));
+            let direction = self.symbol(direction, format!("the direction of {meaning}"));
             self.directions.insert(direction, [x.clone(), y.clone()]);
             let because = "the impulse is resolved along the axes";
             for sides in geometry::components(&magnitude.into(), &direction.into(), x, y) {
@@ -240,7 +240,7 @@ fn polar_velocity(builder: &mut Builder<'_>, body: &str, instant: usize, compone
     };
     let meaning = format!("the {words} velocity of {} {}", builder.called(body), builder.when(instant));
     let name = Name::of(QuantityKind::Velocity, body).at(instant).along(component);
-    Some(builder.symbol(name, Dimension::VELOCITY, meaning))
+    Some(builder.symbol(name, meaning))
 }
 
 fn position(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
@@ -253,7 +253,7 @@ fn position(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let owner = builder.called(&body);
     if builder.axes.is_empty() {
         let meaning = format!("the distance of {owner} from the centre {when}");
-        return Some(builder.positive(builder.kept(name), Dimension::LENGTH, meaning));
+        return Some(builder.positive(builder.kept(name), meaning));
     }
     let axis = builder.axis_of(name)?;
     match builder.place(&body, instant, axis) {
@@ -290,8 +290,8 @@ fn linear_momentum(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
         (builder.called(&body), vec![(builder.mass(&body), builder.velocity(&body, since, axis))])
     };
     let meaning = Meaning { noun: "the momentum", of: format!("of {whose} {when}") };
-    let symbol = builder.component(builder.kept(name), Dimension::MOMENTUM, meaning);
-    builder.law(&momentum::MOMENTUM, None, "by definition", (symbol.into(), momentum::total(&parts)));
+    let symbol = builder.component(builder.kept(name), meaning);
+    builder.law(&momentum::MOMENTUM, None, Because::Definition, (symbol.into(), momentum::total(&parts)));
     Some(symbol)
 }
 
@@ -315,10 +315,10 @@ fn impulse(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     }
     let of = format!("on {} during {}", builder.called(&name.subject), builder.stage_phrase(stage));
     let meaning = Meaning { noun: "the impulse", of };
-    let symbol = builder.component(builder.kept(name), Dimension::MOMENTUM, meaning);
+    let symbol = builder.component(builder.kept(name), meaning);
     let weight = builder.impulse_of_weight(&name.subject, stage, position);
     let total = Expr::sum(acting.into_iter().map(|(_, impulse)| impulse).chain(weight));
-    builder.law(&force::IMPULSE, Some(stage), "by definition", (symbol.into(), total));
+    builder.law(&force::IMPULSE, Some(stage), Because::Definition, (symbol.into(), total));
     Some(symbol)
 }
 
@@ -337,7 +337,7 @@ fn mean_force(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let total = Expr::from(builder.quantity(total)?);
     let (body, phrase) = (builder.called(&name.subject), builder.stage_phrase(stage));
     let meaning = Meaning { noun: "the average force", of: format!("on {body} during {phrase}") };
-    let symbol = builder.component(builder.kept(name), Dimension::FORCE, meaning);
+    let symbol = builder.component(builder.kept(name), meaning);
     let because = "the average force would give the same impulse in the same time";
     let sides = force::mean_force(&total, &symbol.into(), &lasts);
     builder.law(&force::MEAN_FORCE, Some(stage), because, sides);
@@ -349,8 +349,8 @@ fn weight(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
         return None;
     }
     let meaning = format!("the weight of {}", builder.called(&name.subject));
-    let symbol = builder.positive(builder.kept(name), Dimension::FORCE, meaning);
+    let symbol = builder.positive(builder.kept(name), meaning);
     let (mass, gravity) = (builder.mass(&name.subject), builder.gravity());
-    builder.law(&force::WEIGHT, None, "by definition", (symbol.into(), mass * gravity));
+    builder.law(&force::WEIGHT, None, Because::Definition, (symbol.into(), mass * gravity));
     Some(symbol)
 }

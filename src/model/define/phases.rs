@@ -51,15 +51,15 @@ pub(super) fn common_velocity(builder: &mut Builder<'_>, name: &Name) -> Option<
 
 fn impulse(builder: &mut Builder<'_>, stage: usize, kind: QuantityKind, phase: &str) -> Symbol {
     let meaning = format!("the magnitude of the impulse of {phase} in {}", builder.stage_phrase(stage));
-    builder.symbol(Name::of(kind, "").during(builder.stage_label(stage)), Dimension::MOMENTUM, meaning)
+    builder.symbol(builder.in_stage(kind, "", stage), meaning)
 }
 
 /// The velocity that both bodies have along the line of impact when they are nearest.
 fn common_symbol(builder: &mut Builder<'_>, stage: usize) -> Option<Symbol> {
-    let name = Name::of(QuantityKind::CommonVelocity, "").during(builder.stage_label(stage));
+    let name = builder.in_stage(QuantityKind::CommonVelocity, "", stage);
     let phrase = builder.stage_phrase(stage);
     let meaning = format!("the common velocity along the line of impact at the greatest deformation in {phrase}");
-    let symbol = builder.symbol(name, Dimension::VELOCITY, meaning);
+    let symbol = builder.symbol(name, meaning);
     let Deformed { masses: [first, second], before: [a, b] } = builder.deformed(stage)?;
     let common = Expr::from(symbol);
     let (because, sides) = match (first, second) {

@@ -4,7 +4,6 @@ use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::laws::energy;
 use crate::laws::mass_centre;
-use crate::quantity::Dimension;
 
 use super::super::Builder;
 use super::super::Meaning;
@@ -23,7 +22,7 @@ pub(super) fn relative_velocity(builder: &mut Builder<'_>, name: &Name) -> Optio
     let owner = builder.called(&body);
     let of = format!("of {owner} relative to the centre of mass {}", builder.when(instant));
     let relative = |body: &str| Name::of(QuantityKind::RelativeVelocity, body).at(instant).along(letter);
-    let symbol = builder.component(relative(&body), Dimension::VELOCITY, Meaning { noun: "the velocity", of });
+    let symbol = builder.component(relative(&body), Meaning { noun: "the velocity", of });
     let sides = (symbol.into(), own - Expr::from(centre));
     builder.law(
         &mass_centre::RELATIVE,
@@ -47,7 +46,7 @@ pub(super) fn relative_velocity(builder: &mut Builder<'_>, name: &Name) -> Optio
 pub(super) fn relative_energy(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let instant = builder.number(name).filter(|_| name.subject.is_empty() && !builder.axes.is_empty())?;
     let meaning = format!("the kinetic energy relative to the centre of mass {}", builder.when(instant));
-    let symbol = builder.symbol(Name::of(QuantityKind::RelativeEnergy, "").at(instant), Dimension::ENERGY, meaning);
+    let symbol = builder.symbol(Name::of(QuantityKind::RelativeEnergy, "").at(instant), meaning);
     let bodies: Vec<String> = builder.timeline.alive(instant).into_iter().map(str::to_owned).collect();
     let letters: Vec<Option<&str>> = builder.axes.iter().map(|(axis, _)| builder.letter(*axis)).collect();
     let mut terms = Vec::new();
@@ -79,8 +78,7 @@ pub(super) fn energy_of_the_centre(builder: &mut Builder<'_>, instant: usize) ->
     let mass = Expr::sum(bodies.iter().map(|body| builder.mass(body)).collect::<Vec<_>>());
     let meaning =
         format!("the kinetic energy of the total mass moving with the centre of mass {}", builder.when(instant));
-    let name = Name::of(QuantityKind::KineticEnergy, MASS_CENTRE).at(instant);
-    let symbol = builder.symbol(name, Dimension::ENERGY, meaning);
+    let symbol = builder.symbol(Name::of(QuantityKind::KineticEnergy, MASS_CENTRE).at(instant), meaning);
     let because = "the total mass is taken with the velocity of the centre of mass";
     builder.law(&energy::KINETIC, None, because, (symbol.into(), energy::kinetic(&mass, &velocity)));
     Some(symbol)

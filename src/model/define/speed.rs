@@ -4,7 +4,6 @@ use crate::expr::Expr;
 use crate::expr::Function;
 use crate::expr::Symbol;
 use crate::laws::geometry;
-use crate::quantity::Dimension;
 
 use super::super::Builder;
 use super::super::Name;
@@ -27,14 +26,10 @@ impl Builder<'_> {
     /// Speed and direction of a body, related to whichever components it has.
     fn speed_and_angle(&mut self, body: &str, instant: usize) -> (Symbol, Symbol) {
         let (owner, when) = (self.called(body), self.when(instant));
-        let speed = self.positive(
-            Name::of(QuantityKind::Speed, body).at(instant),
-            Dimension::VELOCITY,
-            format!("the speed of {owner} {when}"),
-        );
+        let speed =
+            self.positive(Name::of(QuantityKind::Speed, body).at(instant), format!("the speed of {owner} {when}"));
         let meaning = format!("the direction of motion of {owner} {when}");
-        let angle = Name::of(QuantityKind::Direction(VectorKind::Velocity), body).at(instant);
-        let angle = self.symbol(angle, Dimension::NONE, meaning);
+        let angle = self.symbol(Name::of(QuantityKind::Direction(VectorKind::Velocity), body).at(instant), meaning);
         if !self.defined.insert(format!("speed {body}{instant}")) {
             return (speed, angle);
         }

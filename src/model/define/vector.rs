@@ -51,7 +51,8 @@ impl Builder<'_> {
         }
         let (components, meaning, dimension) = self.components_of(name)?;
         let own = Name::of(QuantityKind::Magnitude(name.to_owned()), "");
-        let symbol = self.positive(own, dimension, format!("the magnitude of {meaning}"));
+        let symbol = self.symbol_of(own, dimension, format!("the magnitude of {meaning}"));
+        self.system.positive.insert(symbol);
         if self.defined.insert(format!("magnitude {name}")) {
             let squares = Expr::sum(components.into_iter().map(|component| component.powi(2)));
             let because = "the components of the vector are perpendicular";
@@ -88,8 +89,7 @@ impl Builder<'_> {
         } else {
             format!("the angle between {} and {}", first.meaning, second.meaning)
         };
-        let name = Name::of(QuantityKind::AngleBetween([one.clone(), other.clone()]), "");
-        let angle = self.positive(name, Dimension::NONE, meaning);
+        let angle = self.positive(Name::of(QuantityKind::AngleBetween([one.clone(), other.clone()]), ""), meaning);
         if !self.defined.insert(format!("between {one} {other}")) {
             return Some(angle);
         }

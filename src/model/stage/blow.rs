@@ -9,7 +9,6 @@ use crate::model::Impulse;
 use crate::model::Name;
 use crate::model::QuantityKind;
 use crate::model::contact_weight::Lasting;
-use crate::quantity::Dimension;
 use crate::scene::Axis;
 use crate::scene::Plane;
 use crate::scene::stage::Blow;
@@ -29,7 +28,7 @@ impl Builder<'_> {
             let meaning = format!("the impulse on {name} from {}{along}", stage.by);
             let impulse = Name::of(QuantityKind::Impulse, body).along(self.letter(*axis));
             let impulse = impulse.during(self.stage_label(index));
-            let impulse = Expr::from(self.symbol(impulse, Dimension::MOMENTUM, meaning));
+            let impulse = Expr::from(self.symbol(impulse, meaning));
             let weight = gained.as_ref().map(|gained| gained[position].clone()).filter(|gained| !gained.is_zero());
             let because = match weight {
                 None => format!("{} gives {name} an impulse{along}", stage.by),
@@ -48,8 +47,7 @@ impl Builder<'_> {
             self.resultant(index, body, &components, &format!("the impulse on {name} from {}", stage.by));
             if stage.duration.is_some() {
                 let magnitude = Expr::from(self.positive(
-                    Name::of(QuantityKind::Impulse, body).during(self.stage_label(index)),
-                    Dimension::MOMENTUM,
+                    self.in_stage(QuantityKind::Impulse, body, index),
                     format!("the magnitude of the impulse on {name} from {}", stage.by),
                 ));
                 self.mean_force(index, body, &magnitude, stage.duration.as_ref(), path);

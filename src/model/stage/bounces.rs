@@ -71,32 +71,23 @@ impl Builder<'_> {
         let speeds = format!("{name} is dropped, and each bounce multiplies its speed by e");
         let heights = format!("{speeds}, hence the height that it reaches by the square of e");
         let times = format!("{speeds}, hence the time of each flight by e");
-        let law =
-            |builder: &mut Self, (law, because): (&'static Law, &str), symbol: (Name, Dimension, String), value| {
-                let symbol = builder.positive(symbol.0, symbol.1, symbol.2);
-                builder.law(law, Some(index), because, (symbol.into(), value));
-            };
+        let law = |builder: &mut Self, (law, because): (&'static Law, &str), (name, meaning): (Name, String), value| {
+            let symbol = builder.positive(name, meaning);
+            builder.law(law, Some(index), because, (symbol.into(), value));
+        };
         if let Some(count) = count {
             let height = bouncing::bounce_height(e, count, &drop);
             law(
                 self,
                 (&bouncing::BOUNCE_HEIGHT, &heights),
-                (
-                    at_bounce(QuantityKind::Height),
-                    Dimension::LENGTH,
-                    format!("the height that {name} reaches after the n-th bounce"),
-                ),
+                (at_bounce(QuantityKind::Height), format!("the height that {name} reaches after the n-th bounce")),
                 height,
             );
             let speed = bouncing::bounce_speed(e, count, &gravity, &drop);
             law(
                 self,
                 (&bouncing::BOUNCE_SPEED, &speeds),
-                (
-                    at_bounce(QuantityKind::Velocity),
-                    Dimension::VELOCITY,
-                    format!("the speed of {name} just after the n-th bounce"),
-                ),
+                (at_bounce(QuantityKind::Velocity), format!("the speed of {name} just after the n-th bounce")),
                 speed.clone(),
             );
             let flight = bouncing::flight(&speed, &gravity);
@@ -105,7 +96,6 @@ impl Builder<'_> {
                 (&bouncing::BOUNCE_FLIGHT, &times),
                 (
                     at_bounce(QuantityKind::Duration),
-                    Dimension::TIME,
                     format!("the duration of the flight of {name} after the n-th bounce"),
                 ),
                 flight,
@@ -114,11 +104,7 @@ impl Builder<'_> {
             law(
                 self,
                 (&bouncing::BOUNCE_TIME, &times),
-                (
-                    at_bounce(QuantityKind::Time),
-                    Dimension::TIME,
-                    "the time of the n-th bounce, measured from the release".into(),
-                ),
+                (at_bounce(QuantityKind::Time), "the time of the n-th bounce, measured from the release".into()),
                 time,
             );
         }
@@ -128,7 +114,6 @@ impl Builder<'_> {
             (&bouncing::BOUNCE_TIME, &times),
             (
                 Name::of(QuantityKind::Time, IN_ALL),
-                Dimension::TIME,
                 format!("the time at which {name} comes to rest, measured from the release"),
             ),
             total,
@@ -137,11 +122,7 @@ impl Builder<'_> {
         law(
             self,
             (&bouncing::BOUNCE_PATH, &heights),
-            (
-                Name::of(QuantityKind::PathLength, IN_ALL),
-                Dimension::LENGTH,
-                format!("the total distance travelled by {name}"),
-            ),
+            (Name::of(QuantityKind::PathLength, IN_ALL), format!("the total distance travelled by {name}")),
             path_length,
         );
     }
@@ -155,7 +136,7 @@ impl Builder<'_> {
                 let path = Path::root().key("scene").key("stages").index(before).key("fall").key("height");
                 self.read_positive(&fall.height, Dimension::LENGTH, &meaning, &path)
             }
-            _ => self.positive(Name::of(QuantityKind::Height, "").at(0), Dimension::LENGTH, meaning).into(),
+            _ => self.positive(Name::of(QuantityKind::Height, "").at(0), meaning).into(),
         }
     }
 }

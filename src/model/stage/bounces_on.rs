@@ -9,10 +9,9 @@ use crate::laws::momentum;
 use crate::model::Builder;
 use crate::model::Name;
 use crate::model::QuantityKind;
-use crate::model::Warning;
+use crate::model::Reason;
 use crate::model::incline::Fall;
 use crate::model::stage::bounces::{COUNTED, IN_ALL, at_bounce};
-use crate::quantity::Dimension;
 use crate::scene::Axis;
 use crate::scene::stage::Bounces;
 use crate::solve::Relation;
@@ -58,8 +57,8 @@ impl Builder<'_> {
         }
         let Some((arrival, press)) = arrival else { return };
         let name = self.called(body);
-        let reason = format!("{name} would not move towards the floor");
-        self.require(Warning::NoImpact, arrival.clone(), Relation::AtLeast, Expr::zero(), reason);
+        let reason = Reason::NotTowardsFloor(name.clone());
+        self.require(arrival.clone(), Relation::AtLeast, Expr::zero(), reason);
         let bouncing = Bouncing { index, name, e, count, arrival, press, along };
         self.speeds_and_times(&bouncing);
         self.places_of_bounces(body, &bouncing);
@@ -71,14 +70,12 @@ impl Builder<'_> {
         let because = format!("each bounce multiplies the speed of {name} away from the floor by e");
         let speed = self.positive(
             at_bounce(QuantityKind::Velocity),
-            Dimension::VELOCITY,
             format!("the speed of {name} away from the floor just after the n-th bounce"),
         );
         let value = bouncing::speed_after(e, own.count, &own.arrival);
         own.law(self, &bouncing::BOUNCE_SPEED, &because, (speed, value));
         let height = self.positive(
             at_bounce(QuantityKind::Height),
-            Dimension::LENGTH,
             format!("the greatest distance of {name} from the floor after the n-th bounce"),
         );
         let value = bouncing::height_of(&speed.into(), press);
@@ -89,7 +86,7 @@ impl Builder<'_> {
             (height, value),
         );
         let meaning = format!("the duration of the flight of {name} after the n-th bounce");
-        let flight = self.positive(at_bounce(QuantityKind::Duration), Dimension::TIME, meaning);
+        let flight = self.positive(at_bounce(QuantityKind::Duration), meaning);
         let value = bouncing::flight(&speed.into(), press);
         own.law(
             self,
@@ -101,11 +98,11 @@ impl Builder<'_> {
         let because = format!("{because}, hence the time of each flight by e");
         let whole = own.whole();
         let meaning = format!("the time of the n-th bounce of {name}");
-        let time = self.positive(at_bounce(QuantityKind::Time), Dimension::TIME, meaning);
+        let time = self.positive(at_bounce(QuantityKind::Time), meaning);
         let value = start.clone() + bouncing::time_to(e, own.count, &whole);
         own.law(self, &bouncing::BOUNCE_TIME, &because, (time, value));
         let meaning = format!("the time at which {name} stops bouncing");
-        let total = self.positive(Name::of(QuantityKind::Time, IN_ALL), Dimension::TIME, meaning);
+        let total = self.positive(Name::of(QuantityKind::Time, IN_ALL), meaning);
         let value = start + bouncing::time_of_all(e, &whole);
         own.law(self, &bouncing::BOUNCE_TIME, &because, (total, value));
     }
@@ -127,14 +124,14 @@ impl Builder<'_> {
         ];
         for (which, when, time) in times {
             let meaning = format!("the {letter}-component of the position of {} {when}", own.name);
-            let place = self.symbol(Name::of(QuantityKind::Coordinate(along.axis), which), Dimension::LENGTH, meaning);
+            let place = self.symbol(Name::of(QuantityKind::Coordinate(along.axis), which), meaning);
             own.law(self, &bouncing::BOUNCE_PLACE, &because, (place, along.from.clone() + way(&time)));
         }
-        let flight = self.positive(at_bounce(QuantityKind::Duration), Dimension::TIME, String::new());
+        let flight = self.positive(at_bounce(QuantityKind::Duration), String::new());
         let gained = bouncing::time_to(own.e, own.count, &own.whole()) * along.acceleration.clone();
         let leaving = if level { along.velocity.clone() } else { along.velocity.clone() + gained };
         let meaning = format!("the distance along the floor from the n-th bounce of {} to the next", own.name);
-        let range = self.symbol(at_bounce(QuantityKind::Range), Dimension::LENGTH, meaning);
+        let range = self.symbol(at_bounce(QuantityKind::Range), meaning);
         let value = bouncing::along(&leaving, &along.acceleration, &flight.into());
         own.law(self, &bouncing::BOUNCE_RANGE, &because, (range, value));
         if level {

@@ -15,9 +15,11 @@ use crate::model::Impulse;
 use crate::model::Influence;
 use crate::model::Name;
 use crate::model::QuantityKind;
+use crate::model::Reason;
 use crate::model::VectorKind;
 use crate::model::builder::SECOND_COST;
 use crate::quantity::Dimension;
+use crate::scene::Point;
 use crate::scene::stage::Bowl;
 use crate::scene::stage::Way;
 use crate::solve::Relation;
@@ -28,7 +30,7 @@ impl Builder<'_> {
         let (name, centre) = (self.called(body), self.point(&stage.about));
         let states = [index + 1, index + 2].map(|instant| self.polar_state(body, &stage.about, instant));
         let [(r1, v1), (r2, v2)] = states.clone();
-        let axis = if centre.contains("axis") { centre } else { format!("the vertical axis through {centre}") };
+        let axis = self.scene.points.get(&stage.about).map_or(centre, Point::vertical);
         let because = format!("the wall's push and the weight have no moment about {axis}; the mass cancels");
         self.law(&angular::CENTRAL, Some(index), because, (r1.clone() * v1, r2.clone() * v2));
         let speeds = [0, 1].map(|side| self.speed_on_wall(index, side, stage, &states[side].1));
@@ -60,8 +62,9 @@ impl Builder<'_> {
         let (body, instant) = (stage.body.as_str(), index + 1 + side);
         let since = self.timeline.since(body, instant).unwrap_or(instant);
         let (name, when) = (self.called(body), self.when(since));
-        let speed = Name::of(QuantityKind::Speed, body).at(since);
-        let speed = Expr::from(self.positive(speed, Dimension::VELOCITY, format!("the speed of {name} {when}")));
+        let speed = Expr::from(
+            self.positive(Name::of(QuantityKind::Speed, body).at(since), format!("the speed of {name} {when}")),
+        );
         if stage.is_horizontal(side) {
             let because = format!("{name} moves horizontally {when}");
             let size = Expr::apply(Function::Abs, across.clone());
@@ -69,14 +72,13 @@ impl Builder<'_> {
             return speed;
         }
         let meaning = format!("the velocity of {name} along the slope of the wall {when}");
-        let along = Name::of(QuantityKind::Velocity, body).at(since).along("s");
-        let along = Expr::from(self.symbol(along, Dimension::VELOCITY, meaning));
+        let along = Expr::from(self.symbol(Name::of(QuantityKind::Velocity, body).at(since).along("s"), meaning));
         let squares = across.clone().powi(2) + along.powi(2);
         let because = "the horizontal part of the velocity and that along the slope are perpendicular";
         self.law(&geometry::MAGNITUDE, Some(index), because, (speed.clone(), squares.sqrt()));
         let meaning = format!("the angle between the velocity of {name} and the horizontal {when}");
-        let angle = Name::of(QuantityKind::Direction(VectorKind::Velocity), body).at(since);
-        let angle = Expr::from(self.positive(angle, Dimension::NONE, meaning));
+        let angle =
+            Expr::from(self.positive(Name::of(QuantityKind::Direction(VectorKind::Velocity), body).at(since), meaning));
         let ratio = Expr::apply(Function::Abs, across.clone()) / speed.clone();
         let because = "the horizontal part of the velocity is its component along the circle";
         self.law(&geometry::COMPONENTS, Some(index), because, (angle, Expr::apply(Function::Acos, ratio)));
@@ -87,10 +89,7 @@ impl Builder<'_> {
         let meaning = "the height between the two levels";
         match &stage.height {
             Some(term) => self.read_positive(term, Dimension::LENGTH, meaning, &path.key("height")),
-            None => {
-                let own = Name::of(QuantityKind::Height, &stage.body).during(self.stage_label(index));
-                self.positive(own, Dimension::LENGTH, meaning).into()
-            }
+            None => self.positive(self.in_stage(QuantityKind::Height, &stage.body, index), meaning).into(),
         }
     }
 
@@ -135,14 +134,12 @@ impl Builder<'_> {
         let (body, instant) = (stage.body.as_str(), index + 1 + side);
         let since = self.timeline.since(body, instant).unwrap_or(instant);
         let meaning = format!("the depth of {} below the centre of the bowl {}", self.called(body), self.when(since));
-        let depth = Name::of(QuantityKind::Depth, body).at(since);
-        let depth = Expr::from(self.symbol(depth, Dimension::LENGTH, meaning));
+        let depth = Expr::from(self.symbol(Name::of(QuantityKind::Depth, body).at(since), meaning));
         let because = "the position is on the sphere, below its centre";
         let sides = (distance.clone().powi(2) + depth.clone().powi(2), radius.clone().powi(2));
         self.law(&geometry::HEIGHT_IN_BOWL, Some(index), because, sides);
-        let reason = "it would lie above the centre of the bowl";
-        let below = self.condition(depth.clone(), Relation::AtLeast, Expr::zero(), reason);
-        self.system.conditions.push(below);
+        let reason = Reason::AboveCentre;
+        self.require(depth.clone(), Relation::AtLeast, Expr::zero(), reason);
         depth
     }
 

@@ -27,7 +27,6 @@ impl Builder<'_> {
         self.law(&angular::CENTRAL, Some(index), because, sides);
         let rate = self.symbol(
             Name::of(QuantityKind::ArealRate, ""),
-            Dimension::new(0, 2, -1),
             format!("the rate at which the radius from {centre} sweeps out area"),
         );
         let sides = (rate.into(), Expr::product([Expr::ratio(1, 2), r1, v1]));
@@ -110,12 +109,10 @@ impl Builder<'_> {
         let (name, centre, when) = (self.called(body), self.point(point), self.when(since));
         let radius = self.positive(
             Name::of(QuantityKind::Position, body).at(since),
-            Dimension::LENGTH,
             format!("the distance of {name} from {centre} {when}"),
         );
         let meaning = format!("the transverse velocity of {name} {when}");
-        let velocity = Name::of(QuantityKind::Velocity, body).at(since).along("theta");
-        let velocity = self.symbol(velocity, Dimension::VELOCITY, meaning);
+        let velocity = self.symbol(Name::of(QuantityKind::Velocity, body).at(since).along("theta"), meaning);
         (radius.into(), velocity.into())
     }
 }

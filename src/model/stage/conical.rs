@@ -13,6 +13,7 @@ use crate::model::Impulse;
 use crate::model::Influence;
 use crate::model::Name;
 use crate::model::QuantityKind;
+use crate::model::Reason;
 use crate::model::VectorKind;
 use crate::model::builder::SECOND_COST;
 use crate::quantity::Dimension;
@@ -56,14 +57,12 @@ impl Builder<'_> {
         let meaning = format!("the length of the cord {when}");
         let length = self.read_positive(length, Dimension::LENGTH, &meaning, &path.key("length"));
         let meaning = format!("the angle between the cord and the vertical {when}");
-        let angle = Name::of(QuantityKind::Direction(VectorKind::Velocity), body).at(since);
-        let angle = Expr::from(self.positive(angle, Dimension::NONE, meaning));
+        let angle =
+            Expr::from(self.positive(Name::of(QuantityKind::Direction(VectorKind::Velocity), body).at(since), meaning));
         let meaning = format!("the velocity of {name} {when}");
-        let velocity =
-            Expr::from(self.symbol(Name::of(QuantityKind::Velocity, body).at(since), Dimension::VELOCITY, meaning));
+        let velocity = Expr::from(self.symbol(Name::of(QuantityKind::Velocity, body).at(since), meaning));
         let meaning = format!("the radius of the circle of {name} {when}");
-        let radius =
-            Expr::from(self.positive(Name::of(QuantityKind::Position, body).at(since), Dimension::LENGTH, meaning));
+        let radius = Expr::from(self.positive(Name::of(QuantityKind::Position, body).at(since), meaning));
         let because = "the cord is straight";
         let sides = (radius.clone(), length.clone() * angle.clone().sin());
         self.law(&geometry::COMPONENTS, Some(index), because, sides);
@@ -72,17 +71,15 @@ impl Builder<'_> {
             (velocity.clone().powi(2) / radius.clone(), self.gravity() * Expr::apply(Function::Tan, angle.clone()));
         self.law(&force::CONICAL, Some(index), because.clone(), sides);
         let meaning = format!("the tension of the cord {when}");
-        let tension =
-            Expr::from(self.positive(Name::of(QuantityKind::Tension, body).at(since), Dimension::FORCE, meaning));
+        let tension = Expr::from(self.positive(Name::of(QuantityKind::Tension, body).at(since), meaning));
         let weight = self.mass(body) * self.gravity();
         let because = format!("{name} moves neither up nor down");
         self.law(&force::BALANCE, Some(index), because, (tension * angle.clone().cos(), weight));
-        let reason = "the cord would have to point upwards";
-        let below = self.condition(angle.clone().cos(), Relation::Greater, Expr::zero(), reason);
-        self.system.conditions.push(below);
+        let reason = Reason::CordUpwards;
+        self.require(angle.clone().cos(), Relation::Greater, Expr::zero(), reason);
         let meaning = format!("the angular momentum about the vertical through {centre} {when}");
-        let name = Name::of(QuantityKind::AngularMomentum, &stage.about).at(instant);
-        let momentum = Expr::from(self.symbol(name, Dimension::ANGULAR_MOMENTUM, meaning));
+        let momentum =
+            Expr::from(self.symbol(Name::of(QuantityKind::AngularMomentum, &stage.about).at(instant), meaning));
         let mass = self.mass(body);
         let moment = Expr::product([mass.clone(), radius, velocity]);
         let because = "the velocity is at right angles to the radius";

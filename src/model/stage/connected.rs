@@ -8,12 +8,12 @@ use crate::laws::energy;
 use crate::laws::kinematics;
 use crate::laws::momentum;
 use crate::model::Agent;
+use crate::model::Because;
 use crate::model::Builder;
 use crate::model::Impulse;
 use crate::model::Influence;
-use crate::model::Name;
 use crate::model::QuantityKind;
-use crate::model::Warning;
+use crate::model::Reason;
 use crate::model::Work;
 use crate::quantity::Dimension;
 use crate::scene::stage::Connected;
@@ -63,13 +63,13 @@ impl Builder<'_> {
             }
         }
         let meaning = format!("the tension of the string during {}", self.stage_phrase(index));
-        let tension = Name::of(QuantityKind::Tension, "").during(self.stage_label(index));
-        let tension = Expr::from(self.symbol(tension, Dimension::FORCE, meaning));
+        let tension = Expr::from(self.symbol(self.in_stage(QuantityKind::Tension, "", index), meaning));
         let sides = [&trailing, &leading];
-        let because = format!(
-            "the string runs freely over {pulley} and pulls both equally, {} forwards and {} back along it, so its impulses cancel in the sum",
+        let fact = format!(
+            "the string runs freely over {pulley} and pulls both equally, {} forwards and {} back along it",
             trailing.name, leading.name
         );
+        let because = Because::Conclusion(fact, "its impulses cancel in the sum".to_owned());
         let masses =
             |velocity: &dyn Fn(&Side) -> Expr| momentum::total(&sides.map(|side| (side.mass.clone(), velocity(side))));
         let driven = Expr::sum(sides.map(|side| side.drive.clone()));
@@ -102,16 +102,17 @@ impl Builder<'_> {
             let run = leading.of_string(&distance);
             let works = sides
                 .map(|side| Expr::product([side.drive.clone(), run.clone(), side.strands.clone().powi(-1)]).simplify());
-            let because = "the string does equal and opposite work on the two bodies, so its total work is zero";
+            let fact = "the string does equal and opposite work on the two bodies".to_owned();
+            let because = Because::Conclusion(fact, "its total work is zero".to_owned());
             let sides =
                 energy::work_energy(kinetic(&|side| side.before.clone()), works, kinetic(&|side| side.after.clone()));
             self.law(&energy::WORK_ENERGY, Some(index), because, sides);
         }
         for speed in [&leading.before, &leading.after].into_iter().filter(|speed| !speed.is_zero()) {
-            let reason = format!("{} would move the other way", leading.name);
-            self.require(Warning::Reverses, speed.clone(), Relation::AtLeast, Expr::zero(), reason);
+            let reason = Reason::MovesBack(leading.name.clone());
+            self.require(speed.clone(), Relation::AtLeast, Expr::zero(), reason);
         }
-        self.require(Warning::GoesSlack, tension, Relation::AtLeast, Expr::zero(), "the string would go slack");
+        self.require(tension, Relation::AtLeast, Expr::zero(), Reason::StringSlack);
         self.neglect(
             format!("the mass and the friction of {pulley}"),
             "it is light and smooth, so that the tension is the same on both sides",

@@ -8,6 +8,7 @@ use crate::fault::Fault;
 use crate::fault::Path;
 use crate::laws::kinematics;
 use crate::model::Builder;
+use crate::model::QuantityKind;
 use crate::quantity::Dimension;
 use crate::scene::Axis;
 use crate::scene::stage::Drift;
@@ -18,7 +19,7 @@ impl Builder<'_> {
         let meaning = format!("the duration of {phrase}");
         let time = match &stage.during {
             Some(term) => self.read_positive(term, Dimension::TIME, &meaning, &path.key("during")),
-            None => self.positive(self.duration_name(index), Dimension::TIME, meaning).into(),
+            None => self.positive(self.in_stage(QuantityKind::Duration, "", index), meaning).into(),
         };
         self.lasting[index] = Some(time.clone());
         let bodies: Vec<String> = self.timeline.alive(index + 1).into_iter().map(str::to_owned).collect();

@@ -8,7 +8,8 @@ use crate::model::Builder;
 use crate::model::Effect;
 use crate::model::Impulse;
 use crate::model::Influence;
-use crate::model::Warning;
+use crate::model::QuantityKind;
+use crate::model::Reason;
 use crate::quantity::Dimension;
 use crate::scene::Axis;
 use crate::scene::stage::Fall;
@@ -34,15 +35,10 @@ impl Builder<'_> {
             let sides = kinematics::fall_speed(&gravity, &height, &before, &after);
             self.law(&kinematics::FALL_SPEED, Some(index), because.clone(), sides);
             let downward = Expr::integer(down) * after.clone();
-            self.require(
-                Warning::Reverses,
-                downward,
-                Relation::AtLeast,
-                Expr::zero(),
-                format!("{} downwards at the end of {phrase}", self.does(&stage.body, ["moves", "move"])),
-            );
+            let reason = Reason::Downwards(self.does(&stage.body, ["moves", "move"]), phrase.clone());
+            self.require(downward, Relation::AtLeast, Expr::zero(), reason);
             let meaning = format!("the duration of {phrase}");
-            let time = self.positive(self.duration_name(index), Dimension::TIME, meaning);
+            let time = self.positive(self.in_stage(QuantityKind::Duration, "", index), meaning);
             self.lasting[index] = Some(time.into());
             let gained = Expr::product([Expr::integer(down), gravity.clone(), time.into()]);
             self.law(&kinematics::FALL_TIME, Some(index), because, (before + gained, after));

@@ -11,6 +11,8 @@ use crate::model::Builder;
 use crate::model::Effect;
 use crate::model::Impulse;
 use crate::model::Influence;
+use crate::model::QuantityKind;
+use crate::model::Reason;
 use crate::model::incline::Fall;
 use crate::quantity::Dimension;
 use crate::scene::Axis;
@@ -47,7 +49,7 @@ impl Builder<'_> {
         let path = Path::root().key("scene").key("stages").index(index).key("flight").key("during");
         match &stage.during {
             Some(term) => self.read_positive(term, Dimension::TIME, &meaning, &path),
-            None => self.positive(self.duration_name(index), Dimension::TIME, meaning).into(),
+            None => self.positive(self.in_stage(QuantityKind::Duration, "", index), meaning).into(),
         }
     }
 
@@ -154,9 +156,8 @@ impl Builder<'_> {
             because = format!("{because}, where it also began");
         }
         if let Some(time) = self.lasting.get(index).cloned().flatten() {
-            let reason = format!("{} must take some time", self.stage_phrase(index));
-            let condition = self.condition(time, Relation::Greater, Expr::zero(), reason);
-            self.system.conditions.push(condition);
+            let reason = Reason::TakesTime(self.stage_phrase(index));
+            self.require(time, Relation::Greater, Expr::zero(), reason);
         }
         self.law(&kinematics::UNTIL, Some(index), because, sides);
     }

@@ -6,10 +6,8 @@ use crate::laws::restitution;
 use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Impulse;
-use crate::model::Name;
 use crate::model::QuantityKind;
-use crate::model::Warning;
-use crate::quantity::Dimension;
+use crate::model::Reason;
 use crate::scene::Axis;
 use crate::solve::Relation;
 
@@ -34,8 +32,7 @@ impl Builder<'_> {
         let [[a1, b1], [a2, b2]] =
             [index + 1, index + 2].map(|instant| [first, second].map(|body| self.split(body, instant, index, &frame)));
         let meaning = format!("the impulse on {name_b} from {name_a} along the line of impact");
-        let impulse = Name::of(QuantityKind::Impulse, second).along("n").during(self.stage_label(index));
-        let impulse = Expr::from(self.symbol(impulse, Dimension::MOMENTUM, meaning));
+        let impulse = Expr::from(self.symbol(self.in_stage(QuantityKind::Impulse, second, index).along("n"), meaning));
         for (body, other, own, [start, end]) in
             [(first, second, -impulse.clone(), [&a1, &a2]), (second, first, impulse.clone(), [&b1, &b2])]
         {
@@ -62,10 +59,10 @@ impl Builder<'_> {
             self.law(&restitution::RESTITUTION, Some(index), because, sides);
         }
         self.parts_no_faster(contact, [&a1.along, &b1.along], [&a2.along, &b2.along]);
-        let reason = format!("{name_a} would not catch up with {name_b}, so there would be no impact");
-        self.require(Warning::NoImpact, a1.along, Relation::Greater, b1.along, reason);
-        let reason = format!("{name_a} would pass through {name_b}");
-        self.require(Warning::PassesThrough, b2.along, Relation::AtLeast, a2.along, reason);
+        let reason = Reason::NoCatchingUp(name_a.clone(), name_b.clone());
+        self.require(a1.along, Relation::Greater, b1.along, reason);
+        let reason = Reason::PassesThrough(name_a.clone(), name_b.clone());
+        self.require(b2.along, Relation::AtLeast, a2.along, reason);
     }
 
     /// Two bodies that stay together and move along the guide of one of them.
@@ -104,8 +101,8 @@ impl Builder<'_> {
         for axis in axes {
             let letter = axis.letter();
             let meaning = format!("the impulse on {} from {} along {letter}", names[0], names[1]);
-            let impulse = Name::of(QuantityKind::Impulse, body).along(letter).during(self.stage_label(index));
-            let impulse = Expr::from(self.symbol(impulse, Dimension::MOMENTUM, meaning));
+            let impulse =
+                Expr::from(self.symbol(self.in_stage(QuantityKind::Impulse, body, index).along(letter), meaning));
             let ends = [self.velocity(body, index + 1, axis), self.velocity(after, index + 2, axis)];
             let because = format!("the only impulse on {} alone is that of the contact", names[0]);
             let sides = momentum::impulse_momentum(&mass, &ends[0], std::slice::from_ref(&impulse), &ends[1]);

@@ -13,7 +13,7 @@ use crate::model::Builder;
 use crate::model::Impulse;
 use crate::model::Name;
 use crate::model::QuantityKind;
-use crate::model::Warning;
+use crate::model::Reason;
 use crate::model::contact_weight::Lasting;
 use crate::model::frame::Frame;
 use crate::model::frame::Split;
@@ -81,8 +81,8 @@ impl Builder<'_> {
             None => return,
         };
         if stage.loss.is_some() {
-            let reason = "a negative loss would create kinetic energy";
-            self.require(Warning::EnergyCreated, loss.clone(), Relation::AtLeast, Expr::zero(), reason);
+            let reason = Reason::NegativeLoss;
+            self.require(loss.clone(), Relation::AtLeast, Expr::zero(), reason);
         }
         let bodies: Vec<&str> = match stage.partners() {
             Some(Partners::Bodies(first, second)) => vec![first, second],
@@ -145,10 +145,10 @@ impl Builder<'_> {
         for (body, start, end) in [(first, &a1, &a2), (second, &b1, &b2)] {
             self.smooth(index, body, start, end);
         }
-        let reason = format!("{name_a} would not catch up with {name_b}, so there would be no impact");
-        self.require(Warning::NoImpact, along(&a1), Relation::Greater, along(&b1), reason);
-        let reason = format!("{name_a} would pass through {name_b}");
-        self.require(Warning::PassesThrough, along(&b2), Relation::AtLeast, along(&a2), reason);
+        let reason = Reason::NoCatchingUp(name_a.clone(), name_b.clone());
+        self.require(along(&a1), Relation::Greater, along(&b1), reason);
+        let reason = Reason::PassesThrough(name_a.clone(), name_b.clone());
+        self.require(along(&b2), Relation::AtLeast, along(&a2), reason);
         self.parts_no_faster(contact, [&a1.along, &b1.along], [&a2.along, &b2.along]);
         if self.weight_acts_across() {
             self.not_needed(
@@ -173,8 +173,8 @@ impl Builder<'_> {
         let turned = before[0].across.is_some().then_some("n");
         let impulses = [0, 1].map(|own| {
             let meaning = format!("the impulse on {} from {}", names[own], names[1 - own]);
-            let name = Name::of(QuantityKind::Impulse, bodies[own]).along(turned).during(self.stage_label(index));
-            Expr::from(self.symbol(name, Dimension::MOMENTUM, meaning))
+            let name = self.in_stage(QuantityKind::Impulse, bodies[own], index).along(turned);
+            Expr::from(self.symbol(name, meaning))
         });
         for own in [0, 1] {
             let because = format!("the only impulse on {} alone is that of the contact", names[own]);
@@ -226,8 +226,8 @@ impl Builder<'_> {
     pub(super) fn parts_no_faster(&mut self, contact: &Contact<'_>, before: [&Expr; 2], after: [&Expr; 2]) {
         if contact.stage.restitution.is_none() {
             let lost = (before[0].clone() - before[1].clone()) - (after[1].clone() - after[0].clone());
-            let reason = "kinetic energy would be created";
-            self.require(Warning::EnergyCreated, lost, Relation::AtLeast, Expr::zero(), reason);
+            let reason = Reason::CreatesEnergy;
+            self.require(lost, Relation::AtLeast, Expr::zero(), reason);
         }
     }
 
@@ -235,8 +235,8 @@ impl Builder<'_> {
     pub(super) fn creates_no_energy(&mut self, index: usize, bodies: [&str; 2]) {
         let [start, end] = [index + 1, index + 2]
             .map(|instant| Expr::sum(bodies.iter().map(|body| self.kinetic_of(body, instant)).collect::<Vec<_>>()));
-        let reason = "kinetic energy would be created";
-        self.require(Warning::EnergyCreated, start, Relation::AtLeast, end, reason);
+        let reason = Reason::CreatesEnergy;
+        self.require(start, Relation::AtLeast, end, reason);
     }
 
     /// Momentum along every axis, for bodies that exchange impulses of unknown direction, and those impulses.
@@ -267,7 +267,7 @@ impl Builder<'_> {
                 let meaning = format!("the impulse on {} from {}{along}", names[own], names[1 - own]);
                 let name = Name::of(QuantityKind::Impulse, before[own]).along(self.letter(*axis));
                 let impulse = name.during(self.stage_label(index));
-                let impulse = Expr::from(self.symbol(impulse, Dimension::MOMENTUM, meaning));
+                let impulse = Expr::from(self.symbol(impulse, meaning));
                 let because = format!("the only impulse on {} alone is that of the contact", names[own]);
                 let sides =
                     momentum::impulse_momentum(&masses[own], &start[own], std::slice::from_ref(&impulse), &end[own]);
@@ -321,7 +321,7 @@ impl Builder<'_> {
         }
         if axes.len() == 1 {
             let [a, b] = [first, second].map(|body| self.velocity(body, index + 1, axes[0]));
-            self.require(Warning::NoImpact, a, Relation::Differs, b, format!("{name_a} would not meet {name_b}"));
+            self.require(a, Relation::Differs, b, Reason::NotMet(name_a.clone(), name_b.clone()));
         }
         self.not_needed("the forces between the bodies", "their impulses cancel in pairs within the system");
         if self.scene.plane == Plane::Horizontal {
@@ -335,20 +335,8 @@ impl Builder<'_> {
     /// The coefficient of restitution: between 0 and 1.
     pub(in crate::model) fn restitution_coefficient(&mut self, term: &Term, path: &Path) -> Expr {
         let e = self.read(term, Dimension::NONE, "the coefficient of restitution", path);
-        self.require(
-            Warning::EnergyCreated,
-            e.clone(),
-            Relation::AtLeast,
-            Expr::zero(),
-            "a coefficient of restitution cannot be negative",
-        );
-        self.require(
-            Warning::EnergyCreated,
-            e.clone(),
-            Relation::AtMost,
-            Expr::one(),
-            "a coefficient of restitution above 1 would create energy",
-        );
+        self.require(e.clone(), Relation::AtLeast, Expr::zero(), Reason::NegativeRestitution);
+        self.require(e.clone(), Relation::AtMost, Expr::one(), Reason::RestitutionAboveOne);
         e
     }
 
@@ -374,15 +362,14 @@ impl Builder<'_> {
         let time =
             self.read_positive(term, Dimension::TIME, &format!("the duration of {phrase}"), &path.key("duration"));
         let meaning = format!("the average force on {} during {phrase}", self.called(body));
-        let force = Name::of(QuantityKind::MeanForce, body).during(self.stage_label(index));
-        let force = Expr::from(self.symbol(force, Dimension::FORCE, meaning));
+        let force = Expr::from(self.symbol(self.in_stage(QuantityKind::MeanForce, body, index), meaning));
         let because = "the average force would give the same impulse in the same time";
         self.law(&force::MEAN_FORCE, Some(index), because, force::mean_force(impulse, &force, &time));
     }
 
-    /// The name of the duration of a stage.
-    pub(in crate::model) fn duration_name(&self, index: usize) -> Name {
-        Name::of(QuantityKind::Duration, "").during(self.stage_label(index))
+    /// The name of a quantity of a stage.
+    pub(in crate::model) fn in_stage(&self, kind: QuantityKind, subject: &str, index: usize) -> Name {
+        Name::of(kind, subject).during(self.stage_label(index))
     }
 
     /// What tells the impulses of several stages apart in their names.

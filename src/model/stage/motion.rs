@@ -90,9 +90,7 @@ impl Builder<'_> {
                 let is_place = |word: &str| number == 1 && word == letter;
                 let by_place = term.0.split(|own: char| !own.is_alphanumeric() && own != '_').any(is_place);
                 let variable = match by_place {
-                    true => {
-                        self.symbol(Name::of(QuantityKind::Coordinate(axis), ""), Dimension::LENGTH, "the position")
-                    }
+                    true => self.symbol(Name::of(QuantityKind::Coordinate(axis), ""), "the position"),
                     false => clock,
                 };
                 let meaning = format!("the velocity{along}");
@@ -158,12 +156,12 @@ impl Builder<'_> {
                 continue;
             }
             let meaning = format!("the acceleration of {name}{along} {when}");
-            let acceleration = Expr::from(self.symbol(acceleration, Dimension::ACCELERATION, meaning));
+            let acceleration = Expr::from(self.symbol(acceleration, meaning));
             let with = if course.by_place { "its position" } else { "the time" };
             let because = format!("the velocity of {name} depends on {with}");
             self.law(&motion::ACCELERATION, Some(index), because, (acceleration.clone(), at(&rate, end)));
             let meaning = format!("the net force on {name}{along} {when}");
-            let force = self.symbol(force, Dimension::FORCE, meaning);
+            let force = self.symbol(force, meaning);
             let because = format!("the net force on {name} accelerates it");
             self.law(&motion::NET_FORCE, Some(index), because, motion::net_force(&mass, &acceleration, &force.into()));
         }
@@ -196,15 +194,15 @@ impl Builder<'_> {
         let (name, body) = (self.called(&stage.body), stage.body.as_str());
         let (mass, along, phrase) = (self.mass(body), self.along(axis), self.stage_phrase(index));
         let [impulse, mean] = [QuantityKind::Impulse, QuantityKind::MeanForce]
-            .map(|kind| Name::of(kind, body).along(self.letter(axis)).during(self.stage_label(index)));
+            .map(|kind| self.in_stage(kind, body, index).along(self.letter(axis)));
         let [before, after] = [index + 1, index + 2].map(|instant| self.velocity(body, instant, axis));
         let meaning = format!("the impulse on {name}{along} during {phrase}");
-        let impulse = Expr::from(self.symbol(impulse, Dimension::MOMENTUM, meaning));
+        let impulse = Expr::from(self.symbol(impulse, meaning));
         let because = format!("the impulse of all forces on {name} is its change of momentum{along}");
         let sides = momentum::impulse_momentum(&mass, &before, std::slice::from_ref(&impulse), &after);
         self.law(&momentum::IMPULSE_MOMENTUM, Some(index), because, sides);
         let meaning = format!("the average net force on {name}{along} during {phrase}");
-        let mean = Expr::from(self.symbol(mean, Dimension::FORCE, meaning));
+        let mean = Expr::from(self.symbol(mean, meaning));
         let because = "the average force would give the same impulse in the same time";
         self.law(&force::MEAN_FORCE, Some(index), because, force::mean_force(&impulse, &mean, lasts));
         impulse

@@ -58,18 +58,17 @@ impl Builder<'_> {
     /// Least and, on an ellipse, greatest distance; heights above the surface where its radius is said.
     fn distance_of(&mut self, round: &Round<'_>, which: &str, words: &str) -> Expr {
         let meaning = format!("the {words} distance of {} from the centre", round.name);
-        self.positive(Name::of(QuantityKind::Position, round.body).along(which), Dimension::LENGTH, meaning).into()
+        self.positive(Name::of(QuantityKind::Position, round.body).along(which), meaning).into()
     }
 
     fn ellipse(&mut self, round: &Round<'_>, energies: [Expr; 2]) {
         let (index, body, name) = (Some(round.index), round.body, round.name.clone());
         let meaning = format!("the semi-major axis of the orbit of {name}");
-        let axis = Expr::from(self.positive(Name::of(QuantityKind::SemiMajorAxis, body), Dimension::LENGTH, meaning));
+        let axis = Expr::from(self.positive(Name::of(QuantityKind::SemiMajorAxis, body), meaning));
         let meaning = format!("the eccentricity of the orbit of {name}");
-        let eccentricity =
-            Expr::from(self.positive(Name::of(QuantityKind::Eccentricity, body), Dimension::NONE, meaning));
+        let eccentricity = Expr::from(self.positive(Name::of(QuantityKind::Eccentricity, body), meaning));
         let meaning = format!("the period of the orbit of {name}");
-        let period = Expr::from(self.positive(Name::of(QuantityKind::Period, body), Dimension::TIME, meaning));
+        let period = Expr::from(self.positive(Name::of(QuantityKind::Period, body), meaning));
         let [least, greatest] =
             [("min", "least"), ("max", "greatest")].map(|(which, words)| self.distance_of(round, which, words));
         let because = "the orbit is an ellipse with the centre at a focus";
@@ -95,8 +94,7 @@ impl Builder<'_> {
             let from_focus = radius.clone() * (Expr::one() + eccentricity.clone() * angle.cos());
             self.law(&orbit::CONIC, index, because, (from_focus, parameter.clone()));
             let meaning = format!("the eccentric anomaly of {name} {}", self.when(instant));
-            let anomaly = Name::of(QuantityKind::EccentricAnomaly, body).at(instant);
-            let anomaly = Expr::from(self.symbol(anomaly, Dimension::NONE, meaning));
+            let anomaly = Expr::from(self.symbol(Name::of(QuantityKind::EccentricAnomaly, body).at(instant), meaning));
             let value = orbit::anomaly(&round.gravity, &axis, radius, radial);
             self.law(&orbit::ORBIT_TIME, index, "it gives the position along the ellipse", (anomaly.clone(), value));
             let since = self.time_since_nearest(round, instant);
@@ -131,18 +129,18 @@ impl Builder<'_> {
 
     fn angle_from_nearest(&mut self, round: &Round<'_>, instant: usize) -> Expr {
         let meaning = format!("the angle of {} from the nearest point {}", round.name, self.when(instant));
-        self.symbol(Name::of(QuantityKind::TrueAnomaly, round.body).at(instant), Dimension::NONE, meaning).into()
+        self.symbol(Name::of(QuantityKind::TrueAnomaly, round.body).at(instant), meaning).into()
     }
 
     fn time_since_nearest(&mut self, round: &Round<'_>, instant: usize) -> Expr {
         let meaning = format!("the time since {} passed the nearest point, {}", round.name, self.when(instant));
-        self.symbol(Name::of(QuantityKind::Time, round.body).at(instant), Dimension::TIME, meaning).into()
+        self.symbol(Name::of(QuantityKind::Time, round.body).at(instant), meaning).into()
     }
 
     fn time_between(&mut self, round: &Round<'_>, times: &[Expr]) {
         let [before, after] = times else { return };
         let meaning = "the time from the first position to the second";
-        let time = Expr::from(self.symbol(self.duration_name(round.index), Dimension::TIME, meaning));
+        let time = Expr::from(self.symbol(self.in_stage(QuantityKind::Duration, "", round.index), meaning));
         self.lasting[round.index] = Some(time.clone());
         let sides = (time, after.clone() - before.clone());
         self.law(&kinematics::CLOCK, Some(round.index), "both times are measured from the nearest point", sides);

@@ -14,6 +14,7 @@ use crate::model::Impulse;
 use crate::model::Integral;
 use crate::model::Name;
 use crate::model::QuantityKind;
+use crate::model::Reason;
 use crate::model::acting::Acts;
 use crate::model::frame::Direction;
 use crate::model::incline::Incline;
@@ -218,11 +219,7 @@ impl Builder<'_> {
         if self.scene.plane == Plane::Horizontal {
             return None;
         }
-        match self.axes.get(position)?.1.positive.as_str() {
-            "upwards" => Some(-1),
-            "downwards" => Some(1),
-            _ => None,
-        }
+        self.axes.get(position)?.1.rise().map(|rise| -rise)
     }
 
     /// Start and end of a stage's own clock.
@@ -243,26 +240,25 @@ impl Builder<'_> {
                     &path.index(1),
                 );
                 let start = self.zero_if_so_written(start);
-                self.in_order(&start, &end, &format!("{phrase} would end before it starts"));
+                self.in_order(&start, &end, Reason::EndsEarly(phrase));
                 (start, end)
             }
         }
     }
 
     /// Two times of which the second must not lie before the first.
-    pub(in crate::model) fn in_order(&mut self, earlier: &Expr, later: &Expr, reason: &str) {
+    pub(in crate::model) fn in_order(&mut self, earlier: &Expr, later: &Expr, reason: Reason) {
         if earlier.is_zero() {
             return;
         }
-        let condition = self.condition(later.clone(), Relation::AtLeast, earlier.clone(), reason);
-        self.system.conditions.push(condition);
+        self.require(later.clone(), Relation::AtLeast, earlier.clone(), reason);
     }
 
     /// A force whose law ends at some time is not known after it, so the stage must not last longer.
     pub(in crate::model) fn told_throughout(&mut self, name: &str, strength: &Expr, end: &Expr) {
         let Expr::Piecewise(pieces) = strength else { return };
         if let Some((Some(last), _)) = pieces.pieces.last() {
-            self.in_order(end, last, &format!("the stage lasts longer than the time for which {name} is given"));
+            self.in_order(end, last, Reason::OutlastsForce(name.to_owned()));
         }
     }
 
@@ -313,7 +309,7 @@ impl Builder<'_> {
         let count = self.names.iter().filter(is_alike).count();
         let own = if count == 0 { of_force } else { of_force.at(count + 1) };
         let meaning = format!("the impulse of {}", force.name);
-        let symbol = self.symbol(own.during(self.stage_label(index)), Dimension::MOMENTUM, meaning);
+        let symbol = self.symbol(own.during(self.stage_label(index)), meaning);
         let Some(value) = force.strength.definite(clock, start, end) else {
             let fault =
                 Fault::new(Code::Stuck, format!("{} cannot be integrated over time", wording::force_of(&force.name)));

@@ -7,7 +7,6 @@ use crate::model::Builder;
 use crate::model::Integral;
 use crate::model::Name;
 use crate::model::QuantityKind;
-use crate::quantity::Dimension;
 use crate::scene::Axis;
 
 use super::push::Pushed;
@@ -52,12 +51,12 @@ impl Builder<'_> {
             let meaning = format!("the net force on {name}{along} {when}");
             let own = |kind| Name::of(kind, pushed.body).at(instant).along(self.letter(axis));
             let [force, acceleration] = [QuantityKind::Force, QuantityKind::Acceleration].map(own);
-            let force = Expr::from(self.symbol(force, Dimension::FORCE, meaning));
+            let force = Expr::from(self.symbol(force, meaning));
             let there = net.substitute(&|own| (own == pushed.clock).then(|| end.clone()));
             let because = format!("these are all forces on {name}{along}");
             self.law(&motion::ALL_FORCES, Some(pushed.index), because, (force.clone(), there));
             let meaning = format!("the acceleration of {name}{along} {when}");
-            let acceleration = Expr::from(self.symbol(acceleration, Dimension::ACCELERATION, meaning));
+            let acceleration = Expr::from(self.symbol(acceleration, meaning));
             let because = format!("the net force on {name} accelerates it");
             let sides = motion::net_force(&mass, &acceleration, &force);
             self.law(&motion::NET_FORCE, Some(pushed.index), because, sides);

@@ -18,9 +18,6 @@ use crate::quantity::Dimension;
 use crate::scene::stage::Arm;
 use crate::scene::stage::Rotate;
 
-/// The dimension of an angular velocity.
-const TURN: Dimension = Dimension::new(0, 0, -1);
-
 impl Builder<'_> {
     pub(in crate::model) fn rotate(&mut self, index: usize, stage: &Rotate, path: &Path) {
         let point = stage.about.as_str();
@@ -133,7 +130,7 @@ impl Builder<'_> {
             let turn = match held {
                 [_] => {
                     let meaning = format!("the angular velocity of {name} about {centre} {}", self.when(instant));
-                    self.symbol(Name::of(QuantityKind::AngularVelocity, body).at(instant), TURN, meaning).into()
+                    self.symbol(Name::of(QuantityKind::AngularVelocity, body).at(instant), meaning).into()
                 }
                 _ => self.turn_of_arm(&centre, instant),
             };
@@ -141,8 +138,8 @@ impl Builder<'_> {
             self.towards_the_centre(index, [body, &centre], instant, &arm);
         }
         let meaning = format!("the angular momentum about {centre} {}", self.when(instant));
-        let momentum = Name::of(QuantityKind::AngularMomentum, &stage.about).at(instant);
-        let momentum = Expr::from(self.symbol(momentum, Dimension::ANGULAR_MOMENTUM, meaning));
+        let momentum =
+            Expr::from(self.symbol(Name::of(QuantityKind::AngularMomentum, &stage.about).at(instant), meaning));
         let because = match held {
             [(body, _)] => format!("{} moves at right angles to the radius", self.called(body)),
             _ => "all move at right angles to the arm".to_owned(),
@@ -154,14 +151,14 @@ impl Builder<'_> {
     /// The angular velocity of an arm that carries several bodies.
     pub(in crate::model) fn turn_of_arm(&mut self, centre: &str, instant: usize) -> Expr {
         let meaning = format!("the angular velocity about {centre} {}", self.when(instant));
-        self.symbol(Name::of(QuantityKind::AngularVelocity, "").at(instant), TURN, meaning).into()
+        self.symbol(Name::of(QuantityKind::AngularVelocity, "").at(instant), meaning).into()
     }
 
     /// The velocity of a body at right angles to its radius.
     pub(in crate::model) fn transverse(&mut self, body: &str, instant: usize) -> Expr {
         let since = self.timeline.since(body, instant).unwrap_or(instant);
         let meaning = format!("the transverse velocity of {} {}", self.called(body), self.when(since));
-        self.symbol(Name::of(QuantityKind::Velocity, body).at(since), Dimension::VELOCITY, meaning).into()
+        self.symbol(Name::of(QuantityKind::Velocity, body).at(since), meaning).into()
     }
 
     /// The angular momentum of a body on an arm, whose velocity follows from the turning.
@@ -185,8 +182,7 @@ impl Builder<'_> {
         let name = self.called(body);
         let velocity = self.transverse(body, instant);
         let meaning = format!("the acceleration of {name} towards {centre} {}", self.when(instant));
-        let turning = Name::of(QuantityKind::Acceleration, body).at(instant).along("n");
-        let turning = self.symbol(turning, Dimension::ACCELERATION, meaning);
+        let turning = self.symbol(Name::of(QuantityKind::Acceleration, body).at(instant).along("n"), meaning);
         let because = format!("{name} moves on a circle at that instant");
         let sides = (turning.into(), velocity.powi(2) / arm.clone());
         self.law(&geometry::TURNING, Some(index), because, sides);
@@ -205,9 +201,9 @@ impl Builder<'_> {
         if !moment.contains(clock) {
             return moment.clone() * (end.clone() - start.clone());
         }
-        let name = Name::of(QuantityKind::TimeIntegral, "M").along(letter).during(self.stage_label(index));
+        let name = self.in_stage(QuantityKind::AngularImpulse, "", index).along(letter);
         let meaning = Meaning { noun: "the angular impulse", of: format!("about {centre}") };
-        let symbol = self.component(name, Dimension::ANGULAR_MOMENTUM, meaning);
+        let symbol = self.component(name, meaning);
         match moment.definite(clock, start, end) {
             Some(value) => {
                 let integral =

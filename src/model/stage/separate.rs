@@ -12,7 +12,7 @@ use crate::model::Builder;
 use crate::model::Impulse;
 use crate::model::Name;
 use crate::model::QuantityKind;
-use crate::model::Warning;
+use crate::model::Reason;
 use crate::model::frame::Direction;
 use crate::model::stage::push::Acting;
 use crate::quantity::Dimension;
@@ -101,9 +101,9 @@ impl Builder<'_> {
         let clock = self.running_time();
         let force = Acting { name: name.to_owned(), strength, direction: Direction::axis(0, false) };
         let impulse = self.impulse_of(index, &force, clock, [&Expr::zero(), &end]);
-        let own = Name::of(QuantityKind::Impulse, ahead).during(self.stage_label(index));
+        let own = self.in_stage(QuantityKind::Impulse, ahead, index);
         let meaning = format!("the impulse on {}", self.called(ahead));
-        let own = Expr::from(self.symbol(own, Dimension::MOMENTUM, meaning));
+        let own = Expr::from(self.symbol(own, meaning));
         let because = format!("{name} drives {} forwards throughout", self.called(ahead));
         self.law(&force::IMPULSE, Some(index), because, (own, impulse));
     }
@@ -114,8 +114,8 @@ impl Builder<'_> {
         for pair in parts.windows(2) {
             let [behind, ahead] = [0, 1].map(|own| self.velocity(pair[own], index + 2, axis));
             let [name, other] = [0, 1].map(|own| self.called(pair[own]));
-            let reason = format!("{name} would pass through {other}");
-            self.require(Warning::PassesThrough, ahead, Relation::AtLeast, behind, reason);
+            let reason = Reason::PassesThrough(name, other);
+            self.require(ahead, Relation::AtLeast, behind, reason);
         }
     }
 
@@ -161,7 +161,7 @@ impl Builder<'_> {
                 let meaning = format!("the impulse on {name} in {}{along}", self.stage_phrase(index));
                 let impulse = Name::of(QuantityKind::Impulse, part).along(self.letter(*axis));
                 let impulse = impulse.during(self.stage_label(index));
-                let impulse = Expr::from(self.symbol(impulse, Dimension::MOMENTUM, meaning));
+                let impulse = Expr::from(self.symbol(impulse, meaning));
                 let [start, end] =
                     [(whole, index + 1), (part, index + 2)].map(|(own, at)| self.velocity(own, at, *axis));
                 // On a part that is guided, its guide acts, too.

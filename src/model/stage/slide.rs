@@ -11,7 +11,6 @@ use crate::model::Builder;
 use crate::model::Effect;
 use crate::model::Impulse;
 use crate::model::Influence;
-use crate::model::Name;
 use crate::model::QuantityKind;
 use crate::model::acting::Acts;
 use crate::model::incline::Incline;
@@ -83,7 +82,7 @@ impl Builder<'_> {
         let meaning = format!("the duration of {}", self.stage_phrase(index));
         match term {
             Some(term) => self.read_positive(term, Dimension::TIME, &meaning, &path.key("duration")),
-            None => self.positive(self.duration_name(index), Dimension::TIME, meaning).into(),
+            None => self.positive(self.in_stage(QuantityKind::Duration, "", index), meaning).into(),
         }
     }
 
@@ -144,9 +143,9 @@ impl Builder<'_> {
         way: &Way,
         duration: &Expr,
     ) {
-        let normal = Name::of(QuantityKind::NormalForce, body).during(self.stage_label(index));
+        let normal = self.in_stage(QuantityKind::NormalForce, body, index);
         let meaning = format!("the normal force on {}", self.called(body));
-        let normal = Expr::from(self.positive(normal, Dimension::FORCE, meaning));
+        let normal = Expr::from(self.positive(normal, meaning));
         let mass = self.mass(body);
         let weight = mass * self.gravity();
         let sides = (normal.clone(), weight.clone() * incline.press.clone());

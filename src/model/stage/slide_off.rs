@@ -12,7 +12,7 @@ use crate::model::Builder;
 use crate::model::Effect;
 use crate::model::Impulse;
 use crate::model::Influence;
-use crate::model::Warning;
+use crate::model::Reason;
 use crate::model::Work;
 use crate::model::guide::dot;
 use crate::model::guide::projected;
@@ -63,8 +63,8 @@ impl Builder<'_> {
         let across = dot(&seen, &[-sin.clone(), cos.clone()]);
         let because = format!("relative to {other}, {name} moves along its face at the end");
         self.law(&separation::ALONG_FACE, Some(index), because, (across, Expr::zero()));
-        let reason = format!("{name} would slide back up {other}");
-        self.require(Warning::Reverses, dot(&seen, &[cos, sin]), Relation::AtLeast, Expr::zero(), reason);
+        let reason = Reason::SlidesUp(name.clone(), other.clone());
+        self.require(dot(&seen, &[cos, sin]), Relation::AtLeast, Expr::zero(), reason);
         let weights = self.weight_and_guide(index, stage, &guide.by, &along);
         for own in weights {
             self.acts(own);

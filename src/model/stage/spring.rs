@@ -12,9 +12,8 @@ use crate::model::Builder;
 use crate::model::Effect;
 use crate::model::Impulse;
 use crate::model::Influence;
-use crate::model::Name;
 use crate::model::QuantityKind;
-use crate::model::Warning;
+use crate::model::Reason;
 use crate::model::pair::Pair;
 use crate::quantity::Dimension;
 use crate::scene::Term;
@@ -65,8 +64,7 @@ impl Builder<'_> {
         let before = match &stage.carried {
             Some(pan) => {
                 let own = before.unwrap_or_else(|| {
-                    let name = Name::of(QuantityKind::SpringDeformation, pan).during(self.stage_label(index));
-                    self.positive(name, Dimension::LENGTH, from).into()
+                    self.positive(self.in_stage(QuantityKind::SpringDeformation, pan, index), from).into()
                 });
                 let load = self.mass(pan) * self.gravity();
                 let because = format!("the spring carries {} at rest", self.called(pan));
@@ -172,14 +170,12 @@ impl Builder<'_> {
             self.law(&kinematics::TOGETHER, Some(index), because, (after[1].clone(), after[0].clone()));
         }
         let [one, other] = if stage.releases() { [&after, &after] } else { [&before, &before] };
-        let (warning, greater, less, reason) = if stage.releases() {
-            let reason = format!("{first} and {second} would not be pushed apart");
-            (Warning::PassesThrough, &one[1], &other[0], reason)
+        let (greater, less, reason) = if stage.releases() {
+            (&one[1], &other[0], Reason::NotPushedApart(first.clone(), second.clone()))
         } else {
-            let reason = format!("{first} would not catch up with {second}, and the spring would not be compressed");
-            (Warning::NoImpact, &one[0], &other[1], reason)
+            (&one[0], &other[1], Reason::NotCompressed(first.clone(), second.clone()))
         };
-        self.require(warning, greater.clone(), Relation::AtLeast, less.clone(), reason);
+        self.require(greater.clone(), Relation::AtLeast, less.clone(), reason);
         for [own, other] in [bodies, [bodies[1], bodies[0]]] {
             let spring = Influence::outside(index, own, "the spring").by(&[other]);
             self.acts(spring.works(Effect::Open, SPRING_WORKS));

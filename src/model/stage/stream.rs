@@ -8,12 +8,12 @@ use crate::laws::geometry;
 use crate::laws::kinematics;
 use crate::laws::variable_mass;
 use crate::model::Agent;
+use crate::model::Because;
 use crate::model::Builder;
 use crate::model::Flowing;
 use crate::model::Impulse;
 use crate::model::Influence;
 use crate::model::Meaning;
-use crate::model::Name;
 use crate::model::QuantityKind;
 use crate::model::VectorKind;
 use crate::model::builder::SECOND_COST;
@@ -49,8 +49,8 @@ impl Builder<'_> {
         let mut forces = Vec::new();
         for (axis, part) in axes.iter().zip(parts) {
             let meaning = Meaning { noun: "the force", of: format!("of {by} on {name}") };
-            let force = Name::of(QuantityKind::Force, body).along(self.letter(*axis)).during(self.stage_label(index));
-            let force = Expr::from(self.component(force, Dimension::FORCE, meaning));
+            let force = self.in_stage(QuantityKind::Force, body, index).along(self.letter(*axis));
+            let force = Expr::from(self.component(force, meaning));
             let sides = (force.clone(), Expr::product([flow.clone(), relative.clone(), part]));
             self.law(&variable_mass::STREAM, Some(index), cause.clone(), sides);
             forces.push(force);
@@ -90,8 +90,7 @@ impl Builder<'_> {
             (None, Some(term)) => {
                 let meaning_of_drop = format!("the height through which {} falls", stage.by);
                 let drop = self.read_positive(term, Dimension::LENGTH, &meaning_of_drop, &path.key("drop"));
-                let speed = Name::of(QuantityKind::StreamVelocity, "").during(self.stage_label(index));
-                let speed = Expr::from(self.positive(speed, Dimension::VELOCITY, meaning));
+                let speed = Expr::from(self.positive(self.in_stage(QuantityKind::StreamVelocity, "", index), meaning));
                 let gravity = self.gravity();
                 let sides = kinematics::fall_speed(&gravity, &drop, &Expr::zero(), &speed);
                 let because = format!("{} falls freely from rest", stage.by);
@@ -133,8 +132,7 @@ impl Builder<'_> {
                 return None;
             }
         };
-        let flow = Name::of(QuantityKind::MassFlow, &stage.body).during(self.stage_label(index));
-        let flow = Expr::from(self.positive(flow, FLOW, meaning));
+        let flow = Expr::from(self.positive(self.in_stage(QuantityKind::MassFlow, &stage.body, index), meaning));
         let because = match (&stage.moves, stage.series) {
             (Some(_), true) => format!("none of {by} passes between them, since they follow each other closely"),
             (Some(_), false) => format!("only the part that catches up with {name} reaches it"),
@@ -185,7 +183,7 @@ impl Builder<'_> {
         direction: &Direction,
     ) {
         let name = self.called(&stage.body);
-        let named = |kind| Name::of(kind, &stage.body).during(self.stage_label(index));
+        let named = |kind| self.in_stage(kind, &stage.body, index);
         let [size, angle, hold, power] = [
             QuantityKind::Force,
             QuantityKind::Direction(VectorKind::Force),
@@ -195,9 +193,9 @@ impl Builder<'_> {
         .map(named);
         if let [x, y] = forces {
             let meaning = format!("the magnitude of the force of {} on {name}", stage.by);
-            let size = Expr::from(self.positive(size, Dimension::FORCE, meaning));
+            let size = Expr::from(self.positive(size, meaning));
             let meaning = format!("the direction of the force of {} on {name}", stage.by);
-            let angle = Expr::from(self.symbol(angle, Dimension::NONE, meaning));
+            let angle = Expr::from(self.symbol(angle, meaning));
             for sides in geometry::components(&size, &angle, x, y) {
                 let because = "the force is resolved along the axes";
                 self.law_at(SECOND_COST, &geometry::COMPONENTS, Some(index), because, sides);
@@ -210,15 +208,16 @@ impl Builder<'_> {
         }
         if let [force] = forces {
             let meaning = format!("the force that holds {name} against {}, or keeps it going", stage.by);
-            let hold = Expr::from(self.symbol(hold, Dimension::FORCE, meaning));
-            let because = format!("{name} moves at constant velocity, so the forces on it balance");
+            let hold = Expr::from(self.symbol(hold, meaning));
+            let fact = format!("{name} moves at constant velocity");
+            let because = Because::Conclusion(fact, "the forces on it balance".to_owned());
             self.law(&crate::laws::force::BALANCE, Some(index), because, (hold, -force.clone()));
         }
         let Some(moves) = moves else { return };
         let along =
             Expr::sum(self.components(direction).into_iter().zip(forces).map(|(part, force)| part * force.clone()));
         let meaning = format!("the power of the force of {} on {name}", stage.by);
-        let power = Expr::from(self.symbol(power, Dimension::new(1, 2, -3), meaning));
+        let power = Expr::from(self.symbol(power, meaning));
         let because = format!("{name} moves along {}", stage.by);
         self.law(&variable_mass::POWER, Some(index), because, (power, along * moves.clone()));
     }
@@ -243,8 +242,7 @@ impl Builder<'_> {
         let mass = self.mass(&stage.body);
         let gravity = self.gravity();
         let meaning = format!("the force that supports {name}");
-        let support = Name::of(QuantityKind::NormalForce, &stage.body).during(self.stage_label(index));
-        let support = self.positive(support, Dimension::FORCE, meaning);
+        let support = self.positive(self.in_stage(QuantityKind::NormalForce, &stage.body, index), meaning);
         let carried = (mass + caught) * gravity + Expr::integer(down) * force.clone();
         let because = format!("{name} stays at rest while {} comes to rest on it", stage.by);
         self.law(&variable_mass::SUPPORT, Some(index), because, (support.into(), carried));

@@ -11,7 +11,7 @@ use crate::model::Builder;
 use crate::model::Impulse;
 use crate::model::Name;
 use crate::model::QuantityKind;
-use crate::model::Warning;
+use crate::model::Reason;
 use crate::quantity::Dimension;
 use crate::scene::stage::Strike;
 use crate::solve::Relation;
@@ -36,8 +36,8 @@ impl Builder<'_> {
                 terms.push(self.on_arm(index, carried, instant, &arm, &turn));
             }
             let meaning = format!("the angular momentum about {centre} {}", self.when(instant));
-            let own = Name::of(QuantityKind::AngularMomentum, &stage.about).at(instant);
-            let momentum = Expr::from(self.symbol(own, Dimension::ANGULAR_MOMENTUM, meaning));
+            let momentum =
+                Expr::from(self.symbol(Name::of(QuantityKind::AngularMomentum, &stage.about).at(instant), meaning));
             let because = "all move at right angles to the arm";
             self.law(&angular::ANGULAR_MOMENTUM, Some(index), because, (momentum.clone(), Expr::sum(terms)));
             momenta.push(momentum);
@@ -67,8 +67,8 @@ impl Builder<'_> {
     /// How the body and the place that it strikes part: `v` of the body, `w` of the place, before and after.
     fn parting(&mut self, index: usize, stage: &Strike, [[v1, w1], [v2, w2]]: [[&Expr; 2]; 2], path: &Path) {
         let name = self.called(&stage.body);
-        let reason = format!("{name} would not meet the arm");
-        self.require(Warning::NoImpact, v1.clone(), Relation::Differs, w1.clone(), reason);
+        let reason = Reason::NotMet(name.clone(), "the arm".to_owned());
+        self.require(v1.clone(), Relation::Differs, w1.clone(), reason);
         match (&stage.restitution, stage.plastic) {
             (Some(_), true) => {
                 let fault = Fault::new(Code::OverDetermined, "`plastic` and `restitution` cannot be used together");
@@ -86,10 +86,8 @@ impl Builder<'_> {
             }
             (None, false) => {
                 let squared = |one: &Expr, other: &Expr| (one.clone() - other.clone()).powi(2);
-                let reason = format!(
-                    "{name} would leave the arm faster than it arrived (e above 1), and energy would be created"
-                );
-                self.require(Warning::EnergyCreated, squared(v1, w1), Relation::AtLeast, squared(v2, w2), reason);
+                let reason = Reason::LeavesFaster(name, "the arm".to_owned());
+                self.require(squared(v1, w1), Relation::AtLeast, squared(v2, w2), reason);
             }
         }
     }

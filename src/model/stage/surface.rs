@@ -7,9 +7,8 @@ use crate::laws::restitution;
 use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Impulse;
-use crate::model::Name;
 use crate::model::QuantityKind;
-use crate::model::Warning;
+use crate::model::Reason;
 use crate::model::contact_weight::Lasting;
 use crate::model::frame::Frame;
 use crate::quantity::Dimension;
@@ -65,9 +64,9 @@ impl Builder<'_> {
             }
             self.neglect(format!("friction with {wall}"), format!("{wall} is smooth"));
         }
-        let impulse = Name::of(QuantityKind::Impulse, body).during(self.stage_label(index));
+        let impulse = self.in_stage(QuantityKind::Impulse, body, index);
         let meaning = format!("the impulse on {name} from {wall}");
-        let impulse = Expr::from(self.symbol(impulse, Dimension::MOMENTUM, meaning));
+        let impulse = Expr::from(self.symbol(impulse, meaning));
         let because = match fallen {
             None => format!("along the normal, the only impulse on {name} is that of {wall}"),
             Some(_) => format!("along the normal, {wall} and weight exert impulses on {name}"),
@@ -92,24 +91,11 @@ impl Builder<'_> {
         }
         if stage.restitution.is_none() && !stage.plastic {
             let [approach, separation] = [moves.clone() - start.along.clone(), end.along.clone() - moves.clone()];
-            let reason =
-                format!("{name} would leave {wall} faster than it arrived (e above 1), and energy would be created");
-            self.require(Warning::EnergyCreated, approach, Relation::AtLeast, separation, reason);
+            let reason = Reason::LeavesFaster(name.clone(), wall.clone());
+            self.require(approach, Relation::AtLeast, separation, reason);
         }
-        self.require(
-            Warning::NoImpact,
-            start.along,
-            Relation::Less,
-            moves.clone(),
-            format!("{name} would not reach {wall}"),
-        );
-        self.require(
-            Warning::PassesThrough,
-            end.along,
-            Relation::AtLeast,
-            moves,
-            format!("{name} would pass through {wall}"),
-        );
+        self.require(start.along, Relation::Less, moves.clone(), Reason::NotReached(name.clone(), wall.clone()));
+        self.require(end.along, Relation::AtLeast, moves, Reason::PassesThrough(name, wall.clone()));
         self.not_needed(format!("the momentum of {wall}"), format!("{wall} is held by external forces"));
     }
 }

@@ -14,8 +14,8 @@ use crate::model::Impulse;
 use crate::model::Influence;
 use crate::model::Name;
 use crate::model::QuantityKind;
+use crate::model::Reason;
 use crate::model::VectorKind;
-use crate::model::Warning;
 use crate::quantity::Dimension;
 use crate::scene::Stage;
 use crate::scene::stage::Place;
@@ -87,10 +87,9 @@ impl Builder<'_> {
                         let key = path.key(if side == 0 { "from" } else { "to" });
                         self.read_positive(term, Dimension::NONE, &meaning, &key)
                     }
-                    None => {
-                        let angle = Name::of(QuantityKind::Direction(VectorKind::Velocity), body).at(since);
-                        self.positive(angle, Dimension::NONE, meaning).into()
-                    }
+                    None => self
+                        .positive(Name::of(QuantityKind::Direction(VectorKind::Velocity), body).at(since), meaning)
+                        .into(),
                 };
                 (false, angle)
             }
@@ -118,8 +117,8 @@ impl Builder<'_> {
                 self.law(&geometry::ARC, Some(index), because, (component.clone(), Expr::zero()));
             } else {
                 let along = Expr::integer(sign) * component.clone();
-                let reason = format!("{name} would swing the other way");
-                self.require(Warning::Reverses, along, Relation::AtLeast, Expr::zero(), reason);
+                let reason = Reason::SwingsBack(name.clone());
+                self.require(along, Relation::AtLeast, Expr::zero(), reason);
             }
         }
     }
@@ -128,8 +127,8 @@ impl Builder<'_> {
     fn swings_on(&mut self, stage: &Swing, velocity: &Expr, path: &Path) {
         if stage.from.is_none() {
             let along = Expr::integer(self.sense(stage.direction.as_ref(), path)) * velocity.clone();
-            let reason = format!("{} would already swing back", self.called(&stage.body));
-            self.require(Warning::Reverses, along, Relation::AtLeast, Expr::zero(), reason);
+            let reason = Reason::AlreadySwingsBack(self.called(&stage.body));
+            self.require(along, Relation::AtLeast, Expr::zero(), reason);
         }
     }
 
@@ -150,10 +149,10 @@ impl Builder<'_> {
                 format!("the height from which {}", self.does(&stage.body, ["swings down", "swing down"]))
             }
         };
-        let own = Name::of(QuantityKind::Height, &stage.body).during(self.stage_label(index));
+        let own = self.in_stage(QuantityKind::Height, &stage.body, index);
         let height = match &stage.height {
             Some(term) => self.read(term, Dimension::LENGTH, &meaning, &path.key("height")),
-            None => self.symbol(own, Dimension::LENGTH, meaning).into(),
+            None => self.symbol(own, meaning).into(),
         };
         if let (false, Expr::Symbol(symbol)) = (between, &height) {
             self.system.positive.insert(*symbol);
@@ -173,18 +172,14 @@ impl Builder<'_> {
         if end.is_lowest {
             return;
         }
-        let reason = format!(
-            "the cord would go slack before {} to the end of {}",
-            self.does(&stage.body, ["comes", "come"]),
-            self.stage_phrase(index)
-        );
+        let reason = Reason::CordSlack(self.does(&stage.body, ["comes", "come"]), self.stage_phrase(index));
         if stage.stops() && stage.from.is_none() {
-            self.require(Warning::GoesSlack, height.clone(), Relation::AtMost, length.clone(), reason);
+            self.require(height.clone(), Relation::AtMost, length.clone(), reason);
             return;
         }
         let pull = Expr::integer(2) * energy::specific_kinetic(&end.velocity) / length.clone();
         let pull = pull + self.gravity() * end.angle.clone().cos();
-        self.require(Warning::GoesSlack, pull, Relation::AtLeast, Expr::zero(), reason);
+        self.require(pull, Relation::AtLeast, Expr::zero(), reason);
     }
 
     /// Whether a body swings on cords of several lengths, as at a peg: then its tension changes between two swings.
@@ -208,8 +203,7 @@ impl Builder<'_> {
             (self.when(since), None)
         };
         let meaning = format!("the tension of the cord of {name} {when}");
-        let tension = Name::of(QuantityKind::Tension, body).at(since).during(stage);
-        let tension = Expr::from(self.symbol(tension, Dimension::FORCE, meaning));
+        let tension = Expr::from(self.symbol(Name::of(QuantityKind::Tension, body).at(since).during(stage), meaning));
         let (mass, gravity) = (self.mass(body), self.gravity());
         let cosine = end.angle.clone().cos().simplify();
         let sides = force::tension(&tension, [&mass, &gravity], &cosine, &end.velocity, length);

@@ -5,7 +5,7 @@ use crate::fault::Path;
 use crate::laws::kinematics;
 use crate::laws::momentum;
 use crate::model::Builder;
-use crate::model::Warning;
+use crate::model::Reason;
 use crate::model::contact_weight::Lasting;
 use crate::model::frame::Frame;
 use crate::model::pair::Pair;
@@ -50,8 +50,8 @@ impl Builder<'_> {
             );
             self.law(&momentum::NO_IMPULSE, Some(index), because, (end.clone(), start.clone()));
         }
-        let reason = format!("{second} would not move away from {first}, and the string would stay slack");
-        self.require(Warning::NoImpact, pair.before[1].clone(), Relation::AtLeast, pair.before[0].clone(), reason);
+        let reason = Reason::StaysSlack(first.clone(), second.clone());
+        self.require(pair.before[1].clone(), Relation::AtLeast, pair.before[0].clone(), reason);
         self.neglect("the mass of the string", "it is light, and does not stretch");
         if stage.over.is_some() || self.scene.plane == Plane::Vertical {
             let why =

@@ -12,7 +12,7 @@ use crate::model::Impulse;
 use crate::model::Influence;
 use crate::model::Name;
 use crate::model::QuantityKind;
-use crate::model::Warning;
+use crate::model::Reason;
 use crate::model::acting::Acts;
 use crate::model::builder::LAW_COST;
 use crate::model::frame::Direction;
@@ -48,8 +48,8 @@ impl Builder<'_> {
         let (name, because) = (self.called(&burn.body), "the flow is steady");
         let [start, end] = [&burn.masses[0], &burn.masses[1]];
         self.law(&variable_mass::USED, Some(index), because, variable_mass::used([start, end], &burn.flow, &burn.time));
-        let reason = format!("{name} would gain mass");
-        self.require(Warning::EnergyCreated, start.clone(), Relation::AtLeast, end.clone(), reason);
+        let reason = Reason::GainsMass(name.clone());
+        self.require(start.clone(), Relation::AtLeast, end.clone(), reason);
         self.note_burn(&burn, stage.on_ground);
         if let Some(resistance) = &stage.resistance {
             let at = path.key("resistance");
@@ -84,22 +84,18 @@ impl Builder<'_> {
             ],
             BurningMass::Start(start) => [
                 self.read_positive(start, Dimension::MASS, &meanings[0], &at),
-                self.positive(Name::of(QuantityKind::Mass, &body).at(index + 2), Dimension::MASS, meanings[1].clone())
-                    .into(),
+                self.positive(Name::of(QuantityKind::Mass, &body).at(index + 2), meanings[1].clone()).into(),
             ],
         };
         let meaning = format!("the duration of {phrase}");
         let time = match &stage.during {
             Some(term) => self.read_positive(term, Dimension::TIME, &meaning, &path.key("during")),
-            None => self.positive(self.duration_name(index), Dimension::TIME, meaning).into(),
+            None => self.positive(self.in_stage(QuantityKind::Duration, "", index), meaning).into(),
         };
         let meaning = format!("the thrust on {name}");
         let thrust = match &stage.force {
             Some(term) => self.read_positive(term, Dimension::FORCE, &meaning, &path.key("force")),
-            None => {
-                let thrust = Name::of(QuantityKind::Force, &body).during(self.stage_label(index));
-                self.positive(thrust, Dimension::FORCE, meaning).into()
-            }
+            None => self.positive(self.in_stage(QuantityKind::Force, &body, index), meaning).into(),
         };
         let (exhaust, flow) = self.read_exhaust(index, stage, &thrust, path);
         let direction = match &stage.direction {
@@ -115,10 +111,7 @@ impl Builder<'_> {
         let meaning = format!("the mass that {name} expels per unit time");
         let flow = match &stage.flow {
             Some(term) => self.read_positive(term, FLOW, &meaning, &path.key("flow")),
-            None => {
-                let flow = Name::of(QuantityKind::MassFlow, &stage.body).during(self.stage_label(index));
-                self.positive(flow, FLOW, meaning).into()
-            }
+            None => self.positive(self.in_stage(QuantityKind::MassFlow, &stage.body, index), meaning).into(),
         };
         let at = path.key("exhaust");
         let jets = match &stage.exhaust {
@@ -171,8 +164,7 @@ impl Builder<'_> {
         let part = self.components(&burn.direction).into_iter().next()?;
         let (name, phrase) = (self.called(&burn.body), self.stage_phrase(burn.index));
         let meaning = format!("the distance travelled by {name} during {phrase}");
-        let way = Name::of(QuantityKind::Displacement, &burn.body).during(self.stage_label(burn.index));
-        let way = self.symbol(way, Dimension::LENGTH, meaning);
+        let way = self.symbol(self.in_stage(QuantityKind::Displacement, &burn.body, burn.index), meaning);
         let before = self.velocity(&burn.body, burn.index + 1, axis);
         let driven = part * variable_mass::way(&burn.exhaust, [start, end], time);
         let fallen = self.downwards(0).map(|down| {
@@ -196,8 +188,11 @@ impl Builder<'_> {
         };
         let (index, name, gravity) = (burn.index, self.called(&burn.body), self.gravity());
         let [start, end] = &burn.masses;
-        let symbol = Name::of(QuantityKind::StartTime, "").during(self.stage_label(index));
-        let begins = Expr::from(self.symbol(symbol, Dimension::TIME, format!("the time at which {name} lifts off")));
+        let begins =
+            Expr::from(self.symbol(
+                self.in_stage(QuantityKind::StartTime, "", index),
+                format!("the time at which {name} lifts off"),
+            ));
         let after = self.velocity(&burn.body, index + 2, *axis);
         let weight = |mass: &Expr| mass.clone() * gravity.clone();
 
@@ -207,8 +202,7 @@ impl Builder<'_> {
         at_once.equations.push(self.stated(LAW_COST, &variable_mass::LIFT_OFF, Some(index), because, sides, None));
         let all = self.burnt(burn, &burn.masses, &burn.time);
         self.rises(&mut at_once, burn, all, &burn.masses, &burn.time);
-        let reason =
-            format!("the thrust is less than the weight at the start, so {name} stays on the ground for a while");
+        let reason = Reason::WaitsOnGround(name.clone());
         at_once.conditions.push(self.condition(burn.thrust.clone(), Relation::AtLeast, weight(start), reason));
 
         let mut waits = Alternative {
@@ -222,18 +216,18 @@ impl Builder<'_> {
         let (masses, time) = ([left, end.clone()], burn.time.clone() - begins);
         let all = self.burnt(burn, &masses, &time);
         self.rises(&mut waits, burn, all, &masses, &time);
-        let reason = format!("the thrust exceeds the weight from the start, so {name} does not wait");
+        let reason = Reason::LiftsAtOnce(name.clone());
         waits.conditions.push(self.condition(burn.thrust.clone(), Relation::Less, weight(start), reason));
         let mut ways = vec![at_once, waits];
         if ends {
-            let reason = format!("even at the end the weight exceeds the thrust, so {name} does not lift off");
+            let reason = Reason::NeverLifts(name.clone());
             let lifts = self.condition(burn.thrust.clone(), Relation::Greater, weight(end), reason);
             ways[1].conditions.push(lifts);
             let mut never = Alternative { what: format!("{name} never lifts off"), ..Alternative::default() };
             let because = "the thrust stays below the weight to the end";
             let sides = (after, Expr::zero());
             never.equations.push(self.stated(LAW_COST, &variable_mass::LIFT_OFF, Some(index), because, sides, None));
-            let reason = format!("the thrust exceeds the weight before the end, so {name} lifts off");
+            let reason = Reason::LiftsInTime(name.clone());
             never.conditions.push(self.condition(burn.thrust.clone(), Relation::AtMost, weight(end), reason));
             ways.push(never);
         }
@@ -261,17 +255,17 @@ impl Builder<'_> {
         };
         let (name, axis) = (self.called(&burn.body), self.axes[0].0);
         let [before, after] = [1, 2].map(|side| self.velocity(&burn.body, burn.index + side, axis));
-        let [even, ratio] = [QuantityKind::TerminalSpeed, QuantityKind::SpeedRatio]
-            .map(|kind| Name::of(kind, "").during(self.stage_label(burn.index)));
+        let [even, ratio] =
+            [QuantityKind::TerminalSpeed, QuantityKind::SpeedRatio].map(|kind| self.in_stage(kind, "", burn.index));
         let meaning = "the speed at which the resistance equals the thrust";
-        let even = Expr::from(self.positive(even, Dimension::VELOCITY, meaning));
+        let even = Expr::from(self.positive(even, meaning));
         let because = format!("{name} cannot become faster than that");
         let sides = (resistance.clone() * even.clone().powi(2), burn.thrust.clone());
         self.law(&variable_mass::EVEN_SPEED, Some(burn.index), because, sides);
         let masses = [&burn.masses[0], &burn.masses[1]];
         let value = variable_mass::ratio_against_resistance(&even, resistance, &burn.flow, masses, &before);
         let meaning = "the ratio of w - v to w + v at the end";
-        let ratio = Expr::from(self.symbol(ratio, Dimension::NONE, meaning));
+        let ratio = Expr::from(self.symbol(ratio, meaning));
         let because = "thrust minus resistance accelerates the remaining mass";
         self.law(&variable_mass::ROCKET_DRAG, Some(burn.index), because, (ratio.clone(), value));
         let sides = (after, variable_mass::against_resistance(&even, &ratio));

@@ -7,14 +7,14 @@ use crate::laws::force;
 use crate::laws::kinematics;
 use crate::laws::momentum;
 use crate::model::Agent;
+use crate::model::Because;
 use crate::model::Builder;
 use crate::model::Direction;
 use crate::model::ForceKind;
 use crate::model::Impulse;
 use crate::model::Influence;
-use crate::model::Name;
 use crate::model::QuantityKind;
-use crate::model::Warning;
+use crate::model::Reason;
 use crate::model::Work;
 use crate::model::acting::Acts;
 use crate::model::incline::Incline;
@@ -71,13 +71,14 @@ impl Builder<'_> {
                 Expr::sum(both.map(|own| energy::kinetic(&own.mass, &[velocity(own)])))
             };
             let works = both.map(|own| (own.drive.clone() * distance.clone()).simplify());
-            let because = format!("{joint} does equal and opposite work on the two bodies, so its total work is zero");
+            let fact = format!("{joint} does equal and opposite work on the two bodies");
+            let because = Because::Conclusion(fact, "its total work is zero".to_owned());
             let (start, end) = (kinetic(&|own| own.before.clone()), kinetic(&|own| own.after.clone()));
             self.law(&energy::WORK_ENERGY, Some(index), because, energy::work_energy(start, works, end));
         }
         for speed in [&front.before, &front.after].into_iter().filter(|speed| !speed.is_zero()) {
-            let reason = format!("{} would move the other way", front.name);
-            self.require(Warning::Reverses, speed.clone(), Relation::AtLeast, Expr::zero(), reason);
+            let reason = Reason::MovesBack(front.name.clone());
+            self.require(speed.clone(), Relation::AtLeast, Expr::zero(), reason);
         }
         self.neglect(format!("the mass of {joint}"), "it is light compared with the bodies that it joins");
         self.neglect("air resistance", "the problem does not mention any");
@@ -87,8 +88,7 @@ impl Builder<'_> {
     fn pull_of_joint(&mut self, index: usize, stage: &Tow, duration: &Expr) -> Expr {
         let joint = stage.joint();
         let meaning = format!("the pull of {joint} during {} (negative where it pushes)", self.stage_phrase(index));
-        let tension = Name::of(QuantityKind::Tension, "").during(self.stage_label(index));
-        let symbol = self.symbol(tension, Dimension::FORCE, meaning);
+        let symbol = self.symbol(self.in_stage(QuantityKind::Tension, "", index), meaning);
         let names = stage.both().map(|own| own.body.clone());
         for (own, other, reversed) in [(0, 1, true), (1, 0, false)] {
             let acts = Acts { stage: index, on: &names[own], during: [&Expr::zero(), duration] };
@@ -157,8 +157,7 @@ impl Builder<'_> {
             self.forces.push(acts.force(ForceKind::Weight, "weight", weight, down));
         } else {
             let meaning = format!("the normal force on {name}");
-            let normal = Name::of(QuantityKind::NormalForce, body).during(self.stage_label(index));
-            let normal = Expr::from(self.positive(normal, Dimension::FORCE, meaning));
+            let normal = Expr::from(self.positive(self.in_stage(QuantityKind::NormalForce, body, index), meaning));
             let sides = (normal.clone(), weight.clone() * incline.press.clone());
             self.law(&force::NORMAL_FORCE, Some(index), "the normal force balances what presses on the floor", sides);
             self.note_floor(acts, incline, weight, normal, friction.unwrap_or_else(Expr::zero), false);

@@ -8,7 +8,6 @@ use crate::laws::separation;
 use crate::model::Builder;
 use crate::model::Effect;
 use crate::model::Influence;
-use crate::model::Name;
 use crate::model::QuantityKind;
 use crate::quantity::Dimension;
 use crate::scene::stage::Walk;
@@ -27,8 +26,8 @@ impl Builder<'_> {
         }
         let displacements = bodies.map(|body| {
             let meaning = format!("the displacement of {} over the ground", self.called(body));
-            let name = Name::of(QuantityKind::Displacement, body).during(self.stage_label(index));
-            Expr::from(self.symbol(name, Dimension::LENGTH, meaning))
+            let name = self.in_stage(QuantityKind::Displacement, body, index);
+            Expr::from(self.symbol(name, meaning))
         });
         if let [(axis, _)] = self.axes[..] {
             for (body, displacement) in bodies.into_iter().zip(&displacements) {

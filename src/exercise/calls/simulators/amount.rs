@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::quantity::Printed;
+use crate::quantity::with_minus_signs;
 
 /// The figures that pages show, as worked solutions do.
 const FIGURES: usize = 3;
@@ -44,12 +45,12 @@ impl Amount {
 fn prose(text: &str) -> String {
     let (number, power) = text.split_once("10^").map_or((text, ""), |(number, power)| (number, power));
     if power.is_empty() {
-        return text.replace('-', "\u{2212}");
+        return with_minus_signs(&text);
     }
     let end = power.find(|letter: char| !letter.is_ascii_digit() && letter != '-').unwrap_or(power.len());
     let (power, unit) = power.split_at(end);
     let raised = power.chars().filter_map(|letter| RAISED.chars().nth("0123456789-".find(letter)?));
-    format!("{}10{}{unit}", number.replace('-', "\u{2212}"), raised.collect::<String>())
+    format!("{}10{}{unit}", with_minus_signs(number), raised.collect::<String>())
 }
 
 const RAISED: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻";

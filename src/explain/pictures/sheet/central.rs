@@ -11,6 +11,7 @@ use crate::figure::Moment;
 use crate::figure::Moving;
 use crate::figure::MovingBody;
 use crate::figure::Situation;
+use crate::model::QuantityKind;
 use crate::scene::Strength;
 use crate::scene::stage;
 use crate::scene::stage::Arm;
@@ -39,7 +40,7 @@ pub(in super::super) fn on_arm(quantities: &Quantities<'_>, rotate: &Rotate) -> 
 /// A body under a central force at the first place.
 pub(in super::super) fn under_force(quantities: &Quantities<'_>, central: &stage::Central) -> Option<Drawing> {
     let name = quantities.velocity_name(&central.body, 1);
-    let radius = name.replacen('v', "r", 1);
+    let radius = quantities.since(QuantityKind::Position, &central.body, 1).to_string();
     let radius = quantities.named(&radius).map(|_| name_math(&radius));
     draw(quantities, [&central.body, &central.about], radius, &format!("{name}.theta"), false, None)
 }

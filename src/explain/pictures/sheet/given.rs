@@ -10,6 +10,8 @@ use crate::figure::MovingBody;
 use crate::model::ActingForce;
 use crate::model::Direction;
 use crate::model::ForceKind;
+use crate::model::QuantityKind;
+use crate::model::VectorKind;
 use crate::scene::Stage;
 
 use super::super::compass::Compass;
@@ -29,7 +31,7 @@ impl Quantities<'_> {
         if let Some(value) = self.velocity(body, instant) {
             let vector = Labelled { label: name_math(&name), value: Some(value) };
             let moving = Moving::velocity(vector.placed(compass));
-            return vec![match self.stated_angle(&name) {
+            return vec![match self.stated_angle(body, instant) {
                 Some(angle) => moving.at_angle(compass.axis_angle(0), angle),
                 None => moving,
             }];
@@ -45,8 +47,8 @@ impl Quantities<'_> {
     }
 
     /// The angle that gives the direction of a velocity, where it is given so.
-    fn stated_angle(&self, name: &str) -> Option<Math> {
-        let angle = format!("angle{}", name.strip_prefix('v')?);
+    fn stated_angle(&self, body: &str, instant: usize) -> Option<Math> {
+        let angle = self.since(QuantityKind::Direction(VectorKind::Velocity), body, instant).to_string();
         self.named(&angle)?;
         Some(name_math(&angle))
     }

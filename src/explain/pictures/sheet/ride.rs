@@ -11,6 +11,8 @@ use crate::figure::Ride;
 use crate::figure::Role;
 use crate::figure::Situation;
 use crate::figure::Wording;
+use crate::model::above_or_below;
+use crate::model::is_reversed;
 use crate::scene::Term;
 use crate::scene::stage::SlideOff;
 use crate::scene::stage::Walk;
@@ -70,13 +72,13 @@ pub(in super::super) fn slide(quantities: &Quantities<'_>, compass: &Compass, st
 /// The angle of the face against the level, how it is written, and whether the face falls to the right.
 fn face(quantities: &Quantities<'_>, compass: &Compass, stage: &SlideOff) -> (f64, Option<Math>, bool) {
     let words = stage.direction.0.trim();
-    let Some((angle, axis)) = words.split_once(" below ").or_else(|| words.split_once(" above ")) else {
+    let Some((angle, _, axis)) = above_or_below(words) else {
         // A face that ends level, such as a bowl's.
-        return (SKETCHED, None, compass.place([if words.starts_with('-') { -1.0 } else { 1.0 }, 0.0])[0] > 0.0);
+        return (SKETCHED, None, compass.place([if is_reversed(words) { -1.0 } else { 1.0 }, 0.0])[0] > 0.0);
     };
     let angle = quantities.term(&Term(angle.to_owned()));
     let (angle, label) = angle.map_or((SKETCHED, None), |angle| quantities.angle_or_sketch(&angle));
-    let along = if axis.trim().starts_with('-') { -1.0 } else { 1.0 };
+    let along = if is_reversed(axis) { -1.0 } else { 1.0 };
     (angle, label, compass.place([along, 0.0])[0] > 0.0)
 }
 

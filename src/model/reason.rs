@@ -1,0 +1,227 @@
+//! Why a root or a way is not possible.
+
+/// Why a root is not a solution, or a way not the one that a scene takes: what would be so if a condition were broken.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Reason {
+    /// A body would pass through another, or through a surface.
+    #[error("{0} would pass through {1}")]
+    PassesThrough(String, String),
+    /// A spring that releases would not drive two bodies apart.
+    #[error("{0} and {1} would not be pushed apart")]
+    NotPushedApart(String, String),
+    /// A body would not catch up with another.
+    #[error("{0} would not catch up with {1}, so there would be no impact")]
+    NoCatchingUp(String, String),
+    /// Two bodies would not press the spring between them.
+    #[error("{0} would not catch up with {1}, and the spring would not be compressed")]
+    NotCompressed(String, String),
+    /// The string between two bodies would stay slack.
+    #[error("{1} would not move away from {0}, and the string would stay slack")]
+    StaysSlack(String, String),
+    /// A body would not meet another, or an arm.
+    #[error("{0} would not meet {1}")]
+    NotMet(String, String),
+    /// A body would not reach a surface.
+    #[error("{0} would not reach {1}")]
+    NotReached(String, String),
+    /// A body would not come down on its floor.
+    #[error("{0} would not move towards the floor")]
+    NotTowardsFloor(String),
+    /// A body would leave what it strikes faster than it came.
+    #[error("{0} would leave {1} faster than it arrived (e above 1), and energy would be created")]
+    LeavesFaster(String, String),
+    /// A loss of energy is negative.
+    #[error("a negative loss would create kinetic energy")]
+    NegativeLoss,
+    /// An impact would create kinetic energy.
+    #[error("kinetic energy would be created")]
+    CreatesEnergy,
+    /// A coefficient of restitution is below 0.
+    #[error("a coefficient of restitution cannot be negative")]
+    NegativeRestitution,
+    /// A coefficient of restitution is above 1.
+    #[error("a coefficient of restitution above 1 would create energy")]
+    RestitutionAboveOne,
+    /// A body that throws mass away would gain some.
+    #[error("{0} would gain mass")]
+    GainsMass(String),
+    /// A body would stop, and friction reverse.
+    #[error("{0} would stop and friction would reverse before the end")]
+    StopsEarly(String),
+    /// Friction would not act against the motion.
+    #[error("{0} would have to slide forwards for friction to act backwards")]
+    SlidesBackwards(String),
+    /// A body would move the other way than its stage says.
+    #[error("{0} would move the other way")]
+    MovesBack(String),
+    /// The same at the start or the end of a stage.
+    #[error("{0} would move the other way at the {1} of {2}")]
+    MovesBackAt(String, String, String),
+    /// A body would swing the other way than its stage says.
+    #[error("{0} would swing the other way")]
+    SwingsBack(String),
+    /// A body would have turned back on its way.
+    #[error("{0} would already swing back")]
+    AlreadySwingsBack(String),
+    /// A body would slide up what it slides down.
+    #[error("{0} would slide back up {1}")]
+    SlidesUp(String, String),
+    /// A body that falls moves downwards at the end.
+    #[error("{0} downwards at the end of {1}")]
+    Downwards(String, String),
+    /// A string would go slack.
+    #[error("the string would go slack")]
+    StringSlack,
+    /// The cord of a body that swings would go slack.
+    #[error("the cord would go slack before {0} to the end of {1}")]
+    CordSlack(String, String),
+    /// Weight, which a short contact leaves out, would give too much.
+    #[error(
+        "weight would give {0} 10 % or more of its change of momentum in {1}, where it is neglected (`include: [weight]` takes it into account)"
+    )]
+    WeightNotNegligible(String, String),
+    /// The same where a question is about weight.
+    #[error("weight would give 10 % or more of the change of momentum, too much to be called negligible")]
+    WeightNotSmall,
+    /// A push exceeds static friction before it begins.
+    #[error("the push would exceed static friction before it began")]
+    BeyondBeforeStart,
+    /// A push exceeds static friction when it begins.
+    #[error("the push exceeds static friction from the beginning")]
+    BeyondFromStart,
+    /// A push does not exceed static friction when it begins.
+    #[error("the push does not exceed static friction when it begins")]
+    NotBeyondAtStart,
+    /// A push never exceeds static friction.
+    #[error("the push never exceeds static friction, so {0} stays at rest")]
+    NeverBeyond(String),
+    /// A push exceeds static friction.
+    #[error("the push exceeds static friction, so {0} does not stay at rest")]
+    Beyond(String),
+    /// A push exceeds static friction the other way.
+    #[error("the push exceeds static friction backwards, so {0} does not stay at rest")]
+    BeyondBackwards(String),
+    /// A thrust does not lift a body at once.
+    #[error("the thrust is less than the weight at the start, so {0} stays on the ground for a while")]
+    WaitsOnGround(String),
+    /// A thrust lifts a body at once.
+    #[error("the thrust exceeds the weight from the start, so {0} does not wait")]
+    LiftsAtOnce(String),
+    /// A thrust never lifts a body.
+    #[error("even at the end the weight exceeds the thrust, so {0} does not lift off")]
+    NeverLifts(String),
+    /// A thrust lifts a body before it ends.
+    #[error("the thrust exceeds the weight before the end, so {0} lifts off")]
+    LiftsInTime(String),
+    /// The cord of a conical pendulum would point upwards.
+    #[error("the cord would have to point upwards")]
+    CordUpwards,
+    /// A body in a bowl would lie above its centre.
+    #[error("it would lie above the centre of the bowl")]
+    AboveCentre,
+    /// A stage takes some time.
+    #[error("{0} must take some time")]
+    TakesTime(String),
+    /// A stage would end before it starts.
+    #[error("{0} would end before it starts")]
+    EndsEarly(String),
+    /// A stage lasts longer than what acts in it is known.
+    #[error("the stage lasts longer than the time for which {0} is given")]
+    OutlastsForce(String),
+    /// The pieces of a force are in order.
+    #[error("the pieces of a force must be in order of time")]
+    PiecesInOrder,
+    /// The points of a graph are in order.
+    #[error("the points of a graph must be in order of time")]
+    PointsInOrder,
+    /// A condition of the author's own.
+    #[error("the problem requires `{0}`")]
+    Required(String),
+    /// The author asks for the other solution.
+    #[error("the problem asks for the other solution")]
+    OtherSolutionAsked,
+    /// It is what a question asks.
+    #[error("the question asks for it")]
+    Asked,
+}
+
+/// What is unphysical about a solution, by the names that authors write under `allow`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Warning {
+    /// The bodies would not meet.
+    NoImpact,
+    /// A body would pass through another, or through a surface.
+    PassesThrough,
+    /// Kinetic energy would be created in an impact, or restitution lies outside 0 to 1.
+    EnergyCreated,
+    /// A body would move the other way than its stage says.
+    Reverses,
+    /// A cord or a string would go slack.
+    GoesSlack,
+    /// Weight, which a short contact leaves out, would give a tenth or more of the change of momentum.
+    WeightNeglected,
+}
+
+impl Warning {
+    /// Every warning with its name.
+    pub const NAMES: &[(&str, Self)] = &[
+        ("no-impact", Self::NoImpact),
+        ("passes-through", Self::PassesThrough),
+        ("energy-created", Self::EnergyCreated),
+        ("reverses", Self::Reverses),
+        ("goes-slack", Self::GoesSlack),
+        ("weight-neglected", Self::WeightNeglected),
+    ];
+}
+
+impl Reason {
+    /// What an author may allow by name; none where it only tells one way of a scene from another.
+    #[must_use]
+    pub fn warning(&self) -> Option<Warning> {
+        Some(match self {
+            Self::PassesThrough(..) | Self::NotPushedApart(..) => Warning::PassesThrough,
+            Self::NoCatchingUp(..)
+            | Self::NotCompressed(..)
+            | Self::StaysSlack(..)
+            | Self::NotMet(..)
+            | Self::NotReached(..)
+            | Self::NotTowardsFloor(..) => Warning::NoImpact,
+            Self::LeavesFaster(..)
+            | Self::NegativeLoss
+            | Self::CreatesEnergy
+            | Self::NegativeRestitution
+            | Self::RestitutionAboveOne
+            | Self::GainsMass(..) => Warning::EnergyCreated,
+            Self::StopsEarly(..)
+            | Self::SlidesBackwards(..)
+            | Self::MovesBack(..)
+            | Self::MovesBackAt(..)
+            | Self::SwingsBack(..)
+            | Self::AlreadySwingsBack(..)
+            | Self::SlidesUp(..)
+            | Self::Downwards(..) => Warning::Reverses,
+            Self::StringSlack | Self::CordSlack(..) => Warning::GoesSlack,
+            Self::WeightNotNegligible(..) => Warning::WeightNeglected,
+            _ => return None,
+        })
+    }
+
+    /// What a check says where the condition holds; none where that is not worth a word.
+    #[must_use]
+    pub fn kept(&self) -> Option<String> {
+        match self {
+            Self::PassesThrough(name, other) => Some(format!("{name} does not pass through {other}")),
+            Self::NotPushedApart(first, second) => Some(format!("{first} and {second} are pushed apart")),
+            _ => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn no_reason_is_empty() {
+        let source = include_str!("reason.rs");
+        assert!(source.contains("#[error(\"{0} would pass") && !source.contains(concat!("#[error(\"", "\")]")));
+    }
+}
