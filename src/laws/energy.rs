@@ -50,6 +50,17 @@ pub const WORK_ENERGY: Law = Law {
     wrong: wrong::energy::WORK,
 };
 
+/// Work of a force that depends on the position.
+pub const WORK: Law = Law {
+    id: "work-of-a-force",
+    name: "the definition of work",
+    statement: "The work of a force along a line is its integral over the position: the area under its force-position curve.",
+    signs: "A force along the motion does positive work, one against it negative work.",
+    when: "The force is known at every position on the way.",
+    source: "Definition.",
+    wrong: wrong::force::WORK,
+};
+
 /// Conservation of mechanical energy.
 pub const CONSERVATION: Law = Law {
     id: "conservation-of-energy",
@@ -62,7 +73,7 @@ pub const CONSERVATION: Law = Law {
 };
 
 /// The laws of this chapter.
-pub const LAWS: &[&Law] = &[&KINETIC, &LOSS, &GAIN, &WORK_ENERGY, &CONSERVATION];
+pub const LAWS: &[&Law] = &[&KINETIC, &LOSS, &GAIN, &WORK_ENERGY, &WORK, &CONSERVATION];
 
 /// `1/2 (m_A m_B)/(m_A + m_B) (1 - e^2) u^2`: what an impact of two free bodies that approach each other at `u` loses.
 #[must_use]

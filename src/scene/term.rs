@@ -8,6 +8,14 @@ use serde::{Deserialize, Deserializer};
 #[schemars(with = "TermForm")]
 pub struct Term(pub String);
 
+impl Term {
+    /// Whether a name stands in it by itself: `x` in `k*x`, but not in `k_x`.
+    #[must_use]
+    pub fn mentions(&self, name: &str) -> bool {
+        self.0.split(|own: char| !own.is_alphanumeric() && own != '_').any(|word| word == name)
+    }
+}
+
 /// The forms that YAML gives a term.
 #[derive(Deserialize, JsonSchema)]
 #[serde(untagged)]

@@ -201,8 +201,10 @@ fn balance(quantities: &Quantities<'_>, own: &Stage, stage: usize, row: &Planned
     // Alone in its diagram, a body of unknown mass is drawn to the scale of its velocities.
     let scale = quantities.mass(body).or((count == 1).then_some(1.0));
     let model = quantities.model();
+    // Forces that depend on the position have one impulse together.
+    let one_by_one = model.forces.iter().any(|force| force.stage == stage);
     let impulses = match own {
-        Stage::Push(_) | Stage::Slide(_) | Stage::Tow(_) => {
+        Stage::Push(_) | Stage::Slide(_) | Stage::Tow(_) if one_by_one => {
             let forces = model.forces.iter().filter(|force| force.stage == stage && force.on == *body);
             // Where the body never starts to move, no force has a time in which it changes the momentum.
             let forces = forces.filter(|force| quantities.evaluate(&force.during[0]).is_some());

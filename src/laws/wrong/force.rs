@@ -22,6 +22,13 @@ pub const VALUE_TIMES_TIME: Misconception = Misconception {
     ask: "Does the force have this value all the time? What does its graph against time look like?",
     hint: "The impulse is the area under the curve: a rectangle only if the force is constant.",
 };
+/// A value times the distance.
+pub const VALUE_TIMES_DISTANCE: Misconception = Misconception {
+    id: "value-times-distance",
+    does: "multiplies one value of a changing force by the whole distance",
+    ask: "Does the force have this value all along the way? What does its graph against the position look like?",
+    hint: "The work is the area under the curve: a rectangle only if the force is constant.",
+};
 /// The mean of first and last.
 pub const ENDS_AVERAGED: Misconception = Misconception {
     id: "ends-averaged",
@@ -81,6 +88,8 @@ pub const IMPULSE: &[WrongForm] = &[
     WrongForm { of: &FROM_ZERO, write: from_zero },
     WrongForm { of: &super::momentum::FRICTION_FORGOTTEN, write: friction_forgotten },
 ];
+/// Wrong forms of the work of a force that depends on the position.
+pub const WORK: &[WrongForm] = &[WrongForm { of: &VALUE_TIMES_DISTANCE, write: value_times_time }];
 /// Wrong forms of the average force.
 pub const MEAN_FORCE: &[WrongForm] = &[WrongForm { of: &MULTIPLIED, write: multiplied }];
 /// Wrong forms of weight.

@@ -17,6 +17,7 @@ mod moment;
 mod motion;
 mod orbit;
 mod push;
+mod push_by_place;
 mod push_motion;
 mod rotate;
 mod separate;

@@ -57,7 +57,7 @@ impl Builder<'_> {
             let force = self.mass(&stage.body) * rate;
             power.push(force.clone() * course.velocity.clone());
             net.push(force.simplify());
-            let impulse = self.impulse_of_all(index, stage, axis, &lasts);
+            let impulse = self.impulse_of_all(index, &stage.body, axis, &lasts);
             // Along an axis along which the velocity stays the same, the forces have no impulse together.
             acting.push(if course.velocity.contains(course.variable) { impulse.clone() } else { Expr::zero() });
             components.push(impulse);
@@ -87,8 +87,7 @@ impl Builder<'_> {
             [&stage.velocity, &stage.position].map(|course| course.as_ref().and_then(|own| own.along(axis, number)));
         match (velocity, place) {
             (Some(term), None) => {
-                let is_place = |word: &str| number == 1 && word == letter;
-                let by_place = term.0.split(|own: char| !own.is_alphanumeric() && own != '_').any(is_place);
+                let by_place = number == 1 && term.mentions(letter);
                 let variable = match by_place {
                     true => self.symbol(Name::of(QuantityKind::Coordinate(axis), ""), "the position"),
                     false => clock,
@@ -190,8 +189,8 @@ impl Builder<'_> {
     }
 
     /// The impulse of all forces along an axis, and its mean.
-    fn impulse_of_all(&mut self, index: usize, stage: &Motion, axis: Axis, lasts: &Expr) -> Expr {
-        let (name, body) = (self.called(&stage.body), stage.body.as_str());
+    pub(super) fn impulse_of_all(&mut self, index: usize, body: &str, axis: Axis, lasts: &Expr) -> Expr {
+        let name = self.called(body);
         let (mass, along, phrase) = (self.mass(body), self.along(axis), self.stage_phrase(index));
         let [impulse, mean] = [QuantityKind::Impulse, QuantityKind::MeanForce]
             .map(|kind| self.in_stage(kind, body, index).along(self.letter(axis)));

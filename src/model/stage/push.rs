@@ -60,6 +60,7 @@ impl Builder<'_> {
             None => (Expr::zero(), self.stage_duration(index, None, path)),
         };
         self.lasting[index] = Some((end.clone() - start.clone()).simplify());
+        let place = self.varying_place(stage);
         let mut acting = Vec::new();
         let mut friction = None;
         for (position, entry) in stage.forces.iter().enumerate() {
@@ -83,6 +84,9 @@ impl Builder<'_> {
         }
         let sign = self.sense(stage.direction.as_ref(), path);
         let pushed = Pushed { index, body: &stage.body, acting, clock, start, end, incline, over, stops, sign };
+        if let Some(place) = place {
+            return self.push_by_place(&pushed, place, stage, path);
+        }
         self.check_over(&pushed, path);
         match friction {
             Some((friction, at)) => self.push_against_friction(&pushed, friction, &at),

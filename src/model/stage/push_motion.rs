@@ -1,6 +1,7 @@
 //! How a body moves while known forces act on it: where it is at the end, its acceleration and net force at both ends.
 
 use crate::expr::Expr;
+use crate::expr::Symbol;
 use crate::laws::kinematics;
 use crate::laws::motion;
 use crate::model::Builder;
@@ -15,7 +16,7 @@ impl Builder<'_> {
     /// Place, acceleration and net force along one axis, along which these forces act.
     pub(in crate::model) fn motion_along(&mut self, pushed: &Pushed<'_>, axis: Axis, forces: &[Expr]) {
         let net = Expr::sum(forces.iter().cloned()).simplify();
-        self.rates_along(pushed, axis, &net);
+        self.rates_along(pushed, axis, &net, pushed.clock, &[pushed.start.clone(), pushed.end.clone()]);
         let (index, body) = (pushed.index, pushed.body);
         let (name, mass) = (self.called(body), self.mass(body));
         let [from, to] = [index + 1, index + 2].map(|instant| self.place(body, instant, axis));
@@ -37,22 +38,29 @@ impl Builder<'_> {
         self.integral(&motion::DISPLACEMENT, index, because, (to - from, value.simplify()), integral);
     }
 
-    /// Acceleration and net force at both ends.
-    fn rates_along(&mut self, pushed: &Pushed<'_>, axis: Axis, net: &Expr) {
+    /// Acceleration and net force at both ends, of a net force that depends on a variable.
+    pub(super) fn rates_along(
+        &mut self,
+        pushed: &Pushed<'_>,
+        axis: Axis,
+        net: &Expr,
+        variable: Symbol,
+        [start, end]: &[Expr; 2],
+    ) {
         let (name, mass) = (self.called(pushed.body), self.mass(pushed.body));
         let along = self.along(axis);
         let first = usize::from(
             self.scene.follows_a_push(pushed.index, pushed.body)
                 || self.scene.follows_a_motion(pushed.index, pushed.body),
         );
-        let ends = [(pushed.index + 1, &pushed.start), (pushed.index + 2, &pushed.end)];
+        let ends = [(pushed.index + 1, start), (pushed.index + 2, end)];
         for (instant, end) in ends.into_iter().skip(first) {
             let when = self.when(instant);
             let meaning = format!("the net force on {name}{along} {when}");
             let own = |kind| Name::of(kind, pushed.body).at(instant).along(self.letter(axis));
             let [force, acceleration] = [QuantityKind::Force, QuantityKind::Acceleration].map(own);
             let force = Expr::from(self.symbol(force, meaning));
-            let there = net.substitute(&|own| (own == pushed.clock).then(|| end.clone()));
+            let there = net.substitute(&|own| (own == variable).then(|| end.clone()));
             let because = format!("these are all forces on {name}{along}");
             self.law(&motion::ALL_FORCES, Some(pushed.index), because, (force.clone(), there));
             let meaning = format!("the acceleration of {name}{along} {when}");

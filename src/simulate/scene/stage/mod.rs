@@ -15,6 +15,7 @@ mod interact;
 mod moment;
 mod motion;
 mod push;
+mod push_by_place;
 mod rates;
 mod rotate;
 mod separate;

@@ -19,6 +19,9 @@ type Pulls = (Vec<(Vector, OfTime)>, Vec<f64>);
 
 impl Bench<'_> {
     pub(super) fn push(&mut self, stage: &Push) -> Result<(), NothingToSimulate> {
+        if self.depends_on_place(stage) {
+            return self.push_by_place(stage);
+        }
         let friction = stage.forces.iter().find_map(|force| match force {
             Force::Friction(entry) => Some(&entry.friction),
             Force::Pull(_) => None,

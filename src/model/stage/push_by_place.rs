@@ -1,0 +1,153 @@
+//! Forces that depend on the position of the body they act on: what they do is found over the distance, by work and energy.
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::laws::energy;
+use crate::laws::kinematics;
+use crate::model::Agent;
+use crate::model::Builder;
+use crate::model::Effect;
+use crate::model::Impulse;
+use crate::model::Influence;
+use crate::model::Integral;
+use crate::model::Name;
+use crate::model::acting::Acts;
+use crate::model::QuantityKind;
+use crate::model::wording;
+use crate::scene::Force;
+use crate::scene::Strength;
+use crate::scene::stage::Push;
+
+use super::push::Acting;
+use super::push::Pushed;
+
+impl Builder<'_> {
+    /// The position as a variable, where some force of a push along one axis is a term in it.
+    pub(super) fn varying_place(&mut self, stage: &Push) -> Option<Symbol> {
+        let [(axis, _)] = self.axes[..] else { return None };
+        let by_place = stage.forces.iter().any(|force| match force {
+            Force::Pull(pull) => matches!(&pull.value, Strength::Term(term) if term.mentions(axis.letter())),
+            Force::Friction(_) => false,
+        });
+        by_place.then(|| self.symbol(Name::of(QuantityKind::Coordinate(axis), ""), "the position"))
+    }
+
+    /// A push by forces of which some depend on the place: work and energy from one end to the other.
+    pub(super) fn push_by_place(&mut self, pushed: &Pushed<'_>, place: Symbol, stage: &Push, path: &Path) {
+        self.check_by_place(pushed, place, stage, path);
+        let Some((axis, _)) = self.axes.first().cloned() else { return };
+        let (index, body, sign) = (pushed.index, pushed.body, Expr::integer(pushed.sign));
+        let (name, mass) = (self.called(body), self.mass(body));
+        let ends = [index + 1, index + 2].map(|instant| self.place(body, instant, axis));
+        let moved = ends[1].clone() - ends[0].clone();
+        if let Some(over) = &pushed.over {
+            let sides = (ends[1].clone(), ends[0].clone() + sign.clone() * over.clone());
+            self.law(&kinematics::DISPLACED, Some(index), "the forces act over this distance", sides);
+        }
+        let mut forces = Vec::new();
+        let mut works = Vec::new();
+        for force in &pushed.acting {
+            let along = self.components(&force.direction).swap_remove(0);
+            let along = force.strength.clone() * along;
+            works.push(if along.contains(place) {
+                self.work_over(index, force, &along, place, &ends)
+            } else {
+                along.clone() * moved.clone()
+            });
+            forces.push(along);
+        }
+        let acts = Acts { stage: index, on: body, during: [&pushed.start, &pushed.end] };
+        for force in &pushed.acting {
+            self.note_pull(acts, &force.name, &force.strength, &force.direction);
+        }
+        if self.downwards(0).is_some() {
+            self.note_weight(acts);
+        }
+        let weight = match self.downwards(0) {
+            Some(down) => Expr::integer(down) * mass.clone() * self.gravity(),
+            None => self.weight_on_slope(body, &pushed.incline),
+        };
+        if !weight.is_zero() {
+            works.push(weight.clone() * moved);
+            forces.push(weight);
+        }
+        let [before, after] = [index + 1, index + 2].map(|instant| self.velocity(body, instant, axis));
+        let after = if pushed.stops { Expr::zero() } else { after };
+        let energies = [&before, &after].map(|velocity| energy::kinetic(&mass, std::slice::from_ref(velocity)));
+        let [start, stop] = energies;
+        let because = format!("the forces on {name} do work over the distance");
+        self.law(&energy::WORK_ENERGY, Some(index), because, energy::work_energy(start, works, stop));
+        self.moves_along(index, body, [&(sign.clone() * before), &(sign * after)]);
+        let net = Expr::sum(forces).simplify();
+        self.rates_along(pushed, axis, &net, place, &ends);
+        let lasts = pushed.end.clone() - pushed.start.clone();
+        let impulse = self.impulse_of_all(index, body, axis, &lasts);
+        let force = Influence::outside(index, body, "the net force").force(vec![net]);
+        self.acts(force.works(Effect::Open, "the forces do work along the way"));
+        self.impulses.push(Impulse {
+            stage: index,
+            on: body.to_owned(),
+            by: Agent::Outside,
+            called: "all forces together".into(),
+            components: vec![impulse],
+            impulsive: false,
+        });
+        if self.downwards(0).is_none() {
+            self.neglect("friction", "the problem does not mention any");
+        }
+    }
+
+    /// The work of one force, as a quantity with its integral.
+    fn work_over(
+        &mut self,
+        index: usize,
+        force: &Acting,
+        along: &Expr,
+        place: Symbol,
+        [low, high]: &[Expr; 2],
+    ) -> Expr {
+        let of_force = Name::of(QuantityKind::Work, "F");
+        let is_alike = |name: &&Name| name.kind == of_force.kind && name.subject == of_force.subject;
+        let count = self.names.iter().filter(is_alike).count();
+        let own = if count == 0 { of_force } else { of_force.at(count + 1) };
+        let meaning = format!("the work of {}", force.name);
+        let symbol = self.symbol(own.during(self.stage_label(index)), meaning);
+        let Some(value) = along.definite(place, low, high) else {
+            let message = format!("{} cannot be integrated over the position", wording::force_of(&force.name));
+            let help = "use polynomials, sines, exponentials and powers of linear terms";
+            let path = Path::root().key("scene").key("stages").index(index);
+            self.faults.push(Fault::new(Code::Stuck, message).help(help).at_path(path));
+            return symbol.into();
+        };
+        let (low, high) = (low.clone(), high.clone());
+        let integral = Integral { integrand: along.clone(), variable: place, low, high };
+        let because = format!("{} depends on the position", wording::force_of(&force.name));
+        self.integral(&energy::WORK, index, because, (symbol.into(), value.simplify()), integral);
+        symbol.into()
+    }
+
+    /// What cannot be known, or is not known yet, where a force depends on the place.
+    fn check_by_place(&mut self, pushed: &Pushed<'_>, place: Symbol, stage: &Push, path: &Path) {
+        let letter = self.symbols.entry(place).name.clone();
+        let mut fault = |message: &str, help: String, path: Path| {
+            self.faults.push(Fault::new(Code::Value, message).help(help).at_path(path));
+        };
+        if pushed.acting.iter().any(|force| force.strength.contains(pushed.clock)) {
+            let message = "a stage cannot have forces that depend on time beside forces that depend on position";
+            fault(message, format!("write all of them in `t` or in `{letter}`"), path.key("forces"));
+        }
+        if stage.during.is_some() {
+            let message = "the time does not follow in general where a force depends on the position";
+            fault(message, "remove `during`; say how far the body moves: `over: d`".into(), path.key("during"));
+        }
+        if stage.forces.iter().any(|force| matches!(force, Force::Friction(_))) {
+            let message = "`friction` cannot act beside a force that depends on the position";
+            let help =
+                "write it as a force: `{ name: friction, value: mu*m*g, direction: -x }`, with an axis of the scene";
+            fault(message, help.into(), path.key("forces"));
+        }
+    }
+}

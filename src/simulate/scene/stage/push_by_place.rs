@@ -1,0 +1,77 @@
+//! Forces that depend on the position: the energy that they give, added up along the way.
+
+use crate::scene::stage::{Push, Until};
+use crate::scene::{Force, Strength};
+
+use crate::simulate::scene::bench::{Bench, kinetic};
+use crate::simulate::scene::nothing::NothingToSimulate;
+use crate::simulate::scene::vector::{part, times, unit};
+
+impl Bench<'_> {
+    /// Whether some force of a push is a term in the position along the only axis.
+    pub(super) fn depends_on_place(&self, stage: &Push) -> bool {
+        let [axis] = self.values.axes()[..] else { return false };
+        stage.forces.iter().any(|force| match force {
+            Force::Pull(pull) => matches!(&pull.value, Strength::Term(term) if term.mentions(axis.letter())),
+            Force::Friction(_) => false,
+        })
+    }
+
+    pub(super) fn push_by_place(&mut self, stage: &Push) -> Result<(), NothingToSimulate> {
+        let [axis] = self.values.axes()[..] else { return Err(NothingToSimulate::Unread) };
+        let (body, index) = (stage.body.as_str(), self.values.index);
+        let (mass, before) = (self.values.mass(body)?, self.values.velocity_before(body, axis)?);
+        let from = self.values.place_before(body, axis)?;
+        let mut strengths = Vec::new();
+        for force in &stage.forces {
+            let Force::Pull(pull) = force else { return Err(NothingToSimulate::Unread) };
+            let Strength::Term(term) = &pull.value else { return Err(NothingToSimulate::Unread) };
+            let towards = part(self.values.towards(pull.direction.as_ref())?, axis);
+            strengths.push((towards, self.values.of_several(&term.0, &[axis.letter().to_owned()])?));
+        }
+        let falls = part(self.values.falling()?, axis);
+        let slope = self.values.slope(stage.incline.as_ref())?.along;
+        let pull = if slope == 0.0 { 0.0 } else { self.values.named("g")? * slope };
+        let force = |place: f64| {
+            let pulls = strengths.iter().map(|(towards, strength)| towards * strength(&[place]));
+            pulls.sum::<f64>() + mass * (falls + pull)
+        };
+        let mut ahead = before.signum();
+        if before == 0.0 {
+            ahead = self.values.sense(stage.direction.as_ref(), axis)?;
+        }
+        let begins = kinetic(mass, times(before, unit(axis)));
+        let gains = |way: f64, _: &[f64; 1]| [ahead * force(from + ahead * way)];
+        let known = self.values.known(stage.over.as_ref());
+        let known = known
+            .or_else(|| Some((self.values.named(&self.values.place_name(body, index + 2, axis)).ok()? - from).abs()));
+        let (way, energy) = match (stage.until, known) {
+            (Some(Until::Rest), _) => {
+                let quick = force(from).abs().max(force(from + ahead).abs()).max(f64::MIN_POSITIVE);
+                let integrator = self.integrator((begins / quick).clamp(1e-6, 100.0) / 4.0);
+                let (way, _) = integrator.event(0.0, [begins], &gains, &|_, state| state[0])?;
+                (way, 0.0)
+            }
+            (None, Some(way)) => {
+                let [energy] = self.integrator(way / 4.0).until(0.0, [begins], way, &gains)?;
+                (way, energy)
+            }
+            (None, None) => return Err(NothingToSimulate::ValueMissing),
+        };
+        let after = ahead * libm::sqrt(2.0 * energy.max(0.0) / mass);
+        self.note(&self.values.velocity_after(body, axis), after, before);
+        self.note(&self.values.place_name(body, index + 2, axis), from + ahead * way, from.abs().max(way));
+        self.note_term(stage.over.as_ref(), way, 0.0);
+        self.note_impulse(body, times(mass * (after - before), unit(axis)), None);
+        let ends = [from, from + ahead * way].map(force);
+        let largest = [0.0, 0.3, 0.5, 1.0].map(|share| force(from + share * ahead * way).abs());
+        let largest = largest.into_iter().fold(0.0, f64::max);
+        let scene = self.values.scene;
+        let first = usize::from(scene.follows_a_push(index, body) || scene.follows_a_motion(index, body));
+        for (instant, force) in (index + 1..).zip(ends).skip(first) {
+            self.note(&format!("F_{body}{instant}"), force, largest);
+            self.note(&format!("a_{body}{instant}"), force / mass, largest / mass);
+        }
+        Ok(())
+    }
+}
