@@ -119,7 +119,12 @@ fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) -> Option<S
                 ForceKind::Weight => format!("{its} weight"),
                 _ => force.called.clone(),
             });
-            during(format!("{body} {is} acted on by {}", list(&called.collect::<Vec<_>>())))
+            let mut called: Vec<String> = called.collect();
+            // Forces that depend on the position have no impulses of their own in the model.
+            if let (Stage::Push(push), true) = (stage, called.is_empty()) {
+                called.extend(push.called().map(str::to_owned));
+            }
+            during(format!("{body} {is} acted on by {}", list(&called)))
         }
         (Stage::Fall(_), _) => during(format!("{body} {is} acted on by its weight alone")),
         (Stage::Spring(_), [one, other]) => during(format!(

@@ -14,7 +14,6 @@ use crate::model::Impulse;
 use crate::model::Influence;
 use crate::model::Integral;
 use crate::model::Name;
-use crate::model::acting::Acts;
 use crate::model::QuantityKind;
 use crate::model::wording;
 use crate::scene::Force;
@@ -58,13 +57,6 @@ impl Builder<'_> {
                 along.clone() * moved.clone()
             });
             forces.push(along);
-        }
-        let acts = Acts { stage: index, on: body, during: [&pushed.start, &pushed.end] };
-        for force in &pushed.acting {
-            self.note_pull(acts, &force.name, &force.strength, &force.direction);
-        }
-        if self.downwards(0).is_some() {
-            self.note_weight(acts);
         }
         let weight = match self.downwards(0) {
             Some(down) => Expr::integer(down) * mass.clone() * self.gravity(),

@@ -36,6 +36,16 @@ pub struct Push {
     pub forces: Vec<Force>,
 }
 
+impl Push {
+    /// What its pushes and pulls are called.
+    pub fn called(&self) -> impl Iterator<Item = &str> {
+        self.forces.iter().filter_map(|force| match force {
+            Force::Pull(pull) => Some(pull.name.as_deref().unwrap_or("the force")),
+            Force::Friction(_) => None,
+        })
+    }
+}
+
 /// How long a stage lasts.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(untagged)]
