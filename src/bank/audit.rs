@@ -100,7 +100,7 @@ fn form_audit(
     Ok(FormAudit {
         form: form.question.name.clone(),
         seeds: drawn,
-        combinations: u64::try_from(problem.combinations()).unwrap_or(u64::MAX),
+        combinations: u64::try_from(form.combinations()).unwrap_or(u64::MAX),
         variants,
         sheets: samples.sheets(),
         acceptance: samples.acceptance(),

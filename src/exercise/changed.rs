@@ -5,11 +5,11 @@ use std::sync::Arc;
 use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Faults;
-use crate::problem::Known;
 use crate::problem::Loaded;
 use crate::problem::NumberPart;
 use crate::problem::Part;
 use crate::problem::PartKind;
+use crate::problem::PlannedForm;
 use crate::problem::Problem;
 use crate::problem::Sampler;
 use crate::problem::ad_hoc;
@@ -54,10 +54,10 @@ impl Exercise {
         let alone = |faults: Vec<Fault>| Faults { source: problem.loaded().source.clone(), list: faults };
         let changed = changed.map_err(alone)?;
         let problem = Arc::new(compile_ad_hoc(changed)?);
-        let drawn = |known: &Known| {
-            known.origin.is_drawn() && problem.forms().iter().any(|form| form.told.contains(&known.symbol))
+        let is_drawn = |form: &PlannedForm| {
+            form.known.iter().any(|known| known.origin.is_drawn() && form.told.contains(&known.symbol))
         };
-        let seeded = problem.known().iter().any(drawn);
+        let seeded = problem.forms().iter().any(is_drawn);
         let mut variant =
             Sampler::new(&problem, 0).and_then(|mut sampler| sampler.variant(seed)).map_err(|reason| {
                 let fault = Fault::new(Code::Unphysical, reason.to_string());

@@ -225,7 +225,7 @@ mod tests {
         }
         assert_eq!(Name::parse("J_A[hit].x"), Name::parse("J_A.x[hit]"));
         let wrong = ["v_A1@top", "T[", "J_A.x[hit].y", "J_A[hit]x", "J_A[1][2]"];
-        assert_eq!(wrong.map(|text| Name::parse(text)), [const { None }; 5]);
+        assert_eq!(wrong.map(Name::parse), [const { None }; 5]);
         assert_eq!(Name::written("5*x").kind, QuantityKind::Own("5*x".to_owned()));
     }
 }

@@ -32,7 +32,7 @@ struct Resolver<'b, 's> {
 
 impl Names for Resolver<'_, '_> {
     fn symbol(&mut self, name: &str) -> Option<Symbol> {
-        let found = self.builder.resolve(name).or_else(|| self.builder.to_measure(name));
+        let found = self.builder.resolve(name).or_else(|| self.builder.unmeasured_symbol(name));
         if found.is_none() {
             self.unknown.push(name.to_owned());
         }
@@ -105,7 +105,7 @@ impl Builder<'_> {
     }
 
     /// A name that is asked and whose dimension is not said yet; a pure number, unless its place says otherwise.
-    fn to_measure(&mut self, name: &str) -> Option<Symbol> {
+    fn unmeasured_symbol(&mut self, name: &str) -> Option<Symbol> {
         self.unmeasured.contains(name).then(|| self.symbol_of(Name::written(name), Dimension::NONE, ""))
     }
 

@@ -41,8 +41,9 @@ pub fn typed(loaded: &Loaded, form: usize, set: &[(String, String)], find: &[Str
     };
     let mut question = question.clone();
     let mut faults = Vec::new();
-    let mut given: Vec<(String, Given)> =
-        loaded.given.iter().map(|(name, own)| (name.to_owned(), own.clone())).collect();
+    let own = loaded.with(&question.given);
+    let mut given: Vec<(String, Given)> = own.given.iter().map(|(name, own)| (name.to_owned(), own.clone())).collect();
+    question.given = Entries::default();
     for (index, (name, text)) in set.iter().enumerate() {
         if set.iter().take(index).any(|(earlier, _)| earlier == name) {
             faults.push(Fault::new(Code::Duplicate, format!("`{name}` is set twice")).help("set it once"));

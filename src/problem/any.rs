@@ -24,13 +24,14 @@ use super::planned::Form;
 use super::regimes::Leaf;
 
 /// What may be anything, and what a form's text names without telling its value.
-pub(super) fn free(loaded: &Loaded, model: &Model, known: &[Known], form: &Form) -> BTreeSet<Symbol> {
-    let any = known.iter().filter(|known| matches!(known.origin, Origin::Any)).map(|known| known.symbol);
+pub(super) fn free(loaded: &Loaded, model: &Model, form: &Form) -> BTreeSet<Symbol> {
+    let any = form.known.iter().filter(|known| matches!(known.origin, Origin::Any)).map(|known| known.symbol);
     any.chain(symbols_only(loaded, form, &|name| model.symbol_of(name))).collect()
 }
 
 /// A fault for each answer of a form that is not proven to be the same whatever its `any` givens are.
-pub(super) fn check(model: &Model, known: &[Known], form: &Form) -> Vec<Fault> {
+pub(super) fn check(model: &Model, form: &Form) -> Vec<Fault> {
+    let known = &form.known;
     let free: Vec<&Known> = known.iter().filter(|known| form.free.contains(&known.symbol)).collect();
     let mut faults = Vec::new();
     if free.is_empty() {

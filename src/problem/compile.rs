@@ -34,6 +34,7 @@ use super::known::Origin;
 use super::load::Loaded;
 use super::mentions::mention_in_texts;
 use super::no_variant::Rejection;
+use super::other_values::known_in;
 use super::planned::Form;
 use super::planned::Problem;
 use super::roots;
@@ -54,7 +55,7 @@ const GRAVITY: [(UnitSystem, &str, &str); 2] = [(UnitSystem::Si, "9.81", "m/s^2"
 /// follow from what is given.
 pub fn compile(loaded: Loaded, secret: Option<&[u8]>) -> Result<Problem, Faults> {
     let built = build(&loaded, secret, Asked::AsWritten).and_then(|built| {
-        let check = |form| told::check(&loaded, &built.model, &built.known, form);
+        let check = |form| told::check(&loaded, &built.model, form);
         let mut faults: Vec<Fault> = built.forms.iter().flat_map(check).collect();
         faults.extend(feedback::check(&loaded, &built.model, &built.forms));
         if faults.is_empty() { Ok(built) } else { Err(faults) }
@@ -71,10 +72,10 @@ pub fn compile(loaded: Loaded, secret: Option<&[u8]>) -> Result<Problem, Faults>
 
 /// Where every number is fixed, the problem has its one variant or none: what is given may say more than can be true.
 fn contradictions(problem: &Problem) -> Vec<Fault> {
-    if problem.known().iter().any(|known| known.origin.is_drawn()) {
-        return Vec::new();
-    }
     let trouble = |(position, form): (usize, &Form)| {
+        if form.known.iter().any(|known| known.origin.is_drawn()) {
+            return None;
+        }
         let reason = Sampler::new(problem, position).and_then(|mut sampler| sampler.draw(0)).err()?;
         let code = match reason.rejection() {
             Some(Rejection::Contradiction { .. }) => Code::OverDetermined,
@@ -148,26 +149,45 @@ fn build(loaded: &Loaded, secret: Option<&[u8]>, asked: Asked) -> Result<Built, 
         known.extend(default_gravity(gravity, units));
     }
     words_for_directions(loaded, &drafts, &mut builder);
+    let mut in_forms: Vec<Vec<Known>> =
+        loaded.questions.iter().map(|question| known_in(loaded, question, &known, &mut builder)).collect();
+    let drawn = assign_streams(&mut in_forms);
     let model = builder.finish()?;
     let mut faults = idle((loaded, asked), &model, &known, &drafts, &require);
     let mut forms = Vec::new();
     let mut planner = Planner::default();
-    for form in drafts {
-        match form.plan(&mut planner, &model, &known, &require) {
-            Ok(form) => forms.push(Form { free: any::free(loaded, &model, &known, &form), ..form }),
+    for (form, known) in drafts.into_iter().zip(in_forms) {
+        match form.plan(&mut planner, &model, known, &require) {
+            Ok(form) => forms.push(Form { free: any::free(loaded, &model, &form), ..form }),
             Err(found) => faults.extend(found),
         }
     }
-    faults.extend(forms.iter().flat_map(|form| any::check(&model, &known, form)));
-    faults.extend(forms.iter().flat_map(|form| formula::check(&known, &model.literals, form)));
+    faults.extend(forms.iter().flat_map(|form| any::check(&model, form)));
+    faults.extend(forms.iter().flat_map(|form| formula::check(&model.literals, form)));
     faults.extend(forms.iter().flat_map(roots::check));
     if !faults.is_empty() {
         return Err(faults);
     }
-    let drawn: Vec<&str> =
-        known.iter().filter(|known| known.origin.is_drawn()).map(|known| known.name.as_str()).collect();
+    let drawn = drawn.iter().filter_map(|position| known.get(*position)).map(|known| known.name.as_str());
     let streams = Streams::new(Scheme::CURRENT, &draft.id, secret, drawn);
     Ok(Built { model, known, forms, streams, units, notation })
+}
+
+/// Gives a random stream to each given that some form draws; the positions of these givens.
+fn assign_streams(in_forms: &mut [Vec<Known>]) -> Vec<usize> {
+    let count = in_forms.first().map_or(0, Vec::len);
+    let is_drawn = |position: &usize| {
+        in_forms.iter().any(|known| known.get(*position).is_some_and(|known| known.origin.is_drawn()))
+    };
+    let drawn: Vec<usize> = (0..count).filter(is_drawn).collect();
+    for known in in_forms.iter_mut() {
+        for (stream, position) in drawn.iter().enumerate() {
+            if let Some(known) = known.get_mut(*position) {
+                known.stream = Some(stream);
+            }
+        }
+    }
+    drawn
 }
 
 /// A word in the place of a direction is the name of an angle only if the file says more of it.
@@ -250,7 +270,7 @@ fn givens(loaded: &Loaded, builder: &mut Builder<'_>) -> Vec<Known> {
             if origin.is_positive() {
                 builder.assume_positive(name, symbol);
             }
-            known.push(Known { name: name.to_owned(), symbol, unit: unit.clone(), origin });
+            known.push(Known { name: name.to_owned(), symbol, unit: unit.clone(), origin, stream: None });
         };
         match given {
             Given::Any(unit) => add(builder, name, Origin::Any, &unit.clone().unwrap_or_default()),
@@ -290,7 +310,7 @@ fn givens(loaded: &Loaded, builder: &mut Builder<'_>) -> Vec<Known> {
 fn default_gravity(symbol: Symbol, system: UnitSystem) -> Option<Known> {
     let (_, value, unit) = GRAVITY.iter().find(|(own, ..)| *own == system)?;
     let (value, unit) = (Decimal::parse(value).ok()?, Unit::parse(unit).ok()?);
-    Some(Known { name: "g".into(), symbol, unit, origin: Origin::Fixed(value) })
+    Some(Known { name: "g".into(), symbol, unit, origin: Origin::Fixed(value), stream: None })
 }
 
 /// The energies around every impact, so that the audit can judge it.

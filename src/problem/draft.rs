@@ -100,6 +100,9 @@ pub struct Form {
     /// The end of the text, after the story: what is given in this form, and the question.
     #[serde(default)]
     pub text: Option<String>,
+    /// Other values of what the file gives by a value, a range or a choice.
+    #[serde(default)]
+    pub given: Entries<GivenEntry>,
     /// What is asked.
     pub ask: Vec<Ask>,
     /// Names that are solved first and then given, rounded as they are printed.

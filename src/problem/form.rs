@@ -6,6 +6,8 @@ use crate::fault::Path;
 
 use super::ask::Ask;
 use super::draft::{Draft, Expect, Form, Roots};
+use super::entries::Entries;
+use super::given::Given;
 use super::text::Text;
 
 /// One way in which a problem is asked, with what the file says for all forms.
@@ -17,6 +19,8 @@ pub struct Question {
     pub path: Path,
     /// The end of the text, after the story; empty where the form has none.
     pub text: Text,
+    /// Other values of what the file gives; they stand under `given` at the form's path.
+    pub given: Entries<Given>,
     /// What is asked; the parts stand under `ask` at the form's path.
     pub ask: Vec<Ask>,
     /// Names that are solved first and then given; they stand under `reveal` at the form's path.
@@ -42,6 +46,7 @@ impl Question {
         if draft.forms.is_empty() {
             let form = Form {
                 text: None,
+                given: Entries::default(),
                 ask: draft.ask.clone(),
                 reveal: draft.reveal.clone(),
                 conditions: Vec::new(),
@@ -72,11 +77,13 @@ impl Question {
             };
             [at(&Path::root(), general), at(&path, own)].concat()
         };
-        // The loader has read every text of the file before, so reading cannot fail here.
+        // The loader has read every text and every given of the file before, so reading cannot fail here.
         let read = |text: &String| Text::read(text).unwrap_or_default();
+        let value = |(name, entry): (&str, _)| Some((name.to_owned(), Given::read(entry, &Path::root()).ok()?));
         Self {
             name: name.map(str::to_owned),
             text: form.text.as_ref().map(read).unwrap_or_default(),
+            given: form.given.iter().filter_map(value).collect(),
             ask: form.ask.clone(),
             reveal: form.reveal.clone(),
             conditions: placed("where", &draft.conditions, &form.conditions),

@@ -45,6 +45,13 @@ pub(super) struct FormDraft {
 
 impl FormDraft {
     pub(super) fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'_>) -> Self {
+        let own;
+        let loaded = if question.given.is_empty() {
+            loaded
+        } else {
+            own = loaded.with(&question.given);
+            &own
+        };
         let read = parts::read(loaded, question, builder);
         let figures = usize::from(loaded.draft.figures.unwrap_or(3));
         let mut reveal = Vec::new();
@@ -94,10 +101,10 @@ impl FormDraft {
         self,
         planner: &mut Planner,
         model: &Model,
-        known: &[Known],
+        known: Vec<Known>,
         require: &[Condition],
     ) -> Result<Form, Vec<Fault>> {
-        let everything: BTreeSet<Symbol> = inputs(model, known);
+        let everything: BTreeSet<Symbol> = inputs(model, &known);
         let mut told = everything.clone();
         for symbol in &self.wanted {
             told.remove(symbol);
@@ -151,6 +158,7 @@ impl FormDraft {
             trials,
             weighed,
             question: self.question,
+            known,
             parts: self.parts,
             meant: self.allowed.meant,
             told,

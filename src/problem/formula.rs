@@ -135,7 +135,7 @@ fn zeros(known: &[Known]) -> impl Iterator<Item = (Symbol, Expr)> {
 }
 
 /// A fault for each formula that is asked and cannot be written in what the form tells.
-pub(super) fn check(known: &[Known], literals: &[(Symbol, crate::quantity::Quantity)], form: &Form) -> Vec<Fault> {
+pub(super) fn check(literals: &[(Symbol, crate::quantity::Quantity)], form: &Form) -> Vec<Fault> {
     let mut faults = Vec::new();
     for (index, part) in form.parts.iter().enumerate() {
         let PartKind::Formula(formula) = &part.kind else { continue };
@@ -146,7 +146,7 @@ pub(super) fn check(known: &[Known], literals: &[(Symbol, crate::quantity::Quant
             continue;
         }
         for leaf in form.solver.leaves() {
-            let start = zeros(known).chain(numbers(literals)).collect();
+            let start = zeros(&form.known).chain(numbers(literals)).collect();
             let found = Composer::new(leaf, start).composed(formula.symbol, &|_| 0);
             let strange = |symbol: &Symbol| literals.iter().any(|(own, _)| own == symbol);
             let fault = match found {
@@ -190,11 +190,11 @@ impl Worked<'_> {
     /// What the formulas of this variant are written in.
     #[must_use]
     pub fn alphabet(&self) -> Alphabet {
-        let mut alphabet = Alphabet { letters: Vec::new(), values: zeros(self.problem.known()).collect() };
+        let mut alphabet = Alphabet { letters: Vec::new(), values: zeros(&self.form.known).collect() };
         let literals = &self.problem.model().literals;
         alphabet.values.extend(numbers(literals));
         let needed = self.form.needed();
-        for known in self.problem.known() {
+        for known in &self.form.known {
             let told = self.form.told.contains(&known.symbol) && !alphabet.values.contains_key(&known.symbol);
             let unspoken = known.name == "g" && self.problem.loaded().given.get("g").is_none();
             if !told || unspoken && !needed.contains(&known.symbol) {
@@ -245,7 +245,7 @@ impl Worked<'_> {
 
     /// The fixed values that are nothing.
     pub fn zeros(&self) -> impl Iterator<Item = Symbol> {
-        zeros(self.problem.known()).map(|(symbol, _)| symbol)
+        zeros(&self.form.known).map(|(symbol, _)| symbol)
     }
 
     /// Whether a quantity is positive in every variant that goes this way.
@@ -281,7 +281,7 @@ impl Worked<'_> {
     #[must_use]
     pub fn are_equal(&self, left: &Expr, right: &Expr) -> bool {
         let (leaf, roots) = (self.leaf(), self.variant.roots());
-        let start = zeros(self.problem.known()).chain(numbers(&self.problem.model().literals)).collect();
+        let start = zeros(&self.form.known).chain(numbers(&self.problem.model().literals)).collect();
         let steps = &leaf.audit.plan.steps;
         let mut composer = Composer { steps, positive: &leaf.system.positive, written: start };
         let choice = |position: usize| roots.get(position).copied().unwrap_or(0);
@@ -306,7 +306,7 @@ impl Worked<'_> {
         if let Some(known) = formulas.read().ok().and_then(|known| known.get(&key).cloned()) {
             return known;
         }
-        let start = zeros(self.problem.known()).chain(numbers(&self.problem.model().literals)).collect();
+        let start = zeros(&self.form.known).chain(numbers(&self.problem.model().literals)).collect();
         let choice = |position: usize| roots.get(position).copied().unwrap_or(0);
         let found = Composer::new(self.leaf(), start).composed(symbol, &choice);
         if let Ok(mut known) = formulas.write() {

@@ -8,6 +8,7 @@ use crate::solve::Exact;
 
 use super::domain::Domain;
 use super::known::Origin;
+use super::planned::Form;
 use super::planned::Problem;
 
 /// The value of one symbol; most symbols have none before they are solved.
@@ -30,15 +31,15 @@ enum Source {
 }
 
 impl Input {
-    /// The inputs of a problem by symbol: fixed values are in place, drawn ones follow with each seed.
-    pub(super) fn all(problem: &Problem, count: usize) -> Vec<Self> {
+    /// The inputs of a form by symbol: fixed values are in place, drawn ones follow with each seed.
+    pub(super) fn all(problem: &Problem, form: &Form, count: usize) -> Vec<Self> {
         let mut inputs = vec![Self::default(); count];
         let mut put = |index: usize, input: Self| {
             if let Some(place) = inputs.get_mut(index) {
                 *place = input;
             }
         };
-        for known in problem.known() {
+        for known in &form.known {
             let input = match &known.origin {
                 Origin::Fixed(value) => Self::of(value, &known.unit),
                 Origin::Any => Self::of(&Decimal::from(1), &Unit::none()),

@@ -17,6 +17,8 @@ pub struct Known {
     pub unit: Unit,
     /// Where its value comes from.
     pub origin: Origin,
+    /// The position of its random stream, where some form draws it.
+    pub stream: Option<usize>,
 }
 
 /// Where a given's value comes from.

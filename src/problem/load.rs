@@ -40,6 +40,12 @@ pub struct Loaded {
 }
 
 impl Loaded {
+    /// The same with other values of some givens.
+    pub(super) fn with(&self, values: &Entries<Given>) -> Self {
+        let given = self.given.iter().map(|(name, own)| (name.to_owned(), values.get(name).unwrap_or(own).clone()));
+        Self { given: given.collect(), ..self.clone() }
+    }
+
     /// Faults found later, by path, with their places in the file.
     #[must_use]
     pub fn locate(&self, faults: Vec<Fault>) -> Faults {
@@ -69,17 +75,20 @@ pub fn load(source: Source) -> Result<Loaded, Faults> {
     faults.extend(text_faults(&value));
     let refuse = |root, faults| Err(Index::new(&source, Some(root)).locate_all(faults));
     if !faults.is_empty() {
-        faults.extend(givens(written(&value)).1);
+        faults.extend(givens(written(&value), &Path::root()).1);
         return refuse(root, faults);
     }
     let draft = match typed::<Draft>(value) {
         Ok(draft) => draft,
         Err(fault) => {
             let (value, _) = check(&root, &SHAPES);
-            return refuse(root, givens(written(&value)).1.into_iter().chain([fault]).collect());
+            return refuse(root, givens(written(&value), &Path::root()).1.into_iter().chain([fault]).collect());
         }
     };
-    let (given, of_given) = givens(draft.given.iter());
+    let (given, mut of_given) = givens(draft.given.iter(), &Path::root());
+    for (name, form) in draft.forms.iter() {
+        of_given.extend(givens(form.given.iter(), &Path::root().key("forms").key(name)).1);
+    }
     if !of_given.is_empty() {
         return refuse(root, of_given);
     }
@@ -185,11 +194,14 @@ fn written(value: &Value) -> impl Iterator<Item = (&str, GivenEntry)> {
     entries.filter_map(|(name, entry)| Some((name.as_str()?, typed(entry.clone()).ok()?)))
 }
 
-/// What is known, as far as it can be read, and the faults of the rest.
-fn givens<'e>(entries: impl Iterator<Item = (&'e str, impl Borrow<GivenEntry>)>) -> (Entries<Given>, Vec<Fault>) {
+/// What is known, as far as it can be read, and the faults of the rest; `at` is where its `given` stands.
+fn givens<'e>(
+    entries: impl Iterator<Item = (&'e str, impl Borrow<GivenEntry>)>,
+    at: &Path,
+) -> (Entries<Given>, Vec<Fault>) {
     let mut faults = Vec::new();
     let read = |(name, entry): (&str, _)| {
-        let given = Given::read(Borrow::borrow(&entry), &Path::root().key("given").key(name));
+        let given = Given::read(Borrow::borrow(&entry), &at.key("given").key(name));
         given.map(|given| (name.to_owned(), given)).map_err(|found| faults.extend(found)).ok()
     };
     let given = entries.filter_map(read).collect();

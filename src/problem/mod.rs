@@ -42,6 +42,7 @@ mod neglected;
 mod no_variant;
 mod numerals;
 mod origin;
+mod other_values;
 mod part;
 mod parts;
 mod planned;

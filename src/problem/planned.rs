@@ -24,6 +24,7 @@ use super::form::Question;
 use super::form_cache::FormCache;
 use super::formula::Formulas;
 use super::known::Known;
+use super::known::Origin;
 use super::load::Loaded;
 use super::mistakes::Mistakes;
 use super::part::AskedUnit;
@@ -53,6 +54,8 @@ pub struct Problem {
 pub struct Form {
     /// What the file says of it.
     pub question: Question,
+    /// What is known, in the order of the file: the same quantities in every form.
+    pub known: Vec<Known>,
     /// What is asked.
     pub parts: Vec<Part>,
     /// What the author means of what `momentous check` would find.
@@ -116,6 +119,16 @@ impl Form {
             AskedUnit::InTermsOf(symbol) => Some(*symbol),
             AskedUnit::Unit(_) => None,
         })
+    }
+
+    /// How many different sets of numbers a form can draw, before any is rejected.
+    #[must_use]
+    pub fn combinations(&self) -> u128 {
+        let counts = self.known.iter().filter_map(|known| match &known.origin {
+            Origin::Drawn(domain) => Some(u128::from(domain.count())),
+            _ => None,
+        });
+        counts.fold(1, u128::saturating_mul)
     }
 
     /// What the answer plans, and what is to be decided, use of what is given.
@@ -276,15 +289,5 @@ impl Problem {
         let literal =
             || self.model.literals.iter().find(|(own, _)| *own == symbol).map(|(_, value)| value.unit.clone());
         known.or_else(literal)
-    }
-
-    /// How many different sets of numbers it can draw, before any is rejected.
-    #[must_use]
-    pub fn combinations(&self) -> u128 {
-        let counts = self.known.iter().filter_map(|known| match &known.origin {
-            super::known::Origin::Drawn(domain) => Some(u128::from(domain.count())),
-            _ => None,
-        });
-        counts.fold(1, u128::saturating_mul)
     }
 }

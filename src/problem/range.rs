@@ -215,7 +215,7 @@ impl Worked<'_> {
     /// Whether the claim holds with that value of the quantity, in the unit of the question.
     fn tried(&self, regimes: &Regimes, range: &RangePart, at: f64, unit: &Unit) -> Option<(bool, Trial)> {
         let at = round_to_figures(at, range.number.figures)?;
-        let mut inputs = Input::all(self.problem, self.problem.model().symbols.len());
+        let mut inputs = Input::all(self.problem, self.form, self.problem.model().symbols.len());
         let told = self.variant.all_given().iter().map(|(symbol, value, unit)| (*symbol, value, unit));
         for (symbol, value, unit) in told.chain([(range.number.symbol, &at, unit)]) {
             if let Some(input) = inputs.get_mut(symbol.index()) {

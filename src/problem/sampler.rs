@@ -71,15 +71,15 @@ impl<'p> Sampler<'p> {
             form: own,
             position: form,
             words: problem.streams().words(),
-            drawn: vec![0; problem.known().len()],
-            inputs: Input::all(problem, count),
-            domains: domains(problem, count),
+            drawn: vec![0; own.known.len()],
+            inputs: Input::all(problem, own, count),
+            domains: domains(own, count),
             scratch: Scratch::new(precision),
             forward: Scratch::new(precision),
             weighing: Scratch::new(precision),
             units: own.units().collect(),
             directions: directions(problem, own),
-            told: problem.known().iter().enumerate().filter(|(_, known)| own.told.contains(&known.symbol)).collect(),
+            told: own.known.iter().enumerate().filter(|(_, known)| own.told.contains(&known.symbol)).collect(),
             rejected: 0,
         })
     }
@@ -250,11 +250,9 @@ impl<'p> Sampler<'p> {
     }
 
     fn draw_attempt(&mut self, seed: u64, attempt: u64) {
-        let mut stream = 0;
-        for (known, drawn) in self.problem.known().iter().zip(&mut self.drawn) {
-            let Origin::Drawn(domain) = &known.origin else { continue };
+        for (known, drawn) in self.form.known.iter().zip(&mut self.drawn) {
+            let (Origin::Drawn(domain), Some(stream)) = (&known.origin, known.stream) else { continue };
             *drawn = domain.pick(self.words.word(stream, seed, attempt));
-            stream += 1;
             if let Some(input) = self.inputs.get_mut(known.symbol.index()) {
                 input.draw(domain, *drawn);
             }
@@ -348,9 +346,9 @@ fn directions(problem: &Problem, form: &Form) -> Vec<Symbol> {
 }
 
 /// The domain of each drawn symbol.
-fn domains(problem: &Problem, count: usize) -> Vec<Option<Domain>> {
+fn domains(form: &Form, count: usize) -> Vec<Option<Domain>> {
     let mut domains = vec![None; count];
-    for known in problem.known() {
+    for known in &form.known {
         if let (Origin::Drawn(domain), Some(place)) = (&known.origin, domains.get_mut(known.symbol.index())) {
             *place = Some(domain.clone());
         }

@@ -43,7 +43,7 @@ impl Worked<'_> {
     fn drawn(&self, givens: &[Symbol]) -> Arc<[Sample]> {
         let Ok(mut sampler) = Sampler::new(self.problem, self.variant.form()) else { return Arc::default() };
         let any = |symbol: Symbol| {
-            let known = self.problem.known().iter().find(|known| known.symbol == symbol);
+            let known = self.form.known.iter().find(|known| known.symbol == symbol);
             known.is_some_and(|known| matches!(known.origin, Origin::Any))
         };
         let variants = (1..=TRIED).map_while(|seed| sampler.variant(seed).ok());

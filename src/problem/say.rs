@@ -140,8 +140,10 @@ impl Speaker<'_> {
 
     /// A number that is given as a calculation, as `1/3`: it is printed as it is written, since its decimals would be rounded.
     fn constant(&self) -> Option<String> {
-        let constant = self.problem.loaded().given.get(self.name)?.constant()?;
-        Some(with_minus_signs(&constant))
+        let form = self.problem.forms().get(self.variant.form());
+        let is_changed = form.is_some_and(|form| form.question.given.get(self.name).is_some());
+        let given = self.problem.loaded().given.get(self.name).filter(|_| !is_changed)?;
+        Some(with_minus_signs(given.constant()?))
     }
 
     fn senses(&self) -> Option<Senses> {

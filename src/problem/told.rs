@@ -26,7 +26,7 @@ use super::planned::Problem;
 use super::text::Text;
 
 /// The faults of one form's text.
-pub(super) fn check(loaded: &Loaded, model: &Model, known: &[Known], form: &Form) -> Vec<Fault> {
+pub(super) fn check(loaded: &Loaded, model: &Model, form: &Form) -> Vec<Fault> {
     let story = Path::root().key("text");
     let texts = [(story.clone(), &loaded.text), (form.question.path.key("text"), &form.question.text)];
     let asked: BTreeSet<Symbol> = form.wanted().collect();
@@ -65,7 +65,7 @@ pub(super) fn check(loaded: &Loaded, model: &Model, known: &[Known], form: &Form
         Origin::Fixed(value) => is_given(loaded, known) && !is_said(&prose, value, &known.unit),
         Origin::Any => false,
     };
-    let given = known.iter().filter(fixed).map(|known| (known.name.as_str(), known.symbol));
+    let given = form.known.iter().filter(fixed).map(|known| (known.name.as_str(), known.symbol));
     for (name, symbol) in given.chain(revealed) {
         if needed.contains(&symbol) && !printed.contains(&symbol) {
             let message = format!("the text never prints `{name}`, which the solution needs");

@@ -11,6 +11,7 @@ mod docs;
 mod draws;
 mod golden;
 mod load_properties;
+mod other_values;
 mod schema;
 mod stages;
 #[path = "../support/works.rs"]

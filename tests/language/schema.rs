@@ -44,6 +44,7 @@ const BEYOND_A_SCHEMA: &[&str] = &[
     "empty_ask",
     "holds_",
     "order_twice",
+    "other_values_",
     "range_beside",
     "order_of_unlike",
     "yes_for_text",
