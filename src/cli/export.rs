@@ -159,9 +159,13 @@ fn report(held: &BTreeMap<Feature, u64>, target: &Target) -> String {
     let mut text = String::from("did not go along as it is (questions): what stands in its place");
     for (feature, what, places) in FEATURES {
         let place = TARGETS.iter().zip(places).find(|(own, _)| own.name == target.name);
-        if let (Some(count), Some((_, Place::Instead(instead)))) = (held.get(&feature), place) {
-            let _ = write!(text, "\n  {what} ({count}): {instead}");
-        }
+        let (Some(count), Some((_, place))) = (held.get(&feature), place) else { continue };
+        let _ = match place {
+            Place::Whole(_) => Ok(()),
+            Place::Instead(instead) => write!(text, "\n  {what} ({count}): {instead}"),
+            Place::LeftOut("") => write!(text, "\n  {what} ({count}): left out"),
+            Place::LeftOut(so) => write!(text, "\n  {what} ({count}): left out; {so}"),
+        };
     }
     text
 }
@@ -172,11 +176,12 @@ fn targets() -> String {
     for (column, target) in TARGETS.iter().enumerate() {
         let _ = writeln!(text, "{}: {}", target.name, target.about);
         for (_, what, places) in FEATURES {
-            let (how, place) = match places[column] {
-                Place::Whole(place) => ("goes along ", place),
-                Place::Instead(place) => ("is replaced", place),
+            let _ = match places[column] {
+                Place::Whole(place) => writeln!(text, "  goes along  {what}: {place}"),
+                Place::Instead(place) => writeln!(text, "  is replaced {what}: {place}"),
+                Place::LeftOut("") => writeln!(text, "  is left out {what}"),
+                Place::LeftOut(so) => writeln!(text, "  is left out {what}: {so}"),
             };
-            let _ = writeln!(text, "  {how} {what}: {place}");
         }
     }
     text

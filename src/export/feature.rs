@@ -13,6 +13,8 @@ pub enum Feature {
     UnitsOfSeveral,
     /// Usual mistakes and slips, with what is said of them.
     Mistakes,
+    /// That nothing but the power of ten is wrong, in a question of several fields.
+    PowersOfTen,
     /// Points for slips.
     Credit,
     /// Choices.
@@ -37,45 +39,49 @@ pub enum Feature {
     Documents,
 }
 
-/// What stands for a feature in a target, and whether that is all of it.
+/// What becomes of a feature in a target.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place {
     /// All of it.
     Whole(&'static str),
     /// Something less.
     Instead(&'static str),
+    /// Nothing, and what that means where it must be said.
+    LeftOut(&'static str),
 }
 
-use Place::{Instead, Whole};
+use Place::{Instead, LeftOut, Whole};
 
 /// A feature in words, then for each target what stands for it.
 pub type Row = (Feature, &'static str, [Place; TARGETS.len()]);
 
-const WINDOW: Place = Whole("two comparisons for each window");
+const WINDOW: Place =
+    Whole("the smallest and the largest value of what is right, of each slip and of each usual mistake");
 const NOT_TYPED: Place = Instead("printed behind the field, not typed");
 const COMPONENTS: Place = Instead("a field for each component, marked by itself");
 const ROOTS: Place = Instead("a field for each, from the smallest, marked by itself");
-const ENDS: Place = Instead("a field for each end; whether it belongs is not asked");
+const ENDS: Place = Instead("a field for each end; whether the end belongs to it is not asked");
 const CHOICE: Place = Instead("a choice among the right one and those of usual mistakes");
-const LEFT_OUT: Place = Instead("left out");
-const NOT_MARKED: Place = Instead("not marked");
-const ALONE: Place = Instead("marked like any other");
+const LEFT_OUT: Place = LeftOut("");
+const ALONE: Place = LeftOut("each answer is marked by itself");
 const FEEDBACK: Place = Whole("feedback of its own");
 const EXACT: Place = Whole("their share of the points");
 
 /// Every feature.
-pub const FEATURES: [Row; 15] = [
+pub const FEATURES: [Row; 16] = [
     (
         Feature::Numbers,
         "numbers and their tolerance",
         [
-            Whole("a value and a tolerance for each window"),
+            Whole("a value and a tolerance for what is right, for each slip and for each usual mistake"),
             WINDOW,
             WINDOW,
-            Whole("a range for each window that earns everything"),
-            Whole("an interval for each window"),
-            Whole("a window each, compared in server.py"),
-            Instead("the middle of the right window, and a tolerance"),
+            Whole("the smallest and the largest value of what earns full marks"),
+            WINDOW,
+            Whole(
+                "the smallest and the largest value of what is right, of each slip and of each usual mistake, compared in server.py",
+            ),
+            Instead("the middle of what is right, and one tolerance"),
         ],
     ),
     (
@@ -99,11 +105,16 @@ pub const FEATURES: [Row; 15] = [
             Whole("an answer of its own with its feedback"),
             FEEDBACK,
             FEEDBACK,
-            Instead("left out: every answer to a numerical question would earn everything"),
+            LeftOut("Canvas would give full marks for them"),
             Whole("an alternative answer with its feedback"),
             FEEDBACK,
             LEFT_OUT,
         ],
+    ),
+    (
+        Feature::PowersOfTen,
+        "that only the power of ten is wrong, in a question of several fields",
+        [Instead("marked wrong, without a word"), FEEDBACK, FEEDBACK, LEFT_OUT, FEEDBACK, FEEDBACK, LEFT_OUT],
     ),
     (
         Feature::Credit,
@@ -112,10 +123,10 @@ pub const FEATURES: [Row; 15] = [
             Instead("the nearest fraction that Moodle knows, in questions of one field"),
             EXACT,
             EXACT,
-            Instead("nothing is earned"),
+            LeftOut("a slip earns nothing"),
             EXACT,
             EXACT,
-            Instead("nothing is earned"),
+            LeftOut("a slip earns nothing"),
         ],
     ),
     (
@@ -128,7 +139,7 @@ pub const FEATURES: [Row; 15] = [
             Whole("a multiple choice question"),
             Whole("a part of the kind \"choose one\""),
             Whole("pl-multiple-choice"),
-            Instead("schoice, without feedback"),
+            Instead("the kind schoice, without feedback"),
         ],
     ),
     (Feature::Vectors, "vectors", [COMPONENTS; 7]),
@@ -138,18 +149,10 @@ pub const FEATURES: [Row; 15] = [
     (Feature::LoneFormulas, "formulas without a usual mistake", [LEFT_OUT; 7]),
     (
         Feature::FollowThrough,
-        "answers that follow from an earlier one",
-        [
-            ALONE,
-            ALONE,
-            ALONE,
-            Instead("a question of its own for each field, with numbers drawn for itself"),
-            ALONE,
-            ALONE,
-            ALONE,
-        ],
+        "marks for what follows from a wrong answer before it",
+        [ALONE, ALONE, ALONE, LeftOut("each field is a question of its own, with other numbers"), ALONE, ALONE, ALONE],
     ),
-    (Feature::Writing, "how an answer is written: figures, words of direction", [NOT_MARKED; 7]),
+    (Feature::Writing, "marks for significant figures and words of direction", [LEFT_OUT; 7]),
     (
         Feature::Hints,
         "hints",

@@ -94,6 +94,7 @@ impl<'i> Question<'i> {
             let bands = bands(number, asking.part.field.points);
             held.extend(bands.iter().any(|own| !own.feedback.is_empty()).then_some(Feature::Mistakes));
             held.extend(bands.iter().any(|own| own.share > 0.0 && !own.is_full()).then_some(Feature::Credit));
+            held.extend((several && bands.iter().any(|own| own.is_coarse)).then_some(Feature::PowersOfTen));
         }
         held.extend((self.asked.len() > 1).then_some(Feature::FollowThrough));
         held.extend((!item.sheet.hints.is_empty()).then_some(Feature::Hints));

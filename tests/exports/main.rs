@@ -154,6 +154,9 @@ fn the_command_writes_the_same_bytes_twice_and_says_what_did_not_go_along() {
             let output = command.assert().success().get_output().clone();
             let said = String::from_utf8(output.stderr).unwrap();
             assert!(said.contains("units in a question of several fields (3): printed behind the field"), "{said}");
+            // Two carts has three fields, each with slips of the power of ten.
+            let is_silent = ["moodle", "canvas", "rexams"].contains(&target.name);
+            assert_eq!(said.contains("only the power of ten is wrong"), is_silent, "{said}");
             fs::read(path).unwrap()
         });
         assert!(!written[0].is_empty() && written[0] == written[1], "{}", target.name);

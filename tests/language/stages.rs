@@ -9,6 +9,7 @@ use momentous::explain::{self, Audience, Block};
 use momentous::fault::Source;
 use momentous::problem::{Problem, Sampler, Worked, compile, json_schema, load};
 use momentous::render::Renderer;
+use momentous::scene::Stage;
 
 use crate::blocks::blocks;
 
@@ -67,7 +68,7 @@ fn has_figure(worked: Worked<'_>) -> bool {
 fn examples() -> BTreeSet<&'static str> {
     let whole = blocks(LANGUAGE).into_iter().filter(|block| block.language == "yaml");
     let loaded = whole.filter_map(|block| load(Source::new("language.yaml", &block.text)).ok());
-    loaded.flat_map(|loaded| loaded.draft.scene.stages.iter().map(|stage| stage.key()).collect::<Vec<_>>()).collect()
+    loaded.flat_map(|loaded| loaded.draft.scene.stages.iter().map(Stage::key).collect::<Vec<_>>()).collect()
 }
 
 #[test]
