@@ -10,6 +10,7 @@ use crate::problem::Worked;
 use crate::scene::Scene;
 use crate::scene::Stage;
 use crate::scene::stage::Connected;
+use crate::scene::stage::Impact;
 use crate::scene::stage::Strand;
 
 use super::Block;
@@ -198,10 +199,8 @@ fn why_not_energy(worked: Worked<'_>) -> Option<Block> {
         e == "1"
             || given.into_iter().any(|(own, value, _)| symbols.entry(*own).name == e && value.to_rational().is_one())
     };
-    let lossy = scene.stages.iter().filter(|stage| match stage {
-        Stage::Impact(impact) => impact.plastic || impact.restitution.as_ref().is_some_and(|e| !is_one(e.0.trim())),
-        _ => false,
-    });
+    let loses = |impact: &Impact| impact.plastic || impact.restitution.as_ref().is_some_and(|e| !is_one(e.0.trim()));
+    let lossy = scene.stages.iter().filter(|stage| matches!(stage, Stage::Impact(impact) if loses(impact)));
     let impacts = match lossy.count() {
         0 => return None,
         1 => "impact",

@@ -8,18 +8,15 @@ use crate::scene::Axes;
 use crate::scene::Plane;
 use crate::scene::Scene;
 use crate::scene::Stage;
-use crate::scene::stage::Ends;
-use crate::scene::stage::Flight;
 use crate::scene::stage::Impact;
 use crate::scene::stage::Partners;
 use crate::scene::stage::Separate;
-use crate::scene::stage::SlideOff;
-use crate::scene::stage::Walk;
 
 use super::Name;
 use super::QuantityKind;
 use super::VectorName;
 use super::name::MASS_CENTRE;
+use super::stage::Description;
 use super::timeline::Timeline;
 
 /// Whether a name is one that the scene makes by itself, rather than one that the author chose.
@@ -92,57 +89,48 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
     let timeline = Timeline::new(scene);
     for (index, stage) in scene.stages.iter().enumerate() {
         let at = at.key("stages").index(index).key(stage.key());
-        let mut body = |name: &str, key: &str| {
+        for (name, key) in Description::of(scene, stage).bodies {
             if timeline.since(name, index + 1).is_none() {
-                let known = timeline.alive(index + 1);
-                faults.push(unknown("body", name, &known).at_path(at.key(key)));
+                let path = key.map_or_else(|| at.clone(), |key| at.key(key));
+                faults.push(unknown("body", name, &timeline.alive(index + 1)).at_path(path));
             }
-        };
-        match stage {
-            Stage::Impact(impact) => {
-                match impact.partners() {
-                    Some(Partners::Surface(name, _)) => body(name, "body"),
-                    Some(Partners::Bodies(first, second)) => {
-                        body(first, "between");
-                        body(second, "between");
-                    }
-                    None => {}
-                }
-                faults.extend(collision(scene, impact, &at));
+        }
+        faults.extend(match stage {
+            Stage::Impact(impact) => collision(scene, impact, &at),
+            Stage::Spring(spring) if spring.ends().is_none() => {
+                let fault = Fault::new(Code::MissingKey, "a spring needs a body, or two bodies that it connects");
+                vec![fault.help("write `body: A`, or `between: [A, B]`").at_path(at)]
             }
-            Stage::Push(stage) => body(&stage.body, "body"),
-            Stage::Fall(_)
-            | Stage::Slide(_)
-            | Stage::Spring(_)
-            | Stage::Swing(_)
-            | Stage::Taut(_)
-            | Stage::Connected(_)
-            | Stage::Tow(_) => {
-                for (name, key) in held_bodies(stage) {
-                    body(name, key);
-                }
-                faults.extend(held(scene, stage).map(|fault| fault.at_path(at)));
+            Stage::Fall(_) => not_vertical(scene, "a fall", at),
+            Stage::Swing(_) => not_vertical(scene, "a swing", at),
+            Stage::Connected(_) => in_a_row(scene, stage, ["bodies on a string over a pulley", "along the string"], at),
+            Stage::Tow(_) => in_a_row(scene, stage, ["bodies in a row", "ahead"], at),
+            Stage::Flight(stage) if stage.flying().next().is_none() => {
+                let fault = Fault::new(Code::MissingKey, "a flight needs a body");
+                vec![fault.help("write `body: A`, or `bodies: [A, B]`").at_path(at)]
             }
-            Stage::Blow(stage) => body(&stage.body, "body"),
-            Stage::Motion(stage) => body(&stage.body, "body"),
+            Stage::Separate(stage) => separation(scene, &timeline, index, stage, &at),
             Stage::Rotate(_)
             | Stage::Central(_)
             | Stage::Moment(_)
             | Stage::Strike(_)
             | Stage::Conical(_)
             | Stage::Bowl(_)
-            | Stage::Interact(_) => faults.extend(super::space::turning(scene, &timeline, index, stage)),
-            Stage::Bounces(stage) => body(&stage.body, "body"),
-            Stage::SlideOff(SlideOff { body: own, on, .. }) | Stage::Walk(Walk { body: own, on, .. }) => {
-                body(own, "body");
-                body(on, "on");
-            }
-            Stage::Stream(stage) => body(&stage.body, "body"),
-            Stage::Thrust(stage) => body(&stage.body, "body"),
-            Stage::Drift(_) => {}
-            Stage::Flight(stage) => faults.extend(flight(&timeline, index, stage, &at)),
-            Stage::Separate(stage) => faults.extend(separation(scene, &timeline, index, stage, &at)),
-        }
+            | Stage::Interact(_) => super::space::turning(scene, &timeline, stage, at),
+            Stage::Push(_)
+            | Stage::Slide(_)
+            | Stage::Spring(_)
+            | Stage::Taut(_)
+            | Stage::Blow(_)
+            | Stage::Bounces(_)
+            | Stage::Stream(_)
+            | Stage::Thrust(_)
+            | Stage::Drift(_)
+            | Stage::SlideOff(_)
+            | Stage::Walk(_)
+            | Stage::Flight(_)
+            | Stage::Motion(_) => Vec::new(),
+        });
     }
     faults
 }
@@ -222,56 +210,26 @@ fn names_of_instants(scene: &Scene) -> Vec<Fault> {
 }
 
 /// What moves by its weight needs a plane in which weight acts.
-fn not_vertical(scene: &Scene, what: &str) -> Option<Fault> {
+fn not_vertical(scene: &Scene, what: &str, at: Path) -> Vec<Fault> {
     let fault = || Fault::new(Code::Value, format!("{what} needs a vertical plane"));
-    (scene.plane != Plane::Vertical).then(|| fault().help("write `plane: vertical` under `scene`"))
+    let fault = (scene.plane != Plane::Vertical).then(|| fault().help("write `plane: vertical` under `scene`"));
+    fault.map(|fault| fault.at_path(at)).into_iter().collect()
 }
 
-/// The bodies that fall, or are held by floors, cords and springs, each with the key that names it.
-fn held_bodies(stage: &Stage) -> Vec<(&str, &str)> {
-    match stage {
-        Stage::Fall(stage) => vec![(&stage.body, "body")],
-        Stage::Slide(stage) => vec![(&stage.body, "body")],
-        Stage::Swing(stage) => vec![(&stage.body, "body")],
-        Stage::Spring(stage) => match stage.ends() {
-            Some(Ends::Fixed(name)) => vec![(name, "body")],
-            Some(Ends::Free(first, second)) => vec![(first, "between"), (second, "between")],
-            None => Vec::new(),
-        },
-        Stage::Taut(stage) => stage.between.iter().map(|name| (name.as_str(), "between")).collect(),
-        Stage::Tow(stage) => vec![(&stage.front.body, "front"), (&stage.rear.body, "rear")],
-        Stage::Connected(stage) => vec![(&stage.trailing.body, "trailing"), (&stage.leading.body, "leading")],
-        _ => Vec::new(),
-    }
-}
-
-/// What does not fit a stage in which a body falls, or is held by a floor, a cord or a spring.
-fn held(scene: &Scene, stage: &Stage) -> Option<Fault> {
-    let one_axis = matches!(&scene.axes, Axes::Rectangular(axes) if axes.len() == 1);
-    match stage {
-        Stage::Spring(spring) if spring.ends().is_none() => {
-            let fault = Fault::new(Code::MissingKey, "a spring needs a body, or two bodies that it connects");
-            Some(fault.help("write `body: A`, or `between: [A, B]`"))
+/// What does not fit two bodies that follow each other on a string, or in a row.
+fn in_a_row(scene: &Scene, stage: &Stage, [what, axis]: [&str; 2], at: Path) -> Vec<Fault> {
+    let fault = match &Description::of(scene, stage).bodies[..] {
+        _ if !matches!(&scene.axes, Axes::Rectangular(axes) if axes.len() == 1) => {
+            let fault = Fault::new(Code::Value, format!("{what} need a scene with one axis"));
+            fault.help(format!("write `axes: {{ x: {axis} }}`"))
         }
-        Stage::Fall(_) => not_vertical(scene, "a fall"),
-        Stage::Swing(_) => not_vertical(scene, "a swing"),
-        Stage::Connected(_) if !one_axis => {
-            let fault = Fault::new(Code::Value, "bodies on a string over a pulley need a scene with one axis");
-            Some(fault.help("write `axes: { x: along the string }`"))
+        [(one, _), (other, Some(key))] if one == other => {
+            let fault = Fault::new(Code::Value, format!("`{one}` cannot be at both ends"));
+            fault.help(format!("name another body under `{key}`"))
         }
-        Stage::Tow(_) if !one_axis => {
-            let fault = Fault::new(Code::Value, "bodies in a row need a scene with one axis");
-            Some(fault.help("write `axes: { x: ahead }`"))
-        }
-        Stage::Connected(_) | Stage::Tow(_) => match &held_bodies(stage)[..] {
-            [(one, _), (other, key)] if one == other => {
-                let fault = Fault::new(Code::Value, format!("`{one}` cannot be at both ends"));
-                Some(fault.help(format!("name another body under `{key}`")))
-            }
-            _ => None,
-        },
-        _ => None,
-    }
+        _ => return Vec::new(),
+    };
+    vec![fault.at_path(at)]
 }
 
 /// What two bodies become is a body of its own: its name must not be that of another.
@@ -286,19 +244,6 @@ fn unions_without_a_name_of_their_own(scene: &Scene) -> Vec<Fault> {
             faults.push(fault.help("give the joined body a new name: `becomes: C`").at_path(path));
         }
         taken.push(union);
-    }
-    faults
-}
-
-/// Who flies.
-fn flight(timeline: &Timeline, index: usize, stage: &Flight, at: &Path) -> Vec<Fault> {
-    let keyed = stage.body.iter().map(|body| (body, "body")).chain(stage.bodies.iter().map(|body| (body, "bodies")));
-    let lost = keyed.filter(|(body, _)| timeline.since(body, index + 1).is_none());
-    let mut faults: Vec<Fault> =
-        lost.map(|(body, key)| unknown("body", body, &timeline.alive(index + 1)).at_path(at.key(key))).collect();
-    if stage.flying().next().is_none() {
-        let fault = Fault::new(Code::MissingKey, "a flight needs a body");
-        faults.push(fault.help("write `body: A`, or `bodies: [A, B]`").at_path(at.clone()));
     }
     faults
 }

@@ -221,7 +221,7 @@ mod tests {
             "I_F2[pull]",
         ];
         for text in names {
-            assert_eq!(Name::parse(text).map(|name| name.to_string()).as_deref(), Some(text));
+            assert_eq!(Name::parse(text).as_ref().map(ToString::to_string).as_deref(), Some(text));
         }
         assert_eq!(Name::parse("J_A[hit].x"), Name::parse("J_A.x[hit]"));
         let wrong = ["v_A1@top", "T[", "J_A.x[hit].y", "J_A[hit]x", "J_A[1][2]"];

@@ -3,11 +3,14 @@
 use crate::expr::Expr;
 use crate::scene::Axis;
 use crate::scene::Stage;
+use crate::scene::stage::Impact;
+use crate::scene::stage::Separate;
 
 use super::Builder;
 use super::Meaning;
 use super::Name;
 use super::QuantityKind;
+use super::stage::Description;
 
 impl Builder<'_> {
     /// A component of the place of a body at an instant, under the name of the instant since which it is there.
@@ -25,28 +28,18 @@ impl Builder<'_> {
         let Some(index) = instant.checked_sub(2).filter(|_| !self.axes.is_empty()) else {
             return (body.to_owned(), instant);
         };
-        let stays = match self.scene.stages.get(index) {
-            Some(Stage::Impact(impact)) => {
-                if impact.becomes.as_deref() == Some(body)
-                    && let Some([first, _]) = &impact.between
-                {
-                    return self.place_since(first, instant - 1);
-                }
-                true
-            }
-            Some(Stage::Separate(separate)) => {
-                if separate.into.iter().any(|part| part == body)
-                    && let Some(whole) = &separate.from
-                {
-                    return self.place_since(whole, instant - 1);
-                }
-                true
-            }
-            Some(Stage::Blow(_) | Stage::Stream(_) | Stage::Strike(_)) => true,
-            Some(Stage::Flight(flight)) => !flight.flying().any(|own| own == body),
-            Some(Stage::Fall(fall)) => fall.body != body,
-            _ => false,
-        };
+        let stage = self.scene.stages.get(index);
+        if let Some(Stage::Impact(Impact { becomes: Some(union), between: Some([first, _]), .. })) = stage
+            && union == body
+        {
+            return self.place_since(first, instant - 1);
+        }
+        if let Some(Stage::Separate(Separate { from: Some(whole), into, .. })) = stage
+            && into.iter().any(|part| part == body)
+        {
+            return self.place_since(whole, instant - 1);
+        }
+        let stays = stage.is_some_and(|stage| Description::of(self.scene, stage).leaves(body));
         if stays { self.place_since(body, instant - 1) } else { (body.to_owned(), instant) }
     }
 }

@@ -6,10 +6,10 @@ use crate::fault::Path;
 use crate::scene::Axes;
 use crate::scene::Scene;
 use crate::scene::Stage;
-use crate::scene::stage::Impact;
 
 use super::check::unknown;
 use super::read::moving_point;
+use super::stage::Description;
 use super::timeline::Timeline;
 
 /// What a scene says of places and directions that its axes do not allow.
@@ -21,7 +21,7 @@ pub(super) fn faults(scene: &Scene) -> Vec<Fault> {
     }
     let at = Path::root().key("scene");
     for (index, stage) in scene.stages.iter().enumerate() {
-        if !fills_space(stage) {
+        if !Description::of(scene, stage).fills_space {
             let message = format!("`{}` happens along a line or in a plane, but the scene has three axes", stage.key());
             let fault = Fault::new(Code::Value, message).help("keep the axes of that line or plane");
             faults.push(fault.at_path(at.key("stages").index(index).key(stage.key())));
@@ -33,21 +33,6 @@ pub(super) fn faults(scene: &Scene) -> Vec<Fault> {
         faults.push(fault.help("keep the axes of that plane").at_path(path));
     }
     faults
-}
-
-/// Whether the equations of a stage hold in three dimensions.
-fn fills_space(stage: &Stage) -> bool {
-    match stage {
-        Stage::Push(push) => push.over.is_none() && push.incline.is_none(),
-        Stage::Impact(Impact { between, line_of_impact, .. }) => between.is_some() && line_of_impact.is_none(),
-        Stage::Blow(_)
-        | Stage::Separate(_)
-        | Stage::Flight(_)
-        | Stage::Drift(_)
-        | Stage::Moment(_)
-        | Stage::Interact(_) => true,
-        _ => false,
-    }
 }
 
 /// Coordinates of points along axes that the scene has not.
@@ -62,30 +47,13 @@ fn points<'a>(scene: &'a Scene, has: &'a dyn Fn(&str) -> bool) -> impl Iterator<
 }
 
 /// What does not fit a stage in which bodies turn about a point, or act on each other in a plane or in space.
-pub(super) fn turning(scene: &Scene, timeline: &Timeline, index: usize, stage: &Stage) -> Vec<Fault> {
-    let at = Path::root().key("scene").key("stages").index(index).key(stage.key());
+pub(super) fn turning(scene: &Scene, timeline: &Timeline, stage: &Stage, at: Path) -> Vec<Fault> {
     let axes = match &scene.axes {
         Axes::Polar(_) => 0,
         Axes::Rectangular(axes) => axes.len(),
     };
-    let (bodies, about, wanted) = match stage {
-        Stage::Rotate(own) => (own.held().into_iter().map(|(body, _)| body).collect(), Some(&own.about), &[1][..]),
-        Stage::Central(own) => (vec![own.body.as_str()], Some(&own.about), &[0][..]),
-        Stage::Moment(own) => (Vec::new(), Some(&own.about), &[2, 3][..]),
-        Stage::Strike(own) => {
-            (own.carries.keys().chain([&own.body]).map(String::as_str).collect(), Some(&own.about), &[1][..])
-        }
-        Stage::Conical(own) => (vec![own.body.as_str()], Some(&own.about), &[1][..]),
-        Stage::Bowl(own) => (vec![own.body.as_str()], Some(&own.about), &[0][..]),
-        Stage::Interact(own) => (own.between.iter().map(String::as_str).collect(), None, &[1, 2, 3][..]),
-        _ => return Vec::new(),
-    };
+    let Description { bodies, about, axes: wanted, .. } = Description::of(scene, stage);
     let mut faults: Vec<Fault> = Vec::new();
-    for body in &bodies {
-        if timeline.since(body, index + 1).is_none() {
-            faults.push(unknown("body", body, &timeline.alive(index + 1)).at_path(at.clone()));
-        }
-    }
     if let Some(point) = about {
         faults.extend(not_fixed(scene, timeline, stage, point).map(|fault| fault.at_path(at.key("about"))));
     }

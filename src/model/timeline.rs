@@ -4,11 +4,10 @@ use std::collections::BTreeMap;
 
 use crate::scene::Scene;
 use crate::scene::Stage;
-use crate::scene::stage::Ends;
 use crate::scene::stage::Partners;
 use crate::scene::stage::Separate;
 
-use super::wording::noun;
+use super::stage::Description;
 
 /// Instants 1 to n + 1 around n stages, and which stage changes which body.
 #[derive(Clone, Debug)]
@@ -26,7 +25,7 @@ impl Timeline {
     pub fn new(scene: &Scene) -> Self {
         let lives = lives(scene);
         Self {
-            changed: scene.stages.iter().map(|stage| changed_bodies(scene, stage)).collect(),
+            changed: scene.stages.iter().map(|stage| changed(scene, stage)).collect(),
             lives,
             names: scene.instants.clone(),
             stage_names: scene.stages.iter().map(|stage| stage.name().map(str::to_owned)).collect(),
@@ -73,7 +72,7 @@ impl Timeline {
     #[must_use]
     pub fn stage(&self, scene: &Scene, name: &str) -> Option<usize> {
         let named = self.stage_names.iter().position(|own| own.as_deref() == Some(name));
-        let is_meant = |stage: &Stage| stage.key() == name || noun(stage) == name;
+        let is_meant = |stage: &Stage| stage.key() == name || Description::of(scene, stage).noun == name;
         let of_kind: Vec<usize> =
             scene.stages.iter().enumerate().filter(|(_, stage)| is_meant(stage)).map(|(index, _)| index).collect();
         let counted = || name.parse::<usize>().ok()?.checked_sub(1).filter(|index| *index < scene.stages.len());
@@ -87,16 +86,14 @@ fn lives(scene: &Scene) -> BTreeMap<String, Vec<(usize, usize)>> {
     let mut lives: BTreeMap<String, Vec<(usize, usize)>> =
         scene.bodies.keys().map(|body| (body.clone(), vec![(1, last)])).collect();
     for (index, stage) in scene.stages.iter().enumerate() {
-        let (ended, begun): (Vec<&str>, Vec<&str>) = match stage {
-            Stage::Impact(impact) => match (&impact.becomes, impact.partners()) {
-                (Some(union), Some(Partners::Bodies(first, second))) => (vec![first, second], vec![union]),
-                _ => continue,
-            },
-            Stage::Separate(separate) => match &separate.from {
-                Some(whole) => (vec![whole], separate.into.iter().map(String::as_str).collect()),
-                None => continue,
-            },
-            _ => continue,
+        let (ended, begun): (Vec<&str>, Vec<&str>) = if let Stage::Impact(impact) = stage
+            && let (Some(union), Some(Partners::Bodies(first, second))) = (&impact.becomes, impact.partners())
+        {
+            (vec![first, second], vec![union])
+        } else if let Stage::Separate(Separate { from: Some(whole), into, .. }) = stage {
+            (vec![whole], into.iter().map(String::as_str).collect())
+        } else {
+            continue;
         };
         if let Stage::Separate(Separate { from: Some(whole), .. }) = stage {
             // A whole that nothing made was there from the beginning.
@@ -117,40 +114,7 @@ fn lives(scene: &Scene) -> BTreeMap<String, Vec<(usize, usize)>> {
     lives
 }
 
-fn changed_bodies(scene: &Scene, stage: &Stage) -> Vec<String> {
-    match stage {
-        Stage::Impact(impact) => match impact.partners() {
-            Some(Partners::Bodies(first, second)) => vec![first.to_owned(), second.to_owned()],
-            Some(Partners::Surface(body, _)) => vec![body.to_owned()],
-            None => Vec::new(),
-        },
-        Stage::Push(stage) => vec![stage.body.clone()],
-        Stage::Slide(stage) => vec![stage.body.clone()],
-        Stage::Spring(stage) => match stage.ends() {
-            Some(Ends::Fixed(body)) => vec![body.to_owned()],
-            Some(Ends::Free(first, second)) => vec![first.to_owned(), second.to_owned()],
-            None => Vec::new(),
-        },
-        Stage::Swing(stage) => vec![stage.body.clone()],
-        Stage::Taut(stage) => stage.between.to_vec(),
-        Stage::Tow(stage) => stage.both().map(|own| own.body.clone()).to_vec(),
-        Stage::Connected(stage) => vec![stage.trailing.body.clone(), stage.leading.body.clone()],
-        Stage::Blow(stage) => vec![stage.body.clone()],
-        Stage::Motion(stage) => vec![stage.body.clone()],
-        Stage::Rotate(stage) => stage.held().into_iter().map(|(body, _)| body.to_owned()).collect(),
-        Stage::Moment(_) => scene.bodies.keys().cloned().collect(),
-        Stage::Strike(stage) => stage.carries.keys().chain([&stage.body]).cloned().collect(),
-        Stage::Conical(stage) => vec![stage.body.clone()],
-        Stage::Bowl(stage) => vec![stage.body.clone()],
-        Stage::Interact(stage) => stage.between.clone(),
-        Stage::Central(stage) => vec![stage.body.clone()],
-        Stage::Fall(stage) => vec![stage.body.clone()],
-        Stage::Bounces(stage) => vec![stage.body.clone()],
-        Stage::Separate(stage) => stage.into.clone(),
-        Stage::SlideOff(stage) => vec![stage.body.clone(), stage.on.clone()],
-        Stage::Thrust(stage) => vec![stage.body.clone()],
-        // All keep the velocities that they had; a walk goes from rest to rest.
-        Stage::Stream(_) | Stage::Drift(_) | Stage::Walk(_) => Vec::new(),
-        Stage::Flight(stage) => stage.flying().map(str::to_owned).collect(),
-    }
+/// The bodies whose velocities a stage changes.
+fn changed(scene: &Scene, stage: &Stage) -> Vec<String> {
+    Description::of(scene, stage).changed().into_iter().map(str::to_owned).collect()
 }

@@ -215,7 +215,7 @@ impl Problem {
             let math = self.notation.math(&self.set_apart(symbol));
             if self.is_speed_on_line(symbol) { Math::Bars(Arc::new(math)) } else { math }
         };
-        self.names.get(symbol.index()).map_or_else(set, |name| name.get_or_init(|| set()).clone())
+        self.names.get(symbol.index()).map_or_else(set, |name| name.get_or_init(set).clone())
     }
 
     /// The name under which a quantity is typeset: a period has a letter of its own beside kinetic energies.

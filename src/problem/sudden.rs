@@ -5,6 +5,7 @@ use crate::model::Agent;
 use crate::model::Builder;
 use crate::scene::Stage;
 use crate::scene::stage::Partners;
+use crate::scene::stage::Taut;
 
 use super::conserved::Balance;
 use super::conserved::Verdict;
@@ -22,16 +23,18 @@ pub(super) fn momentum(loaded: &Loaded, balance: &Balance<'_>, builder: &mut Bui
     for position in &balance.axes {
         let acting = outside.iter().find(|(_, components)| components.get(*position).is_none_or(|own| !own.is_zero()));
         let otherwise = acting.map_or_else(|| "it is not the same before and after".to_owned(), |own| own.0.clone());
-        let equality = match builder.scene().stages.get(balance.stage) {
-            // Along the string the velocities of both have one sense; the pulley turns the momentum of one of them.
-            Some(Stage::Taut(taut)) if taut.over.is_some() => Equality::Never,
-            // On an arm velocities have one sense on either side of what holds it, which gives an impulse from outside.
-            Some(Stage::Strike(_)) => Equality::Never,
-            _ => {
-                let [before, after] =
-                    [1, 2].map(|side| builder.total_momentum(&balance.ask.of, balance.stage + side, *position));
-                equality(loaded, balance, builder, [before?, after?])
-            }
+        // Along a string over a pulley the velocities of both have one sense, and the pulley turns the momentum of one of
+        // them. On an arm they have one sense on either side of what holds it, which gives an impulse from outside.
+        let turns = matches!(
+            builder.scene().stages.get(balance.stage),
+            Some(Stage::Taut(Taut { over: Some(_), .. }) | Stage::Strike(_))
+        );
+        let equality = if turns {
+            Equality::Never
+        } else {
+            let [before, after] =
+                [1, 2].map(|side| builder.total_momentum(&balance.ask.of, balance.stage + side, *position));
+            equality(loaded, balance, builder, [before?, after?])
         };
         tests.push(Test::new(equality, otherwise));
     }
@@ -132,6 +135,30 @@ fn words_of_energy(balance: &Balance<'_>, builder: &Builder<'_>) -> (&'static st
             "the parts are pushed away from each other, and the forces that do so do work on them",
         ),
         Some(Stage::Interact(_)) if all => ("the bodies lose no kinetic energy", "the bodies do work on each other"),
-        _ => (SAME, "a force does work on the body"),
+        None
+        | Some(
+            Stage::Push(_)
+            | Stage::Slide(_)
+            | Stage::Spring(_)
+            | Stage::Swing(_)
+            | Stage::Connected(_)
+            | Stage::Tow(_)
+            | Stage::Blow(_)
+            | Stage::Rotate(_)
+            | Stage::Moment(_)
+            | Stage::Conical(_)
+            | Stage::Bowl(_)
+            | Stage::Interact(_)
+            | Stage::Central(_)
+            | Stage::Fall(_)
+            | Stage::Bounces(_)
+            | Stage::Stream(_)
+            | Stage::Thrust(_)
+            | Stage::Drift(_)
+            | Stage::SlideOff(_)
+            | Stage::Walk(_)
+            | Stage::Flight(_)
+            | Stage::Motion(_),
+        ) => (SAME, "a force does work on the body"),
     }
 }

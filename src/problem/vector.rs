@@ -49,8 +49,7 @@ pub(super) fn read(
     let axes = builder.axis_letters();
     let components = symbols.iter().map(|symbol| number_part(loaded, find, *symbol, builder, path));
     let components = components.collect::<Option<Vec<_>>>()?;
-    let first = symbols.first().map(|symbol| builder.symbols().entry(*symbol).meaning.clone()).unwrap_or_default();
-    let of_component = axes.first().map(|axis| format!("the {axis}-component of ")).unwrap_or_default();
-    let meaning = first.strip_prefix(&of_component).map_or_else(|| format!("the vector {}", find.find), str::to_owned);
+    let meaning = symbols.first().and_then(|first| builder.vector_of(*first));
+    let meaning = meaning.unwrap_or_else(|| format!("the vector {}", find.find));
     Some((find.find.clone(), meaning, PartKind::Vector(VectorPart { components, axes })))
 }

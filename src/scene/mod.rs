@@ -51,26 +51,17 @@ impl Scene {
         if self.bodies.contains_key(whole) {
             return Vec::new();
         }
-        let parts = self.stages.iter().find_map(|stage| match stage {
-            Stage::Impact(impact) if impact.becomes.as_deref() == Some(whole) => {
-                impact.between.as_ref().map(|pair| pair.iter().collect::<Vec<_>>())
-            }
-            Stage::Separate(separate) if separate.from.as_deref() == Some(whole) => {
-                Some(separate.into.iter().filter(|part| *part != whole).collect())
-            }
-            _ => None,
-        });
-        parts.unwrap_or_default().into_iter().map(String::as_str).collect()
+        let parts = self.stages.iter().filter_map(Stage::whole_and_parts).find(|(own, _)| *own == whole);
+        parts.into_iter().flat_map(|(_, parts)| parts).map(String::as_str).filter(|part| *part != whole).collect()
     }
 
     /// The parts into which a body comes apart, whether it is declared or not; empty where it does not.
     #[must_use]
     pub fn division_of(&self, whole: &str) -> Vec<&str> {
-        let parts = self.stages.iter().find_map(|stage| match stage {
-            Stage::Separate(separate) if separate.from.as_deref() == Some(whole) => Some(&separate.into),
-            _ => None,
-        });
-        parts.into_iter().flatten().map(String::as_str).collect()
+        let separations = self.stages.iter().filter(|stage| matches!(stage, Stage::Separate(_)));
+        let mut divisions = separations.filter_map(Stage::whole_and_parts);
+        let parts = divisions.find(|(own, _)| *own == whole);
+        parts.into_iter().flat_map(|(_, parts)| parts).map(String::as_str).collect()
     }
 
     /// Whether the stage before pushes the body. A force may jump between the two: that at the instant between them is the one at

@@ -116,10 +116,10 @@ impl<'a> Witness<'a> {
 
     /// The bodies that act on each other in a stage.
     fn interacting(&self, stage: usize) -> Vec<String> {
-        match self.case.scene.stages.get(stage) {
-            Some(Stage::Interact(own)) => own.between.clone(),
-            _ => self.timeline.alive(stage + 2).into_iter().map(str::to_owned).collect(),
+        if let Some(Stage::Interact(own)) = self.case.scene.stages.get(stage) {
+            return own.between.clone();
         }
+        self.timeline.alive(stage + 2).into_iter().map(str::to_owned).collect()
     }
 
     /// A stage as it is watched from its start to its end.

@@ -19,7 +19,27 @@ pub(super) fn stays(witness: &Witness<'_>, ask: &Conserved, about: &str, stage: 
         Stage::Bowl(own) => (Some(&own.about), true),
         Stage::Conical(own) => (Some(&own.about), true),
         Stage::Flight(_) => (None, false),
-        _ => return None,
+        Stage::Impact(_)
+        | Stage::Push(_)
+        | Stage::Slide(_)
+        | Stage::Spring(_)
+        | Stage::Swing(_)
+        | Stage::Taut(_)
+        | Stage::Connected(_)
+        | Stage::Tow(_)
+        | Stage::Blow(_)
+        | Stage::Moment(_)
+        | Stage::Strike(_)
+        | Stage::Interact(_)
+        | Stage::Fall(_)
+        | Stage::Bounces(_)
+        | Stage::Stream(_)
+        | Stage::Thrust(_)
+        | Stage::Drift(_)
+        | Stage::Separate(_)
+        | Stage::SlideOff(_)
+        | Stage::Walk(_)
+        | Stage::Motion(_) => return None,
     };
     // A motion round a point is watched from there.
     let from = match centre {

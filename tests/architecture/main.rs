@@ -8,6 +8,7 @@ use std::path::Path;
 
 use words::{code_of, mentions};
 
+mod reading;
 mod words;
 
 /// The rooms from left to right. A room imports what stands before its own place; rooms of one place never each other.

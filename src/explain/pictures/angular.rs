@@ -10,6 +10,7 @@ use crate::figure::AngularState;
 use crate::figure::Drawing;
 use crate::figure::LabelledVector;
 use crate::figure::Wording;
+use crate::model::QuantityKind;
 use crate::scene::Strength;
 use crate::scene::Term;
 use crate::scene::stage::Bowl;
@@ -70,8 +71,8 @@ pub(super) fn central(quantities: &Quantities<'_>, stage: usize, central: &Centr
 /// A particle at one end of its way round a centre, with these polar components of its velocity: the first, and others that
 /// are not zero.
 fn round(quantities: &Quantities<'_>, body: &str, stage: usize, side: u8, parts: &[(&str, [f64; 2])]) -> Place {
-    let name = quantities.velocity_name(body, stage + 1 + usize::from(side));
-    let radius = name.replacen('v', "r", 1);
+    let [name, radius] = [QuantityKind::Velocity, QuantityKind::Position]
+        .map(|kind| quantities.since(kind, body, stage + 1 + usize::from(side)).to_string());
     let component = |(letter, unit): &(&str, [f64; 2])| {
         let component = format!("{name}.{letter}");
         let value = quantities.named(&component);
@@ -88,8 +89,8 @@ fn round(quantities: &Quantities<'_>, body: &str, stage: usize, side: u8, parts:
 /// The diagram of a conical pendulum on its two circles, seen from above.
 pub(super) fn conical(quantities: &Quantities<'_>, stage: usize, conical: &Conical) -> Drawing {
     let place = |side: u8| {
-        let name = quantities.velocity_name(&conical.body, stage + 1 + usize::from(side));
-        let radius = name.replacen('v', "r", 1);
+        let [name, radius] = [QuantityKind::Velocity, QuantityKind::Position]
+            .map(|kind| quantities.since(kind, &conical.body, stage + 1 + usize::from(side)).to_string());
         let velocity = quantities.named(&name).map(|velocity| [0.0, velocity]);
         let radius = (name_math(&radius), quantities.named(&radius));
         Place { radius, velocity: vec![(name_math(&name), velocity)], angle: TURN * f64::from(side) }

@@ -12,6 +12,7 @@ use crate::model::Impulse;
 use crate::model::QuantityKind;
 use crate::scene::Stage;
 use crate::scene::stage::Ends;
+use crate::scene::stage::Impact;
 use crate::scene::stage::Partners;
 
 use super::super::cache::SolutionCache;
@@ -50,7 +51,7 @@ struct Planned {
 }
 
 fn plan(quantities: &Quantities<'_>, own: &Stage, stage: usize) -> Plan {
-    let mut bodies = participants(own);
+    let mut bodies = Drawn::of(own).participants;
     let besides = if let [only] = &bodies[..] { Some(Besides::of(quantities, stage, &only.body)) } else { None };
     if concerns_mass_centre(quantities) {
         let taken = |body: &str| bodies.iter().any(|own| own.body == body || own.before == body);
@@ -89,23 +90,17 @@ pub(super) fn diagram(quantities: &Quantities<'_>, compass: &Compass, stage: usi
     let with_all = besides.as_ref().map(|own| own.added_to(quantities));
     let with_all = with_all.as_ref().unwrap_or(quantities);
     let mut balances: Vec<Balance> = rows.iter().map(|row| balance(with_all, own, stage, row, rows.len())).collect();
-    let act_on_each_other = match own {
-        Stage::Impact(impact) => impact.between.is_some(),
-        Stage::Spring(spring) => spring.between.is_some(),
-        Stage::Taut(taut) => taut.over.is_none(),
-        Stage::Separate(_) => true,
-        _ => false,
-    };
-    complete(&mut balances, act_on_each_other);
+    complete(&mut balances, Drawn::of(own).mutual);
     let frame = quantities.model().frames.get(stage)?.as_ref();
     let normal = frame.and_then(|frame| quantities.direction(&frame.normal)).map(|normal| compass.angle(normal));
     let turned = frame.is_some_and(|frame| !frame.normal.turn.is_zero());
     let on_floor =
         quantities.model().forces.iter().any(|force| force.stage == stage && force.kind == ForceKind::Normal);
-    let surface = match own {
-        Stage::Impact(impact) if impact.against.is_some() => normal,
-        Stage::Flight(_) => None,
-        _ => (on_floor || quantities.slope(stage).is_some()).then(|| compass.angle([0.0, 1.0])),
+    let stands = on_floor || quantities.slope(stage).is_some() && !matches!(own, Stage::Flight(_));
+    let surface = if matches!(own, Stage::Impact(Impact { against: Some(_), .. })) {
+        normal
+    } else {
+        stands.then(|| compass.angle([0.0, 1.0]))
     };
     let rows = balances.iter().zip(rows).map(|(balance, row)| BodyMomentum {
         name: row.name.clone(),
@@ -150,49 +145,84 @@ impl Participant {
     }
 }
 
-fn participants(stage: &Stage) -> Vec<Participant> {
-    let alone = |body: &str| vec![Participant::alone(body)];
-    match stage {
-        Stage::Impact(impact) => match impact.partners() {
-            Some(Partners::Bodies(first, second)) => {
-                let after = |body| Participant::between(body, body, impact.becomes.as_deref().unwrap_or(body));
-                [first, second].map(after).to_vec()
+/// What the diagram of a stage shows.
+struct Drawn {
+    participants: Vec<Participant>,
+    /// What is drawn between the momenta.
+    arrows: Arrows,
+    /// Whether two bodies act on each other, with equal and opposite impulses.
+    mutual: bool,
+}
+
+/// What changes a momentum.
+#[derive(Clone, Copy)]
+enum Arrows {
+    /// Each impulse.
+    Impulses,
+    /// The impulse of each force.
+    Forces,
+    /// The impulse of weight.
+    Weight,
+    /// All impulses in one.
+    Resultant,
+}
+
+impl Drawn {
+    fn of(stage: &Stage) -> Self {
+        let alone = |body: &str| vec![Participant::alone(body)];
+        let several = |bodies: &[String]| bodies.iter().map(|body| Participant::alone(body)).collect();
+        let drawn = |participants, arrows| Self { participants, arrows, mutual: false };
+        match stage {
+            Stage::Impact(impact) => {
+                let participants = match impact.partners() {
+                    Some(Partners::Bodies(first, second)) => {
+                        let after = |body| Participant::between(body, body, impact.becomes.as_deref().unwrap_or(body));
+                        [first, second].map(after).to_vec()
+                    }
+                    Some(Partners::Surface(body, _)) => alone(body),
+                    None => Vec::new(),
+                };
+                Self { participants, arrows: Arrows::Impulses, mutual: impact.between.is_some() }
             }
-            Some(Partners::Surface(body, _)) => alone(body),
-            None => Vec::new(),
-        },
-        Stage::Separate(separate) => {
-            let before = |part| Participant::between(part, separate.from.as_deref().unwrap_or(part), part);
-            separate.into.iter().map(|part| before(part)).collect()
+            Stage::Separate(separate) => {
+                let before = |part| Participant::between(part, separate.from.as_deref().unwrap_or(part), part);
+                let participants = separate.into.iter().map(|part| before(part)).collect();
+                Self { participants, arrows: Arrows::Impulses, mutual: true }
+            }
+            Stage::Spring(own) => match own.ends() {
+                Some(Ends::Free(first, second)) => {
+                    let participants = [first, second].map(Participant::alone).to_vec();
+                    Self { participants, arrows: Arrows::Impulses, mutual: true }
+                }
+                Some(Ends::Fixed(body)) => drawn(alone(body), Arrows::Resultant),
+                None => drawn(Vec::new(), Arrows::Resultant),
+            },
+            Stage::Taut(own) => Self { mutual: own.over.is_none(), ..drawn(several(&own.between), Arrows::Impulses) },
+            Stage::Flight(own) => drawn(own.flying().map(Participant::alone).collect(), Arrows::Weight),
+            Stage::Fall(own) => drawn(alone(&own.body), Arrows::Weight),
+            Stage::Interact(own) => drawn(several(&own.between), Arrows::Resultant),
+            Stage::SlideOff(own) => {
+                drawn([&own.body, &own.on].map(|body| Participant::alone(body)).to_vec(), Arrows::Resultant)
+            }
+            Stage::Push(own) => drawn(alone(&own.body), Arrows::Forces),
+            Stage::Slide(own) => drawn(alone(&own.body), Arrows::Forces),
+            Stage::Tow(own) => drawn(own.both().map(|own| Participant::alone(&own.body)).to_vec(), Arrows::Forces),
+            Stage::Blow(own) => drawn(alone(&own.body), Arrows::Impulses),
+            Stage::Motion(own) => drawn(alone(&own.body), Arrows::Impulses),
+            Stage::Swing(_)
+            | Stage::Connected(_)
+            | Stage::Rotate(_)
+            | Stage::Moment(_)
+            | Stage::Strike(_)
+            | Stage::Conical(_)
+            | Stage::Bowl(_)
+            | Stage::Central(_)
+            | Stage::Bounces(_)
+            | Stage::Stream(_)
+            | Stage::Thrust(_)
+            | Stage::Drift(_)
+            | Stage::Walk(_) => drawn(Vec::new(), Arrows::Impulses),
         }
-        Stage::Flight(stage) => stage.flying().map(Participant::alone).collect(),
-        Stage::Interact(stage) => stage.between.iter().map(|body| Participant::alone(body)).collect(),
-        Stage::Push(stage) => alone(&stage.body),
-        Stage::Slide(stage) => alone(&stage.body),
-        Stage::Spring(stage) => match stage.ends() {
-            Some(Ends::Free(first, second)) => [first, second].map(Participant::alone).to_vec(),
-            Some(Ends::Fixed(body)) => alone(body),
-            None => Vec::new(),
-        },
-        Stage::Taut(stage) => stage.between.iter().map(|body| Participant::alone(body)).collect(),
-        Stage::Tow(stage) => stage.both().map(|own| Participant::alone(&own.body)).to_vec(),
-        Stage::Blow(stage) => alone(&stage.body),
-        Stage::Motion(stage) => alone(&stage.body),
-        Stage::Fall(stage) => alone(&stage.body),
-        Stage::SlideOff(stage) => [&stage.body, &stage.on].map(|body| Participant::alone(body)).to_vec(),
-        Stage::Swing(_)
-        | Stage::Connected(_)
-        | Stage::Rotate(_)
-        | Stage::Moment(_)
-        | Stage::Strike(_)
-        | Stage::Conical(_)
-        | Stage::Bowl(_)
-        | Stage::Central(_)
-        | Stage::Bounces(_)
-        | Stage::Stream(_)
-        | Stage::Thrust(_)
-        | Stage::Drift(_)
-        | Stage::Walk(_) => Vec::new(),
     }
 }
 
@@ -203,17 +233,16 @@ fn balance(quantities: &Quantities<'_>, own: &Stage, stage: usize, row: &Planned
     let model = quantities.model();
     // Forces that depend on the position have one impulse together.
     let one_by_one = model.forces.iter().any(|force| force.stage == stage);
-    let impulses = match own {
-        Stage::Push(_) | Stage::Slide(_) | Stage::Tow(_) if one_by_one => {
+    let impulses = match Drawn::of(own).arrows {
+        Arrows::Forces if one_by_one => {
             let forces = model.forces.iter().filter(|force| force.stage == stage && force.on == *body);
             // Where the body never starts to move, no force has a time in which it changes the momentum.
             let forces = forces.filter(|force| quantities.evaluate(&force.during[0]).is_some());
             forces.map(|force| quantities.impulse_of_force(force)).collect()
         }
-        Stage::Fall(_) | Stage::Flight(_) => vec![quantities.impulse_of_weight(body)],
-        Stage::Spring(spring) if spring.between.is_none() => vec![resultant()],
-        Stage::SlideOff(_) | Stage::Interact(_) => vec![resultant()],
-        _ => {
+        Arrows::Weight => vec![quantities.impulse_of_weight(body)],
+        Arrows::Resultant => vec![resultant()],
+        Arrows::Impulses | Arrows::Forces => {
             // To the scale of velocities, an impulse is the change of velocity.
             let massless = quantities.mass_symbol(body).is_some_and(|mass| quantities.is_assumed(mass));
             let value = |impulse| if massless { None } else { quantities.impulse_value(impulse) };

@@ -119,11 +119,11 @@ impl Quantities<'_> {
 
     /// The time at which a push starts.
     fn start_of(&self, stage: usize) -> Expr {
-        let start = match self.scene().stages.get(stage) {
-            Some(Stage::Push(Push { during: Some(During::Between([start, _])), .. })) => self.term(start),
-            _ => None,
+        let Some(Stage::Push(Push { during: Some(During::Between([start, _])), .. })) = self.scene().stages.get(stage)
+        else {
+            return Expr::zero();
         };
-        start.filter(|start| self.evaluate(start) != Some(0.0)).unwrap_or_else(Expr::zero)
+        self.term(start).filter(|start| self.evaluate(start) != Some(0.0)).unwrap_or_else(Expr::zero)
     }
 
     /// The unit in which the problem gives the quantities of that dimension in a force and its times; else the system's own.

@@ -9,6 +9,7 @@ use crate::quantity::Dimension;
 use crate::scene::Axis;
 use crate::scene::Plane;
 use crate::scene::Stage;
+use crate::scene::stage::Flight;
 
 use super::super::ActingForce;
 use super::super::Builder;
@@ -19,6 +20,7 @@ use super::super::Name;
 use super::super::QuantityKind;
 use super::super::builder::SECOND_COST;
 use super::super::name::MASS_CENTRE;
+use super::super::stage::Description;
 
 pub(super) fn angular_momentum(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let instant = builder.number(name)?;
@@ -182,11 +184,11 @@ impl Builder<'_> {
     /// The weights of the bodies, where nothing else acts on any of them.
     fn weights_in_flight(&mut self, stage: usize, instant: usize, at_end: bool) -> Option<Vec<(ActingForce, bool)>> {
         let alive: Vec<String> = self.timeline.alive(instant).into_iter().map(str::to_owned).collect();
-        let flying: Vec<&str> = match self.scene.stages.get(stage)? {
-            Stage::Flight(flight) if flight.incline.is_none() => flight.flying().collect(),
-            Stage::Fall(fall) => vec![&fall.body],
-            _ => return None,
-        };
+        let own = self.scene.stages.get(stage)?;
+        if !matches!(own, Stage::Fall(_) | Stage::Flight(Flight { incline: None, .. })) {
+            return None;
+        }
+        let flying = Description::of(self.scene, own).changed();
         if !alive.iter().all(|body| flying.contains(&body.as_str())) {
             return None;
         }

@@ -131,12 +131,12 @@ impl Builder<'_> {
     fn drop_height(&mut self, index: usize, body: &str) -> Expr {
         let before = index.checked_sub(1).and_then(|before| Some((before, self.scene.stages.get(before)?)));
         let meaning = format!("the height from which {} is dropped", self.called(body));
-        match before {
-            Some((before, Stage::Fall(fall))) if fall.body == body => {
-                let path = Path::root().key("scene").key("stages").index(before).key("fall").key("height");
-                self.read_positive(&fall.height, Dimension::LENGTH, &meaning, &path)
-            }
-            _ => self.positive(Name::of(QuantityKind::Height, "").at(0), meaning).into(),
+        if let Some((before, Stage::Fall(fall))) = before
+            && fall.body == body
+        {
+            let path = Path::root().key("scene").key("stages").index(before).key("fall").key("height");
+            return self.read_positive(&fall.height, Dimension::LENGTH, &meaning, &path);
         }
+        self.positive(Name::of(QuantityKind::Height, "").at(0), meaning).into()
     }
 }

@@ -1,5 +1,7 @@
 //! Each kind of stage, turned into equations: one file each, as in the scene.
 
+#![deny(clippy::wildcard_enum_match_arm)]
+
 mod blow;
 mod bounces;
 mod bounces_on;
@@ -7,6 +9,7 @@ mod bowl;
 mod central;
 mod conical;
 mod connected;
+mod described;
 mod drift;
 mod fall;
 mod flight;
@@ -33,6 +36,8 @@ mod thrust;
 mod tow;
 mod walk;
 
+pub(in crate::model) use described::Description;
+pub(in crate::model) use described::Span;
 pub(in crate::model) use push::Pushed;
 
 use crate::fault::Path;

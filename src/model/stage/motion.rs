@@ -88,10 +88,8 @@ impl Builder<'_> {
         match (velocity, place) {
             (Some(term), None) => {
                 let by_place = number == 1 && term.mentions(letter);
-                let variable = match by_place {
-                    true => self.symbol(Name::of(QuantityKind::Coordinate(axis), ""), "the position"),
-                    false => clock,
-                };
+                let coordinate = Name::of(QuantityKind::Coordinate(axis), "");
+                let variable = if by_place { self.symbol(coordinate, "the position") } else { clock };
                 let meaning = format!("the velocity{along}");
                 let velocity = self.read(term, Dimension::VELOCITY, &meaning, &path.key("velocity"));
                 if by_place && velocity.contains(clock) {

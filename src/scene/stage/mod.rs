@@ -1,5 +1,7 @@
 //! The kinds of stage, one file each: what can happen between two instants.
 
+#![deny(clippy::wildcard_enum_match_arm)]
+
 mod blow;
 mod bounces;
 mod bowl;
@@ -121,6 +123,15 @@ pub enum Stage {
 }
 
 impl Stage {
+    /// The body that consists of others after it or before it, and these others.
+    #[must_use]
+    pub fn whole_and_parts(&self) -> Option<(&str, &[String])> {
+        if let Self::Impact(Impact { becomes: Some(whole), between: Some(parts), .. }) = self {
+            return Some((whole, parts));
+        }
+        if let Self::Separate(Separate { from: Some(whole), into, .. }) = self { Some((whole, into)) } else { None }
+    }
+
     /// The key that introduces the stage in a problem file.
     #[must_use]
     pub fn key(&self) -> &'static str {

@@ -40,11 +40,11 @@ impl Values<'_> {
         if self.axes().len() != 1 || stage.incline.is_some() {
             return Ok(None);
         }
-        match self.index.checked_sub(1).and_then(|before| self.scene.stages.get(before)) {
-            Some(Stage::Fall(fall)) if fall.body == stage.body => self.term(&fall.height).map(Some),
-            Some(_) => Ok(None),
-            None => self.named(DROP).map(Some),
-        }
+        let Some(before) = self.index.checked_sub(1).and_then(|before| self.scene.stages.get(before)) else {
+            return self.named(DROP).map(Some);
+        };
+        let Stage::Fall(fall) = before else { return Ok(None) };
+        if fall.body == stage.body { self.term(&fall.height).map(Some) } else { Ok(None) }
     }
 
     /// The speed, the time and the place of a bounce, and when and where all end.

@@ -27,11 +27,8 @@ pub fn is_impulsive(
     let values = Values { scene, value, index: stage };
     let bare = force.trim().trim_start_matches("the ");
     let own = scene.stages.get(stage)?;
-    let body = body.or(match own {
-        Stage::Impact(impact) => impact.body.as_deref(),
-        Stage::Blow(blow) => Some(blow.body.as_str()),
-        _ => None,
-    })?;
+    let struck = || if let Stage::Impact(impact) = own { impact.body.as_deref() } else { None };
+    let body = body.or_else(struck).or(if let Stage::Blow(blow) = own { Some(blow.body.as_str()) } else { None })?;
     if ORDINARY.contains(&bare) {
         // It is integrated over both contacts.
         let over = |time: f64| {
@@ -42,8 +39,11 @@ pub fn is_impulsive(
         };
         return Some(over(1.0 / SHORTER)? > over(1.0)? / 2.0);
     }
-    let gives = match own {
-        Stage::Impact(impact) => match impact.partners()? {
+    let gives = if let Stage::Blow(blow) = own {
+        blow.by.clone()
+    } else {
+        let Stage::Impact(impact) = own else { return None };
+        match impact.partners()? {
             Partners::Bodies(first, second) => {
                 [first, second].into_iter().filter(|name| *name != body).map(|name| scene.called(name)).next()?
             }
@@ -51,9 +51,7 @@ pub fn is_impulsive(
                 let entry = scene.surfaces.get(surface)?;
                 entry.name.clone().unwrap_or_else(|| format!("the {surface}"))
             }
-        },
-        Stage::Blow(blow) => blow.by.clone(),
-        _ => return None,
+        }
     };
     let named = [gives.trim_start_matches("the "), "contact force"].contains(&bare.trim_start_matches("contact with "));
     if !named {

@@ -1,6 +1,6 @@
 //! What is measured on bodies at an instant: speeds, directions, energies, the centre of mass, moments.
 
-use crate::scene::{Axis, Scene, Stage};
+use crate::scene::{Axis, Scene};
 
 use super::bench::kinetic;
 use super::nothing::NothingToSimulate;
@@ -113,12 +113,8 @@ pub(super) fn velocity(values: &Values<'_>, body: &str) -> Result<Vector, Nothin
         return Err(NothingToSimulate::Unread);
     }
     values.moving(body).or_else(|missing| {
-        let owner = |whole: &&String| values.scene.members(whole).contains(&body) && whole.as_str() != body;
-        let wholes = values.scene.stages.iter().filter_map(|stage| match stage {
-            Stage::Impact(impact) => impact.becomes.as_ref(),
-            Stage::Separate(separate) => separate.from.as_ref(),
-            _ => None,
-        });
+        let owner = |whole: &&str| values.scene.members(whole).contains(&body) && *whole != body;
+        let wholes = values.scene.stages.iter().filter_map(|stage| Some(stage.whole_and_parts()?.0));
         wholes.filter(owner).find_map(|whole| values.moving(whole).ok()).ok_or(missing)
     })
 }

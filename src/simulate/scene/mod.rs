@@ -176,7 +176,25 @@ pub fn translate(
         Some(Stage::Bounces(bounces)) => values.bounces(bounces),
         Some(Stage::Drift(_) | Stage::Walk(_) | Stage::Stream(_)) => Err(NothingToSimulate::NothingChanges),
         Some(Stage::Blow(_)) => Err(NothingToSimulate::UnknownHistory),
-        Some(_) => Err(NothingToSimulate::NoMethod),
+        Some(
+            Stage::Slide(_)
+            | Stage::Spring(_)
+            | Stage::Swing(_)
+            | Stage::Taut(_)
+            | Stage::Connected(_)
+            | Stage::Tow(_)
+            | Stage::Rotate(_)
+            | Stage::Moment(_)
+            | Stage::Strike(_)
+            | Stage::Conical(_)
+            | Stage::Bowl(_)
+            | Stage::Interact(_)
+            | Stage::Central(_)
+            | Stage::Thrust(_)
+            | Stage::Separate(_)
+            | Stage::SlideOff(_)
+            | Stage::Motion(_),
+        ) => Err(NothingToSimulate::NoMethod),
         None => Err(NothingToSimulate::NoStage),
     }
 }

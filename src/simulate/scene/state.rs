@@ -69,7 +69,30 @@ impl Values<'_> {
                 Some(Stage::Blow(_) | Stage::Stream(_) | Stage::Strike(_)) => {}
                 Some(Stage::Flight(flight)) if flight.flying().all(|own| own != body) => {}
                 Some(Stage::Fall(fall)) if fall.body != body => {}
-                _ => break,
+                None
+                | Some(
+                    Stage::Push(_)
+                    | Stage::Slide(_)
+                    | Stage::Spring(_)
+                    | Stage::Swing(_)
+                    | Stage::Taut(_)
+                    | Stage::Connected(_)
+                    | Stage::Tow(_)
+                    | Stage::Rotate(_)
+                    | Stage::Moment(_)
+                    | Stage::Conical(_)
+                    | Stage::Bowl(_)
+                    | Stage::Interact(_)
+                    | Stage::Central(_)
+                    | Stage::Fall(_)
+                    | Stage::Bounces(_)
+                    | Stage::Thrust(_)
+                    | Stage::Drift(_)
+                    | Stage::SlideOff(_)
+                    | Stage::Walk(_)
+                    | Stage::Flight(_)
+                    | Stage::Motion(_),
+                ) => break,
             }
         }
         Err(NothingToSimulate::ValueMissing)

@@ -45,7 +45,7 @@ impl Amount {
 fn prose(text: &str) -> String {
     let (number, power) = text.split_once("10^").map_or((text, ""), |(number, power)| (number, power));
     if power.is_empty() {
-        return with_minus_signs(&text);
+        return with_minus_signs(text);
     }
     let end = power.find(|letter: char| !letter.is_ascii_digit() && letter != '-').unwrap_or(power.len());
     let (power, unit) = power.split_at(end);

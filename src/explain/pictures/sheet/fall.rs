@@ -31,17 +31,15 @@ pub(in super::super) fn drawing(quantities: &Quantities<'_>, compass: &Compass, 
     if let Some(Stage::Bounces(bounces)) = next {
         return bouncing(quantities, bounces);
     }
-    let ground = match next {
-        Some(Stage::Impact(impact)) => match impact.partners() {
-            Some(Partners::Bodies(first, second)) => {
-                let other = if first == fall.body { second } else { first };
-                let body = quantities.body(other, quantities.motion(compass, other, 1));
-                if is_carried(quantities, other) { Ground::Sprung(body) } else { Ground::Body(body) }
-            }
-            Some(Partners::Surface(..)) => slope(quantities, compass),
-            None => Ground::Level,
-        },
-        _ => Ground::Level,
+    let struck = next.and_then(|next| if let Stage::Impact(impact) = next { impact.partners() } else { None });
+    let ground = match struck {
+        Some(Partners::Bodies(first, second)) => {
+            let other = if first == fall.body { second } else { first };
+            let body = quantities.body(other, quantities.motion(compass, other, 1));
+            if is_carried(quantities, other) { Ground::Sprung(body) } else { Ground::Body(body) }
+        }
+        Some(Partners::Surface(..)) => slope(quantities, compass),
+        None => Ground::Level,
     };
     let label = quantities.told(&fall.height);
     let body = quantities.body(&fall.body, quantities.motion(compass, &fall.body, 1));
@@ -80,10 +78,9 @@ pub(in super::super) fn bouncing(quantities: &Quantities<'_>, bounces: &Bounces)
         return None;
     }
     let solved = quantities.scope() == Scope::Solved;
-    let drop = quantities.scene().stages.iter().find_map(|stage| match stage {
-        Stage::Fall(fall) if fall.body == bounces.body => Some(&fall.height),
-        _ => None,
-    });
+    let stages = quantities.scene().stages.iter();
+    let mut falls = stages.filter_map(|stage| if let Stage::Fall(fall) = stage { Some(fall) } else { None });
+    let drop = falls.find(|fall| fall.body == bounces.body).map(|fall| &fall.height);
     let label = match drop {
         Some(term) => quantities.told(term),
         None => quantities.named("h_0").map(|_| name_math("h_0")),

@@ -59,9 +59,9 @@ fn target(quantities: &Quantities<'_>, body: &str, flight: &stage::Flight) -> Op
     let way = way(quantities, body, until, Axis::X)?;
     let strikes = matches!(quantities.scene().stages.get(1), Some(Stage::Impact(impact)) if impact.against.is_some());
     let distance = quantities.evaluate(&way).map(|_| quantities.unsigned(&way));
-    let falls = |stage: &Stage| match stage {
-        Stage::Flight(own) => self::way(quantities, body, own.until.as_ref()?, Axis::Y),
-        _ => None,
+    let falls = |stage: &Stage| {
+        let Stage::Flight(own) = stage else { return None };
+        self::way(quantities, body, own.until.as_ref()?, Axis::Y)
     };
     let ground = quantities.scene().stages.iter().find_map(falls);
     strikes.then(|| Target::Wall(distance, ground.and_then(|way| depth(quantities, &way))))

@@ -59,11 +59,7 @@ pub(in super::super) fn drawing(quantities: &Quantities<'_>, compass: &Compass, 
         slope: slope.and_then(|(_, label)| label),
         spring: spring(quantities, &names, stage),
         hung: hung(quantities, &names).filter(|_| !upright),
-        tied: match quantities.scene().stages.get(stage) {
-            Some(Stage::Taut(_)) => Some(Tie::Slack),
-            Some(Stage::Tow(_)) => Some(Tie::Firm),
-            _ => None,
-        },
+        tied: tied(quantities, stage),
         wall: has_wall(quantities, stage),
         bodies: bodies.into_iter().map(|(_, body)| body).collect(),
     };
@@ -105,13 +101,14 @@ fn order(quantities: &Quantities<'_>, stage: usize) -> Vec<String> {
     let mut order: Vec<String> = Vec::new();
     let place = |order: &Vec<String>, body: &str| order.iter().position(|own| own == body);
     for own in &quantities.scene().stages {
-        let (first, second) = match own {
-            Stage::Impact(impact) => match impact.partners() {
-                Some(Partners::Bodies(first, second)) => (first, second),
-                _ => continue,
-            },
-            Stage::Tow(tow) => (tow.rear.body.as_str(), tow.front.body.as_str()),
-            _ => continue,
+        let (first, second) = if let Stage::Tow(tow) = own {
+            (tow.rear.body.as_str(), tow.front.body.as_str())
+        } else if let Stage::Impact(impact) = own
+            && let Some(Partners::Bodies(first, second)) = impact.partners()
+        {
+            (first, second)
+        } else {
+            continue;
         };
         match (place(&order, first), place(&order, second)) {
             (None, None) => order.extend([first.to_owned(), second.to_owned()]),
@@ -147,10 +144,9 @@ fn line_angle(quantities: &Quantities<'_>, compass: &Compass, stage: usize) -> f
 /// The spring of this stage or the next, where it lies along the line; what is written at it is its stiffness.
 fn spring(quantities: &Quantities<'_>, names: &[&str], stage: usize) -> Option<(LineSpring, Option<Math>)> {
     let scene = quantities.scene();
-    let (at, spring) = scene.stages.iter().enumerate().skip(stage).take(2).find_map(|(at, own)| match own {
-        Stage::Spring(spring) => Some((at, spring)),
-        _ => None,
-    })?;
+    let mut near = scene.stages.iter().enumerate().skip(stage).take(2);
+    let (at, spring) =
+        near.find_map(|(at, own)| if let Stage::Spring(spring) = own { Some((at, spring)) } else { None })?;
     let place = match spring.ends()? {
         Ends::Free(first, second) if at == stage && names.starts_with(&[first, second]) => LineSpring::Between,
         Ends::Free(..) => return None,
@@ -171,12 +167,17 @@ fn spring(quantities: &Quantities<'_>, names: &[&str], stage: usize) -> Option<(
     Some((place, quantities.told(&spring.stiffness)))
 }
 
+/// What connects the bodies that move in a stage.
+fn tied(quantities: &Quantities<'_>, stage: usize) -> Option<Tie> {
+    let own = quantities.scene().stages.get(stage)?;
+    if let Stage::Taut(_) = own { Some(Tie::Slack) } else { matches!(own, Stage::Tow(_)).then_some(Tie::Firm) }
+}
+
 /// Which of the bodies hangs on a cord, on which it or what it becomes will swing: one that is at rest.
 fn hung(quantities: &Quantities<'_>, names: &[&str]) -> Option<usize> {
-    let body = quantities.scene().stages.iter().find_map(|stage| match stage {
-        Stage::Swing(swing) => Some(swing.body.as_str()),
-        _ => None,
-    })?;
+    let mut stages = quantities.scene().stages.iter();
+    let body =
+        stages.find_map(|stage| if let Stage::Swing(swing) = stage { Some(swing.body.as_str()) } else { None })?;
     let members = quantities.scene().members(body);
     let resting = |name: &&&str| quantities.velocity(name, 1).is_some_and(|velocity| velocity == [0.0, 0.0]);
     let own = names.iter().filter(|name| members.contains(name));

@@ -48,10 +48,9 @@ impl Bench<'_> {
 
     pub(super) fn drift(&mut self, stage: &Drift) -> Result<(), NothingToSimulate> {
         let scene = self.values.scene;
-        let unions = scene.stages.iter().filter_map(|stage| match stage {
-            Stage::Impact(impact) => impact.becomes.as_ref(),
-            _ => None,
-        });
+        let stages = scene.stages.iter();
+        let unions =
+            stages.filter_map(|stage| if let Stage::Impact(impact) = stage { impact.becomes.as_ref() } else { None });
         let mut bodies: Vec<_> = scene.bodies.keys().chain(unions).map(|body| self.flying(body, ZERO)).collect();
         let axes = self.values.axes();
         bodies.retain(|own| !placed(&axes, &[*own], 0.0).is_empty());

@@ -1,0 +1,126 @@
+//! What a symbol stands for and why something holds are data until they are written: logic reads no names and no sentences.
+//! Every kind of stage is told apart by the compiler.
+
+use std::collections::BTreeSet;
+use std::fs;
+
+use super::{Source, Violation, listed, package, sources};
+
+/// Rooms that reason about scenes.
+const ROOMS: &[&str] = &["src/model", "src/explain", "src/problem"];
+
+/// Looks into a text. A method with a literal or a closure is one on text; on a slice it has neither.
+const LOOKS: &[&str] =
+    &["starts_with(", "ends_with(", "strip_prefix(", "strip_suffix(", ".contains(", ".replace(", ".replacen("];
+
+/// Files that may look into texts, and what these are.
+const READERS: &[(&str, &str)] = &[
+    ("src/model/name.rs", "names as authors write them"),
+    ("src/model/quantity_kind.rs", "names as authors write them"),
+    ("src/model/check.rs", "names of bodies as authors choose them"),
+    ("src/model/read.rs", "terms as authors write them"),
+    ("src/model/frame.rs", "directions as authors write them"),
+    ("src/model/stage/tow.rs", "terms as authors write them"),
+    ("src/problem/check.rs", "conditions as authors write them"),
+    ("src/problem/concept.rs", "forces as authors call them"),
+    ("src/problem/document.rs", "YAML"),
+    ("src/problem/given.rs", "values as authors write them"),
+    ("src/problem/literal.rs", "values as authors write them"),
+    ("src/problem/load.rs", "line ends of files"),
+    ("src/problem/numerals.rs", "numbers in authors' texts"),
+    ("src/problem/parts.rs", "questions as authors write them"),
+    ("src/problem/rubric.rs", "marks as authors write them"),
+    ("src/problem/say.rs", "what stands before a placeholder in an author's text; printed numbers"),
+    ("src/problem/shape.rs", "JSON Schema"),
+    ("src/problem/text.rs", "placeholders in authors' texts"),
+    ("src/explain/display.rs", "printed numbers"),
+    ("src/explain/lines.rs", "printed numbers, as they are typed"),
+    ("src/explain/numbers.rs", "printed numbers"),
+];
+
+/// More kinds of stage than this are named only by files that know every kind, as `CONTRIBUTING.md` lists them.
+const KNOW_EVERY_STAGE: usize = 20;
+
+#[test]
+fn logic_reads_no_names_and_no_sentences() {
+    let sources = sources(ROOMS);
+    let readers: Vec<&str> = READERS.iter().map(|(file, _)| *file).collect();
+    let found: Vec<Violation> =
+        sources.iter().filter(|source| !readers.contains(&source.file.as_str())).flat_map(looks).collect();
+    assert!(found.is_empty(), "\n{}\nMatch an enum, or read it where authors' text is parsed.\n", listed(&found));
+    for (file, what) in READERS {
+        let is_used = sources.iter().any(|source| source.file == *file && !looks(source).is_empty());
+        assert!(is_used, "{file} does not read {what}: take it from the list");
+    }
+}
+
+#[test]
+fn no_match_over_stages_has_a_wildcard() {
+    let found: Vec<Violation> = sources(&["src"]).iter().flat_map(wildcards).collect();
+    assert!(found.is_empty(), "\n{}\n", listed(&found));
+}
+
+#[test]
+fn the_guide_lists_what_a_kind_of_stage_touches() {
+    let page = fs::read_to_string(package().join("CONTRIBUTING.md")).expect("CONTRIBUTING.md is there");
+    for source in sources(&["src"]) {
+        let is_listed = page.contains(&format!("\n- `{}`", source.file));
+        assert_eq!(stages_of(&source.text).len() > KNOW_EVERY_STAGE, is_listed, "CONTRIBUTING.md and {}", source.file);
+    }
+}
+
+/// The kinds of stage that a file names.
+fn stages_of(text: &str) -> BTreeSet<&str> {
+    let mentioned = text.split("Stage::").skip(1).filter_map(|rest| rest.split_once('(')).map(|(name, _)| name);
+    mentioned.filter(|name| name.chars().all(char::is_alphanumeric)).collect()
+}
+
+/// Where a file looks into a text, its tests left out.
+fn looks(source: &Source) -> Vec<Violation> {
+    let code = source.text.split("#[cfg(test)]").next().unwrap_or_default();
+    let is_on_text = |line: &str, look: &str| {
+        let mut calls = line.match_indices(look).map(|(at, _)| &line[at + look.len()..]);
+        calls.any(|argument| match look {
+            ".contains(" => argument.starts_with('"'),
+            _ => argument.starts_with(['"', '\'', '|', '[']) || argument.starts_with("char::"),
+        })
+    };
+    let lines = code.lines().enumerate().filter(|(_, line)| !line.trim_start().starts_with("//"));
+    let reads = lines.filter(|(_, line)| LOOKS.iter().any(|look| is_on_text(line, look)));
+    let violation = |(at, line): (usize, &str)| Violation {
+        file: source.file.clone(),
+        line: at + 1,
+        rule: format!("looks into a text: {}", line.trim()),
+    };
+    reads.map(violation).collect()
+}
+
+/// Wildcards of matches over stages, as `rustfmt` indents them.
+fn wildcards(source: &Source) -> Vec<Violation> {
+    let indent = |line: &str| line.len() - line.trim_start().len();
+    let lines: Vec<&str> = source.text.lines().collect();
+    let mut found = Vec::new();
+    for (at, line) in lines.iter().enumerate().filter(|(_, line)| line.contains("match ") && line.ends_with('{')) {
+        let body = lines[at + 1..].iter().take_while(|own| own.is_empty() || indent(own) > indent(line));
+        let arms = body.enumerate().filter(|(_, own)| indent(own) == indent(line) + 4);
+        let arms: Vec<(usize, &str)> = arms.map(|(below, own)| (at + 2 + below, own.trim_start())).collect();
+        let of_stage = |(_, arm): &(usize, &str)| arm.starts_with("Stage::") || arm.starts_with("Some(Stage::");
+        let wild = arms.iter().find(|(_, arm)| arm.starts_with("_ =>") || arm.starts_with("Some(_) =>"));
+        if let (true, Some((line, _))) = (arms.iter().any(of_stage), wild) {
+            let rule = "a match over stages has a wildcard: list the others, or ask with `if let`".to_owned();
+            found.push(Violation { file: source.file.clone(), line: *line, rule });
+        }
+    }
+    found
+}
+
+#[test]
+fn breaking_the_rules_is_noticed() {
+    let source = |text: &str| Source { file: "src/model/a.rs".into(), text: text.into() };
+    let read = looks(&source(
+        "fn f() {\n    name.starts_with(\"v_\");\n    names.starts_with(&[a]);\n    map.contains(key);\n}",
+    ));
+    assert_eq!(read.iter().map(|own| own.line).collect::<Vec<_>>(), [2]);
+    let matched = "match stage {\n    Stage::Fall(_) => 1,\n    _ => 2,\n}\nmatch a {\n    _ => 3,\n}";
+    assert_eq!(wildcards(&source(matched)).iter().map(|own| own.line).collect::<Vec<_>>(), [3]);
+}
