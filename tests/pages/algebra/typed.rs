@@ -102,7 +102,8 @@ impl Reader {
         if !self.takes('(') {
             return Ok(if name == "pi" { Term::Number(std::f64::consts::PI) } else { Term::Name(name) });
         }
-        if name == "magnitude" {
+        // Names of quantities that are written like functions of vectors.
+        if name == "magnitude" || name == "angle" {
             let inner = self.word(|letter| letter != ')');
             self.expects(')')?;
             return Ok(Term::Name(format!("{name}({inner})")));
