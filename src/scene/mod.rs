@@ -71,10 +71,11 @@ impl Scene {
         matches!(self.stage_before(index), Some(Stage::Push(push)) if push.body == body)
     }
 
-    /// Whether the stage before gives the motion of the body, and so the force on it at the instant between the two.
+    /// Whether the stage before says the force on the body at the instant between the two.
     #[must_use]
-    pub fn follows_a_motion(&self, index: usize, body: &str) -> bool {
-        matches!(self.stage_before(index), Some(Stage::Motion(motion)) if motion.body == body)
+    pub fn follows_a_force(&self, index: usize, body: &str) -> bool {
+        self.follows_a_push(index, body)
+            || matches!(self.stage_before(index), Some(Stage::Motion(motion)) if motion.body == body)
     }
 
     fn stage_before(&self, index: usize) -> Option<&Stage> {

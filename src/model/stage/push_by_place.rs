@@ -17,7 +17,6 @@ use crate::model::Name;
 use crate::model::QuantityKind;
 use crate::model::wording;
 use crate::scene::Force;
-use crate::scene::Strength;
 use crate::scene::stage::Push;
 
 use super::push::Acting;
@@ -27,11 +26,9 @@ impl Builder<'_> {
     /// The position as a variable, where some force of a push along one axis is a term in it.
     pub(super) fn varying_place(&mut self, stage: &Push) -> Option<Symbol> {
         let [(axis, _)] = self.axes[..] else { return None };
-        let by_place = stage.forces.iter().any(|force| match force {
-            Force::Pull(pull) => matches!(&pull.value, Strength::Term(term) if term.mentions(axis.letter())),
-            Force::Friction(_) => false,
-        });
-        by_place.then(|| self.symbol(Name::of(QuantityKind::Coordinate(axis), ""), "the position"))
+        stage
+            .depends_on_place(axis.letter())
+            .then(|| self.symbol(Name::of(QuantityKind::Coordinate(axis), ""), "the position"))
     }
 
     /// A push by forces of which some depend on the place: work and energy from one end to the other.

@@ -49,10 +49,7 @@ impl Builder<'_> {
     ) {
         let (name, mass) = (self.called(pushed.body), self.mass(pushed.body));
         let along = self.along(axis);
-        let first = usize::from(
-            self.scene.follows_a_push(pushed.index, pushed.body)
-                || self.scene.follows_a_motion(pushed.index, pushed.body),
-        );
+        let first = usize::from(self.scene.follows_a_force(pushed.index, pushed.body));
         let ends = [(pushed.index + 1, start), (pushed.index + 2, end)];
         for (instant, end) in ends.into_iter().skip(first) {
             let when = self.when(instant);

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::scene::{Force, Term};
+use crate::scene::{Force, Strength, Term};
 
 use super::Until;
 
@@ -37,6 +37,15 @@ pub struct Push {
 }
 
 impl Push {
+    /// Whether some force is a term in the position along the axis of that letter.
+    #[must_use]
+    pub fn depends_on_place(&self, letter: &str) -> bool {
+        self.forces.iter().any(|force| match force {
+            Force::Pull(pull) => matches!(&pull.value, Strength::Term(term) if term.mentions(letter)),
+            Force::Friction(_) => false,
+        })
+    }
+
     /// What its pushes and pulls are called.
     pub fn called(&self) -> impl Iterator<Item = &str> {
         self.forces.iter().filter_map(|force| match force {

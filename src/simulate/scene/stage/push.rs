@@ -19,7 +19,7 @@ type Pulls = (Vec<(Vector, OfTime)>, Vec<f64>);
 
 impl Bench<'_> {
     pub(super) fn push(&mut self, stage: &Push) -> Result<(), NothingToSimulate> {
-        if self.depends_on_place(stage) {
+        if matches!(self.values.axes()[..], [axis] if stage.depends_on_place(axis.letter())) {
             return self.push_by_place(stage);
         }
         let friction = stage.forces.iter().find_map(|force| match force {
@@ -63,7 +63,7 @@ impl Bench<'_> {
     /// Notes acceleration and net force at both ends of a push.
     fn note_ends(&mut self, body: &str, system: &System<'_, 6>, ends: [(f64, &[f64; 6]); 2]) {
         let (scene, index) = (self.values.scene, self.values.index);
-        let first = usize::from(scene.follows_a_push(index, body) || scene.follows_a_motion(index, body));
+        let first = usize::from(scene.follows_a_force(index, body));
         // What vanishes at an end is as sure as the force in between is large.
         let [(start, state), (end, _)] = ends;
         let between = [0.0, 0.3, 0.5, 1.0].map(|share| system.slope(start + share * (end - start), state));

@@ -8,15 +8,6 @@ use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::vector::{part, times, unit};
 
 impl Bench<'_> {
-    /// Whether some force of a push is a term in the position along the only axis.
-    pub(super) fn depends_on_place(&self, stage: &Push) -> bool {
-        let [axis] = self.values.axes()[..] else { return false };
-        stage.forces.iter().any(|force| match force {
-            Force::Pull(pull) => matches!(&pull.value, Strength::Term(term) if term.mentions(axis.letter())),
-            Force::Friction(_) => false,
-        })
-    }
-
     pub(super) fn push_by_place(&mut self, stage: &Push) -> Result<(), NothingToSimulate> {
         let [axis] = self.values.axes()[..] else { return Err(NothingToSimulate::Unread) };
         let (body, index) = (stage.body.as_str(), self.values.index);
@@ -67,7 +58,7 @@ impl Bench<'_> {
         let largest = [0.0, 0.3, 0.5, 1.0].map(|share| force(from + share * ahead * way).abs());
         let largest = largest.into_iter().fold(0.0, f64::max);
         let scene = self.values.scene;
-        let first = usize::from(scene.follows_a_push(index, body) || scene.follows_a_motion(index, body));
+        let first = usize::from(scene.follows_a_force(index, body));
         for (instant, force) in (index + 1..).zip(ends).skip(first) {
             self.note(&format!("F_{body}{instant}"), force, largest);
             self.note(&format!("a_{body}{instant}"), force / mass, largest / mass);
