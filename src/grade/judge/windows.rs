@@ -32,20 +32,21 @@ impl VerdictWindow {
     }
 }
 
-/// An interval of directions, brought by whole turns to within half a turn of a right one. What reaches over the opposite
-/// direction stands at both ends.
+/// An interval of directions, brought by whole turns to within half a turn of a right one, and cut at the opposite direction:
+/// so each direction is met once.
 #[must_use]
 pub fn brought_near([low, high]: [f64; 2], right: f64, turn: f64) -> Vec<[f64; 2]> {
     let away = low + (high - low) / 2.0 - right;
     let turns = libm::round(away / turn) * turn;
-    let near = [low - turns, high - turns];
-    let mut all = vec![near];
-    if near[1] > right + turn / 2.0 {
-        all.push(near.map(|end| end - turn));
-    } else if near[0] < right - turn / 2.0 {
-        all.push(near.map(|end| end + turn));
+    let [low, high] = [low - turns, high - turns];
+    let [first, last] = [right - turn / 2.0, right + turn / 2.0];
+    if high > last {
+        vec![[low, last], [first, high - turn]]
+    } else if low < first {
+        vec![[first, high], [low + turn, last]]
+    } else {
+        vec![[low, high]]
     }
-    all
 }
 
 /// The windows of a number, the more important first; where two overlap, the first decides. Directions are within half a turn of the
@@ -83,4 +84,17 @@ pub fn windows(expected: &ExpectedNumber) -> Vec<VerdictWindow> {
         VerdictWindow::around(right * scale, tolerance * scale, verdict)
     }));
     all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::brought_near;
+
+    /// An interval over the opposite direction lies at both ends and nowhere else: images by a whole turn do not overlap.
+    #[test]
+    fn an_interval_is_cut_at_the_opposite_direction() {
+        assert_eq!(brought_near([400.0, 410.0], 30.0, 360.0), [[40.0, 50.0]]);
+        assert_eq!(brought_near([205.0, 214.0], 30.0, 360.0), [[205.0, 210.0], [-150.0, -146.0]]);
+        assert_eq!(brought_near([-152.0, -140.0], 30.0, 360.0), [[-150.0, -140.0], [208.0, 210.0]]);
+    }
 }
