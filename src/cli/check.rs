@@ -188,10 +188,14 @@ fn spread_table(answers: &[AnswerSpread]) -> Vec<String> {
     [table, choices].concat()
 }
 
+/// So many phrases are listed one by one: every order of four quantities.
+const MOST_PHRASES: usize = 24;
+
 /// The right phrases; where they differ from seed to seed, how often each.
 fn phrases(right: &BTreeMap<String, usize>) -> String {
     match right.iter().collect::<Vec<_>>()[..] {
         [(only, _)] => only.clone(),
+        ref several if several.len() > MOST_PHRASES => format!("{} different phrases", several.len()),
         ref several => {
             several.iter().map(|(phrase, count)| format!("{phrase} ({count})")).collect::<Vec<_>>().join(", ")
         }

@@ -5,7 +5,7 @@ use crate::grade;
 use crate::grade::Diagnosis;
 use crate::grade::diagnose;
 use crate::laws::wrong::Misconception;
-use crate::problem::ChoicePart;
+use crate::problem::Decision;
 use crate::problem::FormulaPart;
 use crate::problem::Mistake;
 use crate::problem::PartKind;
@@ -38,8 +38,8 @@ impl Marking<'_> {
 
     /// What is said of a wrong choice.
     fn misjudged(&self, place: usize) -> Option<Diagnosis> {
-        let (PartKind::Choice(choice), ..) = self.answered(place)? else { return None };
-        misjudged(self.worked, choice)
+        let (PartKind::Choice(choice), _, grade::Answer::Choice(chosen)) = self.answered(place)? else { return None };
+        misjudged(self.worked, &choice.decided(&self.worked), chosen.option)
     }
 
     /// The mistakes that lead to the answer there.
@@ -109,9 +109,12 @@ impl Marking<'_> {
     }
 }
 
-/// What is said of any wrong choice.
-pub(super) fn misjudged(worked: Worked<'_>, choice: &ChoicePart) -> Option<Diagnosis> {
-    let behind = choice.decided(&worked).behind?;
+/// What is said of a wrong choice: what the author says of that option, or of the mistake behind any.
+pub(super) fn misjudged(worked: Worked<'_>, decision: &Decision, option: usize) -> Option<Diagnosis> {
+    if let Some(said) = decision.said.get(option).filter(|said| !said.is_empty()) {
+        return Some(Diagnosis { codes: Vec::new(), step: None, hints: vec![said.clone()] });
+    }
+    let behind = decision.behind?;
     let question = feedback_on(worked, behind).unwrap_or_else(|| behind.ask.to_owned());
     Some(Diagnosis { codes: vec![behind.id], step: None, hints: vec![question, behind.hint.to_owned()] })
 }

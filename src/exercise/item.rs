@@ -77,8 +77,8 @@ pub enum ItemAnswers {
         right: usize,
         /// Why it is right.
         because: String,
-        /// What is said of a wrong one: a question first, then a hint.
-        wrong: Vec<String>,
+        /// What is said of each that is wrong: a question first, then a hint.
+        wrong: Vec<Vec<String>>,
     },
     /// By the formula: the right one is the printed one.
     Formula {
@@ -185,11 +185,13 @@ impl Exercise {
                 ItemAnswers::Vector(expected.components.iter().zip(&vector.components).map(component).collect())
             }
             (ExpectedKind::Choice { options, right, because }, kind) => {
-                let wrong = match kind {
-                    PartKind::Choice(choice) => misjudged(self.worked(), choice).map(|own| own.hints),
+                let decision = match kind {
+                    PartKind::Choice(choice) => Some(choice.decided(&self.worked())),
                     _ => None,
                 };
-                ItemAnswers::Choice { options, right, because, wrong: wrong.unwrap_or_default() }
+                let hints = |option| Some(misjudged(self.worked(), decision.as_ref()?, option)?.hints);
+                let wrong = (0..options.len()).map(|option| hints(option).unwrap_or_default()).collect();
+                ItemAnswers::Choice { options, right, because, wrong }
             }
             (_, PartKind::Formula(formula)) => ItemAnswers::Formula { mistaken: self.mistaken_formulas(part, formula) },
             (ExpectedKind::Interval(expected), _) => {

@@ -157,8 +157,8 @@ impl Blank {
         mark: grade::DecimalMark,
     ) -> Option<Reading> {
         match asked {
-            // What a formula may contain depends on the way in which the scene goes.
-            grade::ExpectedKind::Formula(_) => Reading::of(text, asked, mark),
+            // What a formula may contain depends on the way in which the scene goes, and phrases and their order on the numbers.
+            grade::ExpectedKind::Formula(_) | grade::ExpectedKind::Choice { .. } => Reading::of(text, asked, mark),
             asked => self.readings.read(text, asked, mark),
         }
     }

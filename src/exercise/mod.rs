@@ -183,6 +183,7 @@ impl Exercise {
                 text.push(Inline::Text(")".into()));
                 (text, None)
             }
+            PartKind::Choice(ChoicePart::Offered(_)) => (vec![Inline::Text(part.label.clone())], None),
             PartKind::Choice(choice) => {
                 let mut options = choice.decided(&self.worked()).options;
                 // Long phrases are answered by their numbers.
@@ -192,7 +193,11 @@ impl Exercise {
                 (vec![Inline::Text(format!("{} ({})", part.label, options.join(" / ")))], None)
             }
         };
-        SheetPart { label: letter(index), text, unit, points: Some(f64::from(part.points)) }
+        let options = match &part.kind {
+            PartKind::Choice(choice @ ChoicePart::Offered(_)) => choice.decided(&self.worked()).options,
+            _ => Vec::new(),
+        };
+        SheetPart { label: letter(index), text, options, unit, points: Some(f64::from(part.points)) }
     }
 
     /// What stands for the unit beside the room for an answer; none for a pure number.

@@ -49,7 +49,7 @@ fn sentence(display: Display<'_>, part: &Part) -> Vec<Inline> {
         }
         PartKind::Choice(choice) => {
             let Decision { options, right, because, .. } = choice.decided(&display.worked);
-            let option = options.get(right).map_or("", String::as_str);
+            let option = options.get(right).map_or("", String::as_str).trim_end_matches('.');
             vec![
                 Inline::Text(format!("{} ", part.label)),
                 Inline::Strong(capitalised(option)),

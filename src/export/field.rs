@@ -46,7 +46,8 @@ pub(super) fn fields(part: &ItemPart) -> Vec<Field<'_>> {
         ItemAnswers::Choice { options, right, because, wrong } => {
             let options = options.iter().enumerate().map(|(place, text)| {
                 let right = place == *right;
-                Choice { text, right, feedback: if right { because.clone() } else { wrong.join(" ") } }
+                let wrong = wrong.get(place).map(|said| said.join(" ")).unwrap_or_default();
+                Choice { text, right, feedback: if right { because.clone() } else { wrong } }
             });
             vec![("", Asked::Choice(options.collect()))]
         }

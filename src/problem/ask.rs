@@ -27,6 +27,8 @@ pub enum Ask {
     Range(Range),
     /// Which root of an equation is possible.
     Physical(WhichRoot),
+    /// Which of the author's own options is right.
+    Choose(Choose),
 }
 
 /// The value of a quantity is asked.
@@ -244,6 +246,57 @@ pub struct WhichRoot {
     /// The question as the sheet puts it.
     #[serde(default)]
     pub label: Option<String>,
+}
+
+/// Which of several options of the author's own is right is asked; each seed has an order of its own.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Choose {
+    /// The question as the sheet puts it: `What does trolley A do after the impact?`.
+    pub choose: String,
+    /// The options: with `last` 2 to 8.
+    pub options: Vec<Offered>,
+    /// What is offered last in every order, and is right where no other option is: `{ text: none of these }`.
+    #[serde(default)]
+    pub last: Option<LastOffered>,
+    /// How many points the part is worth: `2`.
+    #[serde(default)]
+    #[schemars(range(min = 0, max = 1000))]
+    pub points: Option<u32>,
+}
+
+/// An option of the author's own.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Offered {
+    /// What it says, without mathematics; it may print quantities: `it moves at {{ v_A1 }}`.
+    pub text: String,
+    /// `true` if it is the right one.
+    #[serde(default)]
+    pub right: bool,
+    /// What must hold of the numbers for it to be the right one: `v_A2 < 0 m/s`.
+    #[serde(default)]
+    pub holds: Option<String>,
+    /// Why it is right, as a sentence for the worked solution. Default, with `holds`: how the two sides compare.
+    #[serde(default)]
+    pub because: Option<String>,
+    /// What is said to a student who chose it wrongly.
+    #[serde(default)]
+    pub feedback: Option<String>,
+}
+
+/// The option that is right where no other is.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct LastOffered {
+    /// What it says: `none of these`.
+    pub text: String,
+    /// Why it is right where it is. Default: that no other option is right.
+    #[serde(default)]
+    pub because: Option<String>,
+    /// What is said to a student who chose it wrongly.
+    #[serde(default)]
+    pub feedback: Option<String>,
 }
 
 /// Which values of a quantity are asked.

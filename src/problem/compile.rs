@@ -34,6 +34,7 @@ use super::known::Origin;
 use super::load::Loaded;
 use super::mentions::mention_in_texts;
 use super::no_variant::Rejection;
+use super::offered;
 use super::other_values::known_in;
 use super::planned::Form;
 use super::planned::Problem;
@@ -165,6 +166,7 @@ fn build(loaded: &Loaded, secret: Option<&[u8]>, asked: Asked) -> Result<Built, 
     faults.extend(forms.iter().flat_map(|form| any::check(&model, form)));
     faults.extend(forms.iter().flat_map(|form| formula::check(&model.literals, form)));
     faults.extend(forms.iter().flat_map(roots::check));
+    faults.extend(forms.iter().flat_map(|form| offered::check(&model, form)));
     if !faults.is_empty() {
         return Err(faults);
     }
@@ -217,6 +219,7 @@ fn idle(
     let conditions = forms.iter().flat_map(|form| &form.conditions).chain(require);
     used.extend(conditions.flat_map(|condition| [condition.left.symbols(), condition.right.symbols()]).flatten());
     used.extend(forms.iter().flat_map(|form| &form.counts).flat_map(Equation::symbols));
+    used.extend(forms.iter().flat_map(FormDraft::mentioned));
     let texts = std::iter::once(&loaded.text).chain(loaded.questions.iter().map(|question| &question.text));
     let texts = texts.filter(|_| asked == Asked::AsWritten);
     used.extend(texts.flat_map(Text::placeholders).filter_map(|placeholder| model.symbol_of(&placeholder.name)));

@@ -12,6 +12,7 @@ use crate::solve::Relation;
 use crate::solve::evaluate;
 
 use super::judgement::Judgement;
+use super::offered::Offer;
 use super::variant::Worked;
 
 /// A choice between phrases.
@@ -27,6 +28,8 @@ pub enum ChoicePart {
     Order(Vec<Symbol>),
     /// Which of the roots for a quantity is possible.
     Physical(Symbol),
+    /// Which of the author's own options is right.
+    Offered(Box<Offer>),
 }
 
 /// The phrases of a choice, and the right one.
@@ -40,6 +43,8 @@ pub struct Decision {
     pub because: String,
     /// The common mistake that leads to another phrase, where there is one.
     pub behind: Option<&'static Misconception>,
+    /// What the author says to a student who chose an option wrongly, in the order of the options; empty where it is nothing.
+    pub said: Vec<String>,
 }
 
 /// A claim about the numbers of a variant.
@@ -67,7 +72,13 @@ impl Decision {
     /// A question that is answered by yes or no.
     #[must_use]
     pub fn yes_or_no(holds: bool, because: String) -> Self {
-        Self { options: vec!["yes".into(), "no".into()], right: usize::from(!holds), because, behind: None }
+        Self {
+            options: vec!["yes".into(), "no".into()],
+            right: usize::from(!holds),
+            because,
+            behind: None,
+            said: Vec::new(),
+        }
     }
 }
 
@@ -81,7 +92,14 @@ impl ChoicePart {
             Self::Holds(claim) => claim.symbols(),
             Self::Order(symbols) => symbols.iter().copied().collect(),
             Self::Physical(symbol) => BTreeSet::from([*symbol]),
+            Self::Offered(offer) => offer.symbols(),
         }
+    }
+
+    /// Everything to which the choice refers.
+    #[must_use]
+    pub fn mentioned(&self) -> BTreeSet<Symbol> {
+        if let Self::Offered(offer) = self { offer.mentioned() } else { self.depends_on() }
     }
 
     /// The quantities that have to be solved for the choice.
@@ -93,6 +111,7 @@ impl ChoicePart {
             Self::Holds(claim) => claim.quantities.clone(),
             Self::Order(symbols) => symbols.clone(),
             Self::Physical(symbol) => vec![*symbol],
+            Self::Offered(offer) => offer.quantities(),
         }
     }
 
@@ -117,6 +136,7 @@ impl ChoicePart {
             Self::Holds(claim) => claim.decided(worked),
             Self::Order(symbols) => ordered(symbols, worked),
             Self::Physical(symbol) => worked.possible_root(*symbol),
+            Self::Offered(offer) => offer.decided(worked),
         }
     }
 }
@@ -156,7 +176,12 @@ impl Claim {
         }
     }
 
-    fn decided(&self, worked: &Worked<'_>) -> Decision {
+    /// Whether it holds of the numbers of a variant.
+    pub(super) fn holds(&self, worked: &Worked<'_>) -> bool {
+        self.allows(exactly_compared(worked, &self.left, &self.right))
+    }
+
+    pub(super) fn decided(&self, worked: &Worked<'_>) -> Decision {
         let order = exactly_compared(worked, &self.left, &self.right);
         let holds = self.allows(order);
         let is = match order {
@@ -188,6 +213,7 @@ fn ordered(symbols: &[Symbol], worked: &Worked<'_>) -> Decision {
         options: options.iter().map(|option| written(option)).collect(),
         because: "the values found above are in this order".into(),
         behind: None,
+        said: Vec::new(),
     }
 }
 

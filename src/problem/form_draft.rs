@@ -95,6 +95,14 @@ impl FormDraft {
         self.wanted.contains(&symbol) || self.reveal.iter().any(|reveal| reveal.symbol == symbol)
     }
 
+    /// What its parts refer to.
+    pub(super) fn mentioned(&self) -> impl Iterator<Item = Symbol> {
+        self.parts.iter().flat_map(|part| match &part.kind {
+            PartKind::Choice(choice) => choice.mentioned(),
+            _ => BTreeSet::new(),
+        })
+    }
+
     /// Plans the form: what it reveals from everything given, what it asks from what it tells. What stands under `where`
     /// holds for the whole scene, so it also picks the solution from which something is revealed.
     pub(super) fn plan(

@@ -133,9 +133,9 @@ impl Judgement {
                 own.right == case.right && (own.unless.is_empty() || !own.unless.iter().all(|test| test.holds(worked)))
             };
             let behind = self.behind.as_ref().filter(applies).map(|own| own.mistake);
-            return Decision { options: self.options.clone(), right: case.right, because, behind };
+            return Decision { options: self.options.clone(), right: case.right, because, behind, said: Vec::new() };
         }
-        Decision { options: self.options.clone(), right: 0, because: String::new(), behind: None }
+        Decision { options: self.options.clone(), right: 0, because: String::new(), behind: None, said: Vec::new() }
     }
 
     /// Why a case does not hold: what its tests say, after what is the same nevertheless.

@@ -21,21 +21,27 @@ pub(super) fn mention_in_texts(loaded: &Loaded, builder: &mut Builder<'_>) {
     let forms = loaded.questions.iter().map(|question| (question.path.key("text"), &question.text));
     for (path, text) in std::iter::once((root.key("text"), &loaded.text)).chain(forms) {
         for placeholder in text.placeholders() {
-            if builder.mention(&placeholder.name).is_none() {
-                let mut fault = builder.unknown(&placeholder.name);
-                let parts = ["x", "y"].map(|letter| format!("{}.{letter}", placeholder.name));
-                if let [Some(_), Some(_)] = parts.each_ref().map(|part| builder.mention(part)) {
-                    let [x, y] = parts;
-                    fault = fault
-                        .help(format!("a text prints a vector by its components: `{{{{ {x} }}}}` and `{{{{ {y} }}}}`"));
-                }
-                let fault = fault.at_path(path.clone()).within(placeholder.span);
-                builder.fault(fault);
-            } else if let Some(fault) = without_direction(placeholder, builder) {
+            if let Some(fault) = unsayable(placeholder, builder) {
                 builder.fault(fault.at_path(path.clone()).within(placeholder.span));
             }
         }
     }
+}
+
+/// The fault of a placeholder that names nothing, or of whose quantity its filter has nothing to say.
+pub(super) fn unsayable(placeholder: &Placeholder, builder: &mut Builder<'_>) -> Option<Fault> {
+    if builder.mention(&placeholder.name).is_some() {
+        return without_direction(placeholder, builder);
+    }
+    let fault = builder.unknown(&placeholder.name);
+    let parts = ["x", "y"].map(|letter| format!("{}.{letter}", placeholder.name));
+    if let [Some(_), Some(_)] = parts.each_ref().map(|part| builder.mention(part)) {
+        let [x, y] = parts;
+        return Some(
+            fault.help(format!("a text prints a vector by its components: `{{{{ {x} }}}}` and `{{{{ {y} }}}}`")),
+        );
+    }
+    Some(fault)
 }
 
 /// The fault of a filter that refers to motion or direction where the quantity has none.

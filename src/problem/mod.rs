@@ -11,6 +11,7 @@ mod compile;
 mod concept;
 mod condition;
 mod conserved;
+mod counted;
 mod course;
 mod decision;
 mod declared;
@@ -41,6 +42,8 @@ mod mistakes;
 mod neglected;
 mod no_variant;
 mod numerals;
+mod offered;
+mod offered_read;
 mod origin;
 mod other_values;
 mod part;
@@ -72,8 +75,8 @@ mod vector;
 pub use ad_hoc::{ad_hoc, typed};
 pub use allowed::Meant;
 pub use ask::{
-    Answered, Ask, AskedRoots, Classifiable, Classify, Conservable, Conserved, Count, Find, Holds, Impulsive, Order,
-    Range, Turn, WhichRoot,
+    Answered, Ask, AskedRoots, Choose, Classifiable, Classify, Conservable, Conserved, Count, Find, Holds, Impulsive,
+    Order, Range, Turn, WhichRoot,
 };
 pub use comparison::split_relation;
 pub use compile::{compile, compile_ad_hoc};
@@ -95,6 +98,7 @@ pub use literal::Literal;
 pub use load::{Loaded, digest, load};
 pub use mistakes::Mistake;
 pub use no_variant::{MOST_ATTEMPTS, NoVariant, Rejection};
+pub use offered::Offer;
 pub use part::{AskedUnit, NumberPart, Part, PartKind, Tolerance};
 pub use planned::{Form as PlannedForm, Problem, Reveal};
 pub use position::Index;

@@ -55,6 +55,9 @@ pub enum Rejection {
     /// They leave several solutions.
     #[error("there are {0} solutions; pick one with `where`, or ask for all with `roots: all`")]
     Several(usize),
+    /// They leave a choice without its one right option.
+    #[error("{0}")]
+    Options(String),
     /// They leave no real solution.
     #[error("there is no real solution")]
     NotReal,

@@ -121,6 +121,18 @@ fn unit_at(text: &str) -> Option<Unit> {
 /// The most words of a unit: `kg m^2 / s^2` has four.
 const MOST_WORDS: usize = 4;
 
+/// Whether two texts read the same, however many figures their numbers have.
+pub(super) fn alike(one: &str, other: &str) -> bool {
+    let plain = |text: &str| {
+        let word = |word: &str| match Decimal::parse(&word.replace('−', "-")) {
+            Ok(number) => number.to_f64().to_string(),
+            Err(_) => word.to_lowercase(),
+        };
+        text.trim_end_matches('.').split_whitespace().map(word).collect::<Vec<_>>()
+    };
+    plain(one) == plain(other)
+}
+
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "a test says bluntly what it expects")]
 mod tests {

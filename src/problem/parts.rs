@@ -1,11 +1,9 @@
 //! Reading what is asked: each entry of `ask` becomes a part.
 
-use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Path;
-use crate::model::Because;
 use crate::model::Builder;
 use crate::model::Name;
 use crate::model::QuantityKind;
@@ -22,14 +20,12 @@ use crate::solve::Equation;
 
 use super::ask::Answered;
 use super::ask::Ask;
-use super::ask::Count;
 use super::ask::Find;
 use super::ask::Turn;
 use super::comparing;
-use super::comparison::split_relation;
 use super::concept;
-use super::condition::are_comparable;
 use super::conserved;
+use super::counted::counted;
 use super::expression;
 use super::form::Question;
 use super::formula::FormulaPart;
@@ -37,6 +33,7 @@ use super::given::Given;
 use super::impact_kind;
 use super::literal::unit_fault;
 use super::load::Loaded;
+use super::offered_read;
 use super::part::AskedUnit;
 use super::part::NumberPart;
 use super::part::Part;
@@ -69,6 +66,8 @@ pub(super) fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'
         let part = match ask {
             Ask::Find(find) => number(loaded, find, builder, &path),
             Ask::Count(count) => counted(count, builder, &path, &mut read.counts),
+            Ask::Choose(ask) => offered_read::read(loaded, question, ask, &letter, builder, &path)
+                .map(|kind| (letter, ask.choose.clone(), kind)),
             Ask::Conserved(ask) => {
                 conserved::conserved(loaded, ask, builder, &path).map(|kind| (letter, kind.0, kind.1))
             }
@@ -132,10 +131,11 @@ fn points_and_label(ask: &Ask) -> (Option<u32>, Option<String>) {
         Ask::Order(ask) => (ask.points, ask.label.clone()),
         Ask::Range(ask) => (ask.points, ask.label.clone()),
         Ask::Physical(ask) => (ask.points, ask.label.clone()),
+        Ask::Choose(ask) => (ask.points, None),
     }
 }
 
-type Named = (String, String, PartKind);
+pub(super) type Named = (String, String, PartKind);
 
 fn number(loaded: &Loaded, find: &Find, builder: &mut Builder<'_>, path: &Path) -> Option<Named> {
     let symbol = match &find.id {
@@ -327,72 +327,4 @@ fn read_tolerance(term: &Term, dimension: Dimension) -> Option<Tolerance> {
     let quantity = crate::quantity::Quantity::parse(text).ok()?;
     let bare = quantity.unit.is_none() && dimension == Dimension::NONE;
     (bare || quantity.unit.dimension() == dimension).then_some(Tolerance::Absolute(quantity.value))
-}
-
-/// Which number is counted: the first for which a condition holds, or the last as long as it holds.
-enum End {
-    First,
-    Last,
-}
-
-/// Reads `first n with h_n < h_min`, `last n with x_n < d`.
-fn counted(count: &Count, builder: &mut Builder<'_>, path: &Path, counts: &mut Vec<Equation>) -> Option<Named> {
-    let path = path.key("count");
-    let text = count.count.trim();
-    let ends = [("first ", End::First), ("last ", End::Last)];
-    let end = ends.into_iter().find_map(|(word, end)| Some((end, text.strip_prefix(word)?.split_once(" with ")?)));
-    let parts = end.and_then(|(end, (name, condition))| Some((end, name.trim(), split_relation(condition)?)));
-    let Some((end, name, (left, relation, right))) = parts else {
-        let fault = Fault::new(Code::Syntax, format!("`{}` does not say what is counted", count.count));
-        let help = "write it as `first n with h_n < h_min`, or `last n with x_n < d`";
-        builder.fault(fault.help(help).at_path(path));
-        return None;
-    };
-    let Some(symbol) = builder.mention(name) else {
-        let fault = builder.unknown(name).at_path(path);
-        builder.fault(fault);
-        return None;
-    };
-    let [left, right] = [left, right].map(|side| builder.term(side, &path));
-    if !are_comparable(builder, text, [&left, &right], &path) {
-        return None;
-    }
-    let because = [&left, &right].into_iter().find_map(|side| builder.reason_of(side, symbol)).map(Because::to_string);
-    let [left, right] = [left, right].map(|side| builder.written_out(&side, symbol));
-    let meaning = builder.symbols().entry(symbol).meaning.clone();
-    let meaning = if meaning.is_empty() { "the number".into() } else { meaning };
-    let label = match end {
-        End::First => {
-            counts.push(builder.first_integer(because.as_deref(), symbol, 1, left, relation, right));
-            format!("{meaning} until the condition holds")
-        }
-        End::Last => {
-            let next = |side: &Expr| {
-                exponents_simplified(&side.substitute(&|own| (own == symbol).then(|| Expr::from(symbol) + Expr::one())))
-            };
-            let over = "the condition holds up to the last number and fails for the next";
-            let because = because.map_or_else(|| over.to_owned(), |because| format!("{because}; {over}"));
-            let (left, right) = (next(&left), next(&right));
-            counts.push(builder.first_integer(Some(&because), symbol, 0, left, relation.opposite(), right));
-            format!("{meaning} as long as the condition holds")
-        }
-    };
-    let kind = NumberPart {
-        symbol,
-        unit: AskedUnit::Unit(Unit::none()),
-        size: 1.0,
-        figures: 12,
-        tolerance: Tolerance::Absolute(Decimal::from_scaled(0, 0)),
-        whole: true,
-        every_root: false,
-    };
-    Some((name.to_owned(), label, PartKind::Number(kind)))
-}
-
-/// `e^n` for `e^(n + 1 - 1)`.
-fn exponents_simplified(term: &Expr) -> Expr {
-    match term {
-        Expr::Power(pair) => pair.0.clone().power(pair.1.simplify()),
-        other => other.map_children(exponents_simplified),
-    }
 }

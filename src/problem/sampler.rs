@@ -12,6 +12,7 @@ use crate::solve::Equation;
 use crate::solve::Precision;
 use crate::solve::Real;
 
+use super::decision::ChoicePart;
 use super::domain::Domain;
 use super::input::Input;
 use super::known::Known;
@@ -158,6 +159,9 @@ impl<'p> Sampler<'p> {
         if let (1, Some(direction)) = (several, self.lost_direction()) {
             return Some(self.no_direction(direction));
         }
+        if let (1, Some(misfit)) = (several, self.misfit()) {
+            return Some(Rejection::Options(misfit));
+        }
         let mut dead = self.scratch.dead(&self.form.solver);
         let mut regimes = &self.form.solver;
         if let (true, Some(forward)) = (dead.is_empty(), &self.form.forward) {
@@ -211,7 +215,7 @@ impl<'p> Sampler<'p> {
     /// One solution, or any number of them where every one is asked for; and nothing is asked in terms of zero.
     fn is_admissible(&self, solutions: usize) -> bool {
         let told = self.zero_unit().is_none() && self.lost_direction().is_none();
-        self.form.accepts(solutions) && told && self.has_intervals()
+        self.form.accepts(solutions) && told && self.has_intervals() && self.misfit().is_none()
     }
 
     /// Whether every range that is asked has one boundary, with a side on which it holds.
@@ -220,6 +224,19 @@ impl<'p> Sampler<'p> {
             let variant = self.keep(None);
             Worked { problem: self.problem, form: self.form, variant: &variant }.has_intervals()
         }
+    }
+
+    /// Why the author's own options cannot be offered with these numbers.
+    fn misfit(&self) -> Option<String> {
+        let offers = self.form.parts.iter().filter_map(|part| match &part.kind {
+            PartKind::Choice(ChoicePart::Offered(offer)) => Some(offer),
+            _ => None,
+        });
+        let mut offers = offers.peekable();
+        offers.peek()?;
+        let variant = self.keep(None);
+        let worked = Worked { problem: self.problem, form: self.form, variant: &variant };
+        offers.find_map(|offer| offer.refused(&worked))
     }
 
     /// A quantity in terms of which an answer is asked, and which is not certain to differ from zero.

@@ -58,10 +58,7 @@ impl Streams {
         let kind: &[u8] = if secret.is_some() { b"secret" } else { b"open" };
         let scheme = scheme.0.to_le_bytes();
         let key = digest(secret.unwrap_or_default(), &[b"momentous", &scheme, kind, problem.as_bytes()]);
-        let id = |name: &str| {
-            let bytes = digest(&key, &[b"stream", name.as_bytes()]);
-            bytes.iter().take(8).rev().fold(0, |word, byte| word << 8 | u64::from(*byte))
-        };
+        let id = |name: &str| first_word(digest(&key, &[b"stream", name.as_bytes()]));
         Self { key, ids: names.into_iter().map(id).collect(), mark: secret.map(secret_mark) }
     }
 
@@ -70,6 +67,11 @@ impl Streams {
     pub(super) fn code(&self, of: &[&[u8]]) -> String {
         let key = digest(&self.key, &[b"code"]);
         digest(&key, of).iter().take(CODE).map(|byte| letter(*byte)).collect()
+    }
+
+    /// The random word of a seed under a name that nothing given has, for what is not drawn again and again.
+    pub(super) fn word_of(&self, name: &str, seed: u64) -> u64 {
+        first_word(digest(&self.key, &[b"order", name.as_bytes(), &seed.to_le_bytes()]))
     }
 
     /// A maker of words; each thread takes its own.
@@ -136,6 +138,10 @@ impl Words {
         let word = attempt % BLOCK as u64;
         usize::try_from(word).ok().and_then(|word| made.words.get(word)).copied().unwrap_or_default()
     }
+}
+
+fn first_word(bytes: [u8; 32]) -> u64 {
+    bytes.iter().take(8).rev().fold(0, |word, byte| word << 8 | u64::from(*byte))
 }
 
 /// HMAC-SHA-256 of parts, each with its length before it, so that no two lists of parts have one message.

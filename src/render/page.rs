@@ -80,6 +80,8 @@ pub struct SheetPart {
     pub label: String,
     /// What is asked; without its full stop where a unit follows, which is printed before it.
     pub text: Vec<Inline>,
+    /// What can be chosen, each by its letter; none where nothing is chosen, or the text says it.
+    pub options: Vec<String>,
     /// The unit the answer is to be given in.
     pub unit: Option<Math>,
     /// What it is worth.

@@ -101,9 +101,11 @@ impl<'a> View<'a> {
     }
 
     fn part(&self, part: &SheetPart) -> Value {
+        let option = |(text, letter): (&String, char)| self.inline(&[Inline::Text(format!("{letter}. {text}"))]);
         map([
             ("label", part.label.as_str().into()),
             ("text", self.inline(&part.text)),
+            ("options", Value::from(part.options.iter().zip('A'..='Z').map(option).collect::<Vec<_>>())),
             ("unit", optional(part.unit.as_ref(), |unit| ready(&self.writer.math(unit)))),
             ("points", points(part.points)),
         ])

@@ -4,6 +4,7 @@ use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::problem::Ask;
 use crate::problem::ChoicePart;
+use crate::problem::Claim;
 use crate::problem::Count;
 use crate::problem::Worked;
 use crate::problem::orders;
@@ -40,16 +41,7 @@ pub(super) fn chosen(
 ) -> Option<usize> {
     let yes = |holds: bool| usize::from(!holds);
     match (ask, choice) {
-        (_, ChoicePart::Holds(claim)) => {
-            let seen = [&claim.left, &claim.right].map(|side| witness.evaluated(side));
-            if seen.iter().all(Option::is_none) {
-                return None;
-            }
-            let of_side =
-                |(side, seen): (&Expr, Option<Seen>)| seen.unwrap_or(Seen { value: said(case, side), error: 0.0 });
-            let [left, right] = [(&claim.left, seen[0]), (&claim.right, seen[1])].map(of_side);
-            holds(claim.relation, left, right).map(yes)
-        }
+        (_, ChoicePart::Holds(claim)) => claimed(case, witness, claim).map(yes),
         (_, ChoicePart::Order(symbols)) => {
             let name = |symbol| case.problem.model().symbols.entry(symbol).name.clone();
             let mut seen = Vec::new();
@@ -63,6 +55,10 @@ pub(super) fn chosen(
             let sorted: Vec<_> = seen.into_iter().map(|(_, symbol)| symbol).collect();
             orders(symbols).iter().position(|order| *order == sorted)
         }
+        (_, ChoicePart::Offered(offer)) => {
+            let worked = Worked::new(case.problem, case.variant)?;
+            offer.right_by(&worked, &|claim| claimed(case, witness, claim))
+        }
         (Ask::Conserved(ask), _) => is_conserved(case, witness, ask).map(yes),
         (Ask::Classify(ask), _) => kind(case.scene, witness, stage_of(case.scene, witness, ask.stage.as_deref())?),
         (Ask::Impulsive(ask), _) => {
@@ -72,6 +68,17 @@ pub(super) fn chosen(
         }
         _ => None,
     }
+}
+
+/// Whether a claim holds of what the simulation finds; none where it finds nothing of it.
+fn claimed(case: &Case<'_>, witness: &Witness<'_>, claim: &Claim) -> Option<bool> {
+    let seen = [&claim.left, &claim.right].map(|side| witness.evaluated(side));
+    if seen.iter().all(Option::is_none) {
+        return None;
+    }
+    let of_side = |(side, seen): (&Expr, Option<Seen>)| seen.unwrap_or(Seen { value: said(case, side), error: 0.0 });
+    let [left, right] = [(&claim.left, seen[0]), (&claim.right, seen[1])].map(of_side);
+    holds(claim.relation, left, right)
 }
 
 /// What a term comes to by the variant's own values.

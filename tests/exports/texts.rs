@@ -178,7 +178,7 @@ impl Case {
             options: self.options.clone(),
             right: 1,
             because: self.because.clone(),
-            wrong: vec![self.title.clone()],
+            wrong: vec![vec![self.title.clone()]; self.options.len()],
         };
         if self.several {
             "b".clone_into(&mut choice.field.label);

@@ -58,6 +58,9 @@ const BEYOND_A_SCHEMA: &[&str] = &[
     "key_in_two_words",
     "name_of_the_scene",
     "weight_",
+    "only_one_option",
+    "option_",
+    "options_",
 ];
 
 fn is_valid(path: &Path) -> bool {

@@ -162,3 +162,29 @@ fn an_equation_with_one_root_leaves_nothing_to_choose() {
     let faults = compile(load(Source::new("asks.yaml", &text)).unwrap(), None).unwrap_err().to_string();
     assert!(faults.contains("only one value"), "{faults}");
 }
+
+/// Each seed offers the author's options in an order of its own; what is right and what is said of an option go with it.
+#[test]
+fn options_are_marked_by_their_text_and_by_their_letter_on_the_sheet_of_the_seed() {
+    let text = include_str!("../../problem_bank/concepts/what-becomes-of-it.yaml");
+    let problem = Arc::new(compile(load(Source::new("options.yaml", text)).unwrap(), None).unwrap());
+    let (mut orders, mut right) = (std::collections::BTreeSet::new(), std::collections::BTreeSet::new());
+    let mut marker = momentous::exercise::Marker::new(&problem, 0, DecimalMark::Point).unwrap();
+    for seed in 1..80 {
+        let exercise = Exercise::draw(&problem, 0, seed).unwrap();
+        let velocity = exercise.record(None)["ask"][0]["value"].as_str().unwrap().to_owned();
+        right.insert(velocity.clone());
+        let options = &exercise.sheet().parts[0].options;
+        assert_eq!(options.last().unwrap(), "None of these.");
+        orders.insert(options.clone());
+        for (option, letter) in options.iter().zip(["a", "B", "(c)", "D."]) {
+            let expected = if *option == velocity { "right" } else { "choice_wrong" };
+            let report = marker.mark(exercise.worked(), &[("a", letter)], momentous::grade::Sitting::default());
+            assert_eq!(report.parts[0].verdict.to_string(), expected, "{seed}: {letter}");
+            assert_eq!(verdict(&exercise, "a", option), expected, "{seed}: {option}");
+            let is_told = report.parts[0].message.contains("perfectly plastic");
+            assert_eq!(is_told, option.contains("together"), "{seed}: {option}: {}", report.parts[0].message);
+        }
+    }
+    assert_eq!((orders.len(), right.len()), (6, 3), "{orders:?} {right:?}");
+}

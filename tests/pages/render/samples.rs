@@ -157,12 +157,14 @@ pub fn sheet() -> Sheet {
             .into(),
         parts: vec![
             SheetPart {
+                options: Vec::new(),
                 label: "a".into(),
                 text: vec![text("Find the speed of puck B just after the impact")],
                 unit: Some(Math::Text("m/s".into())),
                 points: Some(2.0),
             },
             SheetPart {
+                options: Vec::new(),
                 label: "b".into(),
                 text: vec![
                     text("Find the direction of "),
