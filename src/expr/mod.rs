@@ -5,54 +5,29 @@
 //! and is written readably again ([`Expr::simplify`]). For print a term is laid out as [`Math`], which prints itself as
 //! plain text, `LaTeX`, Typst or `MathML`.
 
-mod arrangement;
-mod canonical;
-mod coprime;
-mod curvature;
-mod derivative;
+mod algebra;
+mod calculus;
 mod dimension;
 mod evaluate;
-mod factor;
-mod functions;
-mod gcd;
-mod integral;
-mod layout;
-mod math;
-mod math_latex;
-mod math_mathml;
-mod math_plain;
-mod math_typst;
-mod math_width;
-mod monomial;
-mod name;
-mod notation;
-mod parse;
-mod pieces;
-mod polynomial;
-mod polynomial_in;
+mod grammar;
 #[cfg(test)]
 mod properties;
-mod quotient;
-mod readable;
 mod sign;
-mod simplify;
-mod slopes;
 mod symbol;
 #[cfg(test)]
 mod testing;
-mod text;
-mod token;
 mod tree;
+mod typeset;
 
-pub use arrangement::{Arrangement, Leaf, LeafKind};
-pub use canonical::{equal, equal_rational, equal_where};
-pub use curvature::is_curved;
+pub use algebra::canonical::{equal, equal_rational, equal_where};
+pub use calculus::curvature::is_curved;
 pub use dimension::DimensionClash;
-pub(crate) use math::subscript_parts;
-pub use math::{Math, Operator};
-pub(crate) use math_typst::{TypstMath, quoted};
-pub use name::name_math;
-pub use notation::Notation;
-pub use parse::{MAX_DEPTH, MAX_LENGTH, Names, ParseFault, parse};
+pub use grammar::parse::{MAX_DEPTH, MAX_LENGTH, Names, ParseFault, parse};
 pub use symbol::{Symbol, SymbolEntry, SymbolTable};
 pub use tree::{Expr, Function, Piecewise};
+pub use typeset::arrangement::{Arrangement, Leaf, LeafKind};
+pub(crate) use typeset::math::subscript_parts;
+pub use typeset::math::{Math, Operator};
+pub use typeset::name::name_math;
+pub use typeset::notation::Notation;
+pub(crate) use typeset::typst::{TypstMath, quoted};

@@ -5,7 +5,7 @@ use dashu::base::Sign;
 use crate::quantity::Rational;
 
 use super::Expr;
-use super::text::{reads_as_decimal, split_quotient};
+use super::grammar::text::{reads_as_decimal, split_quotient};
 
 impl Expr {
     /// Whether the term begins with a minus as it is printed, be it behind a bracket.

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
+use super::super::{Expr, Function, Piecewise, Symbol};
 use super::integral::integrate;
-use super::{Expr, Function, Piecewise, Symbol};
 
 impl Expr {
     /// The integral over `symbol` from `low` to `high`; `None` where no antiderivative is found.
@@ -135,8 +135,8 @@ pub(super) fn integrate_pieces(piecewise: &Piecewise, symbol: Symbol, steps: &mu
 
 #[cfg(test)]
 mod tests {
-    use super::super::equal;
-    use super::super::testing::AnyName;
+    use super::super::super::equal;
+    use super::super::super::testing::AnyName;
     use super::*;
 
     #[test]

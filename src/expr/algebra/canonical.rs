@@ -5,12 +5,12 @@ use std::sync::Arc;
 
 use crate::quantity::Rational;
 
-use super::curvature::differ;
+use super::super::calculus::curvature::differ;
+use super::super::{Expr, Function, Piecewise, Symbol};
 use super::factor::factors;
 use super::monomial::{Atom, Monomial};
 use super::polynomial::Polynomial;
 use super::quotient::Quotient;
-use super::{Expr, Function, Piecewise, Symbol};
 
 /// Which identities bring a term into its form.
 #[derive(Clone, Copy)]
@@ -20,7 +20,7 @@ pub(super) struct Rules<'a> {
     /// Whether functions of sums, and roots and logarithms of products, are taken apart: decides more, reads worse.
     pub(super) expand: bool,
     /// The symbols whose values are positive.
-    pub(super) positive: &'a dyn Fn(Symbol) -> bool,
+    pub(in crate::expr) positive: &'a dyn Fn(Symbol) -> bool,
 }
 
 /// Nothing is known to be positive.
@@ -72,7 +72,7 @@ pub(super) fn is_plain(expr: &Expr) -> bool {
 
 impl Rules<'_> {
     /// The canonical form; `None` where it would be too large, or where the term divides by zero.
-    pub(super) fn quotient(&self, expr: &Expr) -> Option<Quotient> {
+    pub(in crate::expr) fn quotient(&self, expr: &Expr) -> Option<Quotient> {
         match expr {
             Expr::Number(value) => Some(Quotient::constant(value.clone())),
             Expr::Sum(terms) => Quotient::sum(terms.iter().map(|term| self.quotient(term))),
@@ -130,12 +130,12 @@ impl Rules<'_> {
     }
 
     /// The sum, with powers of atoms that have a simpler form replaced.
-    pub(super) fn sum(&self, left: &Quotient, right: &Quotient) -> Option<Quotient> {
+    pub(in crate::expr) fn sum(&self, left: &Quotient, right: &Quotient) -> Option<Quotient> {
         self.settled(left.plus(right)?)
     }
 
     /// The product, with powers of atoms that have a simpler form replaced.
-    pub(super) fn product(&self, left: &Quotient, right: &Quotient) -> Option<Quotient> {
+    pub(in crate::expr) fn product(&self, left: &Quotient, right: &Quotient) -> Option<Quotient> {
         self.settled(left.times(right)?)
     }
 
@@ -204,7 +204,7 @@ impl Rules<'_> {
     }
 
     /// A base to an exponent.
-    pub(super) fn power(&self, base: &Quotient, exponent: &Quotient) -> Option<Quotient> {
+    pub(in crate::expr) fn power(&self, base: &Quotient, exponent: &Quotient) -> Option<Quotient> {
         if let Some(number) = exponent.as_constant() {
             return self.numeric_power(base, &number);
         }
@@ -273,7 +273,7 @@ impl Rules<'_> {
     }
 
     /// The absolute value.
-    pub(super) fn absolute(&self, form: &Quotient) -> Option<Quotient> {
+    pub(in crate::expr) fn absolute(&self, form: &Quotient) -> Option<Quotient> {
         let above = self.absolute_part(&form.numerator)?;
         self.product(&above, &self.absolute_part(&form.denominator)?.inverse()?)
     }

@@ -2,7 +2,7 @@
 
 use std::borrow::Borrow;
 
-use super::{Math, Operator};
+use super::super::{Math, Operator};
 
 impl Operator {
     /// Its sign; an invisible one for products that are only read.
@@ -175,7 +175,7 @@ fn escaped(text: &str) -> String {
 mod tests {
     use std::sync::Arc;
 
-    use super::super::name_math;
+    use super::super::super::name_math;
     use super::*;
 
     /// Every element closed in its order, and no character that must be escaped.

@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use crate::quantity::Rational;
 
+use super::super::grammar::text::{decimal, reads_as_decimal, split_quotient};
+use super::super::sign::without_minus;
+use super::super::{Expr, Function, Math, Piecewise, Symbol};
 use super::arrangement::{Arrangement, Leaf, Node, Shape};
-use super::sign::without_minus;
-use super::text::{decimal, reads_as_decimal, split_quotient};
-use super::{Expr, Function, Math, Piecewise, Symbol};
 
 impl Expr {
     /// The term as typeset mathematics, with `leaf` saying what stands for each symbol.
@@ -145,9 +145,9 @@ fn printed_name(function: Function) -> &'static str {
 
 #[cfg(test)]
 mod tests {
-    use super::super::LeafKind;
-    use super::super::name_math;
-    use super::super::testing::AnyName;
+    use super::super::super::LeafKind;
+    use super::super::super::name_math;
+    use super::super::super::testing::AnyName;
     use super::*;
 
     #[test]

@@ -1,9 +1,9 @@
 //! Terms brought into readable form, and read as polynomials in chosen symbols.
 
+use super::super::calculus::curvature::is_curved;
+use super::super::{Expr, Function, Symbol, equal};
 use super::canonical::{Rules, is_plain, none_positive};
-use super::curvature::is_curved;
 use super::quotient::Quotient;
-use super::{Expr, Function, Symbol, equal};
 
 impl Expr {
     /// The canonical form, written readably; the term itself where that would be much longer than the term.
@@ -157,7 +157,7 @@ fn after_algebra(expr: &Expr, symbols: &[Symbol]) -> Option<Linear> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::testing::AnyName;
+    use super::super::super::testing::AnyName;
     use super::*;
 
     #[test]
@@ -231,7 +231,7 @@ mod tests {
             let (left, right) = (names.term(left), names.term(right));
             assert_eq!(equal(&left, &right), always, "{}", left.text(&names.0));
             assert!(
-                super::super::equal_where(&left, &right, &|own| own == b || own.index() == 1),
+                super::super::super::equal_where(&left, &right, &|own| own == b || own.index() == 1),
                 "{}",
                 left.text(&names.0)
             );

@@ -1,6 +1,6 @@
 //! Typeset mathematics as Typst, for the inside of `$...$`.
 
-use super::{Math, Operator};
+use super::super::{Math, Operator};
 
 /// The gap between a number and its unit, or a word and what follows: it is read and copied as a space.
 const GAP: &str = "\"\u{a0}\"";
@@ -286,7 +286,7 @@ pub(crate) fn quoted(text: &str) -> String {
 mod tests {
     use std::sync::Arc;
 
-    use super::super::name_math;
+    use super::super::super::name_math;
     use super::*;
 
     #[test]

@@ -2,7 +2,7 @@
 
 use crate::quantity::Rational;
 
-use super::ParseFault;
+use super::super::ParseFault;
 
 /// Powers of ten beyond this are not read.
 const MAX_EXPONENT: u32 = 300;
@@ -28,11 +28,11 @@ pub(super) enum Kind {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Token {
     /// What it is.
-    pub(super) kind: Kind,
+    pub(in crate::expr) kind: Kind,
     /// Its first byte.
-    pub(super) start: usize,
+    pub(in crate::expr) start: usize,
     /// The byte after its last.
-    pub(super) end: usize,
+    pub(in crate::expr) end: usize,
 }
 
 /// The words of a text.

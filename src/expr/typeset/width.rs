@@ -1,6 +1,6 @@
 //! About how wide typeset mathematics is, for whoever must break a line.
 
-use super::{Math, Operator};
+use super::super::{Math, Operator};
 
 /// Scripts are this much smaller than their base.
 const SCRIPT: f64 = 0.7;

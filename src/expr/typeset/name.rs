@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{Math, Operator};
+use super::super::{Math, Operator};
 
 /// Names that are typeset as letters of the Greek alphabet, or that the subject abbreviates.
 const LETTERS: [(&str, &str); 28] = [

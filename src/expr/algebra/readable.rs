@@ -2,12 +2,12 @@
 
 use crate::quantity::Rational;
 
+use super::super::{Expr, Function};
 use super::canonical::root_degree;
 use super::factor::factors;
 use super::monomial::{Atom, Monomial};
 use super::polynomial::Polynomial;
 use super::quotient::{Quotient, is_unit};
-use super::{Expr, Function};
 
 /// Sums with more terms than this are not searched for common factors of some of them.
 const MAX_GROUPED: usize = 12;

@@ -131,8 +131,8 @@ fn point(count: u64) -> u64 {
 
 #[cfg(test)]
 mod tests {
+    use super::super::super::testing::AnyName;
     use super::super::canonical::{Rules, none_positive};
-    use super::super::testing::AnyName;
     use super::*;
 
     #[test]

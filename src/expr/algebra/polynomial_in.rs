@@ -1,15 +1,15 @@
 //! A term read as a polynomial in one symbol, with coefficients as they are written.
 
-use super::{Expr, Symbol};
+use super::super::{Expr, Symbol};
 
 /// Powers above this are not multiplied out.
 const MAX_POWER: i32 = 16;
 
 /// What takes more than this to write fills pages: it is not multiplied out, and not integrated.
-pub(super) const MAX_SIZE: usize = 10_000;
+pub(in crate::expr) const MAX_SIZE: usize = 10_000;
 
 /// The coefficients of the powers 0, 1, 2, ... of `symbol`; `None` where the term is not such a polynomial as it is written.
-pub(super) fn polynomial_in(term: &Expr, symbol: Symbol) -> Option<Vec<Expr>> {
+pub(in crate::expr) fn polynomial_in(term: &Expr, symbol: Symbol) -> Option<Vec<Expr>> {
     if !term.contains(symbol) {
         return Some(vec![term.clone()]);
     }
@@ -52,7 +52,7 @@ fn multiply(left: &[Expr], right: &[Expr]) -> Option<Vec<Expr>> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::testing::AnyName;
+    use super::super::super::testing::AnyName;
     use super::*;
 
     #[test]

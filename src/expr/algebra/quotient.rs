@@ -10,9 +10,9 @@ use super::polynomial::Polynomial;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Quotient {
     /// What is divided.
-    pub(super) numerator: Polynomial,
+    pub(in crate::expr) numerator: Polynomial,
     /// What it is divided by.
-    pub(super) denominator: Polynomial,
+    pub(in crate::expr) denominator: Polynomial,
 }
 
 impl From<Polynomial> for Quotient {
@@ -23,17 +23,17 @@ impl From<Polynomial> for Quotient {
 
 impl Quotient {
     /// A number.
-    pub(super) fn constant(value: Rational) -> Self {
+    pub(in crate::expr) fn constant(value: Rational) -> Self {
         Polynomial::constant(value).into()
     }
 
     /// Zero.
-    pub(super) fn zero() -> Self {
+    pub(in crate::expr) fn zero() -> Self {
         Self::constant(Rational::ZERO)
     }
 
     /// One.
-    pub(super) fn one() -> Self {
+    pub(in crate::expr) fn one() -> Self {
         Self::constant(Rational::ONE)
     }
 
@@ -43,7 +43,7 @@ impl Quotient {
     }
 
     /// A number times powers of atoms.
-    pub(super) fn term(number: Rational, monomial: &Monomial) -> Self {
+    pub(in crate::expr) fn term(number: Rational, monomial: &Monomial) -> Self {
         if number.is_zero() {
             return Self::zero();
         }
@@ -107,7 +107,7 @@ impl Quotient {
     }
 
     /// The sum of some; `None` where one is missing, or it would be too large.
-    pub(super) fn sum(terms: impl Iterator<Item = Option<Self>>) -> Option<Self> {
+    pub(in crate::expr) fn sum(terms: impl Iterator<Item = Option<Self>>) -> Option<Self> {
         let mut parts: Vec<(Self, bool)> = Vec::new();
         for term in terms {
             let term = term?;
@@ -130,7 +130,7 @@ impl Quotient {
     }
 
     /// The sum; `None` where it would be too large.
-    pub(super) fn plus(&self, other: &Self) -> Option<Self> {
+    pub(in crate::expr) fn plus(&self, other: &Self) -> Option<Self> {
         if self.are_whole(other) {
             return Some(self.numerator.plus(&other.numerator).into());
         }
@@ -148,7 +148,7 @@ impl Quotient {
     }
 
     /// The product; `None` where it would be too large.
-    pub(super) fn times(&self, other: &Self) -> Option<Self> {
+    pub(in crate::expr) fn times(&self, other: &Self) -> Option<Self> {
         if self.are_whole(other) {
             return self.numerator.times(&other.numerator).map(Self::from);
         }
@@ -161,18 +161,18 @@ impl Quotient {
     }
 
     /// The product with a number.
-    pub(super) fn scaled(&self, factor: &Rational) -> Self {
+    pub(in crate::expr) fn scaled(&self, factor: &Rational) -> Self {
         let numerator = self.numerator.scaled(factor, &Monomial::default());
         Self { denominator: if numerator.is_zero() { Polynomial::one() } else { self.denominator.clone() }, numerator }
     }
 
     /// The inverse; `None` for zero.
-    pub(super) fn inverse(&self) -> Option<Self> {
+    pub(in crate::expr) fn inverse(&self) -> Option<Self> {
         (!self.numerator.is_zero()).then(|| Self::written(self.denominator.primitive(), self.numerator.primitive()))
     }
 
     /// An integer power; `None` where it would be too large, or divide by zero.
-    pub(super) fn power(&self, exponent: i32) -> Option<Self> {
+    pub(in crate::expr) fn power(&self, exponent: i32) -> Option<Self> {
         let size = exponent.unsigned_abs();
         let power = Self { numerator: self.numerator.power(size)?, denominator: self.denominator.power(size)? };
         if exponent < 0 { power.inverse() } else { Some(power) }
@@ -194,12 +194,12 @@ fn above_and_below(monomial: &Monomial) -> (Monomial, Monomial) {
 
 /// Whether an atom is never zero, so that its negative powers may stay in a numerator.
 pub(super) fn is_unit(atom: &Atom) -> bool {
-    matches!(atom, Atom::Apply(super::Function::Exp, _))
+    matches!(atom, Atom::Apply(super::super::Function::Exp, _))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::testing::AnyName;
+    use super::super::super::testing::AnyName;
 
     #[test]
     fn the_greatest_powers_keep_their_value() {

@@ -4,18 +4,18 @@ use std::sync::Arc;
 
 use crate::quantity::Rational;
 
+use super::super::{Expr, Function};
 use super::canonical::{Rules, whole_and_part};
 use super::monomial::Monomial;
 use super::polynomial::Polynomial;
 use super::quotient::Quotient;
-use super::{Expr, Function};
 
 /// Multiples of an angle above this are not taken apart.
 const MAX_MULTIPLE: u32 = 8;
 
 impl Rules<'_> {
     /// A function of its arguments.
-    pub(super) fn apply(&self, function: Function, arguments: &[Expr]) -> Option<Quotient> {
+    pub(in crate::expr) fn apply(&self, function: Function, arguments: &[Expr]) -> Option<Quotient> {
         let forms: Vec<_> = arguments.iter().map(|argument| self.quotient(argument)).collect::<Option<_>>()?;
         if self.expand
             && let [y, x] = forms.as_slice()

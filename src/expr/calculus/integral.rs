@@ -1,8 +1,8 @@
 //! Antiderivatives of what forces are made of: polynomials, powers of linear terms, sines and exponentials, pieces of these.
 //! What is not found is said so; nothing is guessed.
 
-use super::polynomial_in::{MAX_SIZE, polynomial_in};
-use super::{Expr, Function, Symbol};
+use super::super::algebra::polynomial_in::{MAX_SIZE, polynomial_in};
+use super::super::{Expr, Function, Symbol};
 
 /// Integrals that need more steps than this, by parts or multiplied out, are given up.
 const MAX_STEPS: usize = 200;
@@ -23,7 +23,7 @@ impl Expr {
     }
 }
 
-pub(super) fn integrate(term: &Expr, symbol: Symbol, steps: &mut usize) -> Option<Expr> {
+pub(in crate::expr) fn integrate(term: &Expr, symbol: Symbol, steps: &mut usize) -> Option<Expr> {
     *steps = steps.checked_sub(1)?;
     // By parts, each step may write a term out some times over.
     if term.size() > MAX_SIZE {
@@ -220,7 +220,7 @@ fn by_inner_derivative(factors: &[Expr], symbol: Symbol) -> Option<Expr> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::testing::AnyName;
+    use super::super::super::testing::AnyName;
 
     #[test]
     fn what_would_fill_pages_is_given_up() {

@@ -2,8 +2,8 @@
 
 use crate::quantity::Rational;
 
-use super::sign::{is_negative, without_minus};
-use super::{Expr, Function, Symbol, SymbolTable};
+use super::super::sign::{is_negative, without_minus};
+use super::super::{Expr, Function, Symbol, SymbolTable};
 
 /// How tightly a text holds together; a part looser than its place needs brackets.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -53,7 +53,7 @@ impl Expr {
 }
 
 /// Numerator and denominator: the factors with negative numeric powers, turned over, and a number's denominator.
-pub(super) fn split_quotient(factors: &[Expr], decimal: impl Fn(&Rational) -> bool) -> (Vec<Expr>, Vec<Expr>) {
+pub(in crate::expr) fn split_quotient(factors: &[Expr], decimal: impl Fn(&Rational) -> bool) -> (Vec<Expr>, Vec<Expr>) {
     let (mut above, mut below) = (Vec::new(), Vec::new());
     for factor in factors {
         match factor {
@@ -74,7 +74,7 @@ pub(super) fn split_quotient(factors: &[Expr], decimal: impl Fn(&Rational) -> bo
 }
 
 /// A number with few decimals, exactly; `None` where it has many, or never ends.
-pub(super) fn decimal(value: &Rational) -> Option<String> {
+pub(in crate::expr) fn decimal(value: &Rational) -> Option<String> {
     let decimals = decimals(value)?;
     if decimals == 0 {
         return Some(value.numerator().to_string());
@@ -95,7 +95,7 @@ fn decimals(value: &Rational) -> Option<u32> {
 }
 
 /// Whether a number reads better as a decimal than as a fraction: `0.7` and `120.5`, but `1/2`, `5/4`, `9/8` and `1/3`.
-pub(super) fn reads_as_decimal(value: &Rational) -> bool {
+pub(in crate::expr) fn reads_as_decimal(value: &Rational) -> bool {
     const DENOMINATORS: [u8; 4] = [2, 4, 8, 16];
     const LARGEST: u8 = 100;
     let is_below = || DENOMINATORS.iter().any(|below| *value.denominator() == (*below).into());

@@ -1,6 +1,6 @@
 //! What is seen without algebra, by values: that a term is not linear, and that two terms are not equal.
 
-use super::{Expr, Symbol};
+use super::super::{Expr, Symbol};
 
 /// A second difference below this share of the values may be rounding.
 const NEGLIGIBLE: f64 = 1e-4;
@@ -21,7 +21,7 @@ pub fn is_curved(term: &Expr, symbols: &[Symbol]) -> bool {
 }
 
 /// Whether two terms certainly have different values somewhere. `false` decides nothing.
-pub(super) fn differ(left: &Expr, right: &Expr) -> bool {
+pub(in crate::expr) fn differ(left: &Expr, right: &Expr) -> bool {
     let [left, right] = [left, right].map(|side| side.evaluate(&|symbol| sample(symbol, 0)));
     let size = left.abs() + right.abs();
     size.is_finite() && (left - right).abs() > NEGLIGIBLE * (1.0 + size)
@@ -36,7 +36,7 @@ fn sample(symbol: Symbol, salt: u32) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::testing::AnyName;
+    use super::super::super::testing::AnyName;
     use super::*;
 
     #[test]

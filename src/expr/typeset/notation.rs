@@ -1,8 +1,8 @@
 //! The letters that a course writes for quantities: L for momentum, I for impulse.
 
-use super::Math;
-use super::SymbolTable;
-use super::name_math;
+use super::super::Math;
+use super::super::SymbolTable;
+use super::super::name_math;
 
 /// Which letters stand for others at the beginning of a name. Problem files keep the usual ones; what is printed, and what a
 /// student types, has the course's.

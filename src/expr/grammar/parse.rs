@@ -1,7 +1,7 @@
 //! Terms read from text, by operator precedence (a Pratt parser).
 
+use super::super::{Expr, Function, Symbol};
 use super::token::{Kind, Token, tokens};
-use super::{Expr, Function, Symbol};
 
 /// Texts longer than this, in bytes, are not read.
 pub const MAX_LENGTH: usize = 2000;
@@ -296,7 +296,7 @@ impl Parser<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::testing::AnyName;
+    use super::super::super::testing::AnyName;
 
     #[test]
     fn precedence_is_the_usual_one() {

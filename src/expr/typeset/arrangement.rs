@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{Expr, Math, Operator, Symbol};
+use super::super::{Expr, Math, Operator, Symbol};
 
 /// What stands for a symbol: its name, or the number that it has.
 #[derive(Clone, Debug, PartialEq, Eq)]

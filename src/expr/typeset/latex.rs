@@ -1,6 +1,6 @@
 //! Typeset mathematics as LaTeX (with amsmath).
 
-use super::{Math, Operator};
+use super::super::{Math, Operator};
 
 /// Letters and signs that LaTeX knows by name.
 const NAMED: [(char, &str); 25] = [

@@ -3,8 +3,8 @@
 
 use smallvec::SmallVec;
 
-use super::evaluate::raise;
-use super::{Expr, Function, Symbol};
+use super::super::evaluate::raise;
+use super::super::{Expr, Function, Symbol};
 
 /// Most products have no more factors.
 const FEW: usize = 8;
@@ -83,7 +83,7 @@ impl Function {
 
 #[cfg(test)]
 mod tests {
-    use super::super::testing::AnyName;
+    use super::super::super::testing::AnyName;
     use super::*;
 
     #[test]

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{Expr, Function, Piecewise, Symbol};
+use super::super::{Expr, Function, Piecewise, Symbol};
 
 impl Expr {
     /// The derivative with respect to `symbol`; pieces are differentiated one by one.

@@ -1,6 +1,6 @@
 //! Typeset mathematics on one line of plain text.
 
-use super::{Math, Operator};
+use super::super::{Math, Operator};
 
 impl Operator {
     /// Its sign in plain text, with the spaces around it.

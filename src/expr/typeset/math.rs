@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 /// A piece of typeset mathematics. What it is made of may be shared: the name of a quantity stands in many places.
 ///
-/// Terms ([`super::Expr`]) are laid out as this; so are quantities with their units, and the few marks that explanations need.
+/// Terms ([`super::super::Expr`]) are laid out as this; so are quantities with their units, and the few marks that explanations need.
 #[derive(Clone, Debug)]
 pub enum Math {
     /// Parts side by side.
