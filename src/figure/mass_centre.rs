@@ -28,8 +28,19 @@ pub struct MassCentre {
     pub particles: Vec<PlacedParticle>,
     /// The centre of mass, where it is to be shown: its name, place and velocity.
     pub centre: Option<PlacedParticle>,
+    /// What the arrows are.
+    pub arrows: Travel,
     /// The axes to name.
     pub axes: Vec<AxisMark>,
+}
+
+/// What the arrows of particles are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Travel {
+    /// Velocities, to a scale of their own.
+    Velocity,
+    /// Displacements, to the scale of the places.
+    Displacement,
 }
 
 /// A particle, or a centre of mass, at its place.
@@ -39,7 +50,7 @@ pub struct PlacedParticle {
     pub name: Math,
     /// Its place, in any one unit for the whole figure.
     pub position: [f64; 2],
-    /// Its velocity, where that is to be shown.
+    /// Its velocity or displacement, where that is to be shown.
     pub velocity: Option<LabelledVector>,
 }
 
@@ -59,22 +70,35 @@ impl MassCentre {
     #[must_use]
     pub fn drawing(&self) -> Drawing {
         let all = || self.particles.iter().chain(&self.centre);
-        let spread = Extent::around(all().map(PlacedParticle::place));
+        let ends = || {
+            let moved = all().filter_map(|particle| Some(particle.place() + particle.vector()?));
+            moved.filter(|_| self.arrows == Travel::Displacement)
+        };
+        let spread = Extent::around(all().map(PlacedParticle::place).chain(ends()));
         let factor = |room: f64, size: f64| if size > 0.0 { room / size } else { f64::INFINITY };
         let factor = factor(ROOM.x, spread.size().x).min(factor(ROOM.y, spread.size().y));
         let factor = if factor.is_finite() { factor } else { 1.0 };
         let placed = |particle: &PlacedParticle| (particle.place() - spread.low) * factor;
-        let longest = longest_arrow(&all().map(placed).collect::<Vec<_>>());
+        let longest = match self.arrows {
+            Travel::Velocity => longest_arrow(&all().map(placed).collect::<Vec<_>>()),
+            Travel::Displacement => {
+                all().filter_map(PlacedParticle::vector).map(Point::length).fold(0.0, f64::max) * factor
+            }
+        };
+        let role = match self.arrows {
+            Travel::Velocity => Role::Velocity,
+            Travel::Displacement => Role::Length,
+        };
         let scale = Scale::fitting(all().filter_map(PlacedParticle::vector), longest);
         let mut canvas = Canvas::default();
         if let Some(centre) = &self.centre {
             draw_mark(&mut canvas, placed(centre));
         }
         for particle in &self.particles {
-            draw_particle(&mut canvas, particle, placed(particle), scale);
+            draw_particle(&mut canvas, particle, placed(particle), (scale, role));
         }
         if let Some(centre) = &self.centre {
-            draw_velocity(&mut canvas, centre, placed(centre), MARK, scale);
+            draw_arrow(&mut canvas, centre, placed(centre), MARK, (scale, role));
         }
         let mut canvas = canvas.settled();
         draw_axes(&mut canvas, &self.axes);
@@ -82,9 +106,9 @@ impl MassCentre {
     }
 }
 
-fn draw_particle(canvas: &mut Canvas, particle: &PlacedParticle, at: Point, scale: Scale) {
+fn draw_particle(canvas: &mut Canvas, particle: &PlacedParticle, at: Point, arrow: (Scale, Role)) {
     canvas.draw(Shape::Circle { centre: at, radius: PARTICLE, role: Role::Body });
-    draw_velocity(canvas, particle, at, PARTICLE, scale);
+    draw_arrow(canvas, particle, at, PARTICLE, arrow);
 }
 
 /// A small circle with a cross.
@@ -96,18 +120,19 @@ fn draw_mark(canvas: &mut Canvas, at: Point) {
 }
 
 /// The arrow from the rim of the mark, if it moves, and the name on the other side.
-fn draw_velocity(canvas: &mut Canvas, particle: &PlacedParticle, at: Point, radius: f64, scale: Scale) {
+fn draw_arrow(canvas: &mut Canvas, particle: &PlacedParticle, at: Point, radius: f64, (scale, role): (Scale, Role)) {
     let arrow = particle.vector().and_then(|vector| scale.arrow(vector));
     if let (Some(arrow), Some(velocity)) = (arrow, &particle.velocity) {
         let from = at + arrow * (radius / arrow.length());
-        canvas.arrow(from, from + arrow, Role::Velocity);
-        canvas.label(&velocity.label, Role::Velocity, Anchor::Along { from, to: from + arrow });
+        let to = if role == Role::Length { at + arrow } else { from + arrow };
+        canvas.arrow(from, to, role);
+        canvas.label(&velocity.label, role, Anchor::Along { from, to });
     }
     let away = arrow.map_or(FRAC_PI_2, |arrow| (-arrow).angle());
     canvas.label(&particle.name, Role::Body, Anchor::Around { at, radius, prefer: away });
     if let (None, Some(velocity), Some(_)) = (arrow, &particle.velocity, particle.vector()) {
         let note = velocity.equals(Math::Number("0".to_owned()));
-        canvas.label(&note, Role::Velocity, Anchor::Around { at, radius, prefer: 0.0 });
+        canvas.label(&note, role, Anchor::Around { at, radius, prefer: 0.0 });
     }
 }
 

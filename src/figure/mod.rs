@@ -29,7 +29,7 @@ pub use drawing::{Drawing, Point, Role, Shape};
 pub use extent::{Extent, bounds, extent, label_extent};
 pub use force_plot::{ForcePlot, PlotAxis};
 pub use input::{AxisMark, Form, LabelledVector, Wording};
-pub use mass_centre::{MassCentre, PlacedParticle};
+pub use mass_centre::{MassCentre, PlacedParticle, Travel};
 pub use momentum_diagram::{BodyMomentum, MomentumDiagram};
 pub use place::{Overlap, overlaps};
 pub use situation::{

@@ -118,6 +118,15 @@ pub fn total_time(e: &Expr, first: &Expr) -> Expr {
     Expr::product([first.clone(), Expr::one() + e.clone(), (Expr::one() - e.clone()).powi(-1)])
 }
 
+/// The path up to the n-th bounce: `h_0 (1 + 2 e^2 (1 - e^(2 (n-1))) / (1 - e^2))`.
+#[must_use]
+pub fn path_to(e: &Expr, count: &Expr, drop: &Expr) -> Expr {
+    let (one, square) = (Expr::one(), e.clone().powi(2));
+    let flights = Expr::integer(2) * (count.clone() - one.clone());
+    let series = (one.clone() - e.clone().power(flights)) / (one.clone() - square.clone());
+    drop.clone() * (one + Expr::product([Expr::integer(2), square, series]))
+}
+
 /// The whole path: `h_0 (1 + e^2) / (1 - e^2)`.
 #[must_use]
 pub fn total_path(e: &Expr, drop: &Expr) -> Expr {

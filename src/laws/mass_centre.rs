@@ -58,7 +58,29 @@ pub const REST: Law = Law {
     signs: "Displacements along the axis are positive.",
     when: "The system is at rest at first, and no external force acts along the axis.",
     source: "The principle of impulse and momentum for the whole system, integrated over time.",
-    wrong: &[],
+    wrong: wrong::mass_centre::DISPLACEMENTS,
+};
+
+/// Displacements in a system that nothing acts on from outside.
+pub const DISPLACEMENTS: Law = Law {
+    id: "displacements-without-external-impulse",
+    name: "the principle of the centre of mass",
+    statement: "If no external impulse acts along an axis, the sum of the masses times their displacements is the momentum of the system times the time.",
+    signs: "Displacements along the axis are positive.",
+    when: "No external force acts along the axis.",
+    source: "The principle of impulse and momentum for the whole system, integrated over time.",
+    wrong: wrong::mass_centre::DISPLACEMENTS,
+};
+
+/// The displacement of the centre of mass.
+pub const DISPLACEMENT: Law = Law {
+    id: "displacement-of-the-mass-centre",
+    name: "the motion of the centre of mass",
+    statement: "If no external impulse acts along an axis, the displacement of the centre of mass is its velocity times the time; at rest, it stays where it is.",
+    signs: "Positive along the axis.",
+    when: "No external force acts along the axis.",
+    source: "The principle of impulse and momentum for the whole system, integrated over time.",
+    wrong: wrong::mass_centre::DISPLACEMENT,
 };
 
 /// Velocities seen from the centre of mass.
@@ -106,8 +128,25 @@ pub const ANGULAR: Law = Law {
 };
 
 /// The laws of this chapter.
-pub const LAWS: &[&Law] =
-    &[&TOTAL_MASS, &MASS_CENTRE, &MOTION, &PATH, &REST, &RELATIVE, &NO_MOMENTUM, &ENERGY, &ANGULAR];
+pub const LAWS: &[&Law] = &[
+    &TOTAL_MASS,
+    &MASS_CENTRE,
+    &MOTION,
+    &PATH,
+    &REST,
+    &DISPLACEMENTS,
+    &DISPLACEMENT,
+    &RELATIVE,
+    &NO_MOMENTUM,
+    &ENERGY,
+    &ANGULAR,
+];
+
+/// `sum of m (r_2 - r_1)` over (mass, from, to).
+#[must_use]
+pub fn displaced(parts: &[(Expr, Expr, Expr)]) -> Expr {
+    Expr::sum(parts.iter().map(|(mass, from, to)| mass.clone() * (to.clone() - from.clone())))
+}
 
 /// `(sum of m) q_G = sum of m q` over (mass, q), q being a position or a velocity component.
 #[must_use]

@@ -17,6 +17,7 @@ use super::QuantityKind;
 use super::VectorName;
 use super::name::MASS_CENTRE;
 use super::stage::Description;
+use super::stage::is_height_of_a_bounce;
 use super::timeline::Timeline;
 
 /// Whether a name is one that the scene makes by itself, rather than one that the author chose.
@@ -55,6 +56,7 @@ pub(super) fn is_structural(scene: &Scene, name: &str) -> bool {
             | QuantityKind::Work => true,
             QuantityKind::Mass => !scene.parts_of(&name.subject).is_empty(),
             QuantityKind::Position | QuantityKind::Coordinate(_) => !name.subject.is_empty() && name.instant.is_some(),
+            QuantityKind::Height => is_height_of_a_bounce(scene, &name),
             QuantityKind::Moment | QuantityKind::AngularMomentumRate => {
                 name.instant.is_some() && (name.is_of_mass_centre() || scene.points.contains_key(&name.subject))
             }

@@ -264,6 +264,10 @@ impl QuantityKind {
             return (kind.clone(), rest.trim_start_matches('_'));
         }
         let (base, rest) = text.split_once('_').unwrap_or((text, ""));
+        // Only heights with a number are those of bounces; `h_min` is the author's.
+        if base == Self::Height.spelling() && !rest.is_empty() && rest.chars().all(|digit| digit.is_ascii_digit()) {
+            return (Self::Height, rest);
+        }
         let is_angle = ANGLES.iter().any(|start| base.starts_with(start));
         (if is_angle { Self::OwnAngle(base.to_owned()) } else { Self::Own(base.to_owned()) }, rest)
     }

@@ -37,6 +37,14 @@ pub(in crate::model) fn force_of(name: &str) -> Cow<'_, str> {
 const ORDINALS: &[&str] =
     &["first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth"];
 
+/// One of several, counted from 1: `the second bounce`, `bounce 12`.
+pub(super) fn counted(number: usize, noun: &str) -> String {
+    match number.checked_sub(1).and_then(|before| ORDINALS.get(before)) {
+        Some(ordinal) => format!("the {ordinal} {noun}"),
+        None => format!("{noun} {number}"),
+    }
+}
+
 /// A stage as a noun phrase: `the impact`; `the second impact` where there are several.
 pub(super) fn stage(scene: &Scene, index: usize) -> String {
     let Some(own) = scene.stages.get(index) else { return "the stage".into() };

@@ -50,6 +50,8 @@ const BEYOND_A_SCHEMA: &[&str] = &[
     "yes_for_text",
     "yes_for_a_value",
     "incline_without_a_side",
+    "rest_of_guided_bodies",
+    "height_without_a_drop",
     "over_a_distance",
     "spring_without_a_body",
     "swing_in_a_horizontal_plane",

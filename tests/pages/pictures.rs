@@ -131,6 +131,8 @@ fn every_stage_has_its_diagram() {
         // Where nothing acts nothing is drawn; a swing, a ramp and a walk have figures of their own.
         let momentum = |stage: &&Stage| match stage {
             Stage::Slide(slide) => !slide.is_ramp(),
+            // Of bodies that were at rest, the displacements are drawn.
+            Stage::Interact(own) => !own.at_rest,
             Stage::Impact(_)
             | Stage::Push(_)
             | Stage::Blow(_)
@@ -140,7 +142,6 @@ fn every_stage_has_its_diagram() {
             | Stage::Taut(_)
             | Stage::Connected(_)
             | Stage::Stream(_)
-            | Stage::Interact(_)
             | Stage::Thrust(_) => true,
             _ => false,
         };

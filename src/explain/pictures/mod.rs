@@ -69,6 +69,7 @@ pub(super) fn solution(worked: Worked<'_>) -> Vec<Drawing> {
         // What a ball gains before it bounces on is not asked for; the figure of the bounces shows its fall.
         Stage::Fall(_) if matches!(stages.get(index + 1), Some(Stage::Bounces(_))) => Vec::new(),
         Stage::Walk(walk) => vec![sheet::ride::walk(&quantities, compass, index, walk)],
+        Stage::Interact(own) if own.at_rest => vec![snapshot::displacements(&quantities, compass, index, &own.between)],
         Stage::Drift(_) => Vec::new(),
         Stage::Flight(_) if quantities.scene().plane == Plane::Horizontal => Vec::new(),
         Stage::Impact(_)

@@ -13,6 +13,7 @@ use crate::figure::MovingBody;
 use crate::figure::PlacedParticle;
 use crate::figure::Situation;
 use crate::figure::Space;
+use crate::figure::Travel;
 use crate::figure::Wording;
 use crate::scene::Axis;
 
@@ -142,5 +143,41 @@ fn mass_centre(quantities: &Quantities<'_>, compass: &Compass, bodies: &[&str], 
         description: sentences([format!("{names} at their positions with their velocities{with}")]),
         caption: sentences([format!("{names} with their velocities{with}")]),
     };
-    MassCentre { wording, particles, centre, axes: compass.marks() }.drawing()
+    MassCentre { wording, particles, centre, arrows: Travel::Velocity, axes: compass.marks() }.drawing()
+}
+
+/// Bodies where they were before a stage, with their ways to where they are after it; the centre of mass where it is known.
+pub(super) fn displacements(
+    quantities: &Quantities<'_>,
+    compass: &Compass,
+    index: usize,
+    bodies: &[String],
+) -> Option<Drawing> {
+    let [before, after] = [index + 1, index + 2];
+    let particle = |body: &str| {
+        let from = quantities.position(body, before)?;
+        let moved = quantities.position(body, after).map(|to| [to[0] - from[0], to[1] - from[1]]);
+        let label = name_math(&format!("r_{body}{after}"));
+        Some(PlacedParticle {
+            name: body_math(body),
+            position: compass.place(from),
+            velocity: moved.map(|way| LabelledVector::known(label, compass.place(way))),
+        })
+    };
+    let particles: Vec<PlacedParticle> = bodies.iter().map(|body| particle(body)).collect::<Option<_>>()?;
+    let names: Vec<String> = bodies.iter().map(|body| quantities.called(body)).collect();
+    let (names, centre) = (list(&names), particle("G").map(|own| PlacedParticle { velocity: None, ..own }));
+    let mut told = vec![format!("{names} at their positions {}", quantities.when(before))];
+    if particles.iter().any(|own| own.velocity.is_some()) {
+        told.push(format!("the arrows lead to their positions {}", quantities.when(after)));
+    }
+    if centre.is_some() {
+        told.push("G is their centre of mass".to_owned());
+    }
+    let wording = Wording {
+        title: format!("Positions of {names}"),
+        description: sentences(told.clone()),
+        caption: sentences(told),
+    };
+    Some(MassCentre { wording, particles, centre, arrows: Travel::Displacement, axes: compass.marks() }.drawing())
 }

@@ -32,6 +32,13 @@ pub const ONE_MASS: Misconception = Misconception {
     ask: "The centre of mass of which system changes its velocity, and what is the mass of that system?",
     hint: "An external impulse changes the momentum of the whole system.",
 };
+/// A centre of mass that stays although the system moves.
+pub const CENTRE_STAYS: Misconception = Misconception {
+    id: "mass-centre-kept-in-place",
+    does: "leaves the centre of mass where it was, although the system moves",
+    ask: "Does the system have momentum before?",
+    hint: "Without external impulses the centre of mass keeps its velocity: it stays in place only if it was at rest.",
+};
 
 /// Absolute velocities in the energy of relative motion.
 pub const NOT_RELATIVE: Misconception = Misconception {
@@ -63,6 +70,11 @@ pub const MASS_CENTRE: &[WrongForm] =
     &[WrongForm { of: &PLAIN_AVERAGE, write: plain_average }, WrongForm { of: &SIGN_LOST, write: sign_lost }];
 /// Wrong forms of the momenta relative to the centre of mass.
 pub const NO_MOMENTUM: &[WrongForm] = &[WrongForm { of: &PLAIN_AVERAGE, write: plain_average }];
+/// Wrong forms of the displacements without external impulses.
+pub const DISPLACEMENTS: &[WrongForm] =
+    &[WrongForm { of: &PLAIN_AVERAGE, write: plain_average }, WrongForm { of: &CENTRE_STAYS, write: stays }];
+/// Wrong forms of the displacement of the centre of mass.
+pub const DISPLACEMENT: &[WrongForm] = &[WrongForm { of: &CENTRE_STAYS, write: stays }];
 /// Wrong forms of the motion.
 pub const MOTION: &[WrongForm] = &[
     WrongForm { of: &START_FORGOTTEN, write: start_forgotten },
@@ -83,6 +95,13 @@ fn each_term(law: &Taught<'_>) -> Vec<Wrong> {
     let parts = terms(&law.sides.1);
     let alone = parts.iter().map(|part| Wrong::from((law.left(), part.clone())));
     if parts.len() > 1 { alone.collect() } else { Vec::new() }
+}
+
+/// What is multiplied by a time is left out of the right side.
+fn stays(law: &Taught<'_>) -> Vec<Wrong> {
+    let all = terms(&law.sides.1);
+    let rest: Vec<Expr> = all.iter().filter(|term| !law.has(term, Dimension::TIME)).cloned().collect();
+    if rest.len() < all.len() { one((law.left(), Expr::sum(rest))) } else { Vec::new() }
 }
 
 /// Every mass is one.

@@ -15,6 +15,7 @@ use super::super::Meaning;
 use super::super::Name;
 use super::super::QuantityKind;
 use super::super::name::MASS_CENTRE;
+use super::super::stage::Description;
 
 pub(super) fn mass_centre_velocity(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let instant = builder.number(name)?;
@@ -127,27 +128,70 @@ impl Builder<'_> {
         Some((from?.into(), velocity?.into()))
     }
 
-    /// In a flight of all bodies, the centre of mass moves as one body of the whole mass would.
+    /// Without external forces but weight, the centre of mass moves as one body of the whole mass would.
     fn path_of_mass_centre(&mut self, instant: usize, axis: Axis, after: Symbol) {
         let Some(index) = instant.checked_sub(2) else { return };
-        let scene = self.scene;
-        let Some(Stage::Flight(flight)) = scene.stages.get(index) else { return };
         let alive: Vec<String> = self.timeline.alive(instant).into_iter().map(str::to_owned).collect();
-        if alive.len() < 2 || !alive.iter().all(|body| flight.flying().any(|own| own == body)) {
-            return;
-        }
-        let Some((from, velocity)) = self.centre_at_start(index, axis, alive.len()) else { return };
-        let time = self.flight_time(index, flight);
         let position = self.axes.iter().position(|(own, _)| *own == axis).unwrap_or(0);
-        let sides = match self.downwards(position) {
-            Some(down) => {
-                let gravity = Expr::integer(down) * self.gravity();
-                kinematics::accelerated(&from, &velocity, &gravity, &time, &after.into())
+        let Some(moves) = self.moves(index, &alive).filter(|_| alive.len() > 1) else { return };
+        let Some((from, velocity)) = self.centre_at_start(index, axis, alive.len()) else { return };
+        let unpushed = "the internal forces cancel, and no external impulse acts on the system";
+        let (law, because, sides) = match (moves, self.downwards(position)) {
+            (Moves::Not, _) => (&mass_centre::DISPLACEMENT, "nothing has moved yet", (after.into(), from)),
+            (Moves::FromRest, _) => {
+                let because = "no external impulse acts on the system, and its centre of mass, initially at rest, stays where it is";
+                (&mass_centre::DISPLACEMENT, because, (after.into(), from))
             }
-            None => kinematics::uniform(&from, &velocity, &time, &after.into()),
+            (Moves::Freely(time), None) => {
+                (&mass_centre::DISPLACEMENT, unpushed, kinematics::uniform(&from, &velocity, &time, &after.into()))
+            }
+            (Moves::Flying(time), down) => {
+                let because =
+                    "the internal forces cancel, and the centre of mass moves as a single body of the total mass would";
+                let sides = match down {
+                    Some(down) => {
+                        let gravity = Expr::integer(down) * self.gravity();
+                        kinematics::accelerated(&from, &velocity, &gravity, &time, &after.into())
+                    }
+                    None => kinematics::uniform(&from, &velocity, &time, &after.into()),
+                };
+                (&mass_centre::PATH, because, sides)
+            }
+            (Moves::Freely(_), Some(_)) => return,
         };
-        let because =
-            "the internal forces cancel, and the centre of mass moves as a single body of the total mass would";
-        self.law(&mass_centre::PATH, Some(index), because, sides);
+        self.law(law, Some(index), because, sides);
     }
+
+    /// How the centre of mass of these bodies moves in a stage; none where something else than weight acts on them from outside.
+    fn moves(&mut self, index: usize, alive: &[String]) -> Option<Moves> {
+        let scene = self.scene;
+        let stage = scene.stages.get(index)?;
+        let among = |bodies: &[&str]| alive.iter().all(|own| bodies.contains(&own.as_str()));
+        match stage {
+            Stage::Flight(flight) if among(&flight.flying().collect::<Vec<_>>()) => {
+                Some(Moves::Flying(self.flight_time(index, flight)))
+            }
+            Stage::Interact(own) => {
+                let bodies: Vec<&str> = own.between.iter().map(String::as_str).collect();
+                if !among(&bodies) || bodies.iter().any(|body| self.guided(body).is_some()) {
+                    return None;
+                }
+                if own.at_rest { Some(Moves::FromRest) } else { self.lasting[index].clone().map(Moves::Freely) }
+            }
+            Stage::Drift(_) => self.lasting[index].clone().map(Moves::Freely),
+            stage => (!Description::of(scene, stage).takes_time).then_some(Moves::Not),
+        }
+    }
+}
+
+/// How the centre of mass of a system moves in a stage.
+enum Moves {
+    /// The stage takes no time.
+    Not,
+    /// It was at rest, and nothing acts from outside.
+    FromRest,
+    /// Nothing acts from outside for so long.
+    Freely(Expr),
+    /// Nothing but weight acts from outside for so long.
+    Flying(Expr),
 }

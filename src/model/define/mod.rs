@@ -28,6 +28,7 @@ use super::QuantityKind;
 use super::VectorKind;
 use super::VectorName;
 use super::builder::SECOND_COST;
+use super::stage::height_of_a_bounce;
 use angular::angular_momentum;
 use angular::moment_of_forces;
 use angular::rate_of_angular_momentum;
@@ -75,6 +76,7 @@ const DEFINITIONS: &[(QuantityKind, Define)] = &[
     (QuantityKind::AngularMomentumRate, rate_of_angular_momentum),
     (QuantityKind::Weight, weight),
     (QuantityKind::Mass, total_mass),
+    (QuantityKind::Height, height_of_a_bounce),
 ];
 
 impl Builder<'_> {
@@ -99,6 +101,7 @@ impl Builder<'_> {
             name.instant = Some(Instant::Number(self.timeline.instant(instant)?));
         }
         if let Some(Instant::Number(number)) = name.instant
+            && name.kind != QuantityKind::Height
             && number > self.timeline.last()
         {
             return None;

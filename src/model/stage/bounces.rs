@@ -15,6 +15,8 @@ use crate::quantity::Dimension;
 use crate::scene::Stage;
 use crate::scene::stage::Bounces;
 
+use super::bounce_heights::is_dropped;
+
 /// All bounces together, as they stand in names.
 pub(super) const IN_ALL: &str = "total";
 /// The bounce that is counted.
@@ -32,7 +34,7 @@ impl Builder<'_> {
             .count
             .as_ref()
             .map(|term| self.read_positive(term, Dimension::NONE, "the number of bounces", &path.key("count")));
-        if self.is_dropped(index, stage) {
+        if is_dropped(self.scene, index, stage) {
             self.bounces_after_a_drop(index, stage, &e, count.as_ref());
         } else {
             self.bounces_after_arrival(index, stage, [&e, count.as_ref().unwrap_or(&Expr::one())], path);
@@ -48,13 +50,6 @@ impl Builder<'_> {
         });
         self.neglect("air resistance", "the problem does not mention any");
         self.neglect("the duration of each contact", "it is short compared with the time in the air");
-    }
-
-    /// Whether the height of a drop says how the body arrives: of the fall just before, or `h_0`.
-    fn is_dropped(&self, index: usize, stage: &Bounces) -> bool {
-        let before = index.checked_sub(1).and_then(|before| self.scene.stages.get(before));
-        let falls = matches!(before, Some(Stage::Fall(fall)) if fall.body == stage.body);
-        self.axes.len() == 1 && stage.incline.is_none() && (falls || before.is_none())
     }
 
     fn bounces_after_a_drop(&mut self, index: usize, stage: &Bounces, e: &Expr, count: Option<&Expr>) {
@@ -107,6 +102,16 @@ impl Builder<'_> {
                 (at_bounce(QuantityKind::Time), "the time of the n-th bounce, measured from the release".into()),
                 time,
             );
+            let path_length = bouncing::path_to(e, count, &drop);
+            law(
+                self,
+                (&bouncing::BOUNCE_PATH, &heights),
+                (
+                    at_bounce(QuantityKind::PathLength),
+                    format!("the distance travelled by {name} from the release to the n-th bounce"),
+                ),
+                path_length,
+            );
         }
         let total = bouncing::total_time(e, &first);
         law(
@@ -128,7 +133,7 @@ impl Builder<'_> {
     }
 
     /// The height of the fall just before, or `h_0`.
-    fn drop_height(&mut self, index: usize, body: &str) -> Expr {
+    pub(super) fn drop_height(&mut self, index: usize, body: &str) -> Expr {
         let before = index.checked_sub(1).and_then(|before| Some((before, self.scene.stages.get(before)?)));
         let meaning = format!("the height from which {} is dropped", self.called(body));
         if let Some((before, Stage::Fall(fall))) = before

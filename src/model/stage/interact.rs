@@ -6,10 +6,13 @@ use crate::fault::Fault;
 use crate::fault::Path;
 use crate::laws::angular;
 use crate::laws::energy;
+use crate::laws::mass_centre;
+use crate::laws::momentum;
 use crate::model::Builder;
 use crate::model::Name;
 use crate::model::QuantityKind;
 use crate::quantity::Dimension;
+use crate::scene::Axis;
 use crate::scene::Plane;
 use crate::scene::stage::Interact;
 
@@ -22,6 +25,7 @@ impl Builder<'_> {
         let bodies: Vec<&str> = stage.between.iter().map(String::as_str).collect();
         let because = "the forces between the bodies cancel in pairs";
         self.momentum_of_all(index, because, [&bodies, &bodies]);
+        self.displacements(index, stage, &bodies, path);
         let scene = self.scene;
         let letters = self.axis_letters();
         let turnings: Vec<Option<&str>> = match &letters[..] {
@@ -53,5 +57,59 @@ impl Builder<'_> {
             self.law(&energy::LOSS, Some(index), because, (start - loss, end));
         }
         self.not_needed("the forces between the bodies", "within the system they cancel in pairs");
+    }
+    /// Where the bodies get to together: their centre of mass keeps its velocity.
+    fn displacements(&mut self, index: usize, stage: &Interact, bodies: &[&str], path: &Path) {
+        let meaning = format!("the duration of {}", self.stage_phrase(index));
+        let time = stage.during.as_ref().map(|term| {
+            let time = self.read_positive(term, Dimension::TIME, &meaning, &path.key("during"));
+            self.lasting[index] = Some(time.clone());
+            time
+        });
+        if stage.at_rest {
+            for body in bodies {
+                self.starts_from_rest(index, body);
+            }
+        }
+        if time.is_none() && !stage.at_rest {
+            return;
+        }
+        if let Some(held) = bodies.iter().find_map(|body| self.guided(body)) {
+            let message = format!(
+                "impulses of {} act on {} from outside, so the centre of mass is not free",
+                held.by,
+                self.called(&held.body)
+            );
+            let key = if stage.at_rest { "at_rest" } else { "during" };
+            let help = format!("remove `{key}`, or the `guide`");
+            self.faults.push(Fault::new(Code::Value, message).help(help).at_path(path.key(key)));
+            return;
+        }
+        let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
+        for axis in axes {
+            let moved: Vec<(Expr, Expr, Expr)> = bodies
+                .iter()
+                .map(|body| {
+                    let [from, to] = [index + 1, index + 2].map(|instant| self.place(body, instant, axis));
+                    (self.mass(body), from, to)
+                })
+                .collect();
+            let left = mass_centre::displaced(&moved);
+            let along = self.along(axis);
+            let because = format!("no external impulse acts on the bodies{along}");
+            let (law, because, right) = match &time {
+                Some(time) if !stage.at_rest => {
+                    let parts: Vec<(Expr, Expr)> =
+                        bodies.iter().map(|body| (self.mass(body), self.velocity(body, index + 1, axis))).collect();
+                    let because = format!("{because}, and their momentum is the same all the time");
+                    (&mass_centre::DISPLACEMENTS, because, momentum::total(&parts) * time.clone())
+                }
+                _ => {
+                    let because = format!("{because}, and their centre of mass, initially at rest, stays where it is");
+                    (&mass_centre::REST, because, Expr::zero())
+                }
+            };
+            self.law(law, Some(index), because, (left, right));
+        }
     }
 }

@@ -3,6 +3,7 @@
 #![deny(clippy::wildcard_enum_match_arm)]
 
 mod blow;
+mod bounce_heights;
 mod bounces;
 mod bounces_on;
 mod bowl;
@@ -36,6 +37,8 @@ mod thrust;
 mod tow;
 mod walk;
 
+pub(in crate::model) use bounce_heights::height_of_a_bounce;
+pub(in crate::model) use bounce_heights::is_height_of_a_bounce;
 pub(in crate::model) use described::Description;
 pub(in crate::model) use described::Span;
 pub(in crate::model) use push::Pushed;

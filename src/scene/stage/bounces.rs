@@ -17,7 +17,7 @@ pub struct Bounces {
     pub body: String,
     /// The coefficient of restitution at each bounce.
     pub restitution: Term,
-    /// How many bounces `h_n`, `v_n`, `t_n`, `dt_n`, `x_n` and `range_n` refer to.
+    /// How many bounces `h_n`, `v_n`, `t_n`, `dt_n`, `path_n`, `x_n` and `range_n` refer to.
     #[serde(default)]
     pub count: Option<Term>,
     /// The slope of the floor, where the first axis runs along it and the second away from it: `alpha` where the first axis points up

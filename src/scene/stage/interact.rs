@@ -14,6 +14,12 @@ pub struct Interact {
     pub name: Option<String>,
     /// The bodies.
     pub between: Vec<String>,
+    /// Whether all of them are at rest before, so that their centre of mass stays where it is.
+    #[serde(default)]
+    pub at_rest: bool,
+    /// How long they act on each other, where they move at first and their displacements are wanted.
+    #[serde(default)]
+    pub during: Option<Term>,
     /// Whether no kinetic energy is lost.
     #[serde(default)]
     pub elastic: bool,

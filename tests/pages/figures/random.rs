@@ -278,7 +278,8 @@ pub fn mass_centre(dice: &mut Dice) -> Drawing {
     };
     let particles = ["A", "B", "C", "D"].map(&mut particle).to_vec();
     let centre = Some(particle("G"));
-    MassCentre { wording: wording("Random particles"), particles, centre, axes: xy() }.drawing()
+    MassCentre { wording: wording("Random particles"), particles, centre, arrows: Travel::Velocity, axes: xy() }
+        .drawing()
 }
 
 /// What no scene has, but a fault upstream might send: nothing at all, and numbers that are none.

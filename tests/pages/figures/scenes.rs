@@ -290,7 +290,13 @@ pub fn mass_centres() -> Vec<(&'static str, MassCentre)> {
         position,
         velocity: value.map(|value| LabelledVector::known(sub("v", text), value)),
     };
-    let figure = |title, particles, centre| MassCentre { wording: wording(title), particles, centre, axes: xy() };
+    let figure = |title, particles, centre| MassCentre {
+        wording: wording(title),
+        particles,
+        centre,
+        arrows: Travel::Velocity,
+        axes: xy(),
+    };
     let three = vec![
         at("A", [0.0, 0.0], Some([3.0, 0.0])),
         at("B", [4.0, 0.0], Some([0.0, 2.0])),

@@ -94,7 +94,12 @@ pub(in super::super) fn bouncing(quantities: &Quantities<'_>, bounces: &Bounces)
     for bounce in 1..=number {
         value *= ratio;
         let last = solved && bounce == number && count.is_some_and(|count| count <= f64::from(MOST_BOUNCES));
-        let label = last.then(|| name_math("h_n")).filter(|_| quantities.named("h_n").is_some());
+        let numbered = format!("h_{bounce}");
+        let label = if quantities.named(&numbered).is_some() {
+            solved.then(|| name_math(&numbered))
+        } else {
+            last.then(|| name_math("h_n")).filter(|_| quantities.named("h_n").is_some())
+        };
         heights.push(Height { label, value });
     }
     let wording = fall_wording(quantities, &bounces.body, label.as_ref(), number);

@@ -10,11 +10,20 @@ use crate::simulate::scene::vector::size;
 /// The share of the first height below which a bounce adds nothing.
 const NOTHING: f64 = 1e-14;
 
+/// The last bounce whose height has a name with its number.
+const NUMBERED: u32 = 40;
+
+/// The acceleration of free fall, on which no ratio of heights depends, where nothing else needs it.
+const ANY_GRAVITY: f64 = 9.81;
+
 /// Bounces after which a path is given up.
 const MOST_BOUNCES: u32 = 2_000;
 
 impl Bench<'_> {
     pub(super) fn bounces(&mut self, stage: &Bounces) -> Result<(), NothingToSimulate> {
+        if let Err(missing) = self.values.drop_before(stage) {
+            return self.from_a_known_height(stage).ok_or(missing)?;
+        }
         let staged = self.values.bounces(stage)?;
         self.take(&staged)?;
         self.by(Way::Integrated);
@@ -32,6 +41,12 @@ impl Bench<'_> {
         let mut rise = height;
         for bounce in 1..=MOST_BOUNCES {
             rise = self.bounce(rise, gravity, e)?;
+            if bounce <= NUMBERED {
+                self.note(&format!("h_{bounce}"), rise, 0.0);
+            }
+            if count.is_some_and(|count| (count - f64::from(bounce)).abs() < 0.5) {
+                self.note("path_n", path, 0.0);
+            }
             path += 2.0 * rise;
             if count.is_some_and(|count| (count - f64::from(bounce)).abs() < 0.5) {
                 self.note("h_n", rise, 0.0);
@@ -42,6 +57,23 @@ impl Bench<'_> {
             }
         }
         Ok(())
+    }
+
+    /// Heights after a bounce whose height is known, where nobody says from where the body was dropped.
+    fn from_a_known_height(&mut self, stage: &Bounces) -> Option<Result<(), NothingToSimulate>> {
+        let known = |bounce: &u32| self.values.named(&format!("h_{bounce}")).ok();
+        let first = (1..=NUMBERED).find(|bounce| known(bounce).is_some())?;
+        let mut rise = known(&first)?;
+        let (gravity, e) = (self.values.named("g").unwrap_or(ANY_GRAVITY), self.values.term(&stage.restitution).ok()?);
+        self.by(Way::Integrated);
+        for bounce in first + 1..=NUMBERED {
+            match self.bounce(rise, gravity, e) {
+                Ok(next) => rise = next,
+                Err(reason) => return Some(Err(reason)),
+            }
+            self.note(&format!("h_{bounce}"), rise, 0.0);
+        }
+        Some(Ok(()))
     }
 
     /// From one height to the floor, and up to the next.

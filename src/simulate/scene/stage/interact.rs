@@ -1,5 +1,8 @@
 //! Bodies that act on each other only: springs between them, which stand for whatever the forces are.
 
+use core::f64::consts::PI;
+use std::sync::Arc;
+
 use crate::scene::stage::Interact;
 
 use crate::simulate::scene::bench::Bench;
@@ -29,13 +32,17 @@ impl Bench<'_> {
             // Where no places are used, they stand in a row.
             #[allow(clippy::cast_precision_loss, reason = "a handful of bodies")]
             let place = placed.as_ref().map_or([own as f64, 0.0, 0.0], |placed| placed[own]);
-            let velocity = measure::velocity(self.values, body)?;
+            let velocity = if stage.at_rest { ZERO } else { measure::velocity(self.values, body)? };
             particles.push(Particle { place, ..Particle::free(body, self.values.mass(body)?, velocity) });
         }
         let wide = particles.iter().map(|own| size(less(own.place, particles[0].place))).fold(0.0, f64::max);
         let fast = particles.iter().map(|own| size(own.velocity)).fold(0.0, f64::max);
+        if stage.at_rest || stage.during.is_some() {
+            self.displaced(stage, &particles, placed.is_ok())?;
+        }
         if wide == 0.0 || fast == 0.0 {
-            return Err(NothingToSimulate::ValueMissing);
+            // Nothing is turned or carried along by bodies that stand still.
+            return if stage.at_rest { Ok(()) } else { Err(NothingToSimulate::ValueMissing) };
         }
         let masses: Vec<f64> = particles.iter().filter_map(|own| own.mass).collect();
         let lightest = masses.iter().copied().fold(f64::INFINITY, f64::min);
@@ -83,6 +90,51 @@ impl Bench<'_> {
                     }
                     self.note_sum(&name, moment, wide * scale);
                 }
+            }
+        }
+        Ok(())
+    }
+    /// The centre of mass while the bodies push each other for as long as they do, or for a second.
+    fn displaced(
+        &mut self,
+        stage: &Interact,
+        particles: &[Particle<'_>],
+        placed: bool,
+    ) -> Result<(), NothingToSimulate> {
+        let time = stage.during.as_ref().map_or(Ok(1.0), |term| self.values.term(term))?;
+        let mut system = System::<{ 6 * MOST }>::new(self.values.frame(), particles.to_vec());
+        let lightest = particles.iter().filter_map(|own| own.mass).fold(f64::INFINITY, f64::min);
+        for (first, axis) in
+            (1..particles.len()).flat_map(|own| self.values.axes().into_iter().map(move |axis| (own, axis)))
+        {
+            let lines = vec![(first, unit(axis)), (first - 1, times(-1.0, unit(axis)))];
+            #[allow(clippy::cast_precision_loss, reason = "a handful of bodies")]
+            let strength = lightest * first as f64 / (time * time);
+            system.forces.push(Force::in_time(lines, Arc::new(move |now| strength * libm::sin(PI * now / time))));
+        }
+        let integrator = self.integrator(time / 8.0);
+        let end = self.try_out(&system, integrator, &Until::Time(time))?.state;
+        let whole: f64 = particles.iter().filter_map(|own| own.mass).sum();
+        let mean = |of: &dyn Fn(usize, &Particle<'_>) -> Vector| {
+            particles.iter().enumerate().fold(ZERO, |all, (own, particle)| {
+                add(all, times(particle.mass.unwrap_or(0.0) / whole, of(own, particle)))
+            })
+        };
+        let [from, to] = [mean(&|_, own| own.place), mean(&|own, _| place(&end, own))];
+        let wide = particles.iter().map(|own| size(own.place)).fold(size(less(to, from)), f64::max);
+        let inside: Vec<&str> = stage.between.iter().flat_map(|body| self.values.scene.members(body)).collect();
+        let all = self.values.scene.bodies.keys().all(|body| inside.contains(&body.as_str()));
+        for axis in self.values.axes() {
+            let letter = self.values.letter(axis);
+            let [before, after] = [1, 2].map(|end| format!("r_G{}{letter}", self.values.index + end));
+            if placed {
+                self.note_sum(&after, part(to, axis), wide);
+            }
+            let start = if placed { Ok(part(from, axis)) } else { self.values.named(&before) };
+            if let Ok(start) = start.map(|start| start + part(less(to, from), axis))
+                && all
+            {
+                self.note(&after, start, wide);
             }
         }
         Ok(())
