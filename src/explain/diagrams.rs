@@ -156,17 +156,20 @@ fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) -> Option<S
             let acting: Vec<String> = impulses.iter().map(|impulse| impulse.called.clone()).collect();
             during(format!("{body} {is} acted on by {}", list(&acting)))
         }
-        (Stage::Strike(_), _) => format!(
-            "During {phrase} the only impulsive forces are that between {body} and the arm and that of the support."
-        ),
+        (Stage::Strike(_), _) => striking(&phrase, &body, &first.called),
         (Stage::Rotate(rotate), [_, _, ..]) => {
-            let held: Vec<String> = rotate.held().into_iter().map(|(body, _)| name(body)).collect();
+            let held: Vec<String> = rotate.turning().into_iter().map(name).collect();
             during(format!("{} are acted on by {}", list(&held), first.called))
         }
         (Stage::Rotate(_) | Stage::Central(_) | Stage::Conical(_) | Stage::Bowl(_) | Stage::Stream(_), _) => {
             during(format!("{body} {is} acted on by {}", first.called))
         }
     })
+}
+
+/// What acts on a body that strikes an arm.
+fn striking(phrase: &str, body: &str, arm: &str) -> String {
+    format!("During {phrase} the only impulsive forces are that between {body} and {arm} and that of the support.")
 }
 
 /// What acts on two bodies that a string connects.

@@ -148,11 +148,18 @@ fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
         Stage::Blow(blow) => format!("{} acts on {}", blow.by, name(&blow.body)),
         Stage::Rotate(rotate) => {
             let held: Vec<String> = rotate.held().into_iter().map(|(body, _)| name(body)).collect();
+            if let Some(rotor) = &rotate.rotor {
+                let with = if held.is_empty() { String::new() } else { format!(", with {} on it", list(&held)) };
+                return format!("{} turns{with}", name(rotor));
+            }
             let [turns, its] = if held.len() > 1 { ["move", "the"] } else { ["moves", "its"] };
             format!("{} {turns} round on {its} arm", list(&held))
         }
         Stage::Moment(_) => "a moment acts on them".to_owned(),
-        Stage::Strike(strike) => format!("{} strikes the arm", name(&strike.body)),
+        Stage::Strike(strike) => {
+            let arm = strike.rotor.as_ref().map_or_else(|| "the arm".to_owned(), |rotor| name(rotor));
+            format!("{} strikes {arm}", name(&strike.body))
+        }
         Stage::Conical(conical) => format!("the cord of {} changes its length", name(&conical.body)),
         Stage::Bowl(bowl) => format!("{} slides round inside the wall", name(&bowl.body)),
         Stage::Interact(interact) => {

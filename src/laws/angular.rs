@@ -9,7 +9,7 @@ use super::wrong;
 pub const ANGULAR_MOMENTUM: Law = Law {
     id: "angular-momentum",
     name: "the definition of angular momentum",
-    statement: "The angular momentum of a particle about a fixed point is the moment of its momentum: perpendicular distance times momentum. That of a system is the sum over its particles.",
+    statement: "The angular momentum of a particle about a fixed point is the moment of its momentum: perpendicular distance times momentum. That of a system is the sum over its particles. A body that turns about a fixed axis has its moment of inertia times its angular velocity.",
     signs: "In a plane, the sense from x towards y is positive; in space, the right-hand rule holds for each axis.",
     when: "About a fixed point, or about the centre of mass.",
     source: "Definition, H = r x m v.",

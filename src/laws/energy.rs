@@ -10,7 +10,7 @@ use super::wrong;
 pub const KINETIC: Law = Law {
     id: "kinetic-energy",
     name: "the definition of kinetic energy",
-    statement: "The kinetic energy of a body is half its mass times its speed squared; that of a system is the sum over its bodies.",
+    statement: "The kinetic energy of a body is half its mass times its speed squared; that of a system is the sum over its bodies. Of a body that turns about a fixed axis, it is half its moment of inertia times the square of its angular velocity.",
     signs: "Never negative, whatever the direction of motion.",
     when: "Always.",
     source: "Definition.",

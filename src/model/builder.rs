@@ -72,6 +72,8 @@ pub struct Builder<'s> {
     pub(super) slopes: Vec<Slope>,
     /// How long each stage lasts, where that is used.
     pub(super) lasting: Vec<Option<Expr>>,
+    /// The angular impulse of each moment that stays the same: stage, centre, axis, value.
+    pub(super) turned: Vec<(usize, String, Option<String>, Expr)>,
     pub(super) literals: Vec<(Symbol, Quantity)>,
     pub(super) frames: Vec<Option<Frame>>,
     /// The components along the axes from which a direction follows.
@@ -116,6 +118,7 @@ impl<'s> Builder<'s> {
             flowing: Vec::new(),
             slopes: Vec::new(),
             lasting: vec![None; scene.stages.len()],
+            turned: Vec::new(),
             literals: Vec::new(),
             frames: vec![None; scene.stages.len()],
             directions: BTreeMap::new(),

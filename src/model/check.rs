@@ -17,6 +17,7 @@ use super::QuantityKind;
 use super::VectorName;
 use super::name::MASS_CENTRE;
 use super::stage::Description;
+use super::stage::ROTOR;
 use super::stage::is_height_of_a_bounce;
 use super::timeline::Timeline;
 
@@ -95,6 +96,10 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
             if timeline.since(name, index + 1).is_none() {
                 let path = key.map_or_else(|| at.clone(), |key| at.key(key));
                 faults.push(unknown("body", name, &timeline.alive(index + 1)).at_path(path));
+            } else if key != Some(ROTOR) && scene.bodies.get(name).is_some_and(|body| body.inertia.is_some()) {
+                let message = format!("{} has a moment of inertia and is no particle", scene.called(name));
+                let help = "name it as the `rotor` of a `rotate` or a `strike`, or remove its `inertia`";
+                faults.push(Fault::new(Code::Value, message).help(help).at_path(at.clone()));
             }
         }
         faults.extend(match stage {

@@ -22,6 +22,7 @@ mod place;
 mod quantity_kind;
 mod read;
 mod reason;
+mod rotor;
 mod space;
 mod stage;
 mod strength;

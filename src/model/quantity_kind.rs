@@ -161,6 +161,7 @@ const READ: &[QuantityKind] = &[
     QuantityKind::Time,
     QuantityKind::Momentum,
     QuantityKind::Impulse,
+    QuantityKind::AngularImpulse,
     QuantityKind::TimeIntegral,
     QuantityKind::Force,
     QuantityKind::Weight,

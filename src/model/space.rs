@@ -10,6 +10,7 @@ use crate::scene::Stage;
 use super::check::unknown;
 use super::read::moving_point;
 use super::stage::Description;
+use super::stage::ROTOR;
 use super::timeline::Timeline;
 
 /// What a scene says of places and directions that its axes do not allow.
@@ -57,13 +58,21 @@ pub(super) fn turning(scene: &Scene, timeline: &Timeline, stage: &Stage, at: Pat
     if let Some(point) = about {
         faults.extend(not_fixed(scene, timeline, stage, point).map(|fault| fault.at_path(at.key("about"))));
     }
+    for (body, key) in &bodies {
+        let inertia = scene.bodies.get(*body).is_some_and(|own| own.inertia.is_some());
+        if *key == Some(ROTOR) && !inertia && scene.bodies.contains_key(*body) {
+            let fault = Fault::new(Code::MissingKey, format!("{} has no moment of inertia", scene.called(body)));
+            let help = format!("write `{body}: {{ name: ..., inertia: I }}` under `bodies`");
+            faults.push(fault.help(help).at_path(at.key(ROTOR)));
+        }
+    }
     if !wanted.contains(&axes) {
         faults.push(other_axes(stage, wanted).at_path(at.clone()));
     }
     let held = !bodies.is_empty() || matches!(stage, Stage::Moment(_));
     if !held {
         let fault = Fault::new(Code::MissingKey, "no body takes part in this stage");
-        faults.push(fault.help("write `body: A` with `arm: L`, or `bodies: { A: L, B: L/2 }`").at_path(at));
+        faults.push(fault.help("write `body: A` with `arm: L`, `bodies: { A: L, B: L/2 }`, or `rotor: R`").at_path(at));
     }
     faults
 }

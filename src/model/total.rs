@@ -31,7 +31,8 @@ impl Builder<'_> {
     }
 
     fn kinetic_around(&mut self, body: &str, mover: &str, stage: usize, instant: usize) -> Expr {
-        if self.axes.is_empty() {
+        let turns = self.scene.bodies.get(body).is_some_and(|own| own.inertia.is_some());
+        if self.axes.is_empty() || turns {
             return self.kinetic_term(body, instant);
         }
         let mass = self.mass(body);
@@ -76,6 +77,12 @@ impl Builder<'_> {
                 let path = crate::fault::Path::root();
                 let mut terms = Vec::new();
                 for (body, _) in movers {
+                    if strike.rotor.as_deref() == Some(body.as_str()) {
+                        let centre = self.point(about);
+                        let turn = self.turn_of_arm(&centre, instant);
+                        terms.extend(self.momentum_of_rotor(Some(&body), &turn));
+                        continue;
+                    }
                     let distance = if body == strike.body { &strike.at } else { strike.carries.get(&body)? };
                     let distance = self.read(distance, crate::quantity::Dimension::LENGTH, "", &path);
                     terms.push(Expr::product([self.mass(&body), distance, self.transverse(&body, instant)]));

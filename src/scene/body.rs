@@ -25,6 +25,10 @@ pub struct Body {
     /// Its mass: a name from `given`, a value or an expression. Default: the name `m_` and the body's short name.
     #[serde(default)]
     pub mass: Option<Term>,
+    /// Its moment of inertia about its axle, where it is no particle but the `rotor` of a stage: a roundabout, a disc, a rod. Write the
+    /// formula if it has one: `m_R*R^2/2`.
+    #[serde(default)]
+    pub inertia: Option<Term>,
     /// What lets it move along one direction only: the rails under a wedge, the floor under a gun, the cord of a sphere.
     #[serde(default)]
     pub guide: Option<Guide>,

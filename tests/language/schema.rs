@@ -51,6 +51,7 @@ const BEYOND_A_SCHEMA: &[&str] = &[
     "yes_for_a_value",
     "incline_without_a_side",
     "rest_of_guided_bodies",
+    "rotor_",
     "height_without_a_drop",
     "over_a_distance",
     "spring_without_a_body",

@@ -4,6 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 use std::f64::consts::PI;
 use std::f64::consts::TAU;
 
+use crate::expr::Math;
 use crate::expr::name_math;
 use crate::figure::AngularImpulse;
 use crate::figure::Arm;
@@ -62,12 +63,17 @@ pub(super) fn sheet(quantities: &Quantities<'_>, stage: &Rotate) -> Drawing {
     let mut turns: Vec<(Moment, Role)> = turning(quantities, 1).into_iter().collect();
     let acts = stage.moment.as_ref().and_then(|strength| moment(quantities, strength));
     turns.extend(acts.map(|own| (own, Role::Force)));
-    situation(quantities, &held(stage), &stage.about, turns)
+    situation(quantities, &held(stage), (&stage.about, stage.rotor.as_deref()), turns)
 }
 
 /// A body that comes to an arm.
 pub(super) fn strike_sheet(quantities: &Quantities<'_>, stage: &Strike) -> Drawing {
-    situation(quantities, &struck(stage), &stage.about, turning(quantities, 1).into_iter().collect())
+    situation(
+        quantities,
+        &struck(stage),
+        (&stage.about, stage.rotor.as_deref()),
+        turning(quantities, 1).into_iter().collect(),
+    )
 }
 
 /// The angular velocity at an instant, where it may be shown.
@@ -77,7 +83,12 @@ fn turning(quantities: &Quantities<'_>, instant: usize) -> Option<(Moment, Role)
     Some((Moment { label: name_math(&name), value }, Role::Velocity))
 }
 
-fn situation(quantities: &Quantities<'_>, all: &[Carried<'_>], about: &str, turns: Vec<(Moment, Role)>) -> Drawing {
+fn situation(
+    quantities: &Quantities<'_>,
+    all: &[Carried<'_>],
+    (about, rotor): (&str, Option<&str>),
+    turns: Vec<(Moment, Role)>,
+) -> Drawing {
     let particles = all.iter().map(|own| {
         let name = quantities.velocity_name(own.body, 1);
         let shown = quantities.named(&name).filter(|_| own.strikes || turns.is_empty());
@@ -85,7 +96,7 @@ fn situation(quantities: &Quantities<'_>, all: &[Carried<'_>], about: &str, turn
         on_arm(quantities, own, 0, vectors.into_iter().collect())
     });
     let particles: Vec<OnArm> = particles.collect();
-    let (names, centre) = (names(quantities, all), quantities.point(about));
+    let (names, centre) = (names(quantities, all, rotor), quantities.point(about));
     let arcs = turns.iter().map(|(turn, role)| {
         let sense = if turn.value < 0.0 { "clockwise" } else { "counter-clockwise" };
         let what = if *role == Role::Force { "the moment" } else { "the angular velocity" };
@@ -122,33 +133,40 @@ fn on_arm(quantities: &Quantities<'_>, own: &Carried<'_>, side: usize, vectors: 
     }
 }
 
-fn names(quantities: &Quantities<'_>, all: &[Carried<'_>]) -> String {
-    list(&all.iter().map(|own| quantities.called(own.body)).collect::<Vec<_>>())
+fn names(quantities: &Quantities<'_>, all: &[Carried<'_>], rotor: Option<&str>) -> String {
+    list(&all.iter().map(|own| own.body).chain(rotor).map(|body| quantities.called(body)).collect::<Vec<_>>())
 }
 
 /// The diagram of several bodies on an arm.
 pub(super) fn rotation(quantities: &Quantities<'_>, index: usize, stage: &Rotate) -> Option<Drawing> {
     let all = held(stage);
-    let (before, first) = arm(quantities, index, &all, &stage.about, (0, None))?;
+    let rotor = stage.rotor.as_deref();
+    let (before, first) = arm(quantities, index, &all, (&stage.about, rotor), (0, None))?;
     // What nobody asks for may not be solved: without a moment it follows.
     let resists = |own: &Carried<'_>| {
         let distance = quantities.evaluate(&quantities.term(own.distances[1])?)?;
         Some(quantities.mass(own.body)? * distance * distance)
     };
-    let whole: Option<f64> = all.iter().map(resists).sum();
+    let carried: Option<f64> = all.iter().map(resists).sum();
+    let inertia = match rotor {
+        Some(rotor) => inertia(quantities, rotor).map(|(_, value)| value),
+        None => Some(0.0),
+    };
+    let whole = carried.zip(inertia).map(|(carried, inertia)| carried + inertia);
     let turn = whole.filter(|_| stage.moment.is_none()).map(|whole| first / whole);
-    let (after, last) = arm(quantities, index, &all, &stage.about, (1, turn))?;
+    let (after, last) = arm(quantities, index, &all, (&stage.about, rotor), (1, turn))?;
     let gained = if stage.moment.is_some() { last - first } else { 0.0 };
     let impulse = AngularImpulse { label: moment_impulse(quantities, index, stage), value: Some(gained) };
-    Some(diagram(quantities, index, [before, after], impulse, (&all, &stage.about)))
+    Some(diagram(quantities, index, [before, after], impulse, (&all, &stage.about, rotor)))
 }
 
 /// The diagram of a body that strikes an arm.
 pub(super) fn strike(quantities: &Quantities<'_>, index: usize, stage: &Strike) -> Option<Drawing> {
     let all = struck(stage);
-    let [before, after] = [0, 1].map(|side| arm(quantities, index, &all, &stage.about, (side, None)));
+    let rotor = stage.rotor.as_deref();
+    let [before, after] = [0, 1].map(|side| arm(quantities, index, &all, (&stage.about, rotor), (side, None)));
     let impulse = AngularImpulse { label: nothing(&stage.about), value: Some(0.0) };
-    Some(diagram(quantities, index, [before?.0, after?.0], impulse, (&all, &stage.about)))
+    Some(diagram(quantities, index, [before?.0, after?.0], impulse, (&all, &stage.about, rotor)))
 }
 
 /// The arm at one end with the momenta of what it carries, and their moment about the centre; with an angular velocity for
@@ -157,7 +175,7 @@ fn arm(
     quantities: &Quantities<'_>,
     index: usize,
     all: &[Carried<'_>],
-    about: &str,
+    (about, rotor): (&str, Option<&str>),
     (side, turn): (usize, Option<f64>),
 ) -> Option<(Arm, f64)> {
     let mut moment = 0.0;
@@ -172,7 +190,23 @@ fn arm(
         let vector = LabelledVector::known(label, across(own, momentum));
         particles.push(on_arm(quantities, own, side, vec![Moving::momentum(vector)]));
     }
-    Some((Arm { centre: body_math(about), particles, turns: Vec::new() }, moment))
+    let mut turns = Vec::new();
+    if let Some(rotor) = rotor {
+        let (label, inertia) = inertia(quantities, rotor)?;
+        let name = format!("omega_{}", index + 1 + side);
+        let own = inertia * quantities.named(&name).or(turn)?;
+        moment += own;
+        if own != 0.0 {
+            turns.push((Moment { label: product([label, name_math(&name)]), value: own }, Role::Momentum));
+        }
+    }
+    Some((Arm { centre: body_math(about), particles, turns }, moment))
+}
+
+/// The moment of inertia of what carries the particles, as it is written and in numbers.
+fn inertia(quantities: &Quantities<'_>, rotor: &str) -> Option<(Math, f64)> {
+    let term = quantities.term(quantities.scene().bodies.get(rotor)?.inertia.as_ref()?)?;
+    Some((quantities.symbolic(&term), quantities.evaluate(&term)?))
 }
 
 fn diagram(
@@ -180,9 +214,9 @@ fn diagram(
     index: usize,
     [before, after]: [Arm; 2],
     impulse: AngularImpulse,
-    (all, about): (&[Carried<'_>], &str),
+    (all, about, rotor): (&[Carried<'_>], &str, Option<&str>),
 ) -> Drawing {
-    let (names, centre) = (names(quantities, all), quantities.point(about));
+    let (names, centre) = (names(quantities, all, rotor), quantities.point(about));
     let phrase = quantities.model().phrase(quantities.scene(), index);
     let change = match impulse.value {
         Some(0.0) => "no angular impulse acts about it",
@@ -190,16 +224,25 @@ fn diagram(
         _ => "the angular impulse about it acts counter-clockwise",
     };
     let momenta = |arm: &Arm| {
-        let each = arm.particles.iter().flat_map(|own| &own.body.vectors);
-        list(&each.map(|moving| moving.vector.label.plain()).collect::<Vec<_>>())
+        let each = arm.particles.iter().flat_map(|own| &own.body.vectors).map(|moving| &moving.vector.label);
+        let turning = arm.turns.iter().map(|(own, _)| &own.label);
+        list(&each.chain(turning).map(Math::plain).collect::<Vec<_>>())
     };
+    let turning = |when: &str, arm: &Arm| match momenta(arm) {
+        all if all.is_empty() => format!("{when}, nothing turns about {centre}"),
+        all => format!("{when}, there is {all} of {names} about {centre}"),
+    };
+    let ends = match rotor {
+        Some(_) => [turning("before", &before), turning("after", &after)],
+        None => [
+            format!("before, {names} have the momenta {} at right angles to the arm about {centre}", momenta(&before)),
+            format!("after, they have {}", momenta(&after)),
+        ],
+    };
+    let [first, last] = ends;
     let wording = Wording {
         title: format!("Angular impulse-momentum diagram of {phrase}"),
-        description: sentences([
-            format!("before, {names} have the momenta {} at right angles to the arm about {centre}", momenta(&before)),
-            change.to_owned(),
-            format!("after, they have {}", momenta(&after)),
-        ]),
+        description: sentences([first, change.to_owned(), last]),
         caption: sentences([format!(
             "about {centre}: angular momentum before + angular impulse = angular momentum after, for {names}"
         )]),

@@ -42,7 +42,7 @@ pub(super) fn solution(worked: Worked<'_>) -> Vec<Drawing> {
         return snapshot::drawing(&quantities, compass).into_iter().collect();
     }
     let drawings = stages.iter().enumerate().flat_map(|(index, stage)| match stage {
-        Stage::Rotate(rotate) if rotate.held().len() > 1 => vec![arm::rotation(&quantities, index, rotate)],
+        Stage::Rotate(rotate) if rotate.is_arm() => vec![arm::rotation(&quantities, index, rotate)],
         Stage::Rotate(rotate) => vec![angular::rotation(&quantities, index, rotate)],
         Stage::Strike(strike) => vec![arm::strike(&quantities, index, strike)],
         Stage::Conical(conical) => vec![Some(angular::conical(&quantities, index, conical))],

@@ -97,6 +97,14 @@ pub const FACTORS_EXCHANGED: Misconception = Misconception {
     hint: "The order decides the sign: the position vector comes first. Check it with the right-hand rule.",
 };
 
+/// What carries the bodies counted as light.
+pub const ROTOR_FORGOTTEN: Misconception = Misconception {
+    id: "moment-of-inertia-forgotten",
+    does: "leaves out the angular momentum of what carries the bodies",
+    ask: "What turns together with the bodies, and is it light?",
+    hint: "A body that turns has an angular momentum of its own: its moment of inertia times its angular velocity.",
+};
+
 /// Wrong forms of angular momentum.
 pub const ANGULAR_MOMENTUM: &[WrongForm] = &[
     WrongForm { of: &RADIUS_FORGOTTEN, write: radius_forgotten },
@@ -104,6 +112,7 @@ pub const ANGULAR_MOMENTUM: &[WrongForm] = &[
     WrongForm { of: &MOMENTS_ADDED, write: |law| moment(law, |[x, y], [u, v]| x * v + y * u) },
     WrongForm { of: &ARMS_EXCHANGED, write: |law| moment(law, |[x, y], [u, v]| x * u - y * v) },
     WrongForm { of: &FACTORS_EXCHANGED, write: reversed },
+    WrongForm { of: &ROTOR_FORGOTTEN, write: rotor_forgotten },
 ];
 /// Wrong forms of the moment of a force.
 pub const MOMENT: &[WrongForm] = &[
@@ -138,6 +147,14 @@ pub const CENTRAL: &[WrongForm] = &[
 /// Wrong forms of the areal rate.
 pub const AREAL: &[WrongForm] =
     &[WrongForm { of: &HALF, write: |law| one((law.left(), Expr::integer(2) * law.right())) }];
+
+/// The terms of moments of inertia left out: those with an angular velocity of their own.
+fn rotor_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
+    let all = terms(&law.sides.1);
+    let turns = Dimension::new(0, 0, -1);
+    let rest: Vec<Expr> = all.iter().filter(|term| !law.has(term, turns)).cloned().collect();
+    if rest.is_empty() || rest.len() == all.len() { Vec::new() } else { one((law.left(), Expr::sum(rest))) }
+}
 
 fn radius_forgotten(law: &Taught<'_>) -> Vec<Wrong> {
     let parts = factors(&law.sides.1);
@@ -182,6 +199,10 @@ fn distance([x, y]: [Expr; 2], [u, v]: [Expr; 2]) -> Expr {
 fn arms(law: &Taught<'_>, power: i64) -> Vec<Wrong> {
     let arm = |momentum: &Expr| {
         let own = law.beside("angular-momentum").find(|sides| sides.0 == *momentum)?;
+        // Of several bodies each has a distance of its own.
+        if matches!(own.1, Expr::Sum(_)) {
+            return None;
+        }
         factors(&own.1).into_iter().find(|factor| law.has(factor, Dimension::LENGTH))
     };
     let [before] = &terms(&law.sides.0)[..] else { return Vec::new() };

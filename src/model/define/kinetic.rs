@@ -113,6 +113,9 @@ impl Builder<'_> {
 
     /// The kinetic energy of a body as a term in its velocity.
     pub(in crate::model) fn kinetic_term(&mut self, body: &str, instant: usize) -> Expr {
+        if let Some(turning) = self.kinetic_of_rotor(body, instant) {
+            return turning;
+        }
         let mass = self.mass(body);
         if self.axes.is_empty() {
             let speed = self.quantity(Name::of(QuantityKind::Speed, body).at(instant));

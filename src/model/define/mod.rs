@@ -28,6 +28,7 @@ use super::QuantityKind;
 use super::VectorKind;
 use super::VectorName;
 use super::builder::SECOND_COST;
+use super::stage::angular_impulse_by_name;
 use super::stage::height_of_a_bounce;
 use angular::angular_momentum;
 use angular::moment_of_forces;
@@ -77,6 +78,7 @@ const DEFINITIONS: &[(QuantityKind, Define)] = &[
     (QuantityKind::Weight, weight),
     (QuantityKind::Mass, total_mass),
     (QuantityKind::Height, height_of_a_bounce),
+    (QuantityKind::AngularImpulse, angular_impulse_by_name),
 ];
 
 impl Builder<'_> {

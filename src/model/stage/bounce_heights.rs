@@ -23,9 +23,9 @@ pub(super) fn is_dropped(scene: &Scene, index: usize, stage: &Bounces) -> bool {
 /// The bounces of which `h_1` is a height; none where the heights are not those of one drop.
 fn of_heights(scene: &Scene) -> Option<(usize, &Bounces)> {
     let all = scene.stages.iter().enumerate();
-    let mut dropped = all.filter_map(|(index, stage)| match stage {
-        Stage::Bounces(own) if is_dropped(scene, index, own) => Some((index, own)),
-        _ => None,
+    let mut dropped = all.filter_map(|(index, stage)| {
+        let Stage::Bounces(own) = stage else { return None };
+        is_dropped(scene, index, own).then_some((index, own))
     });
     let only = dropped.next()?;
     dropped.next().is_none().then_some(only)

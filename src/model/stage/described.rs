@@ -10,6 +10,9 @@ use crate::scene::stage::Partners;
 /// A body that a stage names, and the key under which it does; none where that is the stage itself.
 type Named<'a> = (&'a str, Option<&'static str>);
 
+/// The key under which a stage names a body that turns about its point.
+pub(in crate::model) const ROTOR: &str = "rotor";
+
 /// A stage as the rest of the room sees it.
 pub(in crate::model) struct Description<'a> {
     /// What it is called.
@@ -101,7 +104,12 @@ impl<'a> Description<'a> {
             },
             Stage::Blow(own) => Self { bodies: alone(&own.body), fills_space: true, ..Self::sudden("blow") },
             Stage::Rotate(own) => Self {
-                bodies: own.held().into_iter().map(|(body, _)| (body, None)).collect(),
+                bodies: own
+                    .held()
+                    .into_iter()
+                    .map(|(body, _)| (body, None))
+                    .chain(own.rotor.iter().map(|rotor| (rotor.as_str(), Some(ROTOR))))
+                    .collect(),
                 about: Some(&own.about),
                 axes: &[1],
                 ..Self::lasting("motion")
@@ -115,7 +123,13 @@ impl<'a> Description<'a> {
                 ..Self::lasting("turning")
             },
             Stage::Strike(own) => Self {
-                bodies: own.carries.keys().chain([&own.body]).map(|body| (body.as_str(), None)).collect(),
+                bodies: own
+                    .carries
+                    .keys()
+                    .chain([&own.body])
+                    .map(|body| (body.as_str(), None))
+                    .chain(own.rotor.iter().map(|rotor| (rotor.as_str(), Some(ROTOR))))
+                    .collect(),
                 about: Some(&own.about),
                 axes: &[1],
                 ..Self::sudden("impact")

@@ -40,8 +40,10 @@ mod walk;
 pub(in crate::model) use bounce_heights::height_of_a_bounce;
 pub(in crate::model) use bounce_heights::is_height_of_a_bounce;
 pub(in crate::model) use described::Description;
+pub(in crate::model) use described::ROTOR;
 pub(in crate::model) use described::Span;
 pub(in crate::model) use push::Pushed;
+pub(in crate::model) use rotate::angular_impulse_by_name;
 
 use crate::fault::Path;
 use crate::scene::Stage;

@@ -1,6 +1,7 @@
 //! Particles on an arm: angular impulse and momentum about a fixed point.
 
 use crate::expr::Expr;
+use crate::expr::Symbol;
 use crate::fault::Path;
 use crate::laws::angular;
 use crate::laws::geometry;
@@ -38,22 +39,26 @@ impl Builder<'_> {
             self.told_throughout("the moment", moment, &end);
             gained = Some(self.angular_impulse(index, (&centre, None), moment, &start, &end));
         }
-        let because = match (&gained, &held[..]) {
-            (Some(_), [_]) => {
+        let lone = held.first().filter(|_| !stage.is_arm());
+        let because = match (&gained, lone) {
+            (Some(_), Some(_)) => {
                 format!(
                     "the force of the arm passes through {centre}, and only the moment changes the angular momentum"
                 )
             }
-            (Some(_), _) => {
+            (Some(_), None) => {
                 format!(
                     "the force at {centre} has no moment about it, and only the moment changes the angular momentum"
                 )
             }
-            (None, [(body, _)]) => {
+            (None, Some((body, _))) => {
                 let name = self.called(body);
                 format!("the only force on {name} in the plane passes through {centre} and has no moment about it")
             }
-            (None, _) => {
+            (None, None) if stage.rotor.is_some() => {
+                format!("the force at {centre} has no moment about it, and the other forces act within the system")
+            }
+            (None, None) => {
                 format!("the force at {centre} has no moment about it, and the forces along the arm have none")
             }
         };
@@ -62,12 +67,16 @@ impl Builder<'_> {
         self.law(&angular::ANGULAR_IMPULSE, Some(index), because, (start, after));
         let changing = held.iter().any(|(_, arm)| matches!(arm, Arm::Changing(_)));
         self.arm_acts(index, stage, &held, moment.as_ref(), path);
-        for (body, _) in &held {
+        for body in stage.turning() {
             self.impulses.push(Impulse {
                 stage: index,
-                on: (*body).to_owned(),
+                on: body.to_owned(),
                 by: Agent::Outside,
                 called: match (&moment, changing) {
+                    (Some(_), _) if stage.rotor.is_some() => {
+                        format!("the force at {centre} and the moment about it")
+                    }
+                    (None, _) if stage.rotor.is_some() => format!("the force at {centre}"),
                     (Some(_), _) => format!("the force of the arm and the moment about {centre}"),
                     (None, false) => "the force of the arm".into(),
                     (None, true) => format!("the force towards {centre}"),
@@ -75,16 +84,24 @@ impl Builder<'_> {
                 components: Vec::new(),
                 impulsive: false,
             });
-            let name = self.called(body);
-            self.neglect(format!("the mass of what holds {name}"), "it is light");
+            if stage.rotor.is_none() {
+                let name = self.called(body);
+                self.neglect(format!("the mass of what holds {name}"), "it is light");
+            }
         }
     }
 
     /// The force of the arm, which does work where the distances change; between several bodies it acts like one on another.
     fn arm_acts(&mut self, index: usize, stage: &Rotate, held: &[(&str, &Arm)], moment: Option<&Expr>, path: &Path) {
         let centre = self.point(&stage.about);
+        if let Some(rotor) = &stage.rotor {
+            self.acts(
+                Influence::outside(index, rotor, format!("the force at {centre}")).workless().through(&stage.about),
+            );
+            self.turned_by(index, rotor, &centre, moment);
+        }
         for (body, arm) in held {
-            let others: Vec<&str> = held.iter().map(|(other, _)| *other).filter(|other| other != body).collect();
+            let others: Vec<&str> = stage.turning().into_iter().filter(|other| other != body).collect();
             let called = match arm {
                 Arm::Constant(_) => "the force of the arm".to_owned(),
                 Arm::Changing(_) => format!("the force towards {centre}"),
@@ -103,12 +120,18 @@ impl Builder<'_> {
                 let between = Influence::outside(index, body, "the arm").by(&others);
                 self.acts(Influence { work: Work::OfForce, ..between });
             }
-            if let Some(moment) = moment {
-                let called = format!("the moment about {centre}");
-                let turning = Influence::outside(index, body, called).moment(vec![moment.clone()]);
-                self.acts(turning.works(Effect::Of(moment.clone()), "the moment does work as the arm turns"));
+            if stage.rotor.is_none() {
+                self.turned_by(index, body, &centre, moment);
             }
         }
+    }
+
+    /// The moment on what turns.
+    fn turned_by(&mut self, index: usize, body: &str, centre: &str, moment: Option<&Expr>) {
+        let Some(moment) = moment else { return };
+        let called = format!("the moment about {centre}");
+        let turning = Influence::outside(index, body, called).moment(vec![moment.clone()]);
+        self.acts(turning.works(Effect::Of(moment.clone()), "the moment does work as the arm turns"));
     }
 
     /// The angular momentum of all that is held, at the start (0) or at the end (1).
@@ -128,7 +151,7 @@ impl Builder<'_> {
             let meaning = format!("the distance of {name} from {centre} {}", self.when(instant));
             let arm = self.read_positive(arm.ends()[side], Dimension::LENGTH, &meaning, &path);
             let turn = match held {
-                [_] => {
+                [_] if !stage.is_arm() => {
                     let meaning = format!("the angular velocity of {name} about {centre} {}", self.when(instant));
                     self.symbol(Name::of(QuantityKind::AngularVelocity, body).at(instant), meaning).into()
                 }
@@ -137,11 +160,17 @@ impl Builder<'_> {
             terms.push(self.on_arm(index, body, instant, &arm, &turn));
             self.towards_the_centre(index, [body, &centre], instant, &arm);
         }
+        if stage.rotor.is_some() {
+            let turn = self.turn_of_arm(&centre, instant);
+            terms.extend(self.momentum_of_rotor(stage.rotor.as_deref(), &turn));
+        }
         let meaning = format!("the angular momentum about {centre} {}", self.when(instant));
         let momentum =
             Expr::from(self.symbol(Name::of(QuantityKind::AngularMomentum, &stage.about).at(instant), meaning));
-        let because = match held {
-            [(body, _)] => format!("{} moves at right angles to the radius", self.called(body)),
+        let because = match (held, &stage.rotor) {
+            ([], Some(rotor)) => format!("{} turns about {centre}", self.called(rotor)),
+            (_, Some(rotor)) => format!("all turn together with {}", self.called(rotor)),
+            ([(body, _)], None) => format!("{} moves at right angles to the radius", self.called(body)),
             _ => "all move at right angles to the arm".to_owned(),
         };
         self.law(&angular::ANGULAR_MOMENTUM, Some(index), because, (momentum.clone(), Expr::sum(terms)));
@@ -199,11 +228,11 @@ impl Builder<'_> {
     ) -> Expr {
         let clock = self.running_time();
         if !moment.contains(clock) {
-            return moment.clone() * (end.clone() - start.clone());
+            let value = moment.clone() * (end.clone() - start.clone());
+            self.turned.push((index, centre.to_owned(), letter.map(str::to_owned), value.clone()));
+            return value;
         }
-        let name = self.in_stage(QuantityKind::AngularImpulse, "", index).along(letter);
-        let meaning = Meaning { noun: "the angular impulse", of: format!("about {centre}") };
-        let symbol = self.component(name, meaning);
+        let symbol = self.named_angular_impulse(index, (centre, letter));
         match moment.definite(clock, start, end) {
             Some(value) => {
                 let integral =
@@ -217,4 +246,23 @@ impl Builder<'_> {
         }
         symbol.into()
     }
+    fn named_angular_impulse(&mut self, index: usize, (centre, letter): (&str, Option<&str>)) -> Symbol {
+        let name = self.in_stage(QuantityKind::AngularImpulse, "", index).along(letter);
+        let meaning = Meaning { noun: "the angular impulse", of: format!("about {centre}") };
+        self.component(name, meaning)
+    }
+}
+
+/// The angular impulse of a moment that stays the same, where somebody asks for it.
+pub(in crate::model) fn angular_impulse_by_name(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
+    let meant = |index: usize| name.stage.is_none() || builder.stage_label(index) == name.stage;
+    let mut all = builder.turned.iter().filter(|own| meant(own.0) && own.2 == name.component);
+    let (index, centre, letter, value) = all.next().cloned()?;
+    if all.next().is_some() || !name.subject.is_empty() {
+        return None;
+    }
+    let symbol = builder.named_angular_impulse(index, (&centre, letter.as_deref()));
+    let because = "the moment stays the same";
+    builder.law(&angular::MOMENT_IMPULSE, Some(index), because, (symbol.into(), value));
+    Some(symbol)
 }

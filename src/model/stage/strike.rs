@@ -35,6 +35,7 @@ impl Builder<'_> {
                     self.read_positive(term, Dimension::LENGTH, &meaning, &path.key("carries").key(carried.as_str()));
                 terms.push(self.on_arm(index, carried, instant, &arm, &turn));
             }
+            terms.extend(self.momentum_of_rotor(stage.rotor.as_deref(), &turn));
             let meaning = format!("the angular momentum about {centre} {}", self.when(instant));
             let momentum =
                 Expr::from(self.symbol(Name::of(QuantityKind::AngularMomentum, &stage.about).at(instant), meaning));
@@ -43,8 +44,9 @@ impl Builder<'_> {
             momenta.push(momentum);
             contact.push([velocity, distance.clone() * turn]);
         }
+        let arm = self.struck(stage);
         let because = format!(
-            "the impulse at {centre} has no moment about it, and that between {name} and the arm acts within the system"
+            "the impulse at {centre} has no moment about it, and that between {name} and {arm} acts within the system"
         );
         if let [before, after] = &momenta[..] {
             self.law(&angular::CONSERVATION, Some(index), because, (before.clone(), after.clone()));
@@ -56,18 +58,25 @@ impl Builder<'_> {
             stage: index,
             on: body.to_owned(),
             by: Agent::Outside,
-            called: "the arm".into(),
+            called: arm,
             components: Vec::new(),
             impulsive: true,
         });
-        self.neglect("the mass of the arm", "it is light");
+        if stage.rotor.is_none() {
+            self.neglect("the mass of the arm", "it is light");
+        }
         self.not_needed(format!("the impulse at {centre}"), "it has no moment about that point");
+    }
+
+    /// What is struck, as it is called.
+    fn struck(&self, stage: &Strike) -> String {
+        stage.rotor.as_ref().map_or_else(|| "the arm".to_owned(), |rotor| self.called(rotor))
     }
 
     /// How the body and the place that it strikes part: `v` of the body, `w` of the place, before and after.
     fn parting(&mut self, index: usize, stage: &Strike, [[v1, w1], [v2, w2]]: [[&Expr; 2]; 2], path: &Path) {
-        let name = self.called(&stage.body);
-        let reason = Reason::NotMet(name.clone(), "the arm".to_owned());
+        let (name, arm) = (self.called(&stage.body), self.struck(stage));
+        let reason = Reason::NotMet(name.clone(), arm.clone());
         self.require(v1.clone(), Relation::Differs, w1.clone(), reason);
         match (&stage.restitution, stage.plastic) {
             (Some(_), true) => {
@@ -81,12 +90,12 @@ impl Builder<'_> {
                 self.law(&restitution::RESTITUTION, Some(index), because, sides);
             }
             (None, true) => {
-                let because = format!("{name} stays on the arm");
+                let because = format!("{name} stays on {arm}");
                 self.law(&restitution::PLASTIC, Some(index), because, (v2.clone(), w2.clone()));
             }
             (None, false) => {
                 let squared = |one: &Expr, other: &Expr| (one.clone() - other.clone()).powi(2);
-                let reason = Reason::LeavesFaster(name, "the arm".to_owned());
+                let reason = Reason::LeavesFaster(name, arm);
                 self.require(squared(v1, w1), Relation::AtLeast, squared(v2, w2), reason);
             }
         }

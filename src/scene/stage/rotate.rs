@@ -22,6 +22,9 @@ pub struct Rotate {
     /// Several particles on one arm that turns as a whole, each with its distance from the point: `{ A: L, B: [r_1, r_2] }`.
     #[serde(default)]
     pub bodies: BTreeMap<String, Arm>,
+    /// A body with a moment of inertia that turns about the point and carries the particles: a roundabout, a disc, a rod.
+    #[serde(default)]
+    pub rotor: Option<String>,
     /// The fixed point.
     pub about: String,
     /// The distance of the one particle from the point: one term, or the distances before and after: `[r_1, r_2]`.
@@ -46,6 +49,18 @@ pub enum Arm {
 }
 
 impl Rotate {
+    /// Whether what turns is an arm with one angular velocity, not one particle on a string.
+    #[must_use]
+    pub fn is_arm(&self) -> bool {
+        self.rotor.is_some() || self.held().len() != 1
+    }
+
+    /// All that turns: the particles, and what carries them where that has a moment of inertia.
+    #[must_use]
+    pub fn turning(&self) -> Vec<&str> {
+        self.held().into_iter().map(|(body, _)| body).chain(self.rotor.as_deref()).collect()
+    }
+
     /// What is held, each body with its distance from the point.
     #[must_use]
     pub fn held(&self) -> Vec<(&str, &Arm)> {

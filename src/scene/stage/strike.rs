@@ -7,7 +7,7 @@ use serde::Deserialize;
 
 use crate::scene::Term;
 
-/// A body strikes a light arm that turns about a fixed point and carries particles.
+/// A body strikes a light arm that turns about a fixed point and carries particles, or a body that turns about it.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Strike {
@@ -20,7 +20,11 @@ pub struct Strike {
     pub at: Term,
     /// The fixed point about which the arm turns.
     pub about: String,
+    /// A body with a moment of inertia that turns about the point, in place of the light arm: a rod, a door, a roundabout.
+    #[serde(default)]
+    pub rotor: Option<String>,
     /// The particles on the arm, each with its distance from the fixed point: `{ A: L, B: L/2 }`.
+    #[serde(default)]
     pub carries: BTreeMap<String, Term>,
     /// The coefficient of restitution.
     #[serde(default)]

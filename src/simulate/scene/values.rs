@@ -165,6 +165,12 @@ impl Values<'_> {
         if whole > 0.0 { Ok(whole) } else { Err(NothingToSimulate::ValueMissing) }
     }
 
+    /// The moment of inertia of what carries the particles of an arm; none of a light one.
+    pub(super) fn inertia(&self, rotor: Option<&String>) -> Result<f64, NothingToSimulate> {
+        let body = rotor.and_then(|rotor| self.scene.bodies.get(rotor));
+        body.and_then(|own| own.inertia.as_ref()).map_or(Ok(0.0), |term| self.term(term))
+    }
+
     /// The mass of a body whose motion does not depend on it: 1 kg where it is neither given nor solved.
     pub(super) fn any_mass(&self, body: &str) -> f64 {
         self.mass(body).unwrap_or(1.0)

@@ -29,6 +29,9 @@ const PLACE: f64 = 0.5;
 pub(in super::super) fn on_arm(quantities: &Quantities<'_>, rotate: &Rotate) -> Option<Drawing> {
     let held = rotate.held();
     let [(body, arm)] = held[..] else { return Some(arm::sheet(quantities, rotate)) };
+    if rotate.is_arm() {
+        return Some(arm::sheet(quantities, rotate));
+    }
     let (Arm::Constant(arm) | Arm::Changing([arm, _])) = arm;
     let arm = quantities.term(arm).filter(|arm| quantities.evaluate(arm).is_some());
     let radius = arm.map(|arm| quantities.symbolic(&arm));

@@ -22,7 +22,7 @@ const MOST_BOUNCES: u32 = 2_000;
 impl Bench<'_> {
     pub(super) fn bounces(&mut self, stage: &Bounces) -> Result<(), NothingToSimulate> {
         if let Err(missing) = self.values.drop_before(stage) {
-            return self.from_a_known_height(stage).ok_or(missing)?;
+            return self.heights_after_a_known_one(stage).ok_or(missing)?;
         }
         let staged = self.values.bounces(stage)?;
         self.take(&staged)?;
@@ -60,7 +60,7 @@ impl Bench<'_> {
     }
 
     /// Heights after a bounce whose height is known, where nobody says from where the body was dropped.
-    fn from_a_known_height(&mut self, stage: &Bounces) -> Option<Result<(), NothingToSimulate>> {
+    fn heights_after_a_known_one(&mut self, stage: &Bounces) -> Option<Result<(), NothingToSimulate>> {
         let known = |bounce: &u32| self.values.named(&format!("h_{bounce}")).ok();
         let first = (1..=NUMBERED).find(|bounce| known(bounce).is_some())?;
         let mut rise = known(&first)?;

@@ -55,13 +55,20 @@ impl Bench<'_> {
         for (body, arm) in stage.held() {
             let [from, to] = arm.ends();
             // What one particle does alone, without a moment, is the same whatever its mass.
-            let lone = stage.moment.is_none() && stage.bodies.len() < 2;
+            let lone = stage.moment.is_none() && stage.bodies.len() < 2 && stage.rotor.is_none();
             let mass = if lone { self.values.any_mass(body) } else { self.values.mass(body)? };
             held.push(Held { body, mass, ends: [self.values.term(from)?, self.values.term(to)?] });
         }
+        let weighed = held.iter().all(|own| self.values.mass(own.body).is_ok());
         let turning = |own: &Held<'_>| Ok(self.values.velocity_before(own.body, axis)? / own.ends[0]);
         let started = self.values.named(&format!("omega_{first}"));
         let before = held.iter().fold(started, |known, own| known.or_else(|_| turning(own)))?;
+        // What carries the particles is one more, of so much mass that its moment of inertia is the same.
+        if let Some(rotor) = &stage.rotor {
+            let arm = held.first().map_or(1.0, |own| own.ends[0]);
+            let mass = self.values.inertia(Some(rotor))? / (arm * arm);
+            held.push(Held { body: rotor, mass, ends: [arm, arm] });
+        }
         let (moment, changes): (OfTime, Vec<f64>) = match &stage.moment {
             Some(moment) => self.values.strength(moment)?,
             None => (Arc::new(|_| 0.0), Vec::new()),
@@ -102,22 +109,32 @@ impl Bench<'_> {
                 "The positions of the particles on their circles are not given: all are drawn on one side of the centre.",
             );
         }
+        if stage.rotor.is_some() {
+            self.remark("What carries the particles is shown as a particle with the same moment of inertia.");
+        }
         let [_, after, work] = state;
-        let energy: f64 = held.iter().map(|own| own.mass * before * before * own.ends[0] * own.ends[0] / 2.0).sum();
+        let resists = |side: usize| held.iter().map(|own| own.mass * own.ends[side] * own.ends[side]).sum::<f64>();
+        let energy = resists(0) * before * before / 2.0;
         self.note_here("work", work, energy);
+        if stage.moment.is_some() {
+            let (from, to) = (resists(0) * before, resists(1) * after);
+            self.note_here("I_M", to - from, from.abs().max(to.abs()));
+        }
+        let all = self.values.scene.bodies.len() == stage.turning().len();
         for (instant, side, rate) in [(first, 0, before), (first + 1, 1, after)] {
-            let weighed = held.iter().all(|own| self.values.mass(own.body).is_ok());
-            let moments = held.iter().map(|own| own.mass * own.ends[side] * own.ends[side] * rate);
             if weighed {
-                self.note(&format!("H_{}{instant}", stage.about), moments.sum(), 0.0);
+                self.note(&format!("H_{}{instant}", stage.about), resists(side) * rate, 0.0);
+                if all {
+                    self.note(&format!("T_{instant}"), resists(side) * rate * rate / 2.0, 0.0);
+                }
             }
-            let turning = held.first().filter(|_| held.len() == 1).map_or("", |own| own.body);
+            let turning = held.first().filter(|_| !stage.is_arm()).map_or("", |own| own.body);
             self.note(&format!("omega_{turning}{instant}"), rate, before);
-            for own in &held {
+            for own in held.iter().filter(|own| stage.rotor.as_deref() != Some(own.body)) {
                 self.note(&format!("a_{}{instant}.n", own.body), own.ends[side] * rate * rate, 0.0);
             }
         }
-        for own in &held {
+        for own in held.iter().filter(|own| stage.rotor.as_deref() != Some(own.body)) {
             self.note(&self.values.start_name(own.body, axis), own.ends[0] * before, 0.0);
             self.note_velocity(own.body, times(own.ends[1] * after, unit(axis)), own.ends[0] * before);
         }

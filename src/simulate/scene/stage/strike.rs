@@ -23,7 +23,9 @@ impl Bench<'_> {
         })?;
         // By the lever, a particle at another distance from the pivot resists a push at the place that is struck with the
         // square of the ratio of the distances.
-        let resists = carried.iter().map(|(_, mass, arm)| mass * (arm / distance) * (arm / distance)).sum();
+        let inertia = self.values.inertia(stage.rotor.as_ref())?;
+        let resists = inertia / (distance * distance)
+            + carried.iter().map(|(_, mass, arm)| mass * (arm / distance) * (arm / distance)).sum::<f64>();
         let mass = self.values.mass(body)?;
         let speed = self.values.velocity_before(body, axis)?;
         let struck = Particle::free("arm", resists, times(turning * distance, along));
@@ -45,6 +47,10 @@ impl Bench<'_> {
             let mut moment = mass * distance * own;
             let mut size = moment.abs();
             ends[side].push((mass, times(own, along)));
+            // What turns has the energy of its effective mass at the place that is struck.
+            ends[side].push((inertia / (distance * distance), times(turning * distance, along)));
+            moment += inertia * turning;
+            size += (inertia * turning).abs();
             for (name, mass, arm) in &carried {
                 let velocity = times(arm * turning, along);
                 let name =

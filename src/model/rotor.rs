@@ -1,0 +1,36 @@
+//! Bodies with a moment of inertia that turn about a fixed axis.
+
+use crate::expr::Expr;
+use crate::fault::Path;
+use crate::laws::energy;
+use crate::quantity::Dimension;
+
+use super::Builder;
+use super::stage::Description;
+use super::stage::ROTOR;
+
+impl Builder<'_> {
+    /// The moment of inertia of a body that has one.
+    fn inertia(&mut self, body: &str) -> Option<Expr> {
+        let term = self.scene.bodies.get(body)?.inertia.clone()?;
+        let meaning = format!("the moment of inertia of {}", self.called(body));
+        let path = Path::root().key("scene").key("bodies").key(body).key("inertia");
+        Some(self.read_positive(&term, Dimension::new(1, 2, 0), &meaning, &path))
+    }
+
+    /// The angular momentum of what carries the particles of an arm that turns so.
+    pub(super) fn momentum_of_rotor(&mut self, rotor: Option<&str>, turn: &Expr) -> Option<Expr> {
+        Some(self.inertia(rotor?)? * turn.clone())
+    }
+
+    /// The kinetic energy of a body that turns about a fixed axis.
+    pub(super) fn kinetic_of_rotor(&mut self, body: &str, instant: usize) -> Option<Expr> {
+        let inertia = self.inertia(body)?;
+        let scene = self.scene;
+        let turned = scene.stages.iter().map(|stage| Description::of(scene, stage));
+        let about = turned.filter(|own| own.bodies.contains(&(body, Some(ROTOR)))).find_map(|own| own.about)?;
+        let centre = self.point(about);
+        let turn = self.turn_of_arm(&centre, instant);
+        Some(energy::kinetic(&inertia, &[turn]))
+    }
+}
