@@ -128,9 +128,32 @@ pub const BURN_HEIGHT: Law = Law {
     wrong: &[],
 };
 
+/// The acceleration of what becomes lighter.
+pub const ACCELERATION: Law = Law {
+    id: "acceleration-under-thrust",
+    name: "the equation of motion of a rocket",
+    statement: "The mass that a rocket still has, times its acceleration, is the sum of the thrust and all other forces on it.",
+    signs: "Positive along the axis.",
+    when: "What leaves the rocket is counted by the thrust, not by the mass.",
+    source: "The principle of impulse and momentum for the rocket and what it expels in a short time.",
+    wrong: wrong::variable_mass::ACCELERATION,
+};
+
 /// The laws of this chapter.
-pub const LAWS: &[&Law] =
-    &[&FLOW, &STREAM, &POWER, &SUPPORT, &THRUST, &USED, &ROCKET, &BURN_HEIGHT, &LIFT_OFF, &EVEN_SPEED, &ROCKET_DRAG];
+pub const LAWS: &[&Law] = &[
+    &FLOW,
+    &STREAM,
+    &POWER,
+    &SUPPORT,
+    &THRUST,
+    &ACCELERATION,
+    &USED,
+    &ROCKET,
+    &BURN_HEIGHT,
+    &LIFT_OFF,
+    &EVEN_SPEED,
+    &ROCKET_DRAG,
+];
 
 /// `u ln(m_1 / m_2)`: what the thrust adds to the velocity.
 #[must_use]

@@ -68,7 +68,9 @@ impl Scene {
     /// the end of the push.
     #[must_use]
     pub fn follows_a_push(&self, index: usize, body: &str) -> bool {
-        matches!(self.stage_before(index), Some(Stage::Push(push)) if push.body == body)
+        let before = self.stage_before(index);
+        matches!(before, Some(Stage::Push(push)) if push.body == body)
+            || matches!(before, Some(Stage::Thrust(burn)) if burn.body == body && burn.is_free())
     }
 
     /// Whether the stage before says the force on the body at the instant between the two.

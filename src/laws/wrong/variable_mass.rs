@@ -13,6 +13,7 @@ use super::momentum::START_FORGOTTEN;
 use super::momentum::WEIGHT_FORGOTTEN;
 use super::rewrite::one;
 use super::rewrite::start_forgotten;
+use super::rewrite::terms;
 
 /// What leaves a vane counted like what comes.
 pub const LEAVING_ADDED: Misconception = Misconception {
@@ -86,8 +87,17 @@ pub const ROCKET: &[WrongForm] = &[
     WrongForm { of: &MASS_KEPT, write: |law| law.both(|side| logarithm(side, &linear)) },
     WrongForm { of: &BASE_TEN, write: |law| law.both(|side| logarithm(side, &to_base_ten)) },
 ];
+/// Wrong forms of the acceleration under thrust.
+pub const ACCELERATION: &[WrongForm] = &[WrongForm { of: &WEIGHT_FORGOTTEN, write: thrust_alone }];
 /// Wrong forms of the condition of lift-off.
 pub const LIFT_OFF: &[WrongForm] = &[WrongForm { of: &WEIGHT_AS_MASS, write: weight_as_mass }];
+
+/// The thrust in place of the net force.
+fn thrust_alone(law: &Taught<'_>) -> Vec<Wrong> {
+    let Some((_, all)) = law.beside("sum-of-forces").find(|sides| sides.0 == law.sides.0) else { return Vec::new() };
+    let rest: Vec<Expr> = terms(all).into_iter().filter(|term| !law.has_gravity(term)).collect();
+    if rest.len() == terms(all).len() { Vec::new() } else { one((Expr::sum(rest), law.right())) }
+}
 
 /// The term with a sine or a cosine beside a number, changed: `1 - cos(theta)`.
 fn leaving(term: &Expr, change: &dyn Fn(Expr) -> Expr) -> Expr {

@@ -34,6 +34,7 @@ mod surface;
 mod swing;
 mod taut;
 mod thrust;
+mod thrust_motion;
 mod tow;
 mod walk;
 

@@ -30,16 +30,16 @@ pub(in crate::model) const FLOW: Dimension = Dimension::new(1, 0, -1);
 const RESISTANCE: Dimension = Dimension::new(1, -1, 0);
 
 /// What a burn has read of itself.
-struct Burn {
-    index: usize,
-    body: String,
-    masses: [Expr; 2],
+pub(super) struct Burn {
+    pub index: usize,
+    pub body: String,
+    pub masses: [Expr; 2],
     /// The mean speed of what is thrown away, each jet counted by its flow.
     exhaust: Expr,
     flow: Expr,
-    thrust: Expr,
+    pub thrust: Expr,
     time: Expr,
-    direction: Direction,
+    pub direction: Direction,
 }
 
 impl Builder<'_> {
@@ -68,6 +68,9 @@ impl Builder<'_> {
             if let Some(sides) = self.way(&burn, &masses, &time) {
                 self.law(&variable_mass::BURN_HEIGHT, Some(index), "flow and exhaust speed are steady", sides);
             }
+        }
+        if stage.is_free() {
+            self.rates_of_burn(&burn);
         }
         self.leave_out_of_burn(stage);
     }

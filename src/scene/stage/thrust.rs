@@ -39,6 +39,14 @@ pub struct Thrust {
     pub resistance: Option<Term>,
 }
 
+impl Thrust {
+    /// Whether nothing but thrust and weight acts all the time.
+    #[must_use]
+    pub fn is_free(&self) -> bool {
+        !self.on_ground && self.resistance.is_none()
+    }
+}
+
 /// The mass of a body that burns fuel.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(untagged)]

@@ -144,6 +144,16 @@ impl Bench<'_> {
         self.remark(
             "Momentum and energy are those of the remaining mass; what the exhaust carries away counts as external.",
         );
+        if stage.is_free() {
+            // What is left of the mass is what the forces on it accelerate.
+            let first = usize::from(self.values.scene.follows_a_force(self.values.index, body));
+            let ends = [(state, slope(begun, &state)), ([mass, speed, way], slope(time, &[mass, speed, way]))];
+            for (side, ([mass, ..], [_, gain, _])) in ends.into_iter().enumerate().skip(first) {
+                let instant = self.values.index + 1 + side;
+                self.note(&format!("a_{body}{instant}"), gain, burn.force / mass);
+                self.note(&format!("F_{body}{instant}"), mass * gain, burn.force);
+            }
+        }
         self.note_velocity(body, times(speed, unit(axis)), before);
         self.note_here(&format!("s_{body}"), way, 0.0);
         match &stage.mass {
