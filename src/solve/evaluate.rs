@@ -4,8 +4,8 @@ use crate::expr::Expr;
 use crate::expr::Function;
 use crate::expr::Symbol;
 
-use super::exact::Exact;
-use super::real::{Real, Sign};
+use super::number::exact::Exact;
+use super::number::real::{Real, Sign};
 
 /// The value of a term, with `value` giving that of each symbol in base units.
 ///

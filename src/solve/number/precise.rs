@@ -1,0 +1,308 @@
+//! Exact rational arithmetic as long as it lasts, and balls of 77 digits from the first irrational operation on.
+
+use dashu::base::{Abs, Approximation, BitTest, Sign as Parity, SquareRoot};
+use dashu::float::round::mode::HalfEven;
+
+use crate::expr::Function;
+use crate::quantity::Rational;
+
+use super::super::Exact;
+use super::ball::{BITS, Ball, Float, RADIUS_BITS, Radius, divisor, float, radius_of, small};
+use super::bounded::Bounded;
+use super::real::{Real, Sign};
+
+/// Rational numbers with more bits than this go on as balls.
+const LONGEST: usize = 1 << 14;
+/// Exponentials of larger arguments are not computed.
+const LARGEST_EXPONENT: f64 = 1e6;
+/// Sines of larger arguments are not computed.
+const LARGEST_ANGLE: f64 = 1e18;
+
+/// A rational number; or a middle and a radius within which the true value lies.
+#[derive(Clone, Debug)]
+pub enum Precise {
+    /// Exactly this.
+    Rational(Rational),
+    /// Within the radius of the middle.
+    Ball(Ball),
+    /// A value of which nothing is known.
+    Unbounded,
+    /// There is no real value.
+    NotReal,
+}
+
+impl Precise {
+    fn ball(&self) -> Option<Ball> {
+        match self {
+            Self::Rational(value) => Some(Ball::from_rational(value)),
+            Self::Ball(ball) => Some(ball.clone()),
+            Self::Unbounded | Self::NotReal => None,
+        }
+    }
+
+    fn rational(value: Rational) -> Self {
+        let bits = value.numerator().bit_len() + value.denominator().bit_len();
+        if bits > LONGEST { Self::Ball(Ball::from_rational(&value)) } else { Self::Rational(value) }
+    }
+
+    /// What an operation without two ordinary operands gives.
+    fn lost(&self, other: &Self) -> Self {
+        match (self, other) {
+            (Self::NotReal, _) | (_, Self::NotReal) => Self::NotReal,
+            _ => Self::Unbounded,
+        }
+    }
+
+    fn balls(&self, other: &Self, combine: impl FnOnce(Ball, Ball) -> Self) -> Self {
+        match (self.ball(), other.ball()) {
+            (Some(own), Some(other)) => combine(own, other),
+            _ => self.lost(other),
+        }
+    }
+
+    /// The value in decimal digits, without its error; `None` where there is none.
+    #[must_use]
+    pub fn decimal(&self, digits: usize) -> Option<String> {
+        let ball = self.ball()?;
+        Some(ball.middle.to_decimal().value().with_precision(digits.max(1)).value().to_string())
+    }
+
+    fn wave(&self, function: impl FnOnce(&Float) -> Float) -> Self {
+        let Some(ball) = self.ball() else { return self.clone() };
+        if ball.middle.to_f64().value().abs() > LARGEST_ANGLE {
+            return Self::Unbounded;
+        }
+        Self::Ball(Ball::rounded(function(&ball.middle), ball.radius))
+    }
+
+    fn exponential(&self) -> Self {
+        let Some(ball) = self.ball() else { return self.clone() };
+        if ball.middle.to_f64().value().abs() > LARGEST_EXPONENT || ball.radius > small(1) {
+            return Self::Unbounded;
+        }
+        // exp(m) (exp(r) - 1), where exp(r) - 1 is at most 2 r up to r = 1.
+        let value = ball.middle.exp();
+        let radius = radius_of(&value) * ball.radius * small(2);
+        Self::Ball(Ball::rounded(value, radius))
+    }
+
+    fn logarithm(&self) -> Self {
+        let Some(ball) = self.ball() else { return self.clone() };
+        if ball.reaches_zero() {
+            return if self.sign() == Sign::Zero { Self::NotReal } else { Self::Unbounded };
+        }
+        if ball.is_negative() {
+            return Self::NotReal;
+        }
+        let radius = ball.radius.clone() / divisor(ball.least());
+        Self::Ball(Ball::rounded(ball.middle.ln(), radius))
+    }
+
+    /// Arc sine or arc cosine.
+    fn arc(&self, function: impl FnOnce(&Float) -> Float) -> Self {
+        let Some(mut ball) = self.ball() else { return self.clone() };
+        let room = Float::ONE - ball.middle.clone().abs();
+        let radius = ball.radius.clone().with_rounding::<HalfEven>();
+        if room.clone() + radius.clone() < Float::ZERO {
+            return Self::NotReal;
+        }
+        let inner = room.clone() - radius;
+        if room < Float::ZERO {
+            ball.middle = if ball.is_negative() { float(-1.0) } else { float(1.0) };
+        }
+        let radius = if ball.radius == Radius::ZERO {
+            small(0)
+        } else if inner > Float::ZERO {
+            // The slope is at most 1 / sqrt(1 - |x|) over the ball.
+            ball.radius / divisor(inner.with_precision(BITS).value().sqrt())
+        } else {
+            // |acos a - acos b| <= pi / sqrt 2 sqrt |a - b| anywhere; a moved middle doubles the distance.
+            (ball.radius * small(2)).with_precision(RADIUS_BITS).value().sqrt() * small(3)
+        };
+        Self::Ball(Ball::rounded(function(&ball.middle), radius))
+    }
+}
+
+impl Real for Precise {
+    const SPACING: f64 = 1e-75;
+
+    fn from_exact(exact: &Exact) -> Self {
+        let rational = Self::rational(exact.rational.clone());
+        match exact.pi_power {
+            0 => rational,
+            power => rational.mul(&Self::Ball(Ball::pi()).powi(i32::from(power))),
+        }
+    }
+
+    fn integer(value: i64) -> Self {
+        Self::Rational(Rational::from(value))
+    }
+
+    fn point(value: f64) -> Self {
+        Rational::try_from(value).map_or(Self::Unbounded, Self::Rational)
+    }
+
+    fn not_real() -> Self {
+        Self::NotReal
+    }
+
+    fn add(&self, other: &Self) -> Self {
+        match (self, other) {
+            (Self::Rational(own), Self::Rational(other)) => Self::rational(own + other),
+            _ => self.balls(other, |own, other| {
+                Self::Ball(Ball::rounded(own.middle + other.middle, own.radius + other.radius))
+            }),
+        }
+    }
+
+    fn sub(&self, other: &Self) -> Self {
+        self.add(&other.neg())
+    }
+
+    fn mul(&self, other: &Self) -> Self {
+        match (self, other) {
+            (Self::Rational(own), Self::Rational(other)) => Self::rational(own * other),
+            (zero @ Self::Rational(own), Self::Ball(_)) if own.is_zero() => zero.clone(),
+            (Self::Ball(_), zero @ Self::Rational(other)) if other.is_zero() => zero.clone(),
+            _ => self.balls(other, |own, other| {
+                let spread = own.size() * other.radius.clone() + other.size() * own.radius.clone();
+                Self::Ball(Ball::rounded(own.middle * other.middle, spread + own.radius * other.radius))
+            }),
+        }
+    }
+
+    fn div(&self, other: &Self) -> Self {
+        match (self, other) {
+            (Self::NotReal, _) => Self::NotReal,
+            (_, Self::Rational(other)) if other.is_zero() => Self::NotReal,
+            (Self::Rational(own), Self::Rational(other)) => Self::rational(own / other),
+            (zero @ Self::Rational(own), Self::Ball(ball)) if own.is_zero() && !ball.reaches_zero() => zero.clone(),
+            _ => self.balls(other, |own, other| {
+                if other.reaches_zero() {
+                    return Self::Unbounded;
+                }
+                let least = divisor(other.least());
+                let value = own.middle / other.middle;
+                // The quotient's own rounding joins the radius after; twice the spread covers it here.
+                let spread = (own.radius + radius_of(&value) * other.radius * small(2)) / least;
+                Self::Ball(Ball::rounded(value, spread))
+            }),
+        }
+    }
+
+    fn neg(&self) -> Self {
+        match self {
+            Self::Rational(value) => Self::Rational(-value.clone()),
+            Self::Ball(ball) => Self::Ball(Ball { middle: -ball.middle.clone(), radius: ball.radius.clone() }),
+            other => other.clone(),
+        }
+    }
+
+    fn sqrt(&self) -> Self {
+        if let Self::Rational(value) = self {
+            if *value < Rational::ZERO {
+                return Self::NotReal;
+            }
+            let (above, below) = (value.numerator().clone().into_parts().1, value.denominator().clone());
+            let (root, divisor) = (above.sqrt(), below.sqrt());
+            if root.pow(2) == above && divisor.pow(2) == below {
+                return Self::Rational(Rational::from(root) / Rational::from(divisor));
+            }
+        }
+        let Some(ball) = self.ball() else { return self.clone() };
+        if ball.reaches_zero() {
+            let most = (ball.size() + ball.radius.clone()).with_precision(RADIUS_BITS).value();
+            let value = if ball.is_negative() { float(0.0) } else { ball.middle.sqrt() };
+            return Self::Ball(Ball::rounded(value, most.sqrt()));
+        }
+        if ball.is_negative() {
+            return Self::NotReal;
+        }
+        let radius = ball.radius.clone() / divisor(ball.least().with_precision(BITS).value().sqrt());
+        Self::Ball(Ball::rounded(ball.middle.sqrt(), radius))
+    }
+
+    fn apply(&self, function: Function) -> Self {
+        let is_zero = self.sign() == Sign::Zero;
+        match function {
+            Function::Sin | Function::Tan | Function::Asin if is_zero => self.clone(),
+            Function::Cos | Function::Exp if is_zero => Self::integer(1),
+            Function::Sin => self.wave(Float::sin),
+            Function::Cos => self.wave(Float::cos),
+            Function::Tan => self.apply(Function::Sin).div(&self.apply(Function::Cos)),
+            Function::Asin => self.arc(Float::asin),
+            Function::Acos => self.arc(Float::acos),
+            Function::Exp => self.exponential(),
+            Function::Ln => self.logarithm(),
+            Function::Abs if self.rough() < 0.0 || self.sign() == Sign::Negative => self.neg(),
+            Function::Abs => self.clone(),
+            Function::Atan2 => self.atan2(&Self::integer(1)),
+        }
+    }
+
+    fn atan2(&self, x: &Self) -> Self {
+        match (self.sign(), x.sign()) {
+            (Sign::Zero, Sign::Zero) => return Self::NotReal,
+            (Sign::Zero, Sign::Positive) => return Self::integer(0),
+            (Sign::Zero, Sign::Negative) => return Self::Ball(Ball::pi()),
+            _ => {}
+        }
+        let cut = self.sign() == Sign::Unsure && x.sign() != Sign::Positive;
+        self.balls(x, |y, x| {
+            let spread = y.radius.clone() + x.radius.clone();
+            let square = y.middle.clone() * y.middle.clone() + x.middle.clone() * x.middle.clone();
+            let distance = square.with_precision(BITS).value().sqrt();
+            let free = distance - spread.clone().with_rounding::<HalfEven>();
+            if cut || free <= Float::ZERO {
+                return Self::Ball(Ball { middle: float(0.0), radius: small(4) });
+            }
+            let value = y.middle.with_precision(BITS).value().atan2(&x.middle.with_precision(BITS).value());
+            Self::Ball(Ball::rounded(value, spread / divisor(free)))
+        })
+    }
+
+    fn hull(&self, other: &Self) -> Self {
+        self.balls(other, |own, other| {
+            let half = float(0.5);
+            let middle = (own.middle.clone() + other.middle.clone()) * half.clone();
+            let apart = radius_of(&((own.middle - other.middle) * half));
+            let radius = if own.radius > other.radius { own.radius } else { other.radius };
+            Self::Ball(Ball::rounded(middle, apart + radius))
+        })
+    }
+
+    fn centre(&self) -> Self {
+        match self {
+            Self::Ball(ball) => Self::Ball(Ball { middle: ball.middle.clone(), radius: small(0) }),
+            other => other.clone(),
+        }
+    }
+
+    fn sign(&self) -> Sign {
+        let of = |negative: bool| if negative { Sign::Negative } else { Sign::Positive };
+        match self {
+            Self::Rational(value) if value.is_zero() => Sign::Zero,
+            Self::Rational(value) => of(value.numerator().sign() == Parity::Negative),
+            Self::Ball(ball) if ball.reaches_zero() => Sign::Unsure,
+            Self::Ball(ball) => of(ball.is_negative()),
+            Self::Unbounded => Sign::Unsure,
+            Self::NotReal => Sign::NotReal,
+        }
+    }
+
+    fn to_bounded(&self) -> Bounded {
+        match self {
+            Self::Rational(value) => match value.to_f64() {
+                Approximation::Exact(value) => Bounded::exactly(value),
+                Approximation::Inexact(value, _) => Bounded::rounded(value, 0.0),
+            },
+            Self::Ball(ball) => Bounded::rounded(ball.middle.to_f64().value(), ball.radius.to_f64().value()),
+            Self::Unbounded => Bounded { value: 0.0, error: f64::INFINITY },
+            Self::NotReal => Bounded { value: f64::NAN, error: f64::NAN },
+        }
+    }
+
+    fn is_unbounded(&self) -> bool {
+        matches!(self, Self::Unbounded)
+    }
+}

@@ -1,0 +1,118 @@
+//! The audit plan: what else follows cheaply, and which equations then serve as checks.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::expr::Symbol;
+
+use super::super::{Plan, Statement, Step, System, Tactic};
+use super::tactics::{Attempts, Block, close, isolate};
+
+/// A plan extended for judging.
+#[derive(Clone, Debug)]
+pub struct Audit {
+    /// The steps of the answer plan, then the steps that only judging needs.
+    pub plan: Plan,
+    /// How many of the steps are the answer plan's.
+    pub answer_steps: usize,
+    /// Positions of the equations that no step uses, and whose symbols are all found: each must hold at the answer.
+    pub checks: Vec<usize>,
+}
+
+/// Extends a plan by every symbol that one equation, or two equations for two symbols, give in closed form with one root, again and
+/// again.
+#[must_use]
+pub fn audit(system: &System, known: &BTreeSet<Symbol>, plan: &Plan) -> Audit {
+    extended(system, known, plan, &mut Attempts::default())
+}
+
+/// The same with a memory of what tactics made of blocks.
+pub(super) fn extended(system: &System, known: &BTreeSet<Symbol>, plan: &Plan, attempts: &mut Attempts) -> Audit {
+    let mut found = known.clone();
+    let mut used: BTreeSet<usize> = BTreeSet::new();
+    for step in &plan.steps {
+        found.extend(&step.unknowns);
+        used.extend(&step.equations);
+    }
+    let mut extended = plan.clone();
+    let mut open = Open::of(system, &found);
+    let mut order: Vec<usize> = (0..system.equations.len()).collect();
+    order.sort_by_key(|place| system.equations[*place].cost);
+    // An equation with one unknown gives it or does not, whatever else is found.
+    let mut tried = used.clone();
+    loop {
+        let mut progress = false;
+        for place in &order {
+            let [unknown] = *open.without(&found, *place) else { continue };
+            if !tried.insert(*place) {
+                continue;
+            }
+            let block = Block { system, equations: vec![*place], unknowns: vec![unknown] };
+            let Ok(step) = isolate(&block, attempts) else { continue };
+            if step.roots.len() != 1 {
+                continue;
+            }
+            found.insert(unknown);
+            used.insert(*place);
+            extended.steps.push(step);
+            progress = true;
+        }
+        // Two at once only where nothing follows alone: an impact of which neither velocity is known.
+        if !progress {
+            let Some(step) = pair(system, &order, &mut open, &found, &used, attempts) else { break };
+            found.extend(&step.unknowns);
+            used.extend(&step.equations);
+            extended.steps.push(step);
+        }
+    }
+    let mut is_check = |place: &usize| {
+        let equal = matches!(system.equations[*place].statement, Statement::Equal { .. });
+        equal && !used.contains(place) && open.without(&found, *place).is_empty()
+    };
+    let checks = (0..system.equations.len()).filter(|place| is_check(place)).collect();
+    Audit { plan: extended, answer_steps: plan.steps.len(), checks }
+}
+
+/// The symbols of each equation that were not found when it was last looked at.
+struct Open(Vec<Vec<Symbol>>);
+
+impl Open {
+    fn of(system: &System, known: &BTreeSet<Symbol>) -> Self {
+        Self(system.equations.iter().map(|equation| equation.unknowns(known)).collect())
+    }
+
+    /// What an equation holds beyond what is found. What is found stays so.
+    fn without(&mut self, found: &BTreeSet<Symbol>, equation: usize) -> &[Symbol] {
+        let open = &mut self.0[equation];
+        open.retain(|symbol| !found.contains(symbol));
+        open
+    }
+}
+
+/// The cheapest two equations that hold the same two open symbols and give both.
+fn pair(
+    system: &System,
+    order: &[usize],
+    open: &mut Open,
+    found: &BTreeSet<Symbol>,
+    used: &BTreeSet<usize>,
+    attempts: &mut Attempts,
+) -> Option<Step> {
+    let mut met: BTreeMap<Vec<Symbol>, Vec<usize>> = BTreeMap::new();
+    for place in order.iter().filter(|place| !used.contains(place)) {
+        let two = open.without(found, *place);
+        if two.len() != 2 {
+            continue;
+        }
+        let others = met.entry(two.to_vec()).or_default();
+        let with = |other: &usize| {
+            let block = Block { system, equations: vec![*other, *place], unknowns: two.to_vec() };
+            let step = close(&block, attempts).ok()?;
+            (step.tactic == Tactic::Linear && step.roots.len() == 1).then_some(step)
+        };
+        if let Some(step) = others.iter().find_map(with) {
+            return Some(step);
+        }
+        others.push(*place);
+    }
+    None
+}

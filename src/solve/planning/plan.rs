@@ -1,0 +1,180 @@
+//! The plan: which equations, in which order, each block closed by a tactic. It is the symbolic half of the derivation.
+
+use std::collections::BTreeSet;
+
+use crate::expr::{Expr, Symbol};
+
+/// Steps in the order in which they are solved. Each step uses only what is known or was solved before it.
+#[derive(Clone, Debug, Default)]
+pub struct Plan {
+    /// The steps.
+    pub steps: Vec<Step>,
+}
+
+/// One irreducible block of equations and the unknowns that it determines.
+#[derive(Clone, Debug)]
+pub struct Step {
+    /// Positions of the equations in the system, as many as there are unknowns.
+    pub equations: Vec<usize>,
+    /// The unknowns, in the order in which they are found.
+    pub unknowns: Vec<Symbol>,
+    /// What closed the block.
+    pub tactic: Tactic,
+    /// How a student would do it, in order.
+    pub moves: Vec<Move>,
+    /// Every root that algebra allows; the conditions of the system choose among them, variant by variant.
+    pub roots: Vec<Root>,
+}
+
+/// The tactics, in the order in which they are tried.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Tactic {
+    /// One equation, one unknown that can be brought to one side.
+    Isolate,
+    /// k linear equations in k unknowns.
+    Linear,
+    /// k - 1 unknowns written linearly in one, substituted, the one solved.
+    Tear,
+    /// One equation of second degree in one unknown.
+    Quadratic,
+    /// R cos(theta) and R sin(theta) known: R and theta found.
+    Polar,
+    /// A separable differential equation.
+    Separable,
+    /// The first integer that satisfies a condition.
+    Count,
+    /// One equation with no closed form, solved between bounds.
+    BracketedRoot,
+}
+
+/// The values of a step's unknowns on one branch.
+#[derive(Clone, Debug)]
+pub struct Root {
+    /// One closed value for each unknown of the step, in the step's order. A value may use unknowns that stand before it.
+    pub values: Vec<(Symbol, Closed)>,
+}
+
+/// How a value is computed.
+#[derive(Clone, Debug)]
+pub enum Closed {
+    /// From a formula in what is known at that point.
+    Formula(Expr),
+    /// By counting up from the first integer until the condition holds.
+    FirstInteger {
+        /// Where counting starts.
+        from: i64,
+        /// The left side of the condition, in `unknown`.
+        left: Expr,
+        /// How the sides compare.
+        relation: super::super::Relation,
+        /// The right side.
+        right: Expr,
+    },
+    /// The root of `residual`, a term in the unknown and what is known, the n-th one from zero upwards (0 the first).
+    BracketedRoot {
+        /// Zero at the root.
+        residual: Expr,
+        /// Which root, counted from zero upwards.
+        index: usize,
+    },
+}
+
+impl Closed {
+    /// Every symbol that the value is computed from.
+    #[must_use]
+    pub fn symbols(&self) -> BTreeSet<Symbol> {
+        match self {
+            Self::Formula(term) | Self::BracketedRoot { residual: term, .. } => term.symbols(),
+            Self::FirstInteger { left, right, .. } => left.symbols().union(&right.symbols()).copied().collect(),
+        }
+    }
+}
+
+/// One thing that a student does on paper. Equations are named by their position in the system.
+#[derive(Clone, Debug)]
+pub enum Move {
+    /// Solve `equation` for `unknown`: it equals `value`.
+    Isolate {
+        /// The equation.
+        equation: usize,
+        /// What is brought to one side.
+        unknown: Symbol,
+        /// What it equals.
+        value: Expr,
+    },
+    /// Multiply equation `times` by `factor` and add it to `equation`, so that `drops` falls out and `left = right` remains.
+    Combine {
+        /// The equation that is added to.
+        equation: usize,
+        /// The equation that is multiplied.
+        times: usize,
+        /// By what.
+        factor: Expr,
+        /// The unknown that falls out.
+        drops: Symbol,
+        /// Left side of what remains. The sides differ by exactly what the two equations differ by together: no sign changes.
+        left: Expr,
+        /// Right side of what remains.
+        right: Expr,
+    },
+    /// Put the value of `unknown` into `equation`; `left = right` remains.
+    Substitute {
+        /// The equation.
+        equation: usize,
+        /// What is replaced.
+        unknown: Symbol,
+        /// By what.
+        value: Expr,
+        /// Left side of what remains.
+        left: Expr,
+        /// Right side of what remains.
+        right: Expr,
+    },
+    /// Square both sides of `equation`, none of which is negative; `left = right` remains.
+    Square {
+        /// The equation.
+        equation: usize,
+        /// The square of its left side.
+        left: Expr,
+        /// The square of its right side.
+        right: Expr,
+    },
+    /// `a x^2 + b x + c = 0`: the left side of `equation` less the right side, times `factor`.
+    Quadratic {
+        /// The equation.
+        equation: usize,
+        /// By what it was multiplied, so that nothing stands below a bar.
+        factor: Expr,
+        /// The unknown.
+        unknown: Symbol,
+        /// Coefficient of its square.
+        a: Expr,
+        /// Coefficient of the unknown.
+        b: Expr,
+        /// The rest.
+        c: Expr,
+    },
+    /// Two equations are `R cos(theta) = x` and `R sin(theta) = y`: square and add them, divide one by the other.
+    Polar {
+        /// The equations of x and of y; both follow from both where each has the two components.
+        equations: [usize; 2],
+        /// The magnitude.
+        magnitude: Symbol,
+        /// The angle.
+        angle: Symbol,
+        /// The magnitude's cosine component.
+        x: Expr,
+        /// The magnitude's sine component.
+        y: Expr,
+    },
+    /// Find `unknown` by counting.
+    Count {
+        /// The integer.
+        unknown: Symbol,
+    },
+    /// Find `unknown` by calculation between bounds, since no formula gives it.
+    Numeric {
+        /// The unknown.
+        unknown: Symbol,
+    },
+}

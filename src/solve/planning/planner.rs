@@ -1,0 +1,204 @@
+//! The answer plan: the cheapest equations that determine what is wanted, in blocks, each closed by a tactic.
+
+use std::collections::BTreeSet;
+
+use crate::expr::Symbol;
+
+use super::super::structure::bits::Bits;
+use super::super::structure::blocks::blocks;
+use super::super::structure::freedom::{Freedom, gradients};
+use super::super::structure::incidence::Structure;
+use super::super::structure::rank::dependent;
+use super::super::structure::sample::Samples;
+use super::super::{Plan, System};
+use super::audit::{Audit, extended};
+use super::search::Search;
+use super::stuck::{Reason, Stuck, enough};
+use super::tactics::{Attempts, Block, Refusal, close};
+
+/// Plans how to find `wanted` from `known`.
+///
+/// Of all sets of equations that determine what is wanted, the one with the least sum of [`super::super::Equation::cost`] is
+/// taken; of several, the one whose largest block is smallest, then the one with the least to rearrange, then the
+/// earliest equations. Where a block cannot be closed, the next set is tried.
+///
+/// # Errors
+///
+/// [`Stuck`], where no set of equations determines what is wanted, or none can be closed.
+///
+/// ```
+/// use std::collections::BTreeSet;
+/// use momentous::expr::{Expr, SymbolEntry, SymbolTable};
+/// use momentous::quantity::Dimension;
+/// use momentous::solve::{Equation, Statement, System, plan};
+///
+/// let mut table = SymbolTable::default();
+/// let [m, v, p] = ["m", "v", "p"].map(|name| {
+///     table.intern(SymbolEntry { name: name.into(), dimension: Dimension::NONE, meaning: name.into() })
+/// });
+/// let momentum = Statement::Equal { left: Expr::from(p), right: Expr::from(m) * Expr::from(v) };
+/// let system = System { equations: vec![Equation { statement: momentum, tag: 0, cost: 1 }], ..System::default() };
+/// let plan = plan(&system, &BTreeSet::from([m, p]), &[v]).unwrap();
+/// assert_eq!(plan.steps.len(), 1);
+/// ```
+pub fn plan(system: &System, known: &BTreeSet<Symbol>, wanted: &[Symbol]) -> Result<Plan, Stuck> {
+    Planner::default().plan(system, known, wanted)
+}
+
+/// Plans again and again, and does no algebra twice: for systems in which the same symbols are positive.
+#[derive(Clone, Debug, Default)]
+pub struct Planner {
+    attempts: Attempts,
+    samples: Samples,
+}
+
+impl Planner {
+    /// The same as [`plan`].
+    ///
+    /// # Errors
+    ///
+    /// [`Stuck`], where no set of equations determines what is wanted, or none can be closed.
+    pub fn plan(&mut self, system: &System, known: &BTreeSet<Symbol>, wanted: &[Symbol]) -> Result<Plan, Stuck> {
+        planned(system, known, wanted, self)
+    }
+
+    /// The same as [`super::super::audit`].
+    #[must_use]
+    pub fn audit(&mut self, system: &System, known: &BTreeSet<Symbol>, plan: &Plan) -> Audit {
+        extended(system, known, plan, &mut self.attempts)
+    }
+}
+
+fn planned(system: &System, known: &BTreeSet<Symbol>, wanted: &[Symbol], memory: &mut Planner) -> Result<Plan, Stuck> {
+    let remaining: Vec<Symbol> = wanted.iter().filter(|symbol| !known.contains(symbol)).copied().collect();
+    if remaining.is_empty() {
+        return Ok(Plan::default());
+    }
+    let stuck = |reason| Stuck { known: known.clone(), remaining: remaining.clone(), reason };
+    let mut structure = Structure::new(system, known);
+    let columns: Option<Vec<usize>> = remaining.iter().map(|symbol| structure.column(*symbol)).collect();
+    let Some(columns) = columns else {
+        let wanted = remaining.iter().filter(|symbol| structure.column(**symbol).is_none()).copied().collect();
+        return Err(stuck(Reason::Underdetermined { wanted, enough: Vec::new() }));
+    };
+    let wanted = Bits::of(structure.unknowns.len(), columns);
+    let determined = structure.determined(&Bits::empty(structure.unknowns.len()));
+    if !determined.covers(&wanted) {
+        let lost: Vec<usize> = wanted.iter().filter(|column| !determined.contains(*column)).collect();
+        return Err(stuck(underdetermined(&structure, &Freedom::new(system, &structure), &wanted, &lost)));
+    }
+    let whole = structure.clone();
+    structure.prune(&determined, &wanted);
+    let sought = structure.narrow(&wanted);
+
+    let gradients = gradients(system, &structure, &mut memory.samples);
+    let mut closer = Closer { system, structure: &structure, asked: &remaining, attempts: &mut memory.attempts };
+    let mut search = Search::new(&structure, &gradients, &sought);
+    let (mut obstacle, mut freedom) = (None, None);
+    let (mut avoided, mut tried) = (Bits::empty(structure.rows.len()), BTreeSet::new());
+    loop {
+        let mut batch = search.next_batch();
+        if batch.is_empty() {
+            // What counting alone allows says at least why there is no plan, or is one where the search gave up.
+            match structure.sufficient(&sought, &avoided) {
+                Some(rows) if tried.insert(rows.clone()) => batch.insert(rows),
+                _ => break,
+            };
+        }
+        for candidate in ranked(&structure, &sought, batch) {
+            match closer.close_all(&candidate) {
+                Ok(plan) => return Ok(plan),
+                Err((block, Refusal::Contradiction)) => {
+                    return Err(stuck(Reason::Contradiction { equations: closer.equations(&block) }));
+                }
+                Err((block, refusal)) => {
+                    if let Some(rows) = dependent(&structure, &gradients, &block) {
+                        // Of equations that say the same twice, the dearest is the one to do without.
+                        if let Some(row) = rows.iter().max_by_key(|row| structure.rows[*row].cost) {
+                            avoided.insert(row);
+                        }
+                        search.forbid(rows);
+                        let freedom = freedom.get_or_insert_with(|| Freedom::new(system, &whole));
+                        let lost: Vec<usize> = wanted.iter().filter(|column| !freedom.fixes(*column, &[])).collect();
+                        if !lost.is_empty() {
+                            return Err(stuck(underdetermined(&whole, freedom, &wanted, &lost)));
+                        }
+                    }
+                    obstacle = obstacle.or_else(|| closer.reason(&block, refusal));
+                }
+            }
+        }
+    }
+    let reason = obstacle.unwrap_or_else(|| {
+        let freedom = freedom.unwrap_or_else(|| Freedom::new(system, &whole));
+        let open = wanted.iter().any(|column| !freedom.fixes(column, &[]));
+        let lost: Vec<usize> = wanted.iter().filter(|column| !open || !freedom.fixes(*column, &[])).collect();
+        underdetermined(&whole, &freedom, &wanted, &lost)
+    });
+    Err(stuck(reason))
+}
+
+/// The wanted columns `lost` do not follow; what would help.
+fn underdetermined(structure: &Structure, freedom: &Freedom, wanted: &Bits, lost: &[usize]) -> Reason {
+    let lost = lost.iter().map(|column| structure.unknowns[*column]).collect();
+    Reason::Underdetermined { wanted: lost, enough: enough(structure, freedom, wanted) }
+}
+
+/// Candidates of one cost in order of preference, each as its blocks; one with a block that nothing needs is left out.
+fn ranked(structure: &Structure, wanted: &Bits, batch: BTreeSet<Vec<usize>>) -> Vec<Vec<Vec<usize>>> {
+    let mut candidates: Vec<_> = batch
+        .into_iter()
+        .filter_map(|rows| {
+            let blocks = blocks(structure, &rows).filter(|blocks| structure.needs_all(blocks, wanted))?;
+            let largest = blocks.iter().map(Vec::len).max().unwrap_or(0);
+            Some((largest, structure.rearranged(&blocks), rows, blocks))
+        })
+        .collect();
+    candidates.sort();
+    candidates.into_iter().map(|(_, _, _, blocks)| blocks).collect()
+}
+
+/// Closes blocks.
+struct Closer<'a> {
+    system: &'a System,
+    structure: &'a Structure,
+    asked: &'a [Symbol],
+    attempts: &'a mut Attempts,
+}
+
+impl Closer<'_> {
+    /// The plan of these blocks; or the first block that is refused, as rows.
+    fn close_all(&mut self, blocks: &[Vec<usize>]) -> Result<Plan, (Vec<usize>, Refusal)> {
+        let mut found = Bits::empty(self.structure.unknowns.len());
+        let mut plan = Plan::default();
+        for rows in blocks {
+            let mut columns = self.structure.columns(rows);
+            columns.subtract(&found);
+            found.join(&columns);
+            let mut unknowns: Vec<Symbol> = columns.iter().map(|column| self.structure.unknowns[column]).collect();
+            let rank = |symbol: &Symbol| self.asked.iter().position(|asked| asked == symbol).unwrap_or(usize::MAX);
+            unknowns.sort_by_key(rank);
+            let block = Block { system: self.system, equations: self.equations(rows), unknowns };
+            plan.steps.push(close(&block, self.attempts).map_err(|refusal| (rows.clone(), refusal))?);
+        }
+        Ok(plan)
+    }
+
+    fn equations(&self, rows: &[usize]) -> Vec<usize> {
+        rows.iter().map(|row| self.structure.rows[*row].equation).collect()
+    }
+
+    /// What to say of a block that was refused; nothing where its equations say the same twice.
+    fn reason(&self, rows: &[usize], refusal: Refusal) -> Option<Reason> {
+        let equations = self.equations(rows);
+        match refusal {
+            Refusal::Dependent | Refusal::Contradiction => None,
+            Refusal::NotApplicable => {
+                let columns = rows.iter().flat_map(|row| self.structure.rows[*row].finds.iter());
+                let columns = Bits::of(self.structure.unknowns.len(), columns);
+                let unknowns = columns.iter().map(|column| self.structure.unknowns[column]).collect();
+                Some(Reason::NoTactic { equations, unknowns })
+            }
+        }
+    }
+}

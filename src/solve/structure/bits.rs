@@ -1,0 +1,124 @@
+//! A small set of indexes.
+
+/// How many words stand in the set itself.
+const NEAR: usize = 2;
+
+/// A set of indexes below a capacity that is fixed when it is made. The search makes very many of them, so the words of the
+/// usual capacity stand in the set itself, and only those of a larger one are allocated.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub(in crate::solve) struct Bits {
+    near: [u64; NEAR],
+    /// None where the capacity needs no more.
+    far: Option<Box<[u64]>>,
+}
+
+impl Bits {
+    /// The empty set, for indexes below `capacity`.
+    pub(in crate::solve) fn empty(capacity: usize) -> Self {
+        let beyond = capacity.div_ceil(64).saturating_sub(NEAR);
+        Self { near: [0; NEAR], far: (beyond > 0).then(|| vec![0; beyond].into()) }
+    }
+
+    /// The set whose words are made of those of both.
+    #[inline]
+    fn zip(&mut self, other: &Self, word: impl Fn(u64, u64) -> u64) {
+        self.near.iter_mut().zip(&other.near).for_each(|(own, other)| *own = word(*own, *other));
+        if let (Some(far), Some(other)) = (&mut self.far, &other.far) {
+            far.iter_mut().zip(other).for_each(|(own, other)| *own = word(*own, *other));
+        }
+    }
+
+    /// Whether some word of this set and that of the other pass the test.
+    #[inline]
+    fn any(&self, other: &Self, test: impl Fn(u64, u64) -> bool) -> bool {
+        let pass = |(own, other): (&u64, &u64)| test(*own, *other);
+        let far = || self.far.iter().flatten().zip(other.far.iter().flatten()).any(pass);
+        self.near.iter().zip(&other.near).any(pass) || self.far.is_some() && far()
+    }
+
+    fn word_mut(&mut self, place: usize) -> Option<&mut u64> {
+        if place < NEAR { self.near.get_mut(place) } else { self.far.as_mut()?.get_mut(place - NEAR) }
+    }
+
+    #[inline]
+    fn word(&self, place: usize) -> Option<u64> {
+        if place < NEAR { self.near.get(place) } else { self.far.as_ref()?.get(place - NEAR) }.copied()
+    }
+
+    /// The set of these indexes, each below `capacity`.
+    pub(in crate::solve) fn of(capacity: usize, indexes: impl IntoIterator<Item = usize>) -> Self {
+        let mut set = Self::empty(capacity);
+        for index in indexes {
+            set.insert(index);
+        }
+        set
+    }
+
+    /// Puts an index in; one that is beyond the capacity is ignored.
+    pub(in crate::solve) fn insert(&mut self, index: usize) {
+        if let Some(word) = self.word_mut(index / 64) {
+            *word |= 1 << (index % 64);
+        }
+    }
+
+    /// Whether the index is in the set.
+    pub(in crate::solve) fn contains(&self, index: usize) -> bool {
+        self.word(index / 64).is_some_and(|word| word & (1 << (index % 64)) != 0)
+    }
+
+    /// The indexes, ascending.
+    #[inline]
+    pub(in crate::solve) fn iter(&self) -> impl Iterator<Item = usize> + '_ {
+        let (mut place, mut rest) = (0, self.near[0]);
+        std::iter::from_fn(move || {
+            while rest == 0 {
+                place += 1;
+                rest = self.word(place)?;
+            }
+            let bit = rest.trailing_zeros() as usize;
+            rest &= rest - 1;
+            Some(place * 64 + bit)
+        })
+    }
+
+    /// Everything of the other set is put in.
+    #[inline]
+    pub(in crate::solve) fn join(&mut self, other: &Self) {
+        self.zip(other, |own, other| own | other);
+    }
+
+    /// Everything of the other set is taken out.
+    #[inline]
+    pub(in crate::solve) fn subtract(&mut self, other: &Self) {
+        self.zip(other, |own, other| own & !other);
+    }
+
+    /// Everything that is not in the other set is taken out.
+    #[inline]
+    pub(in crate::solve) fn keep(&mut self, other: &Self) {
+        self.zip(other, |own, other| own & other);
+    }
+
+    /// Whether the sets share an index.
+    #[inline]
+    pub(in crate::solve) fn meets(&self, other: &Self) -> bool {
+        self.any(other, |own, other| own & other != 0)
+    }
+
+    /// Whether everything of the other set is in this one.
+    #[inline]
+    pub(in crate::solve) fn covers(&self, other: &Self) -> bool {
+        !self.any(other, |own, other| other & !own != 0)
+    }
+
+    /// Whether nothing is in the set.
+    pub(in crate::solve) fn is_empty(&self) -> bool {
+        self.near == [0; NEAR] && self.far.iter().flatten().all(|word| *word == 0)
+    }
+
+    /// How many indexes are in the set.
+    pub(in crate::solve) fn len(&self) -> usize {
+        let count = |words: &[u64]| words.iter().map(|word| word.count_ones() as usize).sum::<usize>();
+        count(&self.near) + self.far.as_deref().map_or(0, count)
+    }
+}

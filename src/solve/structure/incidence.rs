@@ -1,0 +1,226 @@
+//! Which equation contains which unknown: all that the choice of equations looks at.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::expr::{Expr, Symbol};
+
+use super::super::{Equation, Statement, System};
+use super::bits::Bits;
+use super::matching::Matching;
+
+/// The incidence of equations (rows) and unknowns (columns).
+#[derive(Clone, Debug)]
+pub(in crate::solve) struct Structure {
+    /// The unknown of each column.
+    pub(in crate::solve) unknowns: Vec<Symbol>,
+    /// The equations that contain an unknown.
+    pub(in crate::solve) rows: Vec<Row>,
+}
+
+/// One equation, as the choice of equations sees it.
+#[derive(Clone, Debug)]
+pub(in crate::solve) struct Row {
+    /// Its position in the system.
+    pub(in crate::solve) equation: usize,
+    /// What using it costs.
+    pub(in crate::solve) cost: u32,
+    /// The columns that it contains.
+    pub(in crate::solve) unknowns: Bits,
+    /// The columns that it may be solved for: one only where the equation is a count.
+    pub(in crate::solve) finds: Bits,
+    /// The column that stands alone on one side, and not on the other: it is found without any algebra.
+    pub(in crate::solve) alone: Option<usize>,
+}
+
+impl Structure {
+    /// The incidence of a system, once `known` is known.
+    pub(in crate::solve) fn new(system: &System, known: &BTreeSet<Symbol>) -> Self {
+        let contents: Vec<Vec<Symbol>> = system.equations.iter().map(|equation| equation.unknowns(known)).collect();
+        let unknowns = distinct(contents.iter().flatten().copied().collect());
+        let columns: BTreeMap<Symbol, usize> = unknowns.iter().copied().zip(0..).collect();
+        let bits = |symbols: &mut dyn Iterator<Item = &Symbol>| {
+            Bits::of(unknowns.len(), symbols.filter_map(|symbol| columns.get(symbol).copied()))
+        };
+        let rows = contents.iter().zip(&system.equations).enumerate().filter_map(|(equation, (content, stated))| {
+            let all = bits(&mut content.iter());
+            let finds = stated.counts().map_or_else(|| all.clone(), |integer| bits(&mut std::iter::once(&integer)));
+            let alone = stated.alone().and_then(|symbol| columns.get(&symbol).copied());
+            (!finds.is_empty()).then_some(Row { equation, cost: stated.cost, unknowns: all, finds, alone })
+        });
+        Self { rows: rows.collect(), unknowns }
+    }
+
+    /// The columns that any of these rows contains.
+    pub(in crate::solve) fn columns(&self, rows: &[usize]) -> Bits {
+        Bits::of(self.unknowns.len(), rows.iter().flat_map(|row| self.rows[*row].unknowns.iter()))
+    }
+
+    /// The column of a symbol, where it is an unknown.
+    pub(in crate::solve) fn column(&self, symbol: Symbol) -> Option<usize> {
+        self.unknowns.binary_search(&symbol).ok()
+    }
+
+    /// The columns that the equations determine, counting equations only: everything outside the under-determined
+    /// part of the Dulmage-Mendelsohn decomposition. `known` columns count as known.
+    pub(in crate::solve) fn determined(&self, known: &Bits) -> Bits {
+        let mut usable: Vec<usize> = (0..self.rows.len()).collect();
+        loop {
+            let matching = Matching::new(self, &usable, known);
+            let mut under: Vec<usize> = (0..self.unknowns.len())
+                .filter(|column| !known.contains(*column) && !matching.finds(*column))
+                .collect();
+            let mut lost = Bits::empty(self.unknowns.len());
+            while let Some(column) = under.pop() {
+                if lost.contains(column) {
+                    continue;
+                }
+                lost.insert(column);
+                let rows = usable.iter().filter(|row| self.rows[**row].finds.contains(column));
+                under.extend(rows.filter_map(|row| matching.found_by(*row)));
+            }
+            let before = usable.len();
+            usable.retain(|row| {
+                self.rows[*row].finds == self.rows[*row].unknowns || !self.rows[*row].unknowns.meets(&lost)
+            });
+            if usable.len() == before {
+                let mut determined = Bits::of(self.unknowns.len(), 0..self.unknowns.len());
+                determined.subtract(&lost);
+                return determined;
+            }
+        }
+    }
+
+    /// Some rows that determine the wanted columns, the cheap ones preferred, though not the cheapest set; found
+    /// without any search. They are what the wanted columns depend on in one maximum matching of the rows not `avoided`.
+    pub(in crate::solve) fn sufficient(&self, wanted: &Bits, avoided: &Bits) -> Option<Vec<usize>> {
+        let mut rows: Vec<usize> = (0..self.rows.len()).filter(|row| !avoided.contains(*row)).collect();
+        rows.sort_by_key(|row| (self.rows[*row].cost, self.rows[*row].unknowns.len()));
+        let matching = Matching::new(self, &rows, &Bits::empty(self.unknowns.len()));
+        let mut chosen = Bits::empty(self.rows.len());
+        let mut open: Vec<usize> = wanted.iter().collect();
+        while let Some(column) = open.pop() {
+            let row = matching.finder(column)?;
+            if !chosen.contains(row) {
+                chosen.insert(row);
+                open.extend(self.rows[row].unknowns.iter());
+            }
+        }
+        Some(chosen.iter().collect())
+    }
+
+    /// Whether what is wanted depends on each of these blocks, which stand in the order in which they are solved.
+    pub(in crate::solve) fn needs_all(&self, blocks: &[Vec<usize>], wanted: &Bits) -> bool {
+        let mut found = Bits::empty(self.unknowns.len());
+        let new = |rows: &Vec<usize>| {
+            let all = self.columns(rows);
+            let mut new = all.clone();
+            new.subtract(&found);
+            found.join(&all);
+            (all, new)
+        };
+        let contents: Vec<(Bits, Bits)> = blocks.iter().map(new).collect();
+        let mut needed = wanted.clone();
+        contents.iter().rev().all(|(all, new)| {
+            let serves = new.meets(&needed);
+            needed.join(all);
+            serves
+        })
+    }
+
+    /// How many of these blocks take algebra: all but single equations with their unknown alone on one side.
+    pub(in crate::solve) fn rearranged(&self, blocks: &[Vec<usize>]) -> usize {
+        let mut found = Bits::empty(self.unknowns.len());
+        let mut count = 0;
+        for rows in blocks {
+            let mut columns = self.columns(rows);
+            columns.subtract(&found);
+            let alone =
+                matches!(rows[..], [row] if self.rows[row].alone.is_some_and(|column| columns.contains(column)));
+            count += usize::from(!alone);
+            found.join(&columns);
+        }
+        count
+    }
+
+    /// Drops the rows that cannot serve: those with a column that is not determined, and (again and again) those
+    /// with a column that stands nowhere else and is not wanted.
+    pub(in crate::solve) fn prune(&mut self, determined: &Bits, wanted: &Bits) {
+        self.rows.retain(|row| determined.covers(&row.unknowns));
+        loop {
+            let mut count = vec![0_usize; self.unknowns.len()];
+            for column in self.rows.iter().flat_map(|row| row.unknowns.iter()) {
+                count[column] += 1;
+            }
+            let before = self.rows.len();
+            self.rows.retain(|row| row.unknowns.iter().all(|column| count[column] > 1 || wanted.contains(column)));
+            if self.rows.len() == before {
+                return;
+            }
+        }
+    }
+
+    /// Drops the columns that no row contains and that are not wanted; gives the wanted ones by their new places.
+    pub(in crate::solve) fn narrow(&mut self, wanted: &Bits) -> Bits {
+        let mut kept = wanted.clone();
+        self.rows.iter().for_each(|row| kept.join(&row.unknowns));
+        let places: BTreeMap<usize, usize> = kept.iter().zip(0..).collect();
+        let moved =
+            |columns: &Bits| Bits::of(places.len(), columns.iter().filter_map(|column| places.get(&column).copied()));
+        for row in &mut self.rows {
+            (row.unknowns, row.finds) = (moved(&row.unknowns), moved(&row.finds));
+            row.alone = row.alone.and_then(|column| places.get(&column).copied());
+        }
+        self.unknowns = kept.iter().map(|column| self.unknowns[column]).collect();
+        moved(wanted)
+    }
+}
+
+/// Every symbol of some terms, ascending, each once.
+pub(in crate::solve) fn ascending<'e>(terms: impl IntoIterator<Item = &'e Expr>) -> Vec<Symbol> {
+    let mut symbols = Vec::new();
+    terms.into_iter().for_each(|term| term.add_symbols(&mut symbols));
+    distinct(symbols)
+}
+
+/// Symbols ascending, each once.
+fn distinct(mut symbols: Vec<Symbol>) -> Vec<Symbol> {
+    symbols.sort_unstable();
+    symbols.dedup();
+    symbols
+}
+
+impl Equation {
+    /// Every symbol that the equation contains.
+    #[must_use]
+    pub fn symbols(&self) -> BTreeSet<Symbol> {
+        self.unknowns(&BTreeSet::new()).into_iter().collect()
+    }
+
+    /// Every symbol that the equation contains and that is not known, ascending.
+    pub(in crate::solve) fn unknowns(&self, known: &BTreeSet<Symbol>) -> Vec<Symbol> {
+        let (Statement::Equal { left, right } | Statement::FirstInteger { left, right, .. }) = &self.statement;
+        let count = self.counts().map(Expr::from);
+        let mut unknowns = ascending([left, right].into_iter().chain(&count));
+        unknowns.retain(|symbol| !known.contains(symbol));
+        unknowns
+    }
+
+    /// The symbol that stands alone on one side and does not stand on the other; the left side's first.
+    fn alone(&self) -> Option<Symbol> {
+        let Statement::Equal { left, right } = &self.statement else { return None };
+        let alone = |side: &Expr, other: &Expr| match side {
+            Expr::Symbol(symbol) if !other.contains(*symbol) => Some(*symbol),
+            _ => None,
+        };
+        alone(left, right).or_else(|| alone(right, left))
+    }
+
+    /// The integer that the equation finds by counting, where it is a count.
+    #[must_use]
+    pub fn counts(&self) -> Option<Symbol> {
+        match &self.statement {
+            Statement::Equal { .. } => None,
+            Statement::FirstInteger { unknown, .. } => Some(*unknown),
+        }
+    }
+}

@@ -1,0 +1,11 @@
+//! What is seen of equations by which symbols they contain, and by their derivatives at sampled places.
+
+pub(super) mod basis;
+pub(super) mod bits;
+pub(super) mod blocks;
+pub(super) mod freedom;
+pub(super) mod incidence;
+pub(super) mod matching;
+pub(super) mod rank;
+pub(super) mod residuals;
+pub(super) mod sample;
