@@ -172,7 +172,9 @@ impl Exercise {
                 (vec![Inline::Text(format!("Find {}, ", part.label)), Inline::Math(name), Inline::Text(along)], unit)
             }
             PartKind::Formula(formula) => (self.formula_on_sheet(part, formula), None),
-            PartKind::Range(_) => (vec![Inline::Text(part.label.clone())], None),
+            PartKind::Range(_) | PartKind::Choice(ChoicePart::Offered(_)) => {
+                (vec![Inline::Text(part.label.clone())], None)
+            }
             PartKind::Choice(ChoicePart::Order(symbols)) => {
                 let name = |symbol: Symbol| self.problem.math_of(symbol);
                 let mut text = vec![Inline::Text(format!("{} (", part.label))];
@@ -183,7 +185,6 @@ impl Exercise {
                 text.push(Inline::Text(")".into()));
                 (text, None)
             }
-            PartKind::Choice(ChoicePart::Offered(_)) => (vec![Inline::Text(part.label.clone())], None),
             PartKind::Choice(choice) => {
                 let mut options = choice.decided(&self.worked()).options;
                 // Long phrases are answered by their numbers.

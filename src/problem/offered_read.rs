@@ -36,7 +36,9 @@ pub(super) fn read(
 ) -> Option<PartKind> {
     let faults = misfits(ask, path);
     if !faults.is_empty() {
-        faults.into_iter().for_each(|fault| builder.fault(fault));
+        for fault in faults {
+            builder.fault(fault);
+        }
         return None;
     }
     let mut reader = Reader { builder, printed: BTreeSet::new() };
@@ -57,8 +59,8 @@ pub(super) fn read(
         options.push(Offered {
             text,
             truth,
-            because: reader.any(own.because.as_ref(), &path.key("because"))?,
-            feedback: reader.any(own.feedback.as_ref(), &path.key("feedback"))?,
+            because: reader.any(own.because.as_ref(), &path.key("because")),
+            feedback: reader.any(own.feedback.as_ref(), &path.key("feedback")),
         });
     }
     if let Some(last) = &ask.last {
@@ -66,8 +68,8 @@ pub(super) fn read(
         options.push(Offered {
             text: reader.text(&last.text, &path.key("text"))?,
             truth: Truth::Otherwise,
-            because: reader.any(last.because.as_ref(), &path.key("because"))?,
-            feedback: reader.any(last.feedback.as_ref(), &path.key("feedback"))?,
+            because: reader.any(last.because.as_ref(), &path.key("because")),
+            feedback: reader.any(last.feedback.as_ref(), &path.key("feedback")),
         });
     }
     let printed = reader.printed;
@@ -84,8 +86,9 @@ struct Reader<'r, 'b> {
 }
 
 impl Reader<'_, '_> {
-    fn any(&mut self, text: Option<&String>, path: &Path) -> Option<Option<Text>> {
-        text.map_or(Some(None), |text| self.text(text, path).map(Some))
+    /// What may be left out; its fault is noted.
+    fn any(&mut self, text: Option<&String>, path: &Path) -> Option<Text> {
+        self.text(text?, path)
     }
 
     /// A text without mathematics: it is typed as an answer, and goes where there is none.
@@ -93,7 +96,9 @@ impl Reader<'_, '_> {
         let read = match Text::read(text) {
             Ok(read) => read,
             Err(faults) => {
-                faults.into_iter().for_each(|fault| self.builder.fault(fault.at_path(path.clone())));
+                for fault in faults {
+                    self.builder.fault(fault.at_path(path.clone()));
+                }
                 return None;
             }
         };
