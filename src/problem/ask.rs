@@ -29,6 +29,8 @@ pub enum Ask {
     Physical(WhichRoot),
     /// Which of the author's own options is right.
     Choose(Choose),
+    /// Whether there is enough information to find a quantity.
+    Enough(Enough),
 }
 
 /// The value of a quantity is asked.
@@ -239,6 +241,21 @@ pub struct Range {
 pub struct WhichRoot {
     /// The quantity, whose equation has two roots: `v_B2`.
     pub physical: String,
+    /// How many points the part is worth: `2`.
+    #[serde(default)]
+    #[schemars(range(min = 0, max = 1000))]
+    pub points: Option<u32>,
+    /// The question as the sheet puts it.
+    #[serde(default)]
+    pub label: Option<String>,
+}
+
+/// Whether the sheet tells enough to find a quantity is asked; the answer is found by planning how to find it.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Enough {
+    /// The quantity: `v_A2`. Drawn numbers that the sheet does not print are not known.
+    pub enough: String,
     /// How many points the part is worth: `2`.
     #[serde(default)]
     #[schemars(range(min = 0, max = 1000))]

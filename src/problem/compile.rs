@@ -158,7 +158,7 @@ fn build(loaded: &Loaded, secret: Option<&[u8]>, asked: Asked) -> Result<Built, 
     let mut forms = Vec::new();
     let mut planner = Planner::default();
     for (form, known) in drafts.into_iter().zip(in_forms) {
-        match form.plan(&mut planner, &model, known, &require) {
+        match form.plan(&mut planner, (loaded, &model), known, &require) {
             Ok(form) => forms.push(Form { free: any::free(loaded, &model, &form), ..form }),
             Err(found) => faults.extend(found),
         }

@@ -14,6 +14,8 @@ use crate::solve::Planner;
 
 use super::allowed::Allowed;
 use super::condition::condition;
+use super::enough;
+use super::enough::Sought;
 use super::follow::Followings;
 use super::form::Question;
 use super::form_cache::FormCache;
@@ -40,6 +42,7 @@ pub(super) struct FormDraft {
     pub(super) counts: Vec<Equation>,
     reveal: Vec<Reveal>,
     pub(super) conditions: Vec<Condition>,
+    sought: Vec<Sought>,
     allowed: Allowed,
 }
 
@@ -86,6 +89,7 @@ impl FormDraft {
             counts: read.counts,
             reveal,
             conditions,
+            sought: read.sought,
             allowed: Allowed::read(question, builder),
         }
     }
@@ -106,9 +110,9 @@ impl FormDraft {
     /// Plans the form: what it reveals from everything given, what it asks from what it tells. What stands under `where`
     /// holds for the whole scene, so it also picks the solution from which something is revealed.
     pub(super) fn plan(
-        self,
+        mut self,
         planner: &mut Planner,
-        model: &Model,
+        (loaded, model): (&Loaded, &Model),
         known: Vec<Known>,
         require: &[Condition],
     ) -> Result<Form, Vec<Fault>> {
@@ -121,9 +125,16 @@ impl FormDraft {
         self.leave_open(planner, model, &mut told);
         // What an answer is a multiple of must be known too, and where it is not told it is solved.
         let multiplied = self.parts.iter().filter_map(|part| part.kind.in_terms_of());
-        let wanted: Vec<Symbol> =
+        let mut wanted: Vec<Symbol> =
             self.wanted.iter().copied().chain(multiplied.filter(|symbol| !told.contains(symbol))).collect();
         let extra = |conditions: &[Condition]| [require, conditions].concat();
+        let sheet = enough::on_the_sheet(loaded, &self.question, model, &known, &told);
+        let rules = (&self.counts[..], &extra(&self.conditions)[..]);
+        let answered = enough::answered(planner, model, &self.sought, rules, &sheet)?;
+        for (at, part) in answered.parts {
+            self.parts.insert(at.min(self.parts.len()), part);
+        }
+        wanted.extend(answered.found);
         let revealed: Vec<Symbol> = self.reveal.iter().map(|reveal| reveal.symbol).collect();
         let path = self.question.path.key("ask");
         let forward = if revealed.is_empty() {

@@ -18,6 +18,7 @@ mod declared;
 mod document;
 mod domain;
 mod draft;
+mod enough;
 mod entries;
 mod equality;
 mod expression;
@@ -75,8 +76,8 @@ mod vector;
 pub use ad_hoc::{ad_hoc, typed};
 pub use allowed::Meant;
 pub use ask::{
-    Answered, Ask, AskedRoots, Choose, Classifiable, Classify, Conservable, Conserved, Count, Find, Holds, Impulsive,
-    Order, Range, Turn, WhichRoot,
+    Answered, Ask, AskedRoots, Choose, Classifiable, Classify, Conservable, Conserved, Count, Enough, Find, Holds,
+    Impulsive, Order, Range, Turn, WhichRoot,
 };
 pub use comparison::split_relation;
 pub use compile::{compile, compile_ad_hoc};

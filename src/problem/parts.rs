@@ -26,6 +26,8 @@ use super::comparing;
 use super::concept;
 use super::conserved;
 use super::counted::counted;
+use super::enough;
+use super::enough::Sought;
 use super::expression;
 use super::form::Question;
 use super::formula::FormulaPart;
@@ -54,6 +56,8 @@ pub(super) struct Read {
     pub counts: Vec<Equation>,
     /// What must hold for the questions to have their answers.
     pub conditions: Vec<Condition>,
+    /// What the planner has to answer.
+    pub sought: Vec<Sought>,
 }
 
 /// Reads the parts of a form; faults are noted in the builder.
@@ -64,6 +68,12 @@ pub(super) fn read(loaded: &Loaded, question: &Question, builder: &mut Builder<'
         let path = question.path.key("ask").index(index);
         let letter = char::from_u32(u32::from('a') + u32::try_from(index % 26).unwrap_or(0)).unwrap_or('a').to_string();
         let part = match ask {
+            Ask::Enough(ask) => {
+                let points = ask.points.or(loaded.draft.points).unwrap_or(1);
+                let at = read.parts.len() + read.sought.len();
+                read.sought.extend(enough::read(ask, at, (&letter, points), builder, &path));
+                None
+            }
             Ask::Find(find) => number(loaded, find, builder, &path),
             Ask::Count(count) => counted(count, builder, &path, &mut read.counts),
             Ask::Choose(ask) => offered_read::read(loaded, question, ask, &letter, builder, &path)
@@ -132,6 +142,7 @@ fn points_and_label(ask: &Ask) -> (Option<u32>, Option<String>) {
         Ask::Range(ask) => (ask.points, ask.label.clone()),
         Ask::Physical(ask) => (ask.points, ask.label.clone()),
         Ask::Choose(ask) => (ask.points, None),
+        Ask::Enough(ask) => (ask.points, ask.label.clone()),
     }
 }
 

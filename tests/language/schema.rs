@@ -61,6 +61,7 @@ const BEYOND_A_SCHEMA: &[&str] = &[
     "key_in_two_words",
     "name_of_the_scene",
     "weight_",
+    "enough_",
     "only_one_option",
     "option_",
     "options_",

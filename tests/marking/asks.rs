@@ -188,3 +188,28 @@ fn options_are_marked_by_their_text_and_by_their_letter_on_the_sheet_of_the_seed
     }
     assert_eq!((orders.len(), right.len()), (6, 3), "{orders:?} {right:?}");
 }
+
+/// Momentum is one equation for two velocities; for the velocity of the centre of mass it is enough. With e it is enough for both.
+#[test]
+fn whether_there_is_enough_information_is_answered_by_counting_equations() {
+    const IMPACT: &str = "
+id: test/enough
+title: Enough
+level: core
+scene:
+  axes: { x: to the right }
+  bodies: { A: { name: cart A }, B: { name: cart B } }
+  stages: [ { impact: { between: [A, B], restitution: e } } ]
+given: { m_A: 2 kg, m_B: 1 kg, v_A1: 3 m/s, v_B1: 0 m/s }
+text: 'Cart A ({{ m_A }}) {{ v_A1 | motion }} and hits cart B ({{ m_B }}), which {{ v_B1 | motion }}.'
+ask: [ { enough: v_B2 }, { enough: v_G2 } ]
+";
+    let open = exercise(IMPACT);
+    assert_eq!(printed(&open), ["no", "yes"]);
+    assert_eq!(verdict(&open, "a", "yes"), "choice_wrong");
+    let told = IMPACT.replace("v_B1: 0 m/s }", "v_B1: 0 m/s, e: 0.5 }").replace("}}.'", "}}; e = {{ e }}.'");
+    assert_eq!(printed(&exercise(&told)), ["yes", "yes"]);
+    // A drawn number that the sheet does not print is not known.
+    let untold = IMPACT.replace("v_B1: 0 m/s }", "v_B1: 0 m/s, e: { one_of: [0.25, 0.5] } }");
+    assert_eq!(printed(&exercise(&untold)), ["no", "yes"]);
+}

@@ -52,6 +52,21 @@ pub const IMPULSIVE_AS_ORDINARY: Misconception = Misconception {
     hint: "The shorter the contact, the larger the force that gives the same impulse.",
 };
 
+/// What follows is taken for unknown.
+pub const ENOUGH_OVERLOOKED: Misconception = Misconception {
+    id: "enough-overlooked",
+    does: "overlooks a law by which the quantity follows from what is given",
+    ask: "Which laws hold here, and which quantities in them are not known?",
+    hint: "As many independent equations as there are unknown quantities in them are enough to find these.",
+};
+/// What does not follow is taken for known.
+pub const EQUATIONS_NOT_COUNTED: Misconception = Misconception {
+    id: "equations-not-counted",
+    does: "assumes that a quantity follows although there are fewer equations than unknown quantities",
+    ask: "How many quantities are unknown, and how many independent equations connect them?",
+    hint: "One equation finds one unknown quantity. What else would have to be known of this motion?",
+};
+
 /// Every one of them.
 pub const CONCEPTS: &[&Misconception] = &[
     &MOMENTUM_BY_ENERGY,
@@ -61,4 +76,6 @@ pub const CONCEPTS: &[&Misconception] = &[
     &ANGULAR_BY_LINEAR,
     &ORDINARY_AS_IMPULSIVE,
     &IMPULSIVE_AS_ORDINARY,
+    &ENOUGH_OVERLOOKED,
+    &EQUATIONS_NOT_COUNTED,
 ];

@@ -62,6 +62,14 @@ impl Planner {
         planned(system, known, wanted, self)
     }
 
+    /// Whether the equations leave a quantity no freedom, judged by their derivatives where all of them hold: where counting finds too
+    /// few equations for the others, they may fix it nevertheless.
+    #[must_use]
+    pub fn is_fixed(&self, system: &System, known: &BTreeSet<Symbol>, symbol: Symbol) -> bool {
+        let structure = Structure::new(system, known);
+        structure.column(symbol).is_some_and(|column| Freedom::new(system, &structure).fixes(column, &[]))
+    }
+
     /// The same as [`super::super::audit`].
     #[must_use]
     pub fn audit(&mut self, system: &System, known: &BTreeSet<Symbol>, plan: &Plan) -> Audit {
