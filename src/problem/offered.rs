@@ -79,11 +79,15 @@ impl Offer {
         })
     }
 
-    /// The place, as it is offered, of the right option where claims are judged so; none where one cannot be judged, or there is
-    /// nothing to judge.
+    /// What the right option prints and has no value of its own, where the author says which one is right.
+    #[must_use]
+    pub fn always_right(&self) -> Option<&[Symbol]> {
+        self.claims().next().is_none().then_some(&self.solved)
+    }
+
+    /// The place, as it is offered, of the right option where claims are judged so; none where one cannot be judged.
     #[must_use]
     pub fn right_by(&self, worked: &Worked<'_>, holds: &dyn Fn(&Claim) -> Option<bool>) -> Option<usize> {
-        self.claims().next()?;
         let right = self.right(holds)?;
         let [right] = right[..] else { return None };
         self.order(worked).iter().position(|place| *place == right)

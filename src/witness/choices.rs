@@ -57,7 +57,16 @@ pub(super) fn chosen(
         }
         (_, ChoicePart::Offered(offer)) => {
             let worked = Worked::new(case.problem, case.variant)?;
-            offer.right_by(&worked, &|claim| claimed(case, witness, claim))
+            let name = |symbol: &Symbol| &case.problem.model().symbols.entry(*symbol).name;
+            match offer.always_right() {
+                // What the option prints is compared as a quantity; here it must only be one that the simulation finds.
+                Some([]) => None,
+                Some(printed) => {
+                    let is_found = printed.iter().all(|symbol| witness.seen(name(symbol)).is_some());
+                    is_found.then(|| choice.decided(&worked).right)
+                }
+                None => offer.right_by(&worked, &|claim| claimed(case, witness, claim)),
+            }
         }
         (Ask::Conserved(ask), _) => is_conserved(case, witness, ask).map(yes),
         (Ask::Classify(ask), _) => kind(case.scene, witness, stage_of(case.scene, witness, ask.stage.as_deref())?),
