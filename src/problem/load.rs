@@ -63,7 +63,7 @@ impl Loaded {
 /// use momentous::fault::Source;
 /// let file = "ask: [{ find: v_A1 }]\nid: a\ntitle: A\nlevel: intro\nscene: { axes: { x: east }, bodies: { A: { nam: cart A } } }\ntext: What?\n";
 /// let faults = momentous::problem::load(Source::new("a.yaml", file)).unwrap_err();
-/// assert_eq!(faults.list[0].help.as_deref(), Some("did you mean `name`? Other keys here: `mass` and `guide`."));
+/// assert_eq!(faults.list[0].help.as_deref(), Some("did you mean `name`? Other keys here: `mass`, `inertia` and `guide`."));
 /// ```
 pub fn load(source: Source) -> Result<Loaded, Faults> {
     let Document { root, mut faults } = Document::read(&source);
