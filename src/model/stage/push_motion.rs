@@ -52,19 +52,26 @@ impl Builder<'_> {
         let first = usize::from(self.scene.follows_a_force(pushed.index, pushed.body));
         let ends = [(pushed.index + 1, start), (pushed.index + 2, end)];
         for (instant, end) in ends.into_iter().skip(first) {
-            let when = self.when(instant);
-            let meaning = format!("the net force on {name}{along} {when}");
-            let own = |kind| Name::of(kind, pushed.body).at(instant).along(self.letter(axis));
-            let [force, acceleration] = [QuantityKind::Force, QuantityKind::Acceleration].map(own);
-            let force = Expr::from(self.symbol(force, meaning));
+            let [force, acceleration] = self.net_force_and_acceleration(pushed.body, instant, axis);
             let there = net.substitute(&|own| (own == variable).then(|| end.clone()));
             let because = format!("these are all forces on {name}{along}");
             self.law(&motion::ALL_FORCES, Some(pushed.index), because, (force.clone(), there));
-            let meaning = format!("the acceleration of {name}{along} {when}");
-            let acceleration = Expr::from(self.symbol(acceleration, meaning));
             let because = format!("the net force on {name} accelerates it");
             let sides = motion::net_force(&mass, &acceleration, &force);
             self.law(&motion::NET_FORCE, Some(pushed.index), because, sides);
         }
+    }
+
+    /// The net force on a body along an axis at an instant, and its acceleration there.
+    pub(super) fn net_force_and_acceleration(&mut self, body: &str, instant: usize, axis: Axis) -> [Expr; 2] {
+        let (name, along, when) = (self.called(body), self.along(axis), self.when(instant));
+        let meanings = [
+            (QuantityKind::Force, format!("the net force on {name}{along} {when}")),
+            (QuantityKind::Acceleration, format!("the acceleration of {name}{along} {when}")),
+        ];
+        meanings.map(|(kind, meaning)| {
+            let own = Name::of(kind, body).at(instant).along(self.letter(axis));
+            Expr::from(self.symbol(own, meaning))
+        })
     }
 }

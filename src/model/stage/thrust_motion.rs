@@ -4,9 +4,6 @@ use crate::expr::Expr;
 use crate::laws::motion;
 use crate::laws::variable_mass;
 use crate::model::Builder;
-use crate::model::Name;
-use crate::model::QuantityKind;
-use crate::quantity::Dimension;
 use crate::scene::Axis;
 
 use super::thrust::Burn;
@@ -22,19 +19,13 @@ impl Builder<'_> {
         for ((position, axis), part) in axes.into_iter().enumerate().zip(parts) {
             for (side, mass) in burn.masses.iter().enumerate().skip(usize::from(follows)) {
                 let instant = index + 1 + side;
-                let (along, when) = (self.along(axis), self.when(instant));
-                let own = |kind| Name::of(kind, &burn.body).at(instant).along(self.letter(axis));
-                let [force, acceleration] = [QuantityKind::Force, QuantityKind::Acceleration].map(own);
-                let meaning = format!("the net force on {name}{along} {when}");
-                let force = Expr::from(self.symbol_of(force, Dimension::FORCE, meaning));
+                let [force, acceleration] = self.net_force_and_acceleration(&burn.body, instant, axis);
                 let weight = self
                     .downwards(position)
                     .map(|down| Expr::product([Expr::integer(down), mass.clone(), self.gravity()]));
                 let all = Expr::sum([burn.thrust.clone() * part.clone()].into_iter().chain(weight)).simplify();
                 let because = format!("these are all forces on what {name} consists of at that instant");
                 self.law(&motion::ALL_FORCES, Some(index), because, (force.clone(), all));
-                let meaning = format!("the acceleration of {name}{along} {when}");
-                let acceleration = Expr::from(self.symbol_of(acceleration, Dimension::ACCELERATION, meaning));
                 let because = "the thrust takes into account what the exhaust carries away";
                 let sides = motion::net_force(mass, &acceleration, &force);
                 self.law(&variable_mass::ACCELERATION, Some(index), because, sides);
