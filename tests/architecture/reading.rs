@@ -21,18 +21,18 @@ const READERS: &[(&str, &str)] = &[
     ("src/model/read.rs", "terms as authors write them"),
     ("src/model/frame.rs", "directions as authors write them"),
     ("src/model/stage/tow.rs", "terms as authors write them"),
-    ("src/problem/check.rs", "conditions as authors write them"),
-    ("src/problem/concept.rs", "forces as authors call them"),
-    ("src/problem/document.rs", "YAML"),
-    ("src/problem/given.rs", "values as authors write them"),
-    ("src/problem/literal.rs", "values as authors write them"),
-    ("src/problem/load.rs", "line ends of files"),
-    ("src/problem/numerals.rs", "numbers in authors' texts"),
-    ("src/problem/parts.rs", "questions as authors write them"),
-    ("src/problem/rubric.rs", "marks as authors write them"),
-    ("src/problem/say.rs", "what stands before a placeholder in an author's text; printed numbers"),
-    ("src/problem/shape.rs", "JSON Schema"),
-    ("src/problem/text.rs", "placeholders in authors' texts"),
+    ("src/problem/reading/check.rs", "conditions as authors write them"),
+    ("src/problem/questions/concept.rs", "forces as authors call them"),
+    ("src/problem/reading/document.rs", "YAML"),
+    ("src/problem/language/given.rs", "values as authors write them"),
+    ("src/problem/language/literal.rs", "values as authors write them"),
+    ("src/problem/reading/load.rs", "line ends of files"),
+    ("src/problem/reading/numerals.rs", "numbers in authors' texts"),
+    ("src/problem/questions/parts.rs", "questions as authors write them"),
+    ("src/problem/language/rubric.rs", "marks as authors write them"),
+    ("src/problem/sampling/say.rs", "what stands before a placeholder in an author's text; printed numbers"),
+    ("src/problem/reading/shape.rs", "JSON Schema"),
+    ("src/problem/language/text.rs", "placeholders in authors' texts"),
     ("src/explain/display.rs", "printed numbers"),
     ("src/explain/lines.rs", "printed numbers, as they are typed"),
     ("src/explain/numbers.rs", "printed numbers"),
@@ -66,6 +66,20 @@ fn the_guide_lists_what_a_kind_of_stage_touches() {
     for source in sources(&["src"]) {
         let is_listed = page.contains(&format!("\n- `{}`", source.file));
         assert_eq!(stages_of(&source.text).len() > KNOW_EVERY_STAGE, is_listed, "CONTRIBUTING.md and {}", source.file);
+    }
+}
+
+#[test]
+fn the_guides_name_files_that_exist() {
+    let of_the_tree =
+        |word: &&str| ["src/", "tests/", "templates/", "benches/"].iter().any(|top| word.starts_with(top));
+    for page in ["CONTRIBUTING.md", "docs/architecture.md"] {
+        let text = fs::read_to_string(package().join(page)).unwrap_or_else(|error| panic!("{page}: {error}"));
+        let named: Vec<&str> = text.split('`').skip(1).step_by(2).filter(of_the_tree).collect();
+        assert!(!named.is_empty(), "{page} names no files");
+        for file in named.into_iter().filter(|file| !file.contains(['<', '*', ' '])) {
+            assert!(package().join(file).exists(), "{page} names {file}, which is not there");
+        }
     }
 }
 

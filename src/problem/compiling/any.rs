@@ -1,0 +1,159 @@
+//! `any`: the proof that a quantity without a value does not matter for the answers.
+
+use std::collections::BTreeMap;
+use std::collections::BTreeSet;
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+use crate::expr::equal;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::model::Model;
+use crate::solve::Closed;
+use crate::solve::Condition;
+use crate::solve::Relation;
+use crate::solve::may_grow;
+
+use super::super::language::known::Known;
+use super::super::language::known::Origin;
+use super::super::questions::formula::symbols_only;
+use super::super::questions::part::AskedUnit;
+use super::super::reading::load::Loaded;
+use super::planned::Form;
+use super::regimes::Leaf;
+
+/// What may be anything, and what a form's text names without telling its value.
+pub(in crate::problem) fn free(loaded: &Loaded, model: &Model, form: &Form) -> BTreeSet<Symbol> {
+    let any = form.known.iter().filter(|known| matches!(known.origin, Origin::Any)).map(|known| known.symbol);
+    any.chain(symbols_only(loaded, form, &|name| model.symbol_of(name))).collect()
+}
+
+/// A fault for each answer of a form that is not proven to be the same whatever its `any` givens are.
+pub(in crate::problem) fn check(model: &Model, form: &Form) -> Vec<Fault> {
+    let known = &form.known;
+    let free: Vec<&Known> = known.iter().filter(|known| form.free.contains(&known.symbol)).collect();
+    let mut faults = Vec::new();
+    if free.is_empty() {
+        return faults;
+    }
+    let zeros = zeros(model, known);
+    for leaf in form.solver.leaves() {
+        let sources = Sources::of(leaf);
+        let mut written = fixed(known);
+        for part in &form.parts {
+            for number in part.kind.numbers() {
+                let mut needed = vec![number.symbol];
+                if let AskedUnit::InTermsOf(unit) = number.unit {
+                    needed.push(unit);
+                }
+                let open = free.iter().copied().filter(|known| !sources.never_use(leaf, &needed, known.symbol));
+                let alike = match number.unit {
+                    AskedUnit::InTermsOf(unit) => [(number.symbol, Some(unit))],
+                    AskedUnit::Unit(_) => [(number.symbol, None)],
+                };
+                let grows = |symbol| {
+                    is_positive(leaf, &zeros, symbol) && may_grow(&leaf.system, &form.told, &zeros, symbol, &alike)
+                };
+                let open: Vec<&Known> = open.filter(|known| !grows(known.symbol)).collect();
+                if open.is_empty() {
+                    continue;
+                }
+                let mut answer = written_in_givens(leaf, number.symbol, &mut written);
+                if let AskedUnit::InTermsOf(unit) = number.unit {
+                    let unit = written_in_givens(leaf, unit, &mut written);
+                    answer = answer.zip(unit).map(|(answer, unit)| (answer / unit).simplify());
+                }
+                for known in open {
+                    let independent = answer.as_ref().is_some_and(|answer| does_not_depend(answer, known.symbol));
+                    if !independent {
+                        let message =
+                            format!("it cannot be proven that `{}` does not depend on `{}`", part.id, known.name);
+                        let help =
+                            "give its value, or ask for the answer in terms of it: `unit: v_A1`, or `as: formula`";
+                        let fault = Fault::new(Code::UnderDetermined, message).help(help);
+                        faults.push(fault.at_path(Path::root().key("given").key(known.name.as_str())));
+                    }
+                }
+            }
+        }
+    }
+    faults
+}
+
+/// What is zero in every variant.
+fn zeros(model: &Model, known: &[Known]) -> BTreeSet<Symbol> {
+    let given = known.iter().filter(|known| matches!(&known.origin, Origin::Fixed(value) if value.is_zero()));
+    let written = model.literals.iter().filter(|(_, own)| own.value.is_zero());
+    given.map(|known| known.symbol).chain(written.map(|(symbol, _)| *symbol)).collect()
+}
+
+/// Whether a quantity is positive by its meaning, or because the problem requires it.
+fn is_positive(leaf: &Leaf, zeros: &BTreeSet<Symbol>, symbol: Symbol) -> bool {
+    let is_zero = |side: &Expr| side.is_zero() || matches!(side, Expr::Symbol(own) if zeros.contains(own));
+    let requires =
+        |own: &Condition| own.relation == Relation::Greater && own.left == Expr::from(symbol) && is_zero(&own.right);
+    leaf.system.positive.contains(&symbol) || leaf.system.conditions.iter().any(requires)
+}
+
+/// The values that never change, as exact numbers.
+fn fixed(known: &[Known]) -> BTreeMap<Symbol, Expr> {
+    let value = |known: &Known| match (&known.origin, known.unit.factor()) {
+        (Origin::Fixed(value), factor) if factor.pi == 0 => Some((known.symbol, Expr::measured(value, &known.unit))),
+        _ => None,
+    };
+    known.iter().filter_map(value).collect()
+}
+
+/// From which other quantities each one is computed, at whatever distance.
+struct Sources(BTreeMap<Symbol, BTreeSet<Symbol>>);
+
+impl Sources {
+    fn of(leaf: &Leaf) -> Self {
+        let mut own = Self(BTreeMap::new());
+        for root in leaf.audit.plan.steps.iter().flat_map(|step| &step.roots) {
+            for (unknown, closed) in &root.values {
+                let symbols = closed.symbols();
+                let further = symbols.iter().filter_map(|source| own.0.get(source)).flatten().copied();
+                let all: BTreeSet<Symbol> = further.collect::<Vec<_>>().into_iter().chain(symbols).collect();
+                own.0.entry(*unknown).or_default().extend(all);
+            }
+        }
+        own
+    }
+
+    /// Whether none of these is computed from a given, and no choice among roots looks at it: a proof without algebra.
+    fn never_use(&self, leaf: &Leaf, needed: &[Symbol], given: Symbol) -> bool {
+        let uses = |own: &Symbol| *own == given || self.0.get(own).is_some_and(|from| from.contains(&given));
+        let conditions = leaf.system.conditions.iter().flat_map(|own| [own.left.symbols(), own.right.symbols()]);
+        let looked_at: BTreeSet<Symbol> = conditions.flatten().chain(leaf.system.positive.iter().copied()).collect();
+        let one_root = leaf.audit.plan.steps.iter().all(|step| step.roots.len() == 1);
+        !needed.iter().any(uses) && (one_root || !looked_at.iter().filter(|own| **own != given).any(uses))
+    }
+}
+
+/// Whether the slope of a term with respect to a quantity is zero, proven by algebra.
+fn does_not_depend(term: &Expr, symbol: Symbol) -> bool {
+    if !term.contains(symbol) {
+        return true;
+    }
+    let slope = term.differentiate(symbol);
+    equal(&slope, &Expr::zero())
+}
+
+/// A quantity as a term in what is given, through every step of the plan; `None` where a step has no single formula.
+fn written_in_givens(leaf: &Leaf, symbol: Symbol, written: &mut BTreeMap<Symbol, Expr>) -> Option<Expr> {
+    if !written.contains_key(&symbol) {
+        for step in &leaf.audit.plan.steps {
+            let [root] = &step.roots[..] else { continue };
+            for (unknown, closed) in &root.values {
+                if let Closed::Formula(formula) = closed {
+                    let term = formula.substitute(&|own| written.get(&own).cloned()).simplify();
+                    written.insert(*unknown, term);
+                }
+            }
+        }
+    }
+    let solved = leaf.audit.plan.steps.iter().any(|step| step.unknowns.contains(&symbol));
+    if solved { written.get(&symbol).cloned() } else { Some(symbol.into()) }
+}

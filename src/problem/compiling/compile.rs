@@ -1,0 +1,326 @@
+//! From a loaded file to a problem that can be drawn and solved: names become symbols, what is asked becomes plans.
+
+use crate::expr::Notation;
+use crate::expr::Symbol;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Faults;
+use crate::fault::Path;
+use crate::fault::did_you_mean;
+use crate::model::Builder;
+use crate::model::Model;
+use crate::model::Reason;
+use crate::quantity::Decimal;
+use crate::quantity::Unit;
+use crate::quantity::UnitSystem;
+use crate::quantity::dimension_name;
+use crate::scene::Stage;
+use crate::solve::Condition;
+use crate::solve::Equation;
+use crate::solve::Planner;
+
+use super::super::consequences::feedback;
+use super::super::language::condition::condition;
+use super::super::language::declared::declared;
+use super::super::language::declared::unmeasured;
+use super::super::language::draft::Units;
+use super::super::language::given::Fraction;
+use super::super::language::given::Given;
+use super::super::language::known::Known;
+use super::super::language::known::Origin;
+use super::super::language::other_values::known_in;
+use super::super::language::text::Text;
+use super::super::questions::formula;
+use super::super::questions::offered;
+use super::super::questions::roots;
+use super::super::reading::load::Loaded;
+use super::super::reading::mentions::mention_in_texts;
+use super::super::reading::unsound;
+use super::super::sampling::no_variant::Rejection;
+use super::super::sampling::sampler::Sampler;
+use super::super::sampling::stream::Scheme;
+use super::super::sampling::stream::Streams;
+use super::any;
+use super::form_draft::FormDraft;
+use super::planned::Form;
+use super::planned::Problem;
+use super::told;
+
+/// Acceleration of free fall where a file does not give it: value and unit.
+const GRAVITY: [(UnitSystem, &str, &str); 2] = [(UnitSystem::Si, "9.81", "m/s^2"), (UnitSystem::Us, "32.2", "ft/s^2")];
+
+/// A loaded problem with its names resolved, its equations written and every form planned.
+///
+/// # Errors
+/// Every fault that can be found without drawing numbers: unknown names, dimensions that do not agree, what does not
+/// follow from what is given.
+pub fn compile(loaded: Loaded, secret: Option<&[u8]>) -> Result<Problem, Faults> {
+    let built = build(&loaded, secret, Asked::AsWritten).and_then(|built| {
+        let check = |form| told::check(&loaded, &built.model, form);
+        let mut faults: Vec<Fault> = built.forms.iter().flat_map(check).collect();
+        faults.extend(feedback::check(&loaded, &built.model, &built.forms));
+        if faults.is_empty() { Ok(built) } else { Err(faults) }
+    });
+    match built {
+        Ok(built) => {
+            let problem = Problem::new(loaded, built);
+            let faults = contradictions(&problem);
+            if faults.is_empty() { Ok(problem) } else { Err(problem.loaded().locate(faults)) }
+        }
+        Err(faults) => Err(loaded.locate(faults)),
+    }
+}
+
+/// Where every number is fixed, the problem has its one variant or none: what is given may say more than can be true.
+fn contradictions(problem: &Problem) -> Vec<Fault> {
+    let trouble = |(position, form): (usize, &Form)| {
+        if form.known.iter().any(|known| known.origin.is_drawn()) {
+            return None;
+        }
+        let reason = Sampler::new(problem, position).and_then(|mut sampler| sampler.draw(0)).err()?;
+        let code = match reason.rejection() {
+            Some(Rejection::Contradiction { .. }) => Code::OverDetermined,
+            _ => Code::Unphysical,
+        };
+        let why = reason.rejection().map_or_else(String::new, |why| format!(": {why}"));
+        let fault = Fault::new(code, format!("the values have no admissible solution{why}"));
+        let help =
+            "give fewer or other values; if the result is meant to be unphysical, declare it under `allow` or `expect`";
+        Some(fault.help(help).at_path(form.question.path.key("ask")))
+    };
+    problem.forms().iter().enumerate().filter_map(trouble).collect()
+}
+
+/// The same for a problem whose question was changed by [`super::super::ad_hoc`]: its text is not held to anything.
+///
+/// # Errors
+/// Every fault that can be found without drawing numbers.
+pub fn compile_ad_hoc(loaded: Loaded) -> Result<Problem, Faults> {
+    match build(&loaded, None, Asked::Anew) {
+        Ok(built) => Ok(Problem::new(loaded, built)),
+        Err(faults) => Err(loaded.locate(faults)),
+    }
+}
+
+/// How a problem is asked.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Asked {
+    /// As its file asks.
+    AsWritten,
+    /// With other values or for other quantities.
+    Anew,
+}
+
+/// What compiling makes of a file.
+pub(super) struct Built {
+    pub model: Model,
+    pub known: Vec<Known>,
+    pub forms: Vec<Form>,
+    pub streams: Streams,
+    pub units: UnitSystem,
+    pub notation: Notation,
+}
+
+fn build(loaded: &Loaded, secret: Option<&[u8]>, asked: Asked) -> Result<Built, Vec<Fault>> {
+    let draft = &loaded.draft;
+    let notation = draft.symbols.notation()?;
+    let mut builder = Builder::of(&draft.scene, &declared(loaded), unmeasured(loaded))?;
+    let mut known = givens(loaded, &mut builder);
+    for (index, relation) in draft.relations.iter().enumerate() {
+        let path = Path::root().key("relations").index(index).key("equation");
+        builder.relation(&relation.equation, &relation.because, &path);
+    }
+    let require: Vec<Condition> = draft
+        .require
+        .iter()
+        .enumerate()
+        .filter_map(|(index, text)| {
+            let reason = Reason::Required(text.clone());
+            condition(&mut builder, text, reason, &Path::root().key("require").index(index))
+        })
+        .collect();
+    mention_for_checks(&draft.scene.stages, &mut builder);
+    mention_in_texts(loaded, &mut builder);
+    let drafts: Vec<FormDraft> =
+        loaded.questions.iter().map(|question| FormDraft::read(loaded, question, &mut builder)).collect();
+    let units = unit_system(draft.units);
+    if let Some(gravity) = builder.symbols().find("g")
+        && !known.iter().any(|known| known.symbol == gravity)
+    {
+        known.extend(default_gravity(gravity, units));
+    }
+    words_for_directions(loaded, &drafts, &mut builder);
+    let mut in_forms: Vec<Vec<Known>> =
+        loaded.questions.iter().map(|question| known_in(loaded, question, &known, &mut builder)).collect();
+    let drawn = assign_streams(&mut in_forms);
+    let model = builder.finish()?;
+    let mut faults = idle((loaded, asked), &model, &known, &drafts, &require);
+    let mut forms = Vec::new();
+    let mut planner = Planner::default();
+    for (form, known) in drafts.into_iter().zip(in_forms) {
+        match form.plan(&mut planner, (loaded, &model), known, &require) {
+            Ok(form) => forms.push(Form { free: any::free(loaded, &model, &form), ..form }),
+            Err(found) => faults.extend(found),
+        }
+    }
+    faults.extend(forms.iter().flat_map(|form| any::check(&model, form)));
+    faults.extend(forms.iter().flat_map(|form| formula::check(&model.literals, form)));
+    faults.extend(forms.iter().flat_map(roots::check));
+    faults.extend(forms.iter().flat_map(|form| offered::check(&model, form)));
+    if !faults.is_empty() {
+        return Err(faults);
+    }
+    let drawn = drawn.iter().filter_map(|position| known.get(*position)).map(|known| known.name.as_str());
+    let streams = Streams::new(Scheme::CURRENT, &draft.id, secret, drawn);
+    Ok(Built { model, known, forms, streams, units, notation })
+}
+
+/// Gives a random stream to each given that some form draws; the positions of these givens.
+fn assign_streams(in_forms: &mut [Vec<Known>]) -> Vec<usize> {
+    let count = in_forms.first().map_or(0, Vec::len);
+    let is_drawn = |position: &usize| {
+        in_forms.iter().any(|known| known.get(*position).is_some_and(|known| known.origin.is_drawn()))
+    };
+    let drawn: Vec<usize> = (0..count).filter(is_drawn).collect();
+    for known in in_forms.iter_mut() {
+        for (stream, position) in drawn.iter().enumerate() {
+            if let Some(known) = known.get_mut(*position) {
+                known.stream = Some(stream);
+            }
+        }
+    }
+    drawn
+}
+
+/// A word in the place of a direction is the name of an angle only if the file says more of it.
+fn words_for_directions(loaded: &Loaded, drafts: &[FormDraft], builder: &mut Builder<'_>) {
+    let words: Vec<(String, Path)> = builder.words().to_vec();
+    for (word, path) in words {
+        let symbol = builder.symbols().find(&word);
+        let is_said = loaded.given.get(&word).is_some()
+            || loaded.draft.relations.iter().any(|relation| relation.equation.contains(&word))
+            || drafts.iter().any(|form| symbol.is_some_and(|symbol| form.speaks_of(symbol)));
+        if !is_said {
+            let fault = builder.no_direction(&word).at_path(path);
+            builder.fault(fault);
+        }
+    }
+}
+
+/// A given that no equation, condition or text refers to is a slip of the pen.
+fn idle(
+    (loaded, asked): (&Loaded, Asked),
+    model: &Model,
+    known: &[Known],
+    forms: &[FormDraft],
+    require: &[Condition],
+) -> Vec<Fault> {
+    let mut used = model.mentioned();
+    let conditions = forms.iter().flat_map(|form| &form.conditions).chain(require);
+    used.extend(conditions.flat_map(|condition| [condition.left.symbols(), condition.right.symbols()]).flatten());
+    used.extend(forms.iter().flat_map(|form| &form.counts).flat_map(Equation::symbols));
+    used.extend(forms.iter().flat_map(FormDraft::mentioned));
+    let texts = std::iter::once(&loaded.text).chain(loaded.questions.iter().map(|question| &question.text));
+    let texts = texts.filter(|_| asked == Asked::AsWritten);
+    used.extend(texts.flat_map(Text::placeholders).filter_map(|placeholder| model.symbol_of(&placeholder.name)));
+    let names: Vec<&str> = used.iter().map(|symbol| model.symbols.entry(*symbol).name.as_str()).collect();
+    // Asked anew, a problem may leave some of its own givens aside; that its text says a value that was typed makes no use of it.
+    let aside = |known: &Known| asked == Asked::Anew && loaded.draft.given.get(&known.name).is_some();
+    // A quantity of the scene that must not matter may be one that no equation needs.
+    let any = |known: &Known| matches!(known.origin, Origin::Any) && model.symbols.is_described(known.symbol);
+    let idle = known.iter().filter(|known| !used.contains(&known.symbol) && !aside(known) && !any(known));
+    let fault = |known: &Known| {
+        let fault = Fault::new(Code::UnknownName, format!("nothing in the scene uses `{}`", known.name));
+        let near = did_you_mean(&known.name, names.iter().copied());
+        let help = near.map_or_else(|| "remove it, or use it".to_owned(), |near| format!("did you mean `{near}`?"));
+        fault.help(help).at_path(Path::root().key("given").name(known.name.as_str()))
+    };
+    idle.map(fault).collect()
+}
+
+/// The unit system of a file.
+pub(in crate::problem) fn unit_system(units: Units) -> UnitSystem {
+    match units {
+        Units::Si => UnitSystem::Si,
+        Units::Us => UnitSystem::Us,
+    }
+}
+
+/// Every given with its symbol. An expression of other givens becomes a stated relation, and so needs no value here.
+fn givens(loaded: &Loaded, builder: &mut Builder<'_>) -> Vec<Known> {
+    let mut known = Vec::new();
+    for (name, given) in loaded.given.iter() {
+        let path = Path::root().key("given").key(name);
+        let place = Path::root().key("given").name(name);
+        let mut add = |builder: &mut Builder<'_>, name: &str, origin: Origin, unit: &Unit| {
+            let Some(symbol) = builder.mention(name) else {
+                let fault = match given {
+                    Given::Any(_) => builder.unknown(name).help(format!("give its unit: `{name}: any kg`")),
+                    _ => builder.unknown(name),
+                };
+                builder.fault(fault.at_path(place.clone()));
+                return;
+            };
+            let dimension = builder.symbols().entry(symbol).dimension;
+            if dimension != unit.dimension() && !matches!(given, Given::Any(None)) {
+                let [expected, found] = [dimension, unit.dimension()].map(dimension_name);
+                let message = format!("`{name}` is {expected}, but its unit is one of {found}");
+                builder.fault(Fault::new(Code::Dimension, message).help("change the unit").at_path(path.clone()));
+            }
+            if let Some(fault) = unsound::too_small(builder, name, symbol, &origin) {
+                builder.fault(fault.at_path(path.clone()));
+            }
+            if origin.is_positive() {
+                builder.assume_positive(name, symbol);
+            }
+            known.push(Known { name: name.to_owned(), symbol, unit: unit.clone(), origin, stream: None });
+        };
+        match given {
+            Given::Any(unit) => add(builder, name, Origin::Any, &unit.clone().unwrap_or_default()),
+            Given::Drawn { domain, unit } => add(builder, name, Origin::Drawn(domain.clone()), unit),
+            Given::Literal(literal) => match &literal.components[..] {
+                [only] => add(builder, name, Origin::Fixed(only.clone()), &literal.unit),
+                components => {
+                    for (value, axis) in components.iter().zip(["x", "y", "z"]) {
+                        add(builder, &format!("{name}.{axis}"), Origin::Fixed(value.clone()), &literal.unit);
+                    }
+                }
+            },
+            Given::Expression(text) => {
+                // `10/3 kg` is a third of ten kilograms where that is what the quantity is measured in.
+                let own = builder.mention(name).map(|symbol| builder.symbols().entry(symbol).dimension);
+                let fraction =
+                    Fraction::read(text.trim()).filter(|read| own.is_none_or(|own| own == read.unit.dimension()));
+                if let Some(exact) = fraction.as_ref().and_then(Fraction::decimal)
+                    && let (Some(_), Some(fraction)) = (own, &fraction)
+                {
+                    add(builder, name, Origin::Fixed(exact), &fraction.unit);
+                    continue;
+                }
+                let text = &fraction.map_or_else(|| text.clone(), |fraction| fraction.expression());
+                if builder.mention(name).is_none() {
+                    let meaning = "the value given for it";
+                    builder.declare(name, text, meaning, &path);
+                }
+                builder.relation(&format!("{name} = {text}"), "this is given", &path);
+            }
+        }
+    }
+    unsound::circles(loaded, builder);
+    known
+}
+
+fn default_gravity(symbol: Symbol, system: UnitSystem) -> Option<Known> {
+    let (_, value, unit) = GRAVITY.iter().find(|(own, ..)| *own == system)?;
+    let (value, unit) = (Decimal::parse(value).ok()?, Unit::parse(unit).ok()?);
+    Some(Known { name: "g".into(), symbol, unit, origin: Origin::Fixed(value), stream: None })
+}
+
+/// The energies around every impact, so that the audit can judge it.
+fn mention_for_checks(stages: &[Stage], builder: &mut Builder<'_>) {
+    for (index, stage) in stages.iter().enumerate() {
+        if matches!(stage, Stage::Impact(_)) {
+            builder.mention(&format!("T_lost[{}]", index + 1));
+        }
+    }
+}

@@ -1,0 +1,115 @@
+//! The value of a known quantity on its way into a program: exact as a decimal, and as the nearest double.
+
+use crate::quantity::Decimal;
+use crate::quantity::Factor;
+use crate::quantity::Unit;
+use crate::solve::Bounded;
+use crate::solve::Exact;
+
+use super::super::language::domain::Domain;
+use super::super::language::known::Origin;
+use super::planned::Form;
+use super::planned::Problem;
+
+/// The value of one symbol; most symbols have none before they are solved.
+#[derive(Clone, Debug, Default)]
+pub(in crate::problem) struct Input {
+    value: Option<Bounded>,
+    source: Source,
+    factor: Factor,
+    /// The factor as a double.
+    size: f64,
+}
+
+/// From which decimal the value was made.
+#[derive(Clone, Debug, Default)]
+enum Source {
+    #[default]
+    None,
+    Decimal(Decimal),
+    Drawn(u64),
+}
+
+impl Input {
+    /// The inputs of a form by symbol: fixed values are in place, drawn ones follow with each seed.
+    pub(in crate::problem) fn all(problem: &Problem, form: &Form, count: usize) -> Vec<Self> {
+        let mut inputs = vec![Self::default(); count];
+        let mut put = |index: usize, input: Self| {
+            if let Some(place) = inputs.get_mut(index) {
+                *place = input;
+            }
+        };
+        for known in &form.known {
+            let input = match &known.origin {
+                Origin::Fixed(value) => Self::of(value, &known.unit),
+                Origin::Any => Self::of(&Decimal::from(1), &Unit::none()),
+                Origin::Drawn(_) => Self::blank(&known.unit),
+            };
+            put(known.symbol.index(), input);
+        }
+        for (symbol, quantity) in &problem.model().literals {
+            put(symbol.index(), Self::of(&quantity.value, &quantity.unit));
+        }
+        inputs
+    }
+
+    fn blank(unit: &Unit) -> Self {
+        let factor = unit.factor();
+        Self { value: None, source: Source::None, size: factor.to_f64(), factor }
+    }
+
+    /// A decimal in a unit.
+    pub(in crate::problem) fn of(value: &Decimal, unit: &Unit) -> Self {
+        let mut input = Self::blank(unit);
+        input.value = Some(scaled(value.to_f64(), input.size));
+        input.source = Source::Decimal(value.clone());
+        input
+    }
+
+    /// Takes the value of that number of a domain.
+    pub(in crate::problem) fn draw(&mut self, domain: &Domain, index: u64) {
+        self.value = Some(scaled(domain.value_f64(index), self.size));
+        self.source = Source::Drawn(index);
+    }
+
+    pub(in crate::problem) fn bounded(&self) -> Option<Bounded> {
+        self.value
+    }
+
+    /// The decimal that it was made from, where it was made from one.
+    pub(in crate::problem) fn decimal(&self) -> Option<Decimal> {
+        match &self.source {
+            Source::Decimal(value) => Some(value.clone()),
+            Source::None | Source::Drawn(_) => None,
+        }
+    }
+
+    /// The exact value in SI units.
+    pub(in crate::problem) fn exact(&self, domain: Option<&Domain>) -> Option<Exact> {
+        let decimal = match &self.source {
+            Source::Decimal(value) => value.clone(),
+            Source::Drawn(index) => domain?.value(*index),
+            Source::None => return None,
+        };
+        let Factor { rational: factor, pi } = &self.factor;
+        let value = decimal.to_rational();
+        Some(Exact { rational: if factor.is_one() { value } else { value * factor }, pi_power: *pi })
+    }
+}
+
+/// A decimal's nearest double times a unit's factor: exact for whole numbers in base units, else within three roundings.
+fn scaled(value: f64, factor: f64) -> Bounded {
+    let product = value * factor;
+    let coherent = factor.to_bits() == 1.0_f64.to_bits();
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_precision_loss,
+        clippy::float_cmp,
+        reason = "it asks for loss"
+    )]
+    let is_whole = value.abs() < 9e15 && value as i64 as f64 == value;
+    let exact = coherent && is_whole;
+    let half_ulp = f64::EPSILON / 2.0;
+    let roundings = if coherent { 1.0 } else { 3.1 };
+    Bounded { value: product, error: if exact { 0.0 } else { product.abs() * half_ulp * roundings } }
+}

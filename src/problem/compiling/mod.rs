@@ -1,0 +1,11 @@
+//! From a draft to a problem that can be drawn: symbols, plans, ways in which a scene can go, and what its texts tell.
+
+pub(super) mod ad_hoc;
+pub(super) mod any;
+pub(super) mod compile;
+pub(super) mod form_cache;
+pub(super) mod form_draft;
+pub(super) mod input;
+pub(super) mod planned;
+pub(super) mod regimes;
+pub(super) mod told;

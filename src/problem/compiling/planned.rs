@@ -1,0 +1,293 @@
+//! A compiled problem: its equations, what is known, and its forms, each with its plans.
+
+use std::borrow::Cow;
+use std::collections::BTreeSet;
+use std::sync::Arc;
+use std::sync::OnceLock;
+
+use crate::expr::Math;
+use crate::expr::Notation;
+use crate::expr::Symbol;
+use crate::expr::SymbolEntry;
+use crate::laws::Law;
+use crate::model::Model;
+use crate::model::Name;
+use crate::model::QuantityKind;
+use crate::quantity::Dimension;
+use crate::quantity::Unit;
+use crate::quantity::UnitSystem;
+
+use super::super::consequences::follow::Followings;
+use super::super::consequences::mistakes::Mistakes;
+use super::super::language::allowed::Meant;
+use super::super::language::form::Question;
+use super::super::language::known::Known;
+use super::super::language::known::Origin;
+use super::super::questions::formula::Formulas;
+use super::super::questions::part::AskedUnit;
+use super::super::questions::part::Part;
+use super::super::questions::part::PartKind;
+use super::super::reading::load::Loaded;
+use super::super::sampling::rounding::Sensitivities;
+use super::super::sampling::samples::Samples;
+use super::super::sampling::stream::Streams;
+use super::compile::Built;
+use super::form_cache::FormCache;
+use super::regimes::Regimes;
+
+/// A problem that can be drawn and solved; made only by [`super::super::compile`].
+#[derive(Clone, Debug)]
+pub struct Problem {
+    loaded: Loaded,
+    model: Model,
+    known: Vec<Known>,
+    forms: Vec<Form>,
+    streams: Streams,
+    units: UnitSystem,
+    notation: Notation,
+    /// How the name of each quantity is set; found when it is first wanted.
+    names: Vec<OnceLock<Math>>,
+}
+
+/// One way in which a problem is asked, planned.
+#[derive(Clone, Debug)]
+pub struct Form {
+    /// What the file says of it.
+    pub question: Question,
+    /// What is known, in the order of the file: the same quantities in every form.
+    pub known: Vec<Known>,
+    /// What is asked.
+    pub parts: Vec<Part>,
+    /// What the author means of what `momentous check` would find.
+    pub meant: Vec<Meant>,
+    /// What the student is told: the symbols that the solver takes as known.
+    pub told: BTreeSet<Symbol>,
+    /// Of these, the quantities whose values the sheet does not tell: they may be anything, or are known by their symbols only.
+    pub free: BTreeSet<Symbol>,
+    /// What is solved first and then given.
+    pub reveal: Vec<Reveal>,
+    /// Solves what is revealed.
+    pub forward: Option<Regimes>,
+    /// Solves what is asked.
+    pub solver: Regimes,
+    /// Solves the sides of a claim from a trial value of the quantity whose range is asked.
+    pub(in crate::problem) trials: Vec<(Symbol, Regimes)>,
+    /// Solves what weight does in short contacts, where the answers need it not.
+    pub(in crate::problem) weighed: Option<Regimes>,
+    /// What comes of the common mistakes; planned when a wrong answer first asks for it.
+    pub(in crate::problem) mistakes: Mistakes,
+    /// How answers move with the values on the way; worked out when a wrong answer first asks for it.
+    pub(in crate::problem) sensitivities: Sensitivities,
+    /// What follows from earlier answers; planned when a wrong answer first asks for it.
+    pub(in crate::problem) followings: Followings,
+    /// The formulas of what is asked; composed when one is first wanted.
+    pub(in crate::problem) formulas: Formulas,
+    /// Values of its givens near which formulas are compared; drawn when a formula is first marked.
+    pub(in crate::problem) samples: Samples,
+    /// What all explanations of the form have in common; worked out when one is first wanted.
+    pub cache: FormCache,
+}
+
+/// A value that is solved first and then given, rounded as it is printed.
+#[derive(Clone, Debug)]
+pub struct Reveal {
+    /// Its name.
+    pub name: String,
+    /// Its quantity.
+    pub symbol: Symbol,
+    /// The unit in which it is given.
+    pub unit: Unit,
+    /// To how many figures.
+    pub figures: usize,
+}
+
+impl Form {
+    /// The quantities that are asked.
+    pub fn wanted(&self) -> impl Iterator<Item = Symbol> {
+        self.parts.iter().flat_map(|part| part.kind.wanted())
+    }
+
+    /// Whether so many solutions are what it asks for: one, or any number where every one is asked for.
+    pub(in crate::problem) fn accepts(&self, solutions: usize) -> bool {
+        solutions == 1 || solutions > 1 && self.question.roots.is_some()
+    }
+
+    /// The quantities in terms of which answers are asked.
+    pub fn units(&self) -> impl Iterator<Item = Symbol> {
+        let numbers = self.parts.iter().flat_map(|part| part.kind.numbers());
+        numbers.filter_map(|number| match &number.unit {
+            AskedUnit::InTermsOf(symbol) => Some(*symbol),
+            AskedUnit::Unit(_) => None,
+        })
+    }
+
+    /// How many different sets of numbers a form can draw, before any is rejected.
+    #[must_use]
+    pub fn combinations(&self) -> u128 {
+        let counts = self.known.iter().filter_map(|known| match &known.origin {
+            Origin::Drawn(domain) => Some(u128::from(domain.count())),
+            _ => None,
+        });
+        counts.fold(1, u128::saturating_mul)
+    }
+
+    /// What the answer plans, and what is to be decided, use of what is given.
+    #[must_use]
+    pub fn needed(&self) -> BTreeSet<Symbol> {
+        let mut needed = BTreeSet::new();
+        for leaf in self.solver.leaves() {
+            let equations = leaf.answer_steps().iter().flat_map(|step| &step.equations);
+            for equation in equations.filter_map(|position| leaf.system.equations.get(*position)) {
+                needed.extend(equation.symbols().intersection(&self.told).copied());
+            }
+        }
+        let choices = self.parts.iter().filter_map(|part| match &part.kind {
+            PartKind::Choice(choice) => Some(choice.depends_on()),
+            _ => None,
+        });
+        needed.extend(choices.flatten().filter(|symbol| self.told.contains(symbol)));
+        needed
+    }
+}
+
+impl Problem {
+    /// The laws in a form's answer plans, each once, in the order of their use.
+    #[must_use]
+    pub fn laws(&self, form: &Form) -> Vec<&'static Law> {
+        let mut laws: Vec<&'static Law> = Vec::new();
+        for leaf in form.solver.leaves() {
+            for position in leaf.answer_steps().iter().flat_map(|step| &step.equations) {
+                let equation = leaf.system.equations.get(*position);
+                let law =
+                    equation.and_then(|equation| self.model.instances.get(equation.tag)).map(|instance| instance.law);
+                laws.extend(law.filter(|law| !laws.contains(law)));
+            }
+        }
+        laws
+    }
+
+    pub(super) fn new(loaded: Loaded, built: Built) -> Self {
+        let Built { model, known, forms, streams, units, notation } = built;
+        let names = vec![OnceLock::new(); model.symbols.len()];
+        Self { loaded, model, known, forms, streams, units, notation, names }
+    }
+
+    /// The file as it was loaded.
+    #[must_use]
+    pub fn loaded(&self) -> &Loaded {
+        &self.loaded
+    }
+
+    /// The problem's identity: `impact/two-carts`.
+    #[must_use]
+    pub fn id(&self) -> &str {
+        &self.loaded.draft.id
+    }
+
+    /// Its title.
+    #[must_use]
+    pub fn title(&self) -> &str {
+        &self.loaded.draft.title
+    }
+
+    /// The scene as equations.
+    #[must_use]
+    pub fn model(&self) -> &Model {
+        &self.model
+    }
+
+    /// The letters that the course writes.
+    #[must_use]
+    pub fn notation(&self) -> &Notation {
+        &self.notation
+    }
+
+    /// The name of a quantity as the course writes it.
+    #[must_use]
+    pub fn name_of(&self, symbol: Symbol) -> String {
+        self.notation.name(&self.model.symbols.entry(symbol).name)
+    }
+
+    /// The same, typeset.
+    #[must_use]
+    pub fn math_of(&self, symbol: Symbol) -> Math {
+        let set = || {
+            let math = self.notation.math(&self.set_apart(symbol));
+            if self.is_speed_on_line(symbol) { Math::Bars(Arc::new(math)) } else { math }
+        };
+        self.names.get(symbol.index()).map_or_else(set, |name| name.get_or_init(set).clone())
+    }
+
+    /// The name under which a quantity is typeset: a period has a letter of its own beside kinetic energies.
+    fn set_apart(&self, symbol: Symbol) -> Cow<'_, str> {
+        let name = self.model.name(symbol);
+        let is_energy = |(symbol, entry): (Symbol, &SymbolEntry)| {
+            self.model.name(symbol).kind.is_kinetic_energy() && entry.dimension == Dimension::ENERGY
+        };
+        if name.kind == QuantityKind::Period && self.model.symbols.iter().any(is_energy) {
+            return Name { kind: QuantityKind::Own("tau".to_owned()), ..name.clone() }.to_string().into();
+        }
+        self.model.symbols.entry(symbol).name.as_str().into()
+    }
+
+    /// Whether a quantity is a speed whose velocity is a single number: both would be written with the same letter.
+    fn is_speed_on_line(&self, symbol: Symbol) -> bool {
+        let is_line = self.loaded.draft.scene.axes.rectangular().len() == 1;
+        is_line && self.model.name(symbol).kind == QuantityKind::Speed
+    }
+
+    /// What is known, in the order of the file.
+    #[must_use]
+    pub fn known(&self) -> &[Known] {
+        &self.known
+    }
+
+    /// The forms, in the order of the file; at least one.
+    #[must_use]
+    pub fn forms(&self) -> &[Form] {
+        &self.forms
+    }
+
+    /// The position of the form of that name; of the first one where no name is said.
+    #[must_use]
+    pub fn form(&self, name: Option<&str>) -> Option<usize> {
+        match name {
+            None => Some(0),
+            Some(name) => self.forms.iter().position(|form| form.question.name.as_deref() == Some(name)),
+        }
+    }
+
+    /// The mark of the secret with which its givens are drawn, where there is one.
+    #[must_use]
+    pub fn secret_mark(&self) -> Option<&str> {
+        self.streams.mark.as_deref()
+    }
+
+    /// The code of a variant: the same each time, another for another seed, form or state of the file.
+    #[must_use]
+    pub fn code(&self, form: usize, seed: u64) -> String {
+        let name = self.forms().get(form).and_then(|form| form.question.name.as_deref()).unwrap_or_default();
+        self.streams.code(&[self.loaded.digest.as_bytes(), name.as_bytes(), &seed.to_le_bytes()])
+    }
+
+    /// The streams from which its givens are drawn.
+    #[must_use]
+    pub fn streams(&self) -> &Streams {
+        &self.streams
+    }
+
+    /// The unit system of its defaults.
+    #[must_use]
+    pub fn units(&self) -> UnitSystem {
+        self.units
+    }
+
+    /// The unit in which a quantity is given, where it is.
+    #[must_use]
+    pub fn unit_given(&self, symbol: Symbol) -> Option<Unit> {
+        let known = self.known.iter().find(|known| known.symbol == symbol).map(|known| known.unit.clone());
+        let literal =
+            || self.model.literals.iter().find(|(own, _)| *own == symbol).map(|(_, value)| value.unit.clone());
+        known.or_else(literal)
+    }
+}

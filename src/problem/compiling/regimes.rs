@@ -1,0 +1,297 @@
+//! The ways in which a scene can go, each planned and compiled: the one whose conditions hold is taken.
+
+use std::collections::BTreeSet;
+
+use crate::expr::Symbol;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::model::Model;
+use crate::model::Warning;
+use crate::solve::Audit;
+use crate::solve::Bounded;
+use crate::solve::Cause;
+use crate::solve::Condition;
+use crate::solve::Equation;
+use crate::solve::Outcome;
+use crate::solve::Planner;
+use crate::solve::Precision;
+use crate::solve::Program;
+use crate::solve::Real;
+use crate::solve::Reason;
+use crate::solve::Step;
+use crate::solve::Stuck;
+use crate::solve::System;
+use crate::solve::Tree;
+use crate::solve::TreeWorkspace;
+use crate::solve::Verify;
+
+use super::super::language::domain::Domain;
+use super::input::Input;
+
+/// One way in which the scene can go.
+#[derive(Clone, Debug)]
+pub struct Leaf {
+    /// What happens, as clauses: `the crate stays at rest`; empty where there is only one way.
+    pub words: Vec<String>,
+    /// The equations and conditions of this way.
+    pub system: System,
+    /// The plan, and what only judging needs.
+    pub audit: Audit,
+}
+
+/// The plans of a form, one for each way in which the scene can go, and their programs.
+#[derive(Clone, Debug)]
+pub struct Regimes {
+    leaves: Vec<Leaf>,
+    tree: Tree,
+    inputs: Vec<Symbol>,
+}
+
+impl Leaf {
+    /// The steps of the answer plan.
+    #[must_use]
+    pub fn answer_steps(&self) -> &[Step] {
+        self.audit.plan.steps.get(..self.audit.answer_steps).unwrap_or(&self.audit.plan.steps)
+    }
+}
+
+impl Regimes {
+    /// Plans how to find what is wanted from what is given, in every way in which the scene can go. A way in which the
+    /// question has no answer (when does it start to slide, where it does not) is left out: numbers that lead there are
+    /// not drawn.
+    pub(in crate::problem) fn plan(
+        planner: &mut Planner,
+        model: &Model,
+        equations: &[Equation],
+        conditions: &[Condition],
+        told: &BTreeSet<Symbol>,
+        wanted: &[Symbol],
+        allowed: &[Warning],
+    ) -> Result<Self, Fault> {
+        let applies = |condition: &Condition| {
+            let warning = model.reasons.get(condition.tag).and_then(crate::model::Reason::warning);
+            warning.is_none_or(|warning| !allowed.contains(&warning))
+        };
+        let inputs: Vec<Symbol> = told.iter().copied().collect();
+        let mut leaves = Vec::new();
+        let mut programs = Vec::new();
+        let mut stuck_at = None;
+        for (words, mut system) in model.systems() {
+            system.equations.extend(equations.iter().cloned());
+            system.conditions.extend(conditions.iter().cloned());
+            system.conditions.retain(applies);
+            let planned = match planner.plan(&system, told, wanted) {
+                Ok(planned) => planned,
+                Err(stuck) => {
+                    stuck_at.get_or_insert_with(|| {
+                        let ways = ways_out(planner, &system, &stuck, wanted);
+                        fault(model, &system, &stuck, &ways)
+                    });
+                    continue;
+                }
+            };
+            let audit = planner.audit(&system, told, &planned);
+            let program = Program::compile(&system, &audit, &inputs, wanted, Verify::Redundant)
+                .map_err(|unknown| Fault::new(Code::Stuck, unknown.to_string()))?;
+            programs.push(program);
+            leaves.push(Leaf { words, system, audit });
+        }
+        if let (true, Some(fault)) = (leaves.is_empty(), stuck_at) {
+            return Err(fault);
+        }
+        Ok(Self { leaves, tree: Tree { leaves: programs }, inputs })
+    }
+
+    /// The ways, in the order in which they are tried.
+    #[must_use]
+    pub fn leaves(&self) -> &[Leaf] {
+        &self.leaves
+    }
+
+    /// One of the ways; the first where the position is of another form.
+    #[must_use]
+    pub fn leaf(&self, position: usize) -> &Leaf {
+        // There is always one: a model without choices has one system.
+        self.leaves.get(position).unwrap_or(&self.leaves[0])
+    }
+
+    /// The programs.
+    #[must_use]
+    pub fn tree(&self) -> &Tree {
+        &self.tree
+    }
+
+    /// What the programs take, in order.
+    #[must_use]
+    pub fn inputs(&self) -> &[Symbol] {
+        &self.inputs
+    }
+}
+
+/// Where no tactic closes some equations: the quantities of which any one, told as well, lets the rest be found.
+fn ways_out(planner: &mut Planner, system: &System, stuck: &Stuck, wanted: &[Symbol]) -> Vec<Symbol> {
+    let Reason::NoTactic { unknowns, .. } = &stuck.reason else { return Vec::new() };
+    let mut works = |symbol: &Symbol| {
+        let known = stuck.known.iter().copied().chain([*symbol]).collect();
+        let wanted: Vec<Symbol> = wanted.iter().copied().filter(|own| own != symbol).collect();
+        planner.plan(system, &known, &wanted).is_ok()
+    };
+    unknowns.iter().copied().filter(|symbol| works(symbol)).collect()
+}
+
+/// Why a form cannot be solved, in the author's terms; `ways` are quantities that would have to be told as well.
+fn fault(model: &Model, system: &System, stuck: &Stuck, ways: &[Symbol]) -> Fault {
+    let name = |symbol: &Symbol| format!("`{}`", model.symbols.entry(*symbol).name);
+    let names = |symbols: &[Symbol]| symbols.iter().map(name).collect::<Vec<_>>().join(", ");
+    let laws = |equations: &[usize]| {
+        let law = |position: &usize| {
+            let equation = system.equations.get(*position)?;
+            model.instances.get(equation.tag).map(|instance| instance.law.name)
+        };
+        equations.iter().filter_map(law).collect::<Vec<_>>().join(", ")
+    };
+    match &stuck.reason {
+        Reason::Underdetermined { wanted, enough } => {
+            let follow = if wanted.len() == 1 { "does not follow" } else { "do not follow" };
+            let message = format!("{} {follow} from what is given", names(wanted));
+            let spoken = |set: &&Vec<Symbol>| set.iter().all(|symbol| !model.symbols.entry(*symbol).name.contains(' '));
+            let ways: Vec<String> = enough.iter().filter(spoken).take(4).map(|set| names(set)).collect();
+            let known: Vec<Symbol> = stuck.known.iter().copied().collect();
+            let help = if ways.is_empty() {
+                format!("the givens are {}; describe the scene further, or give more values", names(&known))
+            } else {
+                format!("give also {}", ways.join(", or "))
+            };
+            Fault::new(Code::UnderDetermined, message).help(help)
+        }
+        Reason::NoTactic { equations, unknowns } => {
+            let message = format!("no known method gives {} from {}", names(unknowns), laws(equations));
+            let help = match ways {
+                [] => "describe the scene by other quantities, or ask for another".to_owned(),
+                ways => format!("the rest can be found where one of these is given: {}", names(ways)),
+            };
+            Fault::new(Code::Stuck, message).help(help)
+        }
+        Reason::Contradiction { equations } => {
+            let message = format!("the givens contradict each other in {}", laws(equations));
+            Fault::new(Code::OverDetermined, message).help("remove one of the givens that these laws connect")
+        }
+    }
+}
+
+/// The memory of solving: kept between variants, so that a replay allocates little.
+#[derive(Clone, Debug, Default)]
+pub(in crate::problem) struct Scratch {
+    workspace: TreeWorkspace,
+    inputs: Vec<Bounded>,
+    taken: Option<usize>,
+}
+
+impl Scratch {
+    /// Memory for replays of that precision.
+    pub(in crate::problem) fn new(precision: Precision) -> Self {
+        Self { workspace: TreeWorkspace::new(precision), ..Self::default() }
+    }
+
+    /// Solves from the inputs; gives the number of admissible solutions.
+    pub(in crate::problem) fn run(&mut self, regimes: &Regimes, inputs: &[Input], domains: &[Option<Domain>]) -> usize {
+        if !self.take(regimes, |symbol| inputs.get(symbol.index()).and_then(Input::bounded)) {
+            return 0;
+        }
+        let exact = || {
+            let input = |symbol: &Symbol| {
+                let domain = domains.get(symbol.index()).and_then(Option::as_ref);
+                inputs.get(symbol.index()).and_then(|input| input.exact(domain))
+            };
+            // Every input has a value here, so none is left out.
+            regimes.inputs.iter().filter_map(input).collect()
+        };
+        self.taken = regimes.tree.solve_from(&self.inputs, &exact, &mut self.workspace);
+        self.survivors(regimes)
+    }
+
+    /// The same for a limiting case, in which conditions may hold with nothing to spare, in floating point alone.
+    pub(in crate::problem) fn run_limit(
+        &mut self,
+        regimes: &Regimes,
+        input: impl Fn(&Symbol) -> Option<Bounded>,
+    ) -> usize {
+        if !self.take(regimes, input) {
+            return 0;
+        }
+        self.taken = regimes.tree.solve_limit(&self.inputs, &mut self.workspace);
+        self.survivors(regimes)
+    }
+
+    /// Takes the inputs of the programs; whether all are there.
+    fn take(&mut self, regimes: &Regimes, input: impl Fn(&Symbol) -> Option<Bounded>) -> bool {
+        self.inputs.clear();
+        self.inputs.extend(regimes.inputs.iter().map_while(input));
+        self.inputs.len() == regimes.inputs.len()
+    }
+
+    fn outcome<'a>(&'a self, regimes: &'a Regimes) -> Option<Outcome<'a, Bounded>> {
+        regimes.tree.outcome(self.taken?, &self.workspace)
+    }
+
+    /// How many solutions the last run found.
+    pub(in crate::problem) fn survivors(&self, regimes: &Regimes) -> usize {
+        self.outcome(regimes).map_or(0, |outcome| outcome.survivors())
+    }
+
+    /// A solved quantity in SI units, with a bound on its error.
+    pub(in crate::problem) fn value(&self, regimes: &Regimes, symbol: Symbol) -> Option<Bounded> {
+        self.outcome(regimes)?.value(symbol).copied().filter(Real::is_real)
+    }
+
+    /// All quantities, by symbol, in SI units; `count` symbols in all.
+    pub(in crate::problem) fn values(&self, regimes: &Regimes, count: usize) -> Vec<Option<Bounded>> {
+        let mut values = vec![None; count];
+        let Some(outcome) = self.outcome(regimes) else { return values };
+        for (symbol, value) in outcome.values() {
+            if let Some(place) = values.get_mut(symbol.index()) {
+                *place = Some(*value).filter(Real::is_real);
+            }
+        }
+        values
+    }
+
+    /// A quantity in each further solution.
+    pub(in crate::problem) fn other_values(&self, regimes: &Regimes, symbol: Symbol) -> Vec<Bounded> {
+        let outcome = self.outcome(regimes);
+        outcome.map(|outcome| outcome.other_values(symbol).copied().collect()).unwrap_or_default()
+    }
+
+    /// The way that the scene goes.
+    pub(in crate::problem) fn leaf(&self) -> usize {
+        self.taken.unwrap_or(0)
+    }
+
+    /// The root taken in each step.
+    pub(in crate::problem) fn roots(&self, regimes: &Regimes) -> Vec<usize> {
+        self.outcome(regimes).map(|outcome| outcome.choices().to_vec()).unwrap_or_default()
+    }
+
+    /// The roots that are not solutions.
+    pub(in crate::problem) fn dead(&self, regimes: &Regimes) -> Vec<Dead> {
+        let tried = self.taken.unwrap_or(0);
+        let Some(outcome) = regimes.tree.outcome(tried, &self.workspace) else { return Vec::new() };
+        let dead = outcome.dead().iter().map(|death| Dead {
+            step: death.step,
+            cause: death.cause,
+            values: outcome.values_at_death(death).to_vec(),
+        });
+        dead.collect()
+    }
+}
+
+/// A root that is not a solution.
+#[derive(Clone, Debug)]
+pub struct Dead {
+    /// The step of the plan; none where the givens themselves break a condition.
+    pub step: Option<usize>,
+    /// What is wrong with it.
+    pub cause: Cause,
+    /// The values of the step's unknowns, in the step's order.
+    pub values: Vec<Bounded>,
+}

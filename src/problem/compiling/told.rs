@@ -1,0 +1,142 @@
+//! What a text must tell and must not tell: every number that the solution needs, drawn or not, and nothing that is asked.
+
+use std::collections::BTreeSet;
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::laws::geometry;
+use crate::laws::kinematics;
+use crate::model::Model;
+use crate::quantity::Decimal;
+use crate::quantity::Quantity;
+use crate::quantity::Unit;
+use crate::solve::Equation;
+use crate::solve::Statement;
+
+use super::super::language::known::Known;
+use super::super::language::known::Origin;
+use super::super::language::text::Text;
+use super::super::reading::load::Loaded;
+use super::super::reading::numerals::goes_without_saying;
+use super::super::reading::numerals::tells;
+use super::planned::Form;
+use super::planned::Problem;
+
+/// The faults of one form's text.
+pub(in crate::problem) fn check(loaded: &Loaded, model: &Model, form: &Form) -> Vec<Fault> {
+    let story = Path::root().key("text");
+    let texts = [(story.clone(), &loaded.text), (form.question.path.key("text"), &form.question.text)];
+    let asked: BTreeSet<Symbol> = form.wanted().collect();
+    let mut faults = Vec::new();
+    let mut printed = BTreeSet::new();
+    let mut looked_at: Option<&Text> = None;
+    for (path, text) in texts {
+        if looked_at.is_some_and(|before| std::ptr::eq(before, text)) {
+            continue;
+        }
+        looked_at = Some(text);
+        for placeholder in text.placeholders() {
+            let Some(symbol) = model.symbol_of(&placeholder.name) else { continue };
+            printed.insert(symbol);
+            // The symbol alone tells nothing.
+            if !placeholder.filter.tells() {
+                continue;
+            }
+            if asked.contains(&symbol) {
+                let fault =
+                    Fault::new(Code::Text, format!("the text prints `{}`, which is asked for", placeholder.name));
+                let help = "remove it from the text of this form, or ask for something else";
+                faults.push(fault.help(help).at_path(path.clone()).within(placeholder.span));
+            } else if !form.told.contains(&symbol) && !solved_from_given(form, symbol) {
+                let message = format!("the text prints `{}`, which this form does not give", placeholder.name);
+                let help = format!("write `reveal: [{}]` to have it solved first and then given", placeholder.name);
+                faults.push(Fault::new(Code::Text, message).help(help).at_path(path.clone()).within(placeholder.span));
+            }
+        }
+    }
+    let needed = form.needed();
+    let revealed = form.reveal.iter().map(|reveal| (reveal.name.as_str(), reveal.symbol));
+    let prose = prose(loaded, form);
+    let fixed = |known: &&Known| match &known.origin {
+        Origin::Drawn(_) => true,
+        Origin::Fixed(value) => is_given(loaded, known) && !is_said(&prose, value, &known.unit),
+        Origin::Any => false,
+    };
+    let given = form.known.iter().filter(fixed).map(|known| (known.name.as_str(), known.symbol));
+    for (name, symbol) in given.chain(revealed) {
+        if needed.contains(&symbol) && !printed.contains(&symbol) {
+            let message = format!("the text never prints `{name}`, which the solution needs");
+            let help = format!("put `{{{{ {name} }}}}` where the reader should learn it");
+            faults.push(Fault::new(Code::Text, message).help(help).at_path(story.clone()));
+        }
+    }
+    faults
+}
+
+/// Whether the file gives it, rather than a default that the sheet's note tells.
+fn is_given(loaded: &Loaded, known: &Known) -> bool {
+    let whole = known.name.split_once('.').map_or(known.name.as_str(), |(whole, _)| whole);
+    [known.name.as_str(), whole].iter().any(|name| loaded.given.get(name).is_some())
+}
+
+/// Whether words tell a value.
+fn is_said(prose: &str, value: &Decimal, unit: &Unit) -> bool {
+    goes_without_saying(value, unit) || tells(prose, value, unit)
+}
+
+/// The words of a form's sheet, placeholders left out.
+fn prose(loaded: &Loaded, form: &Form) -> String {
+    let words = |text: &Text| text.fill(&|_| String::new());
+    let labels = form.parts.iter().map(|part| part.label.clone());
+    let texts = [words(&loaded.text), words(&form.question.text)].into_iter().chain(labels);
+    texts.collect::<Vec<_>>().join("\n")
+}
+
+impl Problem {
+    /// Values that stand in the scene, that the answers of a form need, and that its sheet does not tell in so many words: the
+    /// words may tell them in another way, as "for 1 s, and for 3 s more" tells 4 s.
+    #[must_use]
+    pub fn untold(&self, form: &Form) -> Vec<&str> {
+        let model = self.model();
+        let prose = prose(self.loaded(), form);
+        let needed = in_laws(self, form);
+        let untold = |(symbol, value): &&(Symbol, Quantity)| {
+            needed.contains(symbol) && !is_said(&prose, &value.value, &value.unit)
+        };
+        let name = |(symbol, _): &(Symbol, Quantity)| model.symbols.entry(*symbol).name.as_str();
+        model.literals.iter().filter(untold).map(name).collect()
+    }
+}
+
+/// What the laws that lead to the answers refer to; what a question compares with, it says itself, and what defines a quantity whose
+/// value the text prints need not be told.
+fn in_laws(problem: &Problem, form: &Form) -> BTreeSet<Symbol> {
+    let (model, loaded) = (problem.model(), problem.loaded());
+    let asked = [&geometry::BOUNDARY, &kinematics::COUNT];
+    let printed: BTreeSet<Expr> = [&loaded.text, &form.question.text]
+        .into_iter()
+        .flat_map(Text::told)
+        .filter_map(|name| model.symbol_of(&name))
+        .map(Expr::from)
+        .collect();
+    let defines =
+        |equation: &Equation| matches!(&equation.statement, Statement::Equal { left, .. } if printed.contains(left));
+    let is_law = |equation: &&Equation| {
+        model.instances.get(equation.tag).is_some_and(|own| {
+            asked.iter().all(|law| law.id != own.law.id) && !(own.law.id == geometry::RELATION.id && defines(equation))
+        })
+    };
+    let equations = form.solver.leaves().iter().flat_map(|leaf| {
+        let positions = leaf.answer_steps().iter().flat_map(|step| &step.equations);
+        positions.filter_map(|position| leaf.system.equations.get(*position))
+    });
+    equations.filter(is_law).flat_map(Equation::symbols).collect()
+}
+
+/// Whether a quantity follows from what is given without being asked: a given that is an expression of others.
+fn solved_from_given(form: &Form, symbol: Symbol) -> bool {
+    form.solver.leaves().iter().any(|leaf| leaf.audit.plan.steps.iter().any(|step| step.unknowns.contains(&symbol)))
+}

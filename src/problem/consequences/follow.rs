@@ -1,0 +1,256 @@
+//! What follows from a student's own earlier answers: the same equations with these values taken as known. Where they were
+//! solved together with others, the system then says too much, so each equation of the block is left aside in turn.
+
+use std::collections::BTreeMap;
+use std::collections::BTreeSet;
+use std::sync::Arc;
+use std::sync::RwLock;
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+use crate::laws::Law;
+use crate::laws::energy;
+use crate::model::Model;
+use crate::model::Reason;
+use crate::model::Warning;
+use crate::solve::Bounded;
+use crate::solve::Cause;
+use crate::solve::Condition;
+use crate::solve::Equation;
+use crate::solve::Plan;
+use crate::solve::Program;
+use crate::solve::Relation;
+use crate::solve::Statement;
+use crate::solve::System;
+use crate::solve::Verify;
+use crate::solve::Workspace;
+use crate::solve::audit;
+use crate::solve::plan;
+
+use super::super::compiling::planned::Form;
+use super::super::compiling::planned::Problem;
+use super::super::compiling::regimes::Leaf;
+use super::super::sampling::variant::Worked;
+use super::mistakes::Solver;
+use super::restricted::Restricted;
+
+/// At most so many ways of leaving equations aside are tried for one set of earlier answers.
+const MOST_WAYS: usize = 64;
+/// Energy created up to this share of what was there may come of rounding.
+const ROUNDING: (i64, u32) = (102, 100);
+/// A formula and a program give the same within this share.
+const SAME: f64 = 1e-9;
+
+/// The ways in which a form's answers follow from each other, as far as somebody has asked: by the way the scene goes, the
+/// quantity that is asked, and the earlier quantities that are known.
+#[derive(Clone, Debug, Default)]
+pub(in crate::problem) struct Followings(Arc<RwLock<BTreeMap<Key, Arc<[Following]>>>>);
+
+type Key = (usize, Symbol, BTreeSet<Symbol>);
+
+/// One way in which an answer follows from earlier ones.
+#[derive(Clone, Debug)]
+pub struct Following {
+    /// The laws that the answer then satisfies together with the earlier ones.
+    pub by: Vec<&'static Law>,
+    solver: Solver,
+    /// Judges whether the values can be, with the conditions of the system that it judges by.
+    judge: Option<(Program, Vec<Condition>)>,
+}
+
+/// What follows from earlier answers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Consequence {
+    /// The value, in SI units.
+    pub value: f64,
+    /// The laws by which it follows.
+    pub by: Vec<&'static Law>,
+    /// What is impossible about it, as a clause.
+    pub unphysical: Option<String>,
+}
+
+/// What follows from earlier answers, before anybody has said whether it is wanted.
+pub struct Candidate<'a> {
+    /// The value, in SI units.
+    pub value: f64,
+    asked: Symbol,
+    worked: Worked<'a>,
+    way: &'a Following,
+    input: &'a dyn Fn(Symbol) -> Option<Bounded>,
+}
+
+impl Candidate<'_> {
+    /// The formulas, in what is given and the earlier quantities, that have this value.
+    #[must_use]
+    pub fn formulas(&self) -> Vec<Expr> {
+        let value = |symbol: Symbol| (self.input)(symbol).map_or(f64::NAN, |own| own.value);
+        let mut formulas = self.worked.every_formula(&self.way.solver.plan, self.asked);
+        formulas.retain(|formula| (formula.evaluate(&value) - self.value).abs() <= SAME * self.value.abs());
+        formulas
+    }
+}
+
+impl Worked<'_> {
+    /// What follows for a quantity from answers to earlier ones, each in SI units, as far as `accept` wants it. The plans are
+    /// made when this is first asked.
+    #[must_use]
+    pub fn following(
+        &self,
+        asked: Symbol,
+        earlier: &BTreeMap<Symbol, f64>,
+        accept: &mut dyn FnMut(&Candidate<'_>) -> bool,
+    ) -> Vec<Consequence> {
+        let from: BTreeSet<Symbol> = earlier.keys().copied().collect();
+        let key = (self.variant.leaf(), asked, from);
+        let known = self.form.followings.0.read().ok().and_then(|known| known.get(&key).cloned());
+        let ways = known.unwrap_or_else(|| {
+            let ways: Arc<[Following]> = planned(self.problem, self.form, self.leaf(), asked, &key.2).into();
+            if let Ok(mut known) = self.form.followings.0.write() {
+                known.insert(key, Arc::clone(&ways));
+            }
+            ways
+        });
+        let input = |symbol: Symbol| match earlier.get(&symbol) {
+            Some(value) => Some(Bounded { value: *value, error: 0.0 }),
+            None => self.variant.value(symbol),
+        };
+        let mut consequences = Vec::new();
+        for way in ways.iter() {
+            let mut values = Vec::new();
+            way.solver.values(asked, &input, &mut |value| values.push(value));
+            for value in values {
+                let candidate = Candidate { value, asked, worked: *self, way, input: &input };
+                // A zero, or nothing at all, makes the question trivial: nobody is given marks for it.
+                if value != 0.0 && value.is_finite() && accept(&candidate) {
+                    let unphysical = way.unphysical(self.problem.model(), &input);
+                    consequences.push(Consequence { value, by: way.by.clone(), unphysical });
+                }
+            }
+        }
+        consequences
+    }
+}
+
+impl Following {
+    /// What is impossible about the values, as a clause.
+    fn unphysical(&self, model: &Model, input: &dyn Fn(Symbol) -> Option<Bounded>) -> Option<String> {
+        let (program, conditions) = self.judge.as_ref()?;
+        let inputs: Vec<Bounded> = self.solver.inputs().iter().map(|own| input(*own)).collect::<Option<_>>()?;
+        let mut memory = Workspace::default();
+        let outcome = program.run(&inputs, &mut memory);
+        if outcome.survivors() > 0 {
+            return None;
+        }
+        outcome.dead().iter().find_map(|death| match death.cause {
+            Cause::Condition(place) => {
+                let reason = model.reasons.get(conditions.get(place)?.tag);
+                Some(reason.unwrap_or(&Reason::CreatesEnergy).to_string())
+            }
+            _ => None,
+        })
+    }
+}
+
+fn planned(problem: &Problem, form: &Form, leaf: &Leaf, asked: Symbol, from: &BTreeSet<Symbol>) -> Vec<Following> {
+    let used: BTreeSet<usize> = leaf.answer_steps().iter().flat_map(|step| step.equations.iter().copied()).collect();
+    let known: BTreeSet<Symbol> = form.told.union(from).copied().collect();
+    let mut ways: Vec<(Vec<usize>, Following)> = Vec::new();
+    for aside in left_aside(leaf, from).into_iter().take(MOST_WAYS) {
+        let kept = Restricted::new(&leaf.system, used.difference(&aside).copied());
+        let Ok(found) = plan(&kept.system, &known, &[asked]) else { continue };
+        let mut equations: Vec<usize> = found.steps.iter().flat_map(|step| step.equations.iter().copied()).collect();
+        equations.sort_unstable();
+        let symbols: BTreeSet<Symbol> =
+            equations.iter().filter_map(|own| kept.system.equations.get(*own)).flat_map(Equation::symbols).collect();
+        let places: Vec<usize> = equations.iter().filter_map(|own| kept.places.get(*own).copied()).collect();
+        // What does not need all of the earlier answers follows from fewer of them.
+        if !from.is_subset(&symbols) || ways.iter().any(|(own, _)| *own == places) {
+            continue;
+        }
+        let Some(solver) = Solver::new(&Restricted::new(&leaf.system, places.clone()).system, &known, &[asked]) else {
+            continue;
+        };
+        let by = laws(problem.model(), &leaf.system, &places, from);
+        let judge = judge(problem.model(), leaf, &kept, found, &known);
+        ways.push((places, Following { by, solver, judge }));
+    }
+    ways.into_iter().map(|(_, way)| way).collect()
+}
+
+/// The sets of equations that can be left aside so that what remains says no more than it must: one for each earlier answer,
+/// of the block that found it first, then of the blocks before that.
+fn left_aside(leaf: &Leaf, from: &BTreeSet<Symbol>) -> Vec<BTreeSet<usize>> {
+    let mut sets: Vec<BTreeSet<usize>> = vec![BTreeSet::new()];
+    for symbol in from {
+        let candidates = determining(leaf, *symbol);
+        let larger = sets.iter().flat_map(|set| {
+            let fresh = candidates.iter().filter(|equation| !set.contains(equation));
+            fresh
+                .map(|equation| set.iter().copied().chain([*equation]).collect::<BTreeSet<usize>>())
+                .collect::<Vec<_>>()
+        });
+        sets = larger.collect();
+        let mut seen = BTreeSet::new();
+        sets.retain(|set| seen.insert(set.clone()));
+        sets.truncate(4 * MOST_WAYS);
+    }
+    sets
+}
+
+/// The equations on which a quantity depends, those of its own block first.
+fn determining(leaf: &Leaf, symbol: Symbol) -> Vec<usize> {
+    let mut wanted = BTreeSet::from([symbol]);
+    let mut found = Vec::new();
+    for step in leaf.answer_steps().iter().rev() {
+        if !step.unknowns.iter().any(|unknown| wanted.contains(unknown)) {
+            continue;
+        }
+        found.extend(&step.equations);
+        let equations = step.equations.iter().filter_map(|place| leaf.system.equations.get(*place));
+        wanted.extend(equations.flat_map(Equation::symbols));
+    }
+    found
+}
+
+/// The laws in which an earlier answer stands.
+fn laws(model: &Model, system: &System, places: &[usize], from: &BTreeSet<Symbol>) -> Vec<&'static Law> {
+    let mut laws: Vec<&'static Law> = Vec::new();
+    let equations = places.iter().filter_map(|place| system.equations.get(*place));
+    for equation in equations.filter(|equation| !equation.symbols().is_disjoint(from)) {
+        let law = model.instances.get(equation.tag).map(|own| own.law);
+        laws.extend(law.filter(|law| !laws.contains(law)));
+    }
+    laws
+}
+
+/// The program that solves the rest of the scene from the same values and judges it.
+fn judge(
+    model: &Model,
+    leaf: &Leaf,
+    kept: &Restricted,
+    mut found: Plan,
+    known: &BTreeSet<Symbol>,
+) -> Option<(Program, Vec<Condition>)> {
+    for step in &mut found.steps {
+        step.equations = step.equations.iter().filter_map(|own| kept.places.get(*own).copied()).collect();
+        step.moves.clear();
+    }
+    let mut system = leaf.system.clone();
+    system.conditions.retain(|condition| {
+        let warning = model.reasons.get(condition.tag).and_then(Reason::warning);
+        matches!(warning, Some(Warning::PassesThrough | Warning::EnergyCreated | Warning::NoImpact))
+    });
+    system.conditions.extend(system.equations.iter().filter_map(|equation| {
+        let law = model.instances.get(equation.tag)?.law;
+        let Statement::Equal { right: crate::expr::Expr::Sum(energies), .. } = &equation.statement else { return None };
+        let (before, after) = (energies.first()?.clone(), -energies.get(1)?.clone());
+        let left = crate::expr::Expr::ratio(ROUNDING.0, ROUNDING.1) * before;
+        (*law == energy::LOSS).then_some(Condition { left, relation: Relation::AtLeast, right: after, tag: usize::MAX })
+    }));
+    system.positive.clear();
+    let mut whole = audit(&system, known, &found);
+    whole.checks.clear();
+    let inputs: Vec<Symbol> = known.iter().copied().collect();
+    let program = Program::compile(&system, &whole, &inputs, &[], Verify::Redundant).ok()?;
+    Some((program, system.conditions))
+}

@@ -1,0 +1,160 @@
+//! What comes of the common mistakes with the numbers of one variant.
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+use crate::laws::wrong::reading::SlipOf;
+use crate::quantity::half_unit;
+use crate::solve::BatchValues;
+use crate::solve::Bounded;
+
+use super::super::questions::part::AskedUnit;
+use super::super::questions::part::NumberPart;
+use super::super::questions::part::PartKind;
+use super::super::questions::part::Tolerance;
+use super::super::questions::vector::VectorPart;
+use super::super::sampling::variant::Worked;
+use super::mistakes::Made;
+use super::mistakes::Mistake;
+
+/// A formula and a program give the same within this share.
+const SAME: f64 = 1e-9;
+
+/// What comes of every common mistake with the numbers of a variant.
+#[derive(Debug)]
+pub struct Simulated<'a> {
+    worked: Worked<'a>,
+    batch: Option<BatchValues<'a>>,
+}
+
+impl Simulated<'_> {
+    /// What a mistake makes of the answer to a part, in the unit of the question; none where it cannot be made there.
+    #[must_use]
+    pub fn answers(&self, mistake: &Mistake, number: &NumberPart) -> Vec<f64> {
+        let mut values = Vec::new();
+        self.each(mistake, number, &|_| true, &mut |value| values.push(value));
+        values
+    }
+
+    /// Gives `add` each of them that `is_wanted`.
+    pub fn each(
+        &self,
+        mistake: &Mistake,
+        number: &NumberPart,
+        is_wanted: &dyn Fn(f64) -> bool,
+        add: &mut dyn FnMut(f64),
+    ) {
+        let unit = self.worked.unit_of(number);
+        let told = |symbol: Symbol| self.worked.variant.value(symbol);
+        let mut add = |value: f64| {
+            let value = value / unit;
+            if value.is_finite() && is_wanted(value) {
+                add(value);
+            }
+        };
+        let batched = |place: usize| self.batch.as_ref()?.value(place, number.symbol, &|value| is_wanted(value / unit));
+        match &mistake.made {
+            Made::Solved(ways) => {
+                for way in ways {
+                    match way.batched {
+                        Some(place) => batched(place).into_iter().for_each(&mut add),
+                        None => way.solver.values(number.symbol, &told, &mut add),
+                    }
+                }
+            }
+            Made::Misread(_, _, Some(place)) => batched(*place).into_iter().for_each(&mut add),
+            Made::Misread(right, read, None) => {
+                let misread = |symbol: Symbol| {
+                    let factor = read.iter().find(|(own, _)| *own == symbol).map_or(1.0, |(_, factor)| *factor);
+                    told(symbol).map(|own| Bounded { value: own.value * factor, error: own.error * factor })
+                };
+                right.values(number.symbol, &misread, &mut add);
+            }
+            Made::Written(to, written) => {
+                let fits = match to {
+                    SlipOf::Signed => {
+                        self.worked.planned().is_some_and(|planned| planned.directed.contains(&number.symbol))
+                    }
+                    SlipOf::Angle => {
+                        matches!(&number.unit, AskedUnit::Unit(unit) if unit.is_plain_angle() && unit.has_pi())
+                    }
+                    SlipOf::Count => number.whole,
+                };
+                told(number.symbol).filter(|_| fits).map(|value| written(value.value)).into_iter().for_each(&mut add);
+            }
+        }
+    }
+
+    /// What a mistake makes of a vector: its components in the unit of the question.
+    #[must_use]
+    pub fn vectors(&self, mistake: &Mistake, vector: &VectorPart) -> Vec<Vec<f64>> {
+        let each: Vec<Vec<f64>> = vector.components.iter().map(|own| self.answers(mistake, own)).collect();
+        let count = each.iter().map(Vec::len).min().unwrap_or(0);
+        (0..count).map(|place| each.iter().filter_map(|values| values.get(place).copied()).collect()).collect()
+    }
+}
+
+impl<'a> Worked<'a> {
+    /// What a mistake makes of a quantity, as formulas in what is given; none where nothing but numbers is got wrong.
+    #[must_use]
+    pub fn mistaken_formulas(&self, mistake: &Mistake, symbol: Symbol) -> Vec<Expr> {
+        let Made::Solved(ways) = &mistake.made else { return Vec::new() };
+        let told = |symbol: Symbol| self.variant.value(symbol);
+        let right = self.every_formula(&self.leaf().audit.plan, symbol);
+        let mut formulas: Vec<Expr> = Vec::new();
+        for solver in ways.iter().map(|way| &way.solver).filter(|solver| solver.wanted.contains(&symbol)) {
+            let mut values = Vec::new();
+            solver.values(symbol, &told, &mut |value| values.push(value));
+            for formula in self.every_formula(&solver.plan, symbol) {
+                // Of several roots the one that is possible for these numbers.
+                let value = formula.evaluate(&|own| told(own).map_or(f64::NAN, |value| value.value));
+                let taken = values.iter().any(|own| (own - value).abs() <= SAME * value.abs());
+                if taken && !formulas.contains(&formula) && !right.contains(&formula) {
+                    formulas.push(formula);
+                }
+            }
+        }
+        formulas
+    }
+
+    /// Makes every mistake with the numbers of this variant.
+    #[must_use]
+    pub fn simulated(&self) -> Simulated<'a> {
+        let batch = self.planned().and_then(|planned| {
+            let given = |own: &Symbol| self.variant.value(*own).map(|given| given.value);
+            let inputs: Option<Vec<f64>> = planned.inputs.iter().map(given).collect();
+            Some(planned.batch.run(&inputs?))
+        });
+        Simulated { worked: *self, batch }
+    }
+
+    /// Whether a mistake changes some answer by more than its tolerance; true where it cannot be made.
+    #[must_use]
+    pub fn tells_apart(&self, mistake: &str) -> bool {
+        let mut possible = false;
+        let simulated = self.simulated();
+        let numbers = || {
+            self.form.parts.iter().filter_map(|part| match &part.kind {
+                PartKind::Number(number) => Some(number),
+                PartKind::Vector(_) | PartKind::Formula(_) | PartKind::Range(_) | PartKind::Choice(_) => None,
+            })
+        };
+        for mistake in self.mistakes().iter().filter(|own| own.of.id == mistake) {
+            for number in numbers() {
+                let right = self.answer(number).value;
+                let allowed = match &number.tolerance {
+                    Tolerance::Relative(share) => share.to_f64() * right.abs(),
+                    Tolerance::Absolute(distance) => distance.to_f64(),
+                    Tolerance::ToFigures => half_unit(right, number.figures),
+                };
+                let allowed = allowed.max(self.judged(number).allowance);
+                for value in simulated.answers(mistake, number) {
+                    possible = true;
+                    if (value - right).abs() > allowed {
+                        return true;
+                    }
+                }
+            }
+        }
+        !possible
+    }
+}

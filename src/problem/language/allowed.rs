@@ -1,0 +1,60 @@
+//! What a form is meant to do although something speaks against it: the names under `allow`.
+
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::did_you_mean;
+use crate::model::Builder;
+use crate::model::Warning;
+
+use super::form::Question;
+
+/// What `momentous check` would find in a form and its author means, by the names that authors write under `allow`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Meant {
+    /// An answer is among the givens.
+    EqualsGiven,
+    /// Every seed gives the same sheet.
+    OneSheet,
+    /// Every seed has the same answers.
+    OneAnswer,
+}
+
+impl Meant {
+    /// Everything that can be meant, with its name.
+    pub const NAMES: &[(&str, Self)] =
+        &[("equals-given", Self::EqualsGiven), ("one-sheet", Self::OneSheet), ("one-answer", Self::OneAnswer)];
+}
+
+/// What an author allows a form.
+#[derive(Clone, Debug, Default)]
+pub(in crate::problem) struct Allowed {
+    /// Of what is unphysical about solutions.
+    pub warnings: Vec<Warning>,
+    /// Of what `momentous check` looks for.
+    pub meant: Vec<Meant>,
+}
+
+impl Allowed {
+    /// What stands under `allow`; every warning where the form is meant to end in something impossible.
+    pub(in crate::problem) fn read(question: &Question, builder: &mut Builder<'_>) -> Self {
+        let mut allowed = Self::default();
+        if question.expect.is_some() {
+            allowed.warnings.extend(Warning::NAMES.iter().map(|(_, warning)| *warning));
+        }
+        for (path, name) in &question.allow {
+            let warning = Warning::NAMES.iter().find(|(own, _)| own == name);
+            let meant = Meant::NAMES.iter().find(|(own, _)| own == name);
+            allowed.warnings.extend(warning.map(|(_, warning)| *warning));
+            allowed.meant.extend(meant.map(|(_, meant)| *meant));
+            if warning.is_none() && meant.is_none() {
+                let known = Warning::NAMES.iter().map(|(own, _)| *own).chain(Meant::NAMES.iter().map(|(own, _)| *own));
+                let near = did_you_mean(name, known.clone()).map(|near| format!("did you mean `{near}`?"));
+                let help =
+                    near.unwrap_or_else(|| format!("the warnings are: {}", known.collect::<Vec<_>>().join(", ")));
+                let fault = Fault::new(Code::UnknownName, format!("there is no warning `{name}`"));
+                builder.fault(fault.help(help).at_path(path.clone()));
+            }
+        }
+        allowed
+    }
+}

@@ -1,0 +1,56 @@
+//! Conditions as authors write them: two terms of one dimension, and how they compare.
+
+use crate::expr::Expr;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::model::Builder;
+use crate::model::Reason;
+use crate::quantity::UnitSystem;
+use crate::quantity::coherent_unit;
+use crate::quantity::dimension_name;
+use crate::solve::Condition;
+
+use super::comparison::split_relation;
+
+/// Reads `v_A1 > v_B1`; a fault is noted where it cannot be read.
+pub(in crate::problem) fn condition(
+    builder: &mut Builder<'_>,
+    text: &str,
+    reason: Reason,
+    path: &Path,
+) -> Option<Condition> {
+    let Some((left, relation, right)) = split_relation(text) else {
+        let fault = Fault::new(Code::Syntax, format!("`{text}` is not a condition"));
+        builder.fault(fault.help("compare two terms: `v_A1 > v_B1`").at_path(path.clone()));
+        return None;
+    };
+    let [left, right] = [left, right].map(|side| builder.term(side, path));
+    let comparable = are_comparable(builder, text, [&left, &right], path);
+    comparable.then(|| builder.compare(left, relation, right, reason))
+}
+
+/// Whether two terms can be compared: each has a dimension, and both the same one; a fault is noted where they cannot.
+pub(in crate::problem) fn are_comparable(
+    builder: &mut Builder<'_>,
+    text: &str,
+    sides: [&Expr; 2],
+    path: &Path,
+) -> bool {
+    let symbols = builder.symbols();
+    let [left, right] = sides.map(|side| side.dimension(symbols));
+    let message = match (left, right) {
+        (Err(clash), _) | (_, Err(clash)) => {
+            let unit = |dimension| coherent_unit(dimension, UnitSystem::Si).to_string();
+            format!("`{text}` cannot be evaluated: {}", clash.sentence(symbols, &unit))
+        }
+        (Ok(one), Ok(other)) => {
+            if one == other || sides.iter().any(|side| side.is_zero()) {
+                return true;
+            }
+            format!("`{text}` compares {} with {}", dimension_name(one), dimension_name(other))
+        }
+    };
+    builder.fault(Fault::new(Code::Dimension, message).help("check the units on both sides").at_path(path.clone()));
+    false
+}

@@ -1,0 +1,35 @@
+//! An expression of several quantities that is asked under a name of its own: `v_B2 - v_A2` as `gap`.
+
+use crate::expr::Symbol;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::model::Builder;
+
+use super::ask::Find;
+
+/// The quantity for which the name stands; its equation becomes part of the model.
+pub(in crate::problem) fn asked(find: &Find, id: &str, builder: &mut Builder<'_>, path: &Path) -> Option<Symbol> {
+    let Some(label) = &find.label else {
+        let fault = Fault::new(Code::MissingKey, format!("`{id}` has no label, so the sheet cannot say what is asked"));
+        builder.fault(
+            fault.help("write `label:` with the question in words: `the speed of separation`").at_path(path.clone()),
+        );
+        return None;
+    };
+    if let Some((key, _)) =
+        [("from", find.from.is_some()), ("sense", find.sense.is_some())].into_iter().find(|own| own.1)
+    {
+        let fault = Fault::new(Code::Value, format!("an expression has no `{key}`"));
+        builder.fault(fault.help("remove it, or ask for a direction by its own name").at_path(path.key(key)));
+        return None;
+    }
+    builder.expression(id, &find.find, label, path)
+}
+
+/// The fault of an expression without a name; none where what is asked cannot be read as one.
+pub(in crate::problem) fn without_id(find: &Find, builder: &mut Builder<'_>) -> Option<Fault> {
+    let message = format!("`{}` is an expression, which needs a name for its answer", find.find);
+    let help = "add `id: gap`, or another name that the scene does not use, and a `label`";
+    builder.is_term(&find.find).then(|| Fault::new(Code::MissingKey, message).help(help))
+}

@@ -1,0 +1,98 @@
+//! The forms of a problem, each complete: what stands at the top of the file holds for every form.
+
+use std::collections::BTreeSet;
+
+use crate::fault::Path;
+
+use super::ask::Ask;
+use super::draft::{Draft, Expect, Form, Roots};
+use super::entries::Entries;
+use super::given::Given;
+use super::text::Text;
+
+/// One way in which a problem is asked, with what the file says for all forms.
+#[derive(Clone, Debug)]
+pub struct Question {
+    /// The form's name; `None` where the file has one form without a name.
+    pub name: Option<String>,
+    /// Where the form stands in the file: `forms.forward`, or the whole document.
+    pub path: Path,
+    /// The end of the text, after the story; empty where the form has none.
+    pub text: Text,
+    /// Other values of what the file gives; they stand under `given` at the form's path.
+    pub given: Entries<Given>,
+    /// What is asked; the parts stand under `ask` at the form's path.
+    pub ask: Vec<Ask>,
+    /// Names that are solved first and then given; they stand under `reveal` at the form's path.
+    pub reveal: Vec<String>,
+    /// Conditions that pick among true solutions, each with its place: those for every form, then the form's own.
+    pub conditions: Vec<(Path, String)>,
+    /// Whether every true solution is asked for.
+    pub roots: Option<Roots>,
+    /// Warnings that are meant, by their names, each with its place.
+    pub allow: Vec<(Path, String)>,
+    /// Whether the problem is meant to end in something impossible.
+    pub expect: Option<Expect>,
+    /// Hints, the general ones first.
+    pub hints: Vec<Text>,
+    /// The names of what the texts of other forms tell, and those of this one do not.
+    pub elsewhere: BTreeSet<String>,
+}
+
+impl Question {
+    /// The forms of a draft, in the order of the file; never empty for a draft that was loaded.
+    pub(in crate::problem) fn all(draft: &Draft) -> Vec<Self> {
+        let root = Path::root();
+        if draft.forms.is_empty() {
+            let form = Form {
+                text: None,
+                given: Entries::default(),
+                ask: draft.ask.clone(),
+                reveal: draft.reveal.clone(),
+                conditions: Vec::new(),
+                roots: None,
+                allow: Vec::new(),
+                expect: None,
+                hints: Vec::new(),
+            };
+            return vec![Self::of(draft, None, &form, root)];
+        }
+        let forms = root.key("forms");
+        let forms = draft.forms.iter().map(|(name, form)| Self::of(draft, Some(name), form, forms.key(name)));
+        let mut all: Vec<Self> = forms.collect();
+        let story = Text::read(&draft.text).unwrap_or_default().told();
+        let told: Vec<BTreeSet<String>> = all.iter().map(|own| own.text.told()).collect();
+        for (own, here) in all.iter_mut().zip(&told) {
+            own.elsewhere =
+                told.iter().flatten().filter(|name| !here.contains(*name) && !story.contains(*name)).cloned().collect();
+        }
+        all
+    }
+
+    fn of(draft: &Draft, name: Option<&str>, form: &Form, path: Path) -> Self {
+        let placed = |key: &str, general: &[String], own: &[String]| {
+            let at = |place: &Path, list: &[String]| {
+                let place = place.key(key);
+                list.iter().enumerate().map(|(index, text)| (place.index(index), text.clone())).collect::<Vec<_>>()
+            };
+            [at(&Path::root(), general), at(&path, own)].concat()
+        };
+        // The loader has read every text and every given of the file before, so reading cannot fail here.
+        let read = |text: &String| Text::read(text).unwrap_or_default();
+        let value = |(name, entry): (&str, _)| Some((name.to_owned(), Given::read(entry, &Path::root()).ok()?));
+        Self {
+            name: name.map(str::to_owned),
+            text: form.text.as_ref().map(read).unwrap_or_default(),
+            given: form.given.iter().filter_map(value).collect(),
+            ask: form.ask.clone(),
+            reveal: form.reveal.clone(),
+            conditions: placed("where", &draft.conditions, &form.conditions),
+            roots: form.roots.or(draft.roots),
+            allow: placed("allow", &draft.allow, &form.allow),
+            expect: form.expect.or(draft.expect),
+            hints: draft.hints.iter().chain(&form.hints).map(read).collect(),
+            path,
+            elsewhere: BTreeSet::new(),
+        }
+    }
+}

@@ -1,0 +1,67 @@
+//! Other values that a form has for what its file gives: "now it is held tightly".
+
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::model::Builder;
+use crate::quantity::dimension_name;
+
+use super::super::reading::load::Loaded;
+use super::super::reading::unsound;
+use super::form::Question;
+use super::given::Given;
+use super::known::Known;
+use super::known::Origin;
+
+/// What is known in a form, in the order of the file; faults are noted in the builder.
+pub(in crate::problem) fn known_in(
+    loaded: &Loaded,
+    question: &Question,
+    known: &[Known],
+    builder: &mut Builder<'_>,
+) -> Vec<Known> {
+    let mut own = known.to_vec();
+    for (name, given) in question.given.iter() {
+        let fault = match (own.iter_mut().find(|known| known.name == name), value(given)) {
+            (Some(known), Some((origin, unit))) if loaded.given.get(name).and_then(value).is_some() => {
+                let fault = unlike(known, &origin, unit.dimension());
+                let fault = fault.or_else(|| unsound::too_small(builder, name, known.symbol, &origin));
+                (known.origin, known.unit) = (origin, unit);
+                fault
+            }
+            _ => {
+                let message = format!("a form cannot give `{name}` another value like this");
+                let help = "a form may change what the file's `given` gives by a value, a range or a choice";
+                Some(Fault::new(Code::Value, message).help(help))
+            }
+        };
+        if let Some(fault) = fault {
+            builder.fault(fault.at_path(question.path.key("given").name(name)));
+        }
+    }
+    own
+}
+
+/// A value, or those from which one is drawn; none where it is given in another way.
+fn value(given: &Given) -> Option<(Origin, crate::quantity::Unit)> {
+    match given {
+        Given::Drawn { domain, unit } => Some((Origin::Drawn(domain.clone()), unit.clone())),
+        Given::Literal(literal) => match &literal.components[..] {
+            [only] => Some((Origin::Fixed(only.clone()), literal.unit.clone())),
+            _ => None,
+        },
+        Given::Any(_) | Given::Expression(_) => None,
+    }
+}
+
+/// The fault of a value that is of another kind than the file's own, or may be negative where that is always positive.
+fn unlike(known: &Known, origin: &Origin, dimension: crate::quantity::Dimension) -> Option<Fault> {
+    let Known { name, unit, .. } = known;
+    if dimension != unit.dimension() {
+        let [expected, found] = [unit.dimension(), dimension].map(dimension_name);
+        let message = format!("`{name}` is {expected}, but its unit here is one of {found}");
+        return Some(Fault::new(Code::Dimension, message).help("change the unit"));
+    }
+    let fault = Fault::new(Code::Value, format!("`{name}` is always positive in the file's `given`"));
+    (known.origin.is_positive() && !origin.is_positive())
+        .then(|| fault.help("give it positive values here, too, or values of either sign there"))
+}

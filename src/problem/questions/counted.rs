@@ -1,0 +1,93 @@
+//! Counting: the first or the last whole number for which a condition holds.
+
+use crate::expr::Expr;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::model::Because;
+use crate::model::Builder;
+use crate::quantity::Decimal;
+use crate::quantity::Unit;
+use crate::solve::Equation;
+
+use super::super::language::ask::Count;
+use super::super::language::comparison::split_relation;
+use super::super::language::condition::are_comparable;
+use super::part::AskedUnit;
+use super::part::NumberPart;
+use super::part::PartKind;
+use super::part::Tolerance;
+use super::parts::Named;
+
+/// Which number is counted: the first for which a condition holds, or the last as long as it holds.
+enum End {
+    First,
+    Last,
+}
+
+/// Reads `first n with h_n < h_min`, `last n with x_n < d`.
+pub(in crate::problem) fn counted(
+    count: &Count,
+    builder: &mut Builder<'_>,
+    path: &Path,
+    counts: &mut Vec<Equation>,
+) -> Option<Named> {
+    let path = path.key("count");
+    let text = count.count.trim();
+    let ends = [("first ", End::First), ("last ", End::Last)];
+    let end = ends.into_iter().find_map(|(word, end)| Some((end, text.strip_prefix(word)?.split_once(" with ")?)));
+    let parts = end.and_then(|(end, (name, condition))| Some((end, name.trim(), split_relation(condition)?)));
+    let Some((end, name, (left, relation, right))) = parts else {
+        let fault = Fault::new(Code::Syntax, format!("`{}` does not say what is counted", count.count));
+        let help = "write it as `first n with h_n < h_min`, or `last n with x_n < d`";
+        builder.fault(fault.help(help).at_path(path));
+        return None;
+    };
+    let Some(symbol) = builder.mention(name) else {
+        let fault = builder.unknown(name).at_path(path);
+        builder.fault(fault);
+        return None;
+    };
+    let [left, right] = [left, right].map(|side| builder.term(side, &path));
+    if !are_comparable(builder, text, [&left, &right], &path) {
+        return None;
+    }
+    let because = [&left, &right].into_iter().find_map(|side| builder.reason_of(side, symbol)).map(Because::to_string);
+    let [left, right] = [left, right].map(|side| builder.written_out(&side, symbol));
+    let meaning = builder.symbols().entry(symbol).meaning.clone();
+    let meaning = if meaning.is_empty() { "the number".into() } else { meaning };
+    let label = match end {
+        End::First => {
+            counts.push(builder.first_integer(because.as_deref(), symbol, 1, left, relation, right));
+            format!("{meaning} until the condition holds")
+        }
+        End::Last => {
+            let next = |side: &Expr| {
+                exponents_simplified(&side.substitute(&|own| (own == symbol).then(|| Expr::from(symbol) + Expr::one())))
+            };
+            let over = "the condition holds up to the last number and fails for the next";
+            let because = because.map_or_else(|| over.to_owned(), |because| format!("{because}; {over}"));
+            let (left, right) = (next(&left), next(&right));
+            counts.push(builder.first_integer(Some(&because), symbol, 0, left, relation.opposite(), right));
+            format!("{meaning} as long as the condition holds")
+        }
+    };
+    let kind = NumberPart {
+        symbol,
+        unit: AskedUnit::Unit(Unit::none()),
+        size: 1.0,
+        figures: 12,
+        tolerance: Tolerance::Absolute(Decimal::from_scaled(0, 0)),
+        whole: true,
+        every_root: false,
+    };
+    Some((name.to_owned(), label, PartKind::Number(kind)))
+}
+
+/// `e^n` for `e^(n + 1 - 1)`.
+fn exponents_simplified(term: &Expr) -> Expr {
+    match term {
+        Expr::Power(pair) => pair.0.clone().power(pair.1.simplify()),
+        other => other.map_children(exponents_simplified),
+    }
+}

@@ -1,0 +1,253 @@
+//! Questions with several phrases to choose from, and which of them is right: settled by the scene, or by a variant's numbers.
+
+use std::cmp::Ordering;
+use std::collections::BTreeSet;
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+use crate::laws::wrong::Misconception;
+use crate::solve::Bounded;
+use crate::solve::Real;
+use crate::solve::Relation;
+use crate::solve::evaluate;
+
+use super::super::sampling::variant::Worked;
+use super::judgement::Judgement;
+use super::offered::Offer;
+
+/// A choice between phrases.
+#[derive(Clone, Debug)]
+pub enum ChoicePart {
+    /// The scene settles it, whatever the numbers.
+    Settled(Decision),
+    /// Whether quantities are equal settles it: what is conserved, and of which kind an impact is.
+    Judged(Box<Judgement>),
+    /// Whether something holds of the numbers: yes or no.
+    Holds(Claim),
+    /// In which order some quantities are, the least first.
+    Order(Vec<Symbol>),
+    /// Which of the roots for a quantity is possible.
+    Physical(Symbol),
+    /// Which of the author's own options is right.
+    Offered(Box<Offer>),
+}
+
+/// The phrases of a choice, and the right one.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Decision {
+    /// The phrases, in the order in which they are offered.
+    pub options: Vec<String>,
+    /// The position of the right one.
+    pub right: usize,
+    /// Why it is right, as a sentence without a full stop.
+    pub because: String,
+    /// The common mistake that leads to another phrase, where there is one.
+    pub behind: Option<&'static Misconception>,
+    /// What the author says to a student who chose an option wrongly, in the order of the options; empty where it is nothing.
+    pub said: Vec<String>,
+}
+
+/// A claim about the numbers of a variant.
+#[derive(Clone, Debug)]
+pub struct Claim {
+    /// The left side.
+    pub left: Expr,
+    /// How the sides are said to compare.
+    pub relation: Relation,
+    /// The right side.
+    pub right: Expr,
+    /// The sides in words.
+    pub words: [String; 2],
+    /// The quantities that are compared, to be solved; numbers with units are none.
+    pub quantities: Vec<Symbol>,
+}
+
+/// The most quantities that can be put in order: they have 24 orders.
+pub(super) const MOST_ORDERED: usize = 4;
+
+/// The share of its terms below which a difference is zero.
+const EQUAL: f64 = 1e-12;
+
+impl Decision {
+    /// A question that is answered by yes or no.
+    #[must_use]
+    pub fn yes_or_no(holds: bool, because: String) -> Self {
+        Self {
+            options: vec!["yes".into(), "no".into()],
+            right: usize::from(!holds),
+            because,
+            behind: None,
+            said: Vec::new(),
+        }
+    }
+}
+
+impl ChoicePart {
+    /// Everything on which the choice depends, what is given included.
+    #[must_use]
+    pub fn depends_on(&self) -> BTreeSet<Symbol> {
+        match self {
+            Self::Settled(_) => BTreeSet::new(),
+            Self::Judged(choice) => choice.symbols(),
+            Self::Holds(claim) => claim.symbols(),
+            Self::Order(symbols) => symbols.iter().copied().collect(),
+            Self::Physical(symbol) => BTreeSet::from([*symbol]),
+            Self::Offered(offer) => offer.symbols(),
+        }
+    }
+
+    /// Everything to which the choice refers.
+    #[must_use]
+    pub fn mentioned(&self) -> BTreeSet<Symbol> {
+        if let Self::Offered(offer) = self { offer.mentioned() } else { self.depends_on() }
+    }
+
+    /// The quantities that have to be solved for the choice.
+    #[must_use]
+    pub fn symbols(&self) -> Vec<Symbol> {
+        match self {
+            Self::Settled(_) => Vec::new(),
+            Self::Judged(choice) => choice.quantities(),
+            Self::Holds(claim) => claim.quantities.clone(),
+            Self::Order(symbols) => symbols.clone(),
+            Self::Physical(symbol) => vec![*symbol],
+            Self::Offered(offer) => offer.quantities(),
+        }
+    }
+
+    /// Values on which the choice hangs and which are neither equal within the precision of the data nor clearly different.
+    #[must_use]
+    pub fn unclear(&self, worked: &Worked<'_>) -> Option<String> {
+        if let Self::Judged(choice) = self { choice.unclear(worked) } else { None }
+    }
+
+    /// Whether values are taken as equal that are so only within the precision of the data.
+    #[must_use]
+    pub fn is_within_data(&self, worked: &Worked<'_>) -> bool {
+        matches!(self, Self::Judged(choice) if choice.is_within_data(worked))
+    }
+
+    /// The phrases, and which of them is right for a variant.
+    #[must_use]
+    pub fn decided(&self, worked: &Worked<'_>) -> Decision {
+        match self {
+            Self::Settled(decision) => decision.clone(),
+            Self::Judged(choice) => choice.decided(worked),
+            Self::Holds(claim) => claim.decided(worked),
+            Self::Order(symbols) => ordered(symbols, worked),
+            Self::Physical(symbol) => worked.possible_root(*symbol),
+            Self::Offered(offer) => offer.decided(worked),
+        }
+    }
+}
+
+pub(in crate::problem) fn compared(left: f64, right: f64) -> Ordering {
+    if (left - right).abs() <= EQUAL * left.abs().max(right.abs()) { Ordering::Equal } else { left.total_cmp(&right) }
+}
+
+/// How two terms compare with the numbers of a variant: equal where their difference is no more than its error bound, which is
+/// so only where it is exactly zero.
+fn exactly_compared(worked: &Worked<'_>, left: &Expr, right: &Expr) -> Ordering {
+    let number = |symbol| worked.variant.value(symbol).unwrap_or(Bounded { value: f64::NAN, error: f64::NAN });
+    let difference = evaluate::<Bounded>(left, &number).sub(&evaluate(right, &number));
+    if difference.value.abs() <= difference.error { Ordering::Equal } else { difference.value.total_cmp(&0.0) }
+}
+
+impl Claim {
+    /// Everything that its sides contain.
+    #[must_use]
+    pub fn symbols(&self) -> BTreeSet<Symbol> {
+        self.left.symbols().union(&self.right.symbols()).copied().collect()
+    }
+
+    /// Whether it holds where its sides have these values.
+    pub(super) fn holds_between(&self, left: f64, right: f64) -> bool {
+        self.allows(compared(left, right))
+    }
+
+    /// Whether it holds where its sides compare so.
+    fn allows(&self, order: Ordering) -> bool {
+        match self.relation {
+            Relation::Less => order.is_lt(),
+            Relation::AtMost => order.is_le(),
+            Relation::Greater => order.is_gt(),
+            Relation::AtLeast => order.is_ge(),
+            Relation::Differs => order.is_ne(),
+        }
+    }
+
+    /// Whether it holds of the numbers of a variant.
+    pub(in crate::problem) fn holds(&self, worked: &Worked<'_>) -> bool {
+        self.allows(exactly_compared(worked, &self.left, &self.right))
+    }
+
+    pub(in crate::problem) fn decided(&self, worked: &Worked<'_>) -> Decision {
+        let order = exactly_compared(worked, &self.left, &self.right);
+        let holds = self.allows(order);
+        let is = match order {
+            Ordering::Less => "less than",
+            Ordering::Equal => "equal to",
+            Ordering::Greater => "greater than",
+        };
+        let [left, right] = &self.words;
+        Decision::yes_or_no(holds, format!("{left} is {is} {right}"))
+    }
+}
+
+/// Every order of some quantities.
+#[must_use]
+pub fn orders(symbols: &[Symbol]) -> Vec<Vec<Symbol>> {
+    let mut orders = Vec::new();
+    permute(symbols.to_vec(), 0, &mut orders);
+    orders
+}
+
+fn ordered(symbols: &[Symbol], worked: &Worked<'_>) -> Decision {
+    let name = |symbol: &Symbol| worked.problem.name_of(*symbol);
+    let written = |symbols: &[Symbol]| symbols.iter().map(name).collect::<Vec<_>>().join(" < ");
+    let options = orders(symbols);
+    let mut sorted = symbols.to_vec();
+    sorted.sort_by(|a, b| exactly_compared(worked, &(*a).into(), &(*b).into()));
+    Decision {
+        right: options.iter().position(|option| *option == sorted).unwrap_or(0),
+        options: options.iter().map(|option| written(option)).collect(),
+        because: "the values found above are in this order".into(),
+        behind: None,
+        said: Vec::new(),
+    }
+}
+
+fn permute(symbols: Vec<Symbol>, from: usize, all: &mut Vec<Vec<Symbol>>) {
+    if from + 1 >= symbols.len() {
+        all.push(symbols);
+        return;
+    }
+    for other in from..symbols.len() {
+        let mut next = symbols.clone();
+        // Turned rather than swapped, so that the orders come as in a dictionary.
+        next[from..=other].rotate_right(1);
+        permute(next, from + 1, all);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::expr::{SymbolEntry, SymbolTable};
+    use crate::quantity::Dimension;
+
+    #[test]
+    fn every_order_comes_once_as_in_a_dictionary() {
+        let mut table = SymbolTable::default();
+        let entry = |name: &str| SymbolEntry { name: name.into(), dimension: Dimension::NONE, meaning: String::new() };
+        let symbols = ["a", "b", "c"].map(|name| table.intern(entry(name)));
+        let places = |order: Vec<Symbol>| order.iter().map(|symbol| symbol.index()).collect::<Vec<_>>();
+        let all: Vec<Vec<usize>> = orders(&symbols).into_iter().map(places).collect();
+        assert_eq!(all, [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]]);
+    }
+
+    #[test]
+    fn nearly_equal_is_equal() {
+        assert!(compared(1.0, 1.0 + 1e-15).is_eq() && compared(1.0, 1.0 + 1e-9).is_lt() && compared(0.0, 0.0).is_eq());
+    }
+}

@@ -1,0 +1,179 @@
+//! Whether what a sheet tells is enough to find a quantity: the planner answers, and says why.
+
+use std::collections::BTreeSet;
+
+use crate::expr::Symbol;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::laws::wrong::concept;
+use crate::model::Builder;
+use crate::model::Model;
+use crate::solve::Condition;
+use crate::solve::Equation;
+use crate::solve::Plan;
+use crate::solve::Planner;
+use crate::solve::Reason;
+use crate::solve::System;
+
+use super::super::language::ask;
+use super::super::language::form::Question;
+use super::super::language::known::Known;
+use super::super::language::known::Origin;
+use super::super::language::text::Text;
+use super::super::reading::load::Loaded;
+use super::concept::join;
+use super::concept::yes_or_no;
+use super::part::Part;
+
+/// Ways out that are told in a reason.
+const TOLD: usize = 2;
+
+/// A question about a quantity that the planner has not answered yet.
+#[derive(Clone, Debug)]
+pub(in crate::problem) struct Sought {
+    /// Its place among the parts.
+    pub at: usize,
+    pub id: String,
+    pub label: String,
+    pub points: u32,
+    symbol: Symbol,
+    path: Path,
+}
+
+/// The planner's answers to the questions of a form.
+#[derive(Default)]
+pub(in crate::problem) struct Answered {
+    /// The parts, each with its place among all.
+    pub parts: Vec<(usize, Part)>,
+    /// What can be found: the worked solution shows how.
+    pub found: Vec<Symbol>,
+}
+
+/// Reads which quantity is meant.
+pub(in crate::problem) fn read(
+    ask: &ask::Enough,
+    at: usize,
+    (id, points): (&str, u32),
+    builder: &mut Builder<'_>,
+    path: &Path,
+) -> Option<Sought> {
+    let path = path.key("enough");
+    let Some(symbol) = builder.mention(&ask.enough) else {
+        let fault = builder.unknown(&ask.enough).at_path(path);
+        builder.fault(fault);
+        return None;
+    };
+    let label = ask.label.clone().unwrap_or_else(|| {
+        let entry = builder.symbols().entry(symbol);
+        let what = if entry.meaning.is_empty() { &entry.name } else { &entry.meaning };
+        format!("Is there enough information to find {what}?")
+    });
+    Some(Sought { at, id: id.to_owned(), label, points, symbol, path })
+}
+
+/// What the words and numbers of a sheet tell: what is drawn and not printed is not known, nor is what may be anything.
+pub(in crate::problem) fn on_the_sheet(
+    loaded: &Loaded,
+    question: &Question,
+    model: &Model,
+    known: &[Known],
+    told: &BTreeSet<Symbol>,
+) -> BTreeSet<Symbol> {
+    let printed: BTreeSet<Symbol> = [&loaded.text, &question.text]
+        .into_iter()
+        .flat_map(Text::told)
+        .filter_map(|name| model.symbol_of(&name))
+        .collect();
+    let is_secret = |known: &&Known| match known.origin {
+        Origin::Drawn(_) => !printed.contains(&known.symbol),
+        Origin::Any => true,
+        Origin::Fixed(_) => question.elsewhere.contains(&known.name),
+    };
+    told - &known.iter().filter(is_secret).map(|known| known.symbol).collect()
+}
+
+/// Answers the questions of a form from what its sheet tells.
+pub(in crate::problem) fn answered(
+    planner: &mut Planner,
+    model: &Model,
+    sought: &[Sought],
+    (equations, conditions): (&[Equation], &[Condition]),
+    told: &BTreeSet<Symbol>,
+) -> Result<Answered, Vec<Fault>> {
+    let mut answered = Answered::default();
+    for own in sought {
+        let name = &model.symbols.entry(own.symbol).name;
+        let fault =
+            |code, message: String, help: &str| vec![Fault::new(code, message).help(help).at_path(own.path.clone())];
+        if told.contains(&own.symbol) {
+            let help = "ask about a quantity that has to be found";
+            return Err(fault(Code::Text, format!("the sheet tells `{name}` itself"), help));
+        }
+        let mut ways = Vec::new();
+        for (_, mut system) in model.systems() {
+            system.equations.extend(equations.iter().cloned());
+            system.conditions.extend(conditions.iter().cloned());
+            if planner.plan(&system, told, &[own.symbol]).is_err() && planner.is_fixed(&system, told, own.symbol) {
+                let message = format!("`{name}` follows from what is given, but no known method shows how");
+                return Err(fault(Code::Stuck, message, "ask about another quantity that follows as well"));
+            }
+            ways.push(planner.plan(&system, told, &[own.symbol]).map(|plan| laws(model, &system, &plan)));
+        }
+        let found = ways.iter().find_map(|way| way.as_ref().ok());
+        let verdict = match (found, ways.iter().find_map(|way| way.as_ref().err())) {
+            (Some(laws), _) => {
+                answered.found.push(own.symbol);
+                (true, format!("it follows from what is given by {laws}"))
+            }
+            (None, Some(stuck)) => match &stuck.reason {
+                Reason::Underdetermined { enough, .. } => (false, lacking(model, own.symbol, enough)),
+                Reason::NoTactic { .. } | Reason::Contradiction { .. } => {
+                    let help = "describe the scene by other quantities, or ask about another";
+                    return Err(fault(
+                        Code::Stuck,
+                        format!("it cannot be decided whether `{name}` can be found"),
+                        help,
+                    ));
+                }
+            },
+            (None, None) => continue,
+        };
+        let behind = if verdict.0 { &concept::ENOUGH_OVERLOOKED } else { &concept::EQUATIONS_NOT_COUNTED };
+        let kind = yes_or_no(verdict, Some(behind));
+        let part = Part { id: own.id.clone(), label: own.label.clone(), points: own.points, kind };
+        answered.parts.push((own.at, part));
+    }
+    Ok(answered)
+}
+
+/// The laws of a plan, each once.
+fn laws(model: &Model, system: &System, plan: &Plan) -> String {
+    let mut laws: Vec<String> = Vec::new();
+    for position in plan.steps.iter().flat_map(|step| &step.equations) {
+        let tag = system.equations.get(*position).map(|equation| equation.tag);
+        if let Some(own) = tag.and_then(|tag| model.instances.get(tag)).map(|own| own.law.name.to_owned())
+            && !laws.contains(&own)
+        {
+            laws.push(own);
+        }
+    }
+    join(&laws)
+}
+
+/// Why a quantity does not follow, with what would have to be known as well.
+fn lacking(model: &Model, sought: Symbol, enough: &[Vec<Symbol>]) -> String {
+    let has_words =
+        |set: &&Vec<Symbol>| set.iter().all(|own| *own != sought && !model.symbols.entry(*own).meaning.is_empty());
+    let said = |set: &Vec<Symbol>| {
+        let words: Vec<String> = set.iter().map(|own| model.symbols.entry(*own).meaning.clone()).collect();
+        join(&words)
+    };
+    let sets: Vec<String> = enough.iter().filter(has_words).take(TOLD).map(said).collect();
+    let without = "the laws that hold here contain more unknown quantities than there are equations";
+    if sets.is_empty() {
+        without.to_owned()
+    } else {
+        format!("{without}; it would follow if one knew {}, for instance", sets.join(", or "))
+    }
+}

@@ -1,0 +1,193 @@
+//! Options of the author's own: which of them is right, in which order they are offered, and what is said of each.
+
+use std::collections::BTreeSet;
+
+use crate::expr::Symbol;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::model::Model;
+
+use super::super::compiling::planned::Form;
+use super::super::compiling::regimes::Leaf;
+use super::super::language::text::Text;
+use super::super::reading::numerals::alike;
+use super::super::sampling::say;
+use super::super::sampling::variant::Worked;
+use super::decision::ChoicePart;
+use super::decision::Claim;
+use super::decision::Decision;
+use super::part::Part;
+use super::part::PartKind;
+
+/// A choice between options that the author wrote.
+#[derive(Clone, Debug)]
+pub struct Offer {
+    /// The name of the random stream from which their order comes.
+    pub(in crate::problem) stream: String,
+    /// The options in the order of the file; one that is right where no other is stands last.
+    pub(in crate::problem) options: Vec<Offered>,
+    /// What their texts print.
+    pub(in crate::problem) printed: BTreeSet<Symbol>,
+    /// What the options that may be right print and has no value of its own.
+    pub(in crate::problem) solved: Vec<Symbol>,
+}
+
+/// One option.
+#[derive(Clone, Debug)]
+pub(in crate::problem) struct Offered {
+    pub text: Text,
+    pub truth: Truth,
+    /// Why it is right, where it is.
+    pub because: Option<Text>,
+    /// What is said to a student who chose it and is wrong.
+    pub feedback: Option<Text>,
+}
+
+/// When an option is right.
+#[derive(Clone, Debug)]
+pub(in crate::problem) enum Truth {
+    Always,
+    Never,
+    /// Where this holds.
+    When(Claim),
+    /// Where no other option is.
+    Otherwise,
+}
+
+impl Offer {
+    /// Everything on which the choice depends; what an option prints, it tells.
+    pub(in crate::problem) fn symbols(&self) -> BTreeSet<Symbol> {
+        self.claims().flat_map(Claim::symbols).chain(self.solved.iter().copied()).collect()
+    }
+
+    /// Everything to which the options refer.
+    pub(in crate::problem) fn mentioned(&self) -> BTreeSet<Symbol> {
+        &self.symbols() | &self.printed
+    }
+
+    /// What has to be solved for it.
+    pub(in crate::problem) fn quantities(&self) -> Vec<Symbol> {
+        let claimed = self.claims().flat_map(|claim| claim.quantities.iter().copied());
+        let all: BTreeSet<Symbol> = claimed.chain(self.solved.iter().copied()).collect();
+        all.into_iter().collect()
+    }
+
+    fn claims(&self) -> impl Iterator<Item = &Claim> {
+        self.options.iter().filter_map(|option| match &option.truth {
+            Truth::When(claim) => Some(claim),
+            _ => None,
+        })
+    }
+
+    /// What the right option prints and has no value of its own, where the author says which one is right.
+    #[must_use]
+    pub fn always_right(&self) -> Option<&[Symbol]> {
+        self.claims().next().is_none().then_some(&self.solved)
+    }
+
+    /// The place, as it is offered, of the right option where claims are judged so; none where one cannot be judged.
+    #[must_use]
+    pub fn right_by(&self, worked: &Worked<'_>, holds: &dyn Fn(&Claim) -> Option<bool>) -> Option<usize> {
+        let right = self.right(holds)?;
+        let [right] = right[..] else { return None };
+        self.order(worked).iter().position(|place| *place == right)
+    }
+
+    /// Why the options cannot be offered with the numbers of a variant.
+    pub(in crate::problem) fn refused(&self, worked: &Worked<'_>) -> Option<String> {
+        let texts: Vec<String> = self.options.iter().map(|option| filled(&option.text, worked)).collect();
+        let same = |(place, text): &(usize, &String)| texts.iter().take(*place).any(|other| alike(other, text));
+        if let Some((_, text)) = texts.iter().enumerate().find(same) {
+            return Some(format!("two options print `{text}`"));
+        }
+        match self.right_for(worked)[..] {
+            [_] => None,
+            [] => Some("no option is right".to_owned()),
+            [one, other, ..] => Some(format!("both `{}` and `{}` are right", texts[one], texts[other])),
+        }
+    }
+
+    /// The places in the file of the options that are right, where claims are judged so.
+    fn right(&self, holds: &dyn Fn(&Claim) -> Option<bool>) -> Option<Vec<usize>> {
+        let mut right = Vec::new();
+        for (place, option) in self.options.iter().enumerate() {
+            let is_right = match &option.truth {
+                Truth::Always => true,
+                Truth::Never => false,
+                Truth::When(claim) => holds(claim)?,
+                Truth::Otherwise => right.is_empty(),
+            };
+            right.extend(is_right.then_some(place));
+        }
+        Some(right)
+    }
+
+    fn right_for(&self, worked: &Worked<'_>) -> Vec<usize> {
+        self.right(&|claim| Some(claim.holds(worked))).unwrap_or_default()
+    }
+
+    /// The places in the file, in the order in which the options are offered.
+    fn order(&self, worked: &Worked<'_>) -> Vec<usize> {
+        let mut order: Vec<usize> = (0..self.options.len()).collect();
+        let moved = self.options.iter().filter(|option| !matches!(option.truth, Truth::Otherwise)).count();
+        // Numbers of somebody's own have no seed, and the order of the file may tell which is right.
+        let mut word = worked.problem.streams().word_of(&self.stream, worked.variant.seed().unwrap_or_default());
+        for place in (1..moved).rev() {
+            let choices = place as u64 + 1;
+            order.swap(place, usize::try_from(word % choices).unwrap_or(place));
+            word /= choices;
+        }
+        order
+    }
+
+    pub(in crate::problem) fn decided(&self, worked: &Worked<'_>) -> Decision {
+        let order = self.order(worked);
+        let own = || order.iter().filter_map(|place| self.options.get(*place));
+        let right = self.right_for(worked).first().copied();
+        Decision {
+            options: own().map(|option| filled(&option.text, worked)).collect(),
+            right: order.iter().position(|place| Some(*place) == right).unwrap_or(0),
+            because: right.and_then(|place| self.options.get(place)).map(|own| own.why(worked)).unwrap_or_default(),
+            behind: None,
+            said: own()
+                .map(|option| option.feedback.as_ref().map(|text| filled(text, worked)).unwrap_or_default())
+                .collect(),
+        }
+    }
+}
+
+impl Offered {
+    /// Why it is right, as a sentence without a full stop.
+    fn why(&self, worked: &Worked<'_>) -> String {
+        if let Some(because) = &self.because {
+            return filled(because, worked).trim_end_matches('.').to_owned();
+        }
+        match &self.truth {
+            Truth::When(claim) => claim.decided(worked).because,
+            _ => "none of the other options is right".to_owned(),
+        }
+    }
+}
+
+/// A fault for each option that prints what neither the answers nor their checks find.
+pub(in crate::problem) fn check(model: &Model, form: &Form) -> Vec<Fault> {
+    let found = |symbol: &Symbol| {
+        let by = |leaf: &Leaf| leaf.audit.plan.steps.iter().any(|step| step.unknowns.contains(symbol));
+        form.told.contains(symbol) || form.solver.leaves().iter().all(by)
+    };
+    let lost = |(index, part): (usize, &Part)| {
+        let PartKind::Choice(ChoicePart::Offered(offer)) = &part.kind else { return None };
+        let symbol = offer.printed.iter().find(|symbol| !found(symbol))?;
+        let name = &model.symbols.entry(*symbol).name;
+        let fault =
+            Fault::new(Code::Text, format!("an option prints `{name}`, which does not follow from what is given"));
+        let help = format!("give `{name}` as an expression of what is given: `{name}: m_A*v_A1/(m_A + m_B)`");
+        Some(fault.help(help).at_path(form.question.path.key("ask").index(index).key("options")))
+    };
+    form.parts.iter().enumerate().filter_map(lost).collect()
+}
+
+/// A text on one line with its placeholders said for a variant.
+fn filled(text: &Text, worked: &Worked<'_>) -> String {
+    say::fill(text, worked.problem, worked.variant).split_whitespace().collect::<Vec<_>>().join(" ")
+}

@@ -1,0 +1,148 @@
+//! One part of a question, compiled: what is asked, how it is answered and judged.
+
+use crate::expr::Symbol;
+use crate::model::component_name;
+use crate::quantity::Decimal;
+use crate::quantity::Unit;
+
+use super::decision::ChoicePart;
+use super::formula::FormulaPart;
+use super::range::RangePart;
+use super::vector::VectorPart;
+
+/// One part of a question.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// What the part is called in answers: the name that is asked, or `a`, `b`, ... for a question without one.
+    pub id: String,
+    /// What is asked, as a noun phrase or a question.
+    pub label: String,
+    /// Its points.
+    pub points: u32,
+    /// How it is answered.
+    pub kind: PartKind,
+}
+
+/// How a part is answered.
+#[derive(Clone, Debug)]
+pub enum PartKind {
+    /// By a number with a unit.
+    Number(NumberPart),
+    /// By a vector with a unit.
+    Vector(VectorPart),
+    /// By a formula in the symbols of what is given.
+    Formula(FormulaPart),
+    /// By an interval or a condition.
+    Range(RangePart),
+    /// By one of several phrases.
+    Choice(ChoicePart),
+}
+
+/// A number that is asked.
+#[derive(Clone, Debug)]
+pub struct NumberPart {
+    /// The quantity.
+    pub symbol: Symbol,
+    /// In which unit, or in terms of which quantity.
+    pub unit: AskedUnit,
+    /// The size of that unit in SI units; one, where there is none.
+    pub size: f64,
+    /// Significant figures of the printed answer.
+    pub figures: usize,
+    /// How far an answer may lie from the exact one.
+    pub tolerance: Tolerance,
+    /// Whether the answer is a whole number, found by counting.
+    pub whole: bool,
+    /// Whether every value is asked that the equations give, possible or not.
+    pub every_root: bool,
+}
+
+/// The unit of an answer.
+#[derive(Clone, Debug)]
+pub enum AskedUnit {
+    /// A unit.
+    Unit(Unit),
+    /// A quantity of the problem: the answer is a multiple of it.
+    InTermsOf(Symbol),
+}
+
+/// How far an answer may lie from the exact one.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Tolerance {
+    /// A fraction of the exact value: `1/100`.
+    Relative(Decimal),
+    /// A distance, in the unit of the question.
+    Absolute(Decimal),
+    /// Half a unit of the exact value's last figure.
+    ToFigures,
+}
+
+impl Part {
+    /// The numbers in its answer, each with its name: one, the components of a vector, or none.
+    pub fn numbers(&self) -> impl Iterator<Item = (String, &NumberPart)> {
+        self.kind.numbers().iter().enumerate().map(|(index, number)| match &self.kind {
+            PartKind::Vector(vector) => {
+                (component_name(&self.id, vector.axes.get(index).copied().unwrap_or("")), number)
+            }
+            _ => (self.id.clone(), number),
+        })
+    }
+}
+
+impl PartKind {
+    /// The numbers in the answer: one, the components of a vector, the boundary of an interval, or none.
+    #[must_use]
+    pub fn numbers(&self) -> &[NumberPart] {
+        match self {
+            Self::Number(number) => std::slice::from_ref(number),
+            Self::Vector(vector) => &vector.components,
+            Self::Range(range) => std::slice::from_ref(&range.number),
+            Self::Formula(_) | Self::Choice(_) => &[],
+        }
+    }
+
+    /// The quantities that have to be solved for it.
+    #[must_use]
+    pub fn wanted(&self) -> Vec<Symbol> {
+        match self {
+            Self::Number(_) | Self::Vector(_) | Self::Range(_) => {
+                self.numbers().iter().map(|number| number.symbol).collect()
+            }
+            Self::Formula(formula) => vec![formula.symbol],
+            Self::Choice(choice) => choice.symbols(),
+        }
+    }
+
+    /// The quantity of which the answer is a multiple, where it has no unit of its own.
+    #[must_use]
+    pub fn in_terms_of(&self) -> Option<Symbol> {
+        if let Self::Formula(formula) = self {
+            return formula.in_terms_of;
+        }
+        self.numbers().iter().find_map(|number| match &number.unit {
+            AskedUnit::InTermsOf(symbol) => Some(*symbol),
+            AskedUnit::Unit(_) => None,
+        })
+    }
+}
+
+impl AskedUnit {
+    /// The size in SI units of a unit; one, where there is none.
+    pub(in crate::problem) fn size(&self) -> f64 {
+        match self {
+            Self::Unit(unit) => unit.factor().to_f64(),
+            Self::InTermsOf(_) => 1.0,
+        }
+    }
+}
+
+impl NumberPart {
+    /// The unit, where the answer has one of its own.
+    #[must_use]
+    pub fn plain_unit(&self) -> Unit {
+        match &self.unit {
+            AskedUnit::Unit(unit) => unit.clone(),
+            AskedUnit::InTermsOf(_) => Unit::none(),
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! A vector that is asked: all its components at once.
+
+use crate::expr::Symbol;
+use crate::fault::Path;
+use crate::model::Builder;
+use crate::model::component_name;
+
+use super::super::language::ask::Find;
+use super::super::reading::load::Loaded;
+use super::part::NumberPart;
+use super::part::PartKind;
+use super::parts::number_part;
+
+/// A vector that is asked, by its components along the scene's axes.
+#[derive(Clone, Debug)]
+pub struct VectorPart {
+    /// The components, in one unit and in the order of the axes.
+    pub components: Vec<NumberPart>,
+    /// The letters of the axes.
+    pub axes: Vec<&'static str>,
+}
+
+impl VectorPart {
+    /// The axes in words: `x and y`.
+    #[must_use]
+    pub fn axes_in_words(&self) -> String {
+        match &self.axes[..] {
+            [rest @ .., last] if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
+            axes => axes.join(", "),
+        }
+    }
+}
+
+/// The components of a name that is no quantity itself.
+pub(in crate::problem) fn components(vector: &str, builder: &mut Builder<'_>) -> Option<Vec<Symbol>> {
+    let axes = builder.axis_letters();
+    let mut symbols = || axes.iter().map(|axis| builder.mention(&component_name(vector, axis))).collect();
+    if axes.len() > 1 { symbols() } else { None }
+}
+
+/// Asks for these components at once: the id, the label and the kind of the part.
+pub(in crate::problem) fn read(
+    loaded: &Loaded,
+    find: &Find,
+    symbols: &[Symbol],
+    builder: &mut Builder<'_>,
+    path: &Path,
+) -> Option<(String, String, PartKind)> {
+    let axes = builder.axis_letters();
+    let components = symbols.iter().map(|symbol| number_part(loaded, find, *symbol, builder, path));
+    let components = components.collect::<Option<Vec<_>>>()?;
+    let meaning = symbols.first().and_then(|first| builder.vector_of(*first));
+    let meaning = meaning.unwrap_or_else(|| format!("the vector {}", find.find));
+    Some((find.find.clone(), meaning, PartKind::Vector(VectorPart { components, axes })))
+}

@@ -1,0 +1,12 @@
+//! From the text of a file to its draft, or to all its faults, each at its place.
+
+pub(super) mod check;
+pub(super) mod document;
+pub(super) mod load;
+pub(super) mod mentions;
+pub(super) mod numerals;
+pub(super) mod origin;
+pub(super) mod position;
+pub(super) mod schema;
+pub(super) mod shape;
+pub(super) mod unsound;

@@ -1,0 +1,61 @@
+//! Givens that cannot be meant: those that go in circles, and values below the least that a quantity has.
+
+use std::collections::BTreeMap;
+use std::collections::BTreeSet;
+
+use crate::expr::Symbol;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::model::Builder;
+use crate::quantity::Dimension;
+
+use super::super::language::given::Given;
+use super::super::language::known::Origin;
+use super::load::Loaded;
+
+/// A fault for each given that is an expression of itself, at once or by way of others.
+pub(in crate::problem) fn circles(loaded: &Loaded, builder: &mut Builder<'_>) {
+    let mut speaks_of: BTreeMap<Symbol, BTreeSet<Symbol>> = BTreeMap::new();
+    let mut places = Vec::new();
+    for (name, given) in loaded.given.iter() {
+        let Given::Expression(text) = given else { continue };
+        let path = Path::root().key("given").key(name);
+        if let Some(symbol) = builder.mention(name) {
+            speaks_of.insert(symbol, builder.term(text, &path).symbols());
+            places.push((name, symbol, path));
+        }
+    }
+    for (name, symbol, path) in places {
+        let (mut reached, mut open) = (BTreeSet::new(), vec![symbol]);
+        while let Some(own) = open.pop() {
+            let next = speaks_of.get(&own).into_iter().flatten().copied();
+            open.extend(next.filter(|other| reached.insert(*other)));
+        }
+        if reached.contains(&symbol) {
+            let fault = Fault::new(Code::OverDetermined, format!("`{name}` is given in terms of itself"));
+            builder.fault(fault.help("give one of the names in this cycle a value").at_path(path));
+        }
+    }
+}
+
+/// A fault where a mass, a duration or a length may be drawn that is none.
+pub(in crate::problem) fn too_small(
+    builder: &Builder<'_>,
+    name: &str,
+    symbol: Symbol,
+    origin: &Origin,
+) -> Option<Fault> {
+    if matches!(origin, Origin::Any) || origin.is_positive() || !builder.is_positive(symbol) {
+        return None;
+    }
+    let kind = builder.symbols().entry(symbol).dimension;
+    let may_be_zero = kind != Dimension::MASS && kind != Dimension::TIME;
+    let message = match (origin, may_be_zero) {
+        (Origin::Fixed(value), true) if !value.is_negative() => return None,
+        (Origin::Drawn(_), true) => return None,
+        (_, true) => format!("`{name}` cannot be negative"),
+        (_, false) => format!("`{name}` must be greater than zero"),
+    };
+    Some(Fault::new(Code::Unphysical, message).help("give it a positive value, or a range of positive values"))
+}

@@ -1,0 +1,47 @@
+//! A limiting case of a variant: one of its givens at the end of what it can be.
+
+use crate::expr::Symbol;
+use crate::quantity::Decimal;
+use crate::quantity::Unit;
+use crate::solve::Bounded;
+
+use super::super::compiling::input::Input;
+use super::super::compiling::regimes::Scratch;
+use super::variant::Variant;
+use super::variant::Worked;
+
+impl Worked<'_> {
+    /// The variant in which one of its givens has another value, such as e = 0: conditions may hold there with nothing to spare, and
+    /// floating point has to do. `None` where there is no admissible solution, and for a form whose givens follow from each other.
+    #[must_use]
+    pub fn at_limit(&self, symbol: Symbol, value: &Decimal, unit: &Unit) -> Option<Variant> {
+        if !self.form.reveal.is_empty() {
+            return None;
+        }
+        let limit = Input::of(value, unit).bounded();
+        let input = |own: &Symbol| if *own == symbol { limit } else { self.variant.value(*own) };
+        let (mut scratch, regimes) = (Scratch::default(), &self.form.solver);
+        let solutions = scratch.run_limit(regimes, input);
+        let mut variant = Variant {
+            seed: None,
+            values: scratch.values(regimes, self.problem.model().symbols.len()),
+            others: Vec::new(),
+            leaf: scratch.leaf(),
+            roots: scratch.roots(regimes),
+            dead: scratch.dead(regimes),
+            ..self.variant.clone()
+        };
+        for given in variant.given.iter_mut().filter(|(own, ..)| *own == symbol) {
+            *given = (symbol, value.clone(), unit.clone());
+        }
+        for own in &self.form.told {
+            if let Some(place) = variant.values.get_mut(own.index()) {
+                *place = input(own);
+            }
+        }
+        let there = Worked { variant: &variant, ..*self };
+        let is_zero = |unit: Symbol| variant.value(unit).is_some_and(Bounded::is_zero);
+        let stands = self.form.accepts(solutions) && !self.form.units().any(is_zero) && there.has_intervals();
+        stands.then_some(variant)
+    }
+}

@@ -1,0 +1,12 @@
+//! Drawing variants: random words, values, what they round to, and why a draw is refused.
+
+pub(super) mod limit;
+pub(super) mod neglected;
+pub(super) mod no_variant;
+pub(super) mod rounding;
+pub(super) mod sampler;
+pub(super) mod samples;
+pub(super) mod say;
+pub(super) mod secret;
+pub(super) mod stream;
+pub(super) mod variant;

@@ -1,0 +1,56 @@
+//! Values that the givens of a form have together: formulas are compared near them, where the scene goes the same way.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use std::sync::RwLock;
+
+use crate::expr::Symbol;
+
+use super::super::language::known::Origin;
+use super::sampler::Sampler;
+use super::variant::Worked;
+
+/// So many variants are wanted.
+const WANTED: usize = 16;
+/// So many seeds are tried, for some variants go another way.
+const TRIED: u64 = 64;
+
+/// The values of some givens in variants of a form, in the order of the givens; none for what may be anything.
+pub type Sample = Vec<Option<f64>>;
+
+/// The samples of a form, as far as somebody has asked: by the way the scene goes, the roots that are taken, and the givens.
+#[derive(Clone, Debug, Default)]
+pub(in crate::problem) struct Samples(Arc<RwLock<BTreeMap<Key, Arc<[Sample]>>>>);
+
+type Key = (usize, Vec<usize>, Vec<Symbol>);
+
+impl Worked<'_> {
+    /// Values that these givens have together in variants that go the way of this one.
+    #[must_use]
+    pub fn samples(&self, givens: &[Symbol]) -> Arc<[Sample]> {
+        let key = (self.variant.leaf(), self.variant.roots().to_vec(), givens.to_vec());
+        let samples = &self.form.samples.0;
+        if let Some(known) = samples.read().ok().and_then(|known| known.get(&key).cloned()) {
+            return known;
+        }
+        let found = self.drawn(givens);
+        if let Ok(mut known) = samples.write() {
+            known.insert(key, Arc::clone(&found));
+        }
+        found
+    }
+
+    fn drawn(&self, givens: &[Symbol]) -> Arc<[Sample]> {
+        let Ok(mut sampler) = Sampler::new(self.problem, self.variant.form()) else { return Arc::default() };
+        let any = |symbol: Symbol| {
+            let known = self.form.known.iter().find(|known| known.symbol == symbol);
+            known.is_some_and(|known| matches!(known.origin, Origin::Any))
+        };
+        let variants = (1..=TRIED).map_while(|seed| sampler.variant(seed).ok());
+        let same = variants.filter(|own| own.leaf() == self.variant.leaf() && own.roots() == self.variant.roots());
+        let value = |symbol: &Symbol, own: &super::super::Variant| {
+            own.value(*symbol).filter(|_| !any(*symbol)).map(|own| own.value)
+        };
+        same.take(WANTED).map(|own| givens.iter().map(|symbol| value(symbol, &own)).collect()).collect()
+    }
+}

@@ -1,0 +1,296 @@
+//! Filling an author's text: how a quantity is said in a sentence.
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+use crate::model::QuantityKind;
+use crate::quantity::Decimal;
+use crate::quantity::Printed;
+use crate::quantity::Unit;
+use crate::quantity::with_minus_signs;
+use crate::scene::Axis;
+use crate::scene::Scene;
+use crate::scene::Senses;
+use crate::scene::Stage;
+
+use super::super::compiling::planned::Problem;
+use super::super::language::text::Filter;
+use super::super::language::text::Piece;
+use super::super::language::text::Text;
+use super::variant::Variant;
+
+/// Verbs after which only "at 2 m/s to the right" may follow: stem, and its endings.
+const VERBS_OF_MOTION: &[(&str, &[&str])] = &[
+    ("mov", &["e", "es", "ed", "ing"]),
+    ("travel", &["", "s", "led", "ling"]),
+    ("slid", &["e", "es", "ing"]),
+    ("roll", &["", "s", "ed", "ing"]),
+    ("run", &["", "s", "ning"]),
+    ("fl", &["y", "ies", "ying"]),
+    ("go", &["es", "ing"]),
+    ("glid", &["e", "es", "ing"]),
+    ("drift", &["", "s", "ed", "ing"]),
+    ("walk", &["", "s", "ing"]),
+    ("skat", &["e", "es", "ing"]),
+    ("driv", &["e", "es", "ing"]),
+    ("com", &["e", "es", "ing"]),
+    ("rebound", &["", "s"]),
+    ("leav", &["e", "es", "ing"]),
+    ("arriv", &["e", "es", "ing"]),
+    ("approach", &["es", "ing"]),
+    ("ris", &["e", "es", "ing"]),
+    ("fall", &["", "s", "ing"]),
+    ("coast", &["", "s", "ing"]),
+    ("sail", &["", "s", "ing"]),
+    ("swim", &["", "s", "ming"]),
+    ("spin", &["s", "ning"]),
+    ("thrown", &[""]),
+    ("kicked", &[""]),
+    ("launched", &[""]),
+    ("fired", &[""]),
+];
+
+/// Marks that end a clause, after which a new verb is needed.
+const CLAUSE_ENDS: &[char] = &['.', ';', ':', '!', '?', '\n'];
+/// Words that begin a new clause behind a comma.
+const CLAUSE_STARTS: &[&str] = &["and", "but", "while", "whereas", "when", "so"];
+/// Words that begin a clause with a verb of its own wherever they stand.
+const SUBORDINATORS: &[&str] = &["which", "who", "while", "whereas", "when", "until"];
+/// Words straight after which a verb must follow.
+const CONJUNCTIONS: &[&str] = &["and", "but", "or", "then"];
+
+/// The text with every placeholder said for this variant.
+pub(in crate::problem) fn fill(text: &Text, problem: &Problem, variant: &Variant) -> String {
+    fill_and_mark(text, problem, variant).0
+}
+
+/// The same, with the place at which each piece of the text ends in it.
+pub(in crate::problem) fn fill_and_mark(text: &Text, problem: &Problem, variant: &Variant) -> (String, Vec<usize>) {
+    let mut filled = String::new();
+    let mut ends = Vec::with_capacity(text.pieces().len());
+    for piece in text.pieces() {
+        match piece {
+            Piece::Text(words) => filled.push_str(words),
+            Piece::Placeholder(placeholder) => {
+                let said = problem.model().symbol_of(&placeholder.name).map(|symbol| {
+                    let speaker = Speaker { problem, variant, symbol, name: &placeholder.name };
+                    speaker.say(placeholder.filter, &filled)
+                });
+                filled.push_str(&said.unwrap_or_else(|| placeholder.name.clone()));
+            }
+        }
+        ends.push(filled.len());
+    }
+    (filled, ends)
+}
+
+impl Variant {
+    /// The numbers that the story and the question of its form print, each once by the name of its quantity, as they would be
+    /// typed: what is written as a calculation is left out.
+    #[must_use]
+    pub fn printed_numbers(&self, problem: &Problem) -> Vec<(String, String)> {
+        let question = problem.forms().get(self.form()).map(|form| &form.question.text);
+        let mut numbers: Vec<(String, String)> = Vec::new();
+        for placeholder in [&problem.loaded().text].into_iter().chain(question).flat_map(Text::placeholders) {
+            let name = &placeholder.name;
+            let tells = placeholder.filter.tells_size() || placeholder.filter == Filter::Motion;
+            let Some(symbol) = problem.model().symbol_of(name).filter(|_| tells) else { continue };
+            let speaker = Speaker { problem, variant: self, symbol, name };
+            if speaker.constant().is_none() && numbers.iter().all(|(own, _)| own != name) {
+                let (value, unit) = self.told(problem, symbol);
+                let typed = Printed::written(&value).plain().replace(" × 10^", "e");
+                numbers.push((name.clone(), format!("{typed} {unit}").trim_end().to_owned()));
+            }
+        }
+        numbers
+    }
+}
+
+/// Says one quantity.
+struct Speaker<'a> {
+    problem: &'a Problem,
+    variant: &'a Variant,
+    symbol: Symbol,
+    name: &'a str,
+}
+
+impl Speaker<'_> {
+    fn say(&self, filter: Filter, before: &str) -> String {
+        if let (Some(constant), true) = (self.constant(), filter.tells_size()) {
+            return match filter {
+                Filter::Named => format!("{} = {constant}", self.in_symbols()),
+                _ => constant,
+            };
+        }
+        let (value, unit) = self.variant.told(self.problem, self.symbol);
+        match filter {
+            Filter::Quantity => quantity(&value, &unit),
+            Filter::Value => number(&value),
+            Filter::Unit => unit.to_string(),
+            Filter::Magnitude => quantity(&value.abs(), &unit),
+            Filter::Direction => self.direction(&value),
+            Filter::Motion => self.motion(&value, &unit, before),
+            Filter::Symbol => self.in_symbols(),
+            Filter::Named => format!("{} = {}", self.in_symbols(), quantity(&value, &unit)),
+        }
+    }
+
+    fn in_symbols(&self) -> String {
+        format!("${}$", self.problem.math_of(self.symbol).latex())
+    }
+
+    /// A number that is given as a calculation, as `1/3`: it is printed as it is written, since its decimals would be rounded.
+    fn constant(&self) -> Option<String> {
+        let form = self.problem.forms().get(self.variant.form());
+        let is_changed = form.is_some_and(|form| form.question.given.get(self.name).is_some());
+        let given = self.problem.loaded().given.get(self.name).filter(|_| !is_changed)?;
+        Some(with_minus_signs(given.constant()?))
+    }
+
+    fn senses(&self) -> Option<Senses> {
+        senses_of(&self.problem.loaded().draft.scene, self.name)
+    }
+
+    fn direction(&self, value: &Decimal) -> String {
+        let Some(senses) = self.senses() else { return String::new() };
+        if value.is_negative() { senses.negative } else { senses.positive }
+    }
+
+    fn motion(&self, value: &Decimal, unit: &Unit, before: &str) -> String {
+        if value.is_zero() {
+            return "is at rest".into();
+        }
+        let speed = quantity(&value.abs(), unit);
+        let how = match self.direction(value) {
+            direction if direction.is_empty() => format!("at {speed}"),
+            direction => format!("at {speed} {direction}"),
+        };
+        if has_verb_of_motion(before) { how } else { format!("moves {how}") }
+    }
+}
+
+impl Problem {
+    /// The words for the two directions between which the sign of a quantity decides; none where the sign is no direction,
+    /// as that of a place or an energy, or where the direction is given separately, as that of a thrust is.
+    #[must_use]
+    pub fn senses(&self, symbol: Symbol) -> Option<Senses> {
+        let scene = &self.loaded().draft.scene;
+        let name = Some(self.model().name(symbol)).filter(|name| !name.is_plain())?;
+        let is_directed = match name.kind {
+            ref kind if kind.is_velocity() => true,
+            QuantityKind::Momentum
+            | QuantityKind::Impulse
+            | QuantityKind::DeformationImpulse
+            | QuantityKind::RestitutionImpulse
+            | QuantityKind::MeanForce => true,
+            // The direction of a strength is given separately.
+            QuantityKind::Force => scene.bodies.contains_key(&name.subject) && !has_thrust(scene, &name.subject),
+            _ => false,
+        };
+        senses_of(scene, &self.model().symbols.entry(symbol).name).filter(|_| is_directed)
+    }
+
+    /// Whether a quantity may be of either sign by its meaning: a component, or an expression that is a sum or contains one.
+    #[must_use]
+    pub fn has_sign(&self, symbol: Symbol) -> bool {
+        let expression = self.model().expressions.get(&symbol);
+        expression.map_or_else(
+            || self.senses(symbol).is_some(),
+            |own| matches!(own, Expr::Sum(_)) || own.symbols().iter().any(|part| self.senses(*part).is_some()),
+        )
+    }
+
+    /// The letter of the axis along which a component is counted.
+    #[must_use]
+    pub fn axis(&self, symbol: Symbol) -> Option<char> {
+        let name = &self.model().symbols.entry(symbol).name;
+        axis_of(&self.loaded().draft.scene, name).and_then(|(axis, _)| axis.letter().chars().next())
+    }
+}
+
+fn has_thrust(scene: &Scene, body: &str) -> bool {
+    scene.stages.iter().any(|stage| matches!(stage, Stage::Thrust(thrust) if thrust.body == body))
+}
+
+/// The axis of a component, that in which its name ends or the only one, and the words for its two directions.
+fn axis_of(scene: &Scene, name: &str) -> Option<(Axis, Senses)> {
+    let axes = scene.axes.rectangular();
+    let letter = name.rsplit_once('.').map(|(_, letter)| letter.split(['@', '[']).next().unwrap_or(letter));
+    match letter {
+        Some(letter) => axes.into_iter().find(|(axis, _)| axis.letter() == letter),
+        None if axes.len() == 1 => axes.into_iter().next(),
+        None => None,
+    }
+}
+
+fn senses_of(scene: &Scene, name: &str) -> Option<Senses> {
+    axis_of(scene, name).map(|(_, senses)| senses)
+}
+
+/// Whether the clause that is being written already has a verb of motion.
+fn has_verb_of_motion(before: &str) -> bool {
+    let ends = |(at, letter): &(usize, char)| {
+        let rest = &before[at + letter.len_utf8()..];
+        // A point inside a number does not end a clause.
+        let stops = CLAUSE_ENDS.contains(letter) && rest.chars().next().is_none_or(char::is_whitespace);
+        let first = rest.split_whitespace().next().unwrap_or_default();
+        stops || *letter == ',' && CLAUSE_STARTS.contains(&first)
+    };
+    let clause =
+        before.char_indices().rev().find(ends).map_or(before, |(at, letter)| &before[at + letter.len_utf8()..]);
+    let is_verb = |word: &str| {
+        let word = word.to_lowercase();
+        VERBS_OF_MOTION.iter().any(|(stem, ends)| word.strip_prefix(stem).is_some_and(|end| ends.contains(&end)))
+    };
+    let words = clause.split(|letter: char| !letter.is_alphabetic()).filter(|word| !word.is_empty());
+    let mut last_first = words.rev().peekable();
+    if last_first.peek().is_some_and(|last| CONJUNCTIONS.contains(last)) {
+        return false;
+    }
+    last_first.take_while(|word| !SUBORDINATORS.contains(word)).any(is_verb)
+}
+
+/// A number as it stands in a sentence, with a true minus sign.
+#[must_use]
+pub fn number(value: &Decimal) -> String {
+    with_minus_signs(&Printed::written(value).plain())
+}
+
+/// A value with its unit as it stands in a sentence; a no-break space keeps them together.
+#[must_use]
+pub fn quantity(value: &Decimal, unit: &Unit) -> String {
+    let number = number(value);
+    match (unit.is_none(), unit.is_attached()) {
+        (true, _) => number,
+        (false, true) => format!("{number}{}", unit.unicode()),
+        (false, false) => format!("{number}\u{a0}{}", unit.unicode()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_clause_with_a_verb_of_motion_needs_no_other() {
+        assert!(has_verb_of_motion("Cart A (2.5 kg) moves along a level track "));
+        assert!(!has_verb_of_motion("Cart A moves at 2 m/s to the right; cart B (3 kg) "));
+        assert!(!has_verb_of_motion("They collide. Afterwards cart A "));
+        assert!(!has_verb_of_motion("Car A moves at 2 m/s to the right, and in front of it car B "));
+        assert!(!has_verb_of_motion("A goods wagon B "));
+        assert!(!has_verb_of_motion("Cart A moves at 2 m/s ahead and hits cart B, which "));
+        assert!(!has_verb_of_motion("Cart A moves at 2 m/s ahead towards cart B which "));
+        assert!(!has_verb_of_motion("At the end it leaves the spring and "));
+        assert!(has_verb_of_motion("Cart A hits cart B, which rolls "));
+        assert!(has_verb_of_motion("It leaves the strings "));
+        assert!(!has_verb_of_motion("At the end of the push it "));
+    }
+
+    #[test]
+    fn numbers_read_as_in_print() {
+        let said = |text: &str, unit: &str| quantity(&Decimal::parse(text).unwrap(), &Unit::parse(unit).unwrap());
+        assert_eq!(said("2.0", "kg"), "2.0\u{a0}kg");
+        assert_eq!(said("0.0", "m"), "0\u{a0}m");
+        assert_eq!(said("-0.70", ""), "\u{2212}0.70");
+        assert_eq!(said("30", "deg"), "30°");
+    }
+}

@@ -1,0 +1,192 @@
+//! Random words, each fixed for ever by scheme, problem, seed, name and attempt.
+
+use hmac::{Hmac, KeyInit, Mac};
+use rand::rngs::ChaCha8Rng;
+use rand::{Rng, SeedableRng};
+use sha2::Sha256;
+
+use super::secret::letter;
+use super::secret::secret_mark;
+
+/// How numbers are drawn; a change of it changes the numbers of every variant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Scheme(u32);
+
+impl Scheme {
+    /// The present scheme: a key by HMAC-SHA-256 of scheme and problem, `ChaCha8` with a stream for each name, the seed as the
+    /// block counter, and a word for each attempt.
+    pub const CURRENT: Self = Self(1);
+
+    /// The number that stands in outputs.
+    #[must_use]
+    pub fn number(self) -> u32 {
+        self.0
+    }
+}
+
+/// Words of a block of `ChaCha8`, as 64 bits: those of one seed, one for each of so many attempts.
+const BLOCK: usize = 8;
+
+/// The streams of one problem, one for each name. Names do not touch each other's words, so a given may be added or
+/// removed and the others stay.
+///
+/// ```
+/// use momentous::problem::{Scheme, Streams};
+/// let mut two = Streams::new(Scheme::CURRENT, "impact/two-carts", None, ["m_A", "m_B"]).words();
+/// let mut one = Streams::new(Scheme::CURRENT, "impact/two-carts", None, ["m_B"]).words();
+/// assert_eq!(two.word(1, 7, 0), one.word(0, 7, 0));
+/// ```
+#[derive(Clone, Debug)]
+pub struct Streams {
+    key: [u8; 32],
+    ids: Vec<u64>,
+    /// The mark of the secret; nothing where there is none.
+    pub(in crate::problem) mark: Option<String>,
+}
+
+/// The letters of a code: among a hundred thousand, two are the same once in fifty thousand courses.
+const CODE: usize = 12;
+
+impl Streams {
+    /// The streams of a problem, in the order of the names. With a course secret, nobody without it can find the words.
+    pub fn new<'a>(
+        scheme: Scheme,
+        problem: &str,
+        secret: Option<&[u8]>,
+        names: impl IntoIterator<Item = &'a str>,
+    ) -> Self {
+        let kind: &[u8] = if secret.is_some() { b"secret" } else { b"open" };
+        let scheme = scheme.0.to_le_bytes();
+        let key = digest(secret.unwrap_or_default(), &[b"momentous", &scheme, kind, problem.as_bytes()]);
+        let id = |name: &str| first_word(digest(&key, &[b"stream", name.as_bytes()]));
+        Self { key, ids: names.into_iter().map(id).collect(), mark: secret.map(secret_mark) }
+    }
+
+    /// Letters by which something of this problem is known, and nothing of it can be read; in a course with a secret, nobody
+    /// else finds them.
+    pub(in crate::problem) fn code(&self, of: &[&[u8]]) -> String {
+        let key = digest(&self.key, &[b"code"]);
+        digest(&key, of).iter().take(CODE).map(|byte| letter(*byte)).collect()
+    }
+
+    /// The random word of a seed under a name that nothing given has, for what is not drawn again and again.
+    pub(in crate::problem) fn word_of(&self, name: &str, seed: u64) -> u64 {
+        first_word(digest(&self.key, &[b"order", name.as_bytes(), &seed.to_le_bytes()]))
+    }
+
+    /// A maker of words; each thread takes its own.
+    #[must_use]
+    pub fn words(&self) -> Words {
+        let made = |id: &u64| Made {
+            id: *id,
+            generator: ChaCha8Rng::from_seed(self.key),
+            place: None,
+            next: None,
+            words: [0; BLOCK],
+        };
+        Words { made: self.ids.iter().map(made).collect() }
+    }
+}
+
+/// Makes the words of a problem's streams. A word is found by seed and attempt alone, in any order; running through seeds in
+/// order is cheapest.
+#[derive(Debug)]
+pub struct Words {
+    made: Vec<Made>,
+}
+
+/// The words of one stream that were made last.
+#[derive(Debug)]
+struct Made {
+    id: u64,
+    generator: ChaCha8Rng,
+    /// The words that are there.
+    place: Option<Place>,
+    /// The words that the generator makes next, if it goes on.
+    next: Option<Place>,
+    words: [u64; BLOCK],
+}
+
+/// Where words are in a stream: by the block of attempts, and by the seed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Place {
+    attempts: u64,
+    seed: u64,
+}
+
+impl Made {
+    fn go_to(&mut self, place: Place) {
+        if self.next != Some(place) {
+            self.generator.set_stream(self.id.wrapping_add(place.attempts));
+            self.generator.set_block_pos(place.seed);
+        }
+        self.words = std::array::from_fn(|_| self.generator.next_u64());
+        self.place = Some(place);
+        self.next = place.seed.checked_add(1).map(|seed| Place { seed, ..place });
+    }
+}
+
+impl Words {
+    /// The random word of the `index`-th name for a seed and an attempt, both from 0; nought where there is no such name.
+    pub fn word(&mut self, index: usize, seed: u64, attempt: u64) -> u64 {
+        let Some(made) = self.made.get_mut(index) else { return 0 };
+        let place = Place { attempts: attempt / BLOCK as u64, seed };
+        if made.place != Some(place) {
+            made.go_to(place);
+        }
+        // The remainder is small, so the word is within the block.
+        let word = attempt % BLOCK as u64;
+        usize::try_from(word).ok().and_then(|word| made.words.get(word)).copied().unwrap_or_default()
+    }
+}
+
+fn first_word(bytes: [u8; 32]) -> u64 {
+    bytes.iter().take(8).rev().fold(0, |word, byte| word << 8 | u64::from(*byte))
+}
+
+/// HMAC-SHA-256 of parts, each with its length before it, so that no two lists of parts have one message.
+fn digest(key: &[u8], parts: &[&[u8]]) -> [u8; 32] {
+    // HMAC takes a key of any length; the fallback is never used.
+    let Ok(mut mac) = Hmac::<Sha256>::new_from_slice(key) else { return [0; 32] };
+    for part in parts {
+        mac.update(&(part.len() as u64).to_le_bytes());
+        mac.update(part);
+    }
+    mac.finalize().into_bytes().into()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn streams(problem: &str, secret: Option<&[u8]>) -> Words {
+        Streams::new(Scheme::CURRENT, problem, secret, ["m_A", "m_B", "v_A1"]).words()
+    }
+
+    #[test]
+    fn words_do_not_depend_on_the_order_in_which_they_are_taken() {
+        let asked = [(0, 5, 0), (2, u64::MAX, 17), (0, 5, 9), (1, 0, 0), (0, 6, 0), (0, 5, 0)];
+        let mut kept = streams("a", None);
+        for (index, seed, attempt) in asked {
+            assert_eq!(kept.word(index, seed, attempt), streams("a", None).word(index, seed, attempt));
+        }
+    }
+
+    #[test]
+    fn every_part_of_the_identity_changes_the_word() {
+        let base = streams("a", None).word(0, 1, 0);
+        let empty: &[u8] = b"";
+        let others = [
+            streams("b", None).word(0, 1, 0),
+            streams("a", Some(empty)).word(0, 1, 0),
+            streams("a", Some(b"s")).word(0, 1, 0),
+            streams("a", None).word(1, 1, 0),
+            streams("a", None).word(0, 2, 0),
+            streams("a", None).word(0, 1, 1),
+            streams("a", None).word(0, 1, 8),
+        ];
+        for (index, other) in others.iter().enumerate() {
+            assert!(*other != base && !others[..index].contains(other), "{index}");
+        }
+    }
+}

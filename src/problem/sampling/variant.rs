@@ -1,0 +1,220 @@
+//! One variant of one form: the numbers of a seed, and everything that follows from them.
+
+use crate::expr::Symbol;
+use crate::quantity::Decimal;
+use crate::quantity::Unit;
+use crate::solve::Bounded;
+use crate::solve::Real;
+
+use super::super::compiling::planned::Form;
+use super::super::compiling::planned::Problem;
+use super::super::compiling::regimes::Dead;
+use super::super::compiling::regimes::Leaf;
+use super::super::questions::part::AskedUnit;
+use super::super::questions::part::NumberPart;
+use super::say;
+
+/// The numbers of one variant. Made only by [`super::super::Sampler`]: its givens satisfy what the problem requires, and exactly
+/// one admissible solution belongs to them.
+#[derive(Clone, Debug)]
+pub struct Variant {
+    pub(in crate::problem) form: usize,
+    pub(in crate::problem) seed: Option<u64>,
+    pub(in crate::problem) given: Vec<(Symbol, Decimal, Unit)>,
+    pub(in crate::problem) values: Vec<Option<Bounded>>,
+    pub(in crate::problem) forward: Vec<Option<Bounded>>,
+    pub(in crate::problem) weighed: Vec<Option<Bounded>>,
+    pub(in crate::problem) others: Vec<(Symbol, Vec<Bounded>)>,
+    pub(in crate::problem) leaf: usize,
+    pub(in crate::problem) roots: Vec<usize>,
+    pub(in crate::problem) dead: Vec<Dead>,
+}
+
+impl Variant {
+    /// The position of its form.
+    #[must_use]
+    pub fn form(&self) -> usize {
+        self.form
+    }
+
+    /// Its seed; none where the values were given by hand.
+    #[must_use]
+    pub fn seed(&self) -> Option<u64> {
+        self.seed
+    }
+
+    /// The same numbers without a seed: they were not drawn.
+    #[must_use]
+    pub fn without_seed(mut self) -> Self {
+        self.seed = None;
+        self
+    }
+
+    /// The value of a quantity in SI units, with a bound on its error; `None` where the form neither tells nor solves it.
+    #[must_use]
+    pub fn value(&self, symbol: Symbol) -> Option<Bounded> {
+        self.values.get(symbol.index()).copied().flatten()
+    }
+
+    /// What is given of a quantity, exactly as it is printed: value and unit.
+    #[must_use]
+    pub fn given(&self, symbol: Symbol) -> Option<(Decimal, Unit)> {
+        self.given.iter().find(|(own, ..)| *own == symbol).map(|(_, value, unit)| (value.clone(), unit.clone()))
+    }
+
+    /// Everything that is given, in the order of the file, revealed values last.
+    #[must_use]
+    pub fn all_given(&self) -> &[(Symbol, Decimal, Unit)] {
+        &self.given
+    }
+
+    /// Whether it has further solutions.
+    #[must_use]
+    pub fn has_others(&self) -> bool {
+        !self.others.is_empty()
+    }
+
+    /// Which regime it belongs to.
+    #[must_use]
+    pub fn leaf(&self) -> usize {
+        self.leaf
+    }
+
+    /// Which root was taken in each step of the plan.
+    #[must_use]
+    pub fn roots(&self) -> &[usize] {
+        &self.roots
+    }
+
+    /// The roots that are not solutions.
+    #[must_use]
+    pub fn dead(&self) -> &[Dead] {
+        &self.dead
+    }
+
+    /// The value and unit with which a text prints a quantity: as given, else rounded to the problem's figures.
+    pub(in crate::problem) fn told(&self, problem: &Problem, symbol: Symbol) -> (Decimal, Unit) {
+        if let Some(told) = self.given(symbol) {
+            return told;
+        }
+        let name = &problem.model().symbols.entry(symbol).name;
+        let unit = super::super::questions::parts::unit_for(
+            problem.loaded(),
+            name,
+            problem.model().symbols.entry(symbol).dimension,
+        );
+        let figures = usize::from(problem.loaded().draft.figures.unwrap_or(3));
+        let solved = self.value(symbol).or_else(|| self.forward.get(symbol.index()).copied().flatten());
+        let size = factor(unit.factor().to_f64());
+        let value = solved.and_then(|value| crate::quantity::round_to_figures(value.div(&size).for_print(), figures));
+        (value.unwrap_or_else(|| Decimal::from(0)), unit)
+    }
+
+    /// The story and the question of its form, placeholders filled in.
+    #[must_use]
+    pub fn text(&self, problem: &Problem) -> String {
+        let story = say::fill(&problem.loaded().text, problem, self);
+        let question = problem.forms().get(self.form).map(|form| say::fill(&form.question.text, problem, self));
+        match question.filter(|question| !question.trim().is_empty()) {
+            Some(question) => format!("{}\n\n{}", story.trim_end(), question.trim()),
+            None => story.trim_end().to_owned(),
+        }
+    }
+
+    /// What the author says to a student who made the mistake of that name, placeholders filled in.
+    #[must_use]
+    pub fn feedback(&self, problem: &Problem, mistake: &str) -> Option<String> {
+        let text = super::super::language::text::Text::read(problem.loaded().draft.feedback.get(mistake)?).ok()?;
+        Some(say::fill(&text, problem, self).trim().to_owned())
+    }
+
+    /// The hints of its form, placeholders filled in.
+    #[must_use]
+    pub fn hints(&self, problem: &Problem) -> Vec<String> {
+        let form = problem.forms().get(self.form);
+        form.map(|form| form.question.hints.iter().map(|hint| say::fill(hint, problem, self)).collect())
+            .unwrap_or_default()
+    }
+}
+
+/// The size of a unit in SI units: the nearest double, with a bound on its error.
+pub(in crate::problem) fn factor(value: f64) -> Bounded {
+    let exact = value.fract() == 0.0 && value < 9e15;
+    Bounded { value, error: if exact { 0.0 } else { value * f64::EPSILON / 2.0 } }
+}
+
+/// A variant with the problem that it belongs to: what explanations, figures and marking read.
+#[derive(Clone, Copy, Debug)]
+pub struct Worked<'a> {
+    /// The problem.
+    pub problem: &'a Problem,
+    /// The form.
+    pub form: &'a Form,
+    /// The numbers.
+    pub variant: &'a Variant,
+}
+
+impl<'a> Worked<'a> {
+    /// The variant of that problem; `None` where it is not one of its own.
+    #[must_use]
+    pub fn new(problem: &'a Problem, variant: &'a Variant) -> Option<Self> {
+        Some(Self { problem, form: problem.forms().get(variant.form)?, variant })
+    }
+
+    /// The answer to a part in the unit in which it is asked, with a bound on its error.
+    #[must_use]
+    pub fn answer(&self, number: &NumberPart) -> Bounded {
+        let Some(value) = self.variant.value(number.symbol) else {
+            return Bounded { value: f64::NAN, error: f64::INFINITY };
+        };
+        self.in_unit(value, number)
+    }
+
+    /// Every answer to a part: the first, and those of further solutions where all roots are asked for.
+    #[must_use]
+    pub fn answers(&self, number: &NumberPart) -> Vec<Bounded> {
+        if number.every_root {
+            let roots = self.every_root(number.symbol).into_iter();
+            return roots.map(|value| self.in_unit(value, number)).collect();
+        }
+        let first = self.answer(number);
+        let others = self.variant.others.iter().filter(|(own, _)| *own == number.symbol).flat_map(|(_, values)| values);
+        std::iter::once(first).chain(others.map(|value| self.in_unit(*value, number))).collect()
+    }
+
+    fn in_unit(&self, value: Bounded, number: &NumberPart) -> Bounded {
+        let unit = match &number.unit {
+            AskedUnit::Unit(_) => Some(factor(number.size)),
+            AskedUnit::InTermsOf(symbol) => self.variant.value(*symbol),
+        };
+        unit.map_or(value, |unit| value.div(&unit))
+    }
+
+    /// The size of the unit in which a number is asked, in SI units.
+    #[must_use]
+    pub fn unit_of(&self, number: &NumberPart) -> f64 {
+        match &number.unit {
+            AskedUnit::Unit(_) => number.size,
+            AskedUnit::InTermsOf(symbol) => self.variant.value(*symbol).map_or(1.0, |value| value.value),
+        }
+    }
+
+    /// The regime that the variant belongs to.
+    #[must_use]
+    pub fn leaf(&self) -> &'a Leaf {
+        self.form.solver.leaf(self.variant.leaf)
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test says bluntly what it expects")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_unit_larger_than_whole_doubles_reach_is_not_exact() {
+        let error = |unit: &str| factor(Unit::parse(unit).unwrap().factor().to_f64()).error;
+        assert_eq!((error("km"), error("h")), (0.0, 0.0));
+        assert!(error("t Tm^2/s^2") > 0.0 && error("km/h") > 0.0);
+    }
+}
