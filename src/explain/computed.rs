@@ -5,31 +5,27 @@ use crate::expr::Symbol;
 use crate::problem::AskedUnit;
 use crate::problem::NumberPart;
 use crate::problem::PartKind;
-use crate::problem::Worked;
 use crate::solve::Closed;
 use crate::solve::Move;
 use crate::solve::Step;
 
-use super::cache::SolutionCache;
-use super::checks;
-use super::counting;
-use super::display::Display;
-use super::display::Shown;
-use super::ledger::Figures;
-use super::ledger::Item;
-use super::ledger::Ledger;
-use super::quadratic;
-use super::script;
-use super::script::Formula;
-use super::script::Script;
-use super::steps::Detail;
-use super::steps::Steps;
-use super::steps::taken;
+use super::cache::WayCache;
+use super::terms::display::Display;
+use super::terms::ledger::Figures;
+use super::terms::ledger::Item;
+use super::terms::ledger::Ledger;
+use super::working::counting;
+use super::working::quadratic;
+use super::working::script::Formula;
+use super::working::script::Script;
+use super::working::steps::Detail;
+use super::working::steps::Steps;
+use super::working::steps::taken;
 
 /// How many figures the numbers of a variant's solution have. What does not come out with the most figures is computed from
 /// the givens, which are exact.
-pub(super) fn figures(display: Display<'_>) -> Figures {
-    let figures = ledger(display, &[]).settle();
+pub(super) fn figures(display: Display<'_>, way: &WayCache) -> Figures {
+    let figures = ledger(display, way, &[]).settle();
     let from_givens = figures.stubborn.iter().filter_map(|item| match item {
         Item::Quantity(symbol) => Some(*symbol).filter(|symbol| display.in_what_is_told(*symbol).is_some()),
         _ => None,
@@ -38,27 +34,19 @@ pub(super) fn figures(display: Display<'_>) -> Figures {
     if from_givens.is_empty() {
         return figures;
     }
-    let settled = ledger(display, &from_givens).settle();
+    let settled = ledger(display, way, &from_givens).settle();
     Figures { from_givens, ..settled }
 }
 
-/// How many results of a variant's worked solution do not come out of the numbers printed before them.
-#[must_use]
-pub fn lines_out(worked: Worked<'_>) -> usize {
-    let cache = SolutionCache::of(worked);
-    let shown = Shown::default();
-    figures(Display { worked, way: cache.way(worked), shown: &shown }).stubborn.len()
-}
-
 /// The lines of a solution but those of some results.
-fn ledger(display: Display<'_>, without: &[Symbol]) -> Ledger {
+fn ledger(display: Display<'_>, way: &WayCache, without: &[Symbol]) -> Ledger {
     let mut ledger = Ledger::default();
-    let scripts = display.way.laws.get_or_init(|| script::scripts(display));
+    let scripts = way.scripts(display);
     for (position, (step, script)) in display.worked.leaf().answer_steps().iter().zip(scripts).enumerate() {
         enter_step(display, &mut ledger, (position, step, script), without);
     }
     enter_answers(display, &mut ledger);
-    checks::enter(display, &mut ledger);
+    way.checks(display).enter(display, &mut ledger);
     ledger
 }
 

@@ -13,19 +13,18 @@ use crate::solve::Step;
 
 use super::cache::SolutionCache;
 use super::computed;
-use super::derivation;
-use super::derivation::Origin;
-use super::display::Display;
-use super::display::Shown;
-use super::display::has_pieces;
-use super::divisors;
-use super::quadratic;
-use super::script;
-use super::script::Formula;
-use super::script::Script;
-use super::steps::Detail;
-use super::steps::Steps;
-use super::steps::taken;
+use super::terms::display::Display;
+use super::terms::display::Shown;
+use super::terms::display::has_pieces;
+use super::working::derivation;
+use super::working::derivation::Origin;
+use super::working::divisors;
+use super::working::quadratic;
+use super::working::script::Formula;
+use super::working::script::Script;
+use super::working::steps::Detail;
+use super::working::steps::Steps;
+use super::working::steps::taken;
 
 /// One equation of a worked solution.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -93,10 +92,11 @@ pub enum Operation {
 pub fn lines(worked: Worked<'_>) -> Vec<Line> {
     let cache = SolutionCache::of(worked);
     let shown = Shown::default();
-    let display = Display { worked, way: cache.way(worked), shown: &shown };
-    shown.figures.get_or_init(|| computed::figures(display));
+    let way = cache.way(worked);
+    let display = Display { worked, manners: &way.manners, shown: &shown };
+    shown.figures.get_or_init(|| computed::figures(display, way));
     let mut list = List { display, steps: Steps::new(display, Detail::Full), lines: Vec::new(), results: Vec::new() };
-    let scripts = display.way.laws.get_or_init(|| script::scripts(display));
+    let scripts = way.scripts(display);
     for (position, (step, script)) in worked.leaf().answer_steps().iter().zip(scripts).enumerate() {
         list.step(position, step, script);
     }

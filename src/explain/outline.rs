@@ -64,6 +64,13 @@ pub enum Block {
     },
 }
 
+impl Block {
+    /// A paragraph of plain words.
+    pub(super) fn text(words: &str) -> Self {
+        Self::Paragraph(vec![Inline::Text(words.to_owned())])
+    }
+}
+
 /// A run inside a paragraph.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Inline {

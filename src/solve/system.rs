@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::expr::{Expr, Symbol};
+use crate::expr::{Expr, Operator, Symbol};
 
 /// Equations and conditions over one problem's symbols. What is known and what is wanted is said when it is planned.
 #[derive(Clone, Debug, Default)]
@@ -86,6 +86,18 @@ impl Relation {
             Self::Greater => Self::AtMost,
             Self::AtLeast => Self::Less,
             Self::Differs => Self::Differs,
+        }
+    }
+
+    /// Its sign in print.
+    #[must_use]
+    pub fn operator(self) -> Operator {
+        match self {
+            Self::Less => Operator::Less,
+            Self::AtMost => Operator::AtMost,
+            Self::Greater => Operator::Greater,
+            Self::AtLeast => Operator::AtLeast,
+            Self::Differs => Operator::Differs,
         }
     }
 }

@@ -33,9 +33,9 @@ const READERS: &[(&str, &str)] = &[
     ("src/problem/sampling/say.rs", "what stands before a placeholder in an author's text; printed numbers"),
     ("src/problem/reading/shape.rs", "JSON Schema"),
     ("src/problem/language/text.rs", "placeholders in authors' texts"),
-    ("src/explain/display.rs", "printed numbers"),
+    ("src/explain/terms/display.rs", "printed numbers"),
     ("src/explain/lines.rs", "printed numbers, as they are typed"),
-    ("src/explain/numbers.rs", "printed numbers"),
+    ("src/explain/terms/numbers.rs", "printed numbers"),
 ];
 
 /// More kinds of stage than this are named only by files that know every kind, as `CONTRIBUTING.md` lists them.

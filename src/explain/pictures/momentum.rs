@@ -11,13 +11,13 @@ use crate::model::ForceKind;
 use crate::model::Impulse;
 use crate::model::QuantityKind;
 use crate::scene::Stage;
-use crate::scene::stage::Ends;
 use crate::scene::stage::Impact;
-use crate::scene::stage::Partners;
 
-use super::super::cache::SolutionCache;
 use super::besides::Besides;
 use super::compass::Compass;
+use super::participants::Arrows;
+use super::participants::Drawn;
+use super::participants::Participant;
 use super::quantities::Quantities;
 use super::vectors::Labelled;
 use super::vectors::body_math;
@@ -33,7 +33,7 @@ pub(super) struct Balance {
 }
 
 /// The diagram of a stage, as far as no number changes it.
-pub(in super::super) struct Plan {
+pub(super) struct Plan {
     rows: Vec<Planned>,
     /// What the arrows of a body that takes part alone need besides.
     besides: Option<Besides>,
@@ -50,8 +50,8 @@ struct Planned {
     impulses: Vec<Math>,
 }
 
-fn plan(quantities: &Quantities<'_>, own: &Stage, stage: usize) -> Plan {
-    let mut bodies = Drawn::of(own).participants;
+fn plan(quantities: &Quantities<'_>, participants: &[Participant], stage: usize) -> Plan {
+    let mut bodies = participants.to_vec();
     let besides = if let [only] = &bodies[..] { Some(Besides::of(quantities, stage, &only.body)) } else { None };
     if concerns_mass_centre(quantities) {
         let taken = |body: &str| bodies.iter().any(|own| own.body == body || own.before == body);
@@ -80,17 +80,16 @@ fn impulses_on<'a>(quantities: &Quantities<'a>, stage: usize, body: &str) -> imp
 }
 
 /// The diagram of a stage.
-pub(super) fn diagram(quantities: &Quantities<'_>, compass: &Compass, stage: usize) -> Option<Drawing> {
+pub(super) fn diagram(quantities: &Quantities<'_>, compass: &Compass, stage: usize, drawn: &Drawn) -> Option<Drawing> {
     let own = quantities.scene().stages.get(stage)?;
-    let cache = SolutionCache::of(quantities.worked);
-    let kept = cache.way(quantities.worked).diagrams.get(stage)?;
-    let Plan { rows, besides } = kept.get_or_init(|| plan(quantities, own, stage));
+    let Plan { rows, besides } = quantities.pictures.diagram(stage, || plan(quantities, &drawn.participants, stage))?;
     let tilted = quantities.slope(stage).map(|(rise, _)| compass.tilted(rise));
     let compass = tilted.as_ref().unwrap_or(compass);
     let with_all = besides.as_ref().map(|own| own.added_to(quantities));
     let with_all = with_all.as_ref().unwrap_or(quantities);
-    let mut balances: Vec<Balance> = rows.iter().map(|row| balance(with_all, own, stage, row, rows.len())).collect();
-    complete(&mut balances, Drawn::of(own).mutual);
+    let mut balances: Vec<Balance> =
+        rows.iter().map(|row| balance(with_all, drawn.arrows, stage, row, rows.len())).collect();
+    complete(&mut balances, drawn.mutual);
     let frame = quantities.model().frames.get(stage)?.as_ref();
     let normal = frame.and_then(|frame| quantities.direction(&frame.normal)).map(|normal| compass.angle(normal));
     let turned = frame.is_some_and(|frame| !frame.normal.turn.is_zero());
@@ -126,114 +125,14 @@ pub(super) fn concerns_mass_centre(quantities: &Quantities<'_>) -> bool {
         .any(|name| name.is_of_mass_centre() && matches!(name.kind, QuantityKind::Velocity | QuantityKind::Position))
 }
 
-/// Who takes part in a stage, and with which body it moves at either end.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-struct Participant {
-    body: String,
-    before: String,
-    after: String,
-}
-
-impl Participant {
-    fn alone(body: &str) -> Self {
-        Self::between(body, body, body)
-    }
-
-    fn between(body: &str, before: &str, after: &str) -> Self {
-        let [body, before, after] = [body, before, after].map(str::to_owned);
-        Self { body, before, after }
-    }
-}
-
-/// What the diagram of a stage shows.
-struct Drawn {
-    participants: Vec<Participant>,
-    /// What is drawn between the momenta.
-    arrows: Arrows,
-    /// Whether two bodies act on each other, with equal and opposite impulses.
-    mutual: bool,
-}
-
-/// What changes a momentum.
-#[derive(Clone, Copy)]
-enum Arrows {
-    /// Each impulse.
-    Impulses,
-    /// The impulse of each force.
-    Forces,
-    /// The impulse of weight.
-    Weight,
-    /// All impulses in one.
-    Resultant,
-}
-
-impl Drawn {
-    fn of(stage: &Stage) -> Self {
-        let alone = |body: &str| vec![Participant::alone(body)];
-        let several = |bodies: &[String]| bodies.iter().map(|body| Participant::alone(body)).collect();
-        let drawn = |participants, arrows| Self { participants, arrows, mutual: false };
-        match stage {
-            Stage::Impact(impact) => {
-                let participants = match impact.partners() {
-                    Some(Partners::Bodies(first, second)) => {
-                        let after = |body| Participant::between(body, body, impact.becomes.as_deref().unwrap_or(body));
-                        [first, second].map(after).to_vec()
-                    }
-                    Some(Partners::Surface(body, _)) => alone(body),
-                    None => Vec::new(),
-                };
-                Self { participants, arrows: Arrows::Impulses, mutual: impact.between.is_some() }
-            }
-            Stage::Separate(separate) => {
-                let before = |part| Participant::between(part, separate.from.as_deref().unwrap_or(part), part);
-                let participants = separate.into.iter().map(|part| before(part)).collect();
-                Self { participants, arrows: Arrows::Impulses, mutual: true }
-            }
-            Stage::Spring(own) => match own.ends() {
-                Some(Ends::Free(first, second)) => {
-                    let participants = [first, second].map(Participant::alone).to_vec();
-                    Self { participants, arrows: Arrows::Impulses, mutual: true }
-                }
-                Some(Ends::Fixed(body)) => drawn(alone(body), Arrows::Resultant),
-                None => drawn(Vec::new(), Arrows::Resultant),
-            },
-            Stage::Taut(own) => Self { mutual: own.over.is_none(), ..drawn(several(&own.between), Arrows::Impulses) },
-            Stage::Flight(own) => drawn(own.flying().map(Participant::alone).collect(), Arrows::Weight),
-            Stage::Fall(own) => drawn(alone(&own.body), Arrows::Weight),
-            Stage::Interact(own) => drawn(several(&own.between), Arrows::Resultant),
-            Stage::SlideOff(own) => {
-                drawn([&own.body, &own.on].map(|body| Participant::alone(body)).to_vec(), Arrows::Resultant)
-            }
-            Stage::Push(own) => drawn(alone(&own.body), Arrows::Forces),
-            Stage::Slide(own) => drawn(alone(&own.body), Arrows::Forces),
-            Stage::Tow(own) => drawn(own.both().map(|own| Participant::alone(&own.body)).to_vec(), Arrows::Forces),
-            Stage::Blow(own) => drawn(alone(&own.body), Arrows::Impulses),
-            Stage::Motion(own) => drawn(alone(&own.body), Arrows::Impulses),
-            Stage::Swing(_)
-            | Stage::Connected(_)
-            | Stage::Rotate(_)
-            | Stage::Moment(_)
-            | Stage::Strike(_)
-            | Stage::Conical(_)
-            | Stage::Bowl(_)
-            | Stage::Central(_)
-            | Stage::Bounces(_)
-            | Stage::Stream(_)
-            | Stage::Thrust(_)
-            | Stage::Drift(_)
-            | Stage::Walk(_) => drawn(Vec::new(), Arrows::Impulses),
-        }
-    }
-}
-
-fn balance(quantities: &Quantities<'_>, own: &Stage, stage: usize, row: &Planned, count: usize) -> Balance {
+fn balance(quantities: &Quantities<'_>, arrows: Arrows, stage: usize, row: &Planned, count: usize) -> Balance {
     let Participant { body, before, after } = &row.participant;
     // Alone in its diagram, a body of unknown mass is drawn to the scale of its velocities.
     let scale = quantities.mass(body).or((count == 1).then_some(1.0));
     let model = quantities.model();
     // Forces that depend on the position have one impulse together.
     let one_by_one = model.forces.iter().any(|force| force.stage == stage);
-    let impulses = match Drawn::of(own).arrows {
+    let impulses = match arrows {
         Arrows::Forces if one_by_one => {
             let forces = model.forces.iter().filter(|force| force.stage == stage && force.on == *body);
             // Where the body never starts to move, no force has a time in which it changes the momentum.

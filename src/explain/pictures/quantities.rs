@@ -23,15 +23,17 @@ use crate::scene::Term;
 use crate::solve::Equation;
 use crate::solve::Statement;
 
-use super::super::cache::SolutionCache;
-use super::super::display::Display;
-use super::super::display::Shown;
+use super::super::terms::display::Display;
+use super::super::terms::display::Shown;
+use super::super::terms::manner::Manners;
+use super::cache::PictureCache;
+use super::compass::Compass;
 use super::oblique::Oblique;
 use super::vectors::factor;
 
 /// How much a figure may show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Scope {
+pub(in crate::explain) enum Scope {
     /// What the sheet tells.
     Given,
     /// That, and everything that was solved.
@@ -39,11 +41,13 @@ pub(super) enum Scope {
 }
 
 /// What a figure can ask about a variant. Under [`Scope::Given`] nothing that was solved passes, so no sheet can tell it.
-#[derive(Clone, Debug)]
-pub(super) struct Quantities<'a> {
-    pub worked: Worked<'a>,
-    pub timeline: Timeline,
-    pub axes: Vec<Axis>,
+#[derive(Clone)]
+pub(in crate::explain) struct Quantities<'a> {
+    pub(super) worked: Worked<'a>,
+    manners: &'a Manners,
+    pub(super) pictures: &'a PictureCache,
+    pub(super) timeline: Timeline,
+    pub(super) axes: Vec<Axis>,
     scope: Scope,
     /// What a figure takes a quantity to be that nobody needs to know, such as a mass that cancels.
     assumed: Vec<(Symbol, f64)>,
@@ -68,10 +72,20 @@ impl Names for Known<'_> {
 }
 
 impl<'a> Quantities<'a> {
-    pub(super) fn new(worked: Worked<'a>, scope: Scope) -> Self {
+    pub(in crate::explain) fn new(
+        worked: Worked<'a>,
+        scope: Scope,
+        manners: &'a Manners,
+        pictures: &'a PictureCache,
+    ) -> Self {
         let scene = &worked.problem.loaded().draft.scene;
         let axes = scene.axes.rectangular().into_iter().map(|(axis, _)| axis).collect();
-        Self { worked, timeline: Timeline::new(scene), axes, scope, assumed: Vec::new() }
+        Self { worked, manners, pictures, timeline: Timeline::new(scene), axes, scope, assumed: Vec::new() }
+    }
+
+    /// Where the directions of the scene point on drawings.
+    pub(super) fn compass(&self) -> &'a Compass {
+        self.pictures.compass(self.scene())
     }
 
     pub(super) fn scope(&self) -> Scope {
@@ -199,8 +213,7 @@ impl<'a> Quantities<'a> {
 
     /// A term in symbols.
     pub(super) fn symbolic(&self, expr: &Expr) -> Math {
-        let cache = SolutionCache::of(self.worked);
-        Display { worked: self.worked, way: cache.way(self.worked), shown: &Shown::default() }.symbolic(expr)
+        Display { worked: self.worked, manners: self.manners, shown: &Shown::default() }.symbolic(expr)
     }
 
     /// A term in symbols without the sign in front of it, where an arrow shows the sense.

@@ -12,7 +12,7 @@ use crate::model::ActingForce;
 use crate::quantity::Dimension;
 use crate::quantity::coherent_unit;
 
-use super::super::display::printed;
+use super::super::terms::display::printed;
 use super::super::wording::capitalised;
 use super::super::wording::list;
 use super::compass::Compass;

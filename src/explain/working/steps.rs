@@ -13,27 +13,28 @@ use crate::solve::Move;
 use crate::solve::Root;
 use crate::solve::Step;
 
-use super::Block;
-use super::Inline;
-use super::algebra;
-use super::answers::printed_formula;
+use super::super::Block;
+use super::super::Inline;
+use super::super::terms::algebra;
+use super::super::terms::display::Display;
+use super::super::terms::display::number_math;
+use super::super::terms::display::printed;
+use super::super::terms::ledger::Item;
+use super::super::terms::printed;
+use super::super::terms::term::Term;
+use super::super::wording::capitalised;
+use super::super::wording::join;
 use super::counting;
-use super::display::Display;
-use super::display::number_math;
-use super::display::printed;
-use super::ledger::Item;
 use super::quadratic;
 use super::script::Formula;
 use super::script::Opening;
 use super::script::Script;
 use super::script::formula_of_equation;
-use super::term::Term;
-use super::wording::capitalised;
-use super::wording::join;
+use super::sentence;
 
 /// How much is said of each step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Detail {
+pub(in crate::explain) enum Detail {
     /// Laws with their reasons, the algebra, rejected roots.
     Full,
     /// The names of the laws, their equations and the values found.
@@ -41,10 +42,10 @@ pub(super) enum Detail {
 }
 
 /// What is said once of the lines with numbers.
-pub(super) const WITHOUT_ZEROS: &str = "Terms that are zero are left out of the lines with numbers.";
+pub(in crate::explain) const WITHOUT_ZEROS: &str = "Terms that are zero are left out of the lines with numbers.";
 
 /// Writes the steps of one plan for a variant.
-pub(super) struct Steps<'a> {
+pub(in crate::explain) struct Steps<'a> {
     pub display: Display<'a>,
     pub detail: Detail,
     /// Whether the angle of a point has been explained.
@@ -56,13 +57,13 @@ pub(super) struct Steps<'a> {
 }
 
 impl<'a> Steps<'a> {
-    pub(super) fn new(display: Display<'a>, detail: Detail) -> Self {
+    pub(in crate::explain) fn new(display: Display<'a>, detail: Detail) -> Self {
         let is_brief = detail == Detail::Brief;
         Self { display, detail, angle_explained: is_brief, zeros_explained: is_brief, dropped: BTreeSet::new() }
     }
 
     /// One step, as blocks.
-    pub(super) fn step(&mut self, position: usize, step: &Step, script: &Script) -> Vec<Block> {
+    pub(in crate::explain) fn step(&mut self, position: usize, step: &Step, script: &Script) -> Vec<Block> {
         if script.renames {
             return Vec::new();
         }
@@ -71,7 +72,7 @@ impl<'a> Steps<'a> {
         for opening in &script.opening {
             match opening {
                 Opening::Law { name, equation, .. } if self.detail == Detail::Brief => {
-                    blocks.push(text(&format!("{}:", capitalised(name))));
+                    blocks.push(Block::text(&format!("{}:", capitalised(name))));
                     blocks.extend(equation.clone());
                 }
                 Opening::Law { reason, equation, .. } => {
@@ -84,7 +85,7 @@ impl<'a> Steps<'a> {
                 Opening::Move(place) => match step.moves.get(*place) {
                     Some(Move::Numeric { unknown }) => {
                         let formula = formula_of_equation(self.display, step, *unknown);
-                        let found = formula.is_none().then(|| algebra::by_calculation(self.display, *unknown));
+                        let found = formula.is_none().then(|| sentence::by_calculation(self.display, *unknown));
                         blocks.extend(found);
                     }
                     Some(Move::Quadratic { unknown, a, b, c, .. }) => {
@@ -147,7 +148,7 @@ impl<'a> Steps<'a> {
         let wants_quadrant = |formula: &Term| formula.has_angle && self.display.is_outside_arctangent(&formula.expr);
         if !self.angle_explained && formula.is_some_and(wants_quadrant) {
             self.angle_explained = true;
-            blocks.push(text(
+            blocks.push(Block::text(
                 "Choose the quadrant from the signs of the components: if the denominator is negative, add 180° to the calculator's arctangent; if it is zero, the angle is ±90°.",
             ));
         }
@@ -178,7 +179,7 @@ impl<'a> Steps<'a> {
     }
 
     /// What an unknown equals for these numbers.
-    pub(super) fn formula(&self, step: &Step, unknown: Symbol, closed: &Closed) -> Option<Term> {
+    pub(in crate::explain) fn formula(&self, step: &Step, unknown: Symbol, closed: &Closed) -> Option<Term> {
         let formula = match closed {
             // The plan's form of a root guards against rounding, which symbols need not.
             Closed::Formula(Expr::Piecewise(_)) if self.display.is_free(unknown) => self.in_givens(unknown),
@@ -194,17 +195,16 @@ impl<'a> Steps<'a> {
         if formula.is_some_and(|formula| self.without_zeros(formula) == whole) {
             return Vec::new();
         }
-        let worked = self.display.worked;
         let mut lines = vec![self.display.equation(&unknown.into(), &whole)];
         let multiple = self.formula_part(unknown).filter(|part| part.in_terms_of.is_some());
-        let multiple = multiple.and_then(|part| printed_formula(worked, part));
+        let multiple = multiple.and_then(|part| printed::formula(self.display, part));
         let multiple = multiple.filter(|math| *math != self.display.symbolic(&whole));
         lines.extend(multiple.map(|math| Math::Row(vec![Math::Operator(Operator::Equals), math])));
-        vec![text("Substituting the earlier results:"), Block::Equation { lines, number: None }]
+        vec![Block::text("Substituting the earlier results:"), Block::Equation { lines, number: None }]
     }
 
     /// The formula of what is asked as one in what is given, where the last step has another.
-    pub(super) fn whole(&self, unknown: Symbol, formula: Option<&Expr>) -> Option<Expr> {
+    pub(in crate::explain) fn whole(&self, unknown: Symbol, formula: Option<&Expr>) -> Option<Expr> {
         self.formula_part(unknown)?;
         let whole = self.in_givens(unknown).filter(|whole| formula != Some(whole))?;
         // Then its value is the whole formula.
@@ -290,7 +290,7 @@ impl<'a> Steps<'a> {
                 .collect();
             let in_symbols = step.unknowns.iter().any(|unknown| self.display.is_free(*unknown));
             if in_symbols {
-                blocks.push(text(&format!("The other root is not a solution: {reason}.")));
+                blocks.push(Block::text(&format!("The other root is not a solution: {reason}.")));
                 continue;
             }
             let mut words = vec![Inline::Text("The other root, ".into())];
@@ -303,12 +303,11 @@ impl<'a> Steps<'a> {
 }
 
 /// The root of a step that was taken, and its place.
-pub(super) fn taken<'s>(display: Display<'_>, position: usize, step: &'s Step) -> Option<(usize, &'s Root)> {
+pub(in crate::explain) fn taken<'s>(
+    display: Display<'_>,
+    position: usize,
+    step: &'s Step,
+) -> Option<(usize, &'s Root)> {
     let choice = display.worked.variant.roots().get(position).copied().unwrap_or(0);
     step.roots.get(choice).map(|root| (choice, root)).or_else(|| step.roots.first().map(|root| (0, root)))
-}
-
-/// A paragraph of plain words.
-pub(super) fn text(words: &str) -> Block {
-    Block::Paragraph(vec![Inline::Text(words.to_owned())])
 }

@@ -1,13 +1,12 @@
 //! What only an instructor is shown: the certificate, and the equations that were used.
 
-use super::Block;
-use super::Inline;
-use super::display::Display;
-use super::display::number_math;
-use super::display::printed;
-use super::display::with_unit;
-use super::steps::text;
-use super::wording::list;
+use super::super::Block;
+use super::super::Inline;
+use super::super::terms::display::Display;
+use super::super::terms::display::number_math;
+use super::super::terms::display::printed;
+use super::super::terms::display::with_unit;
+use super::super::wording::list;
 
 /// Certificates, equations used, roots that were not solutions.
 pub(super) fn notes(display: Display<'_>) -> Vec<Block> {
@@ -44,7 +43,7 @@ pub(super) fn notes(display: Display<'_>) -> Vec<Block> {
     if !used.is_empty() {
         let checks = leaf.audit.checks.len();
         let audit = leaf.audit.plan.steps.len() - leaf.audit.answer_steps;
-        blocks.push(text(&format!(
+        blocks.push(Block::text(&format!(
             "Equations of the answer plan, {} in all: {}. The audit solves for {audit} more quantities and checks the answer against {checks} further equations.",
             used.len(),
             list(&counted(&used)),

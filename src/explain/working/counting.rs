@@ -7,12 +7,11 @@ use crate::expr::Symbol;
 use crate::solve::Closed;
 use crate::solve::Relation;
 
-use super::Block;
-use super::Inline;
-use super::display::Display;
-use super::ledger::Item;
-use super::ledger::Ledger;
-use super::script::operator;
+use super::super::Block;
+use super::super::Inline;
+use super::super::terms::display::Display;
+use super::super::terms::ledger::Item;
+use super::super::terms::ledger::Ledger;
 
 /// The number, and what the condition says of it and of the one before; nothing for a value that is not counted.
 pub(super) fn trials(display: Display<'_>, unknown: Symbol, closed: &Closed) -> Vec<Block> {
@@ -29,7 +28,7 @@ pub(super) fn trials(display: Display<'_>, unknown: Symbol, closed: &Closed) -> 
 }
 
 /// Enters the trials into the ledger of a solution.
-pub(super) fn enter(display: Display<'_>, ledger: &mut Ledger, unknown: Symbol, closed: &Closed) {
+pub(in crate::explain) fn enter(display: Display<'_>, ledger: &mut Ledger, unknown: Symbol, closed: &Closed) {
     let Some(trials) = tried(display, unknown, closed) else { return };
     for (trial, holds) in trials {
         let items = [trial.enter(ledger, 0), trial.enter(ledger, 1)];
@@ -74,9 +73,9 @@ impl Trial<'_> {
     /// `n = 3 gives 0.0824 m < 0.2 m`.
     fn words(&self, holds: bool) -> Vec<Inline> {
         let (gives, relation) = if holds {
-            (" gives ", operator(self.relation))
+            (" gives ", self.relation.operator())
         } else {
-            (" still gives ", operator(self.relation.opposite()))
+            (" still gives ", self.relation.opposite().operator())
         };
         vec![
             Inline::Math(Math::relation(self.display.name(self.unknown), Operator::Equals, self.counted())),

@@ -2,31 +2,17 @@
 
 use crate::expr::Expr;
 use crate::expr::Function;
-use crate::expr::Symbol;
 use crate::quantity::Rational;
 
-use super::Block;
-use super::Inline;
-use super::display::Display;
-
-/// What is said where no formula gives an unknown.
-pub(super) fn by_calculation(display: Display<'_>, unknown: Symbol) -> Block {
-    Block::Paragraph(vec![
-        Inline::Text("No formula gives ".into()),
-        Inline::Math(display.name(unknown)),
-        Inline::Text(", so it is found numerically.".into()),
-    ])
-}
-
 /// The sides of an equation, with all signs changed where both begin with a minus.
-pub(super) fn without_common_minus(left: &Expr, right: &Expr) -> [Expr; 2] {
+pub(in crate::explain) fn without_common_minus(left: &Expr, right: &Expr) -> [Expr; 2] {
     let both = left.begins_with_minus() && right.begins_with_minus();
     let turns = both && !matches!(right, Expr::Sum(_)) && !matches!(left, Expr::Sum(_));
     [left, right].map(|side| if turns { (-side.clone()).simplify() } else { side.clone() })
 }
 
 /// The term with every sum led by a positive part, where it has one: `b - a` for `-a + b`.
-pub(super) fn positive_first(expr: &Expr) -> Expr {
+pub(in crate::explain) fn positive_first(expr: &Expr) -> Expr {
     match expr {
         Expr::Sum(_) => led_by_positive(expr),
         _ => without_outer_minus(led_by_positive(expr)),

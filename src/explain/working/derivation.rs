@@ -7,19 +7,19 @@ use crate::expr::Expr;
 use crate::expr::Function;
 use crate::expr::Operator;
 use crate::expr::Symbol;
+use crate::solve::Closed;
 use crate::solve::Move;
+use crate::solve::Root;
 use crate::solve::Statement;
 use crate::solve::Step;
 
-use super::algebra::positive_first;
-use super::algebra::without_common_minus;
-use super::display::Display;
-use super::script::is_definition;
-use super::script::operator;
+use super::super::terms::algebra::positive_first;
+use super::super::terms::algebra::without_common_minus;
+use super::super::terms::display::Display;
 
 /// One equation of a step.
 #[derive(Debug)]
-pub(super) struct Line {
+pub(in crate::explain) struct Line {
     /// Its number, where a sentence refers to it.
     pub number: Option<u32>,
     pub left: Expr,
@@ -30,7 +30,7 @@ pub(super) struct Line {
 
 /// What a line came from. Other lines are named by their places in the step.
 #[derive(Debug)]
-pub(super) enum Origin {
+pub(in crate::explain) enum Origin {
     /// It is the statement of a law; its place in the system.
     Law(usize),
     /// `times`, multiplied by `factor`, was added to `to`.
@@ -51,7 +51,7 @@ pub(super) enum Origin {
 
 /// The lines of a step, and from which of them each unknown is found.
 #[derive(Debug, Default)]
-pub(super) struct Derivation {
+pub(in crate::explain) struct Derivation {
     pub lines: Vec<Line>,
     pub sources: BTreeMap<Symbol, Vec<usize>>,
     /// The last line that was made of each equation of the system.
@@ -60,7 +60,7 @@ pub(super) struct Derivation {
 
 impl Derivation {
     /// The lines of a step, in their order and without numbers.
-    pub(super) fn of(display: Display<'_>, step: &Step) -> Self {
+    pub(in crate::explain) fn of(display: Display<'_>, step: &Step) -> Self {
         let system = &display.worked.leaf().system;
         let instances = &display.worked.problem.model().instances;
         let mut derivation = Self::default();
@@ -77,7 +77,7 @@ impl Derivation {
                 }
                 Statement::Equal { left, right } => (left.clone(), Operator::Equals, right.clone()),
                 Statement::FirstInteger { left, relation, right, .. } => {
-                    (left.clone(), operator(*relation), right.clone())
+                    (left.clone(), relation.operator(), right.clone())
                 }
             };
             let place = derivation.lines.len();
@@ -104,7 +104,7 @@ impl Derivation {
 
     /// Numbers the lines that a sentence refers to, from `next` on. The law of a step with no other equation stands just
     /// above what is said of it.
-    pub(super) fn number(&mut self, next: &mut u32) {
+    pub(in crate::explain) fn number(&mut self, next: &mut u32) {
         let mut referred: BTreeSet<usize> = self.sources.values().flatten().copied().collect();
         referred.extend(self.lines.iter().flat_map(|line| line.origin.from()));
         let laws = self.lines.iter().filter(|line| matches!(line.origin, Origin::Law(_))).count();
@@ -118,7 +118,7 @@ impl Derivation {
     }
 
     /// The lines from which an unknown is found.
-    pub(super) fn sources_of(&self, unknown: Symbol) -> Vec<&Line> {
+    pub(in crate::explain) fn sources_of(&self, unknown: Symbol) -> Vec<&Line> {
         let places = self.sources.get(&unknown).map(Vec::as_slice).unwrap_or_default();
         places.iter().filter_map(|place| self.lines.get(*place)).collect()
     }
@@ -198,7 +198,7 @@ impl Derivation {
 
 impl Origin {
     /// The lines that it names.
-    pub(super) fn from(&self) -> Vec<usize> {
+    pub(in crate::explain) fn from(&self) -> Vec<usize> {
         match self {
             Self::Law(_) => Vec::new(),
             Self::Add { to, times, .. } => vec![*to, *times],
@@ -207,4 +207,11 @@ impl Origin {
             Self::Integrate(of) | Self::Square(of) | Self::Collect { of, .. } | Self::Solve { of, .. } => vec![*of],
         }
     }
+}
+
+/// Whether a step only evaluates what its equation already states: `T_1 = ...`.
+pub(in crate::explain) fn is_definition(step: &Step, left: &Expr, right: &Expr) -> bool {
+    let [Root { values }] = &step.roots[..] else { return false };
+    let [(unknown, Closed::Formula(formula))] = &values[..] else { return false };
+    *left == Expr::from(*unknown) && formula == right
 }

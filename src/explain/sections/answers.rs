@@ -1,7 +1,5 @@
 //! The answers, each in a sentence with its unit and its direction in words.
 
-use std::sync::Arc;
-
 use crate::expr::Expr;
 use crate::expr::Math;
 use crate::expr::Operator;
@@ -12,26 +10,20 @@ use crate::problem::FormulaPart;
 use crate::problem::NumberPart;
 use crate::problem::Part;
 use crate::problem::PartKind;
-use crate::problem::VectorPart;
-use crate::problem::Worked;
 use crate::problem::orders;
 use crate::quantity::Printed;
 use crate::solve::Bounded;
 
-use super::Block;
-use super::Inline;
-use super::algebra;
-use super::cache::SolutionCache;
-use super::display::Display;
-use super::display::Shown;
-use super::display::number_math;
-use super::display::with_unit;
+use super::super::Block;
+use super::super::Inline;
+use super::super::terms::display::Display;
+use super::super::terms::ledger::Item;
+use super::super::terms::printed;
+use super::super::wording::capitalised;
 use super::interval;
-use super::ledger::Item;
-use super::wording::capitalised;
 
 /// One paragraph for each part.
-pub(super) fn answers(display: Display<'_>) -> Vec<Block> {
+pub(in crate::explain) fn answers(display: Display<'_>) -> Vec<Block> {
     display.worked.form.parts.iter().map(|part| Block::Paragraph(sentence(display, part))).collect()
 }
 
@@ -62,7 +54,7 @@ fn sentence(display: Display<'_>, part: &Part) -> Vec<Inline> {
             let is = vec![
                 display.worked.problem.notation().math(&part.id),
                 Math::Operator(Operator::Equals),
-                printed_vector(display.worked, vector),
+                printed::printed_vector(display.worked, vector),
             ];
             vec![
                 Inline::Text(format!("{}: ", capitalised(&part.label))),
@@ -78,7 +70,7 @@ fn sentence(display: Display<'_>, part: &Part) -> Vec<Inline> {
                     equal.extend([display.quantity(number.symbol), Math::Operator(Operator::Equals)]);
                     equal.extend(to_the_unit(display, number, answer));
                 }
-                equal.push(printed(display, number, answer));
+                equal.push(printed::answer(display, number, answer));
                 words.extend((index > 0).then(|| Inline::Text(" or ".into())));
                 words.push(Inline::Math(Math::Row(equal)));
             }
@@ -95,7 +87,7 @@ fn sentence(display: Display<'_>, part: &Part) -> Vec<Inline> {
 fn formula_sentence(display: Display<'_>, part: &Part, formula: &FormulaPart) -> Vec<Inline> {
     let is = |math: Math| Inline::Math(Math::relation(display.name(formula.symbol), Operator::Equals, math));
     let mut words = vec![Inline::Text(format!("{}: ", capitalised(&part.label)))];
-    words.extend(printed_formula(display.worked, formula).map(is));
+    words.extend(printed::formula(display, formula).map(is));
     if !display.is_open(formula.symbol) {
         let figures = usize::from(display.worked.problem.loaded().draft.figures.unwrap_or(3));
         let value = Inline::Math(display.quantity_to(formula.symbol, figures));
@@ -103,15 +95,6 @@ fn formula_sentence(display: Display<'_>, part: &Part, formula: &FormulaPart) ->
     }
     words.push(Inline::Text(".".into()));
     words
-}
-
-/// A formula as it is printed.
-#[must_use]
-pub fn printed_formula(worked: Worked<'_>, part: &FormulaPart) -> Option<Math> {
-    let cache = SolutionCache::of(worked);
-    let display = Display { worked, way: cache.way(worked), shown: &Shown::default() };
-    let formula = worked.formula(part)?;
-    Some(display.symbolic(&algebra::positive_first(&formula)))
 }
 
 /// Whether the answer is asked in another unit than the steps computed in.
@@ -130,55 +113,8 @@ fn to_the_unit(display: Display<'_>, number: &NumberPart, answer: Bounded) -> Ve
     if figures == number.figures || number.whole {
         return Vec::new();
     }
-    let all = shown(&NumberPart { figures, ..number.clone() }, answer.for_print());
+    let all = printed::shown(&NumberPart { figures, ..number.clone() }, answer.for_print());
     vec![display.in_unit_of(number, all), Math::Operator(Operator::Approximately)]
-}
-
-/// The answers to a part as they are printed, with their unit: one, or every root.
-#[must_use]
-pub fn printed_answers(worked: Worked<'_>, number: &NumberPart) -> Vec<Math> {
-    let cache = SolutionCache::of(worked);
-    let display = Display { worked, way: cache.way(worked), shown: &Shown::default() };
-    worked.answers(number).into_iter().map(|answer| printed(display, number, answer)).collect()
-}
-
-/// A vector as it is printed: its components in brackets, and their unit.
-#[must_use]
-pub fn printed_vector(worked: Worked<'_>, vector: &VectorPart) -> Math {
-    let mut row = Vec::new();
-    for (index, number) in vector.components.iter().enumerate() {
-        row.extend((index > 0).then(|| Math::Text(",\u{a0}".into())));
-        row.push(shown(number, worked.answer(number).for_print()));
-    }
-    let bracketed = Math::Bracketed(Arc::new(Math::Row(row)));
-    match vector.components.first().map(|first| &first.unit) {
-        Some(AskedUnit::Unit(unit)) => with_unit(bracketed, unit),
-        Some(AskedUnit::InTermsOf(symbol)) => {
-            let name = worked.problem.math_of(*symbol);
-            Math::Row(vec![bracketed, Math::Operator(Operator::Juxtapose), name])
-        }
-        None => bracketed,
-    }
-}
-
-/// A value to the figures that are asked.
-pub(super) fn shown(number: &NumberPart, value: f64) -> Math {
-    if number.whole {
-        return Math::Number(format!("{value:.0}"));
-    }
-    Printed::new(value, number.figures).map_or(Math::Text("?".into()), |printed| number_math(printed.plain()))
-}
-
-/// The same, for whoever displays other quantities besides.
-pub(super) fn printed(display: Display<'_>, number: &NumberPart, answer: Bounded) -> Math {
-    let shown = |value: f64| shown(number, value);
-    match &number.unit {
-        AskedUnit::Unit(_) => display.in_unit_of(number, shown(answer.for_print())),
-        AskedUnit::InTermsOf(_) if answer.is_zero() => shown(0.0),
-        AskedUnit::InTermsOf(symbol) => {
-            Math::Row(vec![shown(answer.for_print()), Math::Operator(Operator::Juxtapose), display.name(*symbol)])
-        }
-    }
 }
 
 /// The direction of a signed component in words: "to the left"; "at rest" for zero.

@@ -1,70 +1,94 @@
-//! The section on momentum and impulse: the figures, what acts, what is left out and why.
+//! Each kind of stage in words: what happens in it, and what acts.
 
 use crate::model::Agent;
 use crate::model::ForceKind;
 use crate::model::Impulse;
 use crate::model::Model;
-use crate::model::Omitted;
-use crate::problem::PartKind;
-use crate::problem::Worked;
 use crate::scene::Scene;
 use crate::scene::Stage;
 use crate::scene::stage::Connected;
-use crate::scene::stage::Impact;
+use crate::scene::stage::Ends;
 use crate::scene::stage::Strand;
 
-use super::Block;
-use super::Inline;
-use super::display::Display;
-use super::pictures;
-use super::steps::text;
-use super::wording::capitalised;
-use super::wording::list;
+use super::super::wording::capitalised;
+use super::super::wording::list;
 
-/// The section's blocks; none where nothing happens in the scene.
-pub(super) fn diagrams(display: Display<'_>) -> Vec<Block> {
-    let worked = display.worked;
-    let mut blocks: Vec<Block> =
-        pictures::solution(worked).into_iter().map(|drawing| Block::Figure(Box::new(drawing))).collect();
-    blocks.extend_from_slice(display.way.acting.get_or_init(|| sentences(worked)));
-    blocks.extend(neglected(worked));
-    blocks.extend(why_not_energy(worked));
-    blocks
-}
-
-/// How much of the change of momentum is left out, where that is worth a word.
-fn neglected(worked: Worked<'_>) -> impl Iterator<Item = Block> {
-    let scene = &worked.problem.loaded().draft.scene;
-    worked.neglected().into_iter().map(move |(weight, share)| {
-        text(&format!(
-            "In {} the impulse of weight, which is neglected, is {:.1} % of the change of momentum of {}.",
-            worked.problem.model().phrase(scene, weight.stage),
-            100.0 * share,
-            scene.called(&weight.on)
-        ))
-    })
-}
-
-/// What acts in each stage, and what is left out.
-fn sentences(worked: Worked<'_>) -> Vec<Block> {
-    let scene = &worked.problem.loaded().draft.scene;
-    let model = worked.problem.model();
-    let acting = scene.stages.iter().enumerate().filter_map(|(index, stage)| acting(model, scene, index, stage));
-    let mut blocks: Vec<Block> = acting.map(|sentence| text(&sentence)).collect();
-    for (heading, kind) in [("Neglected:", Omitted::Neglected), ("Not needed:", Omitted::NotNeeded)] {
-        let of_kind = model.omissions.iter().filter(|omission| omission.kind == kind);
-        let items: Vec<Vec<Inline>> = of_kind
-            .map(|omission| vec![Inline::Text(format!("{}, because {}.", capitalised(&omission.what), omission.why))])
-            .collect();
-        if !items.is_empty() {
-            blocks.extend([text(heading), Block::List(items)]);
+/// What happens in a stage, as a noun phrase.
+pub(super) fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
+    let name = |body: &str| scene.called(body);
+    let does = |body: &str, forms: [&str; 2]| scene.does(body, forms);
+    match stage {
+        Stage::Impact(impact) => match (&impact.between, &impact.body, &impact.against) {
+            (Some([a, b]), ..) => format!("{phrase} of {} and {}", name(a), name(b)),
+            (_, Some(body), Some(surface)) => format!("{phrase} of {} on {}", name(body), surface_name(scene, surface)),
+            _ => phrase.to_owned(),
+        },
+        Stage::Push(push) => format!("forces act on {}", name(&push.body)),
+        Stage::Slide(slide) => does(&slide.body, ["slides", "slide"]),
+        Stage::Spring(spring) => match spring.ends() {
+            Some(Ends::Free(first, second)) => format!("the spring acts between {} and {}", name(first), name(second)),
+            Some(Ends::Fixed(body)) => format!("the spring acts on {}", name(body)),
+            None => phrase.to_owned(),
+        },
+        Stage::Swing(swing) => does(&swing.body, ["swings on its cord", "swing on their cord"]),
+        Stage::Taut(taut) => {
+            format!("the string between {} and {} goes taut", name(&taut.between[0]), name(&taut.between[1]))
+        }
+        Stage::Connected(connected) => {
+            let [leading, trailing] = [&connected.leading, &connected.trailing].map(|strand| name(&strand.body));
+            format!("{leading} pulls {trailing} along by the string")
+        }
+        Stage::Tow(tow) => {
+            let [front, rear] = tow.both().map(|own| name(&own.body));
+            format!("{front} and {rear} move together")
+        }
+        Stage::Blow(blow) => format!("{} acts on {}", blow.by, name(&blow.body)),
+        Stage::Rotate(rotate) => {
+            let held: Vec<String> = rotate.held().into_iter().map(|(body, _)| name(body)).collect();
+            if let Some(rotor) = &rotate.rotor {
+                let with = if held.is_empty() { String::new() } else { format!(", with {} on it", list(&held)) };
+                return format!("{} turns{with}", name(rotor));
+            }
+            let [turns, its] = if held.len() > 1 { ["move", "the"] } else { ["moves", "its"] };
+            format!("{} {turns} round on {its} arm", list(&held))
+        }
+        Stage::Moment(_) => "a moment acts on them".to_owned(),
+        Stage::Strike(strike) => {
+            let arm = strike.rotor.as_ref().map_or_else(|| "the arm".to_owned(), |rotor| name(rotor));
+            format!("{} strikes {arm}", name(&strike.body))
+        }
+        Stage::Conical(conical) => format!("the cord of {} changes its length", name(&conical.body)),
+        Stage::Bowl(bowl) => format!("{} slides round inside the wall", name(&bowl.body)),
+        Stage::Interact(interact) => {
+            let bodies: Vec<String> = interact.between.iter().map(|body| name(body)).collect();
+            format!("{} act on each other", list(&bodies))
+        }
+        Stage::Central(central) => format!("{} moves under the central force", name(&central.body)),
+        Stage::Fall(fall) => format!("{} falls", name(&fall.body)),
+        Stage::Motion(motion) => format!("{} moves as given", name(&motion.body)),
+        Stage::Bounces(bounces) => format!("{} bounces", name(&bounces.body)),
+        Stage::SlideOff(slide) => format!("{} slides down {}", name(&slide.body), name(&slide.on)),
+        Stage::Walk(walk) => format!("{} walks along {}", name(&walk.body), name(&walk.on)),
+        Stage::Stream(stream) => format!("{} acts on {}", stream.by, name(&stream.body)),
+        Stage::Thrust(thrust) => format!("{} burns its fuel", name(&thrust.body)),
+        Stage::Drift(_) => "no net force acts; every body keeps its velocity".to_owned(),
+        Stage::Flight(flight) => {
+            let bodies: Vec<String> = flight.flying().map(|body| scene.called(body)).collect();
+            format!("{} {} freely", list(&bodies), if bodies.len() > 1 { "move" } else { "moves" })
+        }
+        Stage::Separate(separate) => {
+            format!("{phrase} of {}", list(&separate.into.iter().map(|part| name(part)).collect::<Vec<_>>()))
         }
     }
-    blocks
+}
+
+fn surface_name(scene: &Scene, surface: &str) -> String {
+    let own = scene.surfaces.get(surface).and_then(|entry| entry.name.clone());
+    own.unwrap_or_else(|| format!("the {surface}"))
 }
 
 /// One sentence on what acts in a stage.
-fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) -> Option<String> {
+pub(super) fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) -> Option<String> {
     let all = || model.impulses.iter().filter(|impulse| impulse.stage == index);
     // Weight that a short contact includes is no impulsive force.
     let short = matches!(stage, Stage::Impact(_) | Stage::Blow(_));
@@ -191,32 +215,4 @@ fn guiding(scene: &Scene, impulses: &[&Impulse]) -> Vec<String> {
         format!("{on} receives an impulse perpendicular to its path from {}", impulse.called)
     };
     guides.map(received).collect()
-}
-
-/// Why momentum serves where energy does not, in a scene with an impact that loses energy.
-fn why_not_energy(worked: Worked<'_>) -> Option<Block> {
-    let scene = &worked.problem.loaded().draft.scene;
-    let symbols = &worked.problem.model().symbols;
-    let is_one = |e: &str| {
-        let given = worked.variant.all_given().iter();
-        e == "1"
-            || given.into_iter().any(|(own, value, _)| symbols.entry(*own).name == e && value.to_rational().is_one())
-    };
-    let loses = |impact: &Impact| impact.plastic || impact.restitution.as_ref().is_some_and(|e| !is_one(e.0.trim()));
-    let lossy = scene.stages.iter().filter(|stage| matches!(stage, Stage::Impact(impact) if loses(impact)));
-    let impacts = match lossy.count() {
-        0 => return None,
-        1 => "impact",
-        _ => "impacts",
-    };
-    let is_energy = |symbol| worked.problem.model().name(symbol).kind.is_kinetic_energy();
-    let told_energy = worked.variant.all_given().iter().any(|(symbol, ..)| is_energy(*symbol));
-    let found = worked.form.parts.iter().filter(|part| !matches!(part.kind, PartKind::Choice(_)));
-    let on_energy = found.flat_map(|part| part.kind.wanted()).any(is_energy);
-    (!told_energy).then(|| {
-        let afterwards = if on_energy { " The energy is worked out afterwards, from the velocities." } else { "" };
-        text(&format!(
-            "Why momentum and not energy: kinetic energy is lost in the {impacts}, and how much is not known beforehand.{afterwards}"
-        ))
-    })
 }

@@ -15,13 +15,13 @@ use crate::quantity::Dimension;
 use crate::quantity::Unit;
 use crate::scene::Stage;
 
-use super::Block;
-use super::Inline;
-use super::answers;
-use super::display::Display;
-use super::ledger::Item;
-use super::ledger::Ledger;
-use super::wording::join;
+use super::super::Block;
+use super::super::Inline;
+use super::super::terms::display::Display;
+use super::super::terms::ledger::Item;
+use super::super::terms::ledger::Ledger;
+use super::super::terms::printed;
+use super::super::wording::join;
 
 /// The two extremes, and what happens there: in one dimension, and in two.
 const EXTREMES: [(i64, [&str; 2]); 2] = [
@@ -30,7 +30,7 @@ const EXTREMES: [(i64, [&str; 2]); 2] = [
 ];
 
 /// A sentence on each extreme, where the coefficient of restitution is told and the answers exist there.
-pub(super) fn limits(display: Display<'_>) -> Vec<Block> {
+pub(in crate::explain) fn limits(display: Display<'_>) -> Vec<Block> {
     let oblique = display.worked.problem.loaded().draft.scene.axes.rectangular().len() > 1;
     let numbers: Vec<&NumberPart> = numbers(display).collect();
     let sentences = extremes(display).map(|Extreme { e, place, there }| {
@@ -52,7 +52,7 @@ pub(super) fn limits(display: Display<'_>) -> Vec<Block> {
 }
 
 /// Enters the answers in the extremes into the ledger of a solution, where they have formulas in what is told.
-pub(super) fn enter(display: Display<'_>, ledger: &mut Ledger) {
+pub(in crate::explain) fn enter(display: Display<'_>, ledger: &mut Ledger) {
     for Extreme { e, place, there } in extremes(display) {
         let there = Worked { variant: &there, ..display.worked };
         let values = BTreeMap::from([(e, Expr::integer(EXTREMES[place].0))]);
@@ -110,6 +110,6 @@ fn coefficient(worked: Worked<'_>) -> Option<Symbol> {
 fn result(display: Display<'_>, there: Worked<'_>, place: usize, number: &NumberPart) -> Math {
     let settled = display.shown.figures.get();
     let figures = settled.and_then(|figures| figures.of(Item::Extreme(number.symbol, place))).unwrap_or(number.figures);
-    let answer = answers::printed(display, &NumberPart { figures, ..number.clone() }, there.answer(number));
+    let answer = printed::answer(display, &NumberPart { figures, ..number.clone() }, there.answer(number));
     Math::relation(display.name(number.symbol), Operator::Equals, answer)
 }

@@ -1,7 +1,5 @@
 //! Checks that a student can copy: both sides of every balance, the energy, the extremes.
 
-use std::collections::BTreeSet;
-
 use crate::expr::Expr;
 use crate::expr::Math;
 use crate::expr::Operator;
@@ -16,19 +14,18 @@ use crate::solve;
 use crate::solve::Equation;
 use crate::solve::Statement;
 
-use super::Block;
-use super::Inline;
-use super::display::Display;
+use super::super::Block;
+use super::super::Inline;
+use super::super::terms::display::Display;
+use super::super::terms::ledger::Item;
+use super::super::terms::ledger::Ledger;
+use super::super::terms::term::Measured;
+use super::super::terms::term::Term;
+use super::super::wording::capitalised;
+use super::super::working::derivation::is_definition;
 use super::energy;
 use super::energy::Loss;
-use super::ledger::Item;
-use super::ledger::Ledger;
 use super::limits;
-use super::script::is_definition;
-use super::steps::text;
-use super::term::Measured;
-use super::term::Term;
-use super::wording::capitalised;
 
 /// The most balances that are shown.
 const MOST: usize = 4;
@@ -48,7 +45,7 @@ const BALANCES: &[(&str, &str)] = &[
 ];
 
 /// What the solutions of a way check, before the numbers are known.
-pub(super) struct Checks {
+pub(in crate::explain) struct Checks {
     balances: Vec<Balance>,
     losses: Vec<Loss>,
     conditions: Vec<Condition>,
@@ -69,42 +66,78 @@ struct Condition {
 }
 
 impl Checks {
-    fn new(display: Display<'_>) -> Self {
+    pub(in crate::explain) fn new(display: Display<'_>) -> Self {
         Self { balances: balances(display), losses: energy::losses(display), conditions: conditions(display) }
     }
-}
 
-/// The checks of a variant; none for a form that only asks for concepts.
-pub(super) fn checks(display: Display<'_>) -> Vec<Block> {
-    if display.worked.form.wanted().next().is_none() {
-        return Vec::new();
+    /// The checks of a variant; none for a form that only asks for concepts.
+    pub(in crate::explain) fn blocks(&self, display: Display<'_>) -> Vec<Block> {
+        if display.worked.form.wanted().next().is_none() {
+            return Vec::new();
+        }
+        let mut blocks = vec![Block::text("Check:")];
+        for (place, Balance { words, sides }) in self.shown_balances(display) {
+            let result = result(display, place, sides);
+            let lines = sides.iter().map(|side| evaluated(display, side, result)).collect();
+            blocks.extend([words.clone(), Block::Equation { lines, number: None }]);
+        }
+        let means: Vec<Vec<Inline>> = means(display).map(|mean| lies_between(display, mean)).collect();
+        blocks.extend((!means.is_empty()).then_some(Block::List(means)));
+        blocks.extend(self.losses.iter().filter_map(|loss| loss.blocks(display)).flatten());
+        blocks.extend(self.shown_conditions(display).map(|(place, condition)| condition.block(display, place)));
+        blocks.extend(limits::limits(display));
+        if blocks.len() > 1 { blocks } else { Vec::new() }
     }
-    let mut blocks = vec![text("Check:")];
-    for (place, Balance { words, sides }) in shown_balances(display) {
-        let result = result(display, place, sides);
-        let lines = sides.iter().map(|side| evaluated(display, side, result)).collect();
-        blocks.extend([words.clone(), Block::Equation { lines, number: None }]);
-    }
-    let means: Vec<Vec<Inline>> = means(display).map(|mean| lies_between(display, mean)).collect();
-    blocks.extend((!means.is_empty()).then_some(Block::List(means)));
-    blocks.extend(prepared(display).losses.iter().filter_map(|loss| loss.blocks(display)).flatten());
-    blocks.extend(shown_conditions(display).map(|(place, condition)| condition.block(display, place)));
-    blocks.extend(limits::limits(display));
-    if blocks.len() > 1 { blocks } else { Vec::new() }
-}
 
-fn prepared(display: Display<'_>) -> &Checks {
-    display.way.checks.get_or_init(|| Checks::new(display))
+    /// Enters what the checks compute into the ledger of a solution.
+    pub(in crate::explain) fn enter(&self, display: Display<'_>, ledger: &mut Ledger) {
+        if display.worked.form.wanted().next().is_none() {
+            return;
+        }
+        for (place, Balance { sides, .. }) in self.shown_balances(display) {
+            let result = result(display, place, sides);
+            if result == Item::Balance(place) {
+                display.enter_value(ledger, &sides[0].expr, display.size(&sides[0].unit), result);
+            }
+            for side in sides {
+                display.enter_term(ledger, side, result);
+            }
+        }
+        for mean in means(display) {
+            for symbol in mean {
+                display.enter(ledger, symbol);
+            }
+            let [least, centre, greatest] = mean.map(Item::Quantity);
+            ledger.ordered([least, centre], false);
+            ledger.ordered([centre, greatest], false);
+        }
+        limits::enter(display, ledger);
+        for loss in &self.losses {
+            loss.enter(display, ledger);
+        }
+        for (place, Condition { sides, unit, .. }) in self.shown_conditions(display) {
+            for (side, term) in sides.iter().enumerate() {
+                display.enter_value(ledger, &term.expr, display.size(unit), Item::Side(place, side));
+            }
+        }
+    }
+
+    /// The balances whose numbers are known, each with its place.
+    fn shown_balances(&self, display: Display<'_>) -> impl Iterator<Item = (usize, &Balance)> {
+        let balances = self.balances.iter().enumerate();
+        balances.filter(move |(_, balance)| has_numbers(display, &balance.sides)).take(MOST)
+    }
+
+    /// The conditions whose numbers are known, each with its place.
+    fn shown_conditions(&self, display: Display<'_>) -> impl Iterator<Item = (usize, &Condition)> {
+        let is_real = move |sides: &[Term; 2]| !sides.iter().any(|side| display.value_of(&side.expr).is_nan());
+        let conditions = self.conditions.iter().enumerate();
+        conditions.filter(move |(_, condition)| has_numbers(display, &condition.sides) && is_real(&condition.sides))
+    }
 }
 
 fn has_numbers(display: Display<'_>, sides: &[Term; 2]) -> bool {
     sides.iter().all(|side| side.is_multiple && side.mentions.iter().all(|symbol| display.has_number(*symbol)))
-}
-
-/// The balances whose numbers are known, each with its place.
-fn shown_balances(display: Display<'_>) -> impl Iterator<Item = (usize, &Balance)> {
-    let balances = prepared(display).balances.iter().enumerate();
-    balances.filter(move |(_, balance)| has_numbers(display, &balance.sides)).take(MOST)
 }
 
 /// What both sides of a balance are: a quantity that is printed exactly, where one of them is nothing else.
@@ -116,56 +149,10 @@ fn result(display: Display<'_>, place: usize, sides: &[Term; 2]) -> Item {
     named.unwrap_or(Item::Balance(place))
 }
 
-/// The conditions whose numbers are known, each with its place.
-fn shown_conditions(display: Display<'_>) -> impl Iterator<Item = (usize, &Condition)> {
-    let is_real = move |sides: &[Term; 2]| !sides.iter().any(|side| display.value_of(&side.expr).is_nan());
-    let conditions = prepared(display).conditions.iter().enumerate();
-    conditions.filter(move |(_, condition)| has_numbers(display, &condition.sides) && is_real(&condition.sides))
-}
-
-/// Enters what the checks compute into the ledger of a solution.
-pub(super) fn enter(display: Display<'_>, ledger: &mut Ledger) {
-    if display.worked.form.wanted().next().is_none() {
-        return;
-    }
-    for (place, Balance { sides, .. }) in shown_balances(display) {
-        let result = result(display, place, sides);
-        if result == Item::Balance(place) {
-            display.enter_value(ledger, &sides[0].expr, display.size(&sides[0].unit), result);
-        }
-        for side in sides {
-            display.enter_term(ledger, side, result);
-        }
-    }
-    for mean in means(display) {
-        for symbol in mean {
-            display.enter(ledger, symbol);
-        }
-        let [least, centre, greatest] = mean.map(Item::Quantity);
-        ledger.ordered([least, centre], false);
-        ledger.ordered([centre, greatest], false);
-    }
-    limits::enter(display, ledger);
-    for loss in &prepared(display).losses {
-        loss.enter(display, ledger);
-    }
-    for (place, Condition { sides, unit, .. }) in shown_conditions(display) {
-        for (side, term) in sides.iter().enumerate() {
-            display.enter_value(ledger, &term.expr, display.size(unit), Item::Side(place, side));
-        }
-    }
-}
-
-/// What a reader of the steps knows: what is told, and what the steps found.
-pub(super) fn known(display: Display<'_>) -> BTreeSet<Symbol> {
-    let told = display.worked.variant.all_given().iter().map(|(symbol, ..)| *symbol);
-    told.chain(display.worked.leaf().answer_steps().iter().flat_map(|step| step.unknowns.iter().copied())).collect()
-}
-
 /// The balances between quantities that the reader knows, where that is more than reading off a step.
 fn balances(display: Display<'_>) -> Vec<Balance> {
     let leaf = display.worked.leaf();
-    let known = known(display);
+    let known = display.known_to_the_reader();
     let steps = leaf.answer_steps();
     let is_read_off = |place: usize, left: &Expr, right: &Expr| {
         steps.iter().any(|step| step.equations == [place] && is_definition(step, left, right))
@@ -179,7 +166,7 @@ fn balances(display: Display<'_>) -> Vec<Balance> {
         let computes = !is_nothing && [left, right].into_iter().any(|side| !matches!(side, Expr::Symbol(_)));
         let is_shown = told(left) && told(right) && computes && !is_read_off(place, left, right);
         let sides = || [left, right].map(|side| display.term(side.clone()));
-        is_shown.then(|| Balance { words: text(words), sides: sides() })
+        is_shown.then(|| Balance { words: Block::text(words), sides: sides() })
     };
     leaf.system.equations.iter().enumerate().filter_map(balance).collect()
 }
@@ -187,7 +174,7 @@ fn balances(display: Display<'_>) -> Vec<Balance> {
 /// The positions and velocities of centres of mass, each between the least and the greatest of those of its bodies.
 fn means(display: Display<'_>) -> impl Iterator<Item = [Symbol; 3]> {
     let model = display.worked.problem.model();
-    let known = known(display);
+    let known = display.known_to_the_reader();
     let stated = display.worked.leaf().system.equations.iter().filter(|equation| {
         model.instances.get(equation.tag).is_some_and(|instance| instance.law.id == mass_centre::MASS_CENTRE.id)
     });

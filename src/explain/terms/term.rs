@@ -11,7 +11,7 @@ use crate::quantity::Unit;
 
 /// A term, set in symbols once and ready for the numbers of each variant.
 #[derive(Debug)]
-pub(super) struct Term {
+pub(in crate::explain) struct Term {
     pub expr: Expr,
     /// In symbols.
     pub symbols: Math,
@@ -29,7 +29,7 @@ pub(super) struct Term {
 
 /// A unit in which many values are printed; where letters are left open, a unit with powers of these.
 #[derive(Debug)]
-pub(super) struct Measured {
+pub(in crate::explain) struct Measured {
     pub unit: Unit,
     /// The powers of letters, as a product.
     pub letters: Option<Expr>,
@@ -40,7 +40,7 @@ pub(super) struct Measured {
 }
 
 impl Measured {
-    pub(super) fn new(unit: Unit) -> Self {
+    pub(in crate::explain) fn new(unit: Unit) -> Self {
         Self { suffix: suffix(&unit), unit, letters: None, product: None }
     }
 
@@ -49,7 +49,7 @@ impl Measured {
     }
 
     /// A number followed by the unit.
-    pub(super) fn put(&self, number: Math) -> Math {
+    pub(in crate::explain) fn put(&self, number: Math) -> Math {
         let is = |number: &Math, text: &str| matches!(number, Math::Number(digits) if digits == text);
         let times = |number: Math, product: &Math| {
             Math::Row(vec![number, Math::Operator(Operator::Juxtapose), product.clone()])

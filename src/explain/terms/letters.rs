@@ -29,7 +29,7 @@ pub(super) struct Letters {
 }
 
 impl Letters {
-    pub(super) fn of(worked: Worked<'_>) -> Self {
+    pub(in crate::explain) fn of(worked: Worked<'_>) -> Self {
         let mut letters = Self::default();
         if worked.form.free.is_empty() {
             return letters;
@@ -67,7 +67,7 @@ impl Letters {
     }
 
     /// Whether a quantity hangs on an open letter.
-    pub(super) fn is_open(&self, symbol: Symbol) -> bool {
+    pub(in crate::explain) fn is_open(&self, symbol: Symbol) -> bool {
         match self.known.get(&symbol) {
             Some(Some(Growth::By(powers))) => !powers.is_empty(),
             Some(None) => true,
@@ -76,7 +76,7 @@ impl Letters {
     }
 
     /// Whether it is no multiple of powers of letters.
-    pub(super) fn is_free(&self, symbol: Symbol) -> bool {
+    pub(in crate::explain) fn is_free(&self, symbol: Symbol) -> bool {
         matches!(self.known.get(&symbol), Some(None))
     }
 
@@ -85,7 +85,7 @@ impl Letters {
     }
 
     /// The powers of letters of which a term is a multiple; `None` where it is none.
-    pub(super) fn powers(&self, worked: Worked<'_>, term: &Expr) -> Option<Powers> {
+    pub(in crate::explain) fn powers(&self, worked: Worked<'_>, term: &Expr) -> Option<Powers> {
         if self.known.is_empty() {
             return Some(Powers::new());
         }

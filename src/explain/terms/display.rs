@@ -2,6 +2,7 @@
 
 use std::cell::OnceCell;
 use std::cell::RefCell;
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use crate::expr::Arrangement;
@@ -28,11 +29,11 @@ use crate::solve::Step;
 
 use super::algebra::has_angle_of_point;
 use super::algebra::positive_first;
-use super::cache::Manner;
-use super::cache::WayCache;
 use super::ledger::Figures;
 use super::letters::Letters;
 use super::letters::Powers;
+use super::manner::Manner;
+use super::manner::Manners;
 use super::term::Measured;
 use super::term::Term;
 use super::term::suffix;
@@ -56,17 +57,17 @@ fn usual_unit(kind: &QuantityKind) -> Option<&'static str> {
 
 /// Shows the quantities of one variant.
 #[derive(Clone, Copy)]
-pub(super) struct Display<'a> {
+pub(in crate::explain) struct Display<'a> {
     pub worked: Worked<'a>,
-    /// What it shares with the other variants that go its way.
-    pub way: &'a WayCache,
+    /// How quantities are shown, shared with the other variants that go its way.
+    pub manners: &'a Manners,
     /// What was shown before.
     pub shown: &'a Shown,
 }
 
 /// The quantities of a variant as they are printed, since a solution shows most of them many times.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Shown {
+pub(in crate::explain) struct Shown {
     pub leaves: RefCell<Vec<(Symbol, Leaf)>>,
     /// To how many figures, once all lines are known.
     pub figures: OnceCell<Figures>,
@@ -74,21 +75,21 @@ pub(super) struct Shown {
 
 impl<'a> Display<'a> {
     fn letters(self) -> &'a Letters {
-        self.way.letters.get_or_init(|| Letters::of(self.worked))
+        self.manners.letters(self.worked)
     }
 
     /// Whether a quantity is shown by its symbol only, since no multiple of the letters that are left open is its value.
-    pub(super) fn is_free(self, symbol: Symbol) -> bool {
+    pub(in crate::explain) fn is_free(self, symbol: Symbol) -> bool {
         self.letters().is_free(symbol)
     }
 
     /// Whether a quantity hangs on letters that are left open.
-    pub(super) fn is_open(self, symbol: Symbol) -> bool {
+    pub(in crate::explain) fn is_open(self, symbol: Symbol) -> bool {
         self.letters().is_open(symbol)
     }
 
     /// The letters that are left open in the value of a term; none where it is no multiple of them.
-    pub(super) fn letters_of(self, term: &Expr) -> Option<Powers> {
+    pub(in crate::explain) fn letters_of(self, term: &Expr) -> Option<Powers> {
         self.letters().powers(self.worked, term)
     }
 
@@ -114,20 +115,19 @@ impl<'a> Display<'a> {
     }
 
     /// The size of a unit in SI units, letters included.
-    pub(super) fn size(self, measured: &Measured) -> f64 {
+    pub(in crate::explain) fn size(self, measured: &Measured) -> f64 {
         let letters = measured.letters.as_ref().map_or(1.0, |letters| self.value_of(letters));
         measured.unit.factor().to_f64() * letters
     }
 
     /// The unit in which explanations compute with a quantity: the system's own, degrees for angles.
-    pub(super) fn unit(self, symbol: Symbol) -> &'a Unit {
+    pub(in crate::explain) fn unit(self, symbol: Symbol) -> &'a Unit {
         &self.manner(symbol).measured.unit
     }
 
     /// How a quantity is shown.
-    pub(super) fn manner(self, symbol: Symbol) -> &'a Manner {
-        // There is a place for every symbol of the model.
-        self.way.manners[symbol.index()].get_or_init(|| {
+    pub(in crate::explain) fn manner(self, symbol: Symbol) -> &'a Manner {
+        self.manners.of(symbol, || {
             let problem = self.worked.problem;
             let (measured, _) = self.measured(&symbol.into(), |_| self.unit_chosen(symbol));
             let mut numbers = self.worked.form.parts.iter().flat_map(|part| part.kind.numbers());
@@ -141,6 +141,12 @@ impl<'a> Display<'a> {
                 constant: self.constant(symbol),
             }
         })
+    }
+
+    /// What a reader of the steps knows: what is told, and what the steps found.
+    pub(in crate::explain) fn known_to_the_reader(self) -> BTreeSet<Symbol> {
+        let told = self.worked.variant.all_given().iter().map(|(symbol, ..)| *symbol);
+        told.chain(self.worked.leaf().answer_steps().iter().flat_map(|step| step.unknowns.iter().copied())).collect()
     }
 
     /// The formula of what a step finds in one way only.
@@ -205,29 +211,29 @@ impl<'a> Display<'a> {
     }
 
     /// The unit of a term, from its dimension.
-    pub(super) fn unit_of(self, expr: &Expr) -> Unit {
+    pub(in crate::explain) fn unit_of(self, expr: &Expr) -> Unit {
         let problem = self.worked.problem;
         let dimension = expr.dimension(&problem.model().symbols).unwrap_or_default();
         coherent_unit(dimension, problem.units())
     }
 
     /// How the value of a term is printed, and whether it is a number or a multiple of letters.
-    pub(super) fn measure(self, expr: &Expr) -> (Measured, bool) {
+    pub(in crate::explain) fn measure(self, expr: &Expr) -> (Measured, bool) {
         self.measured(expr, |dimension| coherent_unit(dimension, self.worked.problem.units()))
     }
 
     /// Whether a term has a value of its own.
-    pub(super) fn has_value(self, expr: &Expr) -> bool {
+    pub(in crate::explain) fn has_value(self, expr: &Expr) -> bool {
         expr.all_symbols(&|symbol| self.has_number(symbol)) && self.letters_of(expr).is_some()
     }
 
     /// Whether a quantity is shown by a number, or by a multiple of letters.
-    pub(super) fn has_number(self, symbol: Symbol) -> bool {
+    pub(in crate::explain) fn has_number(self, symbol: Symbol) -> bool {
         !self.is_free(symbol) && self.worked.variant.value(symbol).is_some()
     }
 
     /// The symbol itself; a value that the author wrote into a term is shown as that value.
-    pub(super) fn name(self, symbol: Symbol) -> Math {
+    pub(in crate::explain) fn name(self, symbol: Symbol) -> Math {
         self.manner(symbol).name.clone().unwrap_or_else(|| self.quantity(symbol))
     }
 
@@ -248,12 +254,12 @@ impl<'a> Display<'a> {
     }
 
     /// A term in symbols.
-    pub(super) fn symbolic(self, expr: &Expr) -> Math {
+    pub(in crate::explain) fn symbolic(self, expr: &Expr) -> Math {
         expr.layout(&|symbol| self.named(symbol))
     }
 
     /// A term that many solutions show, in symbols and ready for numbers.
-    pub(super) fn term(self, expr: Expr) -> Term {
+    pub(in crate::explain) fn term(self, expr: Expr) -> Term {
         let arranged = expr.arranged();
         let (unit, is_multiple) = self.measure(&expr);
         Term {
@@ -268,7 +274,7 @@ impl<'a> Display<'a> {
     }
 
     /// A term in which every quantity given piece by piece is replaced by the piece that holds for this variant.
-    pub(super) fn resolved(self, expr: &Expr) -> Expr {
+    pub(in crate::explain) fn resolved(self, expr: &Expr) -> Expr {
         let Expr::Piecewise(piecewise) = expr else {
             return if has_pieces(expr) { expr.map_children(|part| self.resolved(part)) } else { expr.clone() };
         };
@@ -279,7 +285,7 @@ impl<'a> Display<'a> {
     }
 
     /// The condition under which the piece that holds for this variant does so; `None` for a term without pieces.
-    pub(super) fn piece_that_holds(self, expr: &Expr) -> Option<Math> {
+    pub(in crate::explain) fn piece_that_holds(self, expr: &Expr) -> Option<Math> {
         let Expr::Piecewise(piecewise) = expr else {
             return expr.children().find_map(|part| self.piece_that_holds(part));
         };
@@ -301,7 +307,7 @@ impl<'a> Display<'a> {
 
     /// A term with numbers and units in place of its symbols, what is zero and has a unit being left out; none where that leaves
     /// nothing to compute.
-    pub(super) fn substituted(self, term: &Term) -> Option<Math> {
+    pub(in crate::explain) fn substituted(self, term: &Term) -> Option<Math> {
         let value = |symbol: Symbol| self.worked.variant.value(symbol).map_or(f64::NAN, Bounded::or_zero);
         let put = |arranged: &Arrangement| arranged.with_numbers(&|symbol| self.put_in(symbol), &value);
         if !self.has_zeros(term) {
@@ -320,12 +326,12 @@ impl<'a> Display<'a> {
     }
 
     /// A term without what is zero and has a unit.
-    pub(super) fn without_zeros(self, term: &Expr) -> Expr {
+    pub(in crate::explain) fn without_zeros(self, term: &Expr) -> Expr {
         term.substitute(&|symbol| self.is_nothing(symbol).then(Expr::zero))
     }
 
     /// Whether a quantity that is zero is left out of a term with numbers.
-    pub(super) fn has_zeros(self, term: &Term) -> bool {
+    pub(in crate::explain) fn has_zeros(self, term: &Term) -> bool {
         term.mentions.iter().any(|symbol| self.is_nothing(*symbol))
     }
 
@@ -336,7 +342,7 @@ impl<'a> Display<'a> {
 
     /// Whether a term holds the angle of a point that a calculator's arctangent does not give for this variant: its
     /// denominator is negative or zero.
-    pub(super) fn is_outside_arctangent(self, expr: &Expr) -> bool {
+    pub(in crate::explain) fn is_outside_arctangent(self, expr: &Expr) -> bool {
         let denominator = match expr {
             Expr::Apply(Function::Atan2, _) => expr.children().nth(1),
             _ => None,
@@ -346,18 +352,18 @@ impl<'a> Display<'a> {
     }
 
     /// `left = right`, in symbols.
-    pub(super) fn equation(self, left: &Expr, right: &Expr) -> Math {
+    pub(in crate::explain) fn equation(self, left: &Expr, right: &Expr) -> Math {
         Math::relation(self.symbolic(left), Operator::Equals, self.symbolic(right))
     }
 }
 
 /// Whether a part of a term is given piece by piece.
-pub(super) fn has_pieces(expr: &Expr) -> bool {
+pub(in crate::explain) fn has_pieces(expr: &Expr) -> bool {
     matches!(expr, Expr::Piecewise(_)) || expr.children().any(has_pieces)
 }
 
 /// A number followed by its unit.
-pub(super) fn with_unit(number: Math, unit: &Unit) -> Math {
+pub(in crate::explain) fn with_unit(number: Math, unit: &Unit) -> Math {
     match suffix(unit) {
         Some(suffix) => Math::Row(vec![number, suffix]),
         None => number,
@@ -365,7 +371,7 @@ pub(super) fn with_unit(number: Math, unit: &Unit) -> Math {
 }
 
 /// A printed number as mathematics, powers of ten included.
-pub(super) fn number_math(text: String) -> Math {
+pub(in crate::explain) fn number_math(text: String) -> Math {
     if text.is_ascii() {
         return Math::Number(text);
     }
@@ -379,6 +385,6 @@ pub(super) fn number_math(text: String) -> Math {
 }
 
 /// A value to so many figures, as plain text.
-pub(super) fn printed(value: f64, figures: usize) -> String {
+pub(in crate::explain) fn printed(value: f64, figures: usize) -> String {
     Printed::new(value, figures).map_or_else(|| "?".into(), |printed| printed.plain())
 }

@@ -6,14 +6,14 @@ use crate::expr::Math;
 use crate::expr::Operator;
 use crate::expr::Symbol;
 
-use super::Block;
-use super::Inline;
+use super::super::Block;
+use super::super::Inline;
+use super::super::terms::display::Display;
+use super::super::wording::join;
 use super::derivation::Derivation;
 use super::derivation::Line;
 use super::derivation::Origin;
-use super::display::Display;
 use super::divisors;
-use super::wording::join;
 
 /// The sentence that leads to a line, and the line. Of a law its own reason is said.
 pub(super) fn blocks(display: Display<'_>, derivation: &Derivation, line: &Line) -> Vec<Block> {
@@ -128,4 +128,13 @@ fn where_not_zero(display: Display<'_>, opening: &str, factors: Vec<Expr>) -> Ve
     let mut words = vec![Inline::Text(opening.into())];
     words.extend(join(doubtful.iter().map(differs).collect()));
     words
+}
+
+/// What is said where no formula gives an unknown.
+pub(super) fn by_calculation(display: Display<'_>, unknown: Symbol) -> Block {
+    Block::Paragraph(vec![
+        Inline::Text("No formula gives ".into()),
+        Inline::Math(display.name(unknown)),
+        Inline::Text(", so it is found numerically.".into()),
+    ])
 }

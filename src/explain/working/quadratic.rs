@@ -9,17 +9,16 @@ use crate::expr::Symbol;
 use crate::solve::Move;
 use crate::solve::Step;
 
-use super::Block;
-use super::Inline;
-use super::algebra::positive_first;
-use super::display::Display;
-use super::display::number_math;
-use super::display::printed;
-use super::ledger::Item;
-use super::ledger::Ledger;
-use super::steps::text;
-use super::term::Measured;
-use super::wording::join;
+use super::super::Block;
+use super::super::Inline;
+use super::super::terms::algebra::positive_first;
+use super::super::terms::display::Display;
+use super::super::terms::display::number_math;
+use super::super::terms::display::printed;
+use super::super::terms::ledger::Item;
+use super::super::terms::ledger::Ledger;
+use super::super::terms::term::Measured;
+use super::super::wording::join;
 
 /// One coefficient: its value in its unit, the unit, its size, and the figures to which it is printed.
 struct Coefficient {
@@ -55,14 +54,14 @@ impl Coefficient {
 }
 
 /// A root as the formula for quadratic equations gives it.
-pub(super) struct Taught {
+pub(in crate::explain) struct Taught {
     pub value: Expr,
     /// The coefficient of the square, by which was divided.
     pub leading: Expr,
 }
 
 /// The root of that place of a step whose unknown is found from a quadratic equation; `formula` is how it is computed.
-pub(super) fn root(step: &Step, unknown: Symbol, place: usize, formula: &Expr) -> Option<Taught> {
+pub(in crate::explain) fn root(step: &Step, unknown: Symbol, place: usize, formula: &Expr) -> Option<Taught> {
     step.moves.iter().find_map(|step_move| match step_move {
         Move::Quadratic { unknown: own, a, b, c, .. } if *own == unknown => {
             let root = (b.clone().powi(2) - Expr::integer(4) * a.clone() * c.clone()).sqrt();
@@ -76,7 +75,11 @@ pub(super) fn root(step: &Step, unknown: Symbol, place: usize, formula: &Expr) -
 }
 
 /// The equation with the numbers of its coefficients, and its roots; `None` where a coefficient has no value.
-pub(super) fn solution(display: Display<'_>, unknown: Symbol, coefficients: [&Expr; 3]) -> Option<Vec<Block>> {
+pub(in crate::explain) fn solution(
+    display: Display<'_>,
+    unknown: Symbol,
+    coefficients: [&Expr; 3],
+) -> Option<Vec<Block>> {
     let terms = with_plain_square(coefficients);
     if display.is_free(unknown) {
         return Some(without_zeros(display, unknown, terms));
@@ -97,7 +100,7 @@ pub(super) fn solution(display: Display<'_>, unknown: Symbol, coefficients: [&Ex
         Math::Row(vec![Math::Operator(Operator::Equals), roots(display, unknown, [&a, &b, &c])?]),
     ];
     Some(vec![
-        text("With numbers:"),
+        Block::text("With numbers:"),
         Block::Equation { lines: vec![with_numbers([&square, &name], &a, &b, &c)], number: None },
         Block::Equation { lines, number: None },
     ])
@@ -110,7 +113,7 @@ fn with_plain_square(coefficients: [&Expr; 3]) -> [Expr; 3] {
 }
 
 /// Enters the coefficients and the roots into the ledger of a solution.
-pub(super) fn enter(display: Display<'_>, ledger: &mut Ledger, unknown: Symbol, coefficients: [&Expr; 3]) {
+pub(in crate::explain) fn enter(display: Display<'_>, ledger: &mut Ledger, unknown: Symbol, coefficients: [&Expr; 3]) {
     let terms = with_plain_square(coefficients);
     if !terms.iter().all(|term| display.has_value(term)) {
         return;

@@ -17,23 +17,24 @@ use crate::scene::stage::Partners;
 use crate::solve::Closed;
 use crate::solve::Statement;
 
-use super::Block;
-use super::Inline;
-use super::display::Display;
-use super::display::number_math;
-use super::display::printed;
-use super::display::with_unit;
-use super::script;
-use super::wording::capitalised;
-use super::wording::join;
+use super::super::Block;
+use super::super::Inline;
+use super::super::cache::WayCache;
+use super::super::terms::display::Display;
+use super::super::terms::display::number_math;
+use super::super::terms::display::printed;
+use super::super::terms::display::with_unit;
+use super::super::wording::capitalised;
+use super::super::wording::join;
+use super::super::working::script;
 
 /// Directions of turning, which no axis points to.
 const TURNING: [&str; 2] = ["counter-clockwise", "clockwise"];
 
 /// The section's blocks; none where there is nothing to say.
-pub(super) fn axes(display: Display<'_>) -> Vec<Block> {
+pub(in crate::explain) fn axes(display: Display<'_>, way: &WayCache) -> Vec<Block> {
     let mut blocks: Vec<Block> = directions(display).into_iter().map(Block::Paragraph).collect();
-    let used = display.way.used.get_or_init(|| used(display.worked));
+    let used = way.used.get_or_init(|| used(display.worked));
     let literals = &display.worked.problem.model().literals;
     let told = display.worked.variant.all_given().iter();
     let mut told: Vec<Vec<Inline>> = told

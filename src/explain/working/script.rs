@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use crate::expr::Expr;
 use crate::expr::Math;
-use crate::expr::Operator;
 use crate::expr::Symbol;
 use crate::laws::geometry;
 use crate::model::Because;
@@ -12,26 +11,25 @@ use crate::model::Instance;
 use crate::model::Integral;
 use crate::solve::Closed;
 use crate::solve::Move;
-use crate::solve::Relation;
 use crate::solve::Root;
 use crate::solve::Statement;
 use crate::solve::Step;
 
-use super::Block;
-use super::algebra;
+use super::super::Block;
+use super::super::terms::algebra;
+use super::super::terms::display::Display;
+use super::super::terms::display::has_pieces;
+use super::super::terms::term::Term;
+use super::super::wording::capitalised;
 use super::derivation::Derivation;
 use super::derivation::Line;
 use super::derivation::Origin;
-use super::display::Display;
-use super::display::has_pieces;
+use super::derivation::is_definition;
 use super::sentence;
-use super::steps::text;
-use super::term::Term;
-use super::wording::capitalised;
 
 /// One step, as far as no number changes it.
 #[derive(Debug)]
-pub(super) struct Script {
+pub(in crate::explain) struct Script {
     /// Whether it only gives a given another name, which stands with the givens.
     pub renames: bool,
     /// Its equations in symbols.
@@ -44,7 +42,7 @@ pub(super) struct Script {
 
 /// How an unknown is found.
 #[derive(Debug)]
-pub(super) struct Found {
+pub(in crate::explain) struct Found {
     /// From which equations, and what must not be zero for that.
     pub words: Option<Block>,
     /// What it equals.
@@ -53,7 +51,7 @@ pub(super) struct Found {
 
 /// What an unknown equals.
 #[derive(Debug)]
-pub(super) enum Formula {
+pub(in crate::explain) enum Formula {
     /// The same in every solution; nothing where no formula gives it.
     Fixed(Option<Box<Term>>),
     /// It hangs on the numbers.
@@ -62,7 +60,7 @@ pub(super) enum Formula {
 
 /// A part of what stands before the results of a step.
 #[derive(Debug)]
-pub(super) enum Opening {
+pub(in crate::explain) enum Opening {
     /// A law: its name, why it applies here, and its equation, unless what is found says it at once.
     Law { name: &'static str, reason: Block, equation: Option<Block> },
     /// It is the same in every solution.
@@ -74,7 +72,7 @@ pub(super) enum Opening {
 }
 
 /// The scripts of the steps of the answer plan.
-pub(super) fn scripts(display: Display<'_>) -> Vec<Script> {
+pub(in crate::explain) fn scripts(display: Display<'_>) -> Vec<Script> {
     let mut next = 1;
     let writer = Writer { display };
     display.worked.leaf().answer_steps().iter().map(|step| writer.script(step, &mut next)).collect()
@@ -103,7 +101,7 @@ impl Writer<'_> {
                 Move::Quadratic { .. } => opening.push(Opening::Move(place)),
                 Move::Numeric { .. } if is_stated_piecewise(self.display, step) => opening.push(Opening::Move(place)),
                 Move::Numeric { unknown } if formula_of_equation(self.display, step, *unknown).is_none() => {
-                    opening.extend(written(vec![algebra::by_calculation(self.display, *unknown)]));
+                    opening.extend(written(vec![sentence::by_calculation(self.display, *unknown)]));
                 }
                 _ => {}
             }
@@ -138,7 +136,7 @@ impl Writer<'_> {
         let leaf = self.display.worked.leaf();
         let Some(stated) = leaf.system.equations.get(equation) else { return Vec::new() };
         let Some(instance) = self.display.worked.problem.model().instances.get(stated.tag) else { return Vec::new() };
-        let (name, reason) = (instance.law.name, text(&reason(instance, &stated.statement)));
+        let (name, reason) = (instance.law.name, Block::text(&reason(instance, &stated.statement)));
         if instance.integral.is_none() && closes.is_some_and(|step| is_definition(step, &line.left, &line.right)) {
             return vec![Opening::Law { name, reason, equation: None }];
         }
@@ -180,7 +178,7 @@ fn sides<'a>(display: Display<'a>, step: &Step) -> Option<[&'a Expr; 2]> {
 }
 
 /// What a step calls by another name: the new name, and the given, perhaps with a minus.
-pub(super) fn renamed<'a>(display: Display<'a>, step: &'a Step) -> Option<(Symbol, &'a Expr)> {
+pub(in crate::explain) fn renamed<'a>(display: Display<'a>, step: &'a Step) -> Option<(Symbol, &'a Expr)> {
     let ([equation], [Root { values }]) = (&step.equations[..], &step.roots[..]) else { return None };
     let [(unknown, Closed::Formula(formula))] = &values[..] else { return None };
     let stated = display.worked.leaf().system.equations.get(*equation)?;
@@ -208,23 +206,6 @@ pub(super) fn formula_of_equation(display: Display<'_>, step: &Step, unknown: Sy
     let (factors, rest) = (left - right).simplify().linear_coefficients(&[unknown])?;
     let factor = factors.into_iter().next().filter(|factor| !factor.is_zero())?;
     Some((-rest / factor).simplify())
-}
-
-/// Whether a step only evaluates what its equation already states: `T_1 = ...`.
-pub(super) fn is_definition(step: &Step, left: &Expr, right: &Expr) -> bool {
-    let [Root { values }] = &step.roots[..] else { return false };
-    let [(unknown, Closed::Formula(formula))] = &values[..] else { return false };
-    *left == Expr::from(*unknown) && formula == right
-}
-
-pub(super) fn operator(relation: Relation) -> Operator {
-    match relation {
-        Relation::Less => Operator::Less,
-        Relation::AtMost => Operator::AtMost,
-        Relation::Greater => Operator::Greater,
-        Relation::AtLeast => Operator::AtLeast,
-        Relation::Differs => Operator::Differs,
-    }
 }
 
 /// Why an equation holds, as what stands before it.

@@ -12,13 +12,11 @@ use crate::scene::Stage;
 use crate::solve::Equation;
 use crate::solve::Statement;
 
-use super::Block;
-use super::checks::known;
-use super::display::Display;
-use super::ledger::Item;
-use super::ledger::Ledger;
-use super::steps::text;
-use super::term::Term;
+use super::super::Block;
+use super::super::terms::display::Display;
+use super::super::terms::ledger::Item;
+use super::super::terms::ledger::Ledger;
+use super::super::terms::term::Term;
 
 /// The energy that an impact loses, before the numbers are known.
 pub(super) struct Loss {
@@ -46,7 +44,7 @@ fn loss(display: Display<'_>, equation: &Equation) -> Option<Loss> {
     let phrase = display.worked.problem.model().phrase(&display.worked.problem.loaded().draft.scene, stage);
     (!display.is_open(*lost)).then(|| Loss {
         lost: *lost,
-        words: text(&format!("Kinetic energy lost in {phrase}:")),
+        words: Block::text(&format!("Kinetic energy lost in {phrase}:")),
         difference: display.term(right.clone()),
         formula: formula(display, stage)
             .filter(|formula| display.worked.are_equal(right, formula))
@@ -56,14 +54,14 @@ fn loss(display: Display<'_>, equation: &Equation) -> Option<Loss> {
 
 impl Loss {
     /// Enters the loss into the ledger of a solution.
-    pub(super) fn enter(&self, display: Display<'_>, ledger: &mut Ledger) {
+    pub(in crate::explain) fn enter(&self, display: Display<'_>, ledger: &mut Ledger) {
         for term in [Some(&self.difference), self.formula.as_ref()].into_iter().flatten() {
             display.enter_term(ledger, term, Item::Quantity(self.lost));
         }
     }
 
     /// `T_1 - T_2 = 50.06 J - 16.31 J = 33.75 J`, that it is not negative, and what else it equals.
-    pub(super) fn blocks(&self, display: Display<'_>) -> Option<Vec<Block>> {
+    pub(in crate::explain) fn blocks(&self, display: Display<'_>) -> Option<Vec<Block>> {
         if !self.difference.is_multiple || !self.difference.mentions.iter().all(|symbol| display.has_number(*symbol)) {
             return None;
         }
@@ -75,13 +73,14 @@ impl Loss {
         let result = display.quantity(self.lost);
         let gains = display.worked.variant.value(self.lost).is_some_and(|lost| lost.value < -lost.error);
         if gains {
-            let words = text("It is negative: kinetic energy is gained, so something supplies energy in the impact.");
+            let words =
+                Block::text("It is negative: kinetic energy is gained, so something supplies energy in the impact.");
             return Some(vec![self.words.clone(), equation([sum, vec![equals(), result]].concat()), words]);
         }
         let mut blocks = vec![self.words.clone(), equation([sum, vec![equals(), result]].concat())];
         let lost = display.worked.closeness_to_zero(&self.difference.expr);
         let is_elastic = lost.is_equal();
-        blocks.push(text(match (lost, &self.formula) {
+        blocks.push(Block::text(match (lost, &self.formula) {
             (Closeness::Exact, _) => "None is lost: the impact is elastic.",
             (Closeness::WithinData, _) => "Within the precision of the data none is lost: the impact is elastic.",
             (_, None) => "It is not negative, as it must be where nothing supplies energy.",
@@ -118,7 +117,7 @@ fn formula(display: Display<'_>, stage: usize) -> Option<Expr> {
         worked.problem.model().symbol_of(&written.unwrap_or_else(|| format!("m_{body}")))
     };
     let [a, b] = [Expr::from(mass(first)?), Expr::from(mass(second)?)];
-    let known = known(display);
+    let known = display.known_to_the_reader();
     let is_known = [&a, &b, approach].into_iter().all(|term| term.symbols().is_subset(&known));
     if !is_known || !known.contains(coefficient) {
         return None;

@@ -1,0 +1,71 @@
+//! What other rooms ask about a variant besides its solution: its figures, its answers as they are printed, and whether its lines
+//! come out.
+
+use crate::expr::Math;
+use crate::figure::Drawing;
+use crate::problem::FormulaPart;
+use crate::problem::NumberPart;
+use crate::problem::Sampler;
+use crate::problem::Variant;
+use crate::problem::Worked;
+
+use super::cache::SolutionCache;
+use super::computed;
+use super::pictures;
+use super::pictures::Quantities;
+use super::pictures::Scope;
+use super::terms::display::Display;
+use super::terms::display::Shown;
+use super::terms::printed;
+
+/// The answers to a part as they are printed, with their unit: one, or every root.
+#[must_use]
+pub fn printed_answers(worked: Worked<'_>, number: &NumberPart) -> Vec<Math> {
+    let cache = SolutionCache::of(worked);
+    let display = Display { worked, manners: &cache.way(worked).manners, shown: &Shown::default() };
+    worked.answers(number).into_iter().map(|answer| printed::answer(display, number, answer)).collect()
+}
+
+/// A formula as it is printed.
+#[must_use]
+pub fn printed_formula(worked: Worked<'_>, part: &FormulaPart) -> Option<Math> {
+    let cache = SolutionCache::of(worked);
+    printed::formula(Display { worked, manners: &cache.way(worked).manners, shown: &Shown::default() }, part)
+}
+
+/// How many results of a variant's worked solution do not come out of the numbers printed before them.
+#[must_use]
+pub fn lines_out(worked: Worked<'_>) -> usize {
+    let cache = SolutionCache::of(worked);
+    let shown = Shown::default();
+    let way = cache.way(worked);
+    computed::figures(Display { worked, manners: &way.manners, shown: &shown }, way).stubborn.len()
+}
+
+/// The figures of the worked solution: the diagrams of every stage, or of the single instant.
+pub(super) fn solution_figures(worked: Worked<'_>) -> Vec<Drawing> {
+    let sibling = solved_sibling(worked);
+    let worked = sibling.as_ref().and_then(|variant| Worked::new(worked.problem, variant)).unwrap_or(worked);
+    let cache = SolutionCache::of(worked);
+    let way = cache.way(worked);
+    pictures::solution(&Quantities::new(worked, Scope::Solved, &way.manners, &way.pictures))
+}
+
+/// The same numbers in a form that solves something, for a form that only asks for concepts and has nothing to draw.
+fn solved_sibling(worked: Worked<'_>) -> Option<Variant> {
+    if worked.form.wanted().next().is_some() {
+        return None;
+    }
+    let forms = worked.problem.forms();
+    let solving = forms.iter().position(|form| form.reveal.is_empty() && form.wanted().next().is_some())?;
+    let mut sampler = Sampler::new(worked.problem, solving).ok()?;
+    sampler.with_values(worked.variant.seed().unwrap_or(0), worked.variant.all_given()).ok()
+}
+
+/// The figure of the problem sheet, which shows only what is given; none where that is no more than outlines of bodies.
+#[must_use]
+pub fn situation(worked: Worked<'_>) -> Option<Drawing> {
+    let cache = SolutionCache::of(worked);
+    let way = cache.way(worked);
+    pictures::situation(&Quantities::new(worked, Scope::Given, &way.manners, &way.pictures))
+}

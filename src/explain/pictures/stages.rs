@@ -1,0 +1,187 @@
+//! What is drawn of each kind of stage: on the problem sheet, in the solution, and in its diagram of momenta.
+
+use crate::figure::Drawing;
+use crate::scene::Force;
+use crate::scene::Plane;
+use crate::scene::Stage;
+use crate::scene::Strength;
+use crate::scene::stage::Ends;
+use crate::scene::stage::Partners;
+use crate::scene::stage::Push;
+
+use super::angular;
+use super::arm;
+use super::compass::Compass;
+use super::flow;
+use super::moment;
+use super::momentum;
+use super::participants::Arrows;
+use super::participants::Drawn;
+use super::participants::Participant;
+use super::plot;
+use super::quantities::Quantities;
+use super::sheet;
+use super::snapshot;
+use super::string;
+
+/// The figure of the problem sheet, by what happens first; none where nothing that is given can be drawn.
+pub(super) fn sheet(quantities: &Quantities<'_>, compass: &Compass) -> Option<Drawing> {
+    match quantities.scene().stages.first() {
+        None | Some(Stage::Interact(_)) => snapshot::drawing(quantities, compass),
+        Some(Stage::Impact(impact)) => sheet::contact::drawing(quantities, compass, impact)
+            .or_else(|| sheet::line::drawing(quantities, compass, 0)),
+        Some(Stage::Push(push)) if is_graph(push) => plot::force_plot(quantities, 0),
+        Some(Stage::Push(_)) => {
+            snapshot::in_space(quantities, compass).or_else(|| sheet::line::drawing(quantities, compass, 0))
+        }
+        Some(Stage::Slide(slide)) if slide.is_ramp() => Some(sheet::ramp::drawing(quantities, compass, 0, slide)),
+        Some(Stage::Taut(taut)) if taut.over.is_some() => Some(sheet::pulley::taut(quantities, 0, taut)),
+        Some(
+            Stage::Slide(_)
+            | Stage::Spring(_)
+            | Stage::Taut(_)
+            | Stage::Tow(_)
+            | Stage::Blow(_)
+            | Stage::Motion(_)
+            | Stage::Separate(_)
+            | Stage::Drift(_),
+        ) => sheet::line::drawing(quantities, compass, 0),
+        Some(Stage::Flight(flight)) => {
+            sheet::flight::drawing(quantities, compass, flight).or_else(|| sheet::line::drawing(quantities, compass, 0))
+        }
+        Some(Stage::Rotate(rotate)) => sheet::central::on_arm(quantities, rotate),
+        Some(Stage::Central(stage)) => sheet::central::under_force(quantities, stage),
+        Some(Stage::Swing(swing)) => Some(sheet::swing::drawing(quantities, compass, 0, swing)),
+        Some(Stage::Connected(connected)) => Some(sheet::pulley::connected(quantities, 0, connected)),
+        Some(Stage::SlideOff(slide)) => Some(sheet::ride::slide(quantities, compass, slide)),
+        Some(Stage::Walk(walk)) => sheet::ride::walk(quantities, compass, 0, walk),
+        Some(Stage::Moment(stage)) => Some(moment::sheet(quantities, compass, stage)),
+        Some(Stage::Strike(stage)) => Some(arm::strike_sheet(quantities, stage)),
+        Some(Stage::Conical(stage)) => Some(sheet::revolution::conical(quantities, stage)),
+        Some(Stage::Bowl(stage)) => Some(sheet::revolution::bowl(quantities, stage)),
+        Some(Stage::Fall(fall)) => sheet::fall::drawing(quantities, compass, fall),
+        Some(Stage::Stream(stream)) => sheet::stream::drawing(quantities, compass, 0, stream),
+        Some(Stage::Thrust(thrust)) => sheet::stream::rocket(quantities, compass, 0, thrust),
+        Some(Stage::Bounces(bounces)) => sheet::fall::bouncing(quantities, bounces),
+    }
+}
+
+/// The figures of a stage in the worked solution.
+pub(super) fn solution(
+    quantities: &Quantities<'_>,
+    compass: &Compass,
+    index: usize,
+    stage: &Stage,
+) -> Vec<Option<Drawing>> {
+    let stages = &quantities.scene().stages;
+    let momenta = || momentum::diagram(quantities, compass, index, &drawn(stage));
+    match stage {
+        Stage::Rotate(rotate) if rotate.is_arm() => vec![arm::rotation(quantities, index, rotate)],
+        Stage::Rotate(rotate) => vec![angular::rotation(quantities, index, rotate)],
+        Stage::Strike(strike) => vec![arm::strike(quantities, index, strike)],
+        Stage::Conical(conical) => vec![Some(angular::conical(quantities, index, conical))],
+        Stage::Bowl(bowl) => vec![Some(angular::bowl(quantities, index, bowl))],
+        Stage::Moment(moment) => vec![moment::diagram(quantities, compass, index, moment)],
+        Stage::Central(central) => vec![Some(angular::central(quantities, index, central))],
+        Stage::Bounces(bounces) => vec![sheet::fall::bouncing(quantities, bounces)],
+        Stage::Push(_) => {
+            let plot = plot::force_plot(quantities, index);
+            let place = snapshot::in_space(quantities, compass).filter(|_| index == 0);
+            [place, plot, momenta()].into_iter().collect()
+        }
+        Stage::Slide(slide) if slide.is_ramp() => vec![Some(sheet::ramp::drawing(quantities, compass, index, slide))],
+        Stage::Swing(swing) => vec![Some(sheet::swing::drawing(quantities, compass, index, swing))],
+        Stage::Connected(connected) => vec![string::diagram(quantities, index, connected)],
+        Stage::Stream(stream) => vec![
+            sheet::stream::drawing(quantities, compass, index, stream),
+            flow::arriving(quantities, compass, index, stream),
+        ],
+        Stage::Thrust(thrust) => {
+            [sheet::stream::rocket(quantities, compass, index, thrust), flow::leaving(quantities, compass, thrust)]
+                .to_vec()
+        }
+        // What a ball gains before it bounces on is not asked for; the figure of the bounces shows its fall.
+        Stage::Fall(_) if matches!(stages.get(index + 1), Some(Stage::Bounces(_))) => Vec::new(),
+        Stage::Walk(walk) => vec![sheet::ride::walk(quantities, compass, index, walk)],
+        Stage::Interact(own) if own.at_rest => vec![snapshot::displacements(quantities, compass, index, &own.between)],
+        Stage::Drift(_) => Vec::new(),
+        Stage::Flight(_) if quantities.scene().plane == Plane::Horizontal => Vec::new(),
+        Stage::Impact(_)
+        | Stage::Spring(_)
+        | Stage::Taut(_)
+        | Stage::Tow(_)
+        | Stage::Blow(_)
+        | Stage::Motion(_)
+        | Stage::Fall(_)
+        | Stage::Separate(_)
+        | Stage::Slide(_)
+        | Stage::SlideOff(_)
+        | Stage::Interact(_)
+        | Stage::Flight(_) => {
+            vec![momenta()]
+        }
+    }
+}
+
+/// Who takes part in the diagram of momenta of a stage, and how.
+fn drawn(stage: &Stage) -> Drawn {
+    let alone = |body: &str| vec![Participant::alone(body)];
+    let several = |bodies: &[String]| bodies.iter().map(|body| Participant::alone(body)).collect();
+    let drawn = |participants, arrows| Drawn { participants, arrows, mutual: false };
+    match stage {
+        Stage::Impact(impact) => {
+            let participants = match impact.partners() {
+                Some(Partners::Bodies(first, second)) => {
+                    let after = |body| Participant::between(body, body, impact.becomes.as_deref().unwrap_or(body));
+                    [first, second].map(after).to_vec()
+                }
+                Some(Partners::Surface(body, _)) => alone(body),
+                None => Vec::new(),
+            };
+            Drawn { participants, arrows: Arrows::Impulses, mutual: impact.between.is_some() }
+        }
+        Stage::Separate(separate) => {
+            let before = |part| Participant::between(part, separate.from.as_deref().unwrap_or(part), part);
+            let participants = separate.into.iter().map(|part| before(part)).collect();
+            Drawn { participants, arrows: Arrows::Impulses, mutual: true }
+        }
+        Stage::Spring(own) => match own.ends() {
+            Some(Ends::Free(first, second)) => {
+                let participants = [first, second].map(Participant::alone).to_vec();
+                Drawn { participants, arrows: Arrows::Impulses, mutual: true }
+            }
+            Some(Ends::Fixed(body)) => drawn(alone(body), Arrows::Resultant),
+            None => drawn(Vec::new(), Arrows::Resultant),
+        },
+        Stage::Taut(own) => Drawn { mutual: own.over.is_none(), ..drawn(several(&own.between), Arrows::Impulses) },
+        Stage::Flight(own) => drawn(own.flying().map(Participant::alone).collect(), Arrows::Weight),
+        Stage::Fall(own) => drawn(alone(&own.body), Arrows::Weight),
+        Stage::Interact(own) => drawn(several(&own.between), Arrows::Resultant),
+        Stage::SlideOff(own) => {
+            drawn([&own.body, &own.on].map(|body| Participant::alone(body)).to_vec(), Arrows::Resultant)
+        }
+        Stage::Push(own) => drawn(alone(&own.body), Arrows::Forces),
+        Stage::Slide(own) => drawn(alone(&own.body), Arrows::Forces),
+        Stage::Tow(own) => drawn(own.both().map(|own| Participant::alone(&own.body)).to_vec(), Arrows::Forces),
+        Stage::Blow(own) => drawn(alone(&own.body), Arrows::Impulses),
+        Stage::Motion(own) => drawn(alone(&own.body), Arrows::Impulses),
+        Stage::Swing(_)
+        | Stage::Connected(_)
+        | Stage::Rotate(_)
+        | Stage::Moment(_)
+        | Stage::Strike(_)
+        | Stage::Conical(_)
+        | Stage::Bowl(_)
+        | Stage::Central(_)
+        | Stage::Bounces(_)
+        | Stage::Stream(_)
+        | Stage::Thrust(_)
+        | Stage::Drift(_)
+        | Stage::Walk(_) => drawn(Vec::new(), Arrows::Impulses),
+    }
+}
+
+/// Whether a force is read from a graph, which the figure has to show.
+fn is_graph(push: &Push) -> bool {
+    push.forces.iter().any(|force| matches!(force, Force::Pull(pull) if matches!(pull.value, Strength::Graph(_))))
+}

@@ -1,0 +1,85 @@
+//! The section on momentum and impulse: the figures, what acts, what is left out and why.
+
+use crate::model::Omitted;
+use crate::problem::PartKind;
+use crate::problem::Worked;
+use crate::scene::Stage;
+use crate::scene::stage::Impact;
+
+use super::super::Block;
+use super::super::Inline;
+use super::super::asked::solution_figures;
+use super::super::cache::WayCache;
+use super::super::terms::display::Display;
+use super::super::wording::capitalised;
+use super::stage_words::acting;
+
+/// The section's blocks; none where nothing happens in the scene.
+pub(in crate::explain) fn diagrams(display: Display<'_>, way: &WayCache) -> Vec<Block> {
+    let worked = display.worked;
+    let mut blocks: Vec<Block> =
+        solution_figures(worked).into_iter().map(|drawing| Block::Figure(Box::new(drawing))).collect();
+    blocks.extend_from_slice(way.acting.get_or_init(|| sentences(worked)));
+    blocks.extend(neglected(worked));
+    blocks.extend(why_not_energy(worked));
+    blocks
+}
+
+/// How much of the change of momentum is left out, where that is worth a word.
+fn neglected(worked: Worked<'_>) -> impl Iterator<Item = Block> {
+    let scene = &worked.problem.loaded().draft.scene;
+    worked.neglected().into_iter().map(move |(weight, share)| {
+        Block::text(&format!(
+            "In {} the impulse of weight, which is neglected, is {:.1} % of the change of momentum of {}.",
+            worked.problem.model().phrase(scene, weight.stage),
+            100.0 * share,
+            scene.called(&weight.on)
+        ))
+    })
+}
+
+/// What acts in each stage, and what is left out.
+fn sentences(worked: Worked<'_>) -> Vec<Block> {
+    let scene = &worked.problem.loaded().draft.scene;
+    let model = worked.problem.model();
+    let acting = scene.stages.iter().enumerate().filter_map(|(index, stage)| acting(model, scene, index, stage));
+    let mut blocks: Vec<Block> = acting.map(|sentence| Block::text(&sentence)).collect();
+    for (heading, kind) in [("Neglected:", Omitted::Neglected), ("Not needed:", Omitted::NotNeeded)] {
+        let of_kind = model.omissions.iter().filter(|omission| omission.kind == kind);
+        let items: Vec<Vec<Inline>> = of_kind
+            .map(|omission| vec![Inline::Text(format!("{}, because {}.", capitalised(&omission.what), omission.why))])
+            .collect();
+        if !items.is_empty() {
+            blocks.extend([Block::text(heading), Block::List(items)]);
+        }
+    }
+    blocks
+}
+
+/// Why momentum serves where energy does not, in a scene with an impact that loses energy.
+fn why_not_energy(worked: Worked<'_>) -> Option<Block> {
+    let scene = &worked.problem.loaded().draft.scene;
+    let symbols = &worked.problem.model().symbols;
+    let is_one = |e: &str| {
+        let given = worked.variant.all_given().iter();
+        e == "1"
+            || given.into_iter().any(|(own, value, _)| symbols.entry(*own).name == e && value.to_rational().is_one())
+    };
+    let loses = |impact: &Impact| impact.plastic || impact.restitution.as_ref().is_some_and(|e| !is_one(e.0.trim()));
+    let lossy = scene.stages.iter().filter(|stage| matches!(stage, Stage::Impact(impact) if loses(impact)));
+    let impacts = match lossy.count() {
+        0 => return None,
+        1 => "impact",
+        _ => "impacts",
+    };
+    let is_energy = |symbol| worked.problem.model().name(symbol).kind.is_kinetic_energy();
+    let told_energy = worked.variant.all_given().iter().any(|(symbol, ..)| is_energy(*symbol));
+    let found = worked.form.parts.iter().filter(|part| !matches!(part.kind, PartKind::Choice(_)));
+    let on_energy = found.flat_map(|part| part.kind.wanted()).any(is_energy);
+    (!told_energy).then(|| {
+        let afterwards = if on_energy { " The energy is worked out afterwards, from the velocities." } else { "" };
+        Block::text(&format!(
+            "Why momentum and not energy: kinetic energy is lost in the {impacts}, and how much is not known beforehand.{afterwards}"
+        ))
+    })
+}

@@ -1,0 +1,42 @@
+//! The answer to a question for a range: the interval, its boundary, and the trial that tells the side.
+
+use crate::expr::Expr;
+use crate::expr::Math;
+use crate::expr::Operator;
+use crate::problem::Part;
+use crate::problem::RangePart;
+
+use super::super::Inline;
+use super::super::terms::display::Display;
+use super::super::terms::display::number_math;
+use super::super::terms::display::printed;
+use super::super::terms::display::with_unit;
+use super::super::terms::printed::chain;
+
+/// The answer in a sentence, with the reason for the side.
+pub(in crate::explain) fn sentence(display: Display<'_>, part: &Part, range: &RangePart) -> Vec<Inline> {
+    let Some(interval) = display.worked.interval(range) else { return Vec::new() };
+    let name = || display.name(range.number.symbol);
+    let claim = &range.claim;
+    let at = with_unit(Math::Number(interval.trial.at.to_f64().to_string()), &range.number.plain_unit());
+    let unit = match &claim.left {
+        Expr::Symbol(symbol) => display.unit(*symbol).clone(),
+        term => display.unit_of(term),
+    };
+    let left = with_unit(number_math(printed(interval.trial.left / unit.factor().to_f64(), 3)), &unit);
+    let side = if interval.low.is_some_and(|low| !low.own) { "above" } else { "below" };
+    let right = display.symbolic(&claim.right);
+    vec![
+        Inline::Text(format!("{} ", part.label)),
+        Inline::Math(chain(range, name(), &interval)),
+        Inline::Text(". On the boundary ".into()),
+        Inline::Math(display.equation(&claim.left, &claim.right)),
+        Inline::Text("; with ".into()),
+        Inline::Math(Math::relation(name(), Operator::Equals, at)),
+        Inline::Text(format!(", {side} it, ")),
+        Inline::Math(Math::relation(display.symbolic(&claim.left), Operator::Equals, left)),
+        Inline::Text(", so that ".into()),
+        Inline::Math(Math::relation(display.symbolic(&claim.left), claim.relation.operator(), right)),
+        Inline::Text(" holds on that side and not on the other.".into()),
+    ]
+}

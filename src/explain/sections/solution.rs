@@ -1,0 +1,146 @@
+//! The worked solution: five sections for everyone, and one for the instructor.
+
+use crate::problem::Worked;
+
+use super::super::Audience;
+use super::super::Block;
+use super::super::Inline;
+use super::super::Outline;
+use super::super::Section;
+use super::super::cache::SolutionCache;
+use super::super::cache::WayCache;
+use super::super::computed;
+use super::super::terms::display::Display;
+use super::super::terms::display::Shown;
+use super::super::wording::capitalised;
+use super::super::wording::list;
+use super::super::working::steps::Detail;
+use super::super::working::steps::Steps;
+use super::super::working::steps::WITHOUT_ZEROS;
+use super::answers;
+use super::axes;
+use super::diagrams;
+use super::instructor;
+use super::stage_words::happening;
+
+/// The worked solution of a variant, with a last section where instructors read it.
+#[must_use]
+pub fn solution(worked: Worked<'_>, audience: Audience) -> Outline {
+    let cache = SolutionCache::of(worked);
+    let shown = Shown::default();
+    let way = cache.way(worked);
+    let display = Display { worked, manners: &way.manners, shown: &shown };
+    shown.figures.get_or_init(|| computed::figures(display, way));
+    let answers = answers::answers(display);
+    let checks = way.checks(display).blocks(display);
+    let closing = if checks.is_empty() { "Answer" } else { "Answer and check" };
+    let mut sections = vec![
+        section("System", way.system.get_or_init(|| system(worked)).clone()),
+        acting(display, way),
+        section("Axes and what is given", axes::axes(display, way)),
+        section("Laws", laws(display, way, Detail::Full)),
+        section(closing, answers.into_iter().chain(checks).collect()),
+    ];
+    sections.retain(|section| !section.blocks.is_empty());
+    if audience == Audience::Instructor {
+        sections.push(Section { audience, ..section("Certificate and equations used", instructor::notes(display)) });
+    }
+    Outline { title: worked.problem.title().to_owned(), sections }
+}
+
+/// What acts, with its diagrams where there are any.
+fn acting(display: Display<'_>, way: &WayCache) -> Section {
+    let blocks = diagrams::diagrams(display, way);
+    let drawn = blocks.iter().any(|block| matches!(block, Block::Figure(_)));
+    section(if drawn { "Momentum and impulse diagrams" } else { "Forces and impulses" }, blocks)
+}
+
+/// The worked solution on one page: what is given, the laws with their equations, the values found, and the answers.
+#[must_use]
+pub fn brief(worked: Worked<'_>) -> Outline {
+    let cache = SolutionCache::of(worked);
+    let shown = Shown::default();
+    let way = cache.way(worked);
+    let display = Display { worked, manners: &way.manners, shown: &shown };
+    shown.figures.get_or_init(|| computed::figures(display, way));
+    let mut sections = vec![
+        section("Axes and what is given", axes::axes(display, way)),
+        section("Laws", laws(display, way, Detail::Brief)),
+        section("Answer", answers::answers(display)),
+    ];
+    sections.retain(|section| !section.blocks.is_empty());
+    Outline { title: worked.problem.title().to_owned(), sections }
+}
+
+fn section(heading: &str, blocks: Vec<Block>) -> Section {
+    Section { heading: heading.to_owned(), audience: Audience::Everyone, blocks }
+}
+
+/// Who belongs to the system, and from when to when it is looked at.
+fn system(worked: Worked<'_>) -> Vec<Block> {
+    let scene = &worked.problem.loaded().draft.scene;
+    // What comes apart belongs to the system as its parts.
+    let whole = |body: &String| !scene.division_of(body).is_empty();
+    let names: Vec<String> =
+        scene.bodies.iter().filter(|(own, _)| !whole(own)).map(|(_, body)| body.name.clone()).collect();
+    let together = if names.len() > 1 { " together" } else { "" };
+    let who = capitalised(&format!("{}{together}", list(&names)));
+    let last = worked.problem.model().when(scene, scene.stages.len() + 1);
+    let when = if scene.stages.is_empty() {
+        "at one instant".to_owned()
+    } else if worked.problem.model().when(scene, 1) == last {
+        last
+    } else {
+        let last = scene.stages.len() + 1;
+        format!(
+            "{} (1) and {} ({last})",
+            worked.problem.model().when(scene, 1),
+            worked.problem.model().when(scene, last)
+        )
+    };
+    let mut blocks = vec![Block::text(&format!("{who}, {when}."))];
+    if scene.stages.len() > 1 {
+        let rows = scene.stages.iter().enumerate().map(|(index, stage)| {
+            let phrase = worked.problem.model().phrase(scene, index);
+            vec![Inline::Text(format!(
+                "From ({}) to ({}): {}.",
+                index + 1,
+                index + 2,
+                happening(scene, stage, &phrase)
+            ))]
+        });
+        blocks.push(Block::List(rows.collect()));
+    }
+    blocks
+}
+
+/// The steps of the answer plan.
+fn laws(display: Display<'_>, way: &WayCache, detail: Detail) -> Vec<Block> {
+    let worked = display.worked;
+    let mut steps = Steps::new(display, detail);
+    let scripts = way.scripts(display);
+    let mut blocks = Vec::new();
+    if let [first, ..] = &worked.leaf().words[..] {
+        blocks.push(Block::text(&format!("{}.", capitalised(first))));
+    }
+    for (position, (step, script)) in worked.leaf().answer_steps().iter().zip(scripts).enumerate() {
+        blocks.extend(steps.step(position, step, script));
+    }
+    without_repetition(blocks)
+}
+
+/// Leaves out a sentence that says of the next equation what was just said of the one before.
+fn without_repetition(blocks: Vec<Block>) -> Vec<Block> {
+    let mut said: Option<usize> = None;
+    let mut kept: Vec<Block> = Vec::with_capacity(blocks.len());
+    for block in blocks {
+        if matches!(block, Block::Paragraph(_)) && block != Block::text(WITHOUT_ZEROS) {
+            if said.and_then(|place| kept.get(place)) == Some(&block) {
+                continue;
+            }
+            said = Some(kept.len());
+        }
+        kept.push(block);
+    }
+    kept
+}

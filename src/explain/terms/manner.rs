@@ -1,0 +1,52 @@
+//! How each quantity is shown, whatever its value: worked out once for all variants that go the same way.
+
+use std::sync::OnceLock;
+
+use crate::expr::Math;
+use crate::expr::Symbol;
+use crate::problem::Worked;
+use crate::scene::Senses;
+
+use super::letters::Letters;
+use super::term::Measured;
+
+/// How the quantities of one way are shown.
+#[derive(Default)]
+pub(in crate::explain) struct Manners {
+    letters: OnceLock<Letters>,
+    /// One for each symbol of the model.
+    each: Vec<OnceLock<Manner>>,
+}
+
+/// How a quantity is shown, whatever its value.
+pub(in crate::explain) struct Manner {
+    /// The unit in which explanations compute with it.
+    pub measured: Measured,
+    /// Its name; nothing for a number that the author wrote into a term.
+    pub name: Option<Math>,
+    /// The words for the two directions between which its sign decides.
+    pub senses: Option<Senses>,
+    /// The quantity that it always equals, and whether with the other sign.
+    pub equals: Option<(Symbol, bool)>,
+    /// The plain fraction that it always is.
+    pub constant: Option<Math>,
+    /// Whether it is found by counting.
+    pub is_whole: bool,
+}
+
+impl Manners {
+    pub(in crate::explain) fn new(worked: Worked<'_>) -> Self {
+        let symbols = worked.problem.model().symbols.len();
+        Self { letters: OnceLock::new(), each: (0..symbols).map(|_| OnceLock::new()).collect() }
+    }
+
+    /// What is shown in letters that the sheet leaves open.
+    pub(super) fn letters(&self, worked: Worked<'_>) -> &Letters {
+        self.letters.get_or_init(|| Letters::of(worked))
+    }
+
+    /// How a quantity is shown.
+    pub(in crate::explain) fn of(&self, symbol: Symbol, find: impl FnOnce() -> Manner) -> &Manner {
+        self.each[symbol.index()].get_or_init(find)
+    }
+}

@@ -1,0 +1,94 @@
+//! Answers as they are printed: numbers, vectors, formulas and intervals, each with its unit.
+
+use std::sync::Arc;
+
+use crate::expr::Math;
+use crate::expr::Operator;
+use crate::problem::AskedUnit;
+use crate::problem::End;
+use crate::problem::FormulaPart;
+use crate::problem::Interval;
+use crate::problem::NumberPart;
+use crate::problem::RangePart;
+use crate::problem::VectorPart;
+use crate::problem::Worked;
+use crate::quantity::Printed;
+use crate::solve::Bounded;
+
+use super::algebra::positive_first;
+use super::display::Display;
+use super::display::number_math;
+use super::display::with_unit;
+
+/// A value to the figures that are asked.
+pub(in crate::explain) fn shown(number: &NumberPart, value: f64) -> Math {
+    if number.whole {
+        return Math::Number(format!("{value:.0}"));
+    }
+    Printed::new(value, number.figures).map_or(Math::Text("?".into()), |printed| number_math(printed.plain()))
+}
+
+/// An answer as it is printed, with its unit.
+pub(in crate::explain) fn answer(display: Display<'_>, number: &NumberPart, answer: Bounded) -> Math {
+    let shown = |value: f64| shown(number, value);
+    match &number.unit {
+        AskedUnit::Unit(_) => display.in_unit_of(number, shown(answer.for_print())),
+        AskedUnit::InTermsOf(_) if answer.is_zero() => shown(0.0),
+        AskedUnit::InTermsOf(symbol) => {
+            Math::Row(vec![shown(answer.for_print()), Math::Operator(Operator::Juxtapose), display.name(*symbol)])
+        }
+    }
+}
+
+/// A formula as it is printed.
+pub(in crate::explain) fn formula(display: Display<'_>, part: &FormulaPart) -> Option<Math> {
+    let formula = display.worked.formula(part)?;
+    Some(display.symbolic(&positive_first(&formula)))
+}
+
+/// A vector as it is printed: its components in brackets, and their unit.
+#[must_use]
+pub fn printed_vector(worked: Worked<'_>, vector: &VectorPart) -> Math {
+    let mut row = Vec::new();
+    for (index, number) in vector.components.iter().enumerate() {
+        row.extend((index > 0).then(|| Math::Text(",\u{a0}".into())));
+        row.push(shown(number, worked.answer(number).for_print()));
+    }
+    let bracketed = Math::Bracketed(Arc::new(Math::Row(row)));
+    match vector.components.first().map(|first| &first.unit) {
+        Some(AskedUnit::Unit(unit)) => with_unit(bracketed, unit),
+        Some(AskedUnit::InTermsOf(symbol)) => {
+            let name = worked.problem.math_of(*symbol);
+            Math::Row(vec![bracketed, Math::Operator(Operator::Juxtapose), name])
+        }
+        None => bracketed,
+    }
+}
+
+/// An interval as it is printed: `0.25 < e <= 1`; nothing where a variant has none.
+#[must_use]
+pub fn printed_range(worked: Worked<'_>, range: &RangePart) -> Option<Math> {
+    let name = worked.problem.math_of(range.number.symbol);
+    Some(chain(range, name, &worked.interval(range)?))
+}
+
+/// An interval with the name of its quantity.
+pub(in crate::explain) fn chain(range: &RangePart, name: Math, interval: &Interval) -> Math {
+    let value = |end: &End| {
+        let value = end.value.for_print();
+        let number = if end.own { Math::Number(value.to_string()) } else { shown(&range.number, value) };
+        with_unit(number, &range.number.plain_unit())
+    };
+    let below = |end: &End| Math::Operator(if end.closed { Operator::AtMost } else { Operator::Less });
+    match (&interval.low, &interval.high) {
+        (Some(low), None) => {
+            Math::relation(name, if low.closed { Operator::AtLeast } else { Operator::Greater }, value(low))
+        }
+        (low, high) => {
+            let mut row = low.iter().flat_map(|low| [value(low), below(low)]).collect::<Vec<_>>();
+            row.push(name);
+            row.extend(high.iter().flat_map(|high| [below(high), value(high)]));
+            Math::Row(row)
+        }
+    }
+}

@@ -1,0 +1,9 @@
+//! How the unknowns are found: equations, reasons and moves of algebra, with the numbers of a variant.
+
+pub(super) mod counting;
+pub(super) mod derivation;
+pub(super) mod divisors;
+pub(super) mod quadratic;
+pub(super) mod script;
+pub(super) mod sentence;
+pub(super) mod steps;
