@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use crate::problem::Problem;
 use crate::simulate::scene::NothingToSimulate;
-use crate::simulate::scene::Way;
+use crate::simulate::scene::Procedure;
 use crate::witness::Portion;
 use crate::witness::Simulated;
 
@@ -27,7 +27,7 @@ pub(super) fn agrees(problem: &Problem, form: usize, seeds: u64) -> (Outcome, Si
             return (Outcome::Broken(said), simulated);
         }
     }
-    simulated.ways = ways.into_iter().map(Way::called).collect();
+    simulated.ways = ways.into_iter().map(Procedure::called).collect();
     let nothing = reason.unwrap_or(NothingToSimulate::NothingSolved).reason();
     let outcome = match (simulated.witnessed.is_empty(), simulated.unseen.is_empty()) {
         _ if simulated.seeds == 0 => Outcome::NotChecked("nothing was drawn"),

@@ -65,7 +65,7 @@ pub(super) fn certified(columns: &[Column<'_>]) -> Outcome {
         let share = column.share(|answer| answer.value.error.is_nan() || answer.value.error > allowed);
         (share > 0.0 && !column.whole).then(|| format!("`{}` has no small bound in {}", column.id, percent(share)))
     };
-    broken(&said(columns, loose))
+    broken(&columns_in_words(columns, loose))
 }
 
 /// Nothing is the same for every seed, where seeds differ at all.
@@ -77,7 +77,7 @@ pub(super) fn varies(columns: &[Column<'_>], variants: usize) -> Outcome {
         let printed = column.answers.first()?.printed.as_str();
         (column.distinct() == 1).then(|| format!("`{}` is always {printed}", column.id))
     };
-    broken(&said(columns, constant))
+    broken(&columns_in_words(columns, constant))
 }
 
 /// A zero is rare, unless it is always there, which is a constant.
@@ -149,7 +149,7 @@ pub(super) fn spreads(parts: &[Part], symbols: &SymbolTable, samples: &Samples) 
 }
 
 /// What there is to say of columns.
-fn said(columns: &[Column<'_>], of: impl Fn(&Column<'_>) -> Option<String>) -> Vec<String> {
+fn columns_in_words(columns: &[Column<'_>], of: impl Fn(&Column<'_>) -> Option<String>) -> Vec<String> {
     columns.iter().filter_map(of).collect()
 }
 

@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use crate::grade::Attempts;
+use crate::grade::FeedbackTime;
 use crate::grade::Keep;
-use crate::grade::Told;
 
 use super::moment::Moment;
 use super::share::Share;
@@ -96,8 +96,8 @@ impl Policy {
             further_hint: self.further_penalty.fraction().clone(),
             keep: Keep::Best,
             told: match self.verdicts {
-                Release::AtOnce => Told::AtOnce,
-                Release::AtClose => Told::Later,
+                Release::AtOnce => FeedbackTime::AtOnce,
+                Release::AtClose => FeedbackTime::Later,
             },
         }
     }

@@ -1,10 +1,10 @@
 //! Marking several attempts of one student at one variant.
 
 use crate::grade::DecimalMark;
+use crate::grade::FeedbackTime;
 use crate::grade::History;
 use crate::grade::Report;
 use crate::grade::Seen;
-use crate::grade::Told;
 use crate::grade::Typed;
 use crate::problem::Part;
 use crate::problem::Worked;
@@ -68,7 +68,7 @@ impl Marker {
             let text = answers.iter().find(|(id, _)| *id == part.id).map_or("", |(_, text)| *text);
             let further = further.iter().find(|(id, _)| *id == part.id).map_or(0, |(_, count)| *count);
             // Whether a formula can be judged tells something of the right one.
-            let by_reading = rules.told == Told::Later && !text.trim().is_empty();
+            let by_reading = rules.told == FeedbackTime::Later && !text.trim().is_empty();
             let readable = by_reading.then(|| matches!(echo(worked, part, text, self.mark), Some(Ok(_))));
             Typed { text, seen: Seen { hints: own.hints, further }, readable }
         };

@@ -40,7 +40,7 @@ impl Rules<'_> {
                 Some(problem::Keep::Last) => grade::Keep::Last,
                 Some(problem::Keep::Best) | None => grade::Keep::Best,
             },
-            told: grade::Told::AtOnce,
+            told: grade::FeedbackTime::AtOnce,
         };
         rubric
     }

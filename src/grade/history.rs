@@ -8,7 +8,7 @@ use crate::quantity::exact;
 
 use super::messages::Message;
 use super::report::{Entry, PartReport, Report};
-use super::rubric::{Attempts, Keep, Told};
+use super::rubric::{Attempts, FeedbackTime, Keep};
 use super::sitting::Sitting;
 use super::verdict::Verdict;
 
@@ -251,7 +251,7 @@ impl PartHistory {
 
     /// Takes from a part what its answer lost when it was entered, and says so; a right one is locked.
     fn settle(&mut self, part: &mut PartReport, text: &str, rules: &Attempts) {
-        self.locked = part.verdict.is_right() && rules.told == Told::AtOnce;
+        self.locked = part.verdict.is_right() && rules.told == FeedbackTime::AtOnce;
         part.counts = false;
         part.cut(&rules.left(self.entered.made, self.entered.seen), Message::Reduced);
         part.cut(&self.entered.factor, Message::Late);

@@ -38,7 +38,7 @@ pub use read::{Answer, DecimalMark, FormulaAnswer, Unreadable, UnreadableKind, r
 pub use reading::{Reading, Readings};
 pub use report::{Entry, InputFault, PartReport, Points, Report, grade, grade_read, some_values};
 pub use rows::RowCounts;
-pub use rubric::{Attempts, Keep, Rubric, Told};
+pub use rubric::{Attempts, FeedbackTime, Keep, Rubric};
 pub use sitting::Sitting;
 pub use statistics::{Gathering, Item, ItemStatistics, MistakeCount, Statistics, VerdictCount};
 pub use verdict::Verdict;

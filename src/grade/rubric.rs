@@ -33,12 +33,12 @@ pub struct Attempts {
     /// Which attempt counts. Default: the best.
     pub keep: Keep,
     /// When students are told what was found. Default: at once.
-    pub told: Told,
+    pub told: FeedbackTime,
 }
 
 /// When students are told what was found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum Told {
+pub enum FeedbackTime {
     /// With each attempt. A right part is locked.
     #[default]
     AtOnce,
@@ -65,7 +65,7 @@ impl Default for Attempts {
             hint: Rational::ZERO,
             further_hint: Rational::ZERO,
             keep: Keep::Best,
-            told: Told::AtOnce,
+            told: FeedbackTime::AtOnce,
         }
     }
 }

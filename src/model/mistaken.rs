@@ -29,7 +29,7 @@ pub struct Mistaken {
 }
 
 /// One way of getting one equation wrong.
-struct Way {
+struct WrongUse {
     of: &'static Misconception,
     equation: usize,
     instance: usize,
@@ -47,11 +47,12 @@ impl Model {
         known: &BTreeSet<Symbol>,
         units: UnitSystem,
     ) -> Vec<Mistaken> {
-        let mut ways: Vec<Way> = used.iter().flat_map(|equation| self.ways(system, *equation, known, units)).collect();
+        let mut ways: Vec<WrongUse> =
+            used.iter().flat_map(|equation| self.ways(system, *equation, known, units)).collect();
         ways.sort_by_key(|way| way.of.id);
         let mut mistaken = Vec::new();
         for alike in ways.chunk_by(|one, other| one.of == other.of) {
-            let mut add = |chosen: &[&Way]| {
+            let mut add = |chosen: &[&WrongUse]| {
                 let Some(first) = chosen.first() else { return };
                 let system = self.in_place(system, used, chosen);
                 mistaken.push(Mistaken { of: first.of, instance: first.instance, system });
@@ -74,7 +75,7 @@ impl Model {
     }
 
     /// The ways of getting one equation wrong.
-    fn ways(&self, system: &System, equation: usize, known: &BTreeSet<Symbol>, units: UnitSystem) -> Vec<Way> {
+    fn ways(&self, system: &System, equation: usize, known: &BTreeSet<Symbol>, units: UnitSystem) -> Vec<WrongUse> {
         let Some((tag, instance, sides)) = self.sides(system, equation) else { return Vec::new() };
         let together = |other: &&Equation| {
             self.instances.get(other.tag).is_some_and(|own| own.stage.is_none() || own.stage == instance.stage)
@@ -107,7 +108,7 @@ impl Model {
         let ways = forms.flat_map(|form| {
             let written = (form.write)(&law).into_iter().enumerate();
             written
-                .map(|(variant, wrong)| Way { of: form.of, equation, instance: tag, variant, wrong })
+                .map(|(variant, wrong)| WrongUse { of: form.of, equation, instance: tag, variant, wrong })
                 .collect::<Vec<_>>()
         });
         ways.collect()
@@ -123,7 +124,7 @@ impl Model {
     }
 
     /// The used equations, with these in their wrong forms.
-    fn in_place(&self, system: &System, used: &BTreeSet<usize>, chosen: &[&Way]) -> System {
+    fn in_place(&self, system: &System, used: &BTreeSet<usize>, chosen: &[&WrongUse]) -> System {
         let stage_of = |equation: usize| Some(self.instances.get(system.equations.get(equation)?.tag)?.stage);
         let left_aside = |equation: usize| {
             let law = system.equations.get(equation).and_then(|own| self.instances.get(own.tag)).map(|own| own.law.id);

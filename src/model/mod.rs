@@ -24,11 +24,11 @@ mod read;
 mod reason;
 mod rotor;
 mod space;
+mod speeds;
 mod stage;
 mod strength;
 mod timeline;
 mod total;
-mod way;
 mod wording;
 
 pub use acting::{ActingForce, Flowing, ForceKind, Slope};

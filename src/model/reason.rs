@@ -208,7 +208,7 @@ impl Reason {
 
     /// What a check says where the condition holds; none where that is not worth a word.
     #[must_use]
-    pub fn kept(&self) -> Option<String> {
+    pub fn what_holds(&self) -> Option<String> {
         match self {
             Self::PassesThrough(name, other) => Some(format!("{name} does not pass through {other}")),
             Self::NotPushedApart(first, second) => Some(format!("{first} and {second} are pushed apart")),

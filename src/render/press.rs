@@ -77,14 +77,14 @@ impl Press {
     /// # Errors
     /// Where the templates wrote what Typst cannot read or warns of, or no font has a sign of the text.
     pub fn pdf(&self, document: &str) -> Result<Vec<u8>, Faults> {
-        let path = VirtualPath::new("document.typ").map_err(|error| told(document, &format!("{error:?}")))?;
+        let path = VirtualPath::new("document.typ").map_err(|error| faults_of(document, &format!("{error:?}")))?;
         let main = RootedPath::new(VirtualRoot::Project, path).intern();
         let job = Job { press: self, source: TypstSource::new(main, document.to_owned()) };
         let compiled = typst::compile::<PagedDocument>(&job);
         let printed = match compiled.output {
             Ok(pages) if compiled.warnings.is_empty() => {
                 let standards = PdfStandards::new(&[PdfStandard::Ua_1]);
-                let standards = standards.map_err(|error| told(document, error.message()))?;
+                let standards = standards.map_err(|error| faults_of(document, error.message()))?;
                 let creator = Smart::Custom(Some(format!("momentous {}", env!("CARGO_PKG_VERSION"))));
                 typst_pdf::pdf(&pages, &PdfOptions { standards, creator, ..PdfOptions::default() })
             }
@@ -165,7 +165,7 @@ fn source(document: &str) -> Source {
     Source::new("the document in Typst", document)
 }
 
-fn told(document: &str, message: &str) -> Faults {
+fn faults_of(document: &str, message: &str) -> Faults {
     Faults { source: source(document), list: vec![Fault::new(Code::Template, message)] }
 }
 

@@ -8,7 +8,7 @@ use crate::course::{Assignment, Correction, Course, Extension, Item, Key, Member
 
 use super::fault::StoreFault;
 use super::open::Store;
-use super::records::{kept, record};
+use super::records::{record, to_json};
 use super::trail::Entry;
 use super::writer::Statement;
 
@@ -133,7 +133,8 @@ impl Store {
              ON CONFLICT (assignment, member) DO UPDATE SET closes = excluded.closes, data = excluded.data",
         );
         let [assignment, member] = [extension.assignment.to_string(), extension.member.to_string()];
-        let statement = statement.bind(assignment).bind(member).bind(extension.closes.millis()).bind(kept(extension)?);
+        let statement =
+            statement.bind(assignment).bind(member).bind(extension.closes.millis()).bind(to_json(extension)?);
         let statements = vec![statement, changed(extension.assignment), entry.statement()?];
         self.write(statements).await.map(|_| ())
     }
@@ -174,7 +175,7 @@ fn save(assignment: &Assignment, revision: i64) -> Result<Statement, StoreFault>
     );
     let [opens, closes] = [assignment.policy.opens, assignment.policy.closes].map(Moment::millis);
     let statement = statement.bind(assignment.key.to_string()).bind(assignment.course.to_string());
-    Ok(statement.bind(opens).bind(closes).bind(kept(assignment)?).bind(revision))
+    Ok(statement.bind(opens).bind(closes).bind(to_json(assignment)?).bind(revision))
 }
 
 /// After a change: what was marked by the rules before is not handed in any more, and the latest close counts extensions in.
@@ -193,5 +194,5 @@ pub(super) fn save_item(item: &Item) -> Result<Statement, StoreFault> {
          ON CONFLICT (key) DO UPDATE SET problem = excluded.problem, data = excluded.data",
     );
     let statement = statement.bind(item.key.to_string()).bind(item.assignment.to_string());
-    Ok(statement.bind(item.problem.clone()).bind(kept(item)?))
+    Ok(statement.bind(item.problem.clone()).bind(to_json(item)?))
 }

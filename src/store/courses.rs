@@ -12,7 +12,7 @@ use super::fault::StoreFault;
 use super::open::Store;
 use super::people;
 use super::people::Membership;
-use super::records::{kept, record};
+use super::records::{record, to_json};
 use super::trail::Entry;
 use super::writer::Statement;
 
@@ -23,7 +23,7 @@ impl Store {
     /// Where the database refuses, as for everything here.
     pub async fn add_course(&self, course: &Course, first: &Member, entry: &Entry) -> Result<(), StoreFault> {
         let statement = query("INSERT INTO course (key, secret, data) VALUES ($1, $2, $3)");
-        let statement = statement.bind(course.key.to_string()).bind(course.secret.clone()).bind(kept(course)?);
+        let statement = statement.bind(course.key.to_string()).bind(course.secret.clone()).bind(to_json(course)?);
         self.write(vec![statement, save(first)?, entry.statement()?]).await.map(|_| ())
     }
 
@@ -33,7 +33,7 @@ impl Store {
     /// Where the database refuses.
     pub async fn save_course(&self, course: &Course, entry: &Entry) -> Result<(), StoreFault> {
         let statement = query("UPDATE course SET data = $2 WHERE key = $1");
-        let statement = statement.bind(course.key.to_string()).bind(kept(course)?);
+        let statement = statement.bind(course.key.to_string()).bind(to_json(course)?);
         self.write(vec![statement, entry.statement()?]).await.map(|_| ())
     }
 
@@ -150,5 +150,5 @@ fn save(member: &Member) -> Result<Statement, StoreFault> {
         "INSERT INTO member (key, course, person, data) VALUES ($1, $2, $3, $4) ON CONFLICT (key) DO UPDATE SET data = excluded.data",
     );
     let [key, course, person] = [member.key.to_string(), member.course.to_string(), member.person.to_string()];
-    Ok(statement.bind(key).bind(course).bind(person).bind(kept(member)?))
+    Ok(statement.bind(key).bind(course).bind(person).bind(to_json(member)?))
 }

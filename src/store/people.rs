@@ -7,7 +7,7 @@ use crate::course::{Course, Key, Member, Person};
 
 use super::fault::StoreFault;
 use super::open::Store;
-use super::records::kept;
+use super::records::to_json;
 use super::trail::Entry;
 use super::writer::Statement;
 
@@ -121,7 +121,7 @@ fn login(person: &Person) -> Option<String> {
 
 fn add(person: &Person) -> Result<Statement, StoreFault> {
     let statement = query("INSERT INTO person (key, login, data) VALUES ($1, $2, $3)");
-    Ok(statement.bind(person.key.to_string()).bind(login(person)).bind(kept(person)?))
+    Ok(statement.bind(person.key.to_string()).bind(login(person)).bind(to_json(person)?))
 }
 
 /// A person who may be there already, under its key.
@@ -130,10 +130,10 @@ pub(super) fn keep(person: &Person) -> Result<Statement, StoreFault> {
         "INSERT INTO person (key, login, data) VALUES ($1, $2, $3) \
          ON CONFLICT (key) DO UPDATE SET login = excluded.login, data = excluded.data",
     );
-    Ok(statement.bind(person.key.to_string()).bind(login(person)).bind(kept(person)?))
+    Ok(statement.bind(person.key.to_string()).bind(login(person)).bind(to_json(person)?))
 }
 
 fn save(person: &Person) -> Result<Statement, StoreFault> {
     let statement = query("UPDATE person SET login = $2, data = $3 WHERE key = $1");
-    Ok(statement.bind(person.key.to_string()).bind(login(person)).bind(kept(person)?))
+    Ok(statement.bind(person.key.to_string()).bind(login(person)).bind(to_json(person)?))
 }

@@ -6,7 +6,7 @@ use crate::course::{Course, Key, ProblemFile};
 
 use super::fault::StoreFault;
 use super::open::Store;
-use super::records::kept;
+use super::records::to_json;
 use super::trail::Entry;
 
 /// The column of what belongs to no course.
@@ -25,7 +25,7 @@ impl Store {
              ON CONFLICT (course, digest) DO UPDATE SET data = excluded.data",
         );
         let statement =
-            statement.bind(of(file.course)).bind(file.digest.clone()).bind(file.problem.clone()).bind(kept(file)?);
+            statement.bind(of(file.course)).bind(file.digest.clone()).bind(file.problem.clone()).bind(to_json(file)?);
         let entry = entry.map(Entry::statement).transpose()?;
         self.write([statement].into_iter().chain(entry).collect()).await.map(|_| ())
     }

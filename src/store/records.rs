@@ -37,6 +37,6 @@ pub(super) fn record<T: DeserializeOwned>(row: &AnyRow) -> Result<T, StoreFault>
 }
 
 /// A record as it is kept.
-pub(super) fn kept(record: &impl Serialize) -> Result<String, StoreFault> {
+pub(super) fn to_json(record: &impl Serialize) -> Result<String, StoreFault> {
     Ok(serde_json::to_string(record)?)
 }

@@ -8,7 +8,7 @@ use crate::course::{Assignment, Attempt, Correction, HintShown, Item, Key};
 use super::assignments::{changed, save_item};
 use super::fault::StoreFault;
 use super::open::Store;
-use super::records::kept;
+use super::records::to_json;
 use super::trail::Entry;
 
 /// A corrected problem taken into an item, in one step.
@@ -43,7 +43,7 @@ impl Store {
         let counted = counted.bind(item.assignment.to_string()).bind(item.key.to_string()).bind(handed_in);
         let decision = query("INSERT INTO decision (key, sheet, item, at, data) VALUES ($1, NULL, $2, $3, $4)");
         let decision = decision.bind(key.to_string()).bind(correction.item.to_string());
-        let decision = decision.bind(correction.at.millis()).bind(kept(correction)?);
+        let decision = decision.bind(correction.at.millis()).bind(to_json(correction)?);
         let mut statements = vec![held, counted, save_item(item)?, decision];
         for attempt in attempts {
             let (sheet, number) = (attempt.sheet.to_string(), i64::from(attempt.number));
@@ -53,7 +53,7 @@ impl Store {
             );
             statements.push(before.bind(sheet.clone()).bind(number).bind(key.to_string()));
             let now = query("UPDATE attempt SET data = $3 WHERE sheet = $1 AND number = $2");
-            statements.push(now.bind(sheet).bind(number).bind(kept(attempt)?));
+            statements.push(now.bind(sheet).bind(number).bind(to_json(attempt)?));
         }
         statements.push(changed(item.assignment));
         statements.push(entry.statement()?);

@@ -11,7 +11,7 @@ use crate::course::{Assignment, Attempt, Draft, HintShown, Item, Key, Member, Ov
 use super::address::Address;
 use super::fault::StoreFault;
 use super::open::Store;
-use super::records::kept;
+use super::records::to_json;
 use super::trail::Entry;
 
 /// An attempt to be handed in, with what it was marked by.
@@ -64,7 +64,7 @@ impl Store {
                 "INSERT INTO sheet (key, item, member, issue, data) VALUES ($1, $2, $3, $4, $5) ON CONFLICT DO NOTHING",
             );
             let statement = statement.bind(sheet.key.to_string()).bind(sheet.item.to_string());
-            Ok(statement.bind(sheet.member.to_string()).bind(i64::from(sheet.issue)).bind(kept(sheet)?))
+            Ok(statement.bind(sheet.member.to_string()).bind(i64::from(sheet.issue)).bind(to_json(sheet)?))
         };
         let statements: Result<Vec<_>, StoreFault> = sheets.iter().map(add).collect();
         self.write(statements?).await.map(|_| ())
@@ -160,7 +160,7 @@ impl Store {
              ON CONFLICT DO NOTHING",
         )));
         let statement = statement.bind(sheet.clone()).bind(i64::from(attempt.number)).bind(request.clone());
-        let statement = statement.bind(kept(attempt)?).bind(assignment.to_string()).bind(revision);
+        let statement = statement.bind(to_json(attempt)?).bind(assignment.to_string()).bind(revision);
         if self.write(vec![statement]).await?.iter().sum::<u64>() > 0 {
             self.handed_in.fetch_add(1, Ordering::Relaxed);
             return Ok(HandedIn::Kept);
@@ -181,7 +181,7 @@ impl Store {
         let before = query("DELETE FROM marked_before WHERE sheet = $1 AND number = $2").bind(sheet.clone());
         let before = before.bind(i64::from(redacted.number));
         let draft = query("DELETE FROM draft WHERE sheet = $1").bind(sheet);
-        self.write(vec![statement.bind(kept(redacted)?), before, draft, entry.statement()?]).await.map(|_| ())
+        self.write(vec![statement.bind(to_json(redacted)?), before, draft, entry.statement()?]).await.map(|_| ())
     }
 
     /// Keeps that a hint was shown; it costs once.
@@ -192,7 +192,7 @@ impl Store {
         let statement =
             query("INSERT INTO hint (sheet, part, number, data) VALUES ($1, $2, $3, $4) ON CONFLICT DO NOTHING");
         let statement = statement.bind(hint.sheet.to_string()).bind(hint.part.clone().unwrap_or_default());
-        self.write(vec![statement.bind(i64::from(hint.number)).bind(kept(hint)?)]).await.map(|_| ())
+        self.write(vec![statement.bind(i64::from(hint.number)).bind(to_json(hint)?)]).await.map(|_| ())
     }
 
     /// The hints that were shown on a sheet.
@@ -212,7 +212,7 @@ impl Store {
         let statement = query(
             "INSERT INTO draft (sheet, data) VALUES ($1, $2) ON CONFLICT (sheet) DO UPDATE SET data = excluded.data",
         );
-        self.write(vec![statement.bind(draft.sheet.to_string()).bind(kept(draft)?)]).await.map(|_| ())
+        self.write(vec![statement.bind(draft.sheet.to_string()).bind(to_json(draft)?)]).await.map(|_| ())
     }
 
     /// What was typed and not handed in.
@@ -230,7 +230,7 @@ impl Store {
     pub async fn set_points(&self, key: Key<Override>, points: &Override, entry: &Entry) -> Result<(), StoreFault> {
         let statement = query("INSERT INTO decision (key, sheet, item, at, data) VALUES ($1, $2, NULL, $3, $4)");
         let statement = statement.bind(key.to_string()).bind(points.sheet.to_string()).bind(points.at.millis());
-        self.write(vec![statement.bind(kept(points)?), entry.statement()?]).await.map(|_| ())
+        self.write(vec![statement.bind(to_json(points)?), entry.statement()?]).await.map(|_| ())
     }
 
     /// The points that were set by hand in an assignment, in their order.

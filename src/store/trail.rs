@@ -7,7 +7,7 @@ use crate::course::{Course, Key, Moment, Person};
 
 use super::fault::StoreFault;
 use super::open::Store;
-use super::records::kept;
+use super::records::to_json;
 use super::writer::Statement;
 
 /// Something that somebody did.
@@ -31,7 +31,7 @@ impl Entry {
     pub(super) fn statement(&self) -> Result<Statement, StoreFault> {
         let statement = query("INSERT INTO trail (key, course, at, data) VALUES ($1, $2, $3, $4)");
         let course = self.course.map(|course| course.to_string());
-        Ok(statement.bind(self.key.to_string()).bind(course).bind(self.at.millis()).bind(kept(self)?))
+        Ok(statement.bind(self.key.to_string()).bind(course).bind(self.at.millis()).bind(to_json(self)?))
     }
 }
 

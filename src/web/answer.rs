@@ -12,7 +12,7 @@ use serde::Serialize;
 
 use crate::exercise::calls::{Refused, RefusedKind};
 
-use super::app::{App, Shared};
+use super::app::{App, SharedApp};
 use super::headers::ANEW;
 use super::workers::NotDone;
 
@@ -41,8 +41,11 @@ fn kind(kind: RefusedKind) -> (StatusCode, &'static str) {
 const NO_CACHE: [(HeaderName, HeaderValue); 1] = [(header::CACHE_CONTROL, ANEW)];
 
 /// Makes a page on a worker.
-pub(super) async fn page(app: Shared, make: impl FnOnce(&App) -> Result<String, Refused> + Send + 'static) -> Response {
-    let own = Shared::clone(&app);
+pub(super) async fn page(
+    app: SharedApp,
+    make: impl FnOnce(&App) -> Result<String, Refused> + Send + 'static,
+) -> Response {
+    let own = SharedApp::clone(&app);
     let made = app.workers.work(move || make(&own).or_else(|refused| refused_page(&own, &refused))).await;
     match made {
         Ok(Ok(text)) => (NO_CACHE, Html(text)).into_response(),
@@ -58,8 +61,11 @@ fn refused_page(app: &App, refused: &Refused) -> Result<String, (StatusCode, Str
 }
 
 /// Makes a JSON object on a worker.
-pub(super) async fn json(app: Shared, make: impl FnOnce(&App) -> Result<String, Refused> + Send + 'static) -> Response {
-    let own = Shared::clone(&app);
+pub(super) async fn json(
+    app: SharedApp,
+    make: impl FnOnce(&App) -> Result<String, Refused> + Send + 'static,
+) -> Response {
+    let own = SharedApp::clone(&app);
     match app.workers.work(move || make(&own)).await {
         Ok(Ok(text)) => (NO_CACHE, [(header::CONTENT_TYPE, "application/json")], text).into_response(),
         Ok(Err(refused)) => (kind(refused.kind).0, NO_CACHE, Json(refused)).into_response(),
@@ -68,14 +74,14 @@ pub(super) async fn json(app: Shared, make: impl FnOnce(&App) -> Result<String, 
 }
 
 /// A page that says why there is none of the kind that was asked for.
-pub(super) async fn refused(app: Shared, refused: Refused) -> Response {
+pub(super) async fn refused(app: SharedApp, refused: Refused) -> Response {
     let (status, title) = kind(refused.kind);
     refusal(app, status, title, refused).await
 }
 
 /// The same with a status and a title of its own.
-pub(super) async fn refusal(app: Shared, status: StatusCode, title: &'static str, refused: Refused) -> Response {
-    let own = Shared::clone(&app);
+pub(super) async fn refusal(app: SharedApp, status: StatusCode, title: &'static str, refused: Refused) -> Response {
+    let own = SharedApp::clone(&app);
     match app.workers.work(move || said(&own, status, title, &refused)).await {
         Ok(text) => (status, NO_CACHE, Html(text)).into_response(),
         Err(reason) => not_done(reason).into_response(),

@@ -105,4 +105,4 @@ impl App {
 }
 
 /// The application as requests hold it.
-pub(super) type Shared = Arc<App>;
+pub(super) type SharedApp = Arc<App>;

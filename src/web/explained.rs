@@ -9,10 +9,10 @@ use axum::response::{IntoResponse, Response};
 use crate::exercise::calls::{Refused, RefusedKind};
 
 use super::answer;
-use super::app::Shared;
+use super::app::SharedApp;
 
 /// Answers a request; where it was refused in a few words, by its form alone, the answer says the way out.
-pub(super) async fn explained(State(app): State<Shared>, request: Request, next: Next) -> Response {
+pub(super) async fn explained(State(app): State<SharedApp>, request: Request, next: Next) -> Response {
     let is_call = request.uri().path().starts_with("/api/");
     let response = next.run(request).await;
     let status = response.status();

@@ -6,14 +6,14 @@ use axum::extract::State;
 use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse, Response};
 
-use super::app::Shared;
+use super::app::SharedApp;
 use super::headers::ANEW;
 
 /// How long the database may take to answer.
 const PATIENCE: Duration = Duration::from_secs(5);
 
 /// `fine`, or that the database does not answer.
-pub(super) async fn health(State(app): State<Shared>) -> Response {
+pub(super) async fn health(State(app): State<SharedApp>) -> Response {
     let answers = match &app.courses {
         None => true,
         Some(courses) => matches!(tokio::time::timeout(PATIENCE, courses.store().ping()).await, Ok(Ok(()))),

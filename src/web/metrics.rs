@@ -15,7 +15,7 @@ use prometheus_client::metrics::gauge::Gauge;
 use prometheus_client::metrics::histogram::Histogram;
 use prometheus_client::registry::Registry;
 
-use super::app::Shared;
+use super::app::SharedApp;
 
 /// The format of the text.
 const KIND: &str = "application/openmetrics-text; version=1.0.0; charset=utf-8";
@@ -70,11 +70,11 @@ fn class(status: StatusCode) -> &'static str {
 
 /// The one page for operators. It is served on an address of its own, which no proxy leads to: behind a proxy every visitor seems to
 /// come from this machine, so the sender of a request says nothing of who may read it.
-pub fn metrics_router(app: Shared) -> Router {
+pub fn metrics_router(app: SharedApp) -> Router {
     Router::new().route("/metrics", get(page)).with_state(app)
 }
 
-async fn page(State(app): State<Shared>) -> Response {
+async fn page(State(app): State<SharedApp>) -> Response {
     let metrics = &app.metrics;
     if let Some(courses) = &app.courses {
         metrics.reads.inner().store(courses.store().reads().0, Ordering::Relaxed);

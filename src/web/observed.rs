@@ -6,13 +6,13 @@ use axum::extract::{MatchedPath, Request, State};
 use axum::middleware::Next;
 use axum::response::Response;
 
-use super::app::Shared;
+use super::app::SharedApp;
 
 /// The route of an address that is none of the server's.
 const NONE: &str = "none";
 
 /// Answers a request, counts it, and tells the log of it.
-pub(super) async fn observed(State(app): State<Shared>, request: Request, next: Next) -> Response {
+pub(super) async fn observed(State(app): State<SharedApp>, request: Request, next: Next) -> Response {
     let start = Instant::now();
     let method = request.method().clone();
     let route = request.extensions().get::<MatchedPath>().cloned();

@@ -26,7 +26,7 @@ use crate::exercise::calls::{Engine, Refused, RefusedKind};
 use crate::store::StoreFault;
 
 use super::answer;
-use super::app::{App, Shared};
+use super::app::{App, SharedApp};
 use super::courses::{Rest, Withheld, with_courses};
 use super::explained::explained;
 use super::headers::{FOR_EVER, HEADERS};
@@ -69,7 +69,7 @@ pub fn router(app: Arc<App>) -> Router {
         .route("/watch", get(watch))
         .route("/static/{digest}/{name}", get(asset))
         .route("/api/{call}", post(call))
-        .fallback(|State(app): State<Shared>| answer::page(app, |_| Err(no_page())));
+        .fallback(|State(app): State<SharedApp>| answer::page(app, |_| Err(no_page())));
     for (path, reserved, make) in OF_PROBLEMS {
         own = own.route(path, of_problem(reserved, make));
     }
@@ -90,8 +90,8 @@ pub fn router(app: Arc<App>) -> Router {
 }
 
 /// Both ways to ask for the page of a problem: by its address, and with what was typed into it.
-fn of_problem(reserved: While, make: OfProblem) -> MethodRouter<Shared> {
-    let page = move |app: Shared, headers: HeaderMap, problem: String, fields: Fields| async move {
+fn of_problem(reserved: While, make: OfProblem) -> MethodRouter<SharedApp> {
+    let page = move |app: SharedApp, headers: HeaderMap, problem: String, fields: Fields| async move {
         let withheld = match reserved {
             While::Shown => Withheld::default(),
             While::Refused => match Withheld::from(&app, &headers).await {
@@ -106,13 +106,13 @@ fn of_problem(reserved: While, make: OfProblem) -> MethodRouter<Shared> {
         .await
     };
     get(
-        move |State(app): State<Shared>,
+        move |State(app): State<SharedApp>,
               headers: HeaderMap,
               Path(problem): Path<String>,
               Query(fields): Query<Fields>| { page(app, headers, problem, fields) },
     )
     .post(
-        move |State(app): State<Shared>,
+        move |State(app): State<SharedApp>,
               headers: HeaderMap,
               Path(problem): Path<String>,
               Form(fields): Form<Fields>| { page(app, headers, problem, fields) },
@@ -126,11 +126,11 @@ fn unreachable_records(fault: &StoreFault) -> Response {
         .into_response()
 }
 
-async fn start(State(app): State<Shared>, Query(fields): Query<Fields>) -> Response {
+async fn start(State(app): State<SharedApp>, Query(fields): Query<Fields>) -> Response {
     answer::page(app, move |app| pages::start(app, &Parameters::new(fields, &app.settings.limits)?)).await
 }
 
-async fn call(State(app): State<Shared>, headers: HeaderMap, Path(call): Path<String>, body: Bytes) -> Response {
+async fn call(State(app): State<SharedApp>, headers: HeaderMap, Path(call): Path<String>, body: Bytes) -> Response {
     let withheld = if OF_SIMULATORS.contains(&call.as_str()) {
         Withheld::default()
     } else {
@@ -148,11 +148,11 @@ async fn call(State(app): State<Shared>, headers: HeaderMap, Path(call): Path<St
 }
 
 /// The state of the watched files, for pages that reload themselves.
-async fn watch(State(app): State<Shared>) -> Response {
+async fn watch(State(app): State<SharedApp>) -> Response {
     answer::json(app, |app| Ok(app.library.stamp().to_string())).await
 }
 
-async fn asset(State(app): State<Shared>, Path((_, name)): Path<(String, String)>) -> Response {
+async fn asset(State(app): State<SharedApp>, Path((_, name)): Path<(String, String)>) -> Response {
     match app.assets.find(&name) {
         Some((kind, bytes)) => {
             ([(header::CONTENT_TYPE, kind)], [(header::CACHE_CONTROL, FOR_EVER)], bytes.to_vec()).into_response()

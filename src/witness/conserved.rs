@@ -4,7 +4,7 @@ use crate::problem::Conservable;
 use crate::problem::Conserved;
 use crate::scene::Scene;
 use crate::scene::Stage;
-use crate::simulate::scene::Reel;
+use crate::simulate::scene::RecordedMotion;
 
 use super::choices::UNCHANGED;
 use super::choices::stage_of;
@@ -22,8 +22,8 @@ pub(super) fn is_conserved(case: &Case<'_>, witness: &Witness<'_>, ask: &Conserv
     let stage = stage_of(scene, witness, ask.stage.as_deref()).filter(|stage| witness.has_run(*stage))?;
     let lasts = scene.stages.get(stage).is_some_and(|own| !takes_no_time(own));
     if lasts && ask.conserved == Conservable::AngularMomentum {
-        let reels = witness.watched(stage);
-        let stays = reels.and_then(|reels| turning::stays(witness, ask, about(scene, ask)?, stage, &reels));
+        let motions = witness.watched(stage);
+        let stays = motions.and_then(|motions| turning::stays(witness, ask, about(scene, ask)?, stage, &motions));
         // Equal ends alone prove nothing.
         return stays.or_else(|| ends(scene, witness, ask, stage).filter(|same| !same));
     }
@@ -31,7 +31,7 @@ pub(super) fn is_conserved(case: &Case<'_>, witness: &Witness<'_>, ask: &Conserv
     if !ends || !lasts {
         return Some(ends);
     }
-    Some(witness.watched(stage).is_none_or(|reels| stays(scene, ask, &reels)))
+    Some(witness.watched(stage).is_none_or(|motions| stays(scene, ask, &motions)))
 }
 
 /// The point about which angular momentum is meant.
@@ -95,20 +95,20 @@ fn same([before, after]: [Total; 2]) -> bool {
 }
 
 /// Whether the sum is the same at every moment that is watched; of bodies that are not seen to move nothing changes.
-fn stays(scene: &Scene, ask: &Conserved, reels: &[Reel]) -> bool {
-    reels.iter().all(|reel| {
+fn stays(scene: &Scene, ask: &Conserved, motions: &[RecordedMotion]) -> bool {
+    motions.iter().all(|motion| {
         let is_asked =
             |letter: &str| ask.along.is_none_or(|own| own.letter() == letter) || scene.axes.rectangular().len() < 2;
         let mut totals: Vec<Vec<Total>> = Vec::new();
-        for moment in &reel.record.moments {
-            let mut sums: Vec<Total> = vec![(0.0, 0.0); reel.components.len().max(1)];
-            for (place, _) in reel.record.bodies.iter().enumerate().filter(|(_, own)| ask.of.contains(&own.name)) {
+        for moment in &motion.record.moments {
+            let mut sums: Vec<Total> = vec![(0.0, 0.0); motion.components.len().max(1)];
+            for (place, _) in motion.record.bodies.iter().enumerate().filter(|(_, own)| ask.of.contains(&own.name)) {
                 let (Some(mass), Some(velocity)) = (moment.masses.get(place), moment.velocities.get(place)) else {
                     continue;
                 };
                 match ask.conserved {
                     Conservable::Momentum => {
-                        for ((sum, part), component) in sums.iter_mut().zip(velocity).zip(&reel.components) {
+                        for ((sum, part), component) in sums.iter_mut().zip(velocity).zip(&motion.components) {
                             if is_asked(component.letter) {
                                 *sum = (sum.0 + mass * part, sum.1 + (mass * part).abs());
                             }

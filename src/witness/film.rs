@@ -18,7 +18,7 @@ use crate::simulate::least::classify;
 use crate::simulate::scene::Component;
 use crate::simulate::scene::Experiment;
 use crate::simulate::scene::NothingToSimulate;
-use crate::simulate::scene::Reel;
+use crate::simulate::scene::RecordedMotion;
 
 use super::staging::followed;
 use super::staging::staged;
@@ -147,15 +147,15 @@ fn integrated(
     };
     let choice = choose(&Classified::integrated(own.key()), request).map_err(|error| out_of_reach(stage, &error))?;
     let tolerance = choice.setting.unwrap_or(DEFAULT_ACCURACY);
-    let reels = match followed(problem, variant, stage - 1, tolerance) {
-        Ok(reels) => reels,
+    let motions = match followed(problem, variant, stage - 1, tolerance) {
+        Ok(motions) => motions,
         Err(reason) => return Ok(Err(reason)),
     };
-    let film = |Reel { components, record, notes }| {
+    let film = |RecordedMotion { components, record, notes }| {
         let choice = choice.clone();
         Film { stage, axes: components, choice, ending: AT_ITS_TIME, record, notes, unweighed: Vec::new() }
     };
-    Ok(Ok(reels.into_iter().map(film).collect()))
+    Ok(Ok(motions.into_iter().map(film).collect()))
 }
 
 /// Nothing in the table of costs serves.

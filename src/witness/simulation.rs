@@ -20,9 +20,9 @@ use crate::scene::Scene;
 use crate::scene::Stage;
 use crate::simulate::scene::Asked;
 use crate::simulate::scene::NothingToSimulate;
+use crate::simulate::scene::Procedure;
 use crate::simulate::scene::Reached;
-use crate::simulate::scene::Reel;
-use crate::simulate::scene::Way;
+use crate::simulate::scene::RecordedMotion;
 use crate::simulate::scene::angle_from;
 use crate::simulate::scene::follow;
 use crate::simulate::scene::measure;
@@ -47,7 +47,7 @@ pub(super) struct Witness<'a> {
     /// What bodies carry together after a stage, each with the bodies.
     sums: Vec<(Vec<String>, Reached)>,
     terms: Vec<Reached>,
-    ways: BTreeSet<Way>,
+    ways: BTreeSet<Procedure>,
     /// Why a stage was not simulated.
     pub nothing: Option<NothingToSimulate>,
     run: BTreeSet<usize>,
@@ -123,13 +123,13 @@ impl<'a> Witness<'a> {
     }
 
     /// A stage as it is watched from its start to its end.
-    pub(super) fn watched(&self, stage: usize) -> Option<Vec<Reel>> {
+    pub(super) fn watched(&self, stage: usize) -> Option<Vec<RecordedMotion>> {
         follow(self.case.scene, stage, &|name| self.value(name), self.tolerance).ok()
     }
 
     /// By which ways something was found.
-    pub(super) fn ways(&self) -> impl Iterator<Item = Way> {
-        self.ways.iter().copied().chain(self.watched.get().then_some(Way::Measured))
+    pub(super) fn ways(&self) -> impl Iterator<Item = Procedure> {
+        self.ways.iter().copied().chain(self.watched.get().then_some(Procedure::Measured))
     }
 
     /// The quantities of the variant that the simulation started from.

@@ -3,7 +3,7 @@
 use crate::problem::Problem;
 use crate::problem::Variant;
 use crate::simulate::scene::NothingToSimulate;
-use crate::simulate::scene::Reel;
+use crate::simulate::scene::RecordedMotion;
 use crate::simulate::scene::Staged;
 use crate::simulate::scene::follow;
 use crate::simulate::scene::translate;
@@ -21,7 +21,7 @@ pub fn followed(
     variant: &Variant,
     stage: usize,
     tolerance: f64,
-) -> Result<Vec<Reel>, NothingToSimulate> {
+) -> Result<Vec<RecordedMotion>, NothingToSimulate> {
     let scene = &problem.loaded().draft.scene;
     let case = Case { problem, scene, variant, said: Vec::new() };
     let witness = Witness::new(&case, TOLERANCES[0]);

@@ -13,7 +13,7 @@ use crate::problem::Problem;
 use crate::problem::Sampler;
 use crate::problem::Worked;
 use crate::simulate::scene::NothingToSimulate;
-use crate::simulate::scene::Way;
+use crate::simulate::scene::Procedure;
 
 use super::TOLERANCES;
 use super::parts;
@@ -73,7 +73,7 @@ pub struct Portion {
     /// What was found.
     pub simulated: Simulated,
     /// By which ways.
-    pub ways: BTreeSet<Way>,
+    pub ways: BTreeSet<Procedure>,
     /// Why something was not simulated.
     pub reason: Option<NothingToSimulate>,
     /// Where laws and simulation differ.

@@ -3,14 +3,20 @@
 use crate::problem::Conserved;
 use crate::scene::Scene;
 use crate::scene::Stage;
-use crate::simulate::scene::Reel;
+use crate::simulate::scene::RecordedMotion;
 use crate::simulate::scene::value_of;
 
 use super::choices::UNCHANGED;
 use super::simulation::Witness;
 
 /// Whether it stays; none where positions are not seen as the question counts them.
-pub(super) fn stays(witness: &Witness<'_>, ask: &Conserved, about: &str, stage: usize, reels: &[Reel]) -> Option<bool> {
+pub(super) fn stays(
+    witness: &Witness<'_>,
+    ask: &Conserved,
+    about: &str,
+    stage: usize,
+    motions: &[RecordedMotion],
+) -> Option<bool> {
     let scene = witness.scene();
     let (centre, upright) = match scene.stages.get(stage)? {
         Stage::Rotate(own) => (Some(&own.about), false),
@@ -47,13 +53,13 @@ pub(super) fn stays(witness: &Witness<'_>, ask: &Conserved, about: &str, stage: 
         None => place(scene, witness, about)?,
     };
     let mut stays = true;
-    for reel in reels.iter().filter(|reel| reel.components.len() > 1) {
-        let totals: Vec<[f64; 4]> = reel
+    for motion in motions.iter().filter(|motion| motion.components.len() > 1) {
+        let totals: Vec<[f64; 4]> = motion
             .record
             .moments
             .iter()
             .map(|moment| {
-                let own = reel.record.bodies.iter().enumerate().filter(|(_, own)| ask.of.contains(&own.name));
+                let own = motion.record.bodies.iter().enumerate().filter(|(_, own)| ask.of.contains(&own.name));
                 own.fold([0.0; 4], |sum, (body, _)| {
                     let part = |of: &[Vec<f64>], axis: usize| {
                         of.get(body).and_then(|own| own.get(axis)).copied().unwrap_or(0.0)

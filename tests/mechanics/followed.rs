@@ -6,7 +6,7 @@ use std::path::Path;
 
 use momentous::problem::{Problem, Sampler, Variant};
 use momentous::simulate::Moment;
-use momentous::simulate::scene::Reel;
+use momentous::simulate::scene::RecordedMotion;
 use momentous::witness::{followed, staged};
 
 use crate::variants;
@@ -55,7 +55,7 @@ impl Seen {
         }
     }
 
-    fn balances(&mut self, name: &str, reel: &Reel) {
+    fn balances(&mut self, name: &str, reel: &RecordedMotion) {
         let moments = &reel.record.moments;
         let parts = reel.components.len();
         let momentum = |moment: &Moment, part: usize| {
@@ -95,7 +95,7 @@ impl Seen {
         }
     }
 
-    fn end(&mut self, name: &str, reel: &Reel, place: usize, problem: &Problem, variant: &Variant) {
+    fn end(&mut self, name: &str, reel: &RecordedMotion, place: usize, problem: &Problem, variant: &Variant) {
         let last = reel.record.moments.last().unwrap();
         let speed = |body: usize| last.velocities[body].iter().map(|part| part * part).sum::<f64>().sqrt();
         for (body, recorded) in reel.record.bodies.iter().enumerate() {

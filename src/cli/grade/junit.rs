@@ -19,7 +19,7 @@ use crate::exercise::VariantRef;
 use crate::export::printable;
 use crate::grade::PartReport;
 
-use super::spool::{Kept, Spool};
+use super::spool::{Spool, WaitingText};
 
 /// The suite of what could not be marked.
 const REFUSED: &str = "submissions that cannot be used";
@@ -34,7 +34,7 @@ pub(super) struct Junit {
 /// The cases of a problem.
 #[derive(Default)]
 struct Suite {
-    kept: Kept,
+    kept: WaitingText,
     counts: Counts,
 }
 

@@ -12,7 +12,7 @@ use crate::exercise::excerpt;
 use crate::grade::Report;
 use crate::grade::RowCounts;
 
-use super::desk::Desk;
+use super::portion_marker::PortionMarker;
 use super::problems::Met;
 use super::register::{Entered, Entry, Question};
 use super::sink::{MarksFormat, Rows};
@@ -56,7 +56,7 @@ pub(super) fn marked(
             _ => portions.push(vec![next]),
         }
     }
-    let desk = || Desk::new(problems);
+    let desk = || PortionMarker::new(problems);
     portions.into_par_iter().map_init(desk, |desk, portion| at_one_desk(portion, desk, format, keep)).collect()
 }
 
@@ -67,7 +67,7 @@ pub(super) fn begins(next: &Entered) -> bool {
 
 fn at_one_desk(
     portion: Vec<Entered>,
-    desk: &mut Desk<'_>,
+    desk: &mut PortionMarker<'_>,
     format: MarksFormat,
     keep: bool,
 ) -> Result<Portion, Failure> {
@@ -143,7 +143,13 @@ fn by_question(groups: &[Option<Group>]) -> Vec<usize> {
 
 impl Done {
     /// Marks the attempts of one student at one question.
-    fn mark(&mut self, attempts: Vec<Entry>, desk: &mut Desk<'_>, rows: &mut Rows, keep: bool) -> Result<(), Failure> {
+    fn mark(
+        &mut self,
+        attempts: Vec<Entry>,
+        desk: &mut PortionMarker<'_>,
+        rows: &mut Rows,
+        keep: bool,
+    ) -> Result<(), Failure> {
         let reports = match desk.mark(&attempts) {
             Ok(reports) => reports,
             Err(message) => {

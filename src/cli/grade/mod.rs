@@ -1,11 +1,11 @@
 //! `momentous grade`
 
 mod changes;
-mod desk;
 mod gradebook;
 mod junit;
 mod marked;
 mod order;
+mod portion_marker;
 mod problems;
 mod reader;
 mod readers;

@@ -19,7 +19,7 @@ pub(super) struct Spool {
 
 /// One text that waits.
 #[derive(Default)]
-pub(super) struct Kept {
+pub(super) struct WaitingText {
     /// What is not in the file yet.
     pub(super) waiting: Vec<u8>,
     /// Where its pieces begin in the file, and how long they are.
@@ -35,7 +35,7 @@ impl Spool {
     }
 
     /// Moves what waits into the file, once it is a block.
-    pub(super) fn keep(&mut self, kept: &mut Kept) -> io::Result<()> {
+    pub(super) fn keep(&mut self, kept: &mut WaitingText) -> io::Result<()> {
         if kept.waiting.len() < BLOCK {
             return Ok(());
         }
@@ -48,7 +48,7 @@ impl Spool {
     }
 
     /// Writes a whole text.
-    pub(super) fn write(&mut self, kept: Kept, to: &mut impl Write) -> io::Result<()> {
+    pub(super) fn write(&mut self, kept: WaitingText, to: &mut impl Write) -> io::Result<()> {
         for (start, length) in kept.pieces {
             self.file.seek(SeekFrom::Start(start))?;
             io::copy(&mut Read::take(&mut self.file, length), to)?;
@@ -65,7 +65,7 @@ mod tests {
     fn each_text_comes_back_whole() {
         let folder = tempfile::tempdir().unwrap();
         let mut spool = Spool::beside(&folder.path().join("a.xml")).unwrap();
-        let mut kept = [Kept::default(), Kept::default()];
+        let mut kept = [WaitingText::default(), WaitingText::default()];
         for number in 0..60_000 {
             let own = &mut kept[number % 2];
             writeln!(own.waiting, "{number}").unwrap();

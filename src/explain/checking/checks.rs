@@ -243,7 +243,7 @@ fn evaluated(display: Display<'_>, side: &Term, item: Item) -> Math {
 fn conditions(display: Display<'_>) -> Vec<Condition> {
     let reasons = &display.worked.problem.model().reasons;
     let condition = |condition: &solve::Condition| {
-        let kept = reasons.get(condition.tag)?.kept()?;
+        let kept = reasons.get(condition.tag)?.what_holds()?;
         let (unit, _) = display.measure(&(condition.left.clone() - condition.right.clone()));
         Some(Condition {
             unit,

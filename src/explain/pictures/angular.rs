@@ -18,7 +18,7 @@ use crate::scene::stage::Central;
 use crate::scene::stage::Conical;
 use crate::scene::stage::During;
 use crate::scene::stage::Rotate;
-use crate::scene::stage::Way;
+use crate::scene::stage::UpOrDown;
 use crate::solve::Statement;
 
 use super::quantities::Quantities;
@@ -116,7 +116,7 @@ pub(super) fn bowl(quantities: &Quantities<'_>, stage: usize, bowl: &Bowl) -> Dr
 /// The distance from the axis at the second level, by the shape of the wall.
 fn other_level(quantities: &Quantities<'_>, bowl: &Bowl, first: f64) -> Option<f64> {
     let number = |term: &Option<Term>| quantities.evaluate(&quantities.term(term.as_ref()?)?);
-    let rise = number(&bowl.height)? * if bowl.way == Way::Up { 1.0 } else { -1.0 };
+    let rise = number(&bowl.height)? * if bowl.way == UpOrDown::Up { 1.0 } else { -1.0 };
     if let Some(angle) = number(&bowl.cone) {
         return Some(first + rise * libm::tan(angle));
     }

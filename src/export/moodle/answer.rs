@@ -77,7 +77,7 @@ pub(super) fn nearest(share: f64) -> f64 {
 }
 
 /// What Moodle keeps of a number.
-fn kept(number: f64) -> f64 {
+fn as_moodle_keeps(number: f64) -> f64 {
     format!("{number:.*e}", DIGITS - 1).parse().unwrap_or(number)
 }
 
@@ -87,18 +87,18 @@ pub(super) fn answers(item: &NumberItem, out_of: u32) -> Vec<Answer<'_>> {
     let printed = printed(item);
     let parsed: f64 = printed.parse().unwrap_or(item.right);
     let home = bands.iter().find(|own| own.is_full() && (own.low..=own.high).contains(&parsed));
-    let reach = |own: &Band<'_>| kept((parsed - own.low).min(own.high - parsed));
+    let reach = |own: &Band<'_>| as_moodle_keeps((parsed - own.low).min(own.high - parsed));
     let first = home.map(|own| Answer { value: printed, tolerance: reach(own), ..answer(own) });
     first.into_iter().chain(bands.iter().map(answer)).collect()
 }
 
 fn answer<'i>(band: &Band<'i>) -> Answer<'i> {
-    let value = kept(band.middle());
+    let value = as_moodle_keeps(band.middle());
     let reach = (value - band.low).max(band.high - value);
     Answer {
         value: value.to_string(),
         // Rounded up, so that both ends belong to it.
-        tolerance: kept(reach * (1.0 + KEPT) + KEPT * value.abs()),
+        tolerance: as_moodle_keeps(reach * (1.0 + KEPT) + KEPT * value.abs()),
         fraction: nearest(band.share),
         feedback: band.feedback,
         is_coarse: band.is_coarse,

@@ -39,7 +39,7 @@ pub(super) fn item(question: &Question<'_>, dialect: Dialect) -> Result<(Element
         for field in &asking.fields {
             let cases = cases(asking, field);
             item = item.holding(declaration(field));
-            outcomes.push(outcome(&told(field), "identifier"));
+            outcomes.push(outcome(&feedback_outcome(field), "identifier"));
             match &field.asked {
                 Asked::Number(_) => {
                     line = line.text(format!(" {} ", field.caption)).holding(gap(field)).text(" ");
@@ -57,7 +57,9 @@ pub(super) fn item(question: &Question<'_>, dialect: Dialect) -> Result<(Element
                 }
             }
             let spoken = cases.iter().filter(|own| !own.feedback.is_empty());
-            below.extend(spoken.map(|own| feedback(&told(field), &own.name, said(MARKUP, &own.feedback), dialect)));
+            below.extend(
+                spoken.map(|own| feedback(&feedback_outcome(field), &own.name, said(MARKUP, &own.feedback), dialect)),
+            );
             processing = processing.holding_all(condition(field, &cases));
         }
         room = room.holding(line).holding_all(below);
@@ -124,7 +126,7 @@ fn condition(field: &Field<'_>, cases: &[Case]) -> Option<Element> {
             branch = branch.holding(set("SCORE", sum));
         }
         if !own.feedback.is_empty() {
-            branch = branch.holding(set(&told(field), base("identifier", &own.name)));
+            branch = branch.holding(set(&feedback_outcome(field), base("identifier", &own.name)));
         }
         branch
     };
@@ -193,7 +195,7 @@ fn response(field: &Field<'_>) -> String {
 }
 
 /// The outcome that says which feedback on a field is shown.
-fn told(field: &Field<'_>) -> String {
+fn feedback_outcome(field: &Field<'_>) -> String {
     format!("FEEDBACK-{}", field.name)
 }
 

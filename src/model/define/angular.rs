@@ -45,7 +45,7 @@ pub(super) fn angular_momentum(builder: &mut Builder<'_>, name: &Name) -> Option
             terms.push(mass * angular::moments(&arm, &velocity).into_iter().nth(turning)?);
         }
     }
-    let symbol = builder.component(builder.kept(name), meaning);
+    let symbol = builder.component(builder.canonical(name), meaning);
     let because = match bodies.len() {
         1 => "angular momentum is the moment of the momentum",
         _ => "the angular momentum of the system is the sum of the moments of the momenta",
@@ -75,7 +75,7 @@ pub(super) fn moment_of_forces(builder: &mut Builder<'_>, name: &Name) -> Option
     }
     let of = format!("about {centre} {}", builder.when(instant));
     let meaning = Meaning { noun: "the moment of the forces", of };
-    let symbol = builder.component(builder.kept(name), meaning);
+    let symbol = builder.component(builder.canonical(name), meaning);
     let because = "each force is multiplied by its arm";
     builder.law(&angular::MOMENT, None, because, (symbol.into(), Expr::sum(terms)));
     Some(symbol)
@@ -87,7 +87,7 @@ pub(super) fn rate_of_angular_momentum(builder: &mut Builder<'_>, name: &Name) -
     let moment = moment_of_forces(builder, &Name { kind: QuantityKind::Moment, ..name.clone() })?;
     let of = format!("about {centre} {}", builder.when(instant));
     let meaning = Meaning { noun: "the rate of change of the angular momentum", of };
-    let symbol = builder.component(builder.kept(name), meaning);
+    let symbol = builder.component(builder.canonical(name), meaning);
     let because = format!("{centre} {}", if name.is_of_mass_centre() { "is the centre of mass" } else { "is fixed" });
     builder.law(&angular::RATE, None, because, (symbol.into(), moment.into()));
     Some(symbol)

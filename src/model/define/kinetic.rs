@@ -25,7 +25,7 @@ pub(super) fn kinetic_energy(builder: &mut Builder<'_>, name: &Name) -> Option<S
         (builder.called(&body), vec![body])
     };
     let whose = if bodies.len() == 1 { builder.called(&bodies[0]) } else { whose };
-    let symbol = builder.symbol(builder.kept(name), format!("the kinetic energy of {whose} {when}"));
+    let symbol = builder.symbol(builder.canonical(name), format!("the kinetic energy of {whose} {when}"));
     let terms: Vec<Expr> = bodies.iter().map(|body| builder.kinetic_term(body, instant)).collect();
     builder.law(&energy::KINETIC, None, Because::Definition, (symbol.into(), Expr::sum(terms)));
     let turned: Option<Vec<Expr>> = bodies.iter().map(|body| builder.kinetic_turned(body, instant)).collect();

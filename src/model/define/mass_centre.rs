@@ -21,7 +21,7 @@ pub(super) fn mass_centre_velocity(builder: &mut Builder<'_>, name: &Name) -> Op
     let instant = builder.number(name)?;
     let axis = builder.axis_of(name)?;
     let meaning = Meaning { noun: "the velocity", of: format!("of the centre of mass {}", builder.when(instant)) };
-    let symbol = builder.component(builder.kept(name), meaning);
+    let symbol = builder.component(builder.canonical(name), meaning);
     let parts = builder.carriers(instant, axis);
     let because = builder.momentum_of_the_whole(instant);
     builder.law(&mass_centre::MASS_CENTRE, None, because, mass_centre::mass_centre(&symbol.into(), &parts));
@@ -92,7 +92,7 @@ impl Builder<'_> {
 pub(super) fn mass_centre_position(builder: &mut Builder<'_>, name: &Name, instant: usize) -> Option<Symbol> {
     let axis = builder.axis_of(name)?;
     let meaning = Meaning { noun: "the position", of: format!("of the centre of mass {}", builder.when(instant)) };
-    let symbol = builder.component(builder.kept(name), meaning);
+    let symbol = builder.component(builder.canonical(name), meaning);
     let letter = builder.letter(axis);
     let bodies: Vec<String> = builder.timeline.alive(instant).into_iter().map(str::to_owned).collect();
     let mut parts = Vec::new();

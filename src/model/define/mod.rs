@@ -119,7 +119,7 @@ impl Builder<'_> {
         {
             name.component = None;
         }
-        let kept = self.kept(&name);
+        let kept = self.canonical(&name);
         if let Some(symbol) = self.symbols.find(&kept.to_string()) {
             return Some(symbol);
         }
@@ -128,7 +128,7 @@ impl Builder<'_> {
     }
 
     /// The one name under which a quantity is kept.
-    fn kept(&self, name: &Name) -> Name {
+    fn canonical(&self, name: &Name) -> Name {
         let Some(Instant::Number(number)) = name.instant else { return name.clone() };
         // A part begins where the whole was.
         let (subject, since) = match name.kind {
@@ -258,7 +258,7 @@ fn position(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let owner = builder.called(&body);
     if builder.axes.is_empty() {
         let meaning = format!("the distance of {owner} from the centre {when}");
-        return Some(builder.positive(builder.kept(name), meaning));
+        return Some(builder.positive(builder.canonical(name), meaning));
     }
     let axis = builder.axis_of(name)?;
     match builder.place(&body, instant, axis) {
@@ -295,7 +295,7 @@ fn linear_momentum(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
         (builder.called(&body), vec![(builder.mass(&body), builder.velocity(&body, since, axis))])
     };
     let meaning = Meaning { noun: "the momentum", of: format!("of {whose} {when}") };
-    let symbol = builder.component(builder.kept(name), meaning);
+    let symbol = builder.component(builder.canonical(name), meaning);
     builder.law(&momentum::MOMENTUM, None, Because::Definition, (symbol.into(), momentum::total(&parts)));
     Some(symbol)
 }
@@ -320,7 +320,7 @@ fn impulse(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     }
     let of = format!("on {} during {}", builder.called(&name.subject), builder.stage_phrase(stage));
     let meaning = Meaning { noun: "the impulse", of };
-    let symbol = builder.component(builder.kept(name), meaning);
+    let symbol = builder.component(builder.canonical(name), meaning);
     let weight = builder.impulse_of_weight(&name.subject, stage, position);
     let total = Expr::sum(acting.into_iter().map(|(_, impulse)| impulse).chain(weight));
     builder.law(&force::IMPULSE, Some(stage), Because::Definition, (symbol.into(), total));
@@ -342,7 +342,7 @@ fn mean_force(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let total = Expr::from(builder.quantity(total)?);
     let (body, phrase) = (builder.called(&name.subject), builder.stage_phrase(stage));
     let meaning = Meaning { noun: "the average force", of: format!("on {body} during {phrase}") };
-    let symbol = builder.component(builder.kept(name), meaning);
+    let symbol = builder.component(builder.canonical(name), meaning);
     let because = "the average force would give the same impulse in the same time";
     let sides = force::mean_force(&total, &symbol.into(), &lasts);
     builder.law(&force::MEAN_FORCE, Some(stage), because, sides);
@@ -354,7 +354,7 @@ fn weight(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
         return None;
     }
     let meaning = format!("the weight of {}", builder.called(&name.subject));
-    let symbol = builder.positive(builder.kept(name), meaning);
+    let symbol = builder.positive(builder.canonical(name), meaning);
     let (mass, gravity) = (builder.mass(&name.subject), builder.gravity());
     builder.law(&force::WEIGHT, None, Because::Definition, (symbol.into(), mass * gravity));
     Some(symbol)

@@ -21,7 +21,7 @@ use crate::model::builder::SECOND_COST;
 use crate::quantity::Dimension;
 use crate::scene::Point;
 use crate::scene::stage::Bowl;
-use crate::scene::stage::Way;
+use crate::scene::stage::UpOrDown;
 use crate::solve::Relation;
 
 impl Builder<'_> {
@@ -37,7 +37,7 @@ impl Builder<'_> {
         let [start, end] = speeds.each_ref().map(|speed| energy::specific_kinetic(std::slice::from_ref(speed)));
         let height = self.height_on_wall(index, stage, path);
         let raised = self.gravity() * height.clone();
-        let sides = if stage.way == Way::Up { (start, end + raised) } else { (start + raised, end) };
+        let sides = if stage.way == UpOrDown::Up { (start, end + raised) } else { (start + raised, end) };
         let because =
             format!("the smooth wall pushes {name} at right angles to its motion and does no work; the mass cancels");
         self.law(&energy::CONSERVATION, Some(index), because, sides);
@@ -97,7 +97,7 @@ impl Builder<'_> {
     fn wall(&mut self, index: usize, stage: &Bowl, ends: &[(Expr, Expr); 2], height: Expr, path: &Path) {
         // From the lower distance to the upper one.
         let [first, second] = ends.each_ref().map(|(distance, _)| distance.clone());
-        let radii = if stage.way == Way::Up { [first, second] } else { [second, first] };
+        let radii = if stage.way == UpOrDown::Up { [first, second] } else { [second, first] };
         if stage.cone.is_some() && stage.sphere.is_some() {
             let fault = Fault::new(Code::OverDetermined, "a wall is a cone or a sphere, not both");
             self.faults.push(fault.help("remove `cone` or `sphere`").at_path(path.key("sphere")));
@@ -118,8 +118,8 @@ impl Builder<'_> {
             let radius = self.read_positive(term, Dimension::LENGTH, "the radius of the bowl", &path.key("sphere"));
             let [first, second] = [0, 1].map(|side| self.depth(index, side, stage, &radius, &ends[side].0));
             let (because, sides) = match stage.way {
-                Way::Up => ("the depths differ by the height", (height, first.clone() - second.clone())),
-                Way::Down => ("the depths differ by the height", (height, second.clone() - first.clone())),
+                UpOrDown::Up => ("the depths differ by the height", (height, first.clone() - second.clone())),
+                UpOrDown::Down => ("the depths differ by the height", (height, second.clone() - first.clone())),
             };
             self.law(&geometry::HEIGHT_IN_BOWL, Some(index), because, sides);
             if level {

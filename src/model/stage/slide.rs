@@ -14,10 +14,11 @@ use crate::model::Influence;
 use crate::model::QuantityKind;
 use crate::model::acting::Acts;
 use crate::model::incline::Incline;
-use crate::model::way::Way;
+use crate::model::speeds::Speeds;
 use crate::quantity::Dimension;
 use crate::scene::stage::Slide;
 use crate::scene::stage::Until;
+use crate::scene::stage::UpOrDown;
 
 /// What holds a sliding body back, for each unit of its mass; negative where weight drives it on.
 struct Retardation {
@@ -86,7 +87,7 @@ impl Builder<'_> {
         }
     }
 
-    fn retardation(&mut self, name: &str, friction: Option<&Expr>, incline: &Incline, way: &Way) -> Retardation {
+    fn retardation(&mut self, name: &str, friction: Option<&Expr>, incline: &Incline, way: &Speeds) -> Retardation {
         let mut parts = Vec::new();
         if let Some(friction) = friction {
             parts.push(Expr::product([friction.clone(), self.gravity(), incline.press.clone()]));
@@ -108,7 +109,14 @@ impl Builder<'_> {
     }
 
     /// What a body loses over the distance and over the time.
-    fn slowed(&mut self, index: usize, retardation: &Retardation, distance: Option<&Expr>, duration: &Expr, way: &Way) {
+    fn slowed(
+        &mut self,
+        index: usize,
+        retardation: &Retardation,
+        distance: Option<&Expr>,
+        duration: &Expr,
+        way: &Speeds,
+    ) {
         let times =
             |amount: &Expr| retardation.parts.iter().map(|part| -(part.clone() * amount.clone())).collect::<Vec<_>>();
         if let Some(distance) = distance {
@@ -121,12 +129,12 @@ impl Builder<'_> {
     }
 
     /// A smooth ramp of any shape: only the height between its ends matters.
-    fn ramp(&mut self, index: usize, stage: &Slide, name: &str, height: &Expr, way: &Way) {
+    fn ramp(&mut self, index: usize, stage: &Slide, name: &str, height: &Expr, way: &Speeds) {
         let raised = self.gravity() * height.clone();
         let [start, end] = way.energies.clone();
-        let sides = match stage.way.unwrap_or(crate::scene::stage::Way::Down) {
-            crate::scene::stage::Way::Down => (start + raised, end),
-            crate::scene::stage::Way::Up => (start, end + raised),
+        let sides = match stage.way.unwrap_or(UpOrDown::Down) {
+            UpOrDown::Down => (start + raised, end),
+            UpOrDown::Up => (start, end + raised),
         };
         let because =
             format!("the smooth ramp pushes {name} at right angles to its motion and does no work; the mass cancels");
@@ -140,7 +148,7 @@ impl Builder<'_> {
         body: &str,
         friction: Option<&Expr>,
         incline: &Incline,
-        way: &Way,
+        way: &Speeds,
         duration: &Expr,
     ) {
         let normal = self.in_stage(QuantityKind::NormalForce, body, index);

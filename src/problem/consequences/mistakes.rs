@@ -56,7 +56,7 @@ pub struct Mistake {
 #[derive(Clone, Debug)]
 pub(super) enum Made {
     /// The system has a wrong equation.
-    Solved(Vec<Way>),
+    Solved(Vec<WrongSystem>),
     /// Some givens are taken too large or too small by a factor; at this place in the batch, where it is in there.
     Misread(Arc<Solver>, Vec<(Symbol, f64)>, Option<usize>),
     /// The right value is written down wrongly.
@@ -65,7 +65,7 @@ pub(super) enum Made {
 
 /// How the values that come of a mistake are found.
 #[derive(Clone, Debug)]
-pub(super) struct Way {
+pub(super) struct WrongSystem {
     pub(in crate::problem) solver: Solver,
     /// The place in the batch, where there is nothing to choose and nothing to judge.
     pub(super) batched: Option<usize>,
@@ -103,7 +103,7 @@ fn planned(problem: &Problem, form: &Form, leaf: &Leaf) -> Planned {
     let mut mistakes: Vec<Mistake> = Vec::new();
     for mistaken in problem.model().mistaken(&leaf.system, &used, &form.told, problem.units()) {
         let solvers = Solver::each(&mistaken.system, &form.told, &wanted).into_iter();
-        let ways: Vec<Way> = solvers.map(|solver| solver.into_way(&mistaken.system, &mut batch)).collect();
+        let ways: Vec<WrongSystem> = solvers.map(|solver| solver.into_way(&mistaken.system, &mut batch)).collect();
         if !ways.is_empty() {
             mistakes.push(Mistake { of: mistaken.of, instance: Some(mistaken.instance), made: Made::Solved(ways) });
         }
@@ -166,9 +166,9 @@ impl Solver {
         Some(Self { wanted: wanted.to_vec(), strict, loose: compile(&bare)?, inputs, plan: audit.plan.clone() })
     }
 
-    fn into_way(self, system: &System, batch: &mut BatchWriter) -> Way {
+    fn into_way(self, system: &System, batch: &mut BatchWriter) -> WrongSystem {
         let batched = self.batched(system, &[], batch);
-        Way { solver: self, batched }
+        WrongSystem { solver: self, batched }
     }
 
     /// The place in the batch of the same with some givens misread, where there is nothing to choose and nothing to judge.

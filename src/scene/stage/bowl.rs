@@ -5,7 +5,7 @@ use serde::Deserialize;
 
 use crate::scene::Term;
 
-use super::Way;
+use super::UpOrDown;
 
 /// A body slides from one level to another inside a smooth surface of revolution whose axis is vertical. The axes are polar.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -19,7 +19,7 @@ pub struct Bowl {
     /// A point on the axis.
     pub about: String,
     /// Whether the body goes `up` or `down` from the first level to the second.
-    pub way: Way,
+    pub way: UpOrDown,
     /// The height between the two levels. Default: `h_` and the body's short name.
     #[serde(default)]
     pub height: Option<Term>,

@@ -53,7 +53,7 @@ pub use slide_off::SlideOff;
 pub use spring::{Ends, Spring};
 pub use stream::Stream;
 pub use strike::Strike;
-pub use swing::{Place, Swing, Way};
+pub use swing::{Place, Swing, UpOrDown};
 pub use taut::Taut;
 pub use thrust::{BurningMass, Exhaust, Jet, Thrust};
 pub use tow::{Tow, Towed};

@@ -6,7 +6,7 @@ use serde::Deserialize;
 use crate::scene::Term;
 
 use super::Until;
-use super::Way;
+use super::UpOrDown;
 
 /// A body slides over a level floor, or up or down a slope; only friction and weight act along its path.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -35,7 +35,7 @@ pub struct Slide {
     pub height: Option<Term>,
     /// `up` or `down` if there is a height and no incline: the way on a smooth ramp of any shape. Default: down.
     #[serde(default)]
-    pub way: Option<Way>,
+    pub way: Option<UpOrDown>,
     /// Which way it slides, along one axis: `to the left`. Default: along the axis.
     #[serde(default)]
     pub direction: Option<Term>,

@@ -33,7 +33,7 @@ pub struct Swing {
     pub to: Option<Term>,
     /// `down` if the body swings down to its lowest point and only the height says from where. Default: up.
     #[serde(default)]
-    pub way: Way,
+    pub way: UpOrDown,
     /// Which way the body moves at its lowest point, along the horizontal axis: `to the left`. Default: along the axis.
     #[serde(default)]
     pub direction: Option<Term>,
@@ -45,7 +45,7 @@ pub struct Swing {
 /// Up or down.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
-pub enum Way {
+pub enum UpOrDown {
     /// Up.
     #[default]
     Up,
@@ -69,8 +69,8 @@ impl Swing {
         match (&self.from, &self.to, self.way) {
             (Some(from), Some(to), _) => [Place::Angle(Some(from)), Place::Angle(Some(to))],
             (Some(from), None, _) => [Place::Angle(Some(from)), Place::Lowest],
-            (None, to, Way::Up) => [Place::Lowest, Place::Angle(to.as_ref())],
-            (None, _, Way::Down) => [Place::Angle(None), Place::Lowest],
+            (None, to, UpOrDown::Up) => [Place::Lowest, Place::Angle(to.as_ref())],
+            (None, _, UpOrDown::Down) => [Place::Angle(None), Place::Lowest],
         }
     }
 

@@ -1,9 +1,9 @@
 //! How particles go on until a time or an event.
 
-use super::bench::Bench;
 use super::integrate::{End, Integrator};
 use super::nothing::NothingToSimulate;
-use super::reel::Motion;
+use super::recorded_motion::Motion;
+use super::stage_run::StageRun;
 use super::system::System;
 
 /// What ends a motion.
@@ -13,7 +13,7 @@ pub(super) enum Until<'a, const N: usize> {
     Event(&'a dyn Fn(&[f64; N]) -> f64),
 }
 
-impl Bench<'_> {
+impl StageRun<'_> {
     /// Lets particles go until a motion of theirs ends, and watches them.
     pub(super) fn go<const N: usize>(
         &mut self,
@@ -53,9 +53,9 @@ impl Bench<'_> {
 
     /// Runs something while nobody watches.
     pub(super) fn unwatched<T>(&mut self, run: impl FnOnce(&mut Self) -> T) -> T {
-        let reels = self.reels.take();
+        let motions = self.motions.take();
         let found = run(self);
-        self.reels = reels;
+        self.motions = motions;
         found
     }
 }

@@ -1,10 +1,10 @@
 //! Motions along a line: the slope that it has, and what ends them.
 
-use super::bench::Bench;
 use super::course::Until;
 use super::integrate::End;
 use super::nothing::NothingToSimulate;
 use super::particles::{place, velocity};
+use super::stage_run::StageRun;
 use super::system::System;
 use super::values::Values;
 use super::vector::{Vector, dot, part};
@@ -24,7 +24,7 @@ pub(super) struct Slope {
 pub(super) enum Finish {
     Rest,
     Time(f64),
-    Way(f64),
+    Procedure(f64),
 }
 
 impl Values<'_> {
@@ -72,13 +72,13 @@ impl Values<'_> {
     ) -> Result<Finish, NothingToSimulate> {
         match (at_rest, way) {
             (true, _) => Ok(Finish::Rest),
-            (false, Some(way)) => Ok(Finish::Way(way)),
+            (false, Some(way)) => Ok(Finish::Procedure(way)),
             (false, None) => self.known(duration).map_or_else(|| self.duration(), Ok).map(Finish::Time),
         }
     }
 }
 
-impl Bench<'_> {
+impl StageRun<'_> {
     /// Lets particles go, of which one leads along a line, until they have finished.
     pub(super) fn go_along<const N: usize>(
         &mut self,
@@ -92,7 +92,7 @@ impl Bench<'_> {
         let (time, until): (f64, Until<'_, N>) = match finish {
             Finish::Time(end) => (end - system.start, Until::Time(end)),
             Finish::Rest => (speed / quick, Until::Event(&|state| dot(line, velocity(state, leads)))),
-            Finish::Way(way) => {
+            Finish::Procedure(way) => {
                 let time = way / (speed + libm::sqrt(way * quick));
                 (time, Until::Event(&move |state| way - dot(line, place(state, leads)).abs()))
             }

@@ -4,7 +4,7 @@ use crate::scene::Scene;
 use crate::scene::Stage;
 use crate::scene::stage::Partners;
 
-use super::bench::Bench;
+use super::stage_run::StageRun;
 use super::values::Values;
 
 /// How much shorter the second contact is than the first.
@@ -33,8 +33,10 @@ pub fn is_impulsive(
         // It is integrated over both contacts.
         let over = |time: f64| {
             let pull = values.any_mass(body) * values.named("g").unwrap_or(1.0);
-            let end =
-                Bench::new(&values, tolerance).integrator(time / 4.0).until(0.0, [0.0], time, &|_, _| [pull]).ok()?;
+            let end = StageRun::new(&values, tolerance)
+                .integrator(time / 4.0)
+                .until(0.0, [0.0], time, &|_, _| [pull])
+                .ok()?;
             Some(end[0])
         };
         return Some(over(1.0 / SHORTER)? > over(1.0)? / 2.0);
@@ -58,7 +60,7 @@ pub fn is_impulsive(
         return None;
     }
     let given = |shorter: f64| {
-        let mut bench = Bench { shorter, ..Bench::new(&values, tolerance) };
+        let mut bench = StageRun { shorter, ..StageRun::new(&values, tolerance) };
         bench.stage(own).ok()?;
         let name = format!("J_{body}");
         let parts = bench.observed.found.iter().filter(|own| own.name.starts_with(&name));

@@ -2,8 +2,8 @@
 
 use crate::scene::{Axis, Scene};
 
-use super::bench::kinetic;
 use super::nothing::NothingToSimulate;
+use super::stage_run::kinetic;
 use super::values::Values;
 use super::vector::{Vector, ZERO, add, cross, less, part, size, times, unit};
 

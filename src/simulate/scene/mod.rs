@@ -2,7 +2,6 @@
 //!
 //! This is the independent witness of `momentous check`: it reads the scene anew, and shares no code with the laws.
 
-mod bench;
 mod bounces;
 mod component;
 mod course;
@@ -18,9 +17,10 @@ mod nothing;
 mod particles;
 mod pushed;
 mod rate;
-mod reel;
+mod recorded_motion;
 mod revolution;
 mod stage;
+mod stage_run;
 mod state;
 mod strength;
 mod system;
@@ -29,19 +29,19 @@ mod values;
 mod vector;
 mod watch;
 
-pub use bench::{Observed, Way};
+use crate::scene::Scene;
+
 pub use component::Component;
 pub use experiment::{Experiment, Reached, Reading, Staged};
 pub use impulsive::is_impulsive;
 pub use measure::{Asked, measure};
 pub use nothing::NothingToSimulate;
-pub use reel::Reel;
+pub use recorded_motion::RecordedMotion;
+pub use stage_run::{Observed, Procedure};
 pub use vector::Vector;
 pub use watch::watch;
 
-use crate::scene::{Scene, Stage};
-
-use bench::Bench;
+use stage_run::StageRun;
 use values::Values;
 use vector::{cross, dot};
 
@@ -88,9 +88,9 @@ pub fn observe_at(
 ) -> Result<Observed, NothingToSimulate> {
     let own = scene.stages.get(stage).ok_or(NothingToSimulate::NoStage)?;
     let values = Values { scene, value, index: stage };
-    let mut bench = Bench { crossing, ..Bench::new(&values, tolerance) };
-    bench.stage(own)?;
-    Ok(bench.observed)
+    let mut run = StageRun { crossing, ..StageRun::new(&values, tolerance) };
+    run.stage(own)?;
+    Ok(run.observed)
 }
 
 /// Watches the motion of a stage, counted from 0, that is integrated in time: what [`observe`] finds the end of. `value` gives the
@@ -119,13 +119,13 @@ pub fn follow(
     stage: usize,
     value: &dyn Fn(&str) -> Option<f64>,
     tolerance: f64,
-) -> Result<Vec<Reel>, NothingToSimulate> {
+) -> Result<Vec<RecordedMotion>, NothingToSimulate> {
     let own = scene.stages.get(stage).ok_or(NothingToSimulate::NoStage)?;
     let values = Values { scene, value, index: stage };
-    let mut bench = Bench { reels: Some(Vec::new()), ..Bench::new(&values, tolerance) };
-    bench.stage(own)?;
-    let reels = bench.reels.unwrap_or_default();
-    if reels.is_empty() { Err(NothingToSimulate::NotShown) } else { Ok(reels) }
+    let mut run = StageRun { motions: Some(Vec::new()), ..StageRun::new(&values, tolerance) };
+    run.stage(own)?;
+    let motions = run.motions.unwrap_or_default();
+    if motions.is_empty() { Err(NothingToSimulate::NotShown) } else { Ok(motions) }
 }
 
 /// The value of a term of a scene, where all its names have values.
@@ -168,35 +168,8 @@ pub fn translate(
     value: &dyn Fn(&str) -> Option<f64>,
 ) -> Result<Staged, NothingToSimulate> {
     let values = Values { scene, value, index: stage };
-    match scene.stages.get(stage) {
-        Some(Stage::Impact(impact)) => values.impact(impact),
-        Some(Stage::Push(push)) => values.push(push),
-        Some(Stage::Fall(fall)) => values.fall(fall),
-        Some(Stage::Flight(flight)) => values.flight(flight),
-        Some(Stage::Bounces(bounces)) => values.bounces(bounces),
-        Some(Stage::Drift(_) | Stage::Walk(_) | Stage::Stream(_)) => Err(NothingToSimulate::NothingChanges),
-        Some(Stage::Blow(_)) => Err(NothingToSimulate::UnknownHistory),
-        Some(
-            Stage::Slide(_)
-            | Stage::Spring(_)
-            | Stage::Swing(_)
-            | Stage::Taut(_)
-            | Stage::Connected(_)
-            | Stage::Tow(_)
-            | Stage::Rotate(_)
-            | Stage::Moment(_)
-            | Stage::Strike(_)
-            | Stage::Conical(_)
-            | Stage::Bowl(_)
-            | Stage::Interact(_)
-            | Stage::Central(_)
-            | Stage::Thrust(_)
-            | Stage::Separate(_)
-            | Stage::SlideOff(_)
-            | Stage::Motion(_),
-        ) => Err(NothingToSimulate::NoMethod),
-        None => Err(NothingToSimulate::NoStage),
-    }
+    let stage = scene.stages.get(stage).ok_or(NothingToSimulate::NoStage)?;
+    values.translated(stage)
 }
 
 #[cfg(test)]

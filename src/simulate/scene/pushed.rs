@@ -2,8 +2,8 @@
 
 use crate::scene::Term;
 
-use super::bench::Bench;
 use super::particles::Particle;
+use super::stage_run::StageRun;
 use super::vector::{Vector, ZERO, across, dot, size};
 
 /// A body that was pushed for a short time.
@@ -24,7 +24,7 @@ impl<'a> Pushed<'a> {
     }
 }
 
-impl Bench<'_> {
+impl StageRun<'_> {
     /// Notes the velocities afterwards.
     pub(super) fn note_velocities(&mut self, pushed: &[Pushed<'_>]) {
         let scale = pushed.iter().map(|own| size(own.body.velocity).max(size(own.after))).fold(0.0, f64::max);

@@ -1,8 +1,10 @@
 //! Where bodies are and how they move when a stage starts.
 
-use crate::scene::{Axis, Stage};
+use crate::scene::Axis;
 
 use super::nothing::NothingToSimulate;
+use super::stage::is_sudden;
+use super::stage::same_place;
 use super::values::Values;
 use super::vector::{Vector, ZERO, add, part, times, unit};
 
@@ -51,48 +53,10 @@ impl Values<'_> {
                 return Ok(place);
             }
             // What came between left it where it was.
-            match instant.checked_sub(2).and_then(|stage| self.scene.stages.get(stage)) {
-                Some(Stage::Impact(impact)) => {
-                    if let (Some(union), Some([first, _])) = (&impact.becomes, &impact.between)
-                        && union == body
-                    {
-                        body = first;
-                    }
-                }
-                Some(Stage::Separate(separate)) => {
-                    if let Some(whole) =
-                        separate.from.as_deref().filter(|_| separate.into.iter().any(|own| own == body))
-                    {
-                        body = whole;
-                    }
-                }
-                Some(Stage::Blow(_) | Stage::Stream(_) | Stage::Strike(_)) => {}
-                Some(Stage::Flight(flight)) if flight.flying().all(|own| own != body) => {}
-                Some(Stage::Fall(fall)) if fall.body != body => {}
-                None
-                | Some(
-                    Stage::Push(_)
-                    | Stage::Slide(_)
-                    | Stage::Spring(_)
-                    | Stage::Swing(_)
-                    | Stage::Taut(_)
-                    | Stage::Connected(_)
-                    | Stage::Tow(_)
-                    | Stage::Rotate(_)
-                    | Stage::Moment(_)
-                    | Stage::Conical(_)
-                    | Stage::Bowl(_)
-                    | Stage::Interact(_)
-                    | Stage::Central(_)
-                    | Stage::Fall(_)
-                    | Stage::Bounces(_)
-                    | Stage::Thrust(_)
-                    | Stage::Drift(_)
-                    | Stage::SlideOff(_)
-                    | Stage::Walk(_)
-                    | Stage::Flight(_)
-                    | Stage::Motion(_),
-                ) => break,
+            let stage = instant.checked_sub(2).and_then(|stage| self.scene.stages.get(stage));
+            match stage.and_then(|stage| same_place(stage, body)) {
+                Some(before) => body = before,
+                None => break,
             }
         }
         Err(NothingToSimulate::ValueMissing)
@@ -113,10 +77,7 @@ impl Values<'_> {
             if let Some(time) = (self.value)(&name) {
                 return Some(time);
             }
-            let before = self.scene.stages.get(instant - 2);
-            if !matches!(before, Some(Stage::Impact(_) | Stage::Blow(_) | Stage::Separate(_) | Stage::Strike(_))) {
-                return None;
-            }
+            self.scene.stages.get(instant - 2).filter(|before| is_sudden(before))?;
         }
         None
     }

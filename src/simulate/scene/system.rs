@@ -3,7 +3,7 @@
 use super::component::Frame;
 use super::integrate::End;
 use super::particles::{Constraint, Force, Particle, SharedLines, Strength, place, velocity};
-use super::reel::{Look, Seen};
+use super::recorded_motion::{Look, Seen};
 use super::vector::{Vector, ZERO, add, dot, times};
 
 /// Particles, and all that acts on them. A state holds place and velocity of each particle, and behind them the impulses of the

@@ -3,12 +3,12 @@
 //! Pressed, the spring has one stiffness; released, a greater one, so that it is relaxed before it has its old length. With
 //! the ratio e² of the two it returns the share e of the relative velocity, whatever the masses (Walton and Braun, 1986).
 
-use super::bench::{Bench, Way};
 use super::course::Until;
 use super::integrate::Integrator;
 use super::nothing::NothingToSimulate;
 use super::particles::{Force, Particle, velocity};
 use super::pushed::Pushed;
+use super::stage_run::{Procedure, StageRun};
 use super::system::System;
 use super::vector::{Vector, dot, less, times};
 
@@ -46,17 +46,17 @@ impl<'a> Touch<'a> {
     }
 
     /// Runs the contact to its end.
-    pub(super) fn run(&self, bench: &mut Bench<'_>) -> Result<Parted<'a>, NothingToSimulate> {
+    pub(super) fn run(&self, bench: &mut StageRun<'_>) -> Result<Parted<'a>, NothingToSimulate> {
         bench.unwatched(|bench| self.watched(bench))
     }
 
     /// The same, watched from the approach to the parting.
-    pub(super) fn watched(&self, bench: &mut Bench<'_>) -> Result<Parted<'a>, NothingToSimulate> {
+    pub(super) fn watched(&self, bench: &mut StageRun<'_>) -> Result<Parted<'a>, NothingToSimulate> {
         let mut system = System::new(bench.values.frame(), self.parties.to_vec());
         if self.closing(&system.state()) <= 0.0 {
             return Err(NothingToSimulate::NothingChanges);
         }
-        bench.by(Way::Contact);
+        bench.by(Procedure::Contact);
         let lighter = self.parties.iter().filter_map(|party| party.mass).fold(f64::INFINITY, f64::min);
         let stiffness = lighter * bench.shorter * bench.shorter;
         let overlaps = vec![(0, self.normal), (1, times(-1.0, self.normal))];
@@ -99,7 +99,7 @@ mod tests {
     fn parted<'a>(touch: &Touch<'a>) -> Parted<'a> {
         let scene: Scene = serde_json::from_str(r#"{ "axes": { "x": "east" }, "bodies": {} }"#).unwrap();
         let values = Values { scene: &scene, value: &|_| None, index: 0 };
-        let mut bench = Bench::new(&values, 1e-12);
+        let mut bench = StageRun::new(&values, 1e-12);
         touch.run(&mut bench).unwrap()
     }
 

@@ -2,8 +2,8 @@
 
 use crate::scene::Scene;
 
-use super::bench::kinetic;
 use super::measure::{Asked, along, centre, energy, mean, of_centre, place, sum, turning, velocity};
+use super::stage_run::kinetic;
 use super::values::Values;
 use super::vector::{Vector, ZERO, add, cross, less, part, size, times};
 

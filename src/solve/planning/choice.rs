@@ -16,7 +16,7 @@ pub(super) struct Choice<'a> {
 
 /// Rows that are chosen.
 #[derive(Clone, Debug)]
-struct Way {
+struct ChosenRows {
     /// The place of the row that is chosen or left out next.
     place: usize,
     cost: u64,
@@ -40,11 +40,11 @@ impl<'a> Choice<'a> {
     /// next dearer ones cost at least. Each step takes one from what is `left`; where nothing is, some may be missing.
     pub(in crate::solve) fn rows(&self, columns: &Bits, most: u64, left: &mut usize) -> (Vec<Bits>, Option<u64>) {
         let mut ways =
-            vec![Way { place: 0, cost: 0, rows: Bits::empty(self.structure.rows.len()), span: Span::default() }];
+            vec![ChosenRows { place: 0, cost: 0, rows: Bits::empty(self.structure.rows.len()), span: Span::default() }];
         for direct in columns.iter().map(|column| &self.direct[column]).filter(|direct| !direct.is_empty()) {
             let mut more = Vec::new();
             for way in &ways {
-                more.extend(direct.iter().filter_map(|row| Some(Way { place: 0, ..self.with(way, row)? })));
+                more.extend(direct.iter().filter_map(|row| Some(ChosenRows { place: 0, ..self.with(way, row)? })));
             }
             ways = more;
         }
@@ -73,7 +73,7 @@ impl<'a> Choice<'a> {
             let Some(row) = inside.get(way.place) else { continue };
             let with = self.with(&way, *row);
             if with.is_none() || self.are_enough(&way, inside.iter().skip(way.place + 1), width) {
-                ways.push(Way { place: way.place + 1, ..way });
+                ways.push(ChosenRows { place: way.place + 1, ..way });
             }
             ways.extend(with);
         }
@@ -81,14 +81,14 @@ impl<'a> Choice<'a> {
     }
 
     /// Whether the rows that are chosen say as much with these as columns need of so great a number.
-    fn are_enough<'r>(&self, way: &Way, rows: impl ExactSizeIterator<Item = &'r usize>, width: usize) -> bool {
+    fn are_enough<'r>(&self, way: &ChosenRows, rows: impl ExactSizeIterator<Item = &'r usize>, width: usize) -> bool {
         let mut span = way.span.clone();
         span.len() + rows.len() >= width
             && rows.into_iter().any(|row| span.add(&self.gradients[*row]) && span.len() == width)
     }
 
     /// A choice with one more row, where that says something new.
-    fn with(&self, way: &Way, row: usize) -> Option<Way> {
+    fn with(&self, way: &ChosenRows, row: usize) -> Option<ChosenRows> {
         let mut more = way.clone();
         more.place += 1;
         more.cost += u64::from(self.structure.rows[row].cost);

@@ -62,12 +62,12 @@ struct Within {
     /// Rows that are not to come within: what they lead to is looked at elsewhere.
     without: Bits,
     /// What a narrower set of columns says, where that was kept.
-    narrower: Option<Rc<Said>>,
+    narrower: Option<Rc<Restriction>>,
 }
 
 /// What rows say that lie within some columns.
 #[derive(Clone, Debug)]
-struct Said {
+struct Restriction {
     rows: Bits,
     basis: Basis,
 }
@@ -132,7 +132,7 @@ impl<'a> Search<'a> {
     /// Widens a set of columns by the unknowns of each row of which one must be taken.
     fn expand(&mut self, estimate: u64, within: Within) {
         let Within { mut columns, mut without, narrower } = within;
-        let none = || Said { rows: Bits::empty(self.structure.rows.len()), basis: Basis::default() };
+        let none = || Restriction { rows: Bits::empty(self.structure.rows.len()), basis: Basis::default() };
         let mut said = narrower.map_or_else(none, Rc::unwrap_or_clone);
         let unknowns = |row: usize| &self.structure.rows[row].unknowns;
         let mut widened = false;
@@ -190,7 +190,7 @@ impl<'a> Search<'a> {
     }
 
     /// The rows that contain some of the columns and others, and may come within. What lies within is added to what is said.
-    fn beyond(&self, columns: &Bits, without: &Bits, said: &mut Said) -> Bits {
+    fn beyond(&self, columns: &Bits, without: &Bits, said: &mut Restriction) -> Bits {
         let missing = |row: usize| {
             let mut missing = self.structure.rows[row].unknowns.clone();
             missing.subtract(columns);
@@ -225,7 +225,7 @@ impl<'a> Search<'a> {
     }
 
     /// Shares what rows say with the wider sets, as long as there is room.
-    fn keep(&mut self, said: Said) -> Option<Rc<Said>> {
+    fn keep(&mut self, said: Restriction) -> Option<Rc<Restriction>> {
         let size = said.basis.size();
         let fits = size <= self.room;
         self.room -= if fits { size } else { 0 };

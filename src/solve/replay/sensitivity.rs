@@ -53,7 +53,7 @@ struct Made {
 
 /// The memory of a run, which the next one takes.
 #[derive(Debug, Default)]
-struct Memory {
+struct ReusedBuffers {
     workspace: Workspace<f64>,
     /// By register.
     shares: Vec<f64>,
@@ -63,7 +63,7 @@ struct Memory {
 }
 
 thread_local! {
-    static MEMORY: RefCell<Memory> = RefCell::default();
+    static MEMORY: RefCell<ReusedBuffers> = RefCell::default();
 }
 
 impl Sensitivity {
@@ -136,7 +136,7 @@ impl Sensitivity {
         mut each: impl FnMut(Symbol, f64, bool),
     ) {
         let Ok(asked) = self.symbols.binary_search(&asked) else { return };
-        MEMORY.with_borrow_mut(|Memory { workspace, shares, values, slopes }| {
+        MEMORY.with_borrow_mut(|ReusedBuffers { workspace, shares, values, slopes }| {
             [&mut *values, &mut *shares, &mut *slopes].into_iter().for_each(Vec::clear);
             values.extend(self.symbols.iter().map(|symbol| value(*symbol)));
             workspace.prepare(&self.constants, &self.registers, values.iter());

@@ -16,7 +16,7 @@ use crate::exercise::calls::{Refused, RefusedKind};
 use crate::store::TicketKind;
 
 use super::super::answer;
-use super::super::app::Shared;
+use super::super::app::SharedApp;
 use super::super::parameters::Parameters;
 use super::origin;
 use super::outcome::NotShown;
@@ -29,7 +29,7 @@ use super::visit::Visit;
 const LONGEST_FORM: usize = 1 << 20;
 
 /// The pages of courses, beside the others.
-pub(in crate::web) fn with_courses(mut router: Router<Shared>, app: &Shared) -> Router<Shared> {
+pub(in crate::web) fn with_courses(mut router: Router<SharedApp>, app: &SharedApp) -> Router<SharedApp> {
     let Some(courses) = &app.courses else { return router };
     for row in ROWS {
         let courses = Arc::clone(courses);
@@ -38,7 +38,7 @@ pub(in crate::web) fn with_courses(mut router: Router<Shared>, app: &Shared) -> 
             Does::Changes => MethodFilter::POST,
         };
         let handle =
-            move |axum::extract::State(app): axum::extract::State<Shared>, path: RawPathParams, request: Request| {
+            move |axum::extract::State(app): axum::extract::State<SharedApp>, path: RawPathParams, request: Request| {
                 let courses = Arc::clone(&courses);
                 async move { respond(row, app, courses, &path, request).await }
             };
@@ -47,11 +47,11 @@ pub(in crate::web) fn with_courses(mut router: Router<Shared>, app: &Shared) -> 
     router
 }
 
-async fn respond(row: &Row, app: Shared, courses: Arc<Courses>, path: &RawPathParams, request: Request) -> Response {
+async fn respond(row: &Row, app: SharedApp, courses: Arc<Courses>, path: &RawPathParams, request: Request) -> Response {
     let to = request.uri().path_and_query().map_or_else(String::new, |own| own.as_str().to_owned());
     let path = path.iter().map(|(name, value)| (name.to_owned(), value.to_owned())).collect();
     let shown = async {
-        let visit = visit(row, Shared::clone(&app), courses, path, request).await?;
+        let visit = visit(row, SharedApp::clone(&app), courses, path, request).await?;
         row.who.admits(&visit)?;
         let reply = (row.make)(&visit).await?;
         Ok(reply.response(&visit))
@@ -65,7 +65,7 @@ async fn respond(row: &Row, app: Shared, courses: Arc<Courses>, path: &RawPathPa
 /// Who asks for what. Nothing is read of a form that another site has sent.
 async fn visit(
     row: &Row,
-    app: Shared,
+    app: SharedApp,
     courses: Arc<Courses>,
     path: Vec<(String, String)>,
     request: Request,
@@ -146,10 +146,15 @@ fn is_multipart(headers: &HeaderMap) -> bool {
     kind.is_some_and(|kind| kind.starts_with("multipart/form-data"))
 }
 
-async fn not_shown(app: Shared, reason: NotShown, does: Does, to: &str) -> Response {
+async fn not_shown(app: SharedApp, reason: NotShown, does: Does, to: &str) -> Response {
     let said = |status, title, message: &str, help: &str| {
         let refused = Refused::new(RefusedKind::Invalid, message);
-        answer::refusal(Shared::clone(&app), status, title, if help.is_empty() { refused } else { refused.help(help) })
+        answer::refusal(
+            SharedApp::clone(&app),
+            status,
+            title,
+            if help.is_empty() { refused } else { refused.help(help) },
+        )
     };
     match reason {
         NotShown::Refused(refused) => answer::refused(app, refused).await,

@@ -8,7 +8,7 @@ use serde::Serialize;
 use crate::course::{Course, Key, Moment, Person};
 use crate::store::{Entry, Membership, Store};
 
-use super::super::app::{App, Shared};
+use super::super::app::{App, SharedApp};
 use super::super::parameters::Parameters;
 use super::outcome::NotShown;
 use super::reply::Reply;
@@ -17,7 +17,7 @@ use super::state::Courses;
 
 /// Somebody asks for a page, or sends a form.
 pub(super) struct Visit {
-    pub(super) app: Shared,
+    pub(super) app: SharedApp,
     pub(super) courses: Arc<Courses>,
     /// The host and port that the browser asked, or that was said at the start.
     pub(super) host: String,
@@ -98,7 +98,7 @@ impl Visit {
         &self,
         work: impl FnOnce(&App) -> Result<T, NotShown> + Send + 'static,
     ) -> Result<T, NotShown> {
-        let app = Shared::clone(&self.app);
+        let app = SharedApp::clone(&self.app);
         self.app.workers.work(move || work(&app)).await?
     }
 

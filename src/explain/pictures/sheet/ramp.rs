@@ -7,7 +7,7 @@ use crate::figure::Ramp;
 use crate::figure::Situation;
 use crate::figure::Wording;
 use crate::scene::stage::Slide;
-use crate::scene::stage::Way;
+use crate::scene::stage::UpOrDown;
 
 use super::super::super::wording::capitalised;
 use super::super::compass::Compass;
@@ -22,7 +22,7 @@ pub(in super::super) fn drawing(
     index: usize,
     stage: &Slide,
 ) -> Drawing {
-    let falls = stage.way != Some(Way::Up);
+    let falls = stage.way != Some(UpOrDown::Up);
     let forwards = if quantities.is_backwards(stage.direction.as_ref()) { -1.0 } else { 1.0 };
     let rightwards = (compass.place([forwards, 0.0])[0] > 0.0) == falls;
     let vectors = |instant: usize| match quantities.scope() {

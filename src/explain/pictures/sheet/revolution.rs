@@ -11,7 +11,7 @@ use crate::figure::Situation;
 use crate::figure::Wall;
 use crate::figure::Wording;
 use crate::scene::stage;
-use crate::scene::stage::Way;
+use crate::scene::stage::UpOrDown;
 
 use super::super::super::wording::capitalised;
 use super::super::quantities::Quantities;
@@ -60,7 +60,7 @@ pub(in super::super) fn bowl(quantities: &Quantities<'_>, stage: &stage::Bowl) -
     };
     let share = match (distance, size) {
         (Some(distance), Some(size)) => distance / size,
-        _ if stage.way == Way::Up => 0.6,
+        _ if stage.way == UpOrDown::Up => 0.6,
         _ => 0.95,
     };
     // At the rim the radius says it all.
@@ -72,7 +72,7 @@ pub(in super::super) fn bowl(quantities: &Quantities<'_>, stage: &stage::Bowl) -
             Wall::Cone(angle, _) => distance.map(|distance| distance / libm::tan(*angle)),
         };
         let part = level.map_or(RISE, |level| height / level);
-        (if stage.way == Way::Up { part } else { -part }, label)
+        (if stage.way == UpOrDown::Up { part } else { -part }, label)
     });
     let velocity = across(quantities, &format!("{}.theta", quantities.velocity_name(body, 1)));
     let said = [

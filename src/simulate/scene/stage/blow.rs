@@ -6,17 +6,17 @@ use std::sync::Arc;
 
 use crate::scene::stage::Blow;
 
-use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::course::Until;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::particles::{Force, Particle, velocity};
+use crate::simulate::scene::stage_run::StageRun;
 use crate::simulate::scene::system::System;
 use crate::simulate::scene::vector::{Vector, ZERO, add, dot, part, size, times, unit};
 
 /// Where the impulse of the force stands in a state of one particle.
 const IMPULSE: usize = 6;
 
-impl Bench<'_> {
+impl StageRun<'_> {
     pub(super) fn blow(&mut self, stage: &Blow) -> Result<(), NothingToSimulate> {
         let body = stage.body.as_str();
         let (mass, before) = (self.values.mass(body)?, self.values.moving(body)?);

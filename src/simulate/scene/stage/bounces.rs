@@ -2,9 +2,9 @@
 
 use crate::scene::stage::Bounces;
 
-use crate::simulate::scene::bench::{Bench, Way};
 use crate::simulate::scene::integrate::Integrator;
 use crate::simulate::scene::nothing::NothingToSimulate;
+use crate::simulate::scene::stage_run::{Procedure, StageRun};
 use crate::simulate::scene::vector::size;
 
 /// The share of the first height below which a bounce adds nothing.
@@ -19,14 +19,14 @@ const ANY_GRAVITY: f64 = 9.81;
 /// Bounces after which a path is given up.
 const MOST_BOUNCES: u32 = 2_000;
 
-impl Bench<'_> {
+impl StageRun<'_> {
     pub(super) fn bounces(&mut self, stage: &Bounces) -> Result<(), NothingToSimulate> {
         if let Err(missing) = self.values.drop_before(stage) {
             return self.heights_after_a_known_one(stage).ok_or(missing)?;
         }
         let staged = self.values.bounces(stage)?;
         self.take(&staged)?;
-        self.by(Way::Integrated);
+        self.by(Procedure::Integrated);
         match self.values.drop_before(stage)? {
             Some(height) => self.path(stage, height),
             None => self.between_bounces(stage),
@@ -65,7 +65,7 @@ impl Bench<'_> {
         let first = (1..=NUMBERED).find(|bounce| known(bounce).is_some())?;
         let mut rise = known(&first)?;
         let (gravity, e) = (self.values.named("g").unwrap_or(ANY_GRAVITY), self.values.term(&stage.restitution).ok()?);
-        self.by(Way::Integrated);
+        self.by(Procedure::Integrated);
         for bounce in first + 1..=NUMBERED {
             match self.bounce(rise, gravity, e) {
                 Ok(next) => rise = next,

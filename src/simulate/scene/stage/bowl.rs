@@ -1,16 +1,16 @@
 //! A body that slides inside a smooth cone or bowl, integrated in space.
 
-use crate::scene::stage::{Bowl, Way};
+use crate::scene::stage::{Bowl, UpOrDown};
 
-use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::component::Frame;
 use crate::simulate::scene::course::Until;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::particles::{Constraint, Particle, Surface};
 use crate::simulate::scene::revolution::{State, around, distance, speed};
+use crate::simulate::scene::stage_run::StageRun;
 use crate::simulate::scene::system::System;
 
-impl Bench<'_> {
+impl StageRun<'_> {
     pub(super) fn bowl(&mut self, stage: &Bowl) -> Result<(), NothingToSimulate> {
         let (body, first) = (stage.body.as_str(), self.values.index + 1);
         let named = |base: &str, instant: usize, part: &str| {
@@ -24,7 +24,7 @@ impl Bench<'_> {
             Some(term) => self.values.term(term),
             None => self.values.named(&format!("h_{body}{}", self.values.suffix())),
         };
-        let sense = if stage.way == Way::Up { 1.0 } else { -1.0 };
+        let sense = if stage.way == UpOrDown::Up { 1.0 } else { -1.0 };
         let (surface, level, steep) = match (&stage.cone, &stage.sphere) {
             (Some(term), _) => {
                 let angle = self.values.term(term)?;

@@ -367,9 +367,9 @@ fn what_cannot_be_simulated_says_why() {
 fn the_balances_of_what_is_watched_are_level() {
     let mut watched = 0;
     for (axes, stage, told, _) in BY_HAND {
-        let reels = with(axes, stage, told, |scene, value| follow(scene, 0, value, 1e-10)).unwrap_or_default();
-        for reel in &reels {
-            let moments = &reel.record.moments;
+        let motions = with(axes, stage, told, |scene, value| follow(scene, 0, value, 1e-10)).unwrap_or_default();
+        for motion in &motions {
+            let moments = &motion.record.moments;
             let kept = |moment: &Moment| -> Vec<f64> {
                 let momenta = moment.momentum.iter().zip(&moment.outside).map(|(all, outside)| all - outside);
                 momenta.chain([moment.balance()]).collect()

@@ -2,11 +2,11 @@
 
 use crate::scene::stage::{Central, Orbit};
 
-use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::component::Frame;
 use crate::simulate::scene::integrate::Integrator;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::reel::{Look, Motion, Seen};
+use crate::simulate::scene::recorded_motion::{Look, Motion, Seen};
+use crate::simulate::scene::stage_run::StageRun;
 
 /// Place, velocity, and the area that the radius has swept.
 type State = [f64; 5];
@@ -69,7 +69,7 @@ impl Pull {
     }
 }
 
-impl Bench<'_> {
+impl StageRun<'_> {
     pub(super) fn central(&mut self, stage: &Central) -> Result<(), NothingToSimulate> {
         let (body, first) = (stage.body.as_str(), self.values.index + 1);
         let named =

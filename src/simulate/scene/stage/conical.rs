@@ -4,14 +4,14 @@ use core::f64::consts::TAU;
 
 use crate::scene::stage::Conical;
 
-use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::course::Until;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::particles::{Constraint, Surface};
 use crate::simulate::scene::revolution::{Circle, around, distance};
+use crate::simulate::scene::stage_run::StageRun;
 use crate::simulate::scene::vector::{add, times, unit};
 
-impl Bench<'_> {
+impl StageRun<'_> {
     pub(super) fn conical(&mut self, stage: &Conical) -> Result<(), NothingToSimulate> {
         let [axis] = self.values.axes()[..] else { return Err(NothingToSimulate::Unread) };
         let (body, first, gravity) = (stage.body.as_str(), self.values.index + 1, self.values.named("g")?);

@@ -3,14 +3,14 @@
 use crate::scene::Axis;
 use crate::scene::stage::{Connected, Strand};
 
-use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::component::Frame;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::particles::{Constraint, Force, Particle, place, velocity};
+use crate::simulate::scene::stage_run::StageRun;
 use crate::simulate::scene::system::System;
 use crate::simulate::scene::vector::{dot, times, unit};
 
-impl Bench<'_> {
+impl StageRun<'_> {
     pub(super) fn connected(&mut self, stage: &Connected) -> Result<(), NothingToSimulate> {
         let axis = self.values.axes().first().copied().ok_or(NothingToSimulate::Unread)?;
         let strands = [&stage.trailing, &stage.leading];

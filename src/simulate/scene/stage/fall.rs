@@ -2,15 +2,15 @@
 
 use crate::scene::stage::Fall;
 
-use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::course::Until;
 use crate::simulate::scene::integrate::End;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::particles::{Particle, place, velocity};
+use crate::simulate::scene::stage_run::StageRun;
 use crate::simulate::scene::system::System;
 use crate::simulate::scene::vector::{dot, part, size, times, unit};
 
-impl Bench<'_> {
+impl StageRun<'_> {
     pub(super) fn fall(&mut self, stage: &Fall) -> Result<(), NothingToSimulate> {
         let height = self.values.term(&stage.height)?;
         for axis in self.values.axes() {

@@ -5,11 +5,11 @@ use std::sync::Arc;
 use crate::scene::stage::{Drift, Flight};
 use crate::scene::{Axis, Stage, Term};
 
-use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::particles::Particle;
 use crate::simulate::scene::rate::rate;
-use crate::simulate::scene::reel::Motion;
+use crate::simulate::scene::recorded_motion::Motion;
+use crate::simulate::scene::stage_run::StageRun;
 use crate::simulate::scene::values::OfSeveral;
 use crate::simulate::scene::vector::{Vector, ZERO, add, cross, less, part, size, times};
 
@@ -33,7 +33,7 @@ impl Particle<'_> {
     }
 }
 
-impl Bench<'_> {
+impl StageRun<'_> {
     pub(super) fn flight(&mut self, stage: &Flight) -> Result<(), NothingToSimulate> {
         let mut falls = ZERO;
         for (axis, fall) in self.values.axes().into_iter().zip(self.values.falls(stage.incline.as_ref())?) {

@@ -2,10 +2,10 @@
 
 use crate::scene::stage::{Impact, Partners};
 
-use crate::simulate::scene::bench::{Bench, kinetic};
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::particles::Particle;
 use crate::simulate::scene::pushed::Pushed;
+use crate::simulate::scene::stage_run::{StageRun, kinetic};
 use crate::simulate::scene::touch::{Parted, Touch};
 use crate::simulate::scene::vector::{Vector, across, add, dot, less, size, times, unit};
 
@@ -15,7 +15,7 @@ const CLOSE: f64 = 1e-14;
 /// Halvings of that search.
 const HALVINGS: usize = 60;
 
-impl Bench<'_> {
+impl StageRun<'_> {
     pub(super) fn impact(&mut self, stage: &Impact) -> Result<(), NothingToSimulate> {
         match stage.partners() {
             Some(Partners::Bodies(first, second)) if stage.plastic => self.stick(stage, [first, second]),

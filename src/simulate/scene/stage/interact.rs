@@ -5,11 +5,11 @@ use std::sync::Arc;
 
 use crate::scene::stage::Interact;
 
-use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::course::Until;
 use crate::simulate::scene::measure::{self, Asked, centre, turning};
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::particles::{Force, Particle, place, velocity};
+use crate::simulate::scene::stage_run::StageRun;
 use crate::simulate::scene::system::System;
 use crate::simulate::scene::vector::{Vector, ZERO, add, cross, less, part, size, times, unit};
 
@@ -19,7 +19,7 @@ const MOST: usize = 4;
 /// For how long they are looked at, in units of the time in which they pass each other.
 const WATCHED: f64 = 2.0;
 
-impl Bench<'_> {
+impl StageRun<'_> {
     pub(super) fn interact(&mut self, stage: &Interact) -> Result<(), NothingToSimulate> {
         let bodies: Vec<&str> = stage.between.iter().map(String::as_str).collect();
         if bodies.len() > MOST {

@@ -1,4 +1,5 @@
-//! What simulates each kind of stage: one file each, as in the scene.
+//! What simulates each kind of stage: one file each, as in the scene. Whatever else the room asks of a kind of stage is answered
+//! here as well.
 
 mod blow;
 mod bounces;
@@ -32,10 +33,12 @@ mod walk;
 
 use crate::scene::Stage;
 
-use super::bench::Bench;
+use super::Staged;
 use super::nothing::NothingToSimulate;
+use super::stage_run::StageRun;
+use super::values::Values;
 
-impl Bench<'_> {
+impl StageRun<'_> {
     /// Simulates a stage, whatever its kind.
     pub(super) fn stage(&mut self, stage: &Stage) -> Result<(), NothingToSimulate> {
         match stage {
@@ -67,4 +70,77 @@ impl Bench<'_> {
             Stage::Motion(stage) => self.motion(stage),
         }
     }
+}
+
+impl Values<'_> {
+    /// A stage for the numerical methods.
+    pub(super) fn translated(&self, stage: &Stage) -> Result<Staged, NothingToSimulate> {
+        match stage {
+            Stage::Impact(impact) => self.impact(impact),
+            Stage::Push(push) => self.push(push),
+            Stage::Fall(fall) => self.fall(fall),
+            Stage::Flight(flight) => self.flight(flight),
+            Stage::Bounces(bounces) => self.bounces(bounces),
+            Stage::Drift(_) | Stage::Walk(_) | Stage::Stream(_) => Err(NothingToSimulate::NothingChanges),
+            Stage::Blow(_) => Err(NothingToSimulate::UnknownHistory),
+            Stage::Slide(_)
+            | Stage::Spring(_)
+            | Stage::Swing(_)
+            | Stage::Taut(_)
+            | Stage::Connected(_)
+            | Stage::Tow(_)
+            | Stage::Rotate(_)
+            | Stage::Moment(_)
+            | Stage::Strike(_)
+            | Stage::Conical(_)
+            | Stage::Bowl(_)
+            | Stage::Interact(_)
+            | Stage::Central(_)
+            | Stage::Thrust(_)
+            | Stage::Separate(_)
+            | Stage::SlideOff(_)
+            | Stage::Motion(_) => Err(NothingToSimulate::NoMethod),
+        }
+    }
+}
+
+/// The body that was, before a stage, where a body is after it; none where the stage moves it.
+pub(super) fn same_place<'a>(stage: &'a Stage, body: &'a str) -> Option<&'a str> {
+    match stage {
+        Stage::Impact(impact) => match (&impact.becomes, &impact.between) {
+            (Some(union), Some([first, _])) if union == body => Some(first),
+            _ => Some(body),
+        },
+        Stage::Separate(separate) => {
+            let whole = separate.from.as_deref().filter(|_| separate.into.iter().any(|own| own == body));
+            Some(whole.unwrap_or(body))
+        }
+        Stage::Blow(_) | Stage::Stream(_) | Stage::Strike(_) => Some(body),
+        Stage::Flight(flight) => flight.flying().all(|own| own != body).then_some(body),
+        Stage::Fall(fall) => (fall.body != body).then_some(body),
+        Stage::Push(_)
+        | Stage::Slide(_)
+        | Stage::Spring(_)
+        | Stage::Swing(_)
+        | Stage::Taut(_)
+        | Stage::Connected(_)
+        | Stage::Tow(_)
+        | Stage::Rotate(_)
+        | Stage::Moment(_)
+        | Stage::Conical(_)
+        | Stage::Bowl(_)
+        | Stage::Interact(_)
+        | Stage::Central(_)
+        | Stage::Bounces(_)
+        | Stage::Thrust(_)
+        | Stage::Drift(_)
+        | Stage::SlideOff(_)
+        | Stage::Walk(_)
+        | Stage::Motion(_) => None,
+    }
+}
+
+/// Whether a stage takes no time.
+pub(super) fn is_sudden(stage: &Stage) -> bool {
+    matches!(stage, Stage::Impact(_) | Stage::Blow(_) | Stage::Separate(_) | Stage::Strike(_))
 }

@@ -5,11 +5,11 @@ use std::sync::Arc;
 use crate::scene::stage::{During, Moment};
 use crate::scene::{Axis, Strength};
 
-use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::component::Frame;
 use crate::simulate::scene::course::Until;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::particles::{Force, Particle, velocity};
+use crate::simulate::scene::stage_run::StageRun;
 use crate::simulate::scene::system::System;
 use crate::simulate::scene::values::OfTime;
 use crate::simulate::scene::vector::{ZERO, part, times, unit};
@@ -20,7 +20,7 @@ const ARM: f64 = 0.5;
 /// The mass of each particle, in kg.
 const MASS: f64 = 1.0;
 
-impl Bench<'_> {
+impl StageRun<'_> {
     pub(super) fn moment(&mut self, stage: &Moment) -> Result<(), NothingToSimulate> {
         let [start, end] = self.during(Some(&stage.during))?;
         let turnings: Vec<(String, OfTime, Vec<f64>)> = match &stage.value {

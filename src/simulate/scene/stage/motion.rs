@@ -3,11 +3,11 @@
 use crate::scene::Axis;
 use crate::scene::stage::Motion;
 
-use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::measure::place;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::rate::{Rate, rate};
-use crate::simulate::scene::reel::{Look, Motion as Watched, Seen};
+use crate::simulate::scene::recorded_motion::{Look, Motion as Watched, Seen};
+use crate::simulate::scene::stage_run::StageRun;
 use crate::simulate::scene::values::{OfSeveral, Values};
 use crate::simulate::scene::vector::{Vector, ZERO, add, dot, less, part, size, times, unit, within};
 
@@ -19,7 +19,7 @@ const SOON: [f64; 2] = [1e-3, 1e-2];
 const STEPS: f64 = 64.0;
 
 /// What is given of a motion.
-struct Told {
+struct GivenMotion {
     /// Along each axis, as a function of the clock and the place along the only axis.
     courses: Vec<(Axis, OfSeveral)>,
     /// Whether it is the position that is given, and not the velocity.
@@ -28,7 +28,7 @@ struct Told {
     end: f64,
 }
 
-impl Told {
+impl GivenMotion {
     fn read(values: &Values<'_>, stage: &Motion, [start, end]: [f64; 2]) -> Result<Self, NothingToSimulate> {
         let axes = values.axes();
         let told = stage.velocity.as_ref().or(stage.position.as_ref()).ok_or(NothingToSimulate::ValueMissing)?;
@@ -77,11 +77,11 @@ fn sure(rate: Result<Rate, core::convert::Infallible>) -> Rate {
     rate
 }
 
-impl Bench<'_> {
+impl StageRun<'_> {
     pub(super) fn motion(&mut self, stage: &Motion) -> Result<(), NothingToSimulate> {
         let (body, index) = (stage.body.as_str(), self.values.index);
         let [start, end] = self.during(stage.during.as_ref())?;
-        let told = Told::read(self.values, stage, [start, end])?;
+        let told = GivenMotion::read(self.values, stage, [start, end])?;
         let from = place(self.values, body);
         let first = if told.places { told.at(start, ZERO) } else { from.unwrap_or(ZERO) };
         let integrator = self.integrator((end - start) / STEPS);
@@ -130,7 +130,7 @@ impl Bench<'_> {
         }
     }
 
-    fn film_motion(&mut self, body: &str, told: &Told, first: Vector) -> Result<(), NothingToSimulate> {
+    fn film_motion(&mut self, body: &str, told: &GivenMotion, first: Vector) -> Result<(), NothingToSimulate> {
         let (values, mass) = (self.values, self.values.any_mass(body));
         let slope = |time: f64, at: &[f64; 3]| told.velocity(time, *at).value;
         let look = |time: f64, state: &[f64; 3]| {

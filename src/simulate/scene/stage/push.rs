@@ -5,11 +5,11 @@ use std::sync::Arc;
 use crate::scene::stage::{During, Push};
 use crate::scene::{Force, Friction, Pull, Strength};
 
-use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::course::Until;
 use crate::simulate::scene::floor::Finish;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::particles::{Force as Acting, Particle, place, velocity};
+use crate::simulate::scene::stage_run::StageRun;
 use crate::simulate::scene::system::System;
 use crate::simulate::scene::values::OfTime;
 use crate::simulate::scene::vector::{Vector, ZERO, across, add, dot, part, size, times, unit};
@@ -17,7 +17,7 @@ use crate::simulate::scene::vector::{Vector, ZERO, across, add, dot, part, size,
 /// Pushes and pulls in the time of the stage, each with its direction; and when one of them changes its law.
 type Pulls = (Vec<(Vector, OfTime)>, Vec<f64>);
 
-impl Bench<'_> {
+impl StageRun<'_> {
     pub(super) fn push(&mut self, stage: &Push) -> Result<(), NothingToSimulate> {
         if matches!(self.values.axes()[..], [axis] if stage.depends_on_place(axis.letter())) {
             return self.push_by_place(stage);
@@ -153,7 +153,7 @@ impl Bench<'_> {
         let finish = match (stage.until, &span, self.values.known(stage.over.as_ref())) {
             (Some(_), ..) => Finish::Rest,
             (None, Ok([_, end]), _) => Finish::Time(*end),
-            (None, Err(_), Some(way)) => Finish::Way(way),
+            (None, Err(_), Some(way)) => Finish::Procedure(way),
             (None, Err(missing), None) => return Err(*missing),
         };
         let begun = span.map_or(0.0, |[start, _]| start);

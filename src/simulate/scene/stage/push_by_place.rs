@@ -3,11 +3,11 @@
 use crate::scene::stage::{Push, Until};
 use crate::scene::{Force, Strength};
 
-use crate::simulate::scene::bench::{Bench, kinetic};
 use crate::simulate::scene::nothing::NothingToSimulate;
+use crate::simulate::scene::stage_run::{StageRun, kinetic};
 use crate::simulate::scene::vector::{part, times, unit};
 
-impl Bench<'_> {
+impl StageRun<'_> {
     pub(super) fn push_by_place(&mut self, stage: &Push) -> Result<(), NothingToSimulate> {
         let [axis] = self.values.axes()[..] else { return Err(NothingToSimulate::Unread) };
         let (body, index) = (stage.body.as_str(), self.values.index);

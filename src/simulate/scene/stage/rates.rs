@@ -2,11 +2,11 @@
 
 use crate::scene::stage::{During, Push};
 
-use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::measure::{self, Asked, centre, turning};
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::particles::{place, velocity};
 use crate::simulate::scene::rate::{Rate, rate};
+use crate::simulate::scene::stage_run::StageRun;
 use crate::simulate::scene::system::System;
 use crate::simulate::scene::values::Values;
 use crate::simulate::scene::vector::{Vector, cross, less, times};
@@ -14,7 +14,7 @@ use crate::simulate::scene::vector::{Vector, cross, less, times};
 /// For how long the motion is looked at, in s.
 const SOON: f64 = 1e-4;
 
-impl Bench<'_> {
+impl StageRun<'_> {
     /// Notes the rates about every point of the scene; whether there was one.
     pub(super) fn note_rates(&mut self, stage: &Push) -> Result<bool, NothingToSimulate> {
         let mass = self.values.mass(&stage.body)?;

@@ -6,10 +6,10 @@ use core::f64::consts::PI;
 
 use crate::scene::stage::Rotate;
 
-use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::component::Frame;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::reel::{Look, Motion, Seen};
+use crate::simulate::scene::recorded_motion::{Look, Motion, Seen};
+use crate::simulate::scene::stage_run::StageRun;
 use crate::simulate::scene::values::OfTime;
 use crate::simulate::scene::vector::{times, unit};
 
@@ -47,7 +47,7 @@ fn seen(held: &[Held<'_>], state: &[f64; 3], [rate, gain, power]: [f64; 3], [tim
     Look { bodies, outside, power, ..Look::default() }
 }
 
-impl Bench<'_> {
+impl StageRun<'_> {
     pub(super) fn rotate(&mut self, stage: &Rotate) -> Result<(), NothingToSimulate> {
         let axis = self.values.axes().first().copied().ok_or(NothingToSimulate::Unread)?;
         let first = self.values.index + 1;

@@ -9,12 +9,12 @@ use nalgebra::Vector3;
 
 use crate::scene::stage::{Relative, Separate, When};
 
-use crate::simulate::scene::bench::{Bench, kinetic};
 use crate::simulate::scene::course::Until;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::particles::{Force, Particle, place, velocity};
 use crate::simulate::scene::pushed::Pushed;
-use crate::simulate::scene::reel::Motion;
+use crate::simulate::scene::recorded_motion::Motion;
+use crate::simulate::scene::stage_run::{StageRun, kinetic};
 use crate::simulate::scene::system::System;
 use crate::simulate::scene::vector::{Vector, ZERO, add, dot, less, size, times, unit};
 
@@ -24,7 +24,7 @@ const LONGEST: f64 = 0.25;
 /// Two parts that push each other.
 type Pair<'a> = [Pushed<'a>; 2];
 
-impl Bench<'_> {
+impl StageRun<'_> {
     pub(super) fn separate(&mut self, stage: &Separate) -> Result<(), NothingToSimulate> {
         let first = stage.into.first().ok_or(NothingToSimulate::NoStage)?;
         let whole = self.values.moving(stage.from.as_deref().unwrap_or(first))?;

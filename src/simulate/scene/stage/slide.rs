@@ -1,23 +1,23 @@
 //! A slide over a floor or along a slope, against kinetic friction.
 
-use crate::scene::stage::{Slide, Way};
+use crate::scene::stage::{Slide, UpOrDown};
 
-use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::floor::Slope;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::particles::{Force, Particle, place, velocity};
+use crate::simulate::scene::stage_run::StageRun;
 use crate::simulate::scene::system::System;
 use crate::simulate::scene::vector::{dot, times, unit};
 
 /// The slope of a ramp of any shape: 45°.
 const RAMP: f64 = core::f64::consts::FRAC_1_SQRT_2;
 
-impl Bench<'_> {
+impl StageRun<'_> {
     pub(super) fn slide(&mut self, stage: &Slide) -> Result<(), NothingToSimulate> {
         let [axis] = self.values.axes()[..] else { return Err(NothingToSimulate::Unread) };
         let body = stage.body.as_str();
         let slope = match (&stage.incline, &stage.height, stage.way) {
-            (None, Some(_), Some(Way::Up)) => Slope { along: -RAMP, across: RAMP },
+            (None, Some(_), Some(UpOrDown::Up)) => Slope { along: -RAMP, across: RAMP },
             (None, Some(_), _) => Slope { along: RAMP, across: RAMP },
             _ => self.values.slope(stage.incline.as_ref())?,
         };

@@ -2,14 +2,14 @@
 
 use crate::scene::stage::SlideOff;
 
-use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::course::Until;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::particles::{Constraint, Particle, Surface, place, velocity};
+use crate::simulate::scene::stage_run::StageRun;
 use crate::simulate::scene::system::System;
 use crate::simulate::scene::vector::{ZERO, across, dot, less, size, times};
 
-impl Bench<'_> {
+impl StageRun<'_> {
     pub(super) fn slide_off(&mut self, stage: &SlideOff) -> Result<(), NothingToSimulate> {
         let weight = self.values.falling()?;
         let gravity = size(weight);

@@ -2,14 +2,14 @@
 
 use crate::scene::stage::{Ends, Spring};
 
-use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::course::Until;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::particles::{Force, Particle, velocity};
+use crate::simulate::scene::stage_run::StageRun;
 use crate::simulate::scene::system::System;
 use crate::simulate::scene::vector::{dot, less, size, times, unit};
 
-impl Bench<'_> {
+impl StageRun<'_> {
     pub(super) fn spring(&mut self, stage: &Spring) -> Result<(), NothingToSimulate> {
         let [axis] = self.values.axes()[..] else { return Err(NothingToSimulate::Unread) };
         let along = unit(axis);

@@ -3,11 +3,11 @@
 use crate::scene::Axis;
 use crate::scene::stage::Stream;
 
-use crate::simulate::scene::bench::{Bench, Way};
 use crate::simulate::scene::component::Frame;
 use crate::simulate::scene::course::Until;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::particles::{Constraint, Particle, Surface, velocity};
+use crate::simulate::scene::stage_run::{Procedure, StageRun};
 use crate::simulate::scene::system::System;
 use crate::simulate::scene::touch::Touch;
 use crate::simulate::scene::vector::{Vector, ZERO, across, dot, less, part, size, times, unit};
@@ -19,9 +19,9 @@ const DROPLETS: u32 = 1_000;
 const DROPLET: &str = "droplet";
 const SEEN: &str = "One droplet of 1 kg is shown, relative to the body that it meets; the duration is not given.";
 
-impl Bench<'_> {
+impl StageRun<'_> {
     pub(super) fn stream(&mut self, stage: &Stream) -> Result<(), NothingToSimulate> {
-        self.by(Way::Droplets);
+        self.by(Procedure::Droplets);
         let body = stage.body.as_str();
         let towards = self.values.towards(stage.direction.as_ref())?;
         let speed = match (&stage.speed, &stage.drop) {

@@ -2,13 +2,13 @@
 
 use crate::scene::stage::Strike;
 
-use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::particles::Particle;
+use crate::simulate::scene::stage_run::StageRun;
 use crate::simulate::scene::touch::Touch;
 use crate::simulate::scene::vector::{dot, times, unit};
 
-impl Bench<'_> {
+impl StageRun<'_> {
     pub(super) fn strike(&mut self, stage: &Strike) -> Result<(), NothingToSimulate> {
         let [axis] = self.values.axes()[..] else { return Err(NothingToSimulate::Unread) };
         let (body, first, along) = (stage.body.as_str(), self.values.index + 1, unit(axis));

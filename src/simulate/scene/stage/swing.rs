@@ -1,19 +1,19 @@
 //! A swing on a cord: a pendulum, integrated.
 
-use crate::scene::stage::{Place, Swing, Way};
+use crate::scene::stage::{Place, Swing, UpOrDown};
 
-use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::component::Frame;
 use crate::simulate::scene::course::Until;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::particles::{Constraint, Particle, Surface, place, velocity};
+use crate::simulate::scene::stage_run::StageRun;
 use crate::simulate::scene::system::System;
 use crate::simulate::scene::vector::{cross, less, size, times, unit};
 
 /// The angle at which a swing starts whose cord may have any length.
 const ANY_ANGLE: f64 = 1.0;
 
-impl Bench<'_> {
+impl StageRun<'_> {
     pub(super) fn swing(&mut self, stage: &Swing) -> Result<(), NothingToSimulate> {
         let [axis] = self.values.axes()[..] else { return Err(NothingToSimulate::Unread) };
         let (body, gravity) = (stage.body.as_str(), self.values.named("g")?);
@@ -25,7 +25,7 @@ impl Bench<'_> {
         let length = match (self.values.known(stage.length.as_ref()), height, &before) {
             (Some(length), ..) => length,
             // Only heights are used, so that the length may be anything that reaches them.
-            (None, Some(height), _) if stage.way == Way::Down => height / (1.0 - libm::cos(ANY_ANGLE)),
+            (None, Some(height), _) if stage.way == UpOrDown::Down => height / (1.0 - libm::cos(ANY_ANGLE)),
             (None, _, Ok(speed)) if *speed != 0.0 => speed * speed / gravity,
             _ => return Err(NothingToSimulate::ValueMissing),
         };

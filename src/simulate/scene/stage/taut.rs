@@ -2,12 +2,12 @@
 
 use crate::scene::stage::Taut;
 
-use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::nothing::NothingToSimulate;
+use crate::simulate::scene::stage_run::StageRun;
 use crate::simulate::scene::touch::Touch;
 use crate::simulate::scene::vector::unit;
 
-impl Bench<'_> {
+impl StageRun<'_> {
     pub(super) fn taut(&mut self, stage: &Taut) -> Result<(), NothingToSimulate> {
         let [behind, ahead] = [stage.between[0].as_str(), stage.between[1].as_str()];
         let along = match (&stage.along, &self.values.axes()[..]) {

@@ -2,12 +2,12 @@
 
 use crate::scene::stage::{BurningMass, Exhaust, Thrust};
 
-use crate::simulate::scene::bench::{Bench, Way};
 use crate::simulate::scene::integrate::Integrator;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::particles::Particle;
 use crate::simulate::scene::pushed::Pushed;
-use crate::simulate::scene::reel::{Look, Motion, Seen};
+use crate::simulate::scene::recorded_motion::{Look, Motion, Seen};
+use crate::simulate::scene::stage_run::{Procedure, StageRun};
 use crate::simulate::scene::vector::{ZERO, dot, less, part, times, unit};
 
 /// The share of the mass that one droplet carries away; it is halved to find what ever smaller droplets would do.
@@ -23,7 +23,7 @@ struct Burn {
     along: f64,
 }
 
-impl Bench<'_> {
+impl StageRun<'_> {
     pub(super) fn thrust(&mut self, stage: &Thrust) -> Result<(), NothingToSimulate> {
         let [axis] = self.values.axes()[..] else { return Err(NothingToSimulate::NoMethod) };
         let body = stage.body.as_str();
@@ -65,7 +65,7 @@ impl Bench<'_> {
 
     /// The thrust of one jet.
     fn pushed(&mut self, speed: f64, flow: f64, mass: f64) -> Result<f64, NothingToSimulate> {
-        self.by(Way::Droplets);
+        self.by(Procedure::Droplets);
         let whole = self.droplets(speed, flow, mass, DROPLET)?;
         Ok(2.0 * self.droplets(speed, flow, mass, DROPLET / 2.0)? - whole)
     }

@@ -2,14 +2,14 @@
 
 use crate::scene::stage::Tow;
 
-use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::floor::Slope;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::particles::{Constraint, Force, Particle, place, velocity};
+use crate::simulate::scene::stage_run::StageRun;
 use crate::simulate::scene::system::System;
 use crate::simulate::scene::vector::{dot, size, times, unit};
 
-impl Bench<'_> {
+impl StageRun<'_> {
     pub(super) fn tow(&mut self, stage: &Tow) -> Result<(), NothingToSimulate> {
         let axis = self.values.axes().first().copied().ok_or(NothingToSimulate::Unread)?;
         let along = unit(axis);

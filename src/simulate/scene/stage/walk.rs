@@ -5,14 +5,14 @@ use std::sync::Arc;
 
 use crate::scene::stage::Walk;
 
-use crate::simulate::scene::bench::Bench;
 use crate::simulate::scene::course::Until;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::particles::{Force, Particle, place};
+use crate::simulate::scene::stage_run::StageRun;
 use crate::simulate::scene::system::System;
 use crate::simulate::scene::vector::{ZERO, dot, times};
 
-impl Bench<'_> {
+impl StageRun<'_> {
     pub(super) fn walk(&mut self, stage: &Walk) -> Result<(), NothingToSimulate> {
         let names = [stage.body.as_str(), stage.on.as_str()];
         let distance = self.values.term(&stage.distance)?;

@@ -101,7 +101,7 @@ pub(super) fn has_full_marks(item: &Item, corrections: &[Correction]) -> bool {
 }
 
 /// A sheet with everything that was handed in on it.
-pub(super) struct Kept {
+pub(super) struct HandedInSheet {
     pub(super) sheet: Sheet,
     pub(super) attempts: Vec<Attempt>,
     pub(super) hints: Vec<HintShown>,
@@ -109,7 +109,7 @@ pub(super) struct Kept {
     pub(super) window: Window,
 }
 
-impl Kept {
+impl HandedInSheet {
     pub(super) fn worked(&self) -> WorkedSheet<'_> {
         WorkedSheet {
             sheet: &self.sheet,
@@ -122,7 +122,10 @@ impl Kept {
 }
 
 /// Every sheet of an assignment, with everything that was handed in on it.
-pub(super) async fn kept(visit: &Visit, whole: &AssignmentWithItems) -> Result<Vec<Kept>, NotShown> {
+pub(super) async fn handed_in_sheets(
+    visit: &Visit,
+    whole: &AssignmentWithItems,
+) -> Result<Vec<HandedInSheet>, NotShown> {
     let (store, key) = (visit.store(), whole.assignment.key);
     let extensions: BTreeMap<Key<Member>, Extension> =
         store.extensions(key).await?.into_iter().map(|own| (own.member, own)).collect();
@@ -139,7 +142,7 @@ pub(super) async fn kept(visit: &Visit, whole: &AssignmentWithItems) -> Result<V
         let attempts = attempts.remove(&sheet.key).unwrap_or_default();
         let hints = hints.remove(&sheet.key).unwrap_or_default();
         let window = Window::of(&whole.assignment.policy, extensions.get(&sheet.member), zone);
-        Ok(Kept { reports: reports(&attempts)?, sheet, attempts, hints, window })
+        Ok(HandedInSheet { reports: reports(&attempts)?, sheet, attempts, hints, window })
     };
     store.sheets(key).await?.into_iter().map(&mut of).collect()
 }

@@ -9,7 +9,7 @@ use crate::store::AssignmentWithItems;
 use super::super::items;
 use super::super::outcome::NotShown;
 use super::super::visit::Visit;
-use super::class::{Kept, kept};
+use super::class::{HandedInSheet, handed_in_sheets};
 
 /// A corrected problem of an item, with what it would change.
 pub(super) struct Corrected {
@@ -19,7 +19,7 @@ pub(super) struct Corrected {
     /// What it says where it is no problem.
     pub(super) fault: Option<String>,
     /// The sheets that count.
-    pub(super) sheets: Arc<Vec<Kept>>,
+    pub(super) sheets: Arc<Vec<HandedInSheet>>,
     pub(super) effects: Vec<Effect>,
 }
 
@@ -50,9 +50,9 @@ pub(super) async fn corrected(
             continue;
         }
         if sheets.is_none() {
-            sheets = Some(kept(visit, whole).await?);
+            sheets = Some(handed_in_sheets(visit, whole).await?);
         }
-        let is_own = |own: &Kept| own.sheet.item == item.key && own.sheet.issue == item.issue;
+        let is_own = |own: &HandedInSheet| own.sheet.item == item.key && own.sheet.issue == item.issue;
         let (own, rest) = sheets.take().unwrap_or_default().into_iter().partition(is_own);
         sheets = Some(rest);
         found.push(one(visit, whole, item.clone(), file, own).await?);
@@ -65,7 +65,7 @@ async fn one(
     whole: &AssignmentWithItems,
     item: Item,
     file: ProblemFile,
-    sheets: Vec<Kept>,
+    sheets: Vec<HandedInSheet>,
 ) -> Result<Corrected, NotShown> {
     let (course, courses) = (visit.course()?.clone(), Arc::clone(&visit.courses));
     // What was printed in some letters is read in them.
@@ -78,7 +78,7 @@ async fn one(
             Ok(problem) => (Some(problem), None),
             Err(faults) => (None, Some(faults.to_string())),
         };
-        let worked: Vec<_> = own.iter().map(Kept::worked).collect();
+        let worked: Vec<_> = own.iter().map(HandedInSheet::worked).collect();
         (effects(&worked, &policy, problem.as_ref()), fault)
     };
     let (effects, fault) = visit.work(move |_| Ok(worked())).await?;

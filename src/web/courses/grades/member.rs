@@ -10,7 +10,7 @@ use crate::store::Membership;
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
 use super::super::visit::Visit;
-use super::class::{self, Kept, reports};
+use super::class::{self, HandedInSheet, reports};
 
 #[derive(Serialize)]
 struct MemberPage {
@@ -69,14 +69,14 @@ pub(in crate::web::courses) async fn data(visit: &Visit) -> Result<Reply, NotSho
         let whole = store.assignment(assignment.key).await?;
         items.extend(whole.into_iter().flat_map(|own| own.items).map(|item| (item.key, item.assignment)));
     }
-    let (mut sheets, mut drafts): (Vec<(Kept, Vec<Override>)>, Vec<Draft>) = Default::default();
+    let (mut sheets, mut drafts): (Vec<(HandedInSheet, Vec<Override>)>, Vec<Draft>) = Default::default();
     for sheet in store.sheets_of(own.member.key).await? {
         let window = items.get(&sheet.item).and_then(|assignment| windows.get(assignment));
         let Some(window) = window.cloned() else { continue };
         let (attempts, hints) = (store.attempts(sheet.key).await?, store.hints(sheet.key).await?);
         drafts.extend(store.draft(sheet.key).await?);
         let by_hand = of_sheet(&by_hand, sheet.key);
-        sheets.push((Kept { reports: reports(&attempts)?, sheet, attempts, hints, window }, by_hand));
+        sheets.push((HandedInSheet { reports: reports(&attempts)?, sheet, attempts, hints, window }, by_hand));
     }
     let worked: Vec<_> = sheets.iter().map(|(kept, by_hand)| (kept.worked(), by_hand.clone())).collect();
     let people = (&place.course, &own.member, &own.person);

@@ -10,7 +10,7 @@ use crate::grade::Statistics;
 use super::super::outcome::NotShown;
 use super::super::reply::Reply;
 use super::super::visit::Visit;
-use super::class::{assignment, kept, students};
+use super::class::{assignment, handed_in_sheets, students};
 
 #[derive(Serialize)]
 struct StatisticsPage {
@@ -44,7 +44,7 @@ struct Counted {
 pub(in crate::web::courses) async fn statistics(visit: &Visit) -> Result<Reply, NotShown> {
     let whole = assignment(visit).await?;
     let students: BTreeSet<_> = students(visit).await?.into_iter().map(|own| own.member.key).collect();
-    let mut all = kept(visit, &whole).await?;
+    let mut all = handed_in_sheets(visit, &whole).await?;
     all.retain(|own| students.contains(&own.sheet.member));
     let (title, key) = (format!("Statistics: {}", whole.assignment.title), whole.assignment.key.to_string());
     let found =

@@ -42,7 +42,7 @@ pub(in crate::web::courses) async fn add_staff(visit: &Visit) -> Result<Reply, N
     let member = before.map_or_else(fresh, |member| Member { role, left: None, ..member });
     let entry = visit.entry("staff added", format!("{} {}", role.name(), member.key));
     let new = if is_new { std::slice::from_ref(&person) } else { &[] };
-    person_form::kept(visit.store().save_members(new, std::slice::from_ref(&member), &entry).await)?;
+    person_form::unless_taken(visit.store().save_members(new, std::slice::from_ref(&member), &entry).await)?;
     let class = Class::of(visit).await?;
     let own = class.member(member.key).filter(|own| !class.has_password(own) && class.may_link(own).is_ok());
     let link = match own {

@@ -61,7 +61,7 @@ pub(in crate::web::courses) async fn make(visit: &Visit) -> Result<Reply, NotSho
     };
     if is_new {
         let entry = visit.entry("person added", person.key.to_string());
-        person_form::kept(visit.store().add_people(std::slice::from_ref(&person), &entry).await)?;
+        person_form::unless_taken(visit.store().add_people(std::slice::from_ref(&person), &entry).await)?;
     }
     visit.store().add_course(&course, &first, &visit.entry("course made", key.to_string())).await?;
     let link = match visit.store().password(person.key).await? {

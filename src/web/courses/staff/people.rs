@@ -58,7 +58,7 @@ pub(in crate::web::courses) async fn add(visit: &Visit) -> Result<Reply, NotShow
     let person = Person { operator: visit.fields.get("operator").is_some(), ..person };
     let what = if person.operator { "operator added" } else { "person added" };
     let entry = visit.entry(what, person.key.to_string());
-    person_form::kept(visit.store().add_people(std::slice::from_ref(&person), &entry).await)?;
+    person_form::unless_taken(visit.store().add_people(std::slice::from_ref(&person), &entry).await)?;
     shown(visit, "Added", &person).await
 }
 

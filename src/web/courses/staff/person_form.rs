@@ -57,7 +57,7 @@ pub(super) async fn named(visit: &Visit, form: &Form) -> Result<Named, NotShown>
 }
 
 /// Keeps new people. Where somebody else was faster with a name the form is out of date.
-pub(super) fn kept(added: Result<(), StoreFault>) -> Result<(), NotShown> {
+pub(super) fn unless_taken(added: Result<(), StoreFault>) -> Result<(), NotShown> {
     match added {
         Err(fault) if fault.is_taken() => {
             Err(NotShown::Conflict("somebody was added by this name a moment ago".to_owned()))

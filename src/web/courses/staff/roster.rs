@@ -186,7 +186,7 @@ pub(in crate::web::courses) async fn apply(visit: &Visit) -> Result<Reply, NotSh
     let count = |kind: &str| changes.iter().filter(|change| class.shown(change).kind == kind).count();
     let detail = ["new", "back", "renamed", "moved", "gone"].map(|kind| format!("{} {kind}", count(kind))).join(", ");
     let entry = visit.entry("roster changed", detail);
-    person_form::kept(visit.store().save_members(&records.people, &records.members, &entry).await)?;
+    person_form::unless_taken(visit.store().save_members(&records.people, &records.members, &entry).await)?;
     Ok(Reply::To(visit.in_course("/roster?done=yes")?))
 }
 

@@ -16,7 +16,7 @@ use super::QuantityKind;
 use super::Reason;
 
 /// The speeds of a body along its motion, and which way that is.
-pub(super) struct Way {
+pub(super) struct Speeds {
     /// At the start.
     pub before: Expr,
     /// At the end: zero where the body comes to rest.
@@ -36,7 +36,7 @@ impl Builder<'_> {
         direction: Option<&Term>,
         stops: bool,
         path: &Path,
-    ) -> Way {
+    ) -> Speeds {
         if stops {
             self.comes_to_rest(index, body);
         }
@@ -44,7 +44,7 @@ impl Builder<'_> {
             let [before, after] = [index + 1, index + 2].map(|instant| self.speed_of(body, instant));
             let after = if stops { Expr::zero() } else { after };
             let energies = [&before, &after].map(|speed| energy::specific_kinetic(std::slice::from_ref(speed)));
-            return Way { before, after, energies, sign: 1 };
+            return Speeds { before, after, energies, sign: 1 };
         }
         let sign = self.sense(direction, path);
         let axis = self.axes[0].0;
@@ -54,7 +54,7 @@ impl Builder<'_> {
         let energies = [&start, &end].map(|velocity| energy::specific_kinetic(std::slice::from_ref(velocity)));
         let [before, after] = [start, end].map(|velocity| Expr::integer(sign) * velocity);
         self.moves_along(index, body, [&before, &after]);
-        Way { before, after, energies, sign }
+        Speeds { before, after, energies, sign }
     }
 
     /// The speed of a body.

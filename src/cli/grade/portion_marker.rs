@@ -13,7 +13,7 @@ use super::problems::Met;
 use super::register::{Entry, Question};
 
 /// What marks the submissions of a portion.
-pub(super) struct Desk<'p> {
+pub(super) struct PortionMarker<'p> {
     /// The problems, by their positions.
     problems: &'p [Arc<Met>],
     forms: Vec<Form<'p>>,
@@ -30,7 +30,7 @@ struct Form<'p> {
     last: Option<Exercise>,
 }
 
-impl<'p> Desk<'p> {
+impl<'p> PortionMarker<'p> {
     pub(super) fn new(problems: &'p [Arc<Met>]) -> Self {
         Self { problems, forms: Vec::new(), last: 0 }
     }

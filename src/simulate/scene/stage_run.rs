@@ -6,13 +6,13 @@ use crate::scene::stage::Included;
 use super::experiment::{Reached, Staged};
 use super::integrate::Integrator;
 use super::nothing::NothingToSimulate;
-use super::reel::Reel;
+use super::recorded_motion::RecordedMotion;
 use super::values::Values;
 use super::vector::{Vector, ZERO, add, dot, part, size, times, unit};
 
 /// By which way a stage was simulated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Way {
+pub enum Procedure {
     /// Exact motion between exactly located impacts.
     EventDriven,
     /// Newton's second law integrated in time.
@@ -25,7 +25,7 @@ pub enum Way {
     Measured,
 }
 
-impl Way {
+impl Procedure {
     /// How it is called in a report.
     #[must_use]
     pub fn called(self) -> &'static str {
@@ -43,7 +43,7 @@ impl Way {
 #[derive(Clone, Debug, Default)]
 pub struct Observed {
     /// By which ways.
-    pub ways: Vec<Way>,
+    pub ways: Vec<Procedure>,
     /// Quantities by their names.
     pub found: Vec<Reached>,
     /// What the bodies carry together after a stage, by the names of the sums.
@@ -52,8 +52,8 @@ pub struct Observed {
     pub terms: Vec<Reached>,
 }
 
-/// A stage on the bench.
-pub(super) struct Bench<'a> {
+/// A stage while it is simulated.
+pub(super) struct StageRun<'a> {
     pub values: &'a Values<'a>,
     /// The tolerance of integrations.
     pub tolerance: f64,
@@ -63,23 +63,23 @@ pub(super) struct Bench<'a> {
     pub crossing: usize,
     pub observed: Observed,
     /// The motions, where somebody watches.
-    pub reels: Option<Vec<Reel>>,
+    pub motions: Option<Vec<RecordedMotion>>,
 }
 
-impl<'a> Bench<'a> {
-    /// An empty bench.
+impl<'a> StageRun<'a> {
+    /// A run that has not begun.
     pub(super) fn new(values: &'a Values<'a>, tolerance: f64) -> Self {
-        Self { values, tolerance, shorter: 1.0, crossing: 0, observed: Observed::default(), reels: None }
+        Self { values, tolerance, shorter: 1.0, crossing: 0, observed: Observed::default(), motions: None }
     }
 
     /// An integrator whose steps are at most so long.
     pub(super) fn integrator(&mut self, longest: f64) -> Integrator {
-        self.by(Way::Integrated);
+        self.by(Procedure::Integrated);
         Integrator { tolerance: self.tolerance, longest }
     }
 
     /// Notes by which way something was found.
-    pub(super) fn by(&mut self, way: Way) {
+    pub(super) fn by(&mut self, way: Procedure) {
         if !self.observed.ways.contains(&way) {
             self.observed.ways.push(way);
         }
@@ -185,7 +185,7 @@ impl<'a> Bench<'a> {
     /// Takes over what a run of worlds found.
     pub(super) fn take(&mut self, staged: &Staged) -> Result<(), NothingToSimulate> {
         let all = staged.run().map_err(|_| NothingToSimulate::NoMethod)?;
-        self.by(Way::EventDriven);
+        self.by(Procedure::EventDriven);
         for Reached { name, value, error } in all {
             self.note(&name, value, error / self.tolerance);
         }

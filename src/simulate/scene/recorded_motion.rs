@@ -2,17 +2,17 @@
 
 use crate::simulate::record::{GAUSS, Moment, Pivot, Record, Recorded};
 
-use super::bench::Bench;
 use super::component::Component;
 use super::integrate::{Integrator, Slope};
 use super::nothing::NothingToSimulate;
+use super::stage_run::StageRun;
 
 /// The evenly spaced instants of a motion.
 const INSTANTS: u32 = 120;
 
 /// A motion that was watched.
 #[derive(Clone, Debug)]
-pub struct Reel {
+pub struct RecordedMotion {
     /// What its positions and velocities consist of.
     pub components: Vec<Component>,
     /// What was seen.
@@ -52,17 +52,19 @@ pub(super) struct Motion<'a, const N: usize> {
     pub look: &'a dyn Fn(f64, &[f64; N]) -> Look,
 }
 
-impl Bench<'_> {
+impl StageRun<'_> {
     /// Watches a motion, where anybody does. One that goes on where the last one ended continues it; any other takes its place.
     pub(super) fn film<const N: usize>(&mut self, motion: &Motion<'_, N>) -> Result<(), NothingToSimulate> {
         let tolerance = self.tolerance;
-        let Some(reels) = self.reels.as_mut().filter(|_| motion.end > motion.start.0) else { return Ok(()) };
-        let ended =
-            |reel: &Reel| reel.record.moments.last().is_some_and(|last| last.time.total_cmp(&motion.start.0).is_eq());
-        let same =
-            |reel: &mut Reel| reel.record.bodies.iter().map(|body| body.name.as_str()).eq(motion.names.iter().copied());
-        let before = reels.pop_if(same);
-        let mut reel = before.filter(ended).unwrap_or_else(|| Reel {
+        let Some(motions) = self.motions.as_mut().filter(|_| motion.end > motion.start.0) else { return Ok(()) };
+        let ended = |recorded: &RecordedMotion| {
+            recorded.record.moments.last().is_some_and(|last| last.time.total_cmp(&motion.start.0).is_eq())
+        };
+        let same = |recorded: &mut RecordedMotion| {
+            recorded.record.bodies.iter().map(|body| body.name.as_str()).eq(motion.names.iter().copied())
+        };
+        let before = motions.pop_if(same);
+        let mut recorded = before.filter(ended).unwrap_or_else(|| RecordedMotion {
             components: motion.components.clone(),
             record: Record {
                 bodies: Vec::new(),
@@ -74,24 +76,24 @@ impl Bench<'_> {
             notes: Vec::new(),
         });
         let longest = (motion.end - motion.start.0) / f64::from(INSTANTS);
-        motion.watch(Integrator { tolerance, longest }, &mut reel.record)?;
-        reels.push(reel);
+        motion.watch(Integrator { tolerance, longest }, &mut recorded.record)?;
+        motions.push(recorded);
         Ok(())
     }
 
     /// Notes what the bodies of the last motion that was watched move about.
     pub(super) fn about(&mut self, at: Vec<f64>, cord: bool) {
-        if let Some(reel) = self.reels.as_mut().and_then(|reels| reels.last_mut()) {
-            reel.record.pivot = Some(Pivot { at, cord });
+        if let Some(motion) = self.motions.as_mut().and_then(|motions| motions.last_mut()) {
+            motion.record.pivot = Some(Pivot { at, cord });
         }
     }
 
     /// Notes what a reader of the last motion that was watched must know.
     pub(super) fn remark(&mut self, note: &'static str) {
-        if let Some(reel) = self.reels.as_mut().and_then(|reels| reels.last_mut())
-            && !reel.notes.contains(&note)
+        if let Some(motion) = self.motions.as_mut().and_then(|motions| motions.last_mut())
+            && !motion.notes.contains(&note)
         {
-            reel.notes.push(note);
+            motion.notes.push(note);
         }
     }
 }
