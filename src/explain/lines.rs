@@ -253,13 +253,12 @@ impl List<'_> {
 
     fn push(&mut self, left: &Expr, right: Option<&Expr>, operation: Operation, from: Vec<usize>) -> usize {
         let line = self.lines.len() + 1;
-        let [left, right] = [Some(left), right].map(|side| side.map(|side| self.text(side)));
         self.lines.push(Line {
             line,
             number: None,
-            left: left.unwrap_or_default(),
+            left: self.text(left),
             relation: sign(Operator::Equals),
-            right,
+            right: right.map(|side| self.text(side)),
             operation,
             from,
             factor: None,

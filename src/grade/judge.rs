@@ -175,7 +175,7 @@ fn without_unit(target: &Target, answer: &NumberAnswer) -> Judgement {
     // A fraction is as good as per cent, and an angle without a unit is in radians; nobody writes degrees that way.
     let is_pure = unit.dimension() == Unit::none().dimension();
     if is_pure
-        && (!target.expected.cyclic || *unit == radians())
+        && (!target.expected.cyclic || *unit == Unit::radian())
         && let Some(number) = directed.scaled(&Unit::none().in_terms_of(unit))
     {
         let as_pure = compare(target, answer, &number);
@@ -188,10 +188,6 @@ fn without_unit(target: &Target, answer: &NumberAnswer) -> Judgement {
         return judgement.noted(Message::ZeroWithoutUnit);
     }
     judgement.with_unit(Verdict::UnitMissing, Message::UnitMissing)
-}
-
-fn radians() -> Unit {
-    Unit::parse("rad").unwrap_or_default()
 }
 
 /// The judgement on a unit that measures something else.

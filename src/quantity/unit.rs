@@ -5,11 +5,12 @@ use std::hash::Hash;
 use std::hash::Hasher;
 
 use smallvec::SmallVec;
+use smallvec::smallvec;
 
 use super::factor::StaticFactor;
 use super::prefix::Prefix;
 use super::unit_lookup::find_symbol;
-use super::units_table::{UNITS_OF_WEIGHT_AND_MASS, UnitRow};
+use super::units_table::{DEGREE, RADIAN, REVOLUTION_UNIT, UNITS_OF_WEIGHT_AND_MASS, UnitRow};
 use super::{Dimension, Factor};
 
 /// A unit with a symbol of its own, perhaps prefixed: `km`.
@@ -80,6 +81,35 @@ impl Unit {
     #[must_use]
     pub fn none() -> Self {
         Self::default()
+    }
+
+    /// The radian.
+    ///
+    /// ```
+    /// use momentous::quantity::Unit;
+    /// assert_eq!(Unit::parse("rad"), Ok(Unit::radian()));
+    /// assert_eq!(Unit::parse("deg"), Ok(Unit::degree()));
+    /// assert_eq!(Unit::parse("rev"), Ok(Unit::revolution()));
+    /// ```
+    #[must_use]
+    pub fn radian() -> Self {
+        Self::of_angle(&RADIAN)
+    }
+
+    /// The degree.
+    #[must_use]
+    pub fn degree() -> Self {
+        Self::of_angle(&DEGREE)
+    }
+
+    /// The revolution.
+    #[must_use]
+    pub fn revolution() -> Self {
+        Self::of_angle(&REVOLUTION_UNIT)
+    }
+
+    fn of_angle(row: &'static UnitRow) -> Self {
+        Self { powers: smallvec![Power { symbol: Symbol::plain(row), exponent: 1 }], dimension: Dimension::NONE }
     }
 
     /// The product of these powers; `None` where an exponent, of a symbol, of the dimension or of pi, does not fit.

@@ -82,6 +82,21 @@ pub(super) const SECOND: UnitRow = row("s", &["sec", "secs"], TIME, UNITY, "seco
 pub(super) const SLUG: UnitRow = row("slug", &[], MASS, POUND.over(FOOT), "slug", "slugs");
 /// The foot.
 pub(super) const FOOT_UNIT: UnitRow = row("ft", &[], LENGTH, FOOT, "foot", "feet");
+/// The radian.
+pub(super) const RADIAN: UnitRow = row("rad", &["rads"], NUMBER, UNITY, "radian", "radians");
+/// The degree.
+pub(super) const DEGREE: UnitRow = row(
+    "°",
+    &["deg", "degs", "º", "˚"],
+    NUMBER,
+    StaticFactor::PI.over(StaticFactor::integer(180)),
+    "degree",
+    "degrees",
+)
+.attached();
+/// The revolution.
+pub(super) const REVOLUTION_UNIT: UnitRow =
+    row("rev", &["revs", "turn", "turns"], NUMBER, REVOLUTION, "revolution", "revolutions");
 
 /// Every unit that has a symbol of its own.
 #[rustfmt::skip] // a table is read by its columns
@@ -111,12 +126,12 @@ pub(super) static UNITS: &[UnitRow] = &[
     row("kt",   &["kts", "kn"],                 SPEED,     StaticFactor::integer(1852).over(HOUR),       "knot", "knots"),
     row("Hz",   &[],                       FREQUENCY, UNITY,                                        "hertz", "hertz").prefixed(),
     row("rpm",  &["RPM"],                  FREQUENCY, REVOLUTION.over(MINUTE),                      "revolution per minute", "revolutions per minute"),
-    row("rad",  &["rads"],                 NUMBER,    UNITY,                                        "radian", "radians"),
+    RADIAN,
     // No other prefix is in use, and `Grad` is a degree in German.
     row("mrad", &[],                       NUMBER,    StaticFactor::decimal(1, 3),                  "milliradian", "milliradians"),
     row("µrad", &["urad", "μrad"],         NUMBER,    StaticFactor::decimal(1, 6),                  "microradian", "microradians"),
-    row("°",    &["deg", "degs", "º", "˚"],NUMBER,    StaticFactor::PI.over(StaticFactor::integer(180)), "degree", "degrees").attached(),
-    row("rev",  &["revs", "turn", "turns"],         NUMBER,    REVOLUTION,                                   "revolution", "revolutions"),
+    DEGREE,
+    REVOLUTION_UNIT,
     row("%",    &["percent", "pct"],       NUMBER,    StaticFactor::decimal(1, 2),                  "per cent", "per cent").attached(),
     row("N",    &[],                       FORCE,     UNITY,                                        "newton", "newtons").prefixed(),
     row("dyn",  &[],                       FORCE,     StaticFactor::decimal(1, 5),                  "dyne", "dynes").prefixed(),

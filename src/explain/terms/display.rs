@@ -189,9 +189,10 @@ impl<'a> Display<'a> {
         let entry = problem.model().symbols.entry(symbol);
         let kind = &problem.model().name(symbol).kind;
         if entry.dimension == Dimension::NONE {
-            return problem.unit_given(symbol).filter(|unit| unit.factor().pi != 0).unwrap_or_else(|| {
-                if kind.is_angle() { Unit::parse("deg").unwrap_or_default() } else { Unit::none() }
-            });
+            return problem
+                .unit_given(symbol)
+                .filter(|unit| unit.factor().pi != 0)
+                .unwrap_or_else(|| if kind.is_angle() { Unit::degree() } else { Unit::none() });
         }
         let coherent = coherent_unit(entry.dimension, problem.units());
         let spoken_of = problem.unit_given(symbol).or_else(|| self.asked_unit(symbol));
@@ -386,5 +387,6 @@ pub(in crate::explain) fn number_math(text: String) -> Math {
 
 /// A value to so many figures, as plain text.
 pub(in crate::explain) fn printed(value: f64, figures: usize) -> String {
+    debug_assert!(value.is_finite(), "what is drawn and solved has a value");
     Printed::new(value, figures).map_or_else(|| "?".into(), |printed| printed.plain())
 }

@@ -12,12 +12,12 @@ use crate::problem::NumberPart;
 use crate::problem::RangePart;
 use crate::problem::VectorPart;
 use crate::problem::Worked;
-use crate::quantity::Printed;
 use crate::solve::Bounded;
 
 use super::algebra::positive_first;
 use super::display::Display;
 use super::display::number_math;
+use super::display::printed;
 use super::display::with_unit;
 
 /// A value to the figures that are asked.
@@ -25,7 +25,7 @@ pub(in crate::explain) fn shown(number: &NumberPart, value: f64) -> Math {
     if number.whole {
         return Math::Number(format!("{value:.0}"));
     }
-    Printed::new(value, number.figures).map_or(Math::Text("?".into()), |printed| number_math(printed.plain()))
+    number_math(printed(value, number.figures))
 }
 
 /// An answer as it is printed, with its unit.

@@ -1,6 +1,8 @@
 //! Antiderivatives of what forces are made of: polynomials, powers of linear terms, sines and exponentials, pieces of these.
 //! What is not found is said so; nothing is guessed.
 
+use crate::quantity::Rational;
+
 use super::super::algebra::polynomial_in::{MAX_SIZE, polynomial_in};
 use super::super::{Expr, Function, Symbol};
 
@@ -78,7 +80,7 @@ fn integrate_factors(factors: &[Expr], symbol: Symbol, steps: &mut usize) -> Opt
         return integrate(&pieces.map_pieces(|value| value.clone() * others.clone()), symbol, steps);
     }
     if let Some(coefficients) = polynomial_in(&Expr::product(factors.to_vec()), symbol) {
-        return Some(power_rule(&coefficients, &Expr::Symbol(symbol), &Expr::zero()));
+        return Some(power_rule(&coefficients, &Expr::Symbol(symbol), &Rational::ZERO));
     }
     let (polynomial, others): (Vec<_>, Vec<_>) =
         factors.iter().cloned().partition(|factor| polynomial_in(factor, symbol).is_some());
@@ -117,7 +119,8 @@ fn with_polynomial(polynomial: &Expr, factor: &Expr, symbol: Symbol, steps: &mut
         _ => None,
     };
     match factor {
-        Expr::Power(pair) if pair.1.as_number().is_some() => {
+        Expr::Power(pair) => {
+            let shift = pair.1.as_number()?;
             if let (Expr::Apply(Function::Sin | Function::Cos, _), true) = (&pair.0, pair.1 == Expr::integer(2)) {
                 return integrate(&(polynomial.clone() * halved_square(&pair.0)?), symbol, steps);
             }
@@ -126,7 +129,7 @@ fn with_polynomial(polynomial: &Expr, factor: &Expr, symbol: Symbol, steps: &mut
             let inverse = (Expr::Symbol(symbol) - offset) / slope.clone();
             let substituted = polynomial.substitute(&|own| (own == symbol).then(|| inverse.clone()));
             let coefficients = polynomial_in(&substituted, symbol)?;
-            Some(scaled(&power_rule(&coefficients, &pair.0, &pair.1), &slope.powi(-1)))
+            Some(scaled(&power_rule(&coefficients, &pair.0, shift), &slope.powi(-1)))
         }
         Expr::Apply(function, arguments) => {
             let inner = arguments.first()?;
@@ -138,10 +141,9 @@ fn with_polynomial(polynomial: &Expr, factor: &Expr, symbol: Symbol, steps: &mut
 }
 
 /// Each power c u^(k + shift) raised: c u^(k + shift + 1)/(k + shift + 1), or a logarithm.
-fn power_rule(coefficients: &[Expr], base: &Expr, shift: &Expr) -> Expr {
-    let shift = shift.as_number().cloned().unwrap_or_default();
+fn power_rule(coefficients: &[Expr], base: &Expr, shift: &Rational) -> Expr {
     let raised = coefficients.iter().zip(1_i64..).map(|(coefficient, power)| {
-        let power = Expr::Number(shift.clone() + crate::quantity::Rational::from(power));
+        let power = Expr::Number(shift.clone() + Rational::from(power));
         let integral = if power.is_zero() {
             Expr::apply(Function::Ln, base.clone())
         } else {
@@ -201,7 +203,7 @@ fn by_inner_derivative(factors: &[Expr], symbol: Symbol) -> Option<Expr> {
     (0..factors.len()).find_map(|place| {
         let (factor, others) = take(factors, |factor| Some(factor) == factors.get(place))?;
         let inner = match &factor {
-            Expr::Power(pair) if pair.1.as_number().is_some() => pair.0.clone(),
+            Expr::Power(pair) => pair.0.clone(),
             Expr::Apply(_, arguments) if arguments.len() == 1 => arguments.first()?.clone(),
             _ => return None,
         };
@@ -210,7 +212,7 @@ fn by_inner_derivative(factors: &[Expr], symbol: Symbol) -> Option<Expr> {
             return None;
         }
         let integral = match &factor {
-            Expr::Power(pair) => power_rule(&[Expr::one()], &inner, &pair.1),
+            Expr::Power(pair) => power_rule(&[Expr::one()], &inner, pair.1.as_number()?),
             Expr::Apply(function, _) => function.antiderivative(&inner)?,
             _ => return None,
         };

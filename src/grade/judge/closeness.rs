@@ -212,8 +212,7 @@ fn nearest_turn(angle: Rational, turn: &Rational) -> Rational {
 }
 
 fn full_turn(unit: &Unit) -> Option<Rational> {
-    let revolution = Unit::parse("rev").ok()?;
-    let turn = Number::exact(Rational::ONE).scaled(&revolution.in_terms_of(unit))?;
+    let turn = Number::exact(Rational::ONE).scaled(&Unit::revolution().in_terms_of(unit))?;
     (!turn.is_zero()).then(|| turn.value().into_owned())
 }
 

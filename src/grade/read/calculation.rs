@@ -85,7 +85,7 @@ fn in_several_units(text: &str, asked: &Unit, mark: DecimalMark) -> Option<Quant
 
 /// The size of a smaller unit in the first one, and the unit itself; it must be smaller than the last.
 fn part(written: &str, asked: &Unit, first: &Unit, last: &Unit) -> Option<(Number, Unit)> {
-    let degree = Unit::parse("deg").ok()?;
+    let degree = Unit::degree();
     if let Some((_, share)) = PARTS_OF_DEGREE.iter().find(|(sign, _)| written.trim() == *sign) {
         let size = Number::exact(Rational::ONE / Rational::from(*share));
         return (*first == degree).then_some((size, degree));
@@ -170,7 +170,7 @@ impl<'t> Reader<'t> {
         let end = self.unit_end();
         let found = unit(self.text, self.at, end, self.asked).ok()?;
         self.at = end;
-        let found = found.or_else(|| if form == Form::Arc { Unit::parse("rad").ok() } else { None });
+        let found = found.or_else(|| if form == Form::Arc { Some(Unit::radian()) } else { None });
         Some(Quantity { number, unit: found })
     }
 

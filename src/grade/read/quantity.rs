@@ -85,7 +85,7 @@ fn in_words(text: &str, reference: &Reference, mark: DecimalMark) -> Result<Numb
         number: heading.counted(reference).ok_or((0, UnreadableKind::TooLarge))?,
         written: heading.form.written(),
         signed: false,
-        unit: Unit::parse("deg").ok(),
+        unit: Some(Unit::degree()),
         pounds_as_mass: false,
         sense: None,
         heading: Some(words),
@@ -116,7 +116,7 @@ pub(super) fn read_plain(
     let (mut unit, behind) = unit_and_direction(text, start + length, asked)?;
     if form == Form::Arc && asked.unit.dimension() == Dimension::NONE {
         // The function gives the angle itself, in whatever unit it is written.
-        unit = Some(radians());
+        unit = Some(Unit::radian());
     }
     let sense = match (before, behind) {
         (Some(_), Some((_, at))) => return Err((at, UnreadableKind::SignAndDirection)),
@@ -144,10 +144,6 @@ fn pounds_as_mass(unit: &Unit, asked: &Unit) -> Option<Unit> {
         return None;
     }
     unit.with_pounds_as_mass().filter(|mass| mass != unit && mass.dimension() == asked.dimension())
-}
-
-fn radians() -> Unit {
-    Unit::parse("rad").unwrap_or_default()
 }
 
 pub(super) fn check_size(number: &Number) -> Result<(), UnreadableKind> {

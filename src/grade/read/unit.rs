@@ -36,7 +36,7 @@ pub(super) fn unit(text: &str, from: usize, to: usize, asked: &Unit) -> At<Optio
         return Err((to - text[from..to].trim_start().len(), UnreadableKind::Behind(behind.to_owned())));
     }
     if DEGREES.contains(&bare) && asked.is_plain_angle() {
-        return Ok(Unit::parse("deg").ok());
+        return Ok(Some(Unit::degree()));
     }
     let fault = |fault: UnitFault, shift: usize| {
         let is_number = |sign: &str| sign.starts_with(|first: char| first.is_ascii_digit());

@@ -85,13 +85,13 @@ pub(super) fn energy(loaded: &Loaded, balance: &Balance<'_>, builder: &Builder<'
         .filter(|own| matches!(own.work, Work::Nothing) && !own.is_within(&balance.ask.of))
         .map(|own| own.called.clone())
         .collect();
-    let because = match (&across[..], tests.is_empty()) {
-        _ if round.is_some() => round.unwrap_or_default(),
+    let straight = || match (&across[..], tests.is_empty()) {
         ([], true) => "no force does work".to_owned(),
         ([], false) => "the total power of the forces is zero at every moment".to_owned(),
         ([one], _) => format!("{one} acts at right angles to the motion, and no force does work"),
         _ => format!("{} act at right angles to the motion, and no force does work", join(&across)),
     };
+    let because = round.unwrap_or_else(straight);
     Verdict { tests, because }
 }
 

@@ -273,15 +273,15 @@ fn reference(find: &Find, symbol: Symbol, builder: &mut Builder<'_>, path: &Path
 
 /// The unit in which a quantity is asked where the file does not say: that in which it is given, else the system's own.
 pub(in crate::problem) fn unit_for(loaded: &Loaded, name: &str, dimension: Dimension) -> Unit {
-    match loaded.given.get(name) {
-        Some(Given::Drawn { unit, .. }) => unit.clone(),
-        Some(Given::Literal(literal)) => literal.unit.clone(),
-        _ if asked_in(loaded, name).is_some() => asked_in(loaded, name).unwrap_or_default(),
-        _ if dimension == Dimension::NONE && is_angle(name) => Unit::parse("deg").unwrap_or_default(),
-        _ => of_its_kind(loaded, name, dimension).unwrap_or_else(|| {
-            coherent_unit(dimension, super::super::compiling::compile::unit_system(loaded.draft.units))
-        }),
-    }
+    let given = match loaded.given.get(name) {
+        Some(Given::Drawn { unit, .. }) => Some(unit.clone()),
+        Some(Given::Literal(literal)) => Some(literal.unit.clone()),
+        _ => asked_in(loaded, name),
+    };
+    let of_an_angle = || (dimension == Dimension::NONE && is_angle(name)).then(Unit::degree);
+    let of_its_kind = || of_its_kind(loaded, name, dimension);
+    let coherent = || coherent_unit(dimension, super::super::compiling::compile::unit_system(loaded.draft.units));
+    given.or_else(of_an_angle).or_else(of_its_kind).unwrap_or_else(coherent)
 }
 
 /// Whether a name is that of a direction or of an angle between two.
