@@ -63,10 +63,14 @@ impl<'a> Row<'a> {
     }
 }
 
-/// How much too wide the rows are where they could not be broken: 1 for those that fit.
-pub(super) fn excess(rows: &[Row<'_>]) -> f64 {
+/// How many times too wide rows are that could not be broken, from which on each smaller size is needed.
+const TOO_WIDE: [f64; 3] = [1.0, 1.15, 1.35];
+
+/// The size of type for rows that could not be broken, of three that grow smaller; none for those that fit.
+pub(super) fn smaller<'s>(rows: &[Row<'_>], sizes: [&'s str; 3]) -> Option<&'s str> {
     let [left, right] = [0, 1].map(|side| rows.iter().map(|row| row.widths[side]).fold(0.0, f64::max));
-    ((left + right) / WIDEST).max(1.0)
+    let excess = (left + right) / WIDEST;
+    TOO_WIDE.iter().zip(sizes).rev().find(|(least, _)| excess > **least).map(|(_, size)| size)
 }
 
 /// The widest row, in widths of a digit: what fits the text of a page at 11 pt and of a screen column.

@@ -11,13 +11,13 @@ use crate::figure::Drawing;
 use super::authored::Authored;
 use super::authored::Piece;
 use super::equation::Row;
-use super::equation::excess;
+use super::equation::smaller;
 use super::latex_text;
 use super::latex_text::escape;
 use super::writer::Writer;
 
 /// Sizes of type for equations that are so much too wide and cannot be broken.
-const SMALLER: [(f64, &str); 3] = [(1.0, "\\small"), (1.15, "\\footnotesize"), (1.35, "\\scriptsize")];
+const SMALLER: [&str; 3] = ["\\small", "\\footnotesize", "\\scriptsize"];
 
 /// The writer of LaTeX.
 pub(super) struct Latex;
@@ -41,9 +41,8 @@ impl Writer for Latex {
 
     fn equation(&self, rows: &[Row<'_>], number: Option<u32>) -> String {
         let equation = format!("\\[\n{}\n\\]", latex_text::math(&latex_text::equation(rows, number)));
-        let excess = excess(rows);
-        match SMALLER.iter().rev().find(|(least, _)| excess > *least) {
-            Some((_, size)) => format!("{{{size}\n{equation}\n}}"),
+        match smaller(rows, SMALLER) {
+            Some(size) => format!("{{{size}\n{equation}\n}}"),
             None => equation,
         }
     }

@@ -14,13 +14,13 @@ use crate::figure::Drawing;
 use super::authored::Authored;
 use super::authored::Piece;
 use super::equation::Row;
-use super::equation::excess;
+use super::equation::smaller;
 use super::mathml_typst;
 use super::typst_text::escape;
 use super::writer::Writer;
 
 /// Sizes of type for equations that are so much too wide and cannot be broken.
-const SMALLER: [(f64, &str); 3] = [(1.0, "0.9em"), (1.15, "0.8em"), (1.35, "0.7em")];
+const SMALLER: [&str; 3] = ["0.9em", "0.8em", "0.7em"];
 
 /// The writer of Typst. What it calls ends with a semicolon, so that no text behind it is read as an argument.
 pub(super) struct Typst;
@@ -58,9 +58,8 @@ impl Writer for Typst {
         }
         let plain: Vec<String> = rows.iter().map(|row| Math::row_plain(row.whole())).collect();
         let written = displayed(&plain.join(" "), &code.into_code(), number);
-        let excess = excess(rows);
-        match SMALLER.iter().rev().find(|(least, _)| excess > *least) {
-            Some((_, size)) => format!("#[#set text(size: {size})\n{written}];"),
+        match smaller(rows, SMALLER) {
+            Some(size) => format!("#[#set text(size: {size})\n{written}];"),
             None => written,
         }
     }

@@ -37,6 +37,7 @@ const NARROW: &[(&str, &[&str])] = &[("simulate", &["fault", "quantity", "expr",
 
 /// Outside packages that one room alone knows, so that they can be exchanged there.
 const PACKAGES: &[(&str, &str)] = &[
+    ("base64", "render"),
     ("tera", "render"),
     ("pulldown_cmark", "render"),
     ("math_core", "render"),
