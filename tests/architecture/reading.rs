@@ -119,7 +119,13 @@ fn wildcards(source: &Source) -> Vec<Violation> {
         let arms = body.enumerate().filter(|(_, own)| indent(own) == indent(line) + 4);
         let arms: Vec<(usize, &str)> = arms.map(|(below, own)| (at + 2 + below, own.trim_start())).collect();
         let of_stage = |(_, arm): &(usize, &str)| arm.starts_with("Stage::") || arm.starts_with("Some(Stage::");
-        let wild = arms.iter().find(|(_, arm)| arm.starts_with("_ =>") || arm.starts_with("Some(_) =>"));
+        // A name alone takes everything, too.
+        let takes_all = |arm: &str| {
+            let pattern = arm.split(" =>").next().unwrap_or_default();
+            let inner = pattern.strip_prefix("Some(").map_or(pattern, |inner| inner.trim_end_matches(')'));
+            inner.chars().all(|c| c.is_ascii_lowercase() || c == '_')
+        };
+        let wild = arms.iter().find(|(_, arm)| arm.contains(" =>") && takes_all(arm));
         if let (true, Some((line, _))) = (arms.iter().any(of_stage), wild) {
             let rule = "a match over stages has a wildcard: list the others, or ask with `if let`".to_owned();
             found.push(Violation { file: source.file.clone(), line: *line, rule });
@@ -135,6 +141,7 @@ fn breaking_the_rules_is_noticed() {
         "fn f() {\n    name.starts_with(\"v_\");\n    names.starts_with(&[a]);\n    map.contains(key);\n}",
     ));
     assert_eq!(read.iter().map(|own| own.line).collect::<Vec<_>>(), [2]);
-    let matched = "match stage {\n    Stage::Fall(_) => 1,\n    _ => 2,\n}\nmatch a {\n    _ => 3,\n}";
-    assert_eq!(wildcards(&source(matched)).iter().map(|own| own.line).collect::<Vec<_>>(), [3]);
+    let lines = |text: &str| wildcards(&source(text)).iter().map(|own| own.line).collect::<Vec<_>>();
+    assert_eq!(lines("match stage {\n    Stage::Fall(_) => 1,\n    _ => 2,\n}\nmatch a {\n    _ => 3,\n}"), [3]);
+    assert_eq!(lines("match stage {\n    Stage::Fall(_) => 1,\n    stage => 2,\n}"), [3]);
 }

@@ -167,20 +167,24 @@ impl Builder<'_> {
         let scene = self.scene;
         let stage = scene.stages.get(index)?;
         let among = |bodies: &[&str]| alive.iter().all(|own| bodies.contains(&own.as_str()));
-        match stage {
-            Stage::Flight(flight) if among(&flight.flying().collect::<Vec<_>>()) => {
-                Some(Moves::Flying(self.flight_time(index, flight)))
-            }
-            Stage::Interact(own) => {
-                let bodies: Vec<&str> = own.between.iter().map(String::as_str).collect();
-                if !among(&bodies) || bodies.iter().any(|body| self.guided(body).is_some()) {
-                    return None;
-                }
-                if own.at_rest { Some(Moves::FromRest) } else { self.lasting[index].clone().map(Moves::Freely) }
-            }
-            Stage::Drift(_) => self.lasting[index].clone().map(Moves::Freely),
-            stage => (!Description::of(scene, stage).takes_time).then_some(Moves::Not),
+        if !Description::of(scene, stage).takes_time {
+            return Some(Moves::Not);
         }
+        if let Stage::Flight(flight) = stage {
+            let all = among(&flight.flying().collect::<Vec<_>>());
+            return all.then(|| Moves::Flying(self.flight_time(index, flight)));
+        }
+        if let Stage::Interact(own) = stage {
+            let bodies: Vec<&str> = own.between.iter().map(String::as_str).collect();
+            if !among(&bodies) || bodies.iter().any(|body| self.guided(body).is_some()) {
+                return None;
+            }
+            if own.at_rest {
+                return Some(Moves::FromRest);
+            }
+        }
+        let acts_alone = matches!(stage, Stage::Interact(_) | Stage::Drift(_));
+        self.lasting[index].clone().filter(|_| acts_alone).map(Moves::Freely)
     }
 }
 
