@@ -62,11 +62,34 @@ fn no_match_over_stages_has_a_wildcard() {
 
 #[test]
 fn the_guide_lists_what_a_kind_of_stage_touches() {
-    let page = fs::read_to_string(package().join("CONTRIBUTING.md")).expect("CONTRIBUTING.md is there");
+    let guide = guide("## Adding a kind of stage");
     for source in sources(&["src"]) {
-        let is_listed = page.contains(&format!("\n- `{}`", source.file));
-        assert_eq!(stages_of(&source.text).len() > KNOW_EVERY_STAGE, is_listed, "CONTRIBUTING.md and {}", source.file);
+        let knows_every = stages_of(&source.text).len() > KNOW_EVERY_STAGE;
+        assert_eq!(knows_every, lists(&guide, &source), "CONTRIBUTING.md and {}", source.file);
     }
+}
+
+#[test]
+fn the_guide_lists_what_a_type_of_answer_touches() {
+    let guide = guide("## Adding a type of answer");
+    let asked = ["PartKind::Number", "PartKind::Vector", "PartKind::Formula", "PartKind::Range", "PartKind::Choice"];
+    let expected = ["Number", "Vector", "Formula", "Interval", "Choice"].map(|kind| format!("ExpectedKind::{kind}"));
+    for source in sources(&["src"]) {
+        let knows_every = asked.iter().all(|name| source.text.contains(name))
+            || expected.iter().all(|name| source.text.contains(name));
+        assert_eq!(knows_every, lists(&guide, &source), "CONTRIBUTING.md and {}", source.file);
+    }
+}
+
+/// A section of CONTRIBUTING.md.
+fn guide(heading: &str) -> String {
+    let page = fs::read_to_string(package().join("CONTRIBUTING.md")).expect("CONTRIBUTING.md is there");
+    let (_, section) = page.split_once(heading).unwrap_or_else(|| panic!("CONTRIBUTING.md has no section {heading}"));
+    section.split("\n## ").next().unwrap_or_default().to_owned()
+}
+
+fn lists(guide: &str, source: &Source) -> bool {
+    guide.contains(&format!("\n- `{}`", source.file))
 }
 
 #[test]
