@@ -216,12 +216,3 @@ impl Reason {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    #[test]
-    fn no_reason_is_empty() {
-        let source = include_str!("reason.rs");
-        assert!(source.contains("#[error(\"{0} would pass") && !source.contains(concat!("#[error(\"", "\")]")));
-    }
-}

@@ -19,3 +19,4 @@ mod textbook;
 #[path = "../support/variants.rs"]
 mod variants;
 mod witness;
+mod wording;
