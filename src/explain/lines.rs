@@ -65,6 +65,8 @@ pub enum Operation {
     Substitute,
     /// Both sides were squared; neither is negative.
     Square,
+    /// It was divided by the cosine of the angle, so that the tangent is left.
+    Tangent,
     /// It was multiplied by the factor, and all terms were brought to the left side.
     Collect,
     /// The piece that holds for these numbers was taken.
@@ -164,6 +166,7 @@ impl List<'_> {
             Origin::Put { .. } => (Operation::Substitute, None),
             Origin::Integrate(_) => (Operation::Integrate, None),
             Origin::Square(_) => (Operation::Square, None),
+            Origin::Tangent(_) => (Operation::Tangent, None),
             Origin::Collect { factor, .. } => (Operation::Collect, Some(factor)),
             Origin::Component(_) | Origin::Solve { .. } => (Operation::Solve, None),
         };

@@ -41,6 +41,8 @@ pub(in crate::explain) enum Origin {
     Integrate(usize),
     /// Both sides were squared.
     Square(usize),
+    /// It was divided by a cosine.
+    Tangent(usize),
     /// Two equations were solved for a component.
     Component([usize; 2]),
     /// `of` was multiplied by `factor`, and its terms were collected by powers of the unknown.
@@ -158,6 +160,10 @@ impl Derivation {
                 let origin = Origin::Square(self.latest(*equation));
                 self.replace(*equation, left, right, origin);
             }
+            Move::Tangent { equation, left, right } => {
+                let origin = Origin::Tangent(self.latest(*equation));
+                self.replace(*equation, left, right, origin);
+            }
             Move::Quadratic { equation, factor, unknown, a, b, c } => {
                 let sign = Expr::integer(if a.begins_with_minus() { -1 } else { 1 });
                 let [a, b, c, factor] = [a, b, c, factor].map(|term| (sign.clone() * term.clone()).simplify());
@@ -204,7 +210,11 @@ impl Origin {
             Self::Add { to, times, .. } => vec![*to, *times],
             Self::Put { what, into } => vec![*what, *into],
             Self::Component(both) => both.to_vec(),
-            Self::Integrate(of) | Self::Square(of) | Self::Collect { of, .. } | Self::Solve { of, .. } => vec![*of],
+            Self::Integrate(of)
+            | Self::Square(of)
+            | Self::Tangent(of)
+            | Self::Collect { of, .. }
+            | Self::Solve { of, .. } => vec![*of],
         }
     }
 }

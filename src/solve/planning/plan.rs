@@ -37,10 +37,10 @@ pub enum Tactic {
     Tear,
     /// One equation of second degree in one unknown.
     Quadratic,
+    /// a sin(theta) + b cos(theta) = 0: theta by its tangent.
+    Tangent,
     /// R cos(theta) and R sin(theta) known: R and theta found.
     Polar,
-    /// A separable differential equation.
-    Separable,
     /// The first integer that satisfies a condition.
     Count,
     /// One equation with no closed form, solved between bounds.
@@ -137,6 +137,15 @@ pub enum Move {
         /// The square of its left side.
         left: Expr,
         /// The square of its right side.
+        right: Expr,
+    },
+    /// Divide `equation`, `a sin(theta) + b cos(theta) = 0`, by the cosine; `left = right`, the tangent and its value, remains.
+    Tangent {
+        /// The equation.
+        equation: usize,
+        /// The tangent of the angle.
+        left: Expr,
+        /// What it equals.
         right: Expr,
     },
     /// `a x^2 + b x + c = 0`: the left side of `equation` less the right side, times `factor`.

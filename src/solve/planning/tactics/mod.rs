@@ -9,6 +9,7 @@ mod isolate;
 mod linear;
 mod polar;
 mod quadratic;
+mod tangent;
 mod tear;
 mod tidy;
 
@@ -28,6 +29,7 @@ const TACTICS: &[(Tactic, Try)] = &[
     (Tactic::Linear, linear::close),           // k linear equations: add multiples until one unknown is left
     (Tactic::Tear, tear::close),               // all but one written in the last, and substituted
     (Tactic::Quadratic, quadratic::close),     // second degree: both roots
+    (Tactic::Tangent, tangent::close),         // sine and cosine of one angle: its tangent
     (Tactic::Polar, polar::close),             // magnitude and angle from two components
     (Tactic::Count, count::close),             // the first integer that satisfies a condition
     (Tactic::BracketedRoot, bracketed::close), // no formula: between bounds

@@ -1,7 +1,7 @@
 //! # Tear
 //!
 //! *Closes:* k equations of which k - 1 are linear in k - 1 of the unknowns, when what is left after substitution can be
-//! isolated or is of second degree.
+//! isolated, is of second degree, or gives the tangent of an angle.
 //!
 //! *On paper:* write all other unknowns in one, substitute, solve for the one; then the others follow.
 //! Momentum and energy together: `v_A2` from momentum, put into the energy.
@@ -15,6 +15,7 @@ use crate::expr::is_curved;
 use super::elimination::{Eliminated, eliminate};
 use super::isolate::isolated;
 use super::quadratic::Quadratic;
+use super::tangent::divided;
 use super::tidy::{difference, shorter};
 use super::{Block, Closing, Refusal};
 use crate::solve::{Closed, Move, Root};
@@ -82,10 +83,16 @@ fn torn(block: &Block, equations: &[(usize, Expr)], place: usize, unknown: Symbo
             roots
         }
         Err(Refusal::NotApplicable) => {
-            let quadratic = Quadratic::of(&rest, unknown).ok_or(Refusal::NotApplicable)?;
-            let roots = quadratic.roots();
-            moves.push(quadratic.into_move(equation, unknown));
-            roots
+            if let Some(quadratic) = Quadratic::of(&rest, unknown) {
+                let roots = quadratic.roots();
+                moves.push(quadratic.into_move(equation, unknown));
+                roots
+            } else {
+                let positive = |symbol| block.positive(symbol);
+                let divided = divided(&rest, equation, unknown, &positive).ok_or(Refusal::NotApplicable)?;
+                moves.extend(divided.moves);
+                divided.values
+            }
         }
         Err(other) => return Err(other),
     };
