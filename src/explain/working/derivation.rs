@@ -45,8 +45,8 @@ pub(in crate::explain) enum Origin {
     Tangent(usize),
     /// Two equations were solved for a component.
     Component([usize; 2]),
-    /// `of` was multiplied by `factor`, and its terms were collected by powers of the unknown.
-    Collect { of: usize, factor: Expr, unknown: Symbol },
+    /// `of` was multiplied by `factor`, and its terms were collected: a quadratic equation in this power of the unknown.
+    Collect { of: usize, factor: Expr, unknown: Symbol, power: i64 },
     /// It was solved for a quantity.
     Solve { of: usize, unknown: Symbol },
 }
@@ -135,6 +135,17 @@ impl Derivation {
         self.lines.len() - 1
     }
 
+    /// An equation as a quadratic one in a power of the unknown, all terms on one side.
+    fn collect(&mut self, (equation, factor): (usize, &Expr), (unknown, power): (Symbol, i64), [a, b, c]: [&Expr; 3]) {
+        let sign = Expr::integer(if a.begins_with_minus() { -1 } else { 1 });
+        let [a, b, c, factor] = [a, b, c, factor].map(|term| (sign.clone() * term.clone()).simplify());
+        let x = Expr::from(unknown).powi(power);
+        let left = Expr::sum([a * x.clone().powi(2), b * x, c]);
+        let origin = Origin::Collect { of: self.latest(equation), factor, unknown, power };
+        self.replace(equation, &left, &Expr::zero(), origin);
+        self.sources.insert(unknown, vec![self.latest(equation)]);
+    }
+
     /// Writes the line that takes the place of an equation.
     fn replace(&mut self, equation: usize, left: &Expr, right: &Expr, origin: Origin) {
         let place = self.push(left, right, origin);
@@ -165,13 +176,10 @@ impl Derivation {
                 self.replace(*equation, left, right, origin);
             }
             Move::Quadratic { equation, factor, unknown, a, b, c } => {
-                let sign = Expr::integer(if a.begins_with_minus() { -1 } else { 1 });
-                let [a, b, c, factor] = [a, b, c, factor].map(|term| (sign.clone() * term.clone()).simplify());
-                let x = Expr::from(*unknown);
-                let left = Expr::sum([a * x.clone().powi(2), b * x, c]);
-                let origin = Origin::Collect { of: self.latest(*equation), factor, unknown: *unknown };
-                self.replace(*equation, &left, &Expr::zero(), origin);
-                self.sources.insert(*unknown, vec![self.latest(*equation)]);
+                self.collect((*equation, factor), (*unknown, 1), [a, b, c]);
+            }
+            Move::Biquadratic { equation, factor, unknown, coefficients } => {
+                self.collect((*equation, factor), (*unknown, 2), coefficients.each_ref());
             }
             Move::Polar { equations, magnitude, angle, x, y } => {
                 let both = equations.map(|equation| self.latest(equation));

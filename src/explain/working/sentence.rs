@@ -60,7 +60,7 @@ fn words(display: Display<'_>, derivation: &Derivation, line: &Line) -> Vec<Inli
             let source: Vec<&Line> = derivation.lines.get(*of).into_iter().collect();
             solved(display, &source, *unknown, &line.right)
         }
-        Origin::Collect { of, factor, unknown } => {
+        Origin::Collect { of, factor, unknown, power } => {
             let is = derivation.lines.get(*of).and_then(|line| line.number).map_or("this", |_| "it");
             let mut words = if factor.is_one() {
                 said(format!("With all terms on one side, {} is a quadratic equation in ", named(*of)))
@@ -76,7 +76,7 @@ fn words(display: Display<'_>, derivation: &Derivation, line: &Line) -> Vec<Inli
                     Inline::Text(format!("; with all terms on one side, {is} is a quadratic equation in ")),
                 ]
             };
-            words.push(Inline::Math(display.name(*unknown)));
+            words.push(Inline::Math(display.symbolic(&Expr::from(*unknown).powi(*power))));
             words
         }
     }

@@ -163,6 +163,17 @@ pub enum Move {
         /// The rest.
         c: Expr,
     },
+    /// `a x^4 + b x^2 + c = 0`, a quadratic equation in the square: the left side of `equation` less the right side, times `factor`.
+    Biquadratic {
+        /// The equation.
+        equation: usize,
+        /// By what it was multiplied, so that nothing stands below a bar.
+        factor: Expr,
+        /// The unknown.
+        unknown: Symbol,
+        /// Coefficients of the fourth power and of the square, and the rest.
+        coefficients: Box<[Expr; 3]>,
+    },
     /// Two equations are `R cos(theta) = x` and `R sin(theta) = y`: square and add them, divide one by the other.
     Polar {
         /// The equations of x and of y; both follow from both where each has the two components.

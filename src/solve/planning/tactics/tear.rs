@@ -14,7 +14,7 @@ use crate::expr::is_curved;
 
 use super::elimination::{Eliminated, eliminate};
 use super::isolate::isolated;
-use super::quadratic::Quadratic;
+use super::quadratic::rooted;
 use super::tangent::divided;
 use super::tidy::{difference, shorter};
 use super::{Block, Closing, Refusal};
@@ -83,12 +83,11 @@ fn torn(block: &Block, equations: &[(usize, Expr)], place: usize, unknown: Symbo
             roots
         }
         Err(Refusal::NotApplicable) => {
-            if let Some(quadratic) = Quadratic::of(&rest, unknown) {
-                let roots = quadratic.roots();
-                moves.push(quadratic.into_move(equation, unknown));
-                roots
+            let positive = |symbol| block.positive(symbol);
+            if let Some(rooted) = rooted(&rest, equation, unknown, &positive) {
+                moves.extend(rooted.moves);
+                rooted.values
             } else {
-                let positive = |symbol| block.positive(symbol);
                 let divided = divided(&rest, equation, unknown, &positive).ok_or(Refusal::NotApplicable)?;
                 moves.extend(divided.moves);
                 divided.values
