@@ -144,6 +144,55 @@ fn polar_components_give_magnitude_and_angle() {
     assert_eq!(plan.steps[0].tactic, Tactic::Polar);
 }
 
+/// Every root of a step, put into an equation with these values: what the sides differ by.
+fn residuals(world: &mut World, plan: &Plan, equation: &str, values: &[(&str, f64)]) -> Vec<f64> {
+    let (left, right) = equation.split_once('=').expect("two sides");
+    let difference = world.expr(left) - world.expr(right);
+    let known: Vec<_> = values.iter().map(|(name, value)| (world.symbol(name), *value)).collect();
+    let step = &plan.steps[0];
+    let of_root = |root: usize| {
+        let mut all = known.clone();
+        for value in 0..step.unknowns.len() {
+            let at = |symbol| all.iter().find(|(own, _)| *own == symbol).map_or(f64::NAN, |(_, value)| *value);
+            let found = formula(plan, 0, root, value).evaluate(&at);
+            all.push((step.unknowns[value], found));
+        }
+        let at = |symbol| all.iter().find(|(own, _)| *own == symbol).map_or(f64::NAN, |(_, value)| *value);
+        difference.evaluate(&at)
+    };
+    (0..step.roots.len()).map(of_root).collect()
+}
+
+#[test]
+fn sine_and_cosine_of_one_angle_give_its_tangent() {
+    let equation = "v*cos(beta) - 2*u*sin(beta) = w*cos(beta)";
+    let mut world = World::new(&[equation]);
+    let plan = world.plan("u v w", "beta").expect("a plan");
+    assert_eq!(plan.steps[0].tactic, Tactic::Tangent);
+    let left = residuals(&mut world, &plan, equation, &[("u", 2.0), ("v", 1.0), ("w", 4.0)]);
+    assert!(left.len() == 2 && left.iter().all(|left| left.abs() < 1e-12), "{left:?}");
+    // With a part that is neither, there is no tangent.
+    let mut other = World::new(&["v*cos(beta) - u*sin(beta) = w"]);
+    assert!(!other.plan("u v w", "beta").is_ok_and(|plan| plan.steps[0].tactic == Tactic::Tangent));
+}
+
+#[test]
+fn a_quadratic_equation_in_a_square_has_both_squares() {
+    let equation = "a*t^4 - b*t^2 + c = 0";
+    let values = [("a", 1.0), ("b", 5.0), ("c", 4.0)];
+    let mut world = World::new(&[equation]);
+    world.positive("t");
+    let plan = world.plan("a b c", "t").expect("a plan");
+    assert_eq!(plan.steps[0].tactic, Tactic::Quadratic);
+    let left = residuals(&mut world, &plan, equation, &values);
+    assert!(left.len() == 2 && left.iter().all(|left| left.abs() < 1e-12), "{left:?}");
+    // Of either sign, each square has two roots.
+    let mut either = World::new(&[equation]);
+    let plan = either.plan("a b c", "t").expect("a plan");
+    let left = residuals(&mut either, &plan, equation, &values);
+    assert!(left.len() == 4 && left.iter().all(|left| left.abs() < 1e-12), "{left:?}");
+}
+
 #[test]
 fn counts_stand_alone() {
     let mut world = World::new(&["h_n = h*e^(2*n)"]);
