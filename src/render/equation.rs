@@ -281,7 +281,7 @@ mod tests {
         assert_eq!(rows.len(), 2);
         assert_eq!(rows[0].right().last(), Some(&term));
         assert_eq!(rows[1].right().last(), Some(&Math::Text("]".into())));
-        assert!(excess(&rows) <= 1.0);
+        assert!(smaller(&rows, ["s", "m", "l"]).is_none());
     }
 
     #[test]
