@@ -83,7 +83,8 @@ fn the_guide_lists_what_a_type_of_answer_touches() {
 
 /// A section of CONTRIBUTING.md.
 fn guide(heading: &str) -> String {
-    let page = fs::read_to_string(package().join("CONTRIBUTING.md")).expect("CONTRIBUTING.md is there");
+    let page = fs::read_to_string(package().join("CONTRIBUTING.md"))
+        .unwrap_or_else(|error| panic!("CONTRIBUTING.md: {error}"));
     let (_, section) = page.split_once(heading).unwrap_or_else(|| panic!("CONTRIBUTING.md has no section {heading}"));
     section.split("\n## ").next().unwrap_or_default().to_owned()
 }
