@@ -125,7 +125,7 @@ pub(super) fn spreads(parts: &[Part], symbols: &SymbolTable, samples: &Samples) 
         let error = column.answers.iter().map(|answer| answer.value.error).fold(0.0, f64::max);
         let unit = match &number.unit {
             AskedUnit::Unit(unit) => unit.to_string(),
-            AskedUnit::InTermsOf(symbol) => symbols.entry(*symbol).name.clone(),
+            AskedUnit::InTermsOf(symbol, _) => symbols.entry(*symbol).name.clone(),
         };
         Some(AnswerSpread::Number {
             id,

@@ -126,7 +126,11 @@ impl Marking<'_> {
             .filter_map(|own| {
                 let value = Printed::new(own.value / unit, number.figures)?.plain();
                 let laws: Vec<&str> = own.by.iter().map(|law| law.name).collect();
-                Some(format!("{} by {}", format!("{value} {}", number.plain_unit()).trim_end(), laws.join(" and ")))
+                Some(format!(
+                    "{} by {}",
+                    format!("{value} {}", self.worked.problem.unit_name(number)).trim_end(),
+                    laws.join(" and ")
+                ))
             })
             .collect();
         Some(format!("With your own {}, the result would be {}.", chosen.join(" and "), said.join(", or ")))

@@ -19,6 +19,7 @@ use crate::problem::PartKind;
 use crate::problem::PlannedForm;
 use crate::problem::Problem;
 use crate::problem::Worked;
+use crate::quantity::coherent_unit;
 use crate::solve::Bounded;
 
 use super::formula::expected_formula;
@@ -215,10 +216,15 @@ pub(super) fn widen(expected: &mut grade::Expected, worked: Worked<'_>, part: &P
 }
 
 fn blank_number(rules: Rules<'_>, part: &Part, number: &NumberPart) -> grade::ExpectedNumber {
-    let unit = number.plain_unit();
+    let symbols = &rules.problem.model().symbols;
+    let mut unit = number.plain_unit();
     let senses = rules.problem.senses(number.symbol);
     let multiple_of = match number.unit {
-        AskedUnit::InTermsOf(symbol) => Some(rules.problem.name_of(symbol)),
+        AskedUnit::InTermsOf(symbol, _) => {
+            let product = coherent_unit(symbols.entry(number.symbol).dimension, rules.problem.units());
+            let units = (!unit.is_none()).then(|| [std::mem::take(&mut unit), product]);
+            Some(grade::Multiple { name: rules.problem.name_of(symbol), units })
+        }
         AskedUnit::Unit(_) => None,
     };
     let called = grade::Called { name: part.id.clone(), axis: rules.problem.axis(number.symbol), multiple_of };

@@ -207,7 +207,7 @@ impl Exercise {
             AskedUnit::Unit(unit) if unit.is_none() => None,
             AskedUnit::Unit(unit) if unit.is_attached() => Some(Math::Text(unit.spoken(true))),
             AskedUnit::Unit(unit) => Some(Math::Text(unit.unicode())),
-            AskedUnit::InTermsOf(symbol) => Some(self.problem.math_of(*symbol)),
+            AskedUnit::InTermsOf(symbol, _) => Some(self.problem.math_of(*symbol)),
         }
     }
 
@@ -265,7 +265,7 @@ impl Exercise {
     fn printed_range(&self, range: &RangePart) -> String {
         let name = &self.problem.name_of(range.number.symbol);
         let Some(interval) = self.worked().interval(range) else { return String::new() };
-        let unit = self.unit_name(&range.number);
+        let unit = self.problem.unit_name(&range.number);
         let shown = |end: &End| {
             let value = end.value.for_print();
             let printed = Printed::new(value, range.number.figures).filter(|_| !end.own);
@@ -299,14 +299,14 @@ impl Exercise {
                     printed.map_or_else(|| "not defined".into(), |printed| printed.plain())
                 };
                 let components: Vec<String> = vector.components.iter().map(shown).collect();
-                let unit = vector.components.first().map(|own| self.unit_name(own)).unwrap_or_default();
+                let unit = vector.components.first().map(|own| self.problem.unit_name(own)).unwrap_or_default();
                 format!("({}) {unit}", components.join(", ")).trim_end().to_owned()
             }
             PartKind::Number(number) => {
                 let unit = match &number.unit {
                     AskedUnit::Unit(unit) if unit.is_attached() => unit.to_string(),
                     AskedUnit::Unit(unit) => format!(" {unit}"),
-                    AskedUnit::InTermsOf(symbol) => format!(" {}", self.problem.name_of(*symbol)),
+                    AskedUnit::InTermsOf(symbol, _) => format!(" {}", self.problem.name_of(*symbol)),
                 };
                 let shown = |answer: Bounded| {
                     let value = answer.for_print();

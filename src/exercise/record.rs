@@ -55,7 +55,7 @@ impl Exercise {
             PartKind::Number(number) => {
                 let answer = self.worked().answer(number);
                 let all: Vec<f64> = self.worked().answers(number).iter().map(|answer| answer.or_zero()).collect();
-                let unit = self.unit_name(number);
+                let unit = self.problem.unit_name(number);
                 let mut asked = json!({
                     "id": part.id,
                     "kind": if number.whole { "count" } else { "number" },
@@ -80,7 +80,7 @@ impl Exercise {
                     "find": part.id,
                     "axes": vector.axes,
                     "value": answers.iter().map(|own| own.or_zero()).collect::<Vec<_>>(),
-                    "unit": vector.components.first().map(|own| self.unit_name(own)),
+                    "unit": vector.components.first().map(|own| self.problem.unit_name(own)),
                     "printed": self.printed(part),
                     "error_bound": bounds,
                     "points": part.points,
@@ -100,7 +100,7 @@ impl Exercise {
                     "find": part.label,
                     "low": interval.as_ref().and_then(|own| end(own.low)),
                     "high": interval.as_ref().and_then(|own| end(own.high)),
-                    "unit": self.unit_name(&range.number),
+                    "unit": self.problem.unit_name(&range.number),
                     "printed": self.printed(part),
                     "points": part.points,
                 })

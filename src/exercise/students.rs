@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 
 use crate::expr::Symbol;
-use crate::problem::AskedUnit;
 use crate::problem::NumberPart;
 use crate::problem::Part;
 use crate::problem::PartKind;
@@ -93,7 +92,7 @@ impl Exercise {
 
     /// A value in the unit of the question, as a student writes it.
     fn written(&self, number: &NumberPart, value: f64) -> String {
-        format!("{} {}", written_number(number, value), self.unit_name(number)).trim_end().to_owned()
+        format!("{} {}", written_number(number, value), self.problem.unit_name(number)).trim_end().to_owned()
     }
 
     /// A vector of which every component was rounded on the way.
@@ -109,16 +108,8 @@ impl Exercise {
     fn written_vector(&self, vector: &VectorPart, values: impl Iterator<Item = f64>) -> String {
         let numbers = vector.components.iter().zip(values);
         let components: Vec<String> = numbers.map(|(number, value)| written_number(number, value)).collect();
-        let unit = vector.components.first().map(|own| self.unit_name(own)).unwrap_or_default();
+        let unit = vector.components.first().map(|own| self.problem.unit_name(own)).unwrap_or_default();
         format!("({}) {unit}", components.join(", ")).trim_end().to_owned()
-    }
-
-    /// The unit in which a number is asked, or the quantity that stands in its place.
-    pub(super) fn unit_name(&self, number: &NumberPart) -> String {
-        match &number.unit {
-            AskedUnit::Unit(unit) => unit.to_string(),
-            AskedUnit::InTermsOf(symbol) => self.problem.name_of(*symbol),
-        }
     }
 }
 

@@ -95,10 +95,11 @@ fn enter_answers(display: Display<'_>, ledger: &mut Ledger) {
                 ledger.rounded(own, value.for_print(), number.size, number.figures);
                 ledger.same(item, own);
             }
-            AskedUnit::InTermsOf(unit) => {
+            AskedUnit::InTermsOf(unit, _) => {
                 let ratio = Expr::from(number.symbol) / Expr::from(unit);
                 display.enter(ledger, unit);
-                ledger.rounded(own, display.worked.answer(number).for_print(), 1.0, number.figures);
+                let multiple = display.worked.answer(number).for_print() * number.size;
+                ledger.rounded(own, multiple, number.size, number.figures);
                 ledger.term(&ratio, &[number.symbol, unit], own);
             }
         }

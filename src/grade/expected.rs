@@ -91,7 +91,17 @@ pub struct Called {
     /// The axis along which it is counted, of a component: `-x` says its direction then, and `-y` does not.
     pub axis: Option<char>,
     /// The quantity of which it is asked as a multiple.
-    pub multiple_of: Option<String>,
+    pub multiple_of: Option<Multiple>,
+}
+
+/// A quantity of which a number is asked as a multiple.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Multiple {
+    /// Its name.
+    pub name: String,
+    /// The unit of the multiple and that of the product, where there are such. 6 m/s times a mass m is written `6m`, and may be written
+    /// with either: `6 m/s m`, `6m N s`.
+    pub units: Option<[Unit; 2]>,
 }
 
 /// Which units of the right dimension will do.

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use momentous::grade::{Called, DecimalMark, ExpectedKind, ExpectedNumber, read};
+use momentous::grade::{Called, DecimalMark, ExpectedKind, ExpectedNumber, Multiple, read};
 use momentous::quantity::{Dimension, Printed, Unit, UnitSystem, coherent_unit};
 use proptest::prelude::*;
 
@@ -13,9 +13,14 @@ fn fixture(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures/answers").join(name)
 }
 
-/// A number in a unit, or `of` a quantity.
+/// A number in a unit, or `of` a quantity, with the units of the multiple and of the product where there are such.
 fn number(unit: &str, senses: &str) -> ExpectedKind {
-    let multiple_of = unit.strip_prefix("of ").map(str::to_owned);
+    let multiple_of = unit.strip_prefix("of ").map(|own| {
+        let (name, units) = own.split_once(": ").map_or((own, None), |(name, units)| (name, Some(units)));
+        let units = units.and_then(|units| units.split_once(" and "));
+        let units = units.map(|(own, product)| [own, product].map(|unit| Unit::parse(unit).unwrap()));
+        Multiple { name: name.to_owned(), units }
+    });
     let unit = if multiple_of.is_some() { "" } else { unit };
     let called = multiple_of.map(|own| Arc::new(Called { name: String::new(), axis: None, multiple_of: Some(own) }));
     let senses = senses.split_once(" | ").map(|(plus, minus)| [plus.to_owned(), minus.to_owned()]);

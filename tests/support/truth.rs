@@ -88,7 +88,7 @@ impl Truth {
     pub fn answer(&self, number: &NumberPart) -> Long {
         let unit = match &number.unit {
             AskedUnit::Unit(unit) => factor(unit),
-            AskedUnit::InTermsOf(symbol) => self.values[symbol].clone(),
+            AskedUnit::InTermsOf(symbol, unit) => self.values[symbol].clone() * factor(unit),
         };
         self.values[&number.symbol].clone() / unit
     }

@@ -59,7 +59,7 @@ pub(in crate::explain) fn enter(display: Display<'_>, ledger: &mut Ledger) {
         for number in numbers(display) {
             let unit = match number.unit {
                 AskedUnit::Unit(_) => Some(Expr::one()),
-                AskedUnit::InTermsOf(unit) => there.in_givens(unit, &values),
+                AskedUnit::InTermsOf(unit, _) => there.in_givens(unit, &values),
             };
             let Some((whole, unit)) = there.in_givens(number.symbol, &values).zip(unit) else { continue };
             let ratio = whole / unit;

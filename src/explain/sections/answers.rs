@@ -74,6 +74,7 @@ fn sentence(display: Display<'_>, part: &Part) -> Vec<Inline> {
                 words.extend((index > 0).then(|| Inline::Text(" or ".into())));
                 words.push(Inline::Math(Math::Row(equal)));
             }
+            words.extend(printed::as_taught(display, number));
             if let Some(direction) = direction(display, number) {
                 words.push(Inline::Text(format!(", {direction}")));
             }
@@ -102,7 +103,7 @@ fn is_converted(display: Display<'_>, number: &NumberPart) -> bool {
     let own = &display.manner(number.symbol).measured;
     match &number.unit {
         AskedUnit::Unit(unit) => *unit != own.unit && unit.factor() != own.unit.factor(),
-        AskedUnit::InTermsOf(letter) => own.letters != Some(Expr::from(*letter)),
+        AskedUnit::InTermsOf(letter, _) => own.letters != Some(Expr::from(*letter)),
     }
 }
 
@@ -130,6 +131,9 @@ fn direction(display: Display<'_>, number: &NumberPart) -> Option<String> {
     }
     if value.value >= 0.0 {
         return Some(senses.positive.clone());
+    }
+    if matches!(&number.unit, AskedUnit::InTermsOf(_, unit) if !unit.is_none()) {
+        return Some(format!("that is {}", senses.negative));
     }
     let size = Printed::new(-value.for_print(), number.figures)?;
     let unit = number.plain_unit();

@@ -247,7 +247,7 @@ impl Display<'_> {
         match &number.unit {
             AskedUnit::Unit(unit) if *unit == own.unit => own.put(value),
             AskedUnit::Unit(unit) => with_unit(value, unit),
-            AskedUnit::InTermsOf(_) => value,
+            AskedUnit::InTermsOf(..) => value,
         }
     }
 

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use crate::expr::Math;
 use crate::expr::Operator;
+use crate::expr::Symbol;
 use crate::problem::AskedUnit;
 use crate::problem::End;
 use crate::problem::FormulaPart;
@@ -12,8 +13,10 @@ use crate::problem::NumberPart;
 use crate::problem::RangePart;
 use crate::problem::VectorPart;
 use crate::problem::Worked;
+use crate::quantity::coherent_unit;
 use crate::solve::Bounded;
 
+use super::super::Inline;
 use super::algebra::positive_first;
 use super::display::Display;
 use super::display::number_math;
@@ -33,11 +36,35 @@ pub(in crate::explain) fn answer(display: Display<'_>, number: &NumberPart, answ
     let shown = |value: f64| shown(number, value);
     match &number.unit {
         AskedUnit::Unit(_) => display.in_unit_of(number, shown(answer.for_print())),
-        AskedUnit::InTermsOf(_) if answer.is_zero() => shown(0.0),
-        AskedUnit::InTermsOf(symbol) => {
-            Math::Row(vec![shown(answer.for_print()), Math::Operator(Operator::Juxtapose), display.name(*symbol)])
+        AskedUnit::InTermsOf(..) if answer.is_zero() => shown(0.0),
+        AskedUnit::InTermsOf(symbol, unit) if unit.is_none() => multiple(display, shown(answer.for_print()), *symbol),
+        AskedUnit::InTermsOf(symbol, unit) => {
+            let number = Math::Bracketed(Arc::new(with_unit(shown(answer.for_print()), unit)));
+            multiple(display, number, *symbol)
         }
     }
+}
+
+fn multiple(display: Display<'_>, number: Math, symbol: Symbol) -> Math {
+    Math::Row(vec![number, Math::Operator(Operator::Juxtapose), display.name(symbol)])
+}
+
+/// A multiple that has a unit, as papers print it: `6 m` in newton seconds, with m in kilograms.
+pub(in crate::explain) fn as_taught(display: Display<'_>, number: &NumberPart) -> Vec<Inline> {
+    let AskedUnit::InTermsOf(symbol, unit) = &number.unit else { return Vec::new() };
+    let answer = display.worked.answer(number);
+    if unit.is_none() || answer.is_zero() {
+        return Vec::new();
+    }
+    let problem = display.worked.problem;
+    let unit_of = |own: Symbol| coherent_unit(problem.model().symbols.entry(own).dimension, problem.units());
+    vec![
+        Inline::Text(" (".into()),
+        Inline::Math(multiple(display, shown(number, answer.for_print()), *symbol)),
+        Inline::Text(format!(" in {}, with ", unit_of(number.symbol).unicode())),
+        Inline::Math(display.name(*symbol)),
+        Inline::Text(format!(" in {})", unit_of(*symbol).unicode())),
+    ]
 }
 
 /// A formula as it is printed.
@@ -57,7 +84,7 @@ pub fn printed_vector(worked: Worked<'_>, vector: &VectorPart) -> Math {
     let bracketed = Math::Bracketed(Arc::new(Math::Row(row)));
     match vector.components.first().map(|first| &first.unit) {
         Some(AskedUnit::Unit(unit)) => with_unit(bracketed, unit),
-        Some(AskedUnit::InTermsOf(symbol)) => {
+        Some(AskedUnit::InTermsOf(symbol, _)) => {
             let name = worked.problem.math_of(*symbol);
             Math::Row(vec![bracketed, Math::Operator(Operator::Juxtapose), name])
         }

@@ -2,7 +2,10 @@
 
 use std::borrow::Cow;
 
+use crate::quantity::Unit;
+
 use super::super::expected::ExpectedNumber;
+use super::answer::NumberAnswer;
 use super::formula::{lowered, spellings};
 use super::unreadable::{Unreadable, UnreadableKind};
 use super::vulgar::of_character;
@@ -16,7 +19,7 @@ const SIGNS: [char; 4] = ['+', '-', '−', '–'];
 /// The answer without the quantity of which a multiple is asked, where one is.
 pub(super) fn without<'t>(answer: &'t str, asked: &ExpectedNumber) -> Result<Cow<'t, str>, Unreadable> {
     match asked.called.as_ref().and_then(|called| called.multiple_of.as_ref()) {
-        Some(name) => factor(answer, name).map(Cow::Owned).map_err(|(at, kind)| Unreadable { at, kind }),
+        Some(multiple) => factor(answer, &multiple.name).map(Cow::Owned).map_err(|(at, kind)| Unreadable { at, kind }),
         None => Ok(Cow::Borrowed(answer)),
     }
 }
@@ -24,9 +27,38 @@ pub(super) fn without<'t>(answer: &'t str, asked: &ExpectedNumber) -> Result<Cow
 /// What is told where the unit cannot be read and none is wanted but the quantity.
 pub(super) fn told(kind: UnreadableKind, asked: &ExpectedNumber) -> UnreadableKind {
     match (asked.called.as_ref().and_then(|called| called.multiple_of.clone()), kind) {
-        (Some(name), UnreadableKind::Unit(_)) => UnreadableKind::Multiple(name),
+        (Some(multiple), UnreadableKind::Unit(_)) => UnreadableKind::Multiple(multiple.name),
         (_, kind) => kind,
     }
+}
+
+/// A multiple with a unit, as `6m N s`, `6 m/s m` or `6m kg m/s`, with the mass m: every place is tried as that of the quantity until
+/// what remains is a number with the unit of the multiple or of the product. None where there is no such place.
+pub(super) fn with_unit(
+    answer: &str,
+    asked: &ExpectedNumber,
+    read: impl Fn(&str) -> Option<NumberAnswer>,
+) -> Option<NumberAnswer> {
+    let multiple = asked.called.as_ref()?.multiple_of.as_ref()?;
+    let [own, product] = multiple.units.as_ref()?;
+    let signs: Vec<char> = answer.chars().collect();
+    let plain = |found: NumberAnswer, fitting: &[&Unit]| match &found.unit {
+        None => Some(found),
+        Some(unit) => {
+            let fits = fitting.iter().find(|own| own.dimension() == unit.dimension())?;
+            Some(NumberAnswer { number: found.number.scaled(&unit.in_terms_of(fits))?, unit: None, ..found })
+        }
+    };
+    let taken = |start: usize| {
+        let end = name_at(&signs, start, &multiple.name, true)?;
+        // Behind a unit the quantity is only left out: `6 m/s m`.
+        let behind_unit =
+            signs[..start].iter().rev().find(|sign| **sign != ' ').is_some_and(|sign| sign.is_alphabetic());
+        let left_out = behind_unit.then(|| signs[..start].iter().chain(&signs[end..]).collect());
+        let rests = [without_name(signs.clone(), start, end), left_out];
+        rests.into_iter().flatten().find_map(|rest| plain(read(&rest)?, &[own, product]))
+    };
+    (0..signs.len()).find_map(taken).or_else(|| plain(read(answer)?, &[own]))
 }
 
 /// The answer with the quantity taken out, or a one put in its place where nothing stands before it. Every other character keeps its
@@ -35,13 +67,16 @@ pub(super) fn told(kind: UnreadableKind, asked: &ExpectedNumber) -> UnreadableKi
 /// # Errors
 /// Where it is not a number times the quantity, with the character.
 fn factor(answer: &str, name: &str) -> Result<String, (usize, UnreadableKind)> {
-    let mut signs: Vec<char> = answer.chars().collect();
-    let mut named = (0..signs.len()).filter_map(|start| Some((start, end_of(&signs, start, name)?)));
+    let signs: Vec<char> = answer.chars().collect();
+    let mut named = (0..signs.len()).filter_map(|start| Some((start, name_at(&signs, start, name, false)?)));
     let Some((start, end)) = named.next() else { return Ok(answer.to_owned()) };
-    let fault = Err((start, UnreadableKind::Multiple(name.to_owned())));
-    if named.next().is_some() {
-        return fault;
-    }
+    let is_alone = named.next().is_none();
+    let fault = || (start, UnreadableKind::Multiple(name.to_owned()));
+    if is_alone { without_name(signs, start, end).ok_or_else(fault) } else { Err(fault()) }
+}
+
+/// The answer with the name between two characters taken out; `None` where it is not multiplied by one number.
+fn without_name(mut signs: Vec<char>, start: usize, end: usize) -> Option<String> {
     let before: String = signs[..start].iter().collect();
     let bare = before.trim_end();
     let factor = TIMES.iter().find_map(|times| bare.strip_suffix(times)).unwrap_or(bare).trim_end();
@@ -51,18 +86,19 @@ fn factor(answer: &str, name: &str) -> Result<String, (usize, UnreadableKind)> {
     let next = signs[end..].iter().find(|next| **next != ' ').copied();
     let goes_on = next.is_some_and(|next| next.is_ascii_digit() || SIGNS.contains(&next) || "^√π".contains(next));
     if goes_on || last.is_some_and(|last| last == '/' || last == '^') {
-        return fault;
+        return None;
     }
     let from = if is_multiplied { factor.chars().count() } else { start };
     signs[from..end].fill(' ');
     if !is_multiplied {
         signs[start] = '1';
     }
-    if is_sum(&signs) { fault } else { Ok(signs.into_iter().collect()) }
+    (!is_sum(&signs)).then(|| signs.into_iter().collect())
 }
 
-/// Where the name ends that begins at this character, in whatever spelling: `v_A1`, `vA1`, `v_{A,1}`, `v_A₁`.
-fn end_of(signs: &[char], start: usize, name: &str) -> Option<usize> {
+/// Where the name ends that begins at this character, in whatever spelling: `v_A1`, `vA1`, `v_{A,1}`, `v_A₁`. A unit may follow it
+/// without a space.
+fn name_at(signs: &[char], start: usize, name: &str, before_unit: bool) -> Option<usize> {
     let is_part = |sign: &char| sign.is_alphabetic() || *sign == '_' || *sign == '\\';
     if start.checked_sub(1).and_then(|before| signs.get(before)).is_some_and(is_part) {
         return None;
@@ -83,7 +119,7 @@ fn end_of(signs: &[char], start: usize, name: &str) -> Option<usize> {
             (at, open) = (at + 1, open - 1);
         }
         let goes_on = signs.get(at).is_some_and(|next| lowered(*next).is_alphanumeric() || *next == '_');
-        (!goes_on && open == 0).then_some(at)
+        ((before_unit || !goes_on) && open == 0).then_some(at)
     };
     spellings(name).into_iter().find_map(ends)
 }

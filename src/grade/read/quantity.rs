@@ -56,6 +56,14 @@ impl<'a> Asked<'a> {
 
 /// Reads a number with its unit and direction.
 pub(super) fn read(answer: &str, asked: &ExpectedNumber, mark: DecimalMark) -> Result<NumberAnswer, Unreadable> {
+    let alone = |text: &str| {
+        let plain = Plain::new(text).ok()?;
+        let found = read_plain(plain.text(), Asked::of(asked), mark);
+        found.or_else(|fault| remarks::read(plain.text(), Asked::of(asked), mark, fault)).ok()
+    };
+    if let Some(found) = multiple::with_unit(answer, asked, alone) {
+        return Ok(found);
+    }
     let plain = Plain::new(&multiple::without(answer, asked)?)?;
     let text = plain.text();
     let own = Asked::of(asked);

@@ -44,12 +44,12 @@ pub(in crate::problem) fn check(model: &Model, form: &Form) -> Vec<Fault> {
         for part in &form.parts {
             for number in part.kind.numbers() {
                 let mut needed = vec![number.symbol];
-                if let AskedUnit::InTermsOf(unit) = number.unit {
+                if let AskedUnit::InTermsOf(unit, _) = number.unit {
                     needed.push(unit);
                 }
                 let open = free.iter().copied().filter(|known| !sources.never_use(leaf, &needed, known.symbol));
                 let alike = match number.unit {
-                    AskedUnit::InTermsOf(unit) => [(number.symbol, Some(unit))],
+                    AskedUnit::InTermsOf(unit, _) => [(number.symbol, Some(unit))],
                     AskedUnit::Unit(_) => [(number.symbol, None)],
                 };
                 let grows = |symbol| {
@@ -60,7 +60,7 @@ pub(in crate::problem) fn check(model: &Model, form: &Form) -> Vec<Fault> {
                     continue;
                 }
                 let mut answer = written_in_givens(leaf, number.symbol, &mut written);
-                if let AskedUnit::InTermsOf(unit) = number.unit {
+                if let AskedUnit::InTermsOf(unit, _) = number.unit {
                     let unit = written_in_givens(leaf, unit, &mut written);
                     answer = answer.zip(unit).map(|(answer, unit)| (answer / unit).simplify());
                 }

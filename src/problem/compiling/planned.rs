@@ -25,6 +25,7 @@ use super::super::language::known::Known;
 use super::super::language::known::Origin;
 use super::super::questions::formula::Formulas;
 use super::super::questions::part::AskedUnit;
+use super::super::questions::part::NumberPart;
 use super::super::questions::part::Part;
 use super::super::questions::part::PartKind;
 use super::super::reading::load::Loaded;
@@ -116,7 +117,7 @@ impl Form {
     pub fn units(&self) -> impl Iterator<Item = Symbol> {
         let numbers = self.parts.iter().flat_map(|part| part.kind.numbers());
         numbers.filter_map(|number| match &number.unit {
-            AskedUnit::InTermsOf(symbol) => Some(*symbol),
+            AskedUnit::InTermsOf(symbol, _) => Some(*symbol),
             AskedUnit::Unit(_) => None,
         })
     }
@@ -208,7 +209,16 @@ impl Problem {
         self.notation.name(&self.model.symbols.entry(symbol).name)
     }
 
-    /// The same, typeset.
+    /// The unit in which a number is asked, or the quantity that stands in its place.
+    #[must_use]
+    pub fn unit_name(&self, number: &NumberPart) -> String {
+        match &number.unit {
+            AskedUnit::Unit(unit) => unit.to_string(),
+            AskedUnit::InTermsOf(symbol, _) => self.name_of(*symbol),
+        }
+    }
+
+    /// The name of a quantity as the course writes it, typeset.
     #[must_use]
     pub fn math_of(&self, symbol: Symbol) -> Math {
         let set = || {

@@ -45,7 +45,7 @@ pub struct NumberPart {
     pub symbol: Symbol,
     /// In which unit, or in terms of which quantity.
     pub unit: AskedUnit,
-    /// The size of that unit in SI units; one, where there is none.
+    /// The size of that unit, or of that of the multiple, in SI units; one, where there is none.
     pub size: f64,
     /// Significant figures of the printed answer.
     pub figures: usize,
@@ -62,8 +62,8 @@ pub struct NumberPart {
 pub enum AskedUnit {
     /// A unit.
     Unit(Unit),
-    /// A quantity of the problem: the answer is a multiple of it.
-    InTermsOf(Symbol),
+    /// A quantity of the problem: the answer is a multiple of it. The unit is that of the multiple: none, where both measure the same.
+    InTermsOf(Symbol, Unit),
 }
 
 /// How far an answer may lie from the exact one.
@@ -120,7 +120,7 @@ impl PartKind {
             return formula.in_terms_of;
         }
         self.numbers().iter().find_map(|number| match &number.unit {
-            AskedUnit::InTermsOf(symbol) => Some(*symbol),
+            AskedUnit::InTermsOf(symbol, _) => Some(*symbol),
             AskedUnit::Unit(_) => None,
         })
     }
@@ -130,19 +130,17 @@ impl AskedUnit {
     /// The size in SI units of a unit; one, where there is none.
     pub(in crate::problem) fn size(&self) -> f64 {
         match self {
-            Self::Unit(unit) => unit.factor().to_f64(),
-            Self::InTermsOf(_) => 1.0,
+            Self::Unit(unit) | Self::InTermsOf(_, unit) => unit.factor().to_f64(),
         }
     }
 }
 
 impl NumberPart {
-    /// The unit, where the answer has one of its own.
+    /// The unit of the number: that of the multiple, where it is asked in terms of a quantity.
     #[must_use]
     pub fn plain_unit(&self) -> Unit {
         match &self.unit {
-            AskedUnit::Unit(unit) => unit.clone(),
-            AskedUnit::InTermsOf(_) => Unit::none(),
+            AskedUnit::Unit(unit) | AskedUnit::InTermsOf(_, unit) => unit.clone(),
         }
     }
 }

@@ -18,6 +18,7 @@ use crate::scene::Term;
 use crate::solve::Condition;
 use crate::solve::Equation;
 
+use super::super::compiling::compile::unit_system;
 use super::super::language::ask::Answered;
 use super::super::language::ask::Ask;
 use super::super::language::ask::Find;
@@ -211,16 +212,23 @@ pub(super) fn number_part(
         Some(text) => match (Unit::parse(text), builder.mention(text)) {
             (Ok(unit), _) if unit.dimension() == entry.dimension => AskedUnit::Unit(unit),
             (_, Some(other)) if builder.symbols().entry(other).dimension == entry.dimension => {
-                AskedUnit::InTermsOf(other)
+                AskedUnit::InTermsOf(other, Unit::none())
+            }
+            // Of what the sheet tells by a number nobody asks for a multiple with a unit of its own.
+            (_, Some(other)) if matches!(loaded.given.get(text), Some(Given::Any(_))) => {
+                let multiple = entry.dimension / builder.symbols().entry(other).dimension;
+                AskedUnit::InTermsOf(other, coherent_unit(multiple, unit_system(loaded.draft.units)))
             }
             (Ok(unit), _) => {
                 let [expected, found] = [entry.dimension, unit.dimension()].map(dimension_name);
                 let message = format!("`{}` is {expected}, but `{text}` is a unit of {found}", find.name());
-                builder.fault(
-                    Fault::new(Code::Dimension, message)
-                        .help("write a unit of its own dimension")
-                        .at_path(path.key("unit")),
-                );
+                let help = match builder.mention(text) {
+                    Some(_) => format!(
+                        "write a unit of its own dimension; an answer in terms of `{text}` needs `{text}` given as `any`, with its unit"
+                    ),
+                    None => "write a unit of its own dimension".to_owned(),
+                };
+                builder.fault(Fault::new(Code::Dimension, message).help(help).at_path(path.key("unit")));
                 return None;
             }
             (Err(fault), _) => {
@@ -280,7 +288,7 @@ pub(in crate::problem) fn unit_for(loaded: &Loaded, name: &str, dimension: Dimen
     };
     let of_an_angle = || (dimension == Dimension::NONE && is_angle(name)).then(Unit::degree);
     let of_its_kind = || of_its_kind(loaded, name, dimension);
-    let coherent = || coherent_unit(dimension, super::super::compiling::compile::unit_system(loaded.draft.units));
+    let coherent = || coherent_unit(dimension, unit_system(loaded.draft.units));
     given.or_else(of_an_angle).or_else(of_its_kind).unwrap_or_else(coherent)
 }
 

@@ -1,12 +1,15 @@
 //! A vector that is asked: all its components at once.
 
 use crate::expr::Symbol;
+use crate::fault::Code;
+use crate::fault::Fault;
 use crate::fault::Path;
 use crate::model::Builder;
 use crate::model::component_name;
 
 use super::super::language::ask::Find;
 use super::super::reading::load::Loaded;
+use super::part::AskedUnit;
 use super::part::NumberPart;
 use super::part::PartKind;
 use super::parts::number_part;
@@ -49,6 +52,12 @@ pub(in crate::problem) fn read(
     let axes = builder.axis_letters();
     let components = symbols.iter().map(|symbol| number_part(loaded, find, *symbol, builder, path));
     let components = components.collect::<Option<Vec<_>>>()?;
+    if components.iter().any(|own| matches!(&own.unit, AskedUnit::InTermsOf(_, unit) if !unit.is_none())) {
+        let fault = Fault::new(Code::Value, format!("`{}` is a vector of another dimension than its unit", find.find));
+        let help = format!("ask for its components in terms of that quantity: `{}.x`", find.find);
+        builder.fault(fault.help(help).at_path(path.key("unit")));
+        return None;
+    }
     let meaning = symbols.first().and_then(|first| builder.vector_of(*first));
     let meaning = meaning.unwrap_or_else(|| format!("the vector {}", find.find));
     Some((find.find.clone(), meaning, PartKind::Vector(VectorPart { components, axes })))

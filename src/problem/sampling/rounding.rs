@@ -43,7 +43,7 @@ impl Worked<'_> {
     pub fn judged(&self, number: &NumberPart) -> Judged {
         let unit = match &number.unit {
             AskedUnit::Unit(_) => number.size,
-            AskedUnit::InTermsOf(symbol) => self.value(*symbol).abs(),
+            AskedUnit::InTermsOf(symbol, _) => self.value(*symbol).abs() * number.size,
         };
         let figures = number.figures;
         let found = self.allowance(number.symbol, figures) / unit;

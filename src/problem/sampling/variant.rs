@@ -185,7 +185,7 @@ impl<'a> Worked<'a> {
     fn in_unit(&self, value: Bounded, number: &NumberPart) -> Bounded {
         let unit = match &number.unit {
             AskedUnit::Unit(_) => Some(factor(number.size)),
-            AskedUnit::InTermsOf(symbol) => self.variant.value(*symbol),
+            AskedUnit::InTermsOf(symbol, _) => self.variant.value(*symbol).map(|value| value.mul(&factor(number.size))),
         };
         unit.map_or(value, |unit| value.div(&unit))
     }
@@ -195,7 +195,9 @@ impl<'a> Worked<'a> {
     pub fn unit_of(&self, number: &NumberPart) -> f64 {
         match &number.unit {
             AskedUnit::Unit(_) => number.size,
-            AskedUnit::InTermsOf(symbol) => self.variant.value(*symbol).map_or(1.0, |value| value.value),
+            AskedUnit::InTermsOf(symbol, _) => {
+                self.variant.value(*symbol).map_or(1.0, |value| value.value) * number.size
+            }
         }
     }
 
