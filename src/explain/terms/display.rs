@@ -387,6 +387,5 @@ pub(in crate::explain) fn number_math(text: String) -> Math {
 
 /// A value to so many figures, as plain text.
 pub(in crate::explain) fn printed(value: f64, figures: usize) -> String {
-    debug_assert!(value.is_finite(), "what is drawn and solved has a value");
     Printed::new(value, figures).map_or_else(|| "?".into(), |printed| printed.plain())
 }

@@ -41,6 +41,9 @@ pub(in crate::explain) enum Detail {
     Brief,
 }
 
+/// What is said where a formula gives further values that are none.
+const NOT_REAL: &str = "No other value is a real number.";
+
 /// What is said once of the lines with numbers.
 pub(in crate::explain) const WITHOUT_ZEROS: &str = "Terms that are zero are left out of the lines with numbers.";
 
@@ -275,6 +278,13 @@ impl<'a> Steps<'a> {
         let worked = self.display.worked;
         let mut blocks = Vec::new();
         for dead in worked.variant.dead().iter().filter(|dead| dead.step == Some(position)) {
+            if !dead.values.iter().all(|value| value.for_print().is_finite()) {
+                let block = Block::text(NOT_REAL);
+                if !blocks.contains(&block) {
+                    blocks.push(block);
+                }
+                continue;
+            }
             let reason = worked.why_dead(dead);
             let values: Vec<Vec<Inline>> = step
                 .unknowns

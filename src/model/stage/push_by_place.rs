@@ -15,9 +15,11 @@ use crate::model::Influence;
 use crate::model::Integral;
 use crate::model::Name;
 use crate::model::QuantityKind;
+use crate::model::Reason;
 use crate::model::wording;
 use crate::scene::Force;
 use crate::scene::stage::Push;
+use crate::solve::Relation;
 
 use super::push::Acting;
 use super::push::Pushed;
@@ -69,7 +71,11 @@ impl Builder<'_> {
         let [start, stop] = energies;
         let because = format!("the forces on {name} do work over the distance");
         self.law(&energy::WORK_ENERGY, Some(index), because, energy::work_energy(start, works, stop));
-        self.moves_along(index, body, [&(sign.clone() * before), &(sign * after)]);
+        self.moves_along(index, body, [&(sign.clone() * before), &(sign.clone() * after)]);
+        if pushed.over.is_none() {
+            let reason = Reason::MovesBack(name.clone());
+            self.require(sign * (ends[1].clone() - ends[0].clone()), Relation::AtLeast, Expr::zero(), reason);
+        }
         let net = Expr::sum(forces).simplify();
         self.rates_along(pushed, axis, &net, place, &ends);
         let lasts = pushed.end.clone() - pushed.start.clone();

@@ -130,7 +130,7 @@ impl FormDraft {
         let extra = |conditions: &[Condition]| [require, conditions].concat();
         let sheet = enough::on_the_sheet(loaded, &self.question, model, &known, &told);
         let rules = (&self.counts[..], &extra(&self.conditions)[..]);
-        let answered = enough::answered(planner, model, &self.sought, rules, &sheet)?;
+        let answered = enough::answered(planner, model, &self.sought, rules, (&known, &sheet))?;
         for (at, part) in answered.parts {
             self.parts.insert(at.min(self.parts.len()), part);
         }

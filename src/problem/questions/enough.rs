@@ -1,7 +1,9 @@
 //! Whether what a sheet tells is enough to find a quantity: the planner answers, and says why.
 
+use std::collections::BTreeMap;
 use std::collections::BTreeSet;
 
+use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::fault::Code;
 use crate::fault::Fault;
@@ -99,9 +101,15 @@ pub(in crate::problem) fn answered(
     model: &Model,
     sought: &[Sought],
     (equations, conditions): (&[Equation], &[Condition]),
-    told: &BTreeSet<Symbol>,
+    (known, told): (&[Known], &BTreeSet<Symbol>),
 ) -> Result<Answered, Vec<Fault>> {
     let mut answered = Answered::default();
+    // What is always zero may take an unknown quantity with it: a body at rest has no momentum, whatever its mass.
+    let fixed = known.iter().filter(|own| told.contains(&own.symbol)).filter_map(|own| match &own.origin {
+        Origin::Fixed(value) => Some((own.symbol, Expr::measured(value, &own.unit))),
+        Origin::Drawn(_) | Origin::Any => None,
+    });
+    let fixed: BTreeMap<Symbol, Expr> = fixed.collect();
     for own in sought {
         let name = &model.symbols.entry(own.symbol).name;
         let fault =
@@ -114,11 +122,13 @@ pub(in crate::problem) fn answered(
         for (_, mut system) in model.systems() {
             system.equations.extend(equations.iter().cloned());
             system.conditions.extend(conditions.iter().cloned());
-            if planner.plan(&system, told, &[own.symbol]).is_err() && planner.is_fixed(&system, told, own.symbol) {
+            let plan = planner.plan(&system, told, &[own.symbol]);
+            system.fixed.extend(fixed.clone());
+            if plan.is_err() && planner.is_fixed(&system, told, own.symbol) {
                 let message = format!("`{name}` follows from what is given, but no known method shows how");
                 return Err(fault(Code::Stuck, message, "ask about another quantity that follows as well"));
             }
-            ways.push(planner.plan(&system, told, &[own.symbol]).map(|plan| laws(model, &system, &plan)));
+            ways.push(plan.map(|plan| laws(model, &system, &plan)));
         }
         let found = ways.iter().find_map(|way| way.as_ref().ok());
         let verdict = match (found, ways.iter().find_map(|way| way.as_ref().err())) {
