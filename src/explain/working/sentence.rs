@@ -54,7 +54,11 @@ fn words(display: Display<'_>, derivation: &Derivation, line: &Line) -> Vec<Inli
         Origin::Put { what, into } => said(format!("Put {} into {}", named(*what), named(*into))),
         Origin::Integrate(_) => said("Evaluating the integral".into()),
         Origin::Square(of) => said(format!("Square both sides of {}", named(*of))),
-        Origin::Tangent(of) => said(format!("Divide {} by the cosine", named(*of))),
+        Origin::Tangent(of) => {
+            let mut words = said(format!("Divide {} by the cosine", named(*of)));
+            words.extend(where_not_zero(display, ", where ", divisors::of_term(&line.right)));
+            words
+        }
         Origin::Component([first, second]) => said(format!("From {} and {}", named(*first), named(*second))),
         Origin::Solve { of, unknown } => {
             let source: Vec<&Line> = derivation.lines.get(*of).into_iter().collect();

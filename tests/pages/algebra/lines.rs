@@ -193,6 +193,19 @@ fn check(line: &Line, sources: &[&Line], actual: &Values) -> Result<(), String> 
             })?;
             divisors_are_listed(line, sources, actual)
         }
+        ("tangent", [of]) => {
+            let angle = match &line.left {
+                Term::Call(tangent, angle) if tangent == "tan" => angle.first(),
+                _ => None,
+            };
+            let Some(Term::Name(angle)) = angle else { return Err("what is left is no tangent".into()) };
+            everywhere(&|values| {
+                let mut values = values.clone();
+                values.insert(angle.clone(), line.right(&values).value.atan());
+                finite(of.left.value(&values), of.right(&values))
+            })?;
+            divisors_are_listed(line, sources, actual)
+        }
         (other, _) => Err(format!("`{other}` from {} lines is not known", sources.len())),
     }
 }
