@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::collections::BTreeSet;
+use std::fmt::Write;
 
 use crate::expr::Expr;
 use crate::expr::Symbol;
@@ -10,9 +11,12 @@ use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Path;
 use crate::model::Model;
+use crate::quantity::Rational;
 use crate::solve::Closed;
 use crate::solve::Condition;
+use crate::solve::Equation;
 use crate::solve::Relation;
+use crate::solve::Statement;
 use crate::solve::may_grow;
 
 use super::super::language::known::Known;
@@ -53,7 +57,8 @@ pub(in crate::problem) fn check(model: &Model, form: &Form) -> Vec<Fault> {
                     AskedUnit::Unit(_) => [(number.symbol, None)],
                 };
                 let grows = |symbol| {
-                    is_positive(leaf, &zeros, symbol) && may_grow(&leaf.system, &form.told, &zeros, symbol, &alike)
+                    is_positive(leaf, &zeros, known, symbol)
+                        && may_grow(&leaf.system, &form.told, &zeros, symbol, &alike)
                 };
                 let open: Vec<&Known> = open.filter(|known| !grows(known.symbol)).collect();
                 if open.is_empty() {
@@ -69,8 +74,12 @@ pub(in crate::problem) fn check(model: &Model, form: &Form) -> Vec<Fault> {
                     if !independent {
                         let message =
                             format!("it cannot be proven that `{}` does not depend on `{}`", part.id, known.name);
-                        let help =
-                            "give its value, or ask for the answer in terms of it: `unit: v_A1`, or `as: formula`";
+                        let mut help =
+                            "give its value, or ask for the answer in terms of it: `unit: v_A1`, or `as: formula`"
+                                .to_owned();
+                        if !is_positive(leaf, &zeros, &form.known, known.symbol) {
+                            let _ = write!(help, "; if it is positive, add `require: [{} > 0]`", known.name);
+                        }
                         let fault = Fault::new(Code::UnderDetermined, message).help(help);
                         faults.push(fault.at_path(Path::root().key("given").key(known.name.as_str())));
                     }
@@ -88,12 +97,33 @@ fn zeros(model: &Model, known: &[Known]) -> BTreeSet<Symbol> {
     given.map(|known| known.symbol).chain(written.map(|(symbol, _)| *symbol)).collect()
 }
 
-/// Whether a quantity is positive by its meaning, or because the problem requires it.
-fn is_positive(leaf: &Leaf, zeros: &BTreeSet<Symbol>, symbol: Symbol) -> bool {
+/// Whether a quantity is positive by its meaning, because the problem requires it, or because a positive quantity is a positive
+/// multiple of it: `m` where a mass is `2*m`.
+fn is_positive(leaf: &Leaf, zeros: &BTreeSet<Symbol>, known: &[Known], symbol: Symbol) -> bool {
     let is_zero = |side: &Expr| side.is_zero() || matches!(side, Expr::Symbol(own) if zeros.contains(own));
     let requires =
         |own: &Condition| own.relation == Relation::Greater && own.left == Expr::from(symbol) && is_zero(&own.right);
-    leaf.system.positive.contains(&symbol) || leaf.system.conditions.iter().any(requires)
+    let drawn = |own: Symbol| {
+        known.iter().any(|known| known.symbol == own && known.origin.is_drawn() && known.origin.limits()[0] > 0.0)
+    };
+    let is_factor = |factor: &Expr| match factor {
+        Expr::Number(number) => *number > Rational::ZERO,
+        Expr::Symbol(own) => *own == symbol || leaf.system.positive.contains(own) || drawn(*own),
+        _ => false,
+    };
+    let is_multiple = |term: &Expr| match term {
+        Expr::Product(factors) => {
+            factors.iter().filter(|own| **own == Expr::from(symbol)).count() == 1 && factors.iter().all(is_factor)
+        }
+        term => *term == Expr::from(symbol),
+    };
+    let follows = |equation: &Equation| match &equation.statement {
+        Statement::Equal { left: Expr::Symbol(own), right } => leaf.system.positive.contains(own) && is_multiple(right),
+        _ => false,
+    };
+    leaf.system.positive.contains(&symbol)
+        || leaf.system.conditions.iter().any(requires)
+        || leaf.system.equations.iter().any(follows)
 }
 
 /// The values that never change, as exact numbers.

@@ -74,6 +74,9 @@ pub struct Trial {
     pub left: f64,
 }
 
+/// How far from a limit towards the boundary the model is tried where there is no motion at the limit itself.
+const BESIDE_A_LIMIT: f64 = 0.01;
+
 /// The least and the greatest value of a quantity, in SI units, each with whether it is reached.
 type Limits = [Option<(f64, bool)>; 2];
 
@@ -194,9 +197,16 @@ impl Worked<'_> {
         if !limits.into_iter().zip([-1.0, 1.0]).all(inside) {
             return None;
         }
-        let tried = [between(limits[0], boundary.value, -0.5), between(limits[1], boundary.value, 1.0)];
-        let [below, above] = tried.map(|at| self.tried(regimes, range, at / unit.factor().to_f64(), unit));
-        let (below, above) = (below?, above?);
+        let tried = |at: f64| self.tried(regimes, range, at / unit.factor().to_f64(), unit);
+        let side = |limit: Option<(f64, bool)>, away: f64| {
+            let beside = |limit: f64| {
+                // Just there the motion may be none, as a bounce with e = 0: then what is next to it counts.
+                tried(limit + BESIDE_A_LIMIT * (boundary.value - limit))?;
+                tried(f64::midpoint(limit, boundary.value))
+            };
+            tried(between(limit, boundary.value, away)).or_else(|| beside(limit.filter(|(_, closed)| *closed)?.0))
+        };
+        let (below, above) = (side(limits[0], -0.5)?, side(limits[1], 1.0)?);
         let reached = matches!(range.claim.relation, Relation::AtMost | Relation::AtLeast);
         let at_boundary = End { value: self.answer(&range.number), closed: reached, own: false };
         let own = |limit: Option<(f64, bool)>| {
