@@ -61,6 +61,17 @@ pub const CONIC: Law = Law {
     wrong: &[],
 };
 
+/// Gravity holds a body on a circle.
+pub const CIRCLE: Law = Law {
+    id: "circular-orbit",
+    name: "the condition of a circular orbit",
+    statement: "On a circle the distance stays the same, nothing moves along the radius, and gravity gives the acceleration towards the centre: the speed is the square root of GM over the distance.",
+    signs: "Positive counter-clockwise, the sense in which the body revolves.",
+    when: "The gravity of one centre is the only force, and the orbit is a circle.",
+    source: "Newton's second law towards the centre, with v^2/r and GM/r^2.",
+    wrong: &[],
+};
+
 /// Kepler's third law.
 pub const PERIOD: Law = Law {
     id: "keplers-third-law",
@@ -84,7 +95,7 @@ pub const ORBIT_TIME: Law = Law {
 };
 
 /// The laws of this chapter.
-pub const LAWS: &[&Law] = &[&ORBIT_ENERGY, &VIS_VIVA, &ORBIT_SHAPE, &APSES, &CONIC, &PERIOD, &ORBIT_TIME];
+pub const LAWS: &[&Law] = &[&ORBIT_ENERGY, &VIS_VIVA, &ORBIT_SHAPE, &APSES, &CONIC, &CIRCLE, &PERIOD, &ORBIT_TIME];
 
 /// `v^2 / 2 - GM / r`.
 #[must_use]

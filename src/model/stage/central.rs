@@ -26,7 +26,7 @@ impl Builder<'_> {
         let sides = (r1.clone() * v1.clone(), r2 * v2);
         self.law(&angular::CENTRAL, Some(index), because, sides);
         let rate = self.symbol(
-            Name::of(QuantityKind::ArealRate, ""),
+            self.in_stage(QuantityKind::ArealRate, "", index),
             format!("the rate at which the radius from {centre} sweeps out area"),
         );
         let sides = (rate.into(), Expr::product([Expr::ratio(1, 2), r1, v1]));

@@ -41,6 +41,10 @@ impl Builder<'_> {
         let speeds = [index + 1, index + 2].map(|instant| {
             self.quantity(Name::of(QuantityKind::Speed, body).at(instant)).map_or_else(Expr::zero, Expr::from)
         });
+        if stage.orbit == Some(Orbit::Circle) {
+            self.circle(&Round { index, body, name, gravity: gravity.clone(), states });
+            return Some(gravity);
+        }
         let energies = [0, 1].map(|side: usize| orbit::energy(&gravity, &states[side][0], &speeds[side]));
         let because = format!("the gravity of {centre} is the only force on {name}; the mass cancels");
         let [before, after] = energies.clone();
@@ -49,9 +53,9 @@ impl Builder<'_> {
         match stage.orbit {
             Some(Orbit::Ellipse) => self.ellipse(&round, energies),
             Some(Orbit::Parabola) => self.parabola(&round, energies),
-            None => {}
+            Some(Orbit::Circle) | None => {}
         }
-        self.neglect("the gravity of everything else", "it is small, or the same on both");
+        self.neglect_other_gravity();
         Some(round.gravity)
     }
 
@@ -103,6 +107,26 @@ impl Builder<'_> {
             times.push(since);
         }
         self.time_between(round, &times);
+    }
+
+    fn neglect_other_gravity(&mut self) {
+        self.neglect("the gravity of everything else", "it is small, or the same on both");
+    }
+
+    fn circle(&mut self, round: &Round<'_>) {
+        let index = Some(round.index);
+        let meaning = format!("the period of the orbit of {}", round.name);
+        let period = Expr::from(self.positive(Name::of(QuantityKind::Period, round.body), meaning));
+        let [[radius, radial, across], [further, outwards, _]] = &round.states;
+        let because = "the orbit is a circle";
+        self.law(&orbit::CIRCLE, index, because, (further.clone(), radius.clone()));
+        for velocity in [radial, outwards].into_iter().filter(|velocity| !velocity.is_zero()) {
+            self.law(&orbit::CIRCLE, index, because, (velocity.clone(), Expr::zero()));
+        }
+        let held = (round.gravity.clone() / radius.clone()).sqrt();
+        self.law(&orbit::CIRCLE, index, "gravity holds it on a circle", (across.clone(), held));
+        self.law(&orbit::PERIOD, index, because, orbit::period(&round.gravity, radius, &period));
+        self.neglect_other_gravity();
     }
 
     fn parabola(&mut self, round: &Round<'_>, energies: [Expr; 2]) {

@@ -42,8 +42,10 @@ pub struct CentralSpring {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Orbit {
-    /// Closed: it comes back after a period. A circle is one.
+    /// Closed: it comes back after a period. A circle told by rounded values is better said to be one: `circle`.
     Ellipse,
+    /// Round: the distance and the speed stay the same.
+    Circle,
     /// With just the speed to escape.
     Parabola,
 }

@@ -107,7 +107,7 @@ impl StageRun<'_> {
                 let radial = if turned { -outwards(&end) } else { outwards(&end) };
                 self.note(&format!("v_{body}{}.r", first + 1), radial, across);
             }
-            self.note("areal_rate", end[4] / time, 0.0);
+            self.note_here("areal_rate", end[4] / time, 0.0);
             if radial == 0.0 {
                 self.note_here("dt", time, 0.0);
             }
@@ -115,7 +115,29 @@ impl StageRun<'_> {
         if stage.orbit == Some(Orbit::Ellipse) && told.is_some() {
             shown = self.go_round(body, &pull, start)?;
         }
+        if stage.orbit == Some(Orbit::Circle) {
+            shown = self.go_round_a_circle(&format!("{body}{}", first + 1), body, &pull, start)?;
+        }
         self.film_orbit(body, &pull, start, shown)
+    }
+
+    /// Once round, quarter by quarter, until it is where it began.
+    fn go_round_a_circle(
+        &mut self,
+        there: &str,
+        body: &str,
+        pull: &Pull,
+        start: (f64, State),
+    ) -> Result<f64, NothingToSimulate> {
+        let sense = start.1[3].signum();
+        let quarter = pull.to(start, &|state| state[0])?;
+        let three = pull.to(quarter, &|state| -state[0])?;
+        let again = pull.to(three, &|state| -sense * state[1])?;
+        self.note(&format!("r_{there}"), distance(&again.1), 0.0);
+        self.note(&format!("v_{there}.theta"), around(&again.1), 0.0);
+        self.note(&format!("speed_{there}"), libm::hypot(again.1[2], again.1[3]), 0.0);
+        self.note(&format!("period_{body}"), again.0, 0.0);
+        Ok(again.0)
     }
 
     /// The orbit in its plane, from the start on, for a time.
