@@ -41,6 +41,9 @@ pub(in crate::explain) enum Detail {
     Brief,
 }
 
+/// The widest root that is written in symbols, in widths of a digit.
+const WIDEST_ROOT: f64 = 75.0;
+
 /// What is said where a formula gives further values that are none.
 const NOT_REAL: &str = "No other value is a real number.";
 
@@ -256,7 +259,13 @@ impl<'a> Steps<'a> {
         }
         let is_exact = self.display.is_exact_multiple(unknown);
         let numbers = numbers.filter(|own| *own != formula.symbols && *own != value && !is_exact);
-        lines.extend(numbers.map(also));
+        match numbers {
+            // The equation from which it comes stands just above, with the same symbols.
+            Some(numbers) if is_too_wide(&formula.symbols) => {
+                lines = vec![Math::relation(self.display.name(unknown), Operator::Equals, numbers)];
+            }
+            numbers => lines.extend(numbers.map(also)),
+        }
         if lines.len() > 1 || formula.symbols != value {
             lines.push(also(value));
         }
@@ -310,6 +319,11 @@ impl<'a> Steps<'a> {
         }
         blocks
     }
+}
+
+/// Whether no page holds a formula: a root cannot be broken.
+fn is_too_wide(formula: &Math) -> bool {
+    matches!(formula, Math::Root(_)) && formula.width() > WIDEST_ROOT
 }
 
 /// The root of a step that was taken, and its place.
