@@ -93,9 +93,29 @@ pub const AREAL: Law = Law {
     wrong: wrong::angular::AREAL,
 };
 
+/// The period of a rotation.
+pub const REVOLUTION: Law = Law {
+    id: "period-of-a-rotation",
+    name: "the definition of the period",
+    statement: "The angular velocity times the time of a revolution is two pi.",
+    signs: "Positive in the sense in which it turns.",
+    when: "The angular velocity does not change.",
+    source: "Definition: the angle of a revolution is two pi.",
+    wrong: &[],
+};
+
 /// The laws of this chapter.
-pub const LAWS: &[&Law] =
-    &[&ANGULAR_MOMENTUM, &MOMENT, &RATE, &MOMENT_IMPULSE, &ANGULAR_IMPULSE, &CONSERVATION, &CENTRAL, &AREAL];
+pub const LAWS: &[&Law] = &[
+    &ANGULAR_MOMENTUM,
+    &MOMENT,
+    &RATE,
+    &MOMENT_IMPULSE,
+    &ANGULAR_IMPULSE,
+    &CONSERVATION,
+    &CENTRAL,
+    &AREAL,
+    &REVOLUTION,
+];
 
 /// The moments of a vector at a place: one in a plane, one for each axis in space, and none along a line.
 #[must_use]

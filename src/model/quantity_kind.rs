@@ -149,6 +149,7 @@ const READ: &[QuantityKind] = &[
     QuantityKind::CommonVelocity,
     QuantityKind::MeanForce,
     QuantityKind::ArealRate,
+    QuantityKind::Period,
     QuantityKind::Direction(VectorKind::Impulse),
     QuantityKind::Direction(VectorKind::Force),
     QuantityKind::Velocity,

@@ -57,6 +57,23 @@ pub(super) fn angular_momentum(builder: &mut Builder<'_>, name: &Name) -> Option
     Some(symbol)
 }
 
+/// How long a revolution takes at the angular velocity of an instant.
+pub(super) fn period_of_rotation(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
+    let instant = builder.number(name)?;
+    let rotation = |stage: &Stage| if let Stage::Rotate(own) = stage { Some(own.about.clone()) } else { None };
+    let centre = builder.point(&builder.scene.stages.iter().find_map(rotation)?);
+    let turning = if name.subject.is_empty() {
+        builder.turn_of_arm(&centre, instant)
+    } else {
+        builder.turn_of_body(&name.subject, &centre, instant)
+    };
+    let meaning = format!("the time of a revolution {}", builder.when(instant));
+    let period = builder.positive(builder.canonical(name), meaning);
+    let sides = (turning * Expr::from(period), Expr::integer(2) * Expr::Pi);
+    builder.law(&angular::REVOLUTION, None, "a revolution is an angle of two pi", sides);
+    Some(period)
+}
+
 pub(super) fn moment_of_forces(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let instant = builder.number(name)?;
     let centre = builder.centre(&name.subject)?;

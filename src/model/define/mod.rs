@@ -32,6 +32,7 @@ use super::stage::angular_impulse_by_name;
 use super::stage::height_of_a_bounce;
 use angular::angular_momentum;
 use angular::moment_of_forces;
+use angular::period_of_rotation;
 use angular::rate_of_angular_momentum;
 use kinetic::energy_gained;
 use kinetic::energy_lost;
@@ -73,6 +74,7 @@ const DEFINITIONS: &[(QuantityKind, Define)] = &[
     (QuantityKind::RelativeEnergy, relative_energy),
     (QuantityKind::RelativeVelocity, relative_velocity),
     (QuantityKind::AngularMomentum, angular_momentum),
+    (QuantityKind::Period, period_of_rotation),
     (QuantityKind::Moment, moment_of_forces),
     (QuantityKind::AngularMomentumRate, rate_of_angular_momentum),
     (QuantityKind::Weight, weight),

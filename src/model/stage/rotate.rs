@@ -151,10 +151,7 @@ impl Builder<'_> {
             let meaning = format!("the distance of {name} from {centre} {}", self.when(instant));
             let arm = self.read_positive(arm.ends()[side], Dimension::LENGTH, &meaning, &path);
             let turn = match held {
-                [_] if !stage.is_arm() => {
-                    let meaning = format!("the angular velocity of {name} about {centre} {}", self.when(instant));
-                    self.symbol(Name::of(QuantityKind::AngularVelocity, body).at(instant), meaning).into()
-                }
+                [_] if !stage.is_arm() => self.turn_of_body(body, &centre, instant),
                 _ => self.turn_of_arm(&centre, instant),
             };
             terms.push(self.on_arm(index, body, instant, &arm, &turn));
@@ -175,6 +172,12 @@ impl Builder<'_> {
         };
         self.law(&angular::ANGULAR_MOMENTUM, Some(index), because, (momentum.clone(), Expr::sum(terms)));
         momentum
+    }
+
+    /// The angular velocity of a body by itself.
+    pub(in crate::model) fn turn_of_body(&mut self, body: &str, centre: &str, instant: usize) -> Expr {
+        let meaning = format!("the angular velocity of {} about {centre} {}", self.called(body), self.when(instant));
+        self.symbol(Name::of(QuantityKind::AngularVelocity, body).at(instant), meaning).into()
     }
 
     /// The angular velocity of an arm that carries several bodies.

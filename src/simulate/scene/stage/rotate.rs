@@ -130,6 +130,7 @@ impl StageRun<'_> {
             }
             let turning = held.first().filter(|_| !stage.is_arm()).map_or("", |own| own.body);
             self.note(&format!("omega_{turning}{instant}"), rate, before);
+            self.note(&format!("period_{turning}{instant}"), std::f64::consts::TAU / rate.abs(), 0.0);
             for own in held.iter().filter(|own| stage.rotor.as_deref() != Some(own.body)) {
                 self.note(&format!("a_{}{instant}.n", own.body), own.ends[side] * rate * rate, 0.0);
             }
