@@ -175,8 +175,7 @@ impl List<'_> {
                 let source: Vec<_> = script.derivation.lines.get(*of).into_iter().collect();
                 divisors::of_solution(&source, *unknown, &line.right)
             }
-            Origin::Component(_) => divisors::of_term(&line.right),
-            Origin::Tangent(_) => divisors::of_term(&line.right),
+            Origin::Component(_) | Origin::Tangent(_) => divisors::of_term(&line.right),
             _ => factor.map(divisors::of_term).unwrap_or_default(),
         };
         let from = line.origin.from().into_iter().map(|place| before + place + 1).collect();

@@ -59,7 +59,7 @@ impl Builder<'_> {
                 self.law(&geometry::HEIGHT_OF_SLOPE, Some(index), "the slope is straight", sides);
             }
         }
-        self.slide_forces(index, body, friction.as_ref(), &incline, &way, &duration);
+        self.slide_forces(index, stage, friction.as_ref(), &incline, &way, &duration);
         self.slide_impulse(index, stage, &incline);
         self.acts_as_noted(index);
         if stage.height.is_some() && incline.is_level() {
@@ -145,19 +145,23 @@ impl Builder<'_> {
     fn slide_forces(
         &mut self,
         index: usize,
-        body: &str,
+        stage: &Slide,
         friction: Option<&Expr>,
         incline: &Incline,
         way: &Speeds,
         duration: &Expr,
     ) {
+        let body = stage.body.as_str();
         let normal = self.in_stage(QuantityKind::NormalForce, body, index);
         let meaning = format!("the normal force on {}", self.called(body));
         let normal = Expr::from(self.positive(normal, meaning));
         let mass = self.mass(body);
         let weight = mass * self.gravity();
-        let sides = (normal.clone(), weight.clone() * incline.press.clone());
-        self.law(&force::NORMAL_FORCE, Some(index), "the normal force balances what presses on the floor", sides);
+        // On a ramp of any shape the normal force changes with its slope and its bends, which nobody tells.
+        if !stage.is_ramp() {
+            let sides = (normal.clone(), weight.clone() * incline.press.clone());
+            self.law(&force::NORMAL_FORCE, Some(index), "the normal force balances what presses on the floor", sides);
+        }
         let zero = Expr::zero();
         let acts = Acts { stage: index, on: body, during: [&zero, duration] };
         let kinetic = friction.cloned().unwrap_or_else(Expr::zero);
