@@ -11,20 +11,18 @@ use crate::expr::Expr;
 use crate::expr::Symbol;
 
 use super::inverse::undo;
-use super::tidy::{cancelled, cancelled_where, difference, forward, is_negative, negative, occurrences, over};
-use super::{Block, Closing, Refusal};
-use crate::solve::{Closed, Move, Root};
+use super::tidy::{
+    cancelled, cancelled_where, difference, forward, is_negative, negative, occurrences, over, replaced,
+};
+use super::{Block, Closing, Found, Refusal};
+use crate::solve::Move;
 
 pub(super) fn close(block: &Block) -> Result<Closing, Refusal> {
     let (equation, left, right, unknown) = block.single().ok_or(Refusal::NotApplicable)?;
     let values = isolated(left, right, unknown, &|symbol| block.positive(symbol))?;
     let value = values.first().cloned().ok_or(Refusal::NotApplicable)?;
-    let root = |value| Root { values: vec![(unknown, Closed::Formula(value))] };
-    Ok(Closing {
-        unknowns: vec![unknown],
-        moves: vec![Move::Isolate { equation, unknown, value }],
-        roots: values.into_iter().map(root).collect(),
-    })
+    let moves = vec![Move::Isolate { equation, unknown, value }];
+    Ok(Found { moves, values }.closing(unknown))
 }
 
 /// Every value of `unknown` for which the sides are equal, where it can be brought to one side.
@@ -101,10 +99,6 @@ fn piecewise_in(term: &Expr, unknown: Symbol) -> Option<&Expr> {
         Expr::Piecewise(_) => term.contains(unknown).then_some(term),
         other => other.children().find_map(|part| piecewise_in(part, unknown)),
     }
-}
-
-fn replaced(term: &Expr, old: &Expr, new: &Expr) -> Expr {
-    if term == old { new.clone() } else { term.map_children(|part| replaced(part, old, new)) }
 }
 
 /// The roots of `a x^n + c` or `a x + c` after algebra.

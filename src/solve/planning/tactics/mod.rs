@@ -57,6 +57,20 @@ pub(super) struct Closing {
     roots: Vec<Root>,
 }
 
+/// Every value of one unknown, and the moves that give them.
+struct Found {
+    moves: Vec<Move>,
+    values: Vec<Expr>,
+}
+
+impl Found {
+    /// What closes a block of this unknown alone.
+    fn closing(self, unknown: Symbol) -> Closing {
+        let root = |value| Root { values: vec![(unknown, Closed::Formula(value))] };
+        Closing { unknowns: vec![unknown], moves: self.moves, roots: self.values.into_iter().map(root).collect() }
+    }
+}
+
 /// Why a tactic does not close a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Refusal {

@@ -15,22 +15,14 @@ use crate::expr::Symbol;
 
 use super::inverse::undo;
 use super::tidy::{difference, is_negative, negative};
-use super::{Block, Closing, Refusal};
-use crate::solve::{Closed, Move, Root};
+use super::{Block, Closing, Found, Refusal};
+use crate::solve::Move;
 
 pub(super) fn close(block: &Block) -> Result<Closing, Refusal> {
     let (equation, left, right, unknown) = block.single().ok_or(Refusal::NotApplicable)?;
     let positive = |symbol| block.positive(symbol);
-    let Rooted { moves, values } =
-        rooted(&difference(left, right), equation, unknown, &positive).ok_or(Refusal::NotApplicable)?;
-    let root = |value| Root { values: vec![(unknown, Closed::Formula(value))] };
-    Ok(Closing { unknowns: vec![unknown], roots: values.into_iter().map(root).collect(), moves })
-}
-
-/// What comes of the formula: the moves, and every value of the unknown.
-pub(super) struct Rooted {
-    pub(super) moves: Vec<Move>,
-    pub(super) values: Vec<Expr>,
+    let found = rooted(&difference(left, right), equation, unknown, &positive).ok_or(Refusal::NotApplicable)?;
+    Ok(found.closing(unknown))
 }
 
 /// The roots of an equation, all of it on one side, that is quadratic in the unknown or in its square.
@@ -39,10 +31,10 @@ pub(super) fn rooted(
     equation: usize,
     unknown: Symbol,
     positive: &dyn Fn(Symbol) -> bool,
-) -> Option<Rooted> {
+) -> Option<Found> {
     if let Some(quadratic) = Quadratic::of(residual, unknown) {
         let values = quadratic.roots();
-        return Some(Rooted { moves: vec![quadratic.into_move(equation, unknown)], values });
+        return Some(Found { moves: vec![quadratic.into_move(equation, unknown)], values });
     }
     let quadratic = Quadratic::of_square(residual, unknown)?;
     let undone = |square| undo(&Expr::from(unknown).powi(2), square, unknown, positive);
@@ -53,7 +45,7 @@ pub(super) fn rooted(
         Move::Biquadratic { equation, factor, unknown, coefficients: Box::new([a, b, c]) },
         Move::Isolate { equation, unknown, value },
     ];
-    Some(Rooted { moves, values })
+    Some(Found { moves, values })
 }
 
 /// `a x^2 + b x + c`, and the factor that cleared the denominators.

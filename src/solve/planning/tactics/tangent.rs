@@ -12,23 +12,15 @@ use crate::expr::Symbol;
 use crate::expr::equal;
 
 use super::isolate::isolated;
-use super::tidy::{cancelled, difference, forward, is_negative, negative, over};
-use super::{Block, Closing, Refusal};
-use crate::solve::{Closed, Move, Root};
+use super::tidy::{cancelled, difference, forward, is_negative, negative, over, replaced};
+use super::{Block, Closing, Found, Refusal};
+use crate::solve::Move;
 
 pub(super) fn close(block: &Block) -> Result<Closing, Refusal> {
     let (equation, left, right, unknown) = block.single().ok_or(Refusal::NotApplicable)?;
     let positive = |symbol| block.positive(symbol);
-    let Divided { moves, values } =
-        divided(&difference(left, right), equation, unknown, &positive).ok_or(Refusal::NotApplicable)?;
-    let root = |value| Root { values: vec![(unknown, Closed::Formula(value))] };
-    Ok(Closing { unknowns: vec![unknown], moves, roots: values.into_iter().map(root).collect() })
-}
-
-/// What comes of the division: the moves, and every value of the unknown.
-pub(super) struct Divided {
-    pub(super) moves: Vec<Move>,
-    pub(super) values: Vec<Expr>,
+    let found = divided(&difference(left, right), equation, unknown, &positive).ok_or(Refusal::NotApplicable)?;
+    Ok(found.closing(unknown))
 }
 
 /// Divides an equation, all of it on one side, by the cosine of the angle in which the unknown stands.
@@ -37,7 +29,7 @@ pub(super) fn divided(
     equation: usize,
     unknown: Symbol,
     positive: &dyn Fn(Symbol) -> bool,
-) -> Option<Divided> {
+) -> Option<Found> {
     let angle = angle_of(residual, unknown)?;
     let [sine, cosine] = [Function::Sin, Function::Cos].map(|function| Expr::apply(function, angle.clone()));
     let with = |of_sine: i64, of_cosine: i64| {
@@ -56,7 +48,7 @@ pub(super) fn divided(
     let values = isolated(&left, &right, unknown, positive).ok()?;
     let value = values.first()?.clone();
     let moves = vec![Move::Tangent { equation, left, right }, Move::Isolate { equation, unknown, value }];
-    Some(Divided { moves, values })
+    Some(Found { moves, values })
 }
 
 /// The angle of the first sine or cosine in which the unknown stands.
@@ -67,8 +59,4 @@ fn angle_of(term: &Expr, unknown: Symbol) -> Option<Expr> {
         }
         other => other.children().find_map(|part| angle_of(part, unknown)),
     }
-}
-
-fn replaced(term: &Expr, old: &Expr, new: &Expr) -> Expr {
-    if term == old { new.clone() } else { term.map_children(|part| replaced(part, old, new)) }
 }

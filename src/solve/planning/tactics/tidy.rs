@@ -133,6 +133,11 @@ fn repeats(expr: &Expr, met: &mut Vec<Symbol>) -> bool {
     }
 }
 
+/// A term with one part of it put in the place of another.
+pub(super) fn replaced(term: &Expr, old: &Expr, new: &Expr) -> Expr {
+    if term == old { new.clone() } else { term.map_children(|part| replaced(part, old, new)) }
+}
+
 /// How often a symbol is written in a term.
 pub(super) fn occurrences(expr: &Expr, symbol: Symbol) -> usize {
     match expr {
