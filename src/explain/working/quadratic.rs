@@ -8,6 +8,7 @@ use crate::expr::Operator;
 use crate::expr::Symbol;
 use crate::solve::Move;
 use crate::solve::Step;
+use crate::solve::quadratic_formula;
 
 use super::super::Block;
 use super::super::Inline;
@@ -64,9 +65,8 @@ pub(in crate::explain) struct Taught {
 pub(in crate::explain) fn root(step: &Step, unknown: Symbol, place: usize, formula: &Expr) -> Option<Taught> {
     step.moves.iter().find_map(|step_move| match step_move {
         Move::Quadratic { unknown: own, a, b, c, .. } if *own == unknown => {
-            let root = (b.clone().powi(2) - Expr::integer(4) * a.clone() * c.clone()).sqrt();
-            let root = if place == 0 { root } else { -root };
-            let taught = (root - b.clone()) / (Expr::integer(2) * a.clone());
+            let [plus, minus] = quadratic_formula([a, b, c]);
+            let taught = if place == 0 { plus } else { minus };
             let value = if c.is_zero() { formula.clone() } else { taught };
             Some(Taught { value, leading: a.clone() })
         }

@@ -16,6 +16,7 @@ use crate::solve::Closed;
 use crate::solve::Move;
 use crate::solve::Plan;
 use crate::solve::Step;
+use crate::solve::quadratic_formula;
 
 use super::super::compiling::planned::Form;
 use super::super::compiling::regimes::Leaf;
@@ -93,9 +94,8 @@ impl<'a> Composer<'a> {
 fn taught_root(step: &Step, symbol: Symbol, choice: usize) -> Option<Expr> {
     step.moves.iter().find_map(|own| match own {
         Move::Quadratic { unknown, a, b, c, .. } if *unknown == symbol && !c.is_zero() => {
-            let root = (b.clone().powi(2) - Expr::integer(4) * a.clone() * c.clone()).sqrt();
-            let root = if choice == 0 { root } else { -root };
-            Some((root - b.clone()) / (Expr::integer(2) * a.clone()))
+            let [plus, minus] = quadratic_formula([a, b, c]);
+            Some(if choice == 0 { plus } else { minus })
         }
         _ => None,
     })

@@ -90,6 +90,13 @@ impl Closed {
     }
 }
 
+/// Both roots of `a x^2 + b x + c = 0` as they are taught, the one with plus before the square root first.
+#[must_use]
+pub fn quadratic_formula([a, b, c]: [&Expr; 3]) -> [Expr; 2] {
+    let root = (b.clone().powi(2) - Expr::integer(4) * a.clone() * c.clone()).sqrt();
+    [root.clone(), -root].map(|root| (root - b.clone()) / (Expr::integer(2) * a.clone()))
+}
+
 /// One thing that a student does on paper. Equations are named by their position in the system.
 #[derive(Clone, Debug)]
 pub enum Move {
