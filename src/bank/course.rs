@@ -13,7 +13,7 @@ use crate::problem::Loaded;
 use crate::problem::load;
 
 #[cfg(feature = "files")]
-use super::files::read;
+use super::read_file::read_file;
 
 /// The folder in which a course keeps its problems.
 pub const FOLDER: &str = "problem_bank";
@@ -61,7 +61,7 @@ fn settings_for(file: &Path) -> Result<Option<Course>, Faults> {
     let searched = folders.iter().position(is_bank).map_or(1, |top| top + 1);
     let candidates = folders.into_iter().take(searched).map(|folder| folder.join(COURSE_FILE));
     match candidates.into_iter().find(|path| std::fs::exists(path).unwrap_or(false)) {
-        Some(path) => Course::read(&read(&path)?).map(Some),
+        Some(path) => Course::read(&read_file(&path)?).map(Some),
         None => Ok(None),
     }
 }

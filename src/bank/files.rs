@@ -8,13 +8,14 @@ use std::path::PathBuf;
 use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Faults;
-use crate::fault::Input;
 use crate::fault::Source;
 
 use super::collection::Bank;
 use super::collection::topic_of;
 use super::course::COURSE_FILE;
 use super::course::FOLDER;
+use super::read_file::read_file;
+use super::read_file::unreadable;
 
 /// How deep folders may lie in each other; a bank has topics, and perhaps chapters.
 const DEEPEST: usize = 16;
@@ -36,7 +37,7 @@ impl Bank {
     /// # Errors
     /// Where the folder or a file in it cannot be read, or two files have one identity.
     pub fn in_folder(folder: &Path) -> Result<Self, Faults> {
-        let bank = Self::of(files_under(folder)?.iter().map(|path| read(path)).collect::<Result<_, _>>()?);
+        let bank = Self::of(files_under(folder)?.iter().map(|path| read_file(path)).collect::<Result<_, _>>()?);
         match bank.problems.windows(2).find(|pair| pair[0].0 == pair[1].0) {
             None => Ok(bank),
             Some(twins) => {
@@ -53,7 +54,7 @@ impl Bank {
     /// # Errors
     /// Where there is no such problem, or the file cannot be read.
     pub fn open(&self, name: &str) -> Result<Source, Faults> {
-        if is_path(name) { read(Path::new(name)) } else { self.find(name).cloned() }
+        if is_path(name) { read_file(Path::new(name)) } else { self.find(name).cloned() }
     }
 
     /// The files that a user means by identities, topics, paths of files and of folders; all of the bank where nothing is
@@ -122,19 +123,6 @@ fn has_yaml_ending(path: &Path) -> bool {
 fn is_path(name: &str) -> bool {
     let path = Path::new(name);
     has_yaml_ending(path) || path.is_absolute() || name.starts_with('.') || path.is_file()
-}
-
-/// The longest file that is read as a problem, in bytes: a hundred times what the longest of the bank has.
-const LARGEST: u64 = 256 * 1024;
-
-pub(super) fn read(path: &Path) -> Result<Source, Faults> {
-    let text = Input::open(path).and_then(|file| file.text(LARGEST)).map_err(|error| unreadable(path, &error))?;
-    Ok(Source::new(&path.display().to_string(), &text))
-}
-
-fn unreadable(path: &Path, error: &io::Error) -> Faults {
-    let source = Source::new(&path.display().to_string(), "");
-    Faults { source, list: vec![Fault::new(Code::Unreadable, format!("this cannot be read: {error}"))] }
 }
 
 #[cfg(test)]

@@ -12,6 +12,8 @@ mod entry;
 mod files;
 mod printed;
 mod promise;
+#[cfg(feature = "files")]
+mod read_file;
 mod repeat;
 mod report;
 mod sample;

@@ -8,7 +8,7 @@ use crate::quantity::exact;
 
 use super::messages::Message;
 use super::report::{Entry, PartReport, Report};
-use super::rubric::{Attempts, FeedbackTime, Keep};
+use super::rubric::{Attempts, FeedbackTime, Keep, Seen};
 use super::sitting::Sitting;
 use super::verdict::Verdict;
 
@@ -59,15 +59,6 @@ struct Entered {
     /// The share of the points that the time of the attempt leaves.
     #[serde(with = "exact")]
     factor: Rational,
-}
-
-/// The hints that a student has seen by the time of an attempt.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Seen {
-    /// The author's.
-    pub hints: u32,
-    /// Further ones, on wrong answers.
-    pub further: u32,
 }
 
 /// What is typed at one part in an attempt.

@@ -4,9 +4,8 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::fmt;
 
-use serde::{Deserialize, Serialize, Serializer};
+use serde::{Deserialize, Serialize};
 
-use crate::quantity::Decimal;
 use crate::quantity::Rational;
 
 use super::catalogue::{Catalogue, English};
@@ -14,19 +13,13 @@ use super::diagnose::Diagnosis;
 use super::expected::Expected;
 use super::follow::Follows;
 use super::judge::judge;
+use super::marks::Points;
 use super::messages::Message;
 use super::read::DecimalMark;
 use super::reading::Reading;
 use super::rubric::Rubric;
 use super::swapped;
 use super::verdict::Verdict;
-
-/// The decimals with which points are printed.
-const DECIMALS: u32 = 2;
-
-/// Points, exactly: fractions of marks add up without rounding. As JSON the nearest number.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Default)]
-pub struct Points(pub Rational);
 
 /// What was found about every part, in the order of the question.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
@@ -299,32 +292,5 @@ impl fmt::Display for Report {
             writeln!(out, "{name}: not asked for")?;
         }
         writeln!(out, "total: {}/{}", self.total, self.out_of)
-    }
-}
-
-/// With at most two decimals: `1.5`, `2`.
-impl fmt::Display for Points {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.0.is_int() {
-            return match i64::try_from(self.0.numerator()) {
-                Ok(few) => few.fmt(out),
-                Err(_) => self.0.numerator().fmt(out),
-            };
-        }
-        let scaled = (&self.0 * Rational::from(10_u32.pow(DECIMALS))).round();
-        let printed = Decimal::from_scaled(i128::try_from(scaled).unwrap_or_default(), DECIMALS).to_string();
-        out.write_str(printed.trim_end_matches('0').trim_end_matches('.'))
-    }
-}
-
-impl Serialize for Points {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let value = self.0.to_f64().value();
-        // A whole number of points is written as one.
-        if self.0.is_int() {
-            serializer.serialize_i64(i64::try_from(self.0.numerator()).unwrap_or_default())
-        } else {
-            serializer.serialize_f64(value)
-        }
     }
 }

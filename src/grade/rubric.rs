@@ -2,10 +2,11 @@
 
 use std::collections::BTreeMap;
 
+use serde::{Deserialize, Serialize};
+
 use crate::quantity::Rational;
 
-use super::history::Seen;
-use super::report::Points;
+use super::marks::Points;
 use super::verdict::Verdict;
 
 /// The fraction of a part's points for each kind of partly right answer, and the cost of attempts and hints.
@@ -34,6 +35,15 @@ pub struct Attempts {
     pub keep: Keep,
     /// When students are told what was found. Default: at once.
     pub told: FeedbackTime,
+}
+
+/// The hints that a student has seen by the time of an attempt.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Seen {
+    /// The author's.
+    pub hints: u32,
+    /// Further ones, on wrong answers.
+    pub further: u32,
 }
 
 /// When students are told what was found.

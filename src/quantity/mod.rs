@@ -8,6 +8,7 @@ pub mod exact;
 mod factor;
 mod figures;
 mod place;
+mod pounds;
 mod prefix;
 mod unit;
 mod unit_asked;

@@ -9,8 +9,7 @@ use smallvec::smallvec;
 
 use super::factor::StaticFactor;
 use super::prefix::Prefix;
-use super::unit_lookup::find_symbol;
-use super::units_table::{DEGREE, RADIAN, REVOLUTION_UNIT, UNITS_OF_WEIGHT_AND_MASS, UnitRow};
+use super::units_table::{DEGREE, RADIAN, REVOLUTION_UNIT, UnitRow};
 use super::{Dimension, Factor};
 
 /// A unit with a symbol of its own, perhaps prefixed: `km`.
@@ -142,7 +141,7 @@ impl Unit {
     }
 
     /// The powers again, as [`Unit::from_powers`] takes them.
-    fn written(&self, times: i8) -> impl Iterator<Item = (Symbol, i32)> {
+    pub(super) fn written(&self, times: i8) -> impl Iterator<Item = (Symbol, i32)> {
         self.powers.iter().map(move |power| (power.symbol, i32::from(power.exponent) * i32::from(times)))
     }
 
@@ -169,18 +168,6 @@ impl Unit {
     #[must_use]
     pub fn power(&self, exponent: i8) -> Option<Self> {
         Self::from_powers(self.written(exponent))
-    }
-
-    /// The same with pounds and ounces read as units of mass: `lb ft/s` as `lbm ft/s`.
-    ///
-    /// Here a pound is a force; who is asked for a mass and answers in `lb` means this.
-    #[must_use]
-    pub fn with_pounds_as_mass(&self) -> Option<Self> {
-        let as_mass = |(symbol, exponent): (Symbol, i32)| {
-            let twin = UNITS_OF_WEIGHT_AND_MASS.iter().find(|(weight, _)| *weight == symbol.row.symbol);
-            (twin.and_then(|(_, mass)| find_symbol(mass)).unwrap_or(symbol), exponent)
-        };
-        Self::from_powers(self.written(1).map(as_mass))
     }
 
     /// Whether it is the unit of pure numbers.
@@ -261,14 +248,6 @@ impl fmt::Debug for Unit {
 #[allow(clippy::unwrap_used)] // a test may panic
 mod tests {
     use super::*;
-
-    #[test]
-    fn pounds_can_be_read_as_mass() {
-        let unit = Unit::parse("lb ft/s").unwrap();
-        assert_eq!(unit.with_pounds_as_mass(), Unit::parse("lbm ft/s").ok());
-        assert_eq!(unit.with_pounds_as_mass().unwrap().dimension(), Dimension::MOMENTUM);
-        assert_eq!(Unit::parse("kg m").unwrap().with_pounds_as_mass(), Unit::parse("kg m").ok());
-    }
 
     #[test]
     fn prefixes_can_be_left_out() {

@@ -16,7 +16,8 @@ use sqlx::query;
 use super::address;
 use super::address::Address;
 use super::fault::StoreFault;
-use super::open::{Store, connect, connect_plainly};
+use super::connection::{connect, connect_plainly};
+use super::open::Store;
 use super::schema::{TABLES, VERSION, migrate};
 use super::writer::Statement;
 

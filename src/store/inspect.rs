@@ -11,7 +11,7 @@ use crate::course::Moment;
 use super::address::{Address, sqlite};
 use super::fault::StoreFault;
 use super::lock::Lock;
-use super::open::connect_plainly;
+use super::connection::connect_plainly;
 use super::schema::VERSION;
 
 /// How long a database may take to answer.

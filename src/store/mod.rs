@@ -6,6 +6,7 @@
 mod address;
 mod assignments;
 mod backup;
+mod connection;
 mod courses;
 mod fault;
 mod inspect;

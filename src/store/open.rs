@@ -2,30 +2,19 @@
 
 use std::fs;
 use std::sync::Arc;
-use std::sync::Once;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use sqlx::AnyConnection;
 use sqlx::Connection;
 use sqlx::Executor;
 use sqlx::Row;
 
 use super::address::Address;
+use super::connection::connect;
 use super::fault::StoreFault;
 use super::lock::Lock;
 use super::readers::Readers;
 use super::schema;
 use super::writer::{Statement, Writer};
-
-/// How SQLite keeps what it was given: a commit is on the disk when it returns, also if the power fails then, and readers never
-/// wait for the writer.
-const SQLITE: &str =
-    "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA busy_timeout = 10000; PRAGMA foreign_keys = ON";
-
-/// The same for PostgreSQL, whatever its configuration says; a stricter setting stays. That it writes to the disk at all (`fsync`) is
-/// not for a connection to say.
-const POSTGRES: &str =
-    "SELECT set_config('synchronous_commit', 'on', false) WHERE current_setting('synchronous_commit') = 'off'";
 
 /// The records of all courses. Clones share their connections.
 #[derive(Clone)]
@@ -155,25 +144,4 @@ fn made(folder: &std::path::Path) -> Result<(), StoreFault> {
     #[cfg(unix)]
     std::os::unix::fs::DirBuilderExt::mode(&mut builder, 0o700);
     builder.create(folder).map_err(|error| StoreFault::Folder(folder.to_owned(), error))
-}
-
-/// A connection that changes nothing of how the database works.
-pub(super) async fn connect_plainly(url: &str) -> Result<AnyConnection, StoreFault> {
-    static DRIVERS: Once = Once::new();
-    DRIVERS.call_once(sqlx::any::install_default_drivers);
-    Ok(AnyConnection::connect(url).await?)
-}
-
-/// A connection of its own, set up as all are.
-pub(super) async fn connect(address: &Address) -> Result<AnyConnection, StoreFault> {
-    let mut connection = connect_plainly(&address.url()).await?;
-    connection.execute(settings(address)).await?;
-    Ok(connection)
-}
-
-fn settings(address: &Address) -> &'static str {
-    match address {
-        Address::Folder(_) => SQLITE,
-        Address::Postgres(_) => POSTGRES,
-    }
 }

@@ -14,8 +14,8 @@ use tokio::sync::Semaphore;
 use tokio::time::timeout;
 
 use super::address::Address;
+use super::connection::connect;
 use super::fault::StoreFault;
-use super::open::connect;
 use super::writer::Statement;
 
 /// Statements that are read at the same time.

@@ -9,8 +9,8 @@ use tokio::sync::mpsc;
 use tokio::sync::oneshot;
 
 use super::address::Address;
+use super::connection::connect;
 use super::fault::StoreFault;
-use super::open::connect;
 
 /// A statement with its values.
 pub(super) type Statement = Query<'static, Any, AnyArguments>;

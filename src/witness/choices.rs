@@ -20,11 +20,8 @@ use super::conserved::is_conserved;
 use super::crossing::holds;
 use super::simulation::Case;
 use super::simulation::Seen;
+use super::simulation::UNCHANGED;
 use super::simulation::Witness;
-
-/// The share of a momentum or an energy below which a change of it is none: far above errors of runs, far below changes that
-/// anybody would ask for.
-pub(super) const UNCHANGED: f64 = 1e-7;
 
 /// The kinds of impact in the order in which they are offered.
 const ELASTIC: usize = 0;
@@ -69,9 +66,9 @@ pub(super) fn chosen(
             }
         }
         (Ask::Conserved(ask), _) => is_conserved(case, witness, ask).map(yes),
-        (Ask::Classify(ask), _) => kind(case.scene, witness, stage_of(case.scene, witness, ask.stage.as_deref())?),
+        (Ask::Classify(ask), _) => kind(case.scene, witness, witness.stage_of(ask.stage.as_deref())?),
         (Ask::Impulsive(ask), _) => {
-            let stage = stage_of(case.scene, witness, ask.stage.as_deref())?;
+            let stage = witness.stage_of(ask.stage.as_deref())?;
             let value = |name: &str| witness.value(name);
             is_impulsive(case.scene, stage, &ask.impulsive, ask.on.as_deref(), &value, tolerance).map(yes)
         }
@@ -93,13 +90,6 @@ fn claimed(case: &Case<'_>, witness: &Witness<'_>, claim: &Claim) -> Option<bool
 /// What a term comes to by the variant's own values.
 fn said(case: &Case<'_>, side: &Expr) -> f64 {
     side.evaluate(&|symbol| case.variant.value(symbol).map_or(f64::NAN, |value| value.value))
-}
-
-pub(super) fn stage_of(scene: &Scene, witness: &Witness<'_>, name: Option<&str>) -> Option<usize> {
-    match name {
-        Some(name) => witness.timeline().stage(scene, name),
-        None => (scene.stages.len() == 1).then_some(0),
-    }
 }
 
 /// Of which kind an impact was: whether energy is lost, and whether what touched still moves apart.

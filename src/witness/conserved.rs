@@ -6,9 +6,8 @@ use crate::scene::Scene;
 use crate::scene::Stage;
 use crate::simulate::scene::RecordedMotion;
 
-use super::choices::UNCHANGED;
-use super::choices::stage_of;
 use super::simulation::Case;
+use super::simulation::UNCHANGED;
 use super::simulation::Witness;
 use super::turning;
 
@@ -19,7 +18,7 @@ type Total = (f64, f64);
 /// between, so that what acts from outside has given and done nothing up to then.
 pub(super) fn is_conserved(case: &Case<'_>, witness: &Witness<'_>, ask: &Conserved) -> Option<bool> {
     let scene = case.scene;
-    let stage = stage_of(scene, witness, ask.stage.as_deref()).filter(|stage| witness.has_run(*stage))?;
+    let stage = witness.stage_of(ask.stage.as_deref()).filter(|stage| witness.has_run(*stage))?;
     let lasts = scene.stages.get(stage).is_some_and(|own| !takes_no_time(own));
     if lasts && ask.conserved == Conservable::AngularMomentum {
         let motions = witness.watched(stage);

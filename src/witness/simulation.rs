@@ -29,6 +29,10 @@ use crate::simulate::scene::measure;
 use crate::simulate::scene::value_of;
 use crate::simulate::scene::watch;
 
+/// The share of a momentum or an energy below which a change of it is none: far above errors of runs, far below changes that
+/// anybody would ask for.
+pub(super) const UNCHANGED: f64 = 1e-7;
+
 /// The variant of a problem, and what is said of it that is not so.
 pub(super) struct Case<'a> {
     pub problem: &'a Problem,
@@ -135,6 +139,14 @@ impl<'a> Witness<'a> {
     /// The quantities of the variant that the simulation started from.
     pub(super) fn inputs(&self) -> BTreeSet<Symbol> {
         self.used.borrow().clone()
+    }
+
+    /// The place of a stage that a question names, or of the only one.
+    pub(super) fn stage_of(&self, name: Option<&str>) -> Option<usize> {
+        match name {
+            Some(name) => self.timeline.stage(self.case.scene, name),
+            None => (self.case.scene.stages.len() == 1).then_some(0),
+        }
     }
 
     pub(super) fn scene(&self) -> &Scene {

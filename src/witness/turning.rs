@@ -6,7 +6,7 @@ use crate::scene::Stage;
 use crate::simulate::scene::RecordedMotion;
 use crate::simulate::scene::value_of;
 
-use super::choices::UNCHANGED;
+use super::simulation::UNCHANGED;
 use super::simulation::Witness;
 
 /// Whether it stays; none where positions are not seen as the question counts them.

@@ -1,6 +1,7 @@
 //! Terms read from text, by operator precedence (a Pratt parser).
 
 use super::super::{Expr, Function, Symbol};
+use super::parse_fault::ParseFault;
 use super::token::{Kind, Token, tokens};
 
 /// Texts longer than this, in bytes, are not read.
@@ -15,19 +16,6 @@ pub trait Names {
     /// A known symbol without a name of its own, for a number with its unit: `9.81 m/s^2`. `None` where the unit is not
     /// one: shorter readings are tried then.
     fn literal(&mut self, number_with_unit: &str) -> Option<Symbol>;
-}
-
-/// Why a text is not a term.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct ParseFault {
-    /// The first byte of what was not understood.
-    pub start: usize,
-    /// The byte after the last.
-    pub end: usize,
-    /// What is wrong, in a sentence without a full stop.
-    pub message: String,
-    /// The way out.
-    pub help: Option<String>,
 }
 
 /// The functions by name, with the number of their arguments; `sqrt` is a power and `atan` an `atan2`, and stand apart.

@@ -50,6 +50,28 @@ impl Expr {
     pub fn text_with(&self, name: &dyn Fn(Symbol) -> String) -> String {
         write(self, name).0
     }
+
+    /// Whether the term begins with a minus as it is printed, be it behind a bracket.
+    ///
+    /// ```
+    /// use momentous::expr::Expr;
+    /// let below_one = Expr::Pi - Expr::one();
+    /// assert!((-Expr::Pi + Expr::one()).begins_with_minus() && !below_one.begins_with_minus());
+    /// ```
+    #[must_use]
+    pub fn begins_with_minus(&self) -> bool {
+        let of_first = |parts: &[Self]| parts.first().is_some_and(Self::begins_with_minus);
+        match self {
+            Self::Number(value) => is_negative(value),
+            Self::Sum(terms) => of_first(terms),
+            Self::Product(factors) => match factors.first() {
+                Some(Self::Number(value)) => is_negative(value),
+                // A fraction bar stands between the bracket and what is before it.
+                _ => of_first(factors) && split_quotient(factors, reads_as_decimal).1.is_empty(),
+            },
+            _ => false,
+        }
+    }
 }
 
 /// Numerator and denominator: the factors with negative numeric powers, turned over, and a number's denominator.

@@ -2,7 +2,7 @@
 
 use crate::quantity::Rational;
 
-use super::super::ParseFault;
+use super::parse_fault::ParseFault;
 
 /// Powers of ten beyond this are not read.
 const MAX_EXPONENT: u32 = 300;

@@ -9,7 +9,7 @@ use super::doubtful;
 use super::functions::{self, Function};
 use super::mixed::{begins_ten, is_glued_sign, proper_fraction, spaced_exponent, vulgar};
 use super::numeral::{self, DecimalMark};
-use super::unreadable::UnreadableKind;
+use super::unreadable::{At, UnreadableKind};
 
 pub(super) use super::form::Form;
 pub(super) use super::mixed::superscript;
@@ -19,9 +19,6 @@ const MAX_DEPTH: usize = 16;
 
 /// The most numbers, brackets and functions: what they are made of is bounded, and so is all the work.
 const MAX_PARTS: usize = 60;
-
-/// A fault and its byte.
-pub(super) type At<T> = Result<T, (usize, UnreadableKind)>;
 
 /// A value and how it came to be written.
 #[derive(Clone, Debug)]

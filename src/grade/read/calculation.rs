@@ -5,10 +5,11 @@ use crate::quantity::Unit;
 
 use super::super::number::Number;
 use super::answer::{NumberAnswer, Written};
-use super::arithmetic::{self, At, Form};
+use super::arithmetic::{self, Form};
 use super::numeral::DecimalMark;
 use super::quantity::check_size;
 use super::unit::unit;
+use super::unreadable::At;
 
 /// How deeply brackets may be nested.
 const MAX_DEPTH: usize = 8;

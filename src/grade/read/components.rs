@@ -4,13 +4,13 @@ use crate::quantity::Unit;
 
 use super::super::expected::ExpectedVector;
 use super::answer::NumberAnswer;
-use super::arithmetic::{self, At};
+use super::arithmetic;
 use super::direction::{self, Phrase};
 use super::heading::is_compass;
 use super::numeral::DecimalMark;
 use super::quantity::{Asked, ENDS, read_plain};
 use super::unit::unit;
-use super::unreadable::UnreadableKind;
+use super::unreadable::{At, UnreadableKind};
 
 /// Components as they were read; one without a value stands for zero.
 pub(super) type Parts = Vec<Option<NumberAnswer>>;

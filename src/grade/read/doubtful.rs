@@ -1,7 +1,6 @@
 //! Calculations that can be read in two ways: a range or a difference, a lost exponent or a product, a point or a product.
 
-use super::arithmetic::At;
-use super::unreadable::UnreadableKind;
+use super::unreadable::{At, UnreadableKind};
 
 /// Signs of multiplication.
 const TIMES: [char; 5] = ['*', '×', '·', 'x', 'X'];

@@ -6,11 +6,11 @@ use super::super::expected::Frame;
 use super::super::expected::Reference;
 use super::super::number::Number;
 use super::answer::{Written, echo_number};
-use super::arithmetic::{self, At, Form};
+use super::arithmetic::{self, Form};
 use super::direction::{self, Phrase};
 use super::functions::{self, AngleUnit};
 use super::numeral::DecimalMark;
-use super::unreadable::UnreadableKind;
+use super::unreadable::{At, UnreadableKind};
 
 /// Words that say nothing here.
 const FILLERS: &[&str] = &[

@@ -4,12 +4,11 @@ use crate::quantity::Unit;
 
 use super::super::expected::ExpectedInterval;
 use super::answer::{EndAnswer, IntervalAnswer, NumberAnswer};
-use super::arithmetic::At;
 use super::numeral::DecimalMark;
 use super::plain::Plain;
 use super::quantity::{self, Asked};
 use super::unit::unit;
-use super::unreadable::{Unreadable, UnreadableKind};
+use super::unreadable::{At, Unreadable, UnreadableKind};
 
 /// Signs that compare: the writing, whether the left side is the smaller, whether both may be equal. Longer ones first.
 const SIGNS: [(&str, bool, bool); 8] = [

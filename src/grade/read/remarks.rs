@@ -5,12 +5,11 @@ use crate::quantity::Rational;
 
 use super::super::number::Number;
 use super::answer::{NumberAnswer, Written};
-use super::arithmetic::At;
 use super::calculation;
 use super::direction::{self, Phrase};
 use super::numeral::DecimalMark;
 use super::quantity::{Asked, ENDS, read_plain};
-use super::unreadable::UnreadableKind;
+use super::unreadable::{At, UnreadableKind};
 use super::vector::unit_vectors;
 
 /// Words before a number, the longer first.

@@ -4,10 +4,10 @@ use crate::quantity::Unit;
 use crate::quantity::UnitFault;
 use crate::quantity::UnitFaultKind;
 
-use super::arithmetic::{At, begins_number};
+use super::arithmetic::begins_number;
 use super::quantity::ENDS;
 use super::unit_cache;
-use super::unreadable::UnreadableKind;
+use super::unreadable::{At, UnreadableKind};
 
 /// Signs behind which something is missing where nothing follows.
 const OPERATORS: [&str; 8] = ["*", "·", "×", "x", "+", "^", "-", "**"];

@@ -134,6 +134,9 @@ pub enum UnreadableKind {
     SeveralOptions,
 }
 
+/// What is read of a text, or what is wrong with it and at which byte.
+pub(super) type At<T> = Result<T, (usize, UnreadableKind)>;
+
 impl UnreadableKind {
     /// Whether the text has more than one reading, so that no other way to read it may be tried.
     pub(super) fn is_doubt(&self) -> bool {

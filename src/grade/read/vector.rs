@@ -6,7 +6,6 @@ use crate::quantity::Unit;
 use super::super::expected::ExpectedVector;
 use super::super::number::Number;
 use super::answer::{NumberAnswer, VectorAnswer, Written, echo_number};
-use super::arithmetic::At;
 use super::components::{self, Parts};
 use super::direction;
 use super::heading;
@@ -16,7 +15,7 @@ use super::plain::Plain;
 use super::quantity::{self, Asked};
 use super::remarks;
 use super::unit::unit;
-use super::unreadable::{Unreadable, UnreadableKind};
+use super::unreadable::{At, Unreadable, UnreadableKind};
 
 /// Brackets around components.
 const BRACKETS: [(char, char); 5] = [('(', ')'), ('<', '>'), ('[', ']'), ('⟨', '⟩'), ('{', '}')];

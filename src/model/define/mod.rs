@@ -8,6 +8,7 @@ mod phases;
 mod relative;
 mod speed;
 mod vector;
+mod velocity;
 
 use crate::expr::Expr;
 use crate::expr::Symbol;
@@ -39,7 +40,6 @@ use kinetic::energy_lost;
 use kinetic::kinetic_energy;
 use kinetic::work;
 use mass_centre::mass_centre_position;
-use mass_centre::mass_centre_velocity;
 use mass_centre::total_mass;
 use phases::common_velocity;
 use phases::deformation;
@@ -48,6 +48,7 @@ use relative::relative_energy;
 use relative::relative_velocity;
 use speed::angle;
 use speed::speed;
+use velocity::velocity;
 
 type Define = for<'b, 's> fn(&'b mut Builder<'s>, &Name) -> Option<Symbol>;
 
@@ -222,32 +223,6 @@ impl Builder<'_> {
         let squares = Expr::sum(components.iter().map(|component| component.clone().powi(2)));
         self.law(&geometry::MAGNITUDE, Some(stage), because, (Expr::from(magnitude), squares.sqrt()));
     }
-}
-
-fn velocity(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
-    if name.is_of_mass_centre() {
-        return mass_centre_velocity(builder, name);
-    }
-    let (body, instant) = builder.body_at(name)?;
-    if builder.axes.is_empty() {
-        return polar_velocity(builder, &body, instant, name.component.as_deref()?);
-    }
-    let axis = builder.axis_of(name)?;
-    match builder.velocity(&body, instant, axis) {
-        Expr::Symbol(symbol) => Some(symbol),
-        _ => None,
-    }
-}
-
-fn polar_velocity(builder: &mut Builder<'_>, body: &str, instant: usize, component: &str) -> Option<Symbol> {
-    let words = match component {
-        "r" => "radial",
-        "theta" => "transverse",
-        _ => return None,
-    };
-    let meaning = format!("the {words} velocity of {} {}", builder.called(body), builder.when(instant));
-    let name = Name::of(QuantityKind::Velocity, body).at(instant).along(component);
-    Some(builder.symbol(name, meaning))
 }
 
 fn position(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {

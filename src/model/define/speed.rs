@@ -10,7 +10,7 @@ use super::super::Name;
 use super::super::QuantityKind;
 use super::super::VectorKind;
 use super::super::builder::SECOND_COST;
-use super::polar_velocity;
+use super::velocity::polar_velocity;
 
 pub(super) fn speed(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let (body, instant) = builder.body_at(name)?;

@@ -6,3 +6,4 @@ pub(super) mod exact;
 pub(super) mod plain;
 pub(super) mod precise;
 pub(super) mod real;
+mod running_error;

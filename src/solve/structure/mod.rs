@@ -3,6 +3,7 @@
 pub(super) mod basis;
 pub(super) mod bits;
 pub(super) mod blocks;
+mod determined;
 pub(super) mod freedom;
 pub(super) mod incidence;
 pub(super) mod matching;

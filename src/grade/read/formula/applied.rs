@@ -4,8 +4,7 @@
 use crate::expr::Expr;
 use crate::quantity::Rational;
 
-use super::super::arithmetic::At;
-use super::super::unreadable::UnreadableKind;
+use super::super::unreadable::{At, UnreadableKind};
 use super::grammar::{Grammar, Term};
 use super::named::Named;
 use super::token::Token;

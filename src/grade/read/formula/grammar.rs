@@ -6,8 +6,7 @@ use crate::quantity::Dimension;
 use crate::quantity::Rational;
 
 use super::super::super::expected::ExpectedFormula;
-use super::super::arithmetic::At;
-use super::super::unreadable::UnreadableKind;
+use super::super::unreadable::{At, UnreadableKind};
 use super::MAX_DEPTH;
 use super::token::{Lexeme, Token};
 

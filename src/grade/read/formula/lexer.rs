@@ -2,9 +2,8 @@
 
 use crate::quantity::Rational;
 
-use super::super::arithmetic::At;
 use super::super::numeral::{self, DecimalMark};
-use super::super::unreadable::UnreadableKind;
+use super::super::unreadable::{At, UnreadableKind};
 use super::MAX_DEPTH;
 use super::latex::{Command, command};
 use super::named::Named;

@@ -1,7 +1,6 @@
 //! `\over`: a fraction bar through the whole group in which it stands.
 
-use super::super::arithmetic::At;
-use super::super::unreadable::UnreadableKind;
+use super::super::unreadable::{At, UnreadableKind};
 use super::grammar::{Grammar, Term};
 use super::token::Token;
 

@@ -2,8 +2,7 @@
 
 use crate::quantity::Rational;
 
-use super::super::arithmetic::At;
-use super::super::unreadable::UnreadableKind;
+use super::super::unreadable::{At, UnreadableKind};
 use super::named::{self, Named};
 use super::names::{self, Meant, Names};
 use super::token::{Letter, Lexeme, Place, Token};

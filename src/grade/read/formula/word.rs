@@ -1,7 +1,6 @@
 //! A run of letters with their indices: `m_A`, `v_{A1}`, `mA`, `\theta`, `μₖ`, `v0exp`.
 
-use super::super::arithmetic::At;
-use super::super::unreadable::UnreadableKind;
+use super::super::unreadable::{At, UnreadableKind};
 use super::latex::{Command, command};
 use super::lexer::Lexer;
 use super::signs::{self, NOTHING};
