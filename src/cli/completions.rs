@@ -1,10 +1,9 @@
 //! `momentous completions`
 
 use clap::Args;
-use clap::CommandFactory;
+use clap::Command;
 use clap_complete::Shell;
 
-use super::Cli;
 use super::exit::Exit;
 use super::failure::Failure;
 use super::output::Output;
@@ -24,9 +23,10 @@ pub(super) struct Completions {
 }
 
 impl Completions {
-    pub(super) fn run(&self) -> Result<Exit, Failure> {
+    /// Writes it for these commands.
+    pub(super) fn run(&self, commands: &mut Command) -> Result<Exit, Failure> {
         let mut script = Vec::new();
-        clap_complete::generate(self.shell, &mut Cli::command(), "momentous", &mut script);
+        clap_complete::generate(self.shell, commands, "momentous", &mut script);
         Output::whole(None, &script)?;
         Ok(Exit::Fine)
     }

@@ -33,6 +33,7 @@ mod witnessed;
 
 use std::ffi::OsString;
 
+use clap::CommandFactory;
 use clap::Parser;
 use clap::Subcommand;
 
@@ -130,15 +131,13 @@ impl Command {
             Self::Serve(serve) => serve.run(),
             Self::Snapshot(snapshot) => snapshot.run(),
             Self::Schema(schema) => schema.run(),
-            Self::Completions(completions) => completions.run(),
+            Self::Completions(completions) => completions.run(&mut Cli::command()),
         }
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use clap::CommandFactory;
-
     use super::*;
 
     #[test]

@@ -6,6 +6,7 @@ mod canvas;
 mod coded;
 mod element;
 mod feature;
+mod features;
 mod field;
 mod moodle;
 mod numbas;
@@ -18,7 +19,8 @@ mod rexams;
 mod target;
 
 pub use coded::{Coded, CodedPart};
-pub use feature::{FEATURES, Feature, Place, Row};
+pub use feature::{Feature, Place};
+pub use features::{FEATURES, Row};
 pub use question::Question;
 pub use responses::{Response, Responses};
 pub use target::{TARGETS, Target};
@@ -41,6 +43,9 @@ pub trait Export {
     /// Where the file takes nothing.
     fn finish(self: Box<Self>) -> Result<(), NotWritten>;
 }
+
+/// What stands at the beginning of an export, and takes the questions.
+type Begun<'w> = Result<Box<dyn Export + 'w>, NotWritten>;
 
 /// Why an item was not written.
 #[derive(Debug, thiserror::Error)]

@@ -9,13 +9,13 @@ use crate::fault::Faults;
 use crate::render::Markup;
 use crate::render::base64;
 
+use super::Begun;
 use super::Export;
 use super::NotWritten;
 use super::band::{Band, bands};
 use super::field::{Asked, Choice, Field};
 use super::printable;
 use super::question::{Asking, Pictures, Question, said};
-use super::target::Begun;
 
 const MARKUP: Markup = Markup::MathMl;
 

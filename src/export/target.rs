@@ -4,13 +4,11 @@ use std::io::Write;
 
 use crate::render::Markup;
 
+use super::Begun;
 use super::Export;
 use super::NotWritten;
 use super::question::Question;
 use super::{canvas, moodle, numbas, prairielearn, qti, rexams};
-
-/// What stands at the beginning of an export, and takes the questions.
-pub(super) type Begun<'w> = Result<Box<dyn Export + 'w>, NotWritten>;
 
 /// A program that items are written for.
 #[derive(Clone, Copy, Debug)]

@@ -6,7 +6,8 @@ use crate::expr::Math;
 use crate::expr::Operator;
 
 use super::body::{Attach, Body};
-use super::input::{AxisMark, Form, LabelledVector, Wording, unknown};
+use super::drawing::unknown;
+use super::input::{AxisMark, Form, LabelledVector, Wording};
 use super::panels::{Row, assemble};
 use super::place::{Anchor, Canvas};
 use super::scale::Scale;

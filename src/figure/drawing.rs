@@ -2,8 +2,6 @@
 
 use crate::expr::Math;
 
-use super::input::unknown;
-
 /// A drawing in its own units (about one point each), y upwards.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Drawing {
@@ -129,6 +127,11 @@ pub enum Shape {
         /// Colour follows this role.
         role: Role,
     },
+}
+
+/// What stands in place of a value that is not known.
+pub(super) fn unknown() -> Math {
+    Math::Text("?".to_owned())
 }
 
 impl Role {

@@ -30,11 +30,6 @@ impl Wording {
     }
 }
 
-/// What stands in place of a value that is not known.
-pub(super) fn unknown() -> Math {
-    Math::Text("?".to_owned())
-}
-
 /// A vector with its label: `m_A v_A1` and (6, 0), in any one unit for all vectors of a kind in a figure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LabelledVector {

@@ -6,7 +6,8 @@ use std::sync::LazyLock;
 use crate::expr::Math;
 
 use super::body::{Attach, Body};
-use super::input::{AxisMark, Form, LabelledVector, MARGIN, Wording, unknown};
+use super::drawing::unknown;
+use super::input::{AxisMark, Form, LabelledVector, MARGIN, Wording};
 use super::panels::{Row, assemble};
 use super::place::Canvas;
 use super::scale::Scale;

@@ -6,43 +6,26 @@ mod figures;
 mod formula;
 mod formula_cache;
 mod interval;
+mod judgement;
+mod number;
 mod proof;
 mod slip;
 mod vector;
 mod windows;
 
-use std::borrow::Cow;
-
-use crate::quantity::Factor;
-use crate::quantity::Unit;
-use crate::quantity::dimension_name;
-
-use super::catalogue::{Catalogue, English};
-use super::expected::{Expected, ExpectedKind, ExpectedNumber, Units};
+use super::expected::{Expected, ExpectedKind};
 use super::messages::Message;
-use super::number::Number;
-use super::read::{Answer, ChoiceAnswer, NumberAnswer, Written};
+use super::read::{Answer, ChoiceAnswer};
 use super::verdict::Verdict;
-use closeness::Target;
 
+pub use judgement::Judgement;
 pub use windows::{BESIDE_A_WHOLE_NUMBER, VerdictWindow, brought_near, windows};
-
-/// What was found about an answer.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Judgement {
-    /// The verdict that is reported.
-    pub verdict: Verdict,
-    /// A second finding that costs points too: a missing unit beside a missing sign.
-    pub also: Option<Verdict>,
-    /// What the student is told, the most important first.
-    pub messages: Vec<Message>,
-}
 
 /// Judges an answer to a part.
 #[must_use]
 pub fn judge(expected: &Expected, answer: &Answer) -> Judgement {
     match (&expected.kind, answer) {
-        (ExpectedKind::Number(number), Answer::Number(answer)) => judge_number(number, answer),
+        (ExpectedKind::Number(number), Answer::Number(answer)) => number::judge(number, answer),
         (ExpectedKind::Vector(vector), Answer::Vector(answer)) => vector::judge(vector, answer),
         (ExpectedKind::Formula(formula), Answer::Formula(answer)) => {
             formula_cache::judged(formula, answer, || formula::judge(formula, answer))
@@ -59,200 +42,5 @@ fn judge_choice(right: usize, because: &str, answer: &ChoiceAnswer) -> Judgement
         Judgement::of(Verdict::Right, Message::RightBecause(because.to_owned()))
     } else {
         Judgement::of(Verdict::ChoiceWrong, Message::ChoiceWrong)
-    }
-}
-
-/// What was found about the number alone, in a unit that fits.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Found {
-    Right,
-    Rounded,
-    NegativeMagnitude,
-    Sense,
-    SenseReversed,
-    Elsewhere,
-}
-
-fn judge_number(expected: &ExpectedNumber, answer: &NumberAnswer) -> Judgement {
-    let target = Target::new(expected);
-    let pure = expected.unit.is_none().then(Unit::none);
-    let Some(unit) = answer.unit.as_ref().filter(|unit| !unit.is_none()).or(pure.as_ref()) else {
-        return without_unit(&target, answer);
-    };
-    let directed = answer.directed();
-    let same = *unit == expected.unit;
-    if !same && unit.dimension() != expected.unit.dimension() {
-        return other_dimension(answer, unit, &target);
-    }
-    let ratio = if same { Factor::ONE } else { unit.turning_as(&expected.unit) };
-    let converted = if ratio.is_one() { Some(directed.clone()) } else { directed.scaled(&ratio) };
-    let Some(number) = converted else { return wrong(expected, answer) };
-    let judged = compare(&target, answer, &number);
-    if judged != Found::Elsewhere {
-        return fitting(&target, answer, &number, judged, !ratio.is_one());
-    }
-    let power = slip::power_of_ten(&target, &number);
-    if power.is_some_and(|power| slip::is_prefix(power, expected.unit.dimension())) {
-        return Judgement::of(Verdict::UnitPrefix, Message::UnitPrefix);
-    }
-    let as_written = compare(&target, answer, &directed);
-    if as_written != Found::Elsewhere {
-        let judgement = fitting(&target, answer, &directed, as_written, false);
-        return judgement.with_unit(Verdict::UnitWrong, Message::UnitWrong(unit.to_string()));
-    }
-    if power.is_some() {
-        return Judgement::of(Verdict::OrderOfMagnitude, Message::OrderOfMagnitude);
-    }
-    if let Some(verdict) = angle::slip(&target, &number) {
-        return Judgement::of(verdict, Message::Slip(verdict));
-    }
-    if is_rounding_slip(&target, answer, &number) {
-        return Judgement::of(Verdict::RoundingSlip, Message::RoundingSlip);
-    }
-    wrong(expected, answer)
-}
-
-/// Whether a number is right to one figure fewer than asked: something was rounded too early.
-fn is_rounding_slip(target: &Target, answer: &NumberAnswer, number: &Number) -> bool {
-    let expected = target.expected;
-    let Written::Figures { least, .. } = answer.written else { return false };
-    let plain = target.value() != 0.0
-        && !expected.whole
-        && !expected.cyclic
-        && expected.figures > 1
-        && least <= expected.figures;
-    let reach = closeness::half_unit_before(target.value(), expected) + expected.error;
-    plain && !number.is_zero() && (number.to_f64() - target.value()).abs() <= reach * (1.0 + f64::EPSILON)
-}
-
-/// Where the number stands: at the right value, or at its opposite.
-fn compare(target: &Target, answer: &NumberAnswer, number: &Number) -> Found {
-    let expected = target.expected;
-    if target.within_tolerance(number) {
-        return Found::Right;
-    }
-    if target.within_allowance(number) {
-        return Found::Rounded;
-    }
-    let opposite = number.clone().negated();
-    if expected.cyclic || expected.whole || !(target.within_tolerance(&opposite) || target.within_allowance(&opposite))
-    {
-        return Found::Elsewhere;
-    }
-    if expected.is_magnitude() {
-        return Found::NegativeMagnitude;
-    }
-    // A bare magnitude says nothing of direction; a sign or a word says the wrong one.
-    if answer.signed || answer.sense.is_some() || number.is_negative() { Found::SenseReversed } else { Found::Sense }
-}
-
-/// The judgement on a number, in the unit that is asked; whether it was converted from another.
-fn fitting(target: &Target, answer: &NumberAnswer, number: &Number, found: Found, converted: bool) -> Judgement {
-    let expected = target.expected;
-    let judgement = match found {
-        Found::Right => Judgement::of(Verdict::Right, Message::Right),
-        Found::Rounded => Judgement::of(Verdict::RightRounded, Message::RightRounded),
-        Found::NegativeMagnitude => Judgement::of(Verdict::RightWithNote, Message::NegativeMagnitude),
-        Found::Sense => Judgement::of(Verdict::Sense, Message::Sense(expected.senses.clone())),
-        Found::SenseReversed => Judgement::of(Verdict::SenseReversed, Message::SenseReversed),
-        Found::Elsewhere => return wrong(expected, answer),
-    };
-    if !judgement.verdict.is_right() {
-        return if answer.pounds_as_mass { judgement.noted(Message::PoundsAsMass) } else { judgement };
-    }
-    if converted && expected.units == Units::AsAsked {
-        return Judgement::of(Verdict::UnitNotAsked, Message::UnitNotAsked(expected.unit.to_string()));
-    }
-    let judgement = if answer.pounds_as_mass { judgement.noted(Message::PoundsAsMass) } else { judgement };
-    figures::judged(judgement, target, answer.written, number, converted)
-}
-
-/// The judgement on a number that stands alone.
-fn without_unit(target: &Target, answer: &NumberAnswer) -> Judgement {
-    let unit = &target.expected.unit;
-    let directed = answer.directed();
-    let as_written = compare(target, answer, &directed);
-    // A fraction is as good as per cent, and an angle without a unit is in radians; nobody writes degrees that way.
-    let is_pure = unit.dimension() == Unit::none().dimension();
-    if is_pure
-        && (!target.expected.cyclic || *unit == Unit::radian())
-        && let Some(number) = directed.scaled(&Unit::none().in_terms_of(unit))
-    {
-        let as_pure = compare(target, answer, &number);
-        if as_pure != Found::Elsewhere {
-            return fitting(target, answer, &number, as_pure, true);
-        }
-    }
-    let judgement = fitting(target, answer, &directed, as_written, false);
-    if answer.number.is_zero() && as_written == Found::Right {
-        return judgement.noted(Message::ZeroWithoutUnit);
-    }
-    judgement.with_unit(Verdict::UnitMissing, Message::UnitMissing)
-}
-
-/// The judgement on a unit that measures something else.
-fn other_dimension(answer: &NumberAnswer, unit: &Unit, target: &Target) -> Judgement {
-    let directed = answer.directed();
-    let asked = &target.expected.unit;
-    let as_written = compare(target, answer, &directed);
-    let in_base_units =
-        directed.scaled(&unit.in_terms_of(asked)).map_or(Found::Elsewhere, |number| compare(target, answer, &number));
-    let found = if as_written == Found::Elsewhere { in_base_units } else { as_written };
-    let message = Message::UnitWrongDimension {
-        given: dimension_name(unit.dimension()).to_owned(),
-        asked: dimension_name(asked.dimension()).to_owned(),
-    };
-    fitting(target, answer, &directed, found, true).with_unit(Verdict::UnitWrongDimension, message)
-}
-
-fn wrong(expected: &ExpectedNumber, answer: &NumberAnswer) -> Judgement {
-    let is_fraction = expected.whole && !answer.number.value().is_int();
-    Judgement::of(Verdict::Wrong, if is_fraction { Message::NotWhole } else { Message::Wrong })
-}
-
-impl Judgement {
-    /// Whether no allowance for rounding, and no larger scale, can change it: the answer is plainly right.
-    #[must_use]
-    pub fn is_settled(&self) -> bool {
-        self.verdict == Verdict::Right && !self.messages.contains(&Message::LastFigure)
-    }
-
-    /// What the student is told, in words.
-    #[must_use]
-    pub fn told(&self) -> Cow<'static, str> {
-        match self.messages.as_slice() {
-            [one] => English.message(one),
-            all => all.iter().map(|one| English.message(one)).collect::<Vec<_>>().join(" ").into(),
-        }
-    }
-
-    fn of(verdict: Verdict, message: Message) -> Self {
-        Self { verdict, also: None, messages: vec![message] }
-    }
-
-    /// With a finding about the unit: it is the verdict of a right number, and comes beside any other.
-    fn with_unit(mut self, verdict: Verdict, message: Message) -> Self {
-        if self.verdict.is_right() {
-            self.messages.retain(|message| !message.is_verdict());
-            self.messages.splice(0..0, [Message::NumberRight, message]);
-            return Self { verdict, ..self };
-        }
-        self.messages.push(message);
-        self.also = (self.verdict != Verdict::Wrong).then_some(verdict);
-        self
-    }
-
-    /// With a note; what was simply right is now right with a note.
-    fn noted(mut self, message: Message) -> Self {
-        if self.verdict == Verdict::Right {
-            self.verdict = Verdict::RightWithNote;
-        }
-        self.messages.push(message);
-        self
-    }
-
-    fn with(mut self, message: Message) -> Self {
-        self.messages.push(message);
-        self
     }
 }

@@ -2,9 +2,6 @@
 //!
 //! No message holds the right value, nor anything from which it follows.
 
-use std::fmt;
-
-use super::catalogue::{Catalogue, English};
 use super::read::Unreadable;
 use super::verdict::Verdict;
 
@@ -111,12 +108,5 @@ impl Message {
     /// Whether it says no more than that the value is right.
     pub(super) fn is_verdict(&self) -> bool {
         matches!(self, Self::Right | Self::RightRounded)
-    }
-}
-
-/// In English.
-impl fmt::Display for Message {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        out.write_str(&English.message(self))
     }
 }

@@ -7,41 +7,19 @@ pub mod energy;
 pub mod force;
 pub mod geometry;
 pub mod kinematics;
+mod law;
 pub mod mass_centre;
 pub mod momentum;
 pub mod motion;
 pub mod orbit;
 pub mod restitution;
 pub mod separation;
+mod sides;
 pub mod variable_mass;
 pub mod wrong;
 
-/// One law, as a row of its chapter's table.
-#[derive(Debug)]
-pub struct Law {
-    /// A stable name for tools and tests: `conservation-of-momentum`.
-    pub id: &'static str,
-    /// What it is called in a sentence: `conservation of linear momentum`.
-    pub name: &'static str,
-    /// What it says, in words.
-    pub statement: &'static str,
-    /// Which directions count as positive.
-    pub signs: &'static str,
-    /// When it may be used.
-    pub when: &'static str,
-    /// Where it comes from: the chapter of mechanics, or the law that it follows from.
-    pub source: &'static str,
-    /// The forms in which it is usually got wrong.
-    pub wrong: &'static [wrong::WrongForm],
-}
-
-impl PartialEq for Law {
-    fn eq(&self, other: &Self) -> bool {
-        self.id == other.id
-    }
-}
-
-impl Eq for Law {}
+pub use law::Law;
+pub use sides::Sides;
 
 /// Every chapter's laws, in the order in which a course teaches them.
 pub const CHAPTERS: &[(&str, &[&Law])] = &[
@@ -69,6 +47,3 @@ pub const CHAPTERS: &[(&str, &[&Law])] = &[
 pub fn find(id: &str) -> Option<&'static Law> {
     CHAPTERS.iter().flat_map(|(_, laws)| laws.iter()).find(|law| law.id == id).copied()
 }
-
-/// The two sides of an equation, as they are taught.
-pub type Sides = (crate::expr::Expr, crate::expr::Expr);

@@ -27,6 +27,7 @@ mod typst;
 mod typst_text;
 mod view;
 mod writer;
+mod writers;
 
 pub use authored::text_faults;
 pub use document::{BesideFile, Document, Figures, Format};

@@ -17,7 +17,8 @@ use super::document::{BesideFile, Figures, Format};
 use super::equation;
 use super::fade::fade;
 use super::page::{Identity, Key, KeyRow, PageView, Sheet, SheetPart, Solution};
-use super::writer::{Writer, writer};
+use super::writer::Writer;
+use super::writers::writer;
 
 /// Makes the values of one document, and collects the files that go beside it.
 pub(super) struct View<'a> {

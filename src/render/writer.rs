@@ -7,12 +7,7 @@ use crate::expr::Math;
 use crate::figure::Drawing;
 
 use super::authored::Authored;
-use super::document::Format;
 use super::equation::Row;
-use super::html::Html;
-use super::latex::Latex;
-use super::markdown::Markdown;
-use super::typst::Typst;
 
 /// The room that a run takes, in bytes, or less.
 const USUAL_RUN: usize = 128;
@@ -46,15 +41,5 @@ pub(super) trait Writer {
             }
         }
         written
-    }
-}
-
-/// The writer of a format.
-pub(super) fn writer(format: Format) -> &'static dyn Writer {
-    match format {
-        Format::Markdown => &Markdown,
-        Format::Latex => &Latex,
-        Format::Html => &Html,
-        Format::Typst => &Typst,
     }
 }

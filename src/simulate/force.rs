@@ -3,7 +3,7 @@
 use std::fmt;
 use std::sync::Arc;
 
-use super::world::{State, Vector, World};
+use super::state::Vector;
 
 /// The highest power of time in a force that has an exact motion: with it the square of a distance has the degree 16.
 pub(super) const HIGHEST_POWER: usize = 6;
@@ -126,7 +126,7 @@ impl<const D: usize> Force<D> {
     }
 
     /// The acceleration that it gives a body of this mass.
-    fn acceleration(&self, mass: f64, time: f64, position: &Vector<D>, velocity: &Vector<D>) -> Vector<D> {
+    pub(super) fn acceleration(&self, mass: f64, time: f64, position: &Vector<D>, velocity: &Vector<D>) -> Vector<D> {
         match self {
             Self::Constant { force, .. } => force / mass,
             Self::Varying { direction, strength, .. } => direction * (strength.at(time) / mass),
@@ -137,39 +137,5 @@ impl<const D: usize> Force<D> {
                 radius * (-parameter / (distance * distance * distance))
             }
         }
-    }
-}
-
-impl<const D: usize> World<D> {
-    /// The accelerations of all bodies in a state, in m/s².
-    #[must_use]
-    pub fn accelerations(&self, state: &State<D>) -> Vec<Vector<D>> {
-        let mut all = Vec::new();
-        self.accelerate(state, &mut all);
-        all
-    }
-
-    /// The accelerations of all bodies in a state, written to a list that is used again.
-    pub(super) fn accelerate(&self, state: &State<D>, all: &mut Vec<Vector<D>>) {
-        all.clear();
-        all.resize(self.bodies.len(), self.gravity);
-        for force in &self.forces {
-            let body = force.body();
-            let mass = self.bodies[body].mass;
-            all[body] += force.acceleration(mass, state.time, &state.positions[body], &state.velocities[body]);
-        }
-    }
-
-    /// The times at which a force changes its law, in order.
-    pub(super) fn breakpoints(&self) -> Vec<f64> {
-        let mut times: Vec<f64> = Vec::new();
-        for force in &self.forces {
-            if let Force::Varying { strength: Strength::Pieces(pieces), .. } = force {
-                times.extend(pieces.iter().map(|piece| piece.until).filter(|until| until.is_finite() && *until > 0.0));
-            }
-        }
-        times.sort_by(f64::total_cmp);
-        times.dedup();
-        times
     }
 }

@@ -1,7 +1,8 @@
 //! The gap of a contact as a polynomial, for bodies whose motion is one.
 
 use super::contact::Contact;
-use super::world::{Anchor, State, Vector, World};
+use super::state::{State, Vector};
+use super::world::{Anchor, World};
 
 /// A polynomial with the sign of the gap, from the coefficients of the second party's position relative to the first's. Where the
 /// distance itself is no polynomial it is the difference of the squares. `unit` is the time, in s, that the variable 1 stands for.

@@ -3,11 +3,13 @@
 //! A [`World`] is a scene as numbers; a [`Method`] runs it within a [`Budget`] and returns a [`Trajectory`], or a [`Refusal`]
 //! by name. No method returns a number that it does not stand behind, and none loops for ever.
 
+mod acceleration;
 mod budget;
 mod contact;
 mod exact;
 mod force;
 mod gap;
+mod geometry;
 pub mod least;
 mod method;
 mod methods;
@@ -19,6 +21,7 @@ pub mod scene;
 mod shown;
 mod simultaneous;
 pub mod stability;
+mod state;
 #[cfg(feature = "cli")] // it reads the clock
 mod sweep;
 mod task;
@@ -26,9 +29,10 @@ mod trajectory;
 mod world;
 
 pub use budget::{Budget, Keep};
-pub use contact::{Contact, Geometry};
+pub use contact::Contact;
 pub use exact::{BounceTrain, Clock, Meeting, Orbit, first_contact, first_fall, grazing_cosine};
 pub use force::{Force, Piece, Strength};
+pub use geometry::Geometry;
 pub use method::Method;
 #[cfg(feature = "peer")]
 pub use methods::Rapier;
@@ -41,8 +45,9 @@ pub use point_impact::{PointImpact, PointOutcome, RestitutionLaw};
 pub use record::{Moment, Pivot, Record, Recorded, RecordedImpact, RecordedWall};
 pub use refusal::Refusal;
 pub use shown::Shown;
+pub use state::{State, Vector};
 #[cfg(feature = "cli")]
 pub use sweep::{JITTERED_SCENES, Point, sweep};
 pub use task::{Case, IN_THE_PLANE, ON_A_LINE, Task};
 pub use trajectory::{Ending, Impact, Motion, Segment, Trajectory};
-pub use world::{Anchor, Body, Cord, State, Together, Vector, Wall, World};
+pub use world::{Anchor, Body, Cord, Together, Wall, World};

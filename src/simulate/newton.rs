@@ -1,8 +1,9 @@
 //! Newton's law of restitution at one smooth contact.
 
 use super::contact::Contact;
+use super::state::Vector;
 use super::trajectory::Impact;
-use super::world::{Vector, World};
+use super::world::World;
 
 /// The velocities of two masses along a line after an impact in which they approached at `approach` (positive), and the impulse.
 ///

@@ -2,8 +2,9 @@
 
 use super::contact::Contact;
 use super::force::Force;
+use super::state::{State, Vector};
 use super::trajectory::Trajectory;
-use super::world::{Body, State, Vector, World};
+use super::world::{Body, World};
 
 /// The evenly spaced instants of a record.
 const EVENLY: u32 = 240;

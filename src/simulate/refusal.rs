@@ -1,6 +1,7 @@
 //! Why a method does not treat a scene. A refusal has a name; it stands where a number that nobody could stand behind would.
 
-use super::world::LAWS_FOR_SIMULTANEOUS_IMPACTS;
+/// The names of the laws that can be chosen for simultaneous impacts, as a message offers them.
+const LAWS_FOR_SIMULTANEOUS_IMPACTS: &str = "Newton's law at every contact at once, or one pair after another";
 
 /// Why there is no result.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

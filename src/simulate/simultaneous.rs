@@ -4,8 +4,9 @@ use nalgebra::{DMatrix, DVector};
 
 use super::contact::Contact;
 use super::refusal::Refusal;
+use super::state::{State, Vector};
 use super::trajectory::Impact;
-use super::world::{State, Together, Vector, World};
+use super::world::{Together, World};
 
 /// A contact that takes part in an impact.
 #[derive(Clone, Copy, Debug)]

@@ -3,8 +3,9 @@
 
 use super::budget::Budget;
 use super::force::{Force, Strength};
+use super::state::Vector;
 use super::trajectory::Trajectory;
-use super::world::{Body, Vector, Wall, World};
+use super::world::{Body, Wall, World};
 
 /// g in m/s².
 const GRAVITY: f64 = 9.81;

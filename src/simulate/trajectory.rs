@@ -3,7 +3,7 @@
 use super::budget::{Budget, Keep};
 use super::contact::Contact;
 use super::exact::Orbit;
-use super::world::{State, Vector};
+use super::state::{State, Vector};
 
 /// The result of a run.
 #[derive(Clone, Debug)]

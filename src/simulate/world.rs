@@ -3,9 +3,7 @@
 use super::contact::Contact;
 use super::force::Force;
 use super::refusal::Refusal;
-
-/// A vector of `D` components; with `D = 1` the compiler works with plain numbers.
-pub type Vector<const D: usize> = nalgebra::SVector<f64, D>;
+use super::state::{State, Vector};
 
 /// A sphere (a disc in the plane, a bead on a line) that does not spin. A particle has the radius 0.
 #[derive(Clone, Debug, PartialEq)]
@@ -117,9 +115,6 @@ pub enum Together {
     /// One pair after another, the one that approaches fastest first, until none approaches.
     OneByOne,
 }
-
-/// The names of the laws that can be chosen for simultaneous impacts, as a message offers them.
-pub const LAWS_FOR_SIMULTANEOUS_IMPACTS: &str = "Newton's law at every contact at once, or one pair after another";
 
 /// A scene as numbers. Times begin at 0.
 ///
@@ -268,15 +263,4 @@ impl<const D: usize> World<D> {
             velocities: self.bodies.iter().map(|body| body.velocity).collect(),
         }
     }
-}
-
-/// Where every body is at a time, and how it moves.
-#[derive(Clone, Debug, PartialEq)]
-pub struct State<const D: usize> {
-    /// The time in s.
-    pub time: f64,
-    /// The centres in m.
-    pub positions: Vec<Vector<D>>,
-    /// The velocities in m/s.
-    pub velocities: Vec<Vector<D>>,
 }

@@ -15,8 +15,8 @@ use sqlx::query;
 
 use super::address;
 use super::address::Address;
-use super::fault::StoreFault;
 use super::connection::{connect, connect_plainly};
+use super::fault::StoreFault;
 use super::open::Store;
 use super::schema::{TABLES, VERSION, migrate};
 use super::writer::Statement;

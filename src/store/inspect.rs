@@ -9,9 +9,9 @@ use sqlx::query;
 use crate::course::Moment;
 
 use super::address::{Address, sqlite};
+use super::connection::connect_plainly;
 use super::fault::StoreFault;
 use super::lock::Lock;
-use super::connection::connect_plainly;
 use super::schema::VERSION;
 
 /// How long a database may take to answer.

@@ -1,24 +1,13 @@
 //! What operators measure: counts and times of requests, without anything of what was asked or who asked.
 
-use std::sync::atomic::Ordering;
 use std::time::Duration;
 
-use axum::Router;
-use axum::extract::State;
-use axum::http::{StatusCode, header};
-use axum::response::{IntoResponse, Response};
-use axum::routing::get;
-use prometheus_client::encoding::text::encode;
+use axum::http::StatusCode;
 use prometheus_client::metrics::counter::Counter;
 use prometheus_client::metrics::family::Family;
 use prometheus_client::metrics::gauge::Gauge;
 use prometheus_client::metrics::histogram::Histogram;
 use prometheus_client::registry::Registry;
-
-use super::app::SharedApp;
-
-/// The format of the text.
-const KIND: &str = "application/openmetrics-text; version=1.0.0; charset=utf-8";
 
 /// The seconds up to which requests are counted together.
 const SECONDS: [f64; 10] = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.5, 1.0, 5.0];
@@ -28,13 +17,13 @@ type Label = [(&'static str, &'static str); 1];
 
 /// What is measured from the start of the server on.
 pub(super) struct Metrics {
-    registry: Registry,
+    pub(super) registry: Registry,
     requests: Family<Label, Counter>,
     seconds: Histogram,
     /// These three are read where they are kept, whenever somebody asks.
-    attempts: Counter,
-    reads: Counter,
-    queue: Gauge,
+    pub(super) attempts: Counter,
+    pub(super) reads: Counter,
+    pub(super) queue: Gauge,
 }
 
 impl Metrics {
@@ -65,25 +54,5 @@ fn class(status: StatusCode) -> &'static str {
         3 => "3xx",
         4 => "4xx",
         _ => "5xx",
-    }
-}
-
-/// The one page for operators. It is served on an address of its own, which no proxy leads to: behind a proxy every visitor seems to
-/// come from this machine, so the sender of a request says nothing of who may read it.
-pub fn metrics_router(app: SharedApp) -> Router {
-    Router::new().route("/metrics", get(page)).with_state(app)
-}
-
-async fn page(State(app): State<SharedApp>) -> Response {
-    let metrics = &app.metrics;
-    if let Some(courses) = &app.courses {
-        metrics.reads.inner().store(courses.store().reads().0, Ordering::Relaxed);
-        metrics.attempts.inner().store(courses.store().handed_in(), Ordering::Relaxed);
-    }
-    metrics.queue.set(i64::try_from(app.workers.waiting()).unwrap_or(i64::MAX));
-    let mut text = String::new();
-    match encode(&mut text, &metrics.registry) {
-        Ok(()) => ([(header::CONTENT_TYPE, KIND)], text).into_response(),
-        Err(_) => StatusCode::INTERNAL_SERVER_ERROR.into_response(),
     }
 }

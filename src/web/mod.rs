@@ -12,6 +12,7 @@ pub mod invite;
 mod library;
 mod log;
 mod metrics;
+mod metrics_page;
 mod observed;
 mod page_faults;
 mod pages;
@@ -24,7 +25,7 @@ mod workers;
 
 pub use app::App;
 pub use courses::{Address, Clock, Courses, Who, addresses};
-pub use metrics::metrics_router;
+pub use metrics_page::metrics_router;
 pub use page_faults::page_faults;
 pub use routes::router;
 pub use server::{NotServed, serve};

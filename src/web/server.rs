@@ -14,7 +14,7 @@ use crate::store::StoreFault;
 use super::app::App;
 use super::courses::{Clock, Courses};
 use super::invite;
-use super::metrics::metrics_router;
+use super::metrics_page::metrics_router;
 use super::routes::router;
 use super::settings::Settings;
 

@@ -371,11 +371,6 @@ impl<'a> Witness<'a> {
         all
     }
 
-    /// Who exists when.
-    pub(super) fn timeline(&self) -> &Timeline {
-        &self.timeline
-    }
-
     /// Whether a stage was simulated.
     pub(super) fn has_run(&self, stage: usize) -> bool {
         self.run.contains(&stage)

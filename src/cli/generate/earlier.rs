@@ -11,7 +11,7 @@ use crate::cli::failure::tell;
 use crate::cli::table;
 use crate::exercise::SeedSource;
 
-use super::job::Asked;
+use super::asked::Asked;
 
 /// The endings of sheets and solutions.
 const ENDINGS: [&str; 8] =

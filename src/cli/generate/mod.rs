@@ -1,5 +1,6 @@
 //! `momentous generate`
 
+mod asked;
 mod destination;
 mod earlier;
 mod job;
@@ -34,10 +35,10 @@ use super::pages::Held;
 use super::pages::Shown;
 use super::printer::Printer;
 
+use asked::Asked;
 use destination::Destination;
 use destination::SEEDS;
 use earlier::Earlier;
-use job::Asked;
 use job::Job;
 use roster::Roster;
 pub(super) use roster::students;

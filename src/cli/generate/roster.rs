@@ -9,7 +9,7 @@ use crate::exercise::Student;
 use crate::exercise::VariantRef;
 use crate::exercise::defused;
 
-use super::job::Asked;
+use super::asked::Asked;
 use super::names;
 
 /// A student, with the beginning of the names of his or her files.

@@ -7,7 +7,9 @@ use crate::store::Store;
 use crate::store::StoreFault;
 
 use super::super::failure::Failure;
-use super::{FOLDER, address};
+
+/// The folder of data where none is named.
+const FOLDER: &str = "momentous-data";
 
 /// Where the data of courses are.
 #[derive(Args, Debug)]
@@ -39,4 +41,8 @@ impl Data {
         };
         Failure::unusable(format!("{}: {fault}\nhelp: {help}", self.address))
     }
+}
+
+fn address(text: &str) -> Result<Address, String> {
+    text.parse().map_err(|fault: StoreFault| fault.to_string())
 }

@@ -13,7 +13,6 @@ mod user;
 use clap::Args;
 use clap::Subcommand;
 
-use crate::store::Address;
 use crate::web::Clock;
 use crate::web::NotServed;
 use crate::web::Settings;
@@ -102,11 +101,4 @@ impl Serve {
         })?;
         Ok(Exit::Fine)
     }
-}
-
-/// The folder of data where none is named.
-const FOLDER: &str = "momentous-data";
-
-fn address(text: &str) -> Result<Address, String> {
-    text.parse().map_err(|fault: crate::store::StoreFault| fault.to_string())
 }

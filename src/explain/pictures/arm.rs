@@ -26,12 +26,12 @@ use crate::scene::stage::Strike;
 
 use super::super::wording::capitalised;
 use super::super::wording::list;
+use super::angular::given_moment;
 use super::angular::moment_impulse;
 use super::angular::nothing;
+use super::labels::body_math;
+use super::labels::product;
 use super::quantities::Quantities;
-use super::sheet::central::moment;
-use super::vectors::body_math;
-use super::vectors::product;
 use super::words::sentences;
 
 /// A body on an arm, or one that strikes it, as a scene has it.
@@ -61,7 +61,7 @@ fn struck(stage: &Strike) -> Vec<Carried<'_>> {
 /// Several bodies on an arm at the start.
 pub(super) fn sheet(quantities: &Quantities<'_>, stage: &Rotate) -> Drawing {
     let mut turns: Vec<(Moment, Role)> = turning(quantities, 1).into_iter().collect();
-    let acts = stage.moment.as_ref().and_then(|strength| moment(quantities, strength));
+    let acts = stage.moment.as_ref().and_then(|strength| given_moment(quantities, strength));
     turns.extend(acts.map(|own| (own, Role::Force)));
     situation(quantities, &held(stage), (&stage.about, stage.rotor.as_deref()), turns)
 }

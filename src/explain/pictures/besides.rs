@@ -9,15 +9,8 @@ use crate::model::ActingForce;
 use crate::solve::Closed;
 use crate::solve::plan;
 
+use super::diagram_plan::Besides;
 use super::quantities::Quantities;
-
-/// Values to be added to those of a solution.
-pub(super) struct Besides {
-    /// A mass that no value is needed of.
-    mass: Option<Symbol>,
-    /// Further quantities, each by a formula in what is there before it.
-    formulas: Vec<(Symbol, Expr)>,
-}
 
 impl Besides {
     /// What the arrows of that body need in a stage.

@@ -5,7 +5,7 @@ use std::sync::OnceLock;
 use crate::scene::Scene;
 
 use super::compass::Compass;
-use super::momentum::Plan;
+use super::diagram_plan::Plan;
 
 /// The shared parts, each worked out when it is first needed.
 #[derive(Default)]

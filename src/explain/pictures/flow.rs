@@ -15,10 +15,10 @@ use crate::scene::stage::Stream;
 use crate::scene::stage::Thrust;
 
 use super::compass::Compass;
+use super::labels::factor;
+use super::labels::product;
 use super::quantities::Quantities;
 use super::vectors::Labelled;
-use super::vectors::factor;
-use super::vectors::product;
 use super::words::sentences;
 
 /// What flows, and what happens to it.

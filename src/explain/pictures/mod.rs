@@ -2,10 +2,13 @@
 
 mod angular;
 mod arm;
+mod balance;
 mod besides;
 mod cache;
 mod compass;
+mod diagram_plan;
 mod flow;
+mod labels;
 mod moment;
 mod momentum;
 mod oblique;

@@ -5,7 +5,6 @@ use std::sync::Arc;
 use crate::expr::Math;
 use crate::figure::BodyMomentum;
 use crate::figure::Drawing;
-use crate::figure::Form;
 use crate::figure::MomentumDiagram;
 use crate::model::ForceKind;
 use crate::model::Impulse;
@@ -13,42 +12,19 @@ use crate::model::QuantityKind;
 use crate::scene::Stage;
 use crate::scene::stage::Impact;
 
-use super::besides::Besides;
+use super::balance::Balance;
+use super::balance::complete;
 use super::compass::Compass;
+use super::diagram_plan::Besides;
+use super::diagram_plan::Plan;
+use super::diagram_plan::Planned;
+use super::labels::body_math;
 use super::participants::Arrows;
 use super::participants::Drawn;
 use super::participants::Participant;
 use super::quantities::Quantities;
 use super::vectors::Labelled;
-use super::vectors::body_math;
 use super::words::diagram_wording;
-
-/// One body in one stage, along x and y of the scene.
-#[derive(Clone, Debug)]
-pub(super) struct Balance {
-    pub body: String,
-    pub before: Labelled,
-    pub impulses: Vec<Labelled>,
-    pub after: Labelled,
-}
-
-/// The diagram of a stage, as far as no number changes it.
-pub(super) struct Plan {
-    rows: Vec<Planned>,
-    /// What the arrows of a body that takes part alone need besides.
-    besides: Option<Besides>,
-}
-
-/// The row of a body.
-struct Planned {
-    participant: Participant,
-    name: Math,
-    form: Form,
-    /// How its momentum is written before and after, and each impulse on it.
-    before: Math,
-    after: Math,
-    impulses: Vec<Math>,
-}
 
 fn plan(quantities: &Quantities<'_>, participants: &[Participant], stage: usize) -> Plan {
     let mut bodies = participants.to_vec();
@@ -163,41 +139,4 @@ fn resultant() -> Labelled {
     let [sum, force, time] = ["\u{3a3}", "F", "t"].map(|letter| Math::Identifier(letter.to_owned()));
     let forces = Math::Row(vec![sum, force]);
     Labelled { label: Math::Integral(bound(), bound(), Arc::new(forces), Arc::new(time)), value: None }
-}
-
-/// What a plan that is no longer than needed has not solved: the last unknown of each body follows from the others, and
-/// the impulse on one of two bodies from that on the other.
-pub(super) fn complete(balances: &mut [Balance], act_on_each_other: bool) {
-    balances.iter_mut().for_each(Balance::complete);
-    if let (true, [first, second]) = (act_on_each_other, &mut *balances) {
-        second.take_reaction(first);
-        first.take_reaction(second);
-        balances.iter_mut().for_each(Balance::complete);
-    }
-}
-
-impl Balance {
-    fn vectors(&mut self) -> Vec<(f64, &mut Option<[f64; 2]>)> {
-        let impulses = self.impulses.iter_mut().map(|impulse| (1.0, &mut impulse.value));
-        let ends = [(1.0, &mut self.before.value), (-1.0, &mut self.after.value)];
-        ends.into_iter().chain(impulses).collect()
-    }
-
-    /// The one vector that is missing; momentum before + impulses - momentum after = 0.
-    fn complete(&mut self) {
-        let mut vectors = self.vectors();
-        let sum = vectors.iter().filter_map(|(sign, value)| Some((*sign, (**value)?)));
-        let [x, y] = sum.fold([0.0, 0.0], |[x, y], (sign, value)| [x + sign * value[0], y + sign * value[1]]);
-        let mut missing = vectors.iter_mut().filter(|(_, value)| value.is_none());
-        if let (Some((sign, value)), None) = (missing.next(), missing.next()) {
-            **value = Some([-*sign * x, -*sign * y]);
-        }
-    }
-
-    fn take_reaction(&mut self, other: &Self) {
-        // The first impulse is the one that the two give each other; a guide may add another.
-        if let ([own, ..], [other, ..]) = (&mut self.impulses[..], &other.impulses[..]) {
-            own.value = own.value.or(other.value.map(|[x, y]| [-x, -y]));
-        }
-    }
 }

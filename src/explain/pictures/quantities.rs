@@ -28,8 +28,8 @@ use super::super::terms::display::Shown;
 use super::super::terms::manner::Manners;
 use super::cache::PictureCache;
 use super::compass::Compass;
+use super::labels::factor;
 use super::oblique::Oblique;
-use super::vectors::factor;
 
 /// How much a figure may show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -13,15 +13,15 @@ use crate::figure::Rest;
 use crate::scene::stage::Connected;
 use crate::scene::stage::Strand;
 
+use super::balance::Balance;
+use super::balance::complete;
 use super::compass::Compass;
-use super::momentum::Balance;
-use super::momentum::complete;
+use super::labels::body_math;
+use super::labels::product;
 use super::quantities::Quantities;
 use super::sheet::pulley::Side;
 use super::sheet::pulley::sides_of;
 use super::vectors::Labelled;
-use super::vectors::body_math;
-use super::vectors::product;
 use super::words::diagram_wording;
 
 /// Momentum before + impulses = momentum after for both bodies, each along its own part of the string.

@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use crate::expr::Expr;
 use crate::expr::Math;
-use crate::expr::Operator;
 use crate::expr::name_math;
 use crate::figure::Form;
 use crate::figure::LabelledVector;
@@ -16,6 +15,8 @@ use crate::scene::Axis;
 use crate::solve::Statement;
 
 use super::compass::Compass;
+use super::labels::factor;
+use super::labels::product;
 use super::quantities::Quantities;
 
 /// Words in the name of a body that is drawn as a disc; other bodies are drawn as blocks.
@@ -48,23 +49,6 @@ impl Labelled {
     pub(super) fn placed(&self, compass: &Compass) -> LabelledVector {
         LabelledVector { label: self.label.clone(), value: self.value.map(|value| compass.place(value)) }
     }
-}
-
-/// Factors side by side: `m v`.
-pub(super) fn product(factors: impl IntoIterator<Item = Math>) -> Math {
-    let mut parts = Vec::new();
-    for factor in factors {
-        if !parts.is_empty() {
-            parts.push(Math::Operator(Operator::Juxtapose));
-        }
-        parts.push(factor);
-    }
-    Math::Row(parts)
-}
-
-/// A body's short name, as it stands inside its outline.
-pub(super) fn body_math(body: &str) -> Math {
-    if body.chars().count() == 1 { Math::Identifier(body.to_owned()) } else { Math::Text(body.to_owned()) }
 }
 
 impl Quantities<'_> {
@@ -185,9 +169,4 @@ impl Quantities<'_> {
             _ => name_math("dt"),
         }
     }
-}
-
-/// In brackets where it is a sum.
-pub(super) fn factor(expr: &Expr, math: Math) -> Math {
-    if matches!(expr, Expr::Sum(_)) { Math::Bracketed(Arc::new(math)) } else { math }
 }

@@ -15,8 +15,8 @@ use crate::quantity::coherent_unit;
 use super::super::terms::display::printed;
 use super::super::wording::capitalised;
 use super::super::wording::list;
+use super::balance::Balance;
 use super::compass::Compass;
-use super::momentum::Balance;
 use super::quantities::Quantities;
 use super::quantities::Scope;
 use super::vectors::Labelled;
@@ -134,12 +134,6 @@ impl Quantities<'_> {
         };
         let (start, end) = self.model().forces.iter().find_map(|force| nameless(&force))?;
         Some(format!("\u{394}t runs from {start} to {end}; meanwhile the momentum of {} changes", self.called(body)))
-    }
-}
-
-impl Balance {
-    fn all(&self) -> impl Iterator<Item = &Labelled> {
-        [&self.before, &self.after].into_iter().chain(&self.impulses)
     }
 }
 

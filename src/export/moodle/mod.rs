@@ -17,12 +17,12 @@ use crate::render::Identity;
 use crate::render::Markup;
 use crate::render::base64;
 
+use super::Begun;
 use super::Export;
 use super::NotWritten;
 use super::field::{Asked, Choice, Field};
 use super::printable;
 use super::question::{Pictures, Question, said};
-use super::target::Begun;
 
 /// The letters that an idnumber may have.
 const LONGEST_ID: usize = 100;

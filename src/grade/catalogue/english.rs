@@ -1,6 +1,7 @@
 //! The words of marking in English.
 
 use std::borrow::Cow;
+use std::fmt;
 
 use super::super::messages::Message;
 use super::super::read::Unreadable;
@@ -62,6 +63,20 @@ impl Catalogue for English {
 
     fn unreadable(&self, fault: &Unreadable) -> String {
         format!("Character {}: {}", fault.at + 1, english_input::sentence(&fault.kind))
+    }
+}
+
+/// In English.
+impl fmt::Display for Message {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str(&English.message(self))
+    }
+}
+
+/// The message that the student sees, with the place.
+impl fmt::Display for Unreadable {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str(&English.unreadable(self))
     }
 }
 

@@ -5,8 +5,8 @@ use super::super::messages::Message;
 use super::super::number::Number;
 use super::super::read::Written;
 use super::super::verdict::Verdict;
-use super::Judgement;
 use super::closeness::{Target, half_unit};
+use super::judgement::Judgement;
 
 /// The judgement on a right number, with what is to be said of its figures; `number` is in the unit that is asked.
 pub(super) fn judged(

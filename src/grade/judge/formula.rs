@@ -14,7 +14,7 @@ use super::super::messages::Message;
 use super::super::points::{Point, Points, has_no_value, is_certain, value};
 use super::super::read::FormulaAnswer;
 use super::super::verdict::Verdict;
-use super::Judgement;
+use super::judgement::Judgement;
 use super::proof::{Proof, prove};
 
 /// At so many points of the range two formulas must agree.

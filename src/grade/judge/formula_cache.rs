@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::super::expected::ExpectedFormula;
 use super::super::read::FormulaAnswer;
-use super::Judgement;
+use super::judgement::Judgement;
 
 /// So many are remembered before all are forgotten.
 const MOST: usize = 64;

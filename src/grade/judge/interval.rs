@@ -4,7 +4,8 @@ use super::super::expected::{ExpectedEnd, ExpectedInterval};
 use super::super::messages::Message;
 use super::super::read::{EndAnswer, IntervalAnswer, NumberAnswer};
 use super::super::verdict::Verdict;
-use super::Judgement;
+use super::judgement::Judgement;
+use super::number;
 
 /// What was found about an end: nothing where neither the question nor the answer has one.
 type Found = Option<Judgement>;
@@ -55,7 +56,7 @@ fn end(asked: Option<&ExpectedEnd>, given: Option<&EndAnswer>, answer: &Interval
                 sense: None,
                 heading: None,
             };
-            Some(super::judge_number(&asked.number, &number))
+            Some(number::judge(&asked.number, &number))
         }
         _ => Some(Judgement::of(Verdict::Wrong, Message::Wrong)),
     }

@@ -9,8 +9,8 @@ use super::super::messages::Message;
 use super::super::number::Number;
 use super::super::read::VectorAnswer;
 use super::super::verdict::Verdict;
-use super::Judgement;
 use super::closeness::{capped, half_unit, reference};
+use super::judgement::Judgement;
 
 /// How far doubles may be off.
 const SLACK: f64 = 1e-12;

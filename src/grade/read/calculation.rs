@@ -7,9 +7,9 @@ use super::super::number::Number;
 use super::answer::{NumberAnswer, Written};
 use super::arithmetic::{self, Form};
 use super::numeral::DecimalMark;
-use super::quantity::check_size;
 use super::unit::unit;
 use super::unreadable::At;
+use super::value::check_size;
 
 /// How deeply brackets may be nested.
 const MAX_DEPTH: usize = 8;

@@ -1,7 +1,7 @@
 //! A choice: by its letter, its number, its text, or yes and no.
 
-use super::MAX_LENGTH;
 use super::answer::ChoiceAnswer;
+use super::plain::MAX_LENGTH;
 use super::unreadable::{Unreadable, UnreadableKind};
 
 const YES: [&str; 4] = ["yes", "y", "true", "t"];

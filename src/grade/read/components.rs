@@ -8,9 +8,11 @@ use super::arithmetic;
 use super::direction::{self, Phrase};
 use super::heading::is_compass;
 use super::numeral::DecimalMark;
-use super::quantity::{Asked, ENDS, read_plain};
+use super::plain::ENDS;
 use super::unit::unit;
 use super::unreadable::{At, UnreadableKind};
+use super::value;
+use super::value::Asked;
 
 /// Components as they were read; one without a value stands for zero.
 pub(super) type Parts = Vec<Option<NumberAnswer>>;
@@ -148,7 +150,7 @@ pub(super) fn by_names(text: &str, asked: &ExpectedVector, mark: DecimalMark) ->
         };
         let value = text[sign + 1..end].trim_end_matches(ENDS);
         let start = sign + 1 + value.len() - value.trim_start().len();
-        let part = match read_plain(value.trim_start(), Asked::in_unit(&wanted), mark) {
+        let part = match value::read(value.trim_start(), Asked::in_unit(&wanted), mark) {
             Ok(part) => part,
             Err((at, kind)) => return Some(Err((start + at, kind))),
         };

@@ -6,9 +6,9 @@ use super::super::expected::ExpectedInterval;
 use super::answer::{EndAnswer, IntervalAnswer, NumberAnswer};
 use super::numeral::DecimalMark;
 use super::plain::Plain;
-use super::quantity::{self, Asked};
 use super::unit::unit;
 use super::unreadable::{At, Unreadable, UnreadableKind};
+use super::value::{self, Asked};
 
 /// Signs that compare: the writing, whether the left side is the smaller, whether both may be equal. Longer ones first.
 const SIGNS: [(&str, bool, bool); 8] = [
@@ -237,7 +237,7 @@ impl<'a> Reader<'a> {
         if INFINITE.contains(&size.trim_start_matches(['+', ' '])) {
             return Ok(Some(Side::Infinite(sign)));
         }
-        quantity::read_plain(text, Asked::in_unit(&self.asked.unit), self.mark)
+        value::read(text, Asked::in_unit(&self.asked.unit), self.mark)
             .map(|end| Some(Side::Value(Box::new(end))))
             .map_err(|(shift, kind)| (at + shift, kind))
     }

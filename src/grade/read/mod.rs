@@ -23,7 +23,9 @@ mod remarks;
 mod several;
 mod unit;
 mod unit_cache;
+mod unit_vectors;
 mod unreadable;
+mod value;
 mod vector;
 mod vulgar;
 
@@ -32,13 +34,11 @@ pub use answer::{
 };
 pub(super) use ending::Endings;
 pub use numeral::DecimalMark;
+pub use plain::MAX_LENGTH;
 pub use several::read_several;
 pub use unreadable::{Unreadable, UnreadableKind};
 
 use super::expected::ExpectedKind;
-
-/// The longest answer that is read, in characters.
-pub const MAX_LENGTH: usize = 200;
 
 /// Reads what a student typed as an answer to this part.
 ///

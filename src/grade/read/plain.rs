@@ -1,8 +1,13 @@
 //! The text of an answer in plain characters, each of which still knows where it stood.
 
-use super::MAX_LENGTH;
 use super::latex;
 use super::unreadable::{Unreadable, UnreadableKind};
+
+/// The longest answer that is read, in characters.
+pub const MAX_LENGTH: usize = 200;
+
+/// What may end an answer, as it ends a sentence.
+pub(super) const ENDS: [char; 6] = [' ', ',', '.', '!', ';', '?'];
 
 /// The text with one kind of minus sign, space and multiplication dot, and without what LaTeX adds.
 #[derive(Debug)]

@@ -8,9 +8,11 @@ use super::answer::{NumberAnswer, Written};
 use super::calculation;
 use super::direction::{self, Phrase};
 use super::numeral::DecimalMark;
-use super::quantity::{Asked, ENDS, read_plain};
+use super::plain::ENDS;
+use super::unit_vectors::unit_vectors;
 use super::unreadable::{At, UnreadableKind};
-use super::vector::unit_vectors;
+use super::value;
+use super::value::Asked;
 
 /// Words before a number, the longer first.
 const BEFORE: [&str; 24] = [
@@ -120,7 +122,7 @@ pub(super) fn read(
     let minus = MINUS.iter().find_map(|word| without_case(inner, word));
     if let Some(rest) = minus {
         let start = from + inner.len() - rest.len();
-        let found = read_plain(rest, asked, mark).map_err(|(at, kind)| (start + at, kind))?;
+        let found = value::read(rest, asked, mark).map_err(|(at, kind)| (start + at, kind))?;
         if found.signed || found.sense.is_some() {
             return Err((from, UnreadableKind::SignAndDirection));
         }
@@ -129,7 +131,7 @@ pub(super) fn read(
     let again = if (from, to) == whole {
         Err(fault)
     } else {
-        read_plain(inner, asked, mark).map_err(|(at, kind)| (from + at, kind))
+        value::read(inner, asked, mark).map_err(|(at, kind)| (from + at, kind))
     };
     again.or_else(|fault| match calculation::read(inner, asked.unit, mark).filter(|_| !fault.1.is_doubt()) {
         Some(found) => found.map_err(|(at, kind)| (from + at, kind)),
@@ -143,7 +145,7 @@ fn explained(text: &str, asked: Asked<'_>, mark: DecimalMark) -> Option<At<Numbe
     let phrase = text[at + word.len()..].trim_matches([' ', ',', '.', ':', ')']);
     let Phrase::Declared(sense) = direction::read(phrase, asked.senses, asked.axis) else { return None };
     let value = text[..at].trim_end_matches([' ', ',', ';', '(', ':']);
-    let found = match read_plain(value, asked, mark) {
+    let found = match value::read(value, asked, mark) {
         Ok(found) if found.sense.is_none() => found,
         Ok(_) => return None,
         Err(fault) => return Some(Err(fault)),
@@ -166,7 +168,7 @@ fn along_unit_vector(text: &str, asked: Asked<'_>, mark: DecimalMark) -> Option<
         let word = text[start..end].to_owned();
         return Some(Err((start, UnreadableKind::OtherDirection { word, senses: senses.clone() })));
     }
-    Some(read_plain(&format!("{}{:width$}{}", &text[..start], "", &text[end..], width = end - start), asked, mark))
+    Some(value::read(&format!("{}{:width$}{}", &text[..start], "", &text[end..], width = end - start), asked, mark))
 }
 
 /// Where the value begins behind its name and an equals sign; the fault is another name than the one that is asked.

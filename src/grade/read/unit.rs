@@ -5,7 +5,7 @@ use crate::quantity::UnitFault;
 use crate::quantity::UnitFaultKind;
 
 use super::arithmetic::begins_number;
-use super::quantity::ENDS;
+use super::plain::ENDS;
 use super::unit_cache;
 use super::unreadable::{At, UnreadableKind};
 

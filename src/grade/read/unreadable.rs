@@ -1,10 +1,6 @@
 //! Why an answer cannot be read.
 
-use std::fmt;
-
 use crate::quantity::UnitFault;
-
-use super::super::catalogue::{Catalogue, English};
 
 /// An answer that cannot be read: what is wrong, and at which character. It is never marked, and costs no attempt.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -211,13 +207,6 @@ impl UnreadableKind {
             Self::NoOption(_) => "no_option",
             Self::SeveralOptions => "several_options",
         }
-    }
-}
-
-/// The message that the student sees, with the place.
-impl fmt::Display for Unreadable {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        out.write_str(&English.unreadable(self))
     }
 }
 

@@ -11,17 +11,16 @@ use super::direction;
 use super::heading;
 use super::multiple;
 use super::numeral::DecimalMark;
+use super::plain::ENDS;
 use super::plain::Plain;
-use super::quantity::{self, Asked};
 use super::remarks;
 use super::unit::unit;
+use super::unit_vectors::unit_vectors;
 use super::unreadable::{At, Unreadable, UnreadableKind};
+use super::value::{self, Asked};
 
 /// Brackets around components.
 const BRACKETS: [(char, char); 5] = [('(', ')'), ('<', '>'), ('[', ']'), ('⟨', '⟩'), ('{', '}')];
-/// Unit vectors along the first, second and third axis, the longer writings first.
-const UNIT_VECTORS: [&[&str]; 3] =
-    [&["i\u{302}", "x\u{302}", "î", "i"], &["j\u{302}", "y\u{302}", "ĵ", "ŷ", "j"], &["k\u{302}", "z\u{302}", "k"]];
 
 /// A magnitude is looked for before so many words.
 const MOST_WORDS: usize = 16;
@@ -37,7 +36,7 @@ pub(super) fn read(answer: &str, asked: &ExpectedVector, mark: DecimalMark) -> R
 }
 
 fn read_plain(text: &str, asked: &ExpectedVector, mark: DecimalMark) -> At<VectorAnswer> {
-    let text = text.trim_end_matches(quantity::ENDS);
+    let text = text.trim_end_matches(ENDS);
     let mut start = text.len() - text.trim_start_matches([' ', '=', '≈', '~']).len();
     let at = |shift: usize| move |(at, kind)| (at + shift, kind);
     if let Some(parts) = components::by_names(&text[start..], asked, mark) {
@@ -169,7 +168,7 @@ fn tuple(
 fn component(text: &str, asked: &ExpectedVector, mark: DecimalMark) -> At<NumberAnswer> {
     let unit = asked.components.first().map(|component| component.unit.clone()).unwrap_or_default();
     let lead = text.len() - text.trim_start().len();
-    quantity::read_plain(text.trim_start(), Asked::in_unit(&unit), mark).map_err(|(at, kind)| (at + lead, kind))
+    value::read(text.trim_start(), Asked::in_unit(&unit), mark).map_err(|(at, kind)| (at + lead, kind))
 }
 
 /// The unit behind the brackets.
@@ -203,28 +202,6 @@ fn together(parts: &Parts, behind: Option<Unit>, at: usize) -> At<VectorAnswer> 
         unit,
         heading: None,
     })
-}
-
-/// Where unit vectors stand: the axis, and the bytes.
-pub(super) fn unit_vectors(text: &str) -> Vec<(usize, usize, usize)> {
-    let mut found = Vec::new();
-    let mut before = ' ';
-    for (at, next) in text.char_indices() {
-        let names =
-            UNIT_VECTORS.iter().enumerate().flat_map(|(axis, names)| names.iter().map(move |name| (axis, *name)));
-        let mut here = names.filter(|(_, name)| text[at..].starts_with(name));
-        if let Some((axis, name)) = here.next().filter(|_| !before.is_alphabetic() && before != '^') {
-            let end = at + name.len();
-            // `i.e.` is no unit vector.
-            if !text[end..].starts_with(|next: char| next.is_alphanumeric() || next == '\u{302}')
-                && !text[at..].starts_with("i.e")
-            {
-                found.push((axis, at, end));
-            }
-        }
-        before = next;
-    }
-    found
 }
 
 /// `1.2i - 3.4j m/s`

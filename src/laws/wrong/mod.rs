@@ -1,14 +1,6 @@
 //! The common mistakes, as data: what a student does, what to ask about it, and the equation that comes of it. A law's row
 //! names its wrong forms; [`reading`] holds the mistakes that are made before any law is used, and after.
 
-use std::collections::BTreeSet;
-
-use crate::expr::Expr;
-use crate::expr::Symbol;
-use crate::expr::SymbolTable;
-
-use super::Sides;
-
 pub mod angular;
 pub mod bouncing;
 pub mod concept;
@@ -25,68 +17,9 @@ pub mod restitution;
 mod rewrite;
 pub mod separation;
 pub mod variable_mass;
+mod wrong_form;
 
-/// A common mistake, as a row of its chapter's table.
-#[derive(Debug)]
-pub struct Misconception {
-    /// A stable name for tools, tables and an author's `feedback`: `restitution-inverted`.
-    pub id: &'static str,
-    /// What the student does, as it follows a subject: `divides by the coefficient of restitution`.
-    pub does: &'static str,
-    /// What the student is asked first. It holds no value.
-    pub ask: &'static str,
-    /// The plainer hint that follows. It holds no value either.
-    pub hint: &'static str,
-}
-
-impl PartialEq for Misconception {
-    fn eq(&self, other: &Self) -> bool {
-        self.id == other.id
-    }
-}
-
-impl Eq for Misconception {}
-
-/// A wrong form of a law.
-#[derive(Debug)]
-pub struct WrongForm {
-    /// The mistake behind it.
-    pub of: &'static Misconception,
-    /// The wrong equations that come of it, one for each way of making the mistake; none where it cannot be made.
-    pub write: fn(&Taught<'_>) -> Vec<Wrong>,
-}
-
-/// A law as it stands in one scene: what a wrong form is made from.
-#[derive(Clone, Copy, Debug)]
-pub struct Taught<'a> {
-    /// The two sides, as they are taught.
-    pub sides: &'a Sides,
-    /// The integral of which the right side is the value: integrand and variable, from where and to where.
-    pub integral: Option<(&'a Expr, Symbol, [&'a Expr; 2])>,
-    /// The other laws of the same stage by their ids; those of a single instant stand beside every stage.
-    pub beside: &'a [(&'static str, Sides)],
-    /// The quantities.
-    pub symbols: &'a SymbolTable,
-    /// What is known before anything is solved.
-    pub known: &'a BTreeSet<Symbol>,
-    /// What `g` is to one who takes a weight for a mass: one unit of acceleration.
-    pub unit_acceleration: &'a Expr,
-}
-
-/// What stands in place of a law for a student who made a mistake.
-#[derive(Clone, Debug)]
-pub struct Wrong {
-    /// The equations in its place.
-    pub equations: Vec<Sides>,
-    /// Laws of the same stage that the student leaves aside, by their ids.
-    pub without: &'static [&'static str],
-}
-
-impl From<Sides> for Wrong {
-    fn from(sides: Sides) -> Self {
-        Self { equations: vec![sides], without: &[] }
-    }
-}
+pub use wrong_form::{Misconception, Taught, Wrong, WrongForm};
 
 /// Every mistake by chapter, those of laws first, each once.
 #[must_use]

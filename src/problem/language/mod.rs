@@ -17,4 +17,5 @@ pub(super) mod literal;
 pub(super) mod other_values;
 pub(super) mod rubric;
 pub(super) mod settings;
+pub(super) mod spoken;
 pub(super) mod text;

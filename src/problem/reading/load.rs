@@ -9,11 +9,11 @@ use sha2::{Digest, Sha256};
 
 use crate::fault::{Code, Fault, Faults, Path, Source};
 
-use super::super::language::declared::Spoken;
 use super::super::language::draft::Draft;
 use super::super::language::entries::Entries;
 use super::super::language::form::Question;
 use super::super::language::given::{Given, GivenEntry};
+use super::super::language::spoken::Spoken;
 use super::super::language::text::Text;
 use super::check::check;
 use super::document::Document;
@@ -121,7 +121,7 @@ pub fn digest(source: &Source) -> String {
 
 /// A checked value in its type. The check knows every rule of the schema; what it lets pass and the type does not is
 /// told in the words of the type.
-pub(in crate::problem) fn typed<T: DeserializeOwned>(value: Value) -> Result<T, Fault> {
+pub(super) fn typed<T: DeserializeOwned>(value: Value) -> Result<T, Fault> {
     let mut track = serde_path_to_error::Track::new();
     let tracked = serde_path_to_error::Deserializer::new(value, &mut track);
     let read = singleton_map_recursive::deserialize(tracked);

@@ -1,6 +1,7 @@
 //! From the text of a file to its draft, or to all its faults, each at its place.
 
 pub(super) mod check;
+mod course_file;
 pub(super) mod document;
 pub(super) mod load;
 pub(super) mod mentions;

@@ -29,7 +29,7 @@ static COURSE_SCHEMA: LazyLock<Value> = LazyLock::new(|| schema_of::<Course>("Th
 /// What the schema says, read once.
 pub(super) static SHAPES: LazyLock<Shapes<'static>> = LazyLock::new(|| Shapes::of(&SCHEMA));
 
-pub(in crate::problem) static COURSE_SHAPES: LazyLock<Shapes<'static>> = LazyLock::new(|| Shapes::of(&COURSE_SCHEMA));
+pub(super) static COURSE_SHAPES: LazyLock<Shapes<'static>> = LazyLock::new(|| Shapes::of(&COURSE_SCHEMA));
 
 fn schema_of<T: JsonSchema>(title: &str) -> Value {
     let settings = SchemaSettings::draft2020_12().with_transform(RecursiveTransform(without_null));

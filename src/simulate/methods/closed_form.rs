@@ -5,8 +5,9 @@ use crate::simulate::contact::Contact;
 use crate::simulate::exact::first_contact;
 use crate::simulate::method::Method;
 use crate::simulate::refusal::Refusal;
+use crate::simulate::state::Vector;
 use crate::simulate::trajectory::{Ending, Impact, Motion, Segment, Trajectory};
-use crate::simulate::world::{Vector, World};
+use crate::simulate::world::World;
 
 use super::EventDriven;
 

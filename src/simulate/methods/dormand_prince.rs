@@ -1,6 +1,7 @@
 //! One step of the pair of Dormand and Prince (1980), with the error and the interpolant of order 4 (Hairer, Nørsett, Wanner).
 
-use crate::simulate::world::{State, Vector, World};
+use crate::simulate::state::{State, Vector};
+use crate::simulate::world::World;
 
 /// The times of the stages, as parts of the step.
 pub(in crate::simulate) const NODES: [f64; 7] = [0.0, 1.0 / 5.0, 3.0 / 10.0, 4.0 / 5.0, 8.0 / 9.0, 1.0, 1.0];

@@ -4,8 +4,9 @@ use crate::simulate::budget::Budget;
 use crate::simulate::contact::Contact;
 use crate::simulate::method::Method;
 use crate::simulate::refusal::Refusal;
+use crate::simulate::state::{State, Vector};
 use crate::simulate::trajectory::{Impact, Trajectory};
-use crate::simulate::world::{State, Vector, World};
+use crate::simulate::world::World;
 
 use super::marching::{Step, march, strike_once};
 

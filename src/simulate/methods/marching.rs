@@ -4,8 +4,9 @@ use crate::simulate::budget::Budget;
 use crate::simulate::contact::Contact;
 use crate::simulate::refusal::Refusal;
 use crate::simulate::simultaneous::Struck;
+use crate::simulate::state::{State, Vector};
 use crate::simulate::trajectory::{Ending, Impact, Motion, Segment, Trajectory};
-use crate::simulate::world::{State, Vector, World};
+use crate::simulate::world::World;
 
 /// One step of a method: it moves the state on by the step and returns the impacts.
 pub(super) trait Step<const D: usize> {

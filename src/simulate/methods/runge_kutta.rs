@@ -10,8 +10,9 @@ use crate::simulate::exact::first_fall;
 use crate::simulate::gap::gap_polynomial;
 use crate::simulate::method::Method;
 use crate::simulate::refusal::Refusal;
+use crate::simulate::state::{State, Vector};
 use crate::simulate::trajectory::{Ending, Motion, Segment, Trajectory};
-use crate::simulate::world::{State, Vector, World};
+use crate::simulate::world::World;
 
 use super::dormand_prince::{Trial, trial};
 

@@ -5,7 +5,8 @@ use crate::scene::{Axis, Stage};
 use crate::simulate::budget::Budget;
 use crate::simulate::method::Method;
 use crate::simulate::methods::EventDriven;
-use crate::simulate::world::{Body, Vector, Wall, World};
+use crate::simulate::state::Vector;
+use crate::simulate::world::{Body, Wall, World};
 
 use super::experiment::{Experiment, Reading, Staged};
 use super::nothing::NothingToSimulate;

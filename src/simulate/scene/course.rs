@@ -1,8 +1,8 @@
 //! How particles go on until a time or an event.
 
+use super::filming::Motion;
 use super::integrate::{End, Integrator};
 use super::nothing::NothingToSimulate;
-use super::recorded_motion::Motion;
 use super::stage_run::StageRun;
 use super::system::System;
 

@@ -7,6 +7,7 @@ mod component;
 mod course;
 mod direction;
 mod experiment;
+mod filming;
 mod floor;
 mod impact;
 mod impulsive;

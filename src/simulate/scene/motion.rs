@@ -6,7 +6,8 @@ use crate::scene::stage::{During, Fall, Flight, Push};
 use crate::scene::{Axis, Force as Acting, Pull, Strength as Told};
 use crate::simulate::budget::Budget;
 use crate::simulate::force::{Force, Piece, Strength};
-use crate::simulate::world::{Body, Vector, Wall, World};
+use crate::simulate::state::Vector;
+use crate::simulate::world::{Body, Wall, World};
 
 use super::experiment::{Experiment, Reading, Staged};
 use super::nothing::NothingToSimulate;

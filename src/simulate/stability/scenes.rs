@@ -2,8 +2,9 @@
 
 use crate::simulate::budget::Budget;
 use crate::simulate::force::Force;
+use crate::simulate::state::Vector;
 use crate::simulate::trajectory::{Ending, Trajectory};
-use crate::simulate::world::{Body, Vector, Wall, World};
+use crate::simulate::world::{Body, Wall, World};
 
 use super::{Row, Trial, points, run_trial};
 

@@ -2,14 +2,14 @@
 
 use std::sync::Arc;
 
-use crate::bank::{FOLDER, course_letters};
+use crate::bank::course_letters;
 use crate::course::{Course, Item, Key, Member, Moment, ProblemFile, Sheet};
 use crate::exercise::calls::{Refused, RefusedKind};
 use crate::exercise::{Derivation, Exercise, SeedSource};
-use crate::fault::Source;
 use crate::problem::{CourseSymbols, Problem, digest};
 use crate::store::AssignmentWithItems;
 
+use super::library::source;
 use super::outcome::NotShown;
 use super::session;
 use super::visit::Visit;
@@ -84,11 +84,6 @@ pub(super) fn unpinned(problem: &str) -> Item {
 pub(super) async fn letters(visit: &Visit, file: &ProblemFile) -> Result<CourseSymbols, NotShown> {
     let source = source(file);
     visit.work(move |_| Ok(course_letters(&source)?)).await
-}
-
-/// A problem file for its readers. In this folder it is under the settings of the bank, as it was when it was read from there.
-pub(super) fn source(file: &ProblemFile) -> Source {
-    Source::new(&format!("{FOLDER}/{}.yaml", file.problem), &file.text)
 }
 
 /// The file of a problem as it is now: the course's own that was published last, else the bank's.

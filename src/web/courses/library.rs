@@ -5,11 +5,11 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use lru::LruCache;
 
+use crate::bank::FOLDER;
 use crate::course::{Course, Key, ProblemFile};
 use crate::fault::Faults;
+use crate::fault::Source;
 use crate::problem::{self, CourseSymbols, Problem, compile, load};
-
-use super::items;
 
 /// The compiled problems that are kept; each takes up to a few megabytes.
 const MOST: NonZeroUsize = NonZeroUsize::new(128).expect("not zero");
@@ -47,10 +47,15 @@ impl CourseLibrary {
             return Ok(problem);
         }
         // Others are served while it compiles.
-        let loaded = load(items::source(file))?.in_course(&problem::Course { symbols: letters.clone() });
+        let loaded = load(source(file))?.in_course(&problem::Course { symbols: letters.clone() });
         let problem = Arc::new(compile(loaded, Some(course.secret.as_bytes()))?);
         let name = (course.key, file.digest.clone(), letters.clone());
         self.0.lock().unwrap_or_else(PoisonError::into_inner).put(name, Arc::clone(&problem));
         Ok(problem)
     }
+}
+
+/// A problem file for its readers. In this folder it is under the settings of the bank, as it was when it was read from there.
+pub(super) fn source(file: &ProblemFile) -> Source {
+    Source::new(&format!("{FOLDER}/{}.yaml", file.problem), &file.text)
 }

@@ -1,6 +1,7 @@
 //! The pages of courses: who may see which is said in one table, and each page is one function of a [`Visit`].
 
 mod account;
+mod around;
 mod clock;
 mod gate;
 mod grades;
@@ -25,6 +26,6 @@ pub use gate::Who;
 pub use state::Courses;
 pub use table::{Address, addresses};
 
+pub(super) use around::Around;
 pub(super) use routes::with_courses;
-pub(super) use visit::Around;
 pub(super) use withheld::{Rest, Withheld};

@@ -4,8 +4,8 @@ use axum::http::{HeaderMap, HeaderValue, StatusCode, header};
 use axum::response::{Html, IntoResponse, Response};
 use serde_json::Value;
 
+use super::super::settings::Settings;
 use super::session;
-use super::visit::Visit;
 
 /// What somebody gets.
 pub(super) enum Reply {
@@ -45,7 +45,7 @@ impl Reply {
     }
 
     /// As a response. No cache keeps what only one person may see.
-    pub(super) fn response(self, visit: &Visit) -> Response {
+    pub(super) fn response(self, settings: &Settings) -> Response {
         let mut headers = HeaderMap::new();
         headers.insert(header::CACHE_CONTROL, HeaderValue::from_static("no-store"));
         match self {
@@ -53,7 +53,6 @@ impl Reply {
             Self::Wrong(text) => (StatusCode::UNPROCESSABLE_ENTITY, headers, Html(text)).into_response(),
             Self::To(address) => to(headers, &address),
             Self::Sign { to: address, token } => {
-                let settings = &visit.app.settings;
                 let cookie = session::cookie(token.as_deref(), &settings.base_path, settings.is_secure);
                 headers.extend(cookie.map(|cookie| (header::SET_COOKIE, cookie)));
                 to(headers, &address)

@@ -54,7 +54,7 @@ async fn respond(row: &Row, app: SharedApp, courses: Arc<Courses>, path: &RawPat
         let visit = visit(row, SharedApp::clone(&app), courses, path, request).await?;
         row.who.admits(&visit)?;
         let reply = (row.make)(&visit).await?;
-        Ok(reply.response(&visit))
+        Ok(reply.response(&visit.app.settings))
     };
     match shown.await {
         Ok(response) => response,

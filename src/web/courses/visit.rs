@@ -10,6 +10,7 @@ use crate::store::{Entry, Membership, Store};
 
 use super::super::app::{App, SharedApp};
 use super::super::parameters::Parameters;
+use super::around::{Around, AroundCourse};
 use super::outcome::NotShown;
 use super::reply::Reply;
 use super::session;
@@ -124,20 +125,4 @@ impl Visit {
             }),
         }
     }
-}
-
-/// What every page of a course knows besides its own.
-#[derive(Clone, Debug, Default, Serialize)]
-pub(in crate::web) struct Around {
-    signed_in: Option<String>,
-    operator: bool,
-    course: Option<AroundCourse>,
-}
-
-#[derive(Clone, Debug, Serialize)]
-struct AroundCourse {
-    key: String,
-    title: String,
-    role: &'static str,
-    staff: bool,
 }

@@ -12,14 +12,14 @@ use crate::figure::Moving;
 use crate::figure::MovingBody;
 use crate::figure::Situation;
 use crate::model::QuantityKind;
-use crate::scene::Strength;
 use crate::scene::stage;
 use crate::scene::stage::Arm;
 use crate::scene::stage::Rotate;
 
+use super::super::angular::given_moment;
 use super::super::arm;
+use super::super::labels::body_math;
 use super::super::quantities::Quantities;
-use super::super::vectors::body_math;
 use super::super::words::about_wording;
 
 /// Where the body is drawn, seen from the centre, in radians.
@@ -36,7 +36,7 @@ pub(in super::super) fn on_arm(quantities: &Quantities<'_>, rotate: &Rotate) -> 
     let arm = quantities.term(arm).filter(|arm| quantities.evaluate(arm).is_some());
     let radius = arm.map(|arm| quantities.symbolic(&arm));
     let name = quantities.velocity_name(body, 1);
-    let moment = rotate.moment.as_ref().and_then(|strength| moment(quantities, strength));
+    let moment = rotate.moment.as_ref().and_then(|strength| given_moment(quantities, strength));
     draw(quantities, [body, &rotate.about], radius, &name, true, moment)
 }
 
@@ -46,19 +46,6 @@ pub(in super::super) fn under_force(quantities: &Quantities<'_>, central: &stage
     let radius = quantities.since(QuantityKind::Position, &central.body, 1).to_string();
     let radius = quantities.named(&radius).map(|_| name_math(&radius));
     draw(quantities, [&central.body, &central.about], radius, &format!("{name}.theta"), false, None)
-}
-
-/// The moment on an arm, where all of it is given; which way it turns is taken from its start.
-pub(in super::super) fn moment(quantities: &Quantities<'_>, strength: &Strength) -> Option<Moment> {
-    let Strength::Term(term) = strength else { return None };
-    let term = quantities.term(term)?;
-    let clock = quantities.model().symbols.find("t").filter(|clock| term.contains(*clock));
-    let value = term.evaluate(&|symbol| {
-        let known = if Some(symbol) == clock { Some(0.0) } else { quantities.value(symbol) };
-        known.unwrap_or(f64::NAN)
-    });
-    let label = if clock.is_some() { Math::Identifier("M".to_owned()) } else { quantities.unsigned(&term) };
-    value.is_finite().then_some(Moment { label, value })
 }
 
 fn draw(

@@ -15,9 +15,9 @@ use crate::model::VectorKind;
 use crate::scene::Stage;
 
 use super::super::compass::Compass;
+use super::super::labels::body_math;
 use super::super::quantities::Quantities;
 use super::super::vectors::Labelled;
-use super::super::vectors::body_math;
 
 impl Quantities<'_> {
     /// A body with these vectors.

@@ -14,9 +14,9 @@ use crate::scene::stage;
 use crate::scene::stage::UpOrDown;
 
 use super::super::super::wording::capitalised;
+use super::super::labels::body_math;
 use super::super::quantities::Quantities;
 use super::super::quantities::SKETCHED;
-use super::super::vectors::body_math;
 use super::super::words::sentences;
 
 /// How far a level lies from the other one in a sketch, as a part of the size of the bowl.

@@ -15,10 +15,10 @@ use crate::scene::stage::Stream;
 use crate::scene::stage::Thrust;
 
 use super::super::compass::Compass;
+use super::super::labels::body_math;
 use super::super::quantities::Quantities;
 use super::super::quantities::Scope;
 use super::super::vectors::Labelled;
-use super::super::vectors::body_math;
 use super::super::words::situation_wording;
 
 /// The stream before the body, after it, and its force where that may be shown.

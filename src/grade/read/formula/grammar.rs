@@ -7,8 +7,7 @@ use crate::quantity::Rational;
 
 use super::super::super::expected::ExpectedFormula;
 use super::super::unreadable::{At, UnreadableKind};
-use super::MAX_DEPTH;
-use super::token::{Lexeme, Token};
+use super::token::{Lexeme, MAX_DEPTH, Token};
 
 /// The most numbers, names and operations.
 const MAX_PARTS: usize = 200;

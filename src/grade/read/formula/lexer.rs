@@ -4,11 +4,10 @@ use crate::quantity::Rational;
 
 use super::super::numeral::{self, DecimalMark};
 use super::super::unreadable::{At, UnreadableKind};
-use super::MAX_DEPTH;
 use super::latex::{Command, command};
 use super::named::Named;
 use super::signs::{self, NOTHING};
-use super::token::{Letter, Lexeme, Place, Token};
+use super::token::{Letter, Lexeme, MAX_DEPTH, Place, Token};
 
 /// A decimal of so many figures may be a rounded number.
 const ROUNDED_FIGURES: usize = 3;

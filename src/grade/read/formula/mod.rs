@@ -15,7 +15,6 @@ mod token;
 mod word;
 
 use crate::expr::Expr;
-use crate::expr::Symbol;
 use crate::quantity::Rational;
 
 use super::super::expected::ExpectedFormula;
@@ -28,8 +27,6 @@ use token::{Lexeme, Token};
 
 /// The longest formula that is read, in characters.
 pub const MAX_FORMULA: usize = 1000;
-/// How deeply brackets, functions and powers may be nested.
-const MAX_DEPTH: usize = 24;
 /// The most decimals that are taken for rounded numbers.
 const MAX_DECIMALS: usize = 6;
 
@@ -72,9 +69,4 @@ fn shifted(lexemes: &[Lexeme], end: usize, asked: &ExpectedFormula) -> Vec<Expr>
         Grammar::new(&lexemes, end, asked).whole().ok()
     };
     places.take(MAX_DECIMALS).filter_map(formula).collect()
-}
-
-/// The symbols that a formula may contain.
-fn allowed(asked: &ExpectedFormula) -> impl Iterator<Item = Symbol> + '_ {
-    asked.domain.iter().map(|(symbol, ..)| *symbol).chain(asked.values.iter().map(|(symbol, _)| *symbol))
 }

@@ -6,7 +6,6 @@ use crate::fault::did_you_mean;
 
 use super::super::super::expected::ExpectedFormula;
 use super::super::unreadable::UnreadableKind;
-use super::allowed;
 use super::named::Named;
 use super::signs;
 use super::token::{Letter, Place};
@@ -99,6 +98,11 @@ impl<'a> Names<'a> {
         let near = near.or_else(|| longer.map(|known| self.printed(known.meant).to_owned()));
         UnreadableKind::UnknownName { name: text.to_owned(), near }
     }
+}
+
+/// The symbols that a formula may contain.
+fn allowed(asked: &ExpectedFormula) -> impl Iterator<Item = Symbol> + '_ {
+    asked.domain.iter().map(|(symbol, ..)| *symbol).chain(asked.values.iter().map(|(symbol, _)| *symbol))
 }
 
 /// The letters of a name, Greek ones as such: as the file spells it, and as it is printed where that differs.

@@ -5,6 +5,9 @@ use crate::quantity::Rational;
 
 use super::named::Named;
 
+/// How deeply brackets, functions and powers may be nested.
+pub(super) const MAX_DEPTH: usize = 24;
+
 /// A token with its place.
 #[derive(Clone, Debug)]
 pub(super) struct Lexeme {

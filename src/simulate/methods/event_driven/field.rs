@@ -3,8 +3,9 @@
 use crate::simulate::exact::{Clock, shifted};
 use crate::simulate::force::{Force, HIGHEST_POWER, Strength};
 use crate::simulate::refusal::Refusal;
+use crate::simulate::state::Vector;
 use crate::simulate::trajectory::Motion;
-use crate::simulate::world::{Vector, World};
+use crate::simulate::world::World;
 
 /// A body in free motion since its last event.
 #[derive(Clone, Debug)]

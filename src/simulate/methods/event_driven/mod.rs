@@ -12,8 +12,9 @@ use crate::simulate::budget::Budget;
 use crate::simulate::force::Force;
 use crate::simulate::method::Method;
 use crate::simulate::refusal::Refusal;
+use crate::simulate::state::State;
 use crate::simulate::trajectory::{Ending, Motion, Segment, Trajectory};
-use crate::simulate::world::{State, World};
+use crate::simulate::world::World;
 
 use run::Run;
 

@@ -3,8 +3,9 @@
 use crate::simulate::contact::Contact;
 use crate::simulate::exact::{Meeting, first_contact, first_fall};
 use crate::simulate::gap::gap_polynomial;
+use crate::simulate::state::{State, Vector};
 use crate::simulate::trajectory::Motion;
-use crate::simulate::world::{Anchor, State, Vector, World};
+use crate::simulate::world::{Anchor, World};
 
 use super::field::{Moving, expansion};
 

@@ -5,8 +5,9 @@ use crate::simulate::contact::Contact;
 use crate::simulate::exact::Clock;
 use crate::simulate::refusal::Refusal;
 use crate::simulate::simultaneous::Struck;
+use crate::simulate::state::{State, Vector};
 use crate::simulate::trajectory::{Ending, Impact, Motion, Segment, Trajectory};
-use crate::simulate::world::{State, Vector, World};
+use crate::simulate::world::World;
 
 use super::agenda::{Agenda, Event};
 use super::field::{Moving, motion_from};

@@ -3,9 +3,10 @@
 use crate::scene::stage::{Central, Orbit};
 
 use crate::simulate::scene::component::Frame;
+use crate::simulate::scene::filming::Motion;
 use crate::simulate::scene::integrate::Integrator;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::recorded_motion::{Look, Motion, Seen};
+use crate::simulate::scene::recorded_motion::{Look, Seen};
 use crate::simulate::scene::stage_run::StageRun;
 
 /// Place, velocity, and the area that the radius has swept.

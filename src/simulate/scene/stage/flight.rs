@@ -5,10 +5,10 @@ use std::sync::Arc;
 use crate::scene::stage::{Drift, Flight};
 use crate::scene::{Axis, Stage, Term};
 
+use crate::simulate::scene::filming::Motion;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::particles::Particle;
 use crate::simulate::scene::rate::rate;
-use crate::simulate::scene::recorded_motion::Motion;
 use crate::simulate::scene::stage_run::StageRun;
 use crate::simulate::scene::values::OfSeveral;
 use crate::simulate::scene::vector::{Vector, ZERO, add, cross, less, part, size, times};

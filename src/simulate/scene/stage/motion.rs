@@ -3,10 +3,11 @@
 use crate::scene::Axis;
 use crate::scene::stage::Motion;
 
+use crate::simulate::scene::filming::Motion as Watched;
 use crate::simulate::scene::measure::place;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::rate::{Rate, rate};
-use crate::simulate::scene::recorded_motion::{Look, Motion as Watched, Seen};
+use crate::simulate::scene::recorded_motion::{Look, Seen};
 use crate::simulate::scene::stage_run::StageRun;
 use crate::simulate::scene::values::{OfSeveral, Values};
 use crate::simulate::scene::vector::{Vector, ZERO, add, dot, less, part, size, times, unit, within};

@@ -7,8 +7,9 @@ use core::f64::consts::PI;
 use crate::scene::stage::Rotate;
 
 use crate::simulate::scene::component::Frame;
+use crate::simulate::scene::filming::Motion;
 use crate::simulate::scene::nothing::NothingToSimulate;
-use crate::simulate::scene::recorded_motion::{Look, Motion, Seen};
+use crate::simulate::scene::recorded_motion::{Look, Seen};
 use crate::simulate::scene::stage_run::StageRun;
 use crate::simulate::scene::values::OfTime;
 use crate::simulate::scene::vector::{times, unit};

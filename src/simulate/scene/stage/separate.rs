@@ -10,10 +10,10 @@ use nalgebra::Vector3;
 use crate::scene::stage::{Relative, Separate, When};
 
 use crate::simulate::scene::course::Until;
+use crate::simulate::scene::filming::Motion;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::particles::{Force, Particle, place, velocity};
 use crate::simulate::scene::pushed::Pushed;
-use crate::simulate::scene::recorded_motion::Motion;
 use crate::simulate::scene::stage_run::{StageRun, kinetic};
 use crate::simulate::scene::system::System;
 use crate::simulate::scene::vector::{Vector, ZERO, add, dot, less, size, times, unit};

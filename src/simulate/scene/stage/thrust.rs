@@ -2,11 +2,12 @@
 
 use crate::scene::stage::{BurningMass, Exhaust, Thrust};
 
+use crate::simulate::scene::filming::Motion;
 use crate::simulate::scene::integrate::Integrator;
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::particles::Particle;
 use crate::simulate::scene::pushed::Pushed;
-use crate::simulate::scene::recorded_motion::{Look, Motion, Seen};
+use crate::simulate::scene::recorded_motion::{Look, Seen};
 use crate::simulate::scene::stage_run::{Procedure, StageRun};
 use crate::simulate::scene::vector::{ZERO, dot, less, part, times, unit};
 

@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 
 use crate::expr::Symbol;
 
-use super::{Block, Refusal};
+use super::block::Block;
+use super::closing::Refusal;
 use crate::solve::{Statement, Step, Tactic};
 
 /// A tactic, the positions of the equations on which it was tried, and their unknowns.

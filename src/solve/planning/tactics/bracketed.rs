@@ -4,9 +4,10 @@
 //!
 //! *On paper:* a sign change is found and narrowed down; the first one from zero upwards is taken.
 
+use super::block::Block;
+use super::closing::{Closing, Refusal};
 use super::isolate::dropped_out;
 use super::tidy::difference;
-use super::{Block, Closing, Refusal};
 use crate::solve::{Closed, Move, Root};
 
 pub(super) fn close(block: &Block) -> Result<Closing, Refusal> {

@@ -4,7 +4,8 @@
 //!
 //! *On paper:* the condition, tried at the last integer that breaks it and at the first that satisfies it.
 
-use super::{Block, Closing, Refusal};
+use super::block::Block;
+use super::closing::{Closing, Refusal};
 use crate::solve::{Closed, Move, Root, Statement};
 
 pub(super) fn close(block: &Block) -> Result<Closing, Refusal> {

@@ -3,7 +3,7 @@
 use crate::expr::Expr;
 use crate::expr::Symbol;
 
-use super::Refusal;
+use super::closing::Refusal;
 use super::isolate::{dropped_out, linear_root};
 use super::tidy::{cancelled, factors, forward, gathered, is_negative, negative, over, times};
 use crate::quantity::Rational;

@@ -10,11 +10,12 @@
 use crate::expr::Expr;
 use crate::expr::Symbol;
 
+use super::block::Block;
+use super::closing::{Closing, Found, Refusal};
 use super::inverse::undo;
 use super::tidy::{
     cancelled, cancelled_where, difference, forward, is_negative, negative, occurrences, over, replaced,
 };
-use super::{Block, Closing, Found, Refusal};
 use crate::solve::Move;
 
 pub(super) fn close(block: &Block) -> Result<Closing, Refusal> {

@@ -7,8 +7,9 @@
 //!
 //! *Refuses:* products of unknowns; equations that say the same twice.
 
+use super::block::Block;
+use super::closing::{Closing, Refusal};
 use super::elimination::eliminate;
-use super::{Block, Closing, Refusal};
 use crate::solve::{Closed, Root};
 
 pub(super) fn close(block: &Block) -> Result<Closing, Refusal> {

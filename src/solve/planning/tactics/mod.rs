@@ -1,7 +1,9 @@
 //! The tactics that close a block of equations, one file each.
 
 mod attempts;
+mod block;
 mod bracketed;
+mod closing;
 mod count;
 mod elimination;
 mod inverse;
@@ -13,11 +15,12 @@ mod tangent;
 mod tear;
 mod tidy;
 
-use crate::expr::{Expr, Symbol};
-
-use super::super::{Closed, Move, Root, Statement, Step, System, Tactic};
+use super::super::{Closed, Step, Tactic};
+use closing::Closing;
 
 pub(in crate::solve) use attempts::Attempts;
+pub(super) use block::Block;
+pub(super) use closing::Refusal;
 
 /// A tactic: what it makes of a block, or why it does not serve.
 type Try = fn(&Block) -> Result<Closing, Refusal>;
@@ -34,53 +37,6 @@ const TACTICS: &[(Tactic, Try)] = &[
     (Tactic::Count, count::close),             // the first integer that satisfies a condition
     (Tactic::BracketedRoot, bracketed::close), // no formula: between bounds
 ];
-
-/// An irreducible block: as many equations as unknowns, and all other symbols known.
-#[derive(Clone, Debug)]
-pub(super) struct Block<'a> {
-    /// The system.
-    pub(in crate::solve) system: &'a System,
-    /// Positions of the equations.
-    pub(in crate::solve) equations: Vec<usize>,
-    /// The unknowns; those that are asked for first.
-    pub(in crate::solve) unknowns: Vec<Symbol>,
-}
-
-/// What closes a block.
-#[derive(Clone, Debug)]
-pub(super) struct Closing {
-    /// The unknowns in the order in which they are found.
-    unknowns: Vec<Symbol>,
-    /// The moves on paper.
-    moves: Vec<Move>,
-    /// The roots.
-    roots: Vec<Root>,
-}
-
-/// Every value of one unknown, and the moves that give them.
-struct Found {
-    moves: Vec<Move>,
-    values: Vec<Expr>,
-}
-
-impl Found {
-    /// What closes a block of this unknown alone.
-    fn closing(self, unknown: Symbol) -> Closing {
-        let root = |value| Root { values: vec![(unknown, Closed::Formula(value))] };
-        Closing { unknowns: vec![unknown], moves: self.moves, roots: self.values.into_iter().map(root).collect() }
-    }
-}
-
-/// Why a tactic does not close a block.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Refusal {
-    /// It is not for blocks of this kind.
-    NotApplicable,
-    /// The equations say the same twice, so that they do not determine the unknowns.
-    Dependent,
-    /// The unknowns drop out, and what is left is false.
-    Contradiction,
-}
 
 /// The step made by the first tactic that closes the block.
 pub(super) fn close(block: &Block, attempts: &mut Attempts) -> Result<Step, Refusal> {
@@ -111,31 +67,4 @@ fn attempt(block: &Block, tactic: Tactic, closes: Try) -> Result<Step, Refusal> 
 
 fn is_nothing(value: &Closed) -> bool {
     matches!(value, Closed::Formula(term) if term.is_zero())
-}
-
-impl Block<'_> {
-    /// The only equation and unknown of a block of one; position, left side, right side, unknown.
-    fn single(&self) -> Option<(usize, &Expr, &Expr, Symbol)> {
-        let ([equation], [unknown]) = (self.equations.as_slice(), self.unknowns.as_slice()) else { return None };
-        let (left, right) = self.sides(*equation)?;
-        Some((*equation, left, right, *unknown))
-    }
-
-    /// The two sides of an equation that has two sides.
-    fn sides(&self, equation: usize) -> Option<(&Expr, &Expr)> {
-        match &self.system.equations.get(equation)?.statement {
-            Statement::Equal { left, right } => Some((left, right)),
-            Statement::FirstInteger { .. } => None,
-        }
-    }
-
-    /// Left sides minus right sides, in the order of the equations; `None` where one is a count.
-    fn residuals(&self) -> Option<Vec<Expr>> {
-        let residual = |equation: &usize| self.sides(*equation).map(|(left, right)| tidy::difference(left, right));
-        self.equations.iter().map(residual).collect()
-    }
-
-    fn positive(&self, symbol: Symbol) -> bool {
-        self.system.positive.contains(&symbol)
-    }
 }

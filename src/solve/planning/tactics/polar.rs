@@ -10,8 +10,9 @@ use crate::expr::Expr;
 use crate::expr::Function;
 use crate::expr::Symbol;
 
+use super::block::Block;
+use super::closing::{Closing, Refusal};
 use super::tidy::{cancelled, factors, negative, over, terms};
-use super::{Block, Closing, Refusal};
 use crate::solve::{Closed, Move, Root};
 
 pub(super) fn close(block: &Block) -> Result<Closing, Refusal> {

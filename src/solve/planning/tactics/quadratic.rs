@@ -13,9 +13,10 @@ use crate::expr::Expr;
 use crate::expr::Piecewise;
 use crate::expr::Symbol;
 
+use super::block::Block;
+use super::closing::{Closing, Found, Refusal};
 use super::inverse::undo;
 use super::tidy::{difference, is_negative, negative};
-use super::{Block, Closing, Found, Refusal};
 use crate::solve::{Move, quadratic_formula};
 
 pub(super) fn close(block: &Block) -> Result<Closing, Refusal> {

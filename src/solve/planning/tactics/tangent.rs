@@ -11,9 +11,10 @@ use crate::expr::Function;
 use crate::expr::Symbol;
 use crate::expr::equal;
 
+use super::block::Block;
+use super::closing::{Closing, Found, Refusal};
 use super::isolate::isolated;
 use super::tidy::{cancelled, difference, forward, is_negative, negative, over, replaced};
-use super::{Block, Closing, Found, Refusal};
 use crate::solve::Move;
 
 pub(super) fn close(block: &Block) -> Result<Closing, Refusal> {

@@ -12,12 +12,13 @@ use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::expr::is_curved;
 
+use super::block::Block;
+use super::closing::{Closing, Refusal};
 use super::elimination::{Eliminated, eliminate};
 use super::isolate::isolated;
 use super::quadratic::rooted;
 use super::tangent::divided;
 use super::tidy::{difference, shorter};
-use super::{Block, Closing, Refusal};
 use crate::solve::{Closed, Move, Root};
 
 /// The largest block that is torn.

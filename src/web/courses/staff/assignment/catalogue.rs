@@ -7,7 +7,7 @@ use serde::Serialize;
 use crate::bank::Card;
 use crate::bank::load_in_course;
 
-use super::super::super::items;
+use super::super::super::library::source;
 use super::super::super::outcome::NotShown;
 use super::super::super::visit::Visit;
 
@@ -31,7 +31,7 @@ impl Catalogue {
         files.dedup_by(|later, first| later.problem == first.problem);
         visit
             .work(move |app| {
-                let loaded = files.iter().filter_map(|file| load_in_course(items::source(file)).ok());
+                let loaded = files.iter().filter_map(|file| load_in_course(source(file)).ok());
                 let own: Vec<Card> = loaded.map(|loaded| Card::of(&loaded)).collect();
                 let bank: Arc<Vec<Card>> = app.library.cards()?;
                 let rest = bank.iter().filter(|card| own.iter().all(|mine| mine.id != card.id)).cloned();

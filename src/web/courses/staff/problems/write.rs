@@ -10,6 +10,7 @@ use crate::fault::{Faults, Source};
 use crate::problem::{compile, digest, load};
 
 use super::super::super::items;
+use super::super::super::library;
 use super::super::super::outcome::NotShown;
 use super::super::super::reply::Reply;
 use super::super::super::visit::Visit;
@@ -47,7 +48,7 @@ pub(in crate::web::courses) async fn save(visit: &Visit) -> Result<Reply, NotSho
             let problem = problem.id().to_owned();
             let (digest, key) = (digest(&source), Some(course.key));
             let file = ProblemFile { digest, problem, text: own, course: key, published: None, saved: now };
-            courses.library.problem(&course, &file, &course_letters(&items::source(&file))?)?;
+            courses.library.problem(&course, &file, &course_letters(&library::source(&file))?)?;
             Ok(file)
         };
         Ok(read())

@@ -1,0 +1,34 @@
+//! What is drawn of a stage in its diagram of momenta and impulses, as far as no number changes it.
+
+use crate::expr::Expr;
+use crate::expr::Math;
+use crate::expr::Symbol;
+use crate::figure::Form;
+
+use super::participants::Participant;
+
+/// The diagram of a stage, as far as no number changes it.
+pub(super) struct Plan {
+    pub(super) rows: Vec<Planned>,
+    /// What the arrows of a body that takes part alone need besides.
+    pub(super) besides: Option<Besides>,
+}
+
+/// The row of a body.
+pub(super) struct Planned {
+    pub(super) participant: Participant,
+    pub(super) name: Math,
+    pub(super) form: Form,
+    /// How its momentum is written before and after, and each impulse on it.
+    pub(super) before: Math,
+    pub(super) after: Math,
+    pub(super) impulses: Vec<Math>,
+}
+
+/// Values to be added to those of a solution.
+pub(super) struct Besides {
+    /// A mass that no value is needed of.
+    pub(super) mass: Option<Symbol>,
+    /// Further quantities, each by a formula in what is there before it.
+    pub(super) formulas: Vec<(Symbol, Expr)>,
+}

@@ -1,0 +1,45 @@
+//! The words of a file's scene and relations, as they stand before the scene is read.
+
+use std::collections::BTreeSet;
+
+use super::super::reading::document::Kind;
+use super::super::reading::document::Node;
+use super::text::is_name;
+
+/// The words of a file's scene and relations: those within longer texts, and those that stand alone.
+#[derive(Clone, Debug, Default)]
+pub(in crate::problem) struct Spoken {
+    within: BTreeSet<String>,
+    alone: BTreeSet<String>,
+}
+
+impl Spoken {
+    /// Those of a file.
+    pub(in crate::problem) fn of(root: &Node) -> Self {
+        let mut spoken = Self::default();
+        for entry in ["scene", "relations"].into_iter().filter_map(|key| root.entry(key)) {
+            spoken.listen(&entry.value);
+        }
+        spoken
+    }
+
+    /// Whether a name is spoken only within longer terms. One that stands alone is told by its place.
+    pub(super) fn is_within_only(&self, name: &str) -> bool {
+        self.within.contains(name) && !self.alone.contains(name)
+    }
+
+    /// Documents are of bounded depth.
+    fn listen(&mut self, node: &Node) {
+        match &node.kind {
+            Kind::Scalar(scalar) if is_name(scalar.text.trim()) => {
+                self.alone.insert(scalar.text.trim().to_owned());
+            }
+            Kind::Scalar(scalar) => {
+                let is_part = |letter: char| letter.is_alphanumeric() || letter == '_';
+                self.within.extend(scalar.text.split(|letter| !is_part(letter)).map(str::to_owned));
+            }
+            Kind::List(items) => items.iter().for_each(|item| self.listen(item)),
+            Kind::Mapping(entries) => entries.iter().for_each(|entry| self.listen(&entry.value)),
+        }
+    }
+}

@@ -1,0 +1,45 @@
+//! A block of equations that must be solved together.
+
+use crate::expr::{Expr, Symbol};
+use crate::solve::{Statement, System};
+
+use super::tidy;
+
+/// An irreducible block: as many equations as unknowns, and all other symbols known.
+#[derive(Clone, Debug)]
+pub(in crate::solve::planning) struct Block<'a> {
+    /// The system.
+    pub(in crate::solve) system: &'a System,
+    /// Positions of the equations.
+    pub(in crate::solve) equations: Vec<usize>,
+    /// The unknowns; those that are asked for first.
+    pub(in crate::solve) unknowns: Vec<Symbol>,
+}
+
+impl Block<'_> {
+    /// The only equation and unknown of a block of one; position, left side, right side, unknown.
+    pub(super) fn single(&self) -> Option<(usize, &Expr, &Expr, Symbol)> {
+        let ([equation], [unknown]) = (self.equations.as_slice(), self.unknowns.as_slice()) else { return None };
+        let (left, right) = self.sides(*equation)?;
+        Some((*equation, left, right, *unknown))
+    }
+
+    /// The two sides of an equation that has two sides.
+    pub(super) fn sides(&self, equation: usize) -> Option<(&Expr, &Expr)> {
+        match &self.system.equations.get(equation)?.statement {
+            Statement::Equal { left, right } => Some((left, right)),
+            Statement::FirstInteger { .. } => None,
+        }
+    }
+
+    /// Left sides minus right sides, in the order of the equations; `None` where one is a count.
+    pub(super) fn residuals(&self) -> Option<Vec<Expr>> {
+        let residual = |equation: &usize| self.sides(*equation).map(|(left, right)| tidy::difference(left, right));
+        self.equations.iter().map(residual).collect()
+    }
+
+    /// Whether a symbol stands for positive values only.
+    pub(super) fn positive(&self, symbol: Symbol) -> bool {
+        self.system.positive.contains(&symbol)
+    }
+}
