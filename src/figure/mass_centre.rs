@@ -18,6 +18,8 @@ const LONGEST: f64 = 52.0;
 const SHORTEST_LONGEST: f64 = 24.0;
 const PARTICLE: f64 = 5.5;
 const MARK: f64 = 4.5;
+/// How far from the velocity a force is drawn that points the same way.
+const BESIDE: f64 = 5.0;
 
 /// What a figure of a centre of mass shows.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,6 +54,8 @@ pub struct PlacedParticle {
     pub position: [f64; 2],
     /// Its velocity or displacement, where that is to be shown.
     pub velocity: Option<LabelledVector>,
+    /// The forces on it that are to be shown.
+    pub forces: Vec<LabelledVector>,
 }
 
 impl PlacedParticle {
@@ -90,11 +94,13 @@ impl MassCentre {
             Travel::Displacement => Role::Length,
         };
         let scale = Scale::fitting(all().filter_map(PlacedParticle::vector), longest);
+        let forces = Scale::fitting(all().flat_map(|own| &own.forces).filter_map(LabelledVector::vector), longest);
         let mut canvas = Canvas::default();
         if let Some(centre) = &self.centre {
             draw_mark(&mut canvas, placed(centre));
         }
         for particle in &self.particles {
+            draw_forces(&mut canvas, particle, placed(particle), forces);
             draw_particle(&mut canvas, particle, placed(particle), (scale, role));
         }
         if let Some(centre) = &self.centre {
@@ -109,6 +115,21 @@ impl MassCentre {
 fn draw_particle(canvas: &mut Canvas, particle: &PlacedParticle, at: Point, arrow: (Scale, Role)) {
     canvas.draw(Shape::Circle { centre: at, radius: PARTICLE, role: Role::Body });
     draw_arrow(canvas, particle, at, PARTICLE, arrow);
+}
+
+/// The forces, beside the velocity where it points the same way.
+fn draw_forces(canvas: &mut Canvas, particle: &PlacedParticle, at: Point, scale: Scale) {
+    for force in &particle.forces {
+        let Some(arrow) = force.vector().and_then(|vector| scale.arrow(vector)) else { continue };
+        let ahead = arrow * (1.0 / arrow.length());
+        let side = Point::new(-ahead.y, ahead.x);
+        let along = |velocity: Point| velocity.dot(side).abs() < 0.2 * velocity.dot(ahead);
+        let aside = if particle.vector().is_some_and(along) { side * BESIDE } else { Point::ORIGIN };
+        let from = at + aside + ahead * PARTICLE;
+        let to = from + arrow;
+        canvas.arrow(from, to, Role::Force);
+        canvas.label(&force.label, Role::Force, Anchor::Along { from, to });
+    }
 }
 
 /// A small circle with a cross.

@@ -39,6 +39,28 @@ pub const MOTION: Law = Law {
     wrong: wrong::mass_centre::MOTION,
 };
 
+/// The rate of change of the momentum of a system.
+pub const RATE: Law = Law {
+    id: "rate-of-momentum",
+    name: "Newton's second law for the whole system",
+    statement: "The rate of change of the momentum of a system is the sum of the external forces on its bodies.",
+    signs: "Positive along the axis.",
+    when: "Always; internal forces cancel in pairs.",
+    source: "Newton's second law for each body, added up.",
+    wrong: &[],
+};
+
+/// The acceleration of the centre of mass.
+pub const ACCELERATION: Law = Law {
+    id: "acceleration-of-the-mass-centre",
+    name: "the motion of the centre of mass",
+    statement: "The total mass times the acceleration of the centre of mass is the rate of change of the momentum of the system.",
+    signs: "Positive along the axis.",
+    when: "No mass changes.",
+    source: "The definition of the centre of mass, differentiated.",
+    wrong: &[],
+};
+
 /// The path of the centre of mass.
 pub const PATH: Law = Law {
     id: "path-of-the-mass-centre",
@@ -132,6 +154,8 @@ pub const LAWS: &[&Law] = &[
     &TOTAL_MASS,
     &MASS_CENTRE,
     &MOTION,
+    &RATE,
+    &ACCELERATION,
     &PATH,
     &REST,
     &DISPLACEMENTS,

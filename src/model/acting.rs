@@ -91,6 +91,15 @@ impl Acts<'_> {
 }
 
 impl Builder<'_> {
+    /// The components of a force when it begins to act, or at its end.
+    pub(super) fn components_at(&self, force: &ActingForce, at_end: bool) -> Vec<Expr> {
+        let clock = self.symbols.find("t");
+        let time = &force.during[usize::from(at_end)];
+        let strength = force.strength.substitute(&|symbol| (Some(symbol) == clock).then(|| time.clone()));
+        let parts = self.components(&force.direction).into_iter();
+        parts.map(|part| if part.is_zero() { part } else { strength.clone() * part }.simplify()).collect()
+    }
+
     /// Notes a push or a pull.
     pub(super) fn note_pull(&mut self, acts: Acts<'_>, called: &str, strength: &Expr, direction: &Direction) {
         self.forces.push(acts.force(ForceKind::Pull, called, strength.clone(), direction.clone()));

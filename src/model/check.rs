@@ -58,6 +58,7 @@ pub(super) fn is_structural(scene: &Scene, name: &str) -> bool {
             QuantityKind::Mass => !scene.parts_of(&name.subject).is_empty(),
             QuantityKind::Position | QuantityKind::Coordinate(_) => !name.subject.is_empty() && name.instant.is_some(),
             QuantityKind::Height => is_height_of_a_bounce(scene, &name),
+            QuantityKind::MomentumRate => name.instant.is_some() && name.subject.is_empty(),
             QuantityKind::Moment | QuantityKind::AngularMomentumRate => {
                 name.instant.is_some() && (name.is_of_mass_centre() || scene.points.contains_key(&name.subject))
             }
@@ -124,8 +125,8 @@ pub(super) fn check(scene: &Scene) -> Vec<Fault> {
             | Stage::Conical(_)
             | Stage::Bowl(_)
             | Stage::Interact(_) => super::space::turning(scene, &timeline, stage, at),
-            Stage::Push(_)
-            | Stage::Slide(_)
+            Stage::Push(push) => super::stage::pushing(scene, push, &at),
+            Stage::Slide(_)
             | Stage::Spring(_)
             | Stage::Taut(_)
             | Stage::Blow(_)

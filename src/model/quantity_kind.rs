@@ -112,6 +112,8 @@ pub enum QuantityKind {
     Work,
     /// Angular momentum.
     AngularMomentum,
+    /// Rate of change of momentum.
+    MomentumRate,
     /// Rate of change of angular momentum.
     AngularMomentumRate,
     /// Moment of forces.
@@ -139,6 +141,7 @@ pub enum VectorKind {
 
 /// The kinds that an author's names are read as. Where one spelling begins like another, the longer stands first.
 const READ: &[QuantityKind] = &[
+    QuantityKind::MomentumRate,
     QuantityKind::AngularMomentumRate,
     QuantityKind::RelativeEnergy,
     QuantityKind::RelativeVelocity,
@@ -213,6 +216,7 @@ impl QuantityKind {
             Self::Mass => ("m", Dimension::MASS),
             Self::MassFlow => ("flow", Dimension::new(1, 0, -1)),
             Self::Momentum => ("p", Dimension::MOMENTUM),
+            Self::MomentumRate => ("p_rate", Dimension::FORCE),
             Self::Impulse => ("J", Dimension::MOMENTUM),
             Self::DeformationImpulse => ("J_def", Dimension::MOMENTUM),
             Self::RestitutionImpulse => ("J_rest", Dimension::MOMENTUM),

@@ -15,6 +15,17 @@ pub enum Force {
     Pull(Pull),
 }
 
+impl Force {
+    /// The body on which it acts, where it says so.
+    #[must_use]
+    pub fn on(&self) -> Option<&str> {
+        match self {
+            Self::Friction(_) => None,
+            Self::Pull(pull) => pull.on.as_deref(),
+        }
+    }
+}
+
 /// The entry of a friction force.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -41,6 +52,9 @@ pub struct Pull {
     /// How the force is called in a sentence: `the thrust`. Default: "the force".
     #[serde(default)]
     pub name: Option<String>,
+    /// The body on which it acts, where several are pushed.
+    #[serde(default)]
+    pub on: Option<String>,
     /// Its strength: a term (which may contain the time `t`, from the start of the stage), pieces, points of a graph, or its
     /// components along the axes, which say where it points.
     pub value: Strength,

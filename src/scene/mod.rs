@@ -69,7 +69,7 @@ impl Scene {
     #[must_use]
     pub fn follows_a_push(&self, index: usize, body: &str) -> bool {
         let before = self.stage_before(index);
-        matches!(before, Some(Stage::Push(push)) if push.body == body)
+        matches!(before, Some(Stage::Push(push)) if push.pushed().any(|own| own == body))
             || matches!(before, Some(Stage::Thrust(burn)) if burn.body == body && burn.is_free())
     }
 

@@ -71,6 +71,13 @@ pub(super) fn in_space(quantities: &Quantities<'_>, compass: &Compass) -> Option
     Some(Situation { wording, layout: Layout::Space(space), axes: compass.marks() }.drawing())
 }
 
+/// Bodies on which forces act, where they are when that begins; none where their places may not be shown.
+pub(super) fn pushed(quantities: &Quantities<'_>, compass: &Compass) -> Option<Drawing> {
+    let bodies = quantities.timeline.alive(1);
+    let places = bodies.iter().map(|body| quantities.position(body, 1)).collect::<Option<Vec<[f64; 2]>>>();
+    places.filter(|_| quantities.axes.len() == 2).map(|places| mass_centre(quantities, compass, &bodies, &places))
+}
+
 /// The figure of a scene without stages: with momenta or a centre of mass where it belongs to a solution.
 pub(super) fn drawing(quantities: &Quantities<'_>, compass: &Compass) -> Option<Drawing> {
     if let Some(drawing) = in_space(quantities, compass) {
@@ -132,16 +139,20 @@ fn mass_centre(quantities: &Quantities<'_>, compass: &Compass, bodies: &[&str], 
             name: body_math(body),
             position: compass.place(place),
             velocity: velocity.value.map(|_| velocity.placed(compass)),
+            forces: quantities.forces_on(compass, body, 0).into_iter().map(|force| force.vector).collect(),
         }
     };
     let centre = quantities.position("G", 1).map(|place| particle("G", place));
     let names: Vec<String> = bodies.iter().map(|body| quantities.called(body)).collect();
     let (names, with) = (list(&names), if centre.is_some() { ", and their centre of mass G" } else { "" });
-    let particles = bodies.iter().zip(places).map(|(body, place)| particle(body, *place)).collect();
+    let particles: Vec<PlacedParticle> =
+        bodies.iter().zip(places).map(|(body, place)| particle(body, *place)).collect();
+    let forces = particles.iter().any(|own| !own.forces.is_empty());
+    let velocities = if forces { "velocities and the forces on them" } else { "velocities" };
     let wording = Wording {
         title: format!("Positions and velocities of {names}"),
-        description: sentences([format!("{names} at their positions with their velocities{with}")]),
-        caption: sentences([format!("{names} with their velocities{with}")]),
+        description: sentences([format!("{names} at their positions with their {velocities}{with}")]),
+        caption: sentences([format!("{names} with their {velocities}{with}")]),
     };
     MassCentre { wording, particles, centre, arrows: Travel::Velocity, axes: compass.marks() }.drawing()
 }
@@ -162,6 +173,7 @@ pub(super) fn displacements(
             name: body_math(body),
             position: compass.place(from),
             velocity: moved.map(|way| LabelledVector::known(label, compass.place(way))),
+            forces: Vec::new(),
         })
     };
     let particles: Vec<PlacedParticle> = bodies.iter().map(|body| particle(body)).collect::<Option<_>>()?;

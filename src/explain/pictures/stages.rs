@@ -31,6 +31,9 @@ pub(super) fn sheet(quantities: &Quantities<'_>, compass: &Compass) -> Option<Dr
         Some(Stage::Impact(impact)) => sheet::contact::drawing(quantities, compass, impact)
             .or_else(|| sheet::line::drawing(quantities, compass, 0)),
         Some(Stage::Push(push)) if is_graph(push) => plot::force_plot(quantities, 0),
+        Some(Stage::Push(push)) if push.is_of_several() => {
+            snapshot::pushed(quantities, compass).or_else(|| sheet::line::drawing(quantities, compass, 0))
+        }
         Some(Stage::Push(_)) => {
             snapshot::in_space(quantities, compass).or_else(|| sheet::line::drawing(quantities, compass, 0))
         }
@@ -84,9 +87,10 @@ pub(super) fn solution(
         Stage::Moment(moment) => vec![moment::diagram(quantities, compass, index, moment)],
         Stage::Central(central) => vec![Some(angular::central(quantities, index, central))],
         Stage::Bounces(bounces) => vec![sheet::fall::bouncing(quantities, bounces)],
-        Stage::Push(_) => {
+        Stage::Push(push) => {
             let plot = plot::force_plot(quantities, index);
-            let place = snapshot::in_space(quantities, compass).filter(|_| index == 0);
+            let place = if push.is_of_several() { snapshot::pushed } else { snapshot::in_space };
+            let place = if index == 0 { place(quantities, compass) } else { None };
             [place, plot, momenta()].into_iter().collect()
         }
         Stage::Slide(slide) if slide.is_ramp() => vec![Some(sheet::ramp::drawing(quantities, compass, index, slide))],
@@ -160,7 +164,7 @@ fn drawn(stage: &Stage) -> Drawn {
         Stage::SlideOff(own) => {
             drawn([&own.body, &own.on].map(|body| Participant::alone(body)).to_vec(), Arrows::Resultant)
         }
-        Stage::Push(own) => drawn(alone(&own.body), Arrows::Forces),
+        Stage::Push(own) => drawn(own.pushed().map(Participant::alone).collect(), Arrows::Forces),
         Stage::Slide(own) => drawn(alone(&own.body), Arrows::Forces),
         Stage::Tow(own) => drawn(own.both().map(|own| Participant::alone(&own.body)).to_vec(), Arrows::Forces),
         Stage::Blow(own) => drawn(alone(&own.body), Arrows::Impulses),

@@ -23,7 +23,9 @@ pub(super) fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
             (_, Some(body), Some(surface)) => format!("{phrase} of {} on {}", name(body), surface_name(scene, surface)),
             _ => phrase.to_owned(),
         },
-        Stage::Push(push) => format!("forces act on {}", name(&push.body)),
+        Stage::Push(push) => {
+            format!("forces act on {}", list(&push.pushed().map(name).collect::<Vec<_>>()))
+        }
         Stage::Slide(slide) => does(&slide.body, ["slides", "slide"]),
         Stage::Spring(spring) => match spring.ends() {
             Some(Ends::Free(first, second)) => format!("the spring acts between {} and {}", name(first), name(second)),
@@ -138,19 +140,7 @@ pub(super) fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) 
         (Stage::Impact(_) | Stage::Blow(_), _) => {
             format!("During {phrase} the only impulsive force on {body} is that of {}{also}.", first.called)
         }
-        (Stage::Push(_) | Stage::Slide(_), _) => {
-            let forces = model.forces.iter().filter(|force| force.stage == index);
-            let called = forces.map(|force| match force.kind {
-                ForceKind::Weight => format!("{its} weight"),
-                _ => force.called.clone(),
-            });
-            let mut called: Vec<String> = called.collect();
-            // Forces that depend on the position have no impulses of their own in the model.
-            if let (Stage::Push(push), true) = (stage, called.is_empty()) {
-                called.extend(push.called().map(str::to_owned));
-            }
-            during(format!("{body} {is} acted on by {}", list(&called)))
-        }
+        (Stage::Push(_) | Stage::Slide(_), _) => during(pushing(model, scene, index, stage, [&body, is, its])),
         (Stage::Fall(_), _) => during(format!("{body} {is} acted on by its weight alone")),
         (Stage::Spring(_), [one, other]) => during(format!(
             "{} and {} are acted on by the spring between them, with equal and opposite forces",
@@ -189,6 +179,30 @@ pub(super) fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) 
             during(format!("{body} {is} acted on by {}", first.called))
         }
     })
+}
+
+/// What acts on bodies that are pushed or slide.
+fn pushing(model: &Model, scene: &Scene, index: usize, stage: &Stage, [body, is, its]: [&str; 3]) -> String {
+    let forces = || model.forces.iter().filter(|force| force.stage == index);
+    if let Stage::Push(push) = stage
+        && push.is_of_several()
+    {
+        let bodies: Vec<String> = push.pushed().map(|body| scene.called(body)).collect();
+        let weights = forces().find(|force| force.kind == ForceKind::Weight).map(|_| "their weights".to_owned());
+        let others = forces().filter(|force| force.kind != ForceKind::Weight).map(|force| force.called.clone());
+        let called: Vec<String> = weights.into_iter().chain(others).collect();
+        return format!("{} are acted on by {}", list(&bodies), list(&called));
+    }
+    let called = forces().map(|force| match force.kind {
+        ForceKind::Weight => format!("{its} weight"),
+        _ => force.called.clone(),
+    });
+    let mut called: Vec<String> = called.collect();
+    // Forces that depend on the position have no impulses of their own in the model.
+    if let (Stage::Push(push), true) = (stage, called.is_empty()) {
+        called.extend(push.called().map(str::to_owned));
+    }
+    format!("{body} {is} acted on by {}", list(&called))
 }
 
 /// What acts on a body that strikes an arm.

@@ -74,9 +74,9 @@ pub fn name_math(name: &str) -> Math {
     if name == "areal_rate" {
         return rate(Math::Identifier("A".into()));
     }
-    if let Some(about) = name.strip_prefix("H_rate_") {
-        let momentum = name_math(&format!("H_{about}"));
-        let rate = rate(momentum);
+    let of_rate = ["H", "p"].into_iter().find_map(|of| Some((of, name.strip_prefix(of)?.strip_prefix("_rate_")?)));
+    if let Some((of, rest)) = of_rate {
+        let rate = rate(name_math(&format!("{of}_{rest}")));
         return if component.is_empty() {
             rate
         } else {
@@ -169,6 +169,7 @@ mod tests {
             ("areal_rate", "dA/(dt)", r"\frac{dA}{dt}"),
             ("magnitude(H_O1)", "|H_O1|", r"\lvert H_{O1}\rvert"),
             ("H_rate_O1", "dH_O1/(dt)", r"\frac{dH_{O1}}{dt}"),
+            ("p_rate_1.x", "(dp_1/(dt))_x", r"\left(\frac{dp_{1}}{dt}\right)_{x}"),
             ("angle(v_A2, v_B2)", "angle(v_A2, v_B2)", r"\operatorname{angle}(v_{A2},\; v_{B2})"),
         ] {
             let math = name_math(name);

@@ -81,12 +81,7 @@ pub(super) fn moment_of_forces(builder: &mut Builder<'_>, name: &Name) -> Option
     let acting = builder.acting_at(instant)?;
     let mut terms = Vec::new();
     for (force, at_end) in acting {
-        let clock = builder.symbols.find("t");
-        let time = &force.during[usize::from(at_end)];
-        let strength = force.strength.substitute(&|symbol| (Some(symbol) == clock).then(|| time.clone()));
-        let parts = builder.components(&force.direction).into_iter();
-        let parts: Vec<Expr> =
-            parts.map(|part| if part.is_zero() { part } else { strength.clone() * part }.simplify()).collect();
+        let parts = builder.components_at(&force, at_end);
         let arm = builder.arm(&force.on, instant, &name.subject)?;
         terms.push(angular::moments(&arm, &parts).into_iter().nth(turning)?.simplify());
     }

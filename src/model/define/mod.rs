@@ -31,6 +31,7 @@ use super::VectorName;
 use super::builder::SECOND_COST;
 use super::stage::angular_impulse_by_name;
 use super::stage::height_of_a_bounce;
+use super::stage::total_impulse;
 use angular::angular_momentum;
 use angular::moment_of_forces;
 use angular::period_of_rotation;
@@ -167,7 +168,7 @@ impl Builder<'_> {
     }
 
     /// The axes that a name refers to: the one of its component, or the only one.
-    fn axis_of(&self, name: &Name) -> Option<Axis> {
+    pub(super) fn axis_of(&self, name: &Name) -> Option<Axis> {
         match (&name.component, &self.axes[..]) {
             (Some(letter), _) => self.axis(letter),
             (None, [(only, _)]) => Some(*only),
@@ -176,7 +177,7 @@ impl Builder<'_> {
     }
 
     /// The impulse of the weight of a body that no floor carries during a push, along the axis of that position.
-    fn impulse_of_weight(&self, body: &str, stage: usize, position: usize) -> Option<Expr> {
+    pub(super) fn impulse_of_weight(&self, body: &str, stage: usize, position: usize) -> Option<Expr> {
         let own =
             |kind| self.forces.iter().find(|force| force.stage == stage && force.on == body && force.kind == kind);
         if own(ForceKind::Normal).is_some() {
@@ -278,6 +279,9 @@ fn linear_momentum(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
 }
 
 fn impulse(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
+    if name.subject.is_empty() {
+        return total_impulse(builder, name);
+    }
     // The impulse on a body during a push: the sum of those of its forces.
     let axis = builder.axis_of(name)?;
     let position = builder.axes.iter().position(|(own, _)| *own == axis)?;

@@ -77,7 +77,9 @@ impl<'a> Description<'a> {
             },
             Stage::Push(own) => {
                 let fills_space = own.over.is_none() && own.incline.is_none();
-                Self { bodies: alone(&own.body), fills_space, ..Self::lasting("push") }
+                let key = if own.body.is_some() { "body" } else { "bodies" };
+                let bodies = own.pushed().map(|body| (body, Some(key))).collect();
+                Self { bodies, fills_space, ..Self::lasting("push") }
             }
             Stage::Slide(own) => Self { bodies: alone(&own.body), ..Self::lasting("slide") },
             Stage::Spring(own) => Self {

@@ -23,6 +23,7 @@ mod orbit;
 mod push;
 mod push_by_place;
 mod push_motion;
+mod push_system;
 mod rotate;
 mod separate;
 mod slide;
@@ -44,6 +45,8 @@ pub(in crate::model) use described::Description;
 pub(in crate::model) use described::ROTOR;
 pub(in crate::model) use described::Span;
 pub(in crate::model) use push::Pushed;
+pub(in crate::model) use push_system::pushing;
+pub(in crate::model) use push_system::total_impulse;
 pub(in crate::model) use rotate::angular_impulse_by_name;
 
 use crate::fault::Path;

@@ -60,10 +60,27 @@ impl Builder<'_> {
             None => (Expr::zero(), self.stage_duration(index, None, path)),
         };
         self.lasting[index] = Some((end.clone() - start.clone()).simplify());
+        for body in stage.pushed() {
+            self.push_body(index, stage, body, (clock, &start, &end), path);
+        }
+        self.acts_as_noted(index);
+        if stage.is_of_several() {
+            self.rates_of_system(index, stage);
+        }
+    }
+
+    fn push_body(
+        &mut self,
+        index: usize,
+        stage: &Push,
+        body: &str,
+        (clock, start, end): (Symbol, &Expr, &Expr),
+        path: &Path,
+    ) {
         let place = self.varying_place(stage);
         let mut acting = Vec::new();
         let mut friction = None;
-        for (position, entry) in stage.forces.iter().enumerate() {
+        for (position, entry) in stage.forces_on(body) {
             let at = path.key("forces").index(position);
             match entry {
                 Force::Pull(pull) => acting.extend(self.pull(pull, &at)),
@@ -71,19 +88,20 @@ impl Builder<'_> {
             }
         }
         for force in &acting {
-            self.told_throughout(&force.name, &force.strength, &end);
+            self.told_throughout(&force.name, &force.strength, end);
         }
         let incline = self.incline(index, stage.incline.as_ref(), path);
         let over = stage.over.as_ref().map(|term| {
-            let meaning = format!("the distance over which {} is pushed", self.called(&stage.body));
+            let meaning = format!("the distance over which {} is pushed", self.called(body));
             self.read_positive(term, Dimension::LENGTH, &meaning, &path.key("over"))
         });
         let stops = stage.until == Some(Until::Rest);
         if stops {
-            self.comes_to_rest(index, &stage.body);
+            self.comes_to_rest(index, body);
         }
         let sign = self.sense(stage.direction.as_ref(), path);
-        let pushed = Pushed { index, body: &stage.body, acting, clock, start, end, incline, over, stops, sign };
+        let [start, end] = [start, end].map(Clone::clone);
+        let pushed = Pushed { index, body, acting, clock, start, end, incline, over, stops, sign };
         if let Some(place) = place {
             return self.push_by_place(&pushed, place, stage, path);
         }
@@ -92,7 +110,6 @@ impl Builder<'_> {
             Some((friction, at)) => self.push_against_friction(&pushed, friction, &at),
             None => self.push_freely(&pushed, stage.incline.is_some()),
         }
-        self.acts_as_noted(index);
     }
 
     /// Work is force times distance only where the force stays the same, and along one axis.
@@ -274,7 +291,11 @@ impl Builder<'_> {
 
     /// A force, or as many as it has components.
     fn pull(&mut self, pull: &Pull, path: &Path) -> Vec<Acting> {
-        let name = pull.name.clone().unwrap_or_else(|| "the force".into());
+        let unnamed = || match &pull.on {
+            Some(body) => format!("the force on {}", self.called(body)),
+            None => "the force".to_owned(),
+        };
+        let name = pull.name.clone().unwrap_or_else(unnamed);
         let at = path.key("value");
         if let Strength::Components(components) = &pull.value {
             if pull.direction.is_some() {

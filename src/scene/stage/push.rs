@@ -1,4 +1,4 @@
-//! Forces of known law that act on a body for a time.
+//! Forces of known law that act on bodies for a time.
 
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -7,15 +7,19 @@ use crate::scene::{Force, Strength, Term};
 
 use super::Until;
 
-/// Forces act on a body for a time.
+/// Forces act on a body, or on several bodies, for a time.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Push {
     /// A name for the stage, used in brackets: `dt[push]`.
     #[serde(default)]
     pub name: Option<String>,
-    /// The body.
-    pub body: String,
+    /// The body, where there is one.
+    #[serde(default)]
+    pub body: Option<String>,
+    /// Several bodies, on which forces act at the same time: `[A, B]`. Each force says on which it acts: `on: A`.
+    #[serde(default)]
+    pub bodies: Vec<String>,
     /// How long: a duration (`dt`, `4 s`), or the start and the end on the body's own clock (`[0 s, t_2]`). Default: `dt`.
     #[serde(default)]
     pub during: Option<During>,
@@ -37,6 +41,22 @@ pub struct Push {
 }
 
 impl Push {
+    /// All bodies that it pushes.
+    pub fn pushed(&self) -> impl Iterator<Item = &str> {
+        self.body.iter().chain(&self.bodies).map(String::as_str)
+    }
+
+    /// Whether it pushes several bodies.
+    #[must_use]
+    pub fn is_of_several(&self) -> bool {
+        self.pushed().nth(1).is_some()
+    }
+
+    /// The forces on one of its bodies, each with its place in the list.
+    pub fn forces_on<'a>(&'a self, body: &'a str) -> impl Iterator<Item = (usize, &'a Force)> {
+        self.forces.iter().enumerate().filter(move |(_, force)| force.on().is_none_or(|own| own == body))
+    }
+
     /// Whether some force is a term in the position along the axis of that letter.
     #[must_use]
     pub fn depends_on_place(&self, letter: &str) -> bool {

@@ -27,12 +27,14 @@ impl Values<'_> {
         };
         let mut staged = Staged::default();
         for axis in self.axes() {
-            let mut world = self.alone(&stage.body, self.mass(&stage.body)?, axis)?;
-            for force in &stage.forces {
-                let Acting::Pull(pull) = force else { return Err(NothingToSimulate::NoMethod) };
-                self.pull(&mut world, pull, axis, start)?;
+            for body in stage.pushed() {
+                let mut world = self.alone(body, self.mass(body)?, axis)?;
+                for (_, force) in stage.forces_on(body) {
+                    let Acting::Pull(pull) = force else { return Err(NothingToSimulate::NoMethod) };
+                    self.pull(&mut world, pull, axis, start)?;
+                }
+                staged.on_lines.push(self.until(world, body, axis, end - start));
             }
-            staged.on_lines.push(self.until(world, &stage.body, axis, end - start));
         }
         Ok(staged)
     }

@@ -275,6 +275,7 @@ pub fn mass_centre(dice: &mut Dice) -> Drawing {
         name: name(label),
         position: [dice.between(0.0, 5.0), if dice.chance(40) { 0.0 } else { dice.between(0.0, 4.0) }],
         velocity: dice.chance(80).then(|| dice.labelled(sub("v", label))),
+        forces: Vec::new(),
     };
     let particles = ["A", "B", "C", "D"].map(&mut particle).to_vec();
     let centre = Some(particle("G"));

@@ -289,6 +289,7 @@ pub fn mass_centres() -> Vec<(&'static str, MassCentre)> {
         name: name(text),
         position,
         velocity: value.map(|value| LabelledVector::known(sub("v", text), value)),
+        forces: Vec::new(),
     };
     let figure = |title, particles, centre| MassCentre {
         wording: wording(title),

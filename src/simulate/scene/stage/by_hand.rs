@@ -160,6 +160,12 @@ const BY_HAND: &[Row] = &[
         "v_A2.x 7, v_A2.y 3, v_A2.z -16, J_A.z -40, H_rate_O1.x -40, H_rate_O1.y 38, H_rate_O1.z -12",
     ),
     (
+        BOTH,
+        r#"{"push":{"bodies":["A","B"],"during":"2 s","forces":[{"on":"A","value":"6 N"},{"on":"B","value":{"x":"-1 N","y":"3*t*1 N/s"}}]}}"#,
+        "m_A 2, m_B 3, v_A1.x 1, v_A1.y 0, v_B1.x 0, v_B1.y 1, r_A1.x 1, r_A1.y 2, r_B1.x 3, r_B1.y 4",
+        "v_A2.x 7, v_B2.y -17, J.x 10, J.y -94, J_B.y -54, H_rate_O1 -118, p_rate_1.x 5, p_rate_2.y -44",
+    ),
+    (
         SPACE,
         r#"{"separate":{"from":"W","into":["A","B","C"]}}"#,
         "m_A 2, m_B 1, m_C 1, v_W1.x 1, v_W1.y 0, v_W1.z 0, v_B2.x 1, v_B2.y 2, v_B2.z 0, v_C2.x 3, v_C2.y 0, v_C2.z 4",

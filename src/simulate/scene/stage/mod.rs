@@ -17,6 +17,7 @@ mod moment;
 mod motion;
 mod push;
 mod push_by_place;
+mod push_system;
 mod rates;
 mod rotate;
 mod separate;

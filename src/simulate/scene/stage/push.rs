@@ -1,4 +1,4 @@
-//! Forces of known law on a body: for a time, over a distance, until it is at rest; against dry friction where there is any.
+//! Forces of known law on bodies: for a time, over a distance, until it is at rest; against dry friction where there is any.
 
 use std::sync::Arc;
 
@@ -19,45 +19,60 @@ type Pulls = (Vec<(Vector, OfTime)>, Vec<f64>);
 
 impl StageRun<'_> {
     pub(super) fn push(&mut self, stage: &Push) -> Result<(), NothingToSimulate> {
+        let Some(body) = stage.pushed().next().filter(|_| !stage.is_of_several()) else {
+            return self.push_system(stage);
+        };
         if matches!(self.values.axes()[..], [axis] if stage.depends_on_place(axis.letter())) {
-            return self.push_by_place(stage);
+            return self.push_by_place(stage, body);
         }
         let friction = stage.forces.iter().find_map(|force| match force {
             Force::Friction(entry) => Some(&entry.friction),
             Force::Pull(_) => None,
         });
         if friction.is_some() || stage.incline.is_some() || stage.over.is_some() || stage.until.is_some() {
-            return self.push_along(stage, friction);
+            return self.push_along(stage, body, friction);
         }
         let rated = self.note_rates(stage)?;
+        self.push_freely(stage, body, rated)?;
+        Ok(())
+    }
+
+    /// A body on which nothing but known forces acts; its impulse, where it is told how long they act.
+    pub(super) fn push_freely(
+        &mut self,
+        stage: &Push,
+        body: &str,
+        rated: bool,
+    ) -> Result<Option<Vector>, NothingToSimulate> {
         let [start, end] = match self.during(stage.during.as_ref()) {
             // How long the forces act may be left open where only what they begin with is used.
-            Err(NothingToSimulate::ValueMissing) if rated => return Ok(()),
+            Err(NothingToSimulate::ValueMissing) if rated => return Ok(None),
             during => during?,
         };
         let mut before = ZERO;
         for axis in self.values.axes() {
-            before = add(before, times(self.values.velocity_before(&stage.body, axis)?, unit(axis)));
+            before = add(before, times(self.values.velocity_before(body, axis)?, unit(axis)));
         }
         let mut reached = Vec::new();
         let mut displaced = ZERO;
         // What is gained from rest, in the velocity that the body has anyhow, is the impulse.
         for moves in [before, ZERO] {
-            let mut system = self.pulled(stage, ZERO, moves)?;
+            let mut system = self.pulled(stage, body, ZERO, moves)?;
             system.start = start;
             let integrator = self.integrator((end - start) / 4.0);
             let last = self.try_out(&system, integrator, &Until::Time(end))?;
             if reached.is_empty() {
-                self.note_ends(&stage.body, &system, [(start, &system.state()), (end, &last.state)]);
+                self.note_ends(body, &system, [(start, &system.state()), (end, &last.state)]);
                 displaced = place(&last.state, 0);
             }
             reached.push(velocity(&last.state, 0));
         }
-        self.note_velocity(&stage.body, reached[0], size(before));
-        self.note_place(&stage.body, displaced);
-        self.note_impulse(&stage.body, times(self.values.mass(&stage.body)?, reached[1]), None);
+        self.note_velocity(body, reached[0], size(before));
+        self.note_place(body, displaced);
+        let impulse = times(self.values.mass(body)?, reached[1]);
+        self.note_impulse(body, impulse, None);
         self.note_duration(None, end - start);
-        Ok(())
+        Ok(Some(impulse))
     }
 
     /// Notes acceleration and net force at both ends of a push.
@@ -93,13 +108,14 @@ impl StageRun<'_> {
     /// The body under its weight and all pushes and pulls, at a place and with a velocity.
     pub(super) fn pulled<'s>(
         &self,
-        stage: &'s Push,
+        stage: &Push,
+        body: &'s str,
         place: Vector,
         velocity: Vector,
     ) -> Result<System<'s, 6>, NothingToSimulate> {
-        let (pulls, changes) = self.pulls(stage)?;
+        let (pulls, changes) = self.pulls(stage, body)?;
         let guide = if let [only] = self.values.axes()[..] { Some(unit(only)) } else { None };
-        let free = Particle::free(&stage.body, self.values.mass(&stage.body)?, velocity);
+        let free = Particle::free(body, self.values.mass(body)?, velocity);
         let particle = Particle { place, falls: self.values.falling()?, guide, ..free };
         let forces =
             pulls.into_iter().map(|(towards, strength)| Acting::in_time(vec![(0, towards)], strength)).collect();
@@ -115,9 +131,9 @@ impl StageRun<'_> {
         })
     }
 
-    fn pulls(&self, stage: &Push) -> Result<Pulls, NothingToSimulate> {
+    fn pulls(&self, stage: &Push, body: &str) -> Result<Pulls, NothingToSimulate> {
         let (mut all, mut changes): Pulls = (Vec::new(), Vec::new());
-        for force in &stage.forces {
+        for (_, force) in stage.forces_on(body) {
             let Force::Pull(Pull { value, direction, .. }) = force else { continue };
             if let Strength::Components(components) = value {
                 for (axis, term) in components.axes().filter_map(|axis| Some((axis, components.get(axis)?))) {
@@ -134,17 +150,17 @@ impl StageRun<'_> {
     }
 
     /// Along one axis, on a floor or a slope.
-    fn push_along(&mut self, stage: &Push, friction: Option<&Friction>) -> Result<(), NothingToSimulate> {
+    fn push_along(&mut self, stage: &Push, body: &str, friction: Option<&Friction>) -> Result<(), NothingToSimulate> {
         let [axis] = self.values.axes()[..] else { return Err(NothingToSimulate::Unread) };
-        let (body, along, mass) = (stage.body.as_str(), unit(axis), self.values.mass(&stage.body)?);
+        let (along, mass) = (unit(axis), self.values.mass(body)?);
         let slope = self.values.slope(stage.incline.as_ref())?;
         let needs_weight = friction.is_some() || stage.incline.is_some();
         let gravity = if needs_weight { self.values.named("g")? } else { 0.0 };
         let at_rest = friction.and_then(|own| own.at_rest.as_ref());
         let moves = if at_rest.is_some() { ZERO } else { self.values.moving(body)? };
-        let mut system = self.pulled(stage, ZERO, moves)?;
+        let mut system = self.pulled(stage, body, ZERO, moves)?;
         system.particles[0].falls = add(system.particles[0].falls, times(gravity * slope.along, along));
-        let (lifts, _) = self.pulls(stage)?;
+        let (lifts, _) = self.pulls(stage, body)?;
         let pressed = mass * gravity * slope.across;
         let lifted =
             move |(towards, strength): &(Vector, OfTime), time: f64| dot(*towards, across(along)) * strength(time);

@@ -8,9 +8,9 @@ use crate::simulate::scene::stage_run::{StageRun, kinetic};
 use crate::simulate::scene::vector::{part, times, unit};
 
 impl StageRun<'_> {
-    pub(super) fn push_by_place(&mut self, stage: &Push) -> Result<(), NothingToSimulate> {
+    pub(super) fn push_by_place(&mut self, stage: &Push, body: &str) -> Result<(), NothingToSimulate> {
         let [axis] = self.values.axes()[..] else { return Err(NothingToSimulate::Unread) };
-        let (body, index) = (stage.body.as_str(), self.values.index);
+        let index = self.values.index;
         let (mass, before) = (self.values.mass(body)?, self.values.velocity_before(body, axis)?);
         let from = self.values.place_before(body, axis)?;
         let mut strengths = Vec::new();

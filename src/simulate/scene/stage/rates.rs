@@ -1,4 +1,4 @@
-//! How fast forces change the angular momentum of a body, seen on its motion just after they begin to act.
+//! How fast forces change the angular momentum of bodies, seen on its motion just after they begin to act.
 
 use crate::scene::stage::{During, Push};
 
@@ -7,9 +7,8 @@ use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::particles::{place, velocity};
 use crate::simulate::scene::rate::{Rate, rate};
 use crate::simulate::scene::stage_run::StageRun;
-use crate::simulate::scene::system::System;
 use crate::simulate::scene::values::Values;
-use crate::simulate::scene::vector::{Vector, cross, less, times};
+use crate::simulate::scene::vector::{Vector, ZERO, add, cross, less, times};
 
 /// For how long the motion is looked at, in s.
 const SOON: f64 = 1e-4;
@@ -17,26 +16,31 @@ const SOON: f64 = 1e-4;
 impl StageRun<'_> {
     /// Notes the rates about every point of the scene; whether there was one.
     pub(super) fn note_rates(&mut self, stage: &Push) -> Result<bool, NothingToSimulate> {
-        let mass = self.values.mass(&stage.body)?;
-        let (Ok(at), Ok(moving)) =
-            (measure::place(self.values, &stage.body), measure::velocity(self.values, &stage.body))
-        else {
-            return Ok(false);
-        };
+        let mut pushed = Vec::new();
+        for body in stage.pushed() {
+            let mass = self.values.mass(body)?;
+            let (Ok(at), Ok(moving)) = (measure::place(self.values, body), measure::velocity(self.values, body)) else {
+                return Ok(false);
+            };
+            pushed.push((mass, self.pulled(stage, body, at, moving)?));
+        }
         let start = match &stage.during {
             Some(During::Between([from, _])) => self.values.term(from)?,
             _ => 0.0,
         };
-        let system = System { start, ..self.pulled(stage, at, moving)? };
         let integrator = self.integrator(SOON);
         let instant = self.values.index + 1;
         let points = self.values.fixed_points();
         for (point, seen) in &points {
-            let found = rate(SOON, |time| -> Result<Vector, NothingToSimulate> {
-                let end =
-                    integrator.until(start, system.state(), start + time, &|at, state| system.slope(at, state))?;
-                Ok(times(mass, cross(less(place(&end, 0), *seen), velocity(&end, 0))))
-            })?;
+            let mut found = Rate { value: ZERO, off: 0.0 };
+            for (mass, system) in &pushed {
+                let own = rate(SOON, |time| -> Result<Vector, NothingToSimulate> {
+                    let end =
+                        integrator.until(start, system.state(), start + time, &|at, state| system.slope(at, state))?;
+                    Ok(times(*mass, cross(less(place(&end, 0), *seen), velocity(&end, 0))))
+                })?;
+                found = Rate { value: add(found.value, own.value), off: found.off + own.off };
+            }
             self.note_turning(point, instant, found);
         }
         Ok(!points.is_empty())

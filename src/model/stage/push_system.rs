@@ -1,0 +1,131 @@
+//! Forces on several bodies at the same time: what must be told of them, and what they do to the system.
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::laws::force;
+use crate::laws::mass_centre;
+use crate::model::ActingForce;
+use crate::model::Because;
+use crate::model::Builder;
+use crate::model::Meaning;
+use crate::model::Name;
+use crate::model::QuantityKind;
+use crate::model::name::MASS_CENTRE;
+use crate::scene::Axis;
+use crate::scene::Force;
+use crate::scene::Plane;
+use crate::scene::Scene;
+use crate::scene::Stage;
+use crate::scene::stage::Push;
+
+/// What must fit together in a push before any law is written down.
+pub(in crate::model) fn pushing(scene: &Scene, push: &Push, at: &Path) -> Vec<Fault> {
+    let bodies: Vec<&str> = push.pushed().collect();
+    if bodies.is_empty() {
+        let fault = Fault::new(Code::MissingKey, "a push needs a body");
+        return vec![fault.help("write `body: A`, or `bodies: [A, B]`").at_path(at.clone())];
+    }
+    let mut faults = Vec::new();
+    let twice =
+        bodies.iter().enumerate().find(|(position, body)| bodies.iter().take(*position).any(|own| own == *body));
+    if let Some((_, body)) = twice {
+        let fault = Fault::new(Code::Duplicate, format!("{} is pushed twice in one stage", scene.called(body)));
+        faults.push(fault.help("name each body once; it may have several forces").at_path(at.key("bodies")));
+    }
+    for (position, entry) in push.forces.iter().enumerate() {
+        let at = at.key("forces").index(position);
+        match (entry, entry.on()) {
+            (_, Some(on)) if !bodies.contains(&on) => {
+                let fault = Fault::new(Code::UnknownName, format!("`{on}` is none of the bodies that are pushed"));
+                faults.push(fault.help(format!("the stage pushes: {}", bodies.join(", "))).at_path(at.key("on")));
+            }
+            (Force::Pull(_), None) if push.is_of_several() => {
+                let fault = Fault::new(Code::MissingKey, "each force on several bodies must say on which it acts");
+                faults.push(fault.help("add `on: A` to the force").at_path(at));
+            }
+            (Force::Pull(_) | Force::Friction(_), _) => {}
+        }
+    }
+    if push.is_of_several() {
+        faults.extend(of_one_body(scene, push).map(|(what, key)| {
+            let message = format!("{what} is possible only where one body is pushed");
+            let help = "push one body, or use forces that depend on nothing but the time `t`, for a time: `during: dt`";
+            Fault::new(Code::Value, message).help(help).at_path(at.key(key))
+        }));
+    }
+    faults
+}
+
+/// What only a push of one body may have, with the key that says so.
+fn of_one_body<'a>(scene: &Scene, push: &Push) -> impl Iterator<Item = (&'a str, &'a str)> {
+    let rubs = push.forces.iter().any(|force| matches!(force, Force::Friction(_)));
+    let axes = scene.axes.rectangular();
+    let varies = axes.iter().any(|(axis, _)| push.depends_on_place(axis.letter()));
+    let all = [
+        (push.over.is_some(), "a distance", "over"),
+        (push.until.is_some(), "an end at rest", "until"),
+        (push.incline.is_some(), "a slope", "incline"),
+        (push.direction.is_some(), "a direction of motion", "direction"),
+        (rubs, "friction", "forces"),
+        (varies, "a force that depends on the position", "forces"),
+    ];
+    all.into_iter().filter(|(is_there, ..)| *is_there).map(|(_, what, key)| (what, key))
+}
+
+/// The impulse on all bodies of a push together: `J[pull]`.
+pub(in crate::model) fn total_impulse(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
+    let axis = builder.axis_of(name)?;
+    let position = builder.axes.iter().position(|(own, _)| *own == axis)?;
+    let scene = builder.scene;
+    let several = scene.stages.iter().enumerate().filter_map(|(stage, own)| {
+        if let Stage::Push(push) = own { push.is_of_several().then_some((stage, push)) } else { None }
+    });
+    let meant = |stage: usize| name.stage.is_none() || builder.stage_label(stage) == name.stage;
+    let [(stage, push)] = several.filter(|(stage, _)| meant(*stage)).collect::<Vec<_>>()[..] else { return None };
+    let of_forces = builder.impulses.iter().filter(|impulse| impulse.stage == stage);
+    let of_forces = of_forces.filter_map(|impulse| impulse.components.get(position).cloned());
+    let of_weights = push.pushed().filter_map(|body| builder.impulse_of_weight(body, stage, position));
+    let total = Expr::sum(of_forces.chain(of_weights).collect::<Vec<_>>());
+    let own = builder.in_stage(QuantityKind::Impulse, "", stage).along(builder.letter(axis));
+    let of = format!("on the system during {}", builder.stage_phrase(stage));
+    let symbol = builder.component(own, Meaning { noun: "the impulse", of });
+    builder.law(&force::IMPULSE, Some(stage), Because::Definition, (symbol.into(), total));
+    Some(symbol)
+}
+
+impl Builder<'_> {
+    /// How fast the momentum of the system changes at both ends of a push, and the acceleration of its centre of mass.
+    pub(super) fn rates_of_system(&mut self, index: usize, push: &Push) {
+        let alive: Vec<String> = self.timeline.alive(index + 1).into_iter().map(str::to_owned).collect();
+        let is_pushed = |body: &String| push.pushed().any(|own| own == body);
+        // The force that carries another body against its weight is not known.
+        if self.scene.plane == Plane::Vertical && !alive.iter().all(is_pushed) {
+            return;
+        }
+        let total = Expr::sum(alive.iter().map(|body| self.mass(body)).collect::<Vec<_>>());
+        let forces: Vec<ActingForce> = self.forces.iter().filter(|force| force.stage == index).cloned().collect();
+        let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
+        let first = usize::from(push.pushed().any(|body| self.scene.follows_a_force(index, body)));
+        for (side, instant) in [index + 1, index + 2].into_iter().enumerate().skip(first) {
+            let parts: Vec<Vec<Expr>> = forces.iter().map(|force| self.components_at(force, side == 1)).collect();
+            for (position, axis) in axes.iter().enumerate() {
+                let net = Expr::sum(parts.iter().filter_map(|parts| parts.get(position).cloned()).collect::<Vec<_>>());
+                let [whose, of] =
+                    ["the system", "the centre of mass"].map(|of| format!("of {of} {}", self.when(instant)));
+                let letter = self.letter(*axis);
+                let rate = Name::of(QuantityKind::MomentumRate, "").at(instant).along(letter);
+                let rate = self.component(rate, Meaning { noun: "the rate of change of the momentum", of: whose });
+                let because = format!("these are all external forces on the system{}", self.along(*axis));
+                self.law(&mass_centre::RATE, Some(index), because, (rate.into(), net));
+                let acceleration = Name::of(QuantityKind::Acceleration, MASS_CENTRE).at(instant).along(letter);
+                let acceleration = self.component(acceleration, Meaning { noun: "the acceleration", of });
+                let because = "the forces between the bodies cancel";
+                let sides = (total.clone() * Expr::from(acceleration), rate.into());
+                self.law(&mass_centre::ACCELERATION, Some(index), because, sides);
+            }
+        }
+    }
+}

@@ -1,0 +1,50 @@
+//! Known forces on several bodies at the same time: each body by itself, then all of them together.
+
+use crate::scene::stage::Push;
+
+use crate::simulate::scene::nothing::NothingToSimulate;
+use crate::simulate::scene::particles::velocity;
+use crate::simulate::scene::stage_run::StageRun;
+use crate::simulate::scene::vector::{ZERO, add, part, size, times};
+
+impl StageRun<'_> {
+    pub(super) fn push_system(&mut self, stage: &Push) -> Result<(), NothingToSimulate> {
+        let rated = self.note_rates(stage)?;
+        let mut total = Some(ZERO);
+        for body in stage.pushed() {
+            let impulse = self.push_freely(stage, body, rated)?;
+            total = total.zip(impulse).map(|(all, own)| add(all, own));
+        }
+        if let Some(total) = total {
+            self.note_vector("J", total);
+        }
+        let (scene, index) = (self.values.scene, self.values.index);
+        let first = usize::from(stage.pushed().any(|body| scene.follows_a_force(index, body)));
+        // How long the forces act may be left open.
+        let ends = self.during(stage.during.as_ref()).map_or_else(|_| vec![0.0], |ends| ends.to_vec());
+        for (instant, time) in (index + 1..).zip(ends).skip(first) {
+            self.note_system_at(stage, instant, time)?;
+        }
+        Ok(())
+    }
+
+    /// Notes how fast the momentum of the system changes at an instant, and the acceleration of its centre of mass.
+    fn note_system_at(&mut self, stage: &Push, instant: usize, time: f64) -> Result<(), NothingToSimulate> {
+        let (mut rate, mut scale) = (ZERO, 0.0);
+        for body in stage.pushed() {
+            let system = self.pulled(stage, body, ZERO, ZERO)?;
+            let own = times(self.values.mass(body)?, velocity(&system.slope(time, &system.state()), 0));
+            (rate, scale) = (add(rate, own), scale + size(own));
+        }
+        let masses = self.values.scene.bodies.keys().map(|body| self.values.mass(body));
+        let whole = masses.sum::<Result<f64, _>>();
+        for axis in self.values.axes() {
+            let (letter, along) = (self.values.letter(axis), part(rate, axis));
+            self.note(&format!("p_rate_{instant}{letter}"), along, scale);
+            if let Ok(whole) = whole {
+                self.note(&format!("a_G{instant}{letter}"), along / whole, scale / whole);
+            }
+        }
+        Ok(())
+    }
+}
