@@ -317,7 +317,7 @@ impl<'s> Builder<'s> {
 
     /// A velocity component at an instant; under the instant since which the body has it.
     pub(super) fn velocity(&mut self, body: &str, instant: usize, axis: Axis) -> Expr {
-        let since = self.timeline.since(body, instant).unwrap_or(instant);
+        let since = self.timeline.naming_instant(body, instant);
         let name = Name::of(QuantityKind::Velocity, body).at(since).along(self.letter(axis));
         self.velocity_named(name, body, since).into()
     }

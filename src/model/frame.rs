@@ -249,7 +249,7 @@ impl Builder<'_> {
             let across = Expr::sum([cos * y.clone(), -(sin * x.clone())]);
             return Split { along, across: Some(across) };
         }
-        let since = self.timeline.since(body, instant).unwrap_or(instant);
+        let since = self.timeline.naming_instant(body, instant);
         let [along, across] = ["n", "t"].map(|letter| {
             let name = Name::of(QuantityKind::Velocity, body).at(since).along(letter).during(self.frame_label(stage));
             Expr::Symbol(self.velocity_named(name, body, since))

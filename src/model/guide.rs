@@ -50,7 +50,7 @@ impl Builder<'_> {
 
     /// That a guided body does not move at right angles to its guide; `stage` says what brought it to that instant.
     pub(super) fn hold(&mut self, guide: &Guided, instant: usize, stage: Option<usize>) {
-        let since = self.timeline.since(&guide.body, instant).unwrap_or(instant);
+        let since = self.timeline.naming_instant(&guide.body, instant);
         if !self.defined.insert(format!("guided {}{since}", guide.body)) {
             return;
         }

@@ -62,6 +62,13 @@ impl Timeline {
         Some(changes.map(|(stage, _)| stage + 2).filter(|after| *after <= instant).max().unwrap_or(from).max(from))
     }
 
+    /// The instant by which a quantity of a body is named: the first from which on it has been as it is at `instant`, so that
+    /// what does not change has one name. What names a body where it is not keeps its instant, and is refused as unknown.
+    #[must_use]
+    pub fn naming_instant(&self, body: &str, instant: usize) -> usize {
+        self.since(body, instant).unwrap_or(instant)
+    }
+
     /// The number of a named instant.
     #[must_use]
     pub fn instant(&self, name: &str) -> Option<usize> {

@@ -214,7 +214,7 @@ impl<'a> Witness<'a> {
     pub(super) fn since(&self, name: &str) -> String {
         match Name::parse(name) {
             Some(own @ Name { kind: QuantityKind::Velocity, instant: Some(Instant::Number(at)), stage: None, .. }) => {
-                let since = self.timeline.since(&own.subject, at).unwrap_or(at);
+                let since = self.timeline.naming_instant(&own.subject, at);
                 own.at(since).to_string()
             }
             _ => name.to_owned(),

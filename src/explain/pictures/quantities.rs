@@ -257,7 +257,7 @@ impl<'a> Quantities<'a> {
 
     /// A quantity of a body at an instant, under the instant since which the body has its velocity.
     pub(super) fn since(&self, kind: QuantityKind, body: &str, instant: usize) -> Name {
-        Name::of(kind, body).at(self.timeline.since(body, instant).unwrap_or(instant))
+        Name::of(kind, body).at(self.timeline.naming_instant(body, instant))
     }
 
     /// The name of a body's velocity at an instant, without a component.

@@ -90,7 +90,7 @@ fn formula_sentence(display: Display<'_>, part: &Part, formula: &FormulaPart) ->
     let mut words = vec![Inline::Text(format!("{}: ", capitalised(&part.label)))];
     words.extend(printed::formula(display, formula).map(is));
     if !display.is_open(formula.symbol) {
-        let figures = usize::from(display.worked.problem.loaded().draft.figures.unwrap_or(3));
+        let figures = display.worked.problem.loaded().draft.significant_figures();
         let value = Inline::Math(display.quantity_to(formula.symbol, figures));
         words.extend([Inline::Text(", here ".into()), value]);
     }

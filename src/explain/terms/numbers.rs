@@ -144,7 +144,7 @@ impl Display<'_> {
 
     /// To how many figures a number is printed where no line needs more: one more than is asked.
     fn usual(self, item: Item) -> usize {
-        let asked = usize::from(self.worked.problem.loaded().draft.figures.unwrap_or(3)) + 1;
+        let asked = self.worked.problem.loaded().draft.significant_figures() + 1;
         let own = |symbol: Symbol| {
             let numbers = self.worked.form.parts.iter().flat_map(|part| part.kind.numbers());
             numbers.filter(|number| number.symbol == symbol).map(|number| number.figures).max()

@@ -137,7 +137,7 @@ impl Builder<'_> {
         // A part begins where the whole was.
         let (subject, since) = match name.kind {
             QuantityKind::Position if !name.is_of_mass_centre() => self.place_since(&name.subject, number),
-            _ => (name.subject.clone(), self.timeline.since(&name.subject, number).unwrap_or(number)),
+            _ => (name.subject.clone(), self.timeline.naming_instant(&name.subject, number)),
         };
         Name { subject, ..name.clone() }.at(since)
     }

@@ -60,7 +60,7 @@ impl Builder<'_> {
     /// The speed at one end, by its horizontal part and that along the wall.
     fn speed_on_wall(&mut self, index: usize, side: usize, stage: &Bowl, across: &Expr) -> Expr {
         let (body, instant) = (stage.body.as_str(), index + 1 + side);
-        let since = self.timeline.since(body, instant).unwrap_or(instant);
+        let since = self.timeline.naming_instant(body, instant);
         let (name, when) = (self.called(body), self.when(since));
         let speed = Expr::from(
             self.positive(Name::of(QuantityKind::Speed, body).at(since), format!("the speed of {name} {when}")),
@@ -132,7 +132,7 @@ impl Builder<'_> {
     /// How deep below the centre of a sphere the body is at one end.
     fn depth(&mut self, index: usize, side: usize, stage: &Bowl, radius: &Expr, distance: &Expr) -> Expr {
         let (body, instant) = (stage.body.as_str(), index + 1 + side);
-        let since = self.timeline.since(body, instant).unwrap_or(instant);
+        let since = self.timeline.naming_instant(body, instant);
         let meaning = format!("the depth of {} below the centre of the bowl {}", self.called(body), self.when(since));
         let depth = Expr::from(self.symbol(Name::of(QuantityKind::Depth, body).at(since), meaning));
         let because = "the position is on the sphere, below its centre";

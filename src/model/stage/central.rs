@@ -105,7 +105,7 @@ impl Builder<'_> {
 
     /// Radius and transverse velocity of a body at an instant.
     pub(in crate::model) fn polar_state(&mut self, body: &str, point: &str, instant: usize) -> (Expr, Expr) {
-        let since = self.timeline.since(body, instant).unwrap_or(instant);
+        let since = self.timeline.naming_instant(body, instant);
         let (name, centre, when) = (self.called(body), self.point(point), self.when(since));
         let radius = self.positive(
             Name::of(QuantityKind::Position, body).at(since),

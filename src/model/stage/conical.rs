@@ -52,7 +52,7 @@ impl Builder<'_> {
     /// One of the two circles; the angular momentum on it.
     fn steady_circle(&mut self, index: usize, side: usize, stage: &Conical, length: &Term, path: &Path) -> Expr {
         let (body, instant) = (stage.body.as_str(), index + 1 + side);
-        let since = self.timeline.since(body, instant).unwrap_or(instant);
+        let since = self.timeline.naming_instant(body, instant);
         let (name, centre, when) = (self.called(body), self.point(&stage.about), self.when(since));
         let meaning = format!("the length of the cord {when}");
         let length = self.read_positive(length, Dimension::LENGTH, &meaning, &path.key("length"));

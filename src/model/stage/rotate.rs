@@ -188,7 +188,7 @@ impl Builder<'_> {
 
     /// The velocity of a body at right angles to its radius.
     pub(in crate::model) fn transverse(&mut self, body: &str, instant: usize) -> Expr {
-        let since = self.timeline.since(body, instant).unwrap_or(instant);
+        let since = self.timeline.naming_instant(body, instant);
         let meaning = format!("the transverse velocity of {} {}", self.called(body), self.when(since));
         self.symbol(Name::of(QuantityKind::Velocity, body).at(since), meaning).into()
     }

@@ -80,7 +80,7 @@ impl Builder<'_> {
         let (is_lowest, angle) = match stage.places()[side] {
             Place::Lowest => (true, Expr::zero()),
             Place::Angle(term) => {
-                let since = self.timeline.since(body, instant).unwrap_or(instant);
+                let since = self.timeline.naming_instant(body, instant);
                 let meaning = format!("the angle between the cord of {name} and the vertical {}", self.when(since));
                 let angle = match term {
                     Some(term) => {
@@ -195,7 +195,7 @@ impl Builder<'_> {
     /// The tension of the cord at the start (0) or at the end (1).
     fn tension(&mut self, index: usize, side: usize, stage: &Swing, length: &Expr, end: &End) {
         let (body, instant) = (stage.body.as_str(), index + 1 + side);
-        let since = self.timeline.since(body, instant).unwrap_or(instant);
+        let since = self.timeline.naming_instant(body, instant);
         let name = self.called(body);
         let (when, stage) = if self.changes_cord(stage) {
             (format!("at the {} of {}", ["start", "end"][side], self.stage_phrase(index)), self.stage_label(index))

@@ -22,7 +22,7 @@ use super::super::reading::load::Loaded;
 /// A fault for each value that cannot be read, and where the problem has no such form.
 pub fn ad_hoc(loaded: &Loaded, form: usize, set: &[(String, String)], find: &[String]) -> Result<Loaded, Vec<Fault>> {
     let mut changed = typed(loaded, form, set, find)?;
-    changed.text = Text::default();
+    changed.draft.text = Text::default();
     for question in &mut changed.questions {
         question.text = Text::default();
     }
@@ -80,7 +80,7 @@ pub fn typed(loaded: &Loaded, form: usize, set: &[(String, String)], find: &[Str
     let told = |name: &String| set.iter().any(|(own, _)| own == name);
     question.reveal.retain(|name| !told(name) && !find.contains(name));
     question.elsewhere.retain(|name| !told(name));
-    let places = || [&changed.text, &question.text].into_iter().flat_map(Text::placeholders);
+    let places = || [&changed.draft.text, &question.text].into_iter().flat_map(Text::placeholders);
     let is_told = |name: &str| places().any(|own| own.name == name && own.filter.tells());
     let untold = set.iter().map(|(name, _)| name).filter(|name| is_name(name) && !is_told(name));
     let untold: Vec<String> = untold.map(|name| format!("{{{{ {name} | named }}}}")).collect();

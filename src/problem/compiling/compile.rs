@@ -220,7 +220,7 @@ fn idle(
     used.extend(conditions.flat_map(|condition| [condition.left.symbols(), condition.right.symbols()]).flatten());
     used.extend(forms.iter().flat_map(|form| &form.counts).flat_map(Equation::symbols));
     used.extend(forms.iter().flat_map(FormDraft::mentioned));
-    let texts = std::iter::once(&loaded.text).chain(loaded.questions.iter().map(|question| &question.text));
+    let texts = std::iter::once(&loaded.draft.text).chain(loaded.questions.iter().map(|question| &question.text));
     let texts = texts.filter(|_| asked == Asked::AsWritten);
     used.extend(texts.flat_map(Text::placeholders).filter_map(|placeholder| model.symbol_of(&placeholder.name)));
     let names: Vec<&str> = used.iter().map(|symbol| model.symbols.entry(*symbol).name.as_str()).collect();

@@ -56,7 +56,7 @@ impl FormDraft {
             &own
         };
         let read = parts::read(loaded, question, builder);
-        let figures = usize::from(loaded.draft.figures.unwrap_or(3));
+        let figures = loaded.draft.significant_figures();
         let mut reveal = Vec::new();
         for (index, name) in question.reveal.iter().enumerate() {
             match builder.mention(name) {

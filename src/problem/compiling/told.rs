@@ -28,7 +28,7 @@ use super::planned::Problem;
 /// The faults of one form's text.
 pub(in crate::problem) fn check(loaded: &Loaded, model: &Model, form: &Form) -> Vec<Fault> {
     let story = Path::root().key("text");
-    let texts = [(story.clone(), &loaded.text), (form.question.path.key("text"), &form.question.text)];
+    let texts = [(story.clone(), &loaded.draft.text), (form.question.path.key("text"), &form.question.text)];
     let asked: BTreeSet<Symbol> = form.wanted().collect();
     let mut faults = Vec::new();
     let mut printed = BTreeSet::new();
@@ -91,7 +91,7 @@ fn is_said(prose: &str, value: &Decimal, unit: &Unit) -> bool {
 fn prose(loaded: &Loaded, form: &Form) -> String {
     let words = |text: &Text| text.fill(&|_| String::new());
     let labels = form.parts.iter().map(|part| part.label.clone());
-    let texts = [words(&loaded.text), words(&form.question.text)].into_iter().chain(labels);
+    let texts = [words(&loaded.draft.text), words(&form.question.text)].into_iter().chain(labels);
     texts.collect::<Vec<_>>().join("\n")
 }
 
@@ -116,7 +116,7 @@ impl Problem {
 fn in_laws(problem: &Problem, form: &Form) -> BTreeSet<Symbol> {
     let (model, loaded) = (problem.model(), problem.loaded());
     let asked = [&geometry::BOUNDARY, &kinematics::COUNT];
-    let printed: BTreeSet<Expr> = [&loaded.text, &form.question.text]
+    let printed: BTreeSet<Expr> = [&loaded.draft.text, &form.question.text]
         .into_iter()
         .flat_map(Text::told)
         .filter_map(|name| model.symbol_of(&name))

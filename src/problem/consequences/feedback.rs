@@ -11,7 +11,6 @@ use crate::laws::wrong;
 use crate::model::Model;
 
 use super::super::compiling::planned::Form;
-use super::super::language::text::Text;
 use super::super::reading::load::Loaded;
 
 /// The faults of both keys.
@@ -24,8 +23,7 @@ pub(in crate::problem) fn check(loaded: &Loaded, model: &Model, forms: &[Form]) 
     let asked: BTreeSet<Symbol> = forms.iter().flat_map(Form::wanted).collect();
     for (name, text) in loaded.draft.feedback.iter() {
         let path = root.key("feedback").key(name);
-        // The loader has read every text of the file before.
-        for placeholder in Text::read(text).unwrap_or_default().placeholders() {
+        for placeholder in text.placeholders() {
             let message = match model.symbol_of(&placeholder.name) {
                 Some(symbol) if asked.contains(&symbol) => {
                     format!("the feedback prints `{}`, which a form asks for", placeholder.name)

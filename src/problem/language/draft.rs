@@ -10,6 +10,7 @@ use super::course::CourseSymbols;
 use super::entries::Entries;
 use super::given::GivenEntry;
 use super::rubric::Rubric;
+use super::text::Text;
 
 /// A problem file: keys with their values, from `id` and `title` to what is asked.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -46,7 +47,8 @@ pub struct Draft {
     #[serde(default)]
     pub relations: Vec<Relation>,
     /// The story, in Markdown with placeholders: `Cart A ({{ m_A }}) moves {{ v_A1 | motion }}.`
-    pub text: String,
+    #[schemars(with = "String")]
+    pub text: Text,
     /// The forms in which the problem is asked, each under a name. A problem with one form may write its keys at the top instead.
     #[serde(default)]
     pub forms: Entries<Form>,
@@ -70,10 +72,12 @@ pub struct Draft {
     pub expect: Option<Expect>,
     /// Hints, shown one by one, in every form.
     #[serde(default)]
-    pub hints: Vec<String>,
+    #[schemars(with = "Vec<String>")]
+    pub hints: Vec<Text>,
     /// A message to a student who made a common mistake, by the mistake's name: `momentous diagnose --list` lists them.
     #[serde(default)]
-    pub feedback: Entries<String>,
+    #[schemars(with = "Entries<String>")]
+    pub feedback: Entries<Text>,
     /// Common mistakes, by their names, that must change some answer: if they do not, the numbers are drawn again.
     #[serde(default)]
     pub discriminate: Vec<String>,
@@ -93,13 +97,28 @@ pub struct Draft {
     pub rubric: Rubric,
 }
 
+impl Draft {
+    /// To how many significant figures answers are printed.
+    #[must_use]
+    pub fn significant_figures(&self) -> usize {
+        usize::from(self.figures.unwrap_or(3))
+    }
+
+    /// The points of a part, which may say its own.
+    #[must_use]
+    pub(in crate::problem) fn points_of(&self, own: Option<u32>) -> u32 {
+        own.or(self.points).unwrap_or(1)
+    }
+}
+
 /// One way in which a problem is asked.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Form {
     /// The end of the text, after the story: what is given in this form, and the question.
     #[serde(default)]
-    pub text: Option<String>,
+    #[schemars(with = "Option<String>")]
+    pub text: Option<Text>,
     /// Other values of what the file gives by a value, a range or a choice.
     #[serde(default)]
     pub given: Entries<GivenEntry>,
@@ -122,7 +141,8 @@ pub struct Form {
     pub expect: Option<Expect>,
     /// Hints, shown one by one.
     #[serde(default)]
-    pub hints: Vec<String>,
+    #[schemars(with = "Vec<String>")]
+    pub hints: Vec<Text>,
 }
 
 /// A law of the author's own.

@@ -60,7 +60,7 @@ impl Question {
         let forms = root.key("forms");
         let forms = draft.forms.iter().map(|(name, form)| Self::of(draft, Some(name), form, forms.key(name)));
         let mut all: Vec<Self> = forms.collect();
-        let story = Text::read(&draft.text).unwrap_or_default().told();
+        let story = draft.text.told();
         let told: Vec<BTreeSet<String>> = all.iter().map(|own| own.text.told()).collect();
         for (own, here) in all.iter_mut().zip(&told) {
             own.elsewhere =
@@ -77,12 +77,11 @@ impl Question {
             };
             [at(&Path::root(), general), at(&path, own)].concat()
         };
-        // The loader has read every text and every given of the file before, so reading cannot fail here.
-        let read = |text: &String| Text::read(text).unwrap_or_default();
+        // The loader has read every given of the file before, so reading cannot fail here.
         let value = |(name, entry): (&str, _)| Some((name.to_owned(), Given::read(entry, &Path::root()).ok()?));
         Self {
             name: name.map(str::to_owned),
-            text: form.text.as_ref().map(read).unwrap_or_default(),
+            text: form.text.clone().unwrap_or_default(),
             given: form.given.iter().filter_map(value).collect(),
             ask: form.ask.clone(),
             reveal: form.reveal.clone(),
@@ -90,7 +89,7 @@ impl Question {
             roots: form.roots.or(draft.roots),
             allow: placed("allow", &draft.allow, &form.allow),
             expect: form.expect.or(draft.expect),
-            hints: draft.hints.iter().chain(&form.hints).map(read).collect(),
+            hints: draft.hints.iter().chain(&form.hints).cloned().collect(),
             path,
             elsewhere: BTreeSet::new(),
         }

@@ -2,6 +2,8 @@
 
 use std::collections::BTreeSet;
 
+use serde::Deserialize;
+
 use crate::fault::{Code, Fault, Span, did_you_mean};
 
 /// A text with its placeholders, read by a grammar of our own.
@@ -12,7 +14,8 @@ use crate::fault::{Code, Fault, Span, did_you_mean};
 /// let filled = text.fill(&|placeholder| format!("<{}>", placeholder.name));
 /// assert_eq!(filled, "Cart A (<m_A>) moves <v_A1>.");
 /// ```
-#[derive(Clone, Debug, PartialEq, Eq, Default)]
+#[derive(Clone, Debug, PartialEq, Eq, Default, Deserialize)]
+#[serde(try_from = "String")]
 pub struct Text {
     pieces: Vec<Piece>,
 }
@@ -90,6 +93,16 @@ const FILTERS: &[(&str, Filter)] = &[
     ("symbol", Filter::Symbol),
     ("named", Filter::Named),
 ];
+
+/// What the loader has found no fault in is read as it is typed.
+impl TryFrom<String> for Text {
+    type Error = String;
+
+    fn try_from(text: String) -> Result<Self, String> {
+        let faults = |faults: Vec<Fault>| faults.into_iter().map(|fault| fault.message).collect::<Vec<_>>().join("; ");
+        Self::read(&text).map_err(faults)
+    }
+}
 
 impl Text {
     /// Reads a text.

@@ -82,7 +82,7 @@ pub(in crate::problem) fn on_the_sheet(
     known: &[Known],
     told: &BTreeSet<Symbol>,
 ) -> BTreeSet<Symbol> {
-    let printed: BTreeSet<Symbol> = [&loaded.text, &question.text]
+    let printed: BTreeSet<Symbol> = [&loaded.draft.text, &question.text]
         .into_iter()
         .flat_map(Text::told)
         .filter_map(|name| model.symbol_of(&name))

@@ -179,7 +179,7 @@ pub(in crate::problem) fn symbols_only(
 ) -> BTreeSet<Symbol> {
     let mut told = BTreeSet::new();
     let mut only = BTreeSet::new();
-    for placeholder in loaded.text.placeholders().chain(form.question.text.placeholders()) {
+    for placeholder in loaded.draft.text.placeholders().chain(form.question.text.placeholders()) {
         let Some(symbol) = named(&placeholder.name) else { continue };
         if placeholder.filter.tells() {
             told.insert(symbol)
@@ -229,7 +229,7 @@ impl Worked<'_> {
     /// A pure number that the sheet tells without naming it: it stands in formulas as it is.
     fn told_as_number(&self, known: &Known) -> Option<Expr> {
         let pure = self.problem.model().symbols.entry(known.symbol).dimension == Dimension::NONE;
-        let names = [&self.problem.loaded().text, &self.form.question.text].into_iter().any(|text| {
+        let names = [&self.problem.loaded().draft.text, &self.form.question.text].into_iter().any(|text| {
             let own = |name: &str| self.problem.model().symbol_of(name) == Some(known.symbol);
             text.placeholders().any(|placeholder| placeholder.filter.names() && own(&placeholder.name))
         });

@@ -70,7 +70,7 @@ pub(in crate::problem) fn read(loaded: &Loaded, question: &Question, builder: &m
         let letter = char::from_u32(u32::from('a') + u32::try_from(index % 26).unwrap_or(0)).unwrap_or('a').to_string();
         let part = match ask {
             Ask::Enough(ask) => {
-                let points = ask.points.or(loaded.draft.points).unwrap_or(1);
+                let points = loaded.draft.points_of(ask.points);
                 let at = read.parts.len() + read.sought.len();
                 read.sought.extend(enough::read(ask, at, (&letter, points), builder, &path));
                 None
@@ -104,7 +104,7 @@ pub(in crate::problem) fn read(loaded: &Loaded, question: &Question, builder: &m
         }
         read.wanted.extend(kind.wanted());
         let (points, own_label) = points_and_label(ask);
-        let points = points.or(loaded.draft.points).unwrap_or(1);
+        let points = loaded.draft.points_of(points);
         read.parts.push(Part { id, label: own_label.unwrap_or(label), points, kind });
     }
     check_alone(&read, question, builder);
@@ -247,7 +247,7 @@ pub(super) fn number_part(
             return None;
         }
     };
-    let figures = usize::from(find.figures.or(loaded.draft.figures).unwrap_or(3));
+    let figures = find.figures.map_or_else(|| loaded.draft.significant_figures(), usize::from);
     let every_root = find.roots.is_some();
     Some(NumberPart { symbol, size: unit.size(), unit, figures, tolerance, whole: false, every_root })
 }

@@ -29,8 +29,6 @@ pub struct Loaded {
     pub digest: String,
     /// The keys, as they were written.
     pub draft: Draft,
-    /// The story.
-    pub text: Text,
     /// What is known, in the order of the file.
     pub given: Entries<Given>,
     /// The forms in which the problem is asked, each complete; at least one.
@@ -96,7 +94,6 @@ pub fn load(source: Source) -> Result<Loaded, Faults> {
         digest: digest(&source),
         questions: Question::all(&draft),
         spoken: Spoken::of(&root),
-        text: Text::read(&draft.text).unwrap_or_default(),
         source,
         draft,
         given,

@@ -19,7 +19,7 @@ const DIRECTED: &[Dimension] =
 pub(in crate::problem) fn mention_in_texts(loaded: &Loaded, builder: &mut Builder<'_>) {
     let root = Path::root();
     let forms = loaded.questions.iter().map(|question| (question.path.key("text"), &question.text));
-    for (path, text) in std::iter::once((root.key("text"), &loaded.text)).chain(forms) {
+    for (path, text) in std::iter::once((root.key("text"), &loaded.draft.text)).chain(forms) {
         for placeholder in text.placeholders() {
             if let Some(fault) = unsayable(placeholder, builder) {
                 builder.fault(fault.at_path(path.clone()).within(placeholder.span));

@@ -14,7 +14,7 @@ impl Variant {
     /// as that placeholder.
     #[must_use]
     pub fn origin_in_text(&self, problem: &Problem, place: Span) -> (Path, Span) {
-        let story = &problem.loaded().text;
+        let story = &problem.loaded().draft.text;
         let length = say::fill(story, problem, self).trim_end().len();
         let behind = problem.forms().get(self.form()).filter(|_| place.start >= length);
         let Some(form) = behind else {

@@ -90,7 +90,7 @@ impl Variant {
     pub fn printed_numbers(&self, problem: &Problem) -> Vec<(String, String)> {
         let question = problem.forms().get(self.form()).map(|form| &form.question.text);
         let mut numbers: Vec<(String, String)> = Vec::new();
-        for placeholder in [&problem.loaded().text].into_iter().chain(question).flat_map(Text::placeholders) {
+        for placeholder in [&problem.loaded().draft.text].into_iter().chain(question).flat_map(Text::placeholders) {
             let name = &placeholder.name;
             let tells = placeholder.filter.tells_size() || placeholder.filter == Filter::Motion;
             let Some(symbol) = problem.model().symbol_of(name).filter(|_| tells) else { continue };

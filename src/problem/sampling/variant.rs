@@ -103,7 +103,7 @@ impl Variant {
             name,
             problem.model().symbols.entry(symbol).dimension,
         );
-        let figures = usize::from(problem.loaded().draft.figures.unwrap_or(3));
+        let figures = problem.loaded().draft.significant_figures();
         let solved = self.value(symbol).or_else(|| self.forward.get(symbol.index()).copied().flatten());
         let size = factor(unit.factor().to_f64());
         let value = solved.and_then(|value| crate::quantity::round_to_figures(value.div(&size).for_print(), figures));
@@ -113,7 +113,7 @@ impl Variant {
     /// The story and the question of its form, placeholders filled in.
     #[must_use]
     pub fn text(&self, problem: &Problem) -> String {
-        let story = say::fill(&problem.loaded().text, problem, self);
+        let story = say::fill(&problem.loaded().draft.text, problem, self);
         let question = problem.forms().get(self.form).map(|form| say::fill(&form.question.text, problem, self));
         match question.filter(|question| !question.trim().is_empty()) {
             Some(question) => format!("{}\n\n{}", story.trim_end(), question.trim()),
@@ -124,8 +124,8 @@ impl Variant {
     /// What the author says to a student who made the mistake of that name, placeholders filled in.
     #[must_use]
     pub fn feedback(&self, problem: &Problem, mistake: &str) -> Option<String> {
-        let text = super::super::language::text::Text::read(problem.loaded().draft.feedback.get(mistake)?).ok()?;
-        Some(say::fill(&text, problem, self).trim().to_owned())
+        let text = problem.loaded().draft.feedback.get(mistake)?;
+        Some(say::fill(text, problem, self).trim().to_owned())
     }
 
     /// The hints of its form, placeholders filled in.

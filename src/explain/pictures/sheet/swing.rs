@@ -68,7 +68,7 @@ fn end(quantities: &Quantities<'_>, compass: &Compass, index: usize, stage: &Swi
             None => (SKETCHED, None),
         },
         Place::Angle(None) => {
-            let since = quantities.timeline.since(&stage.body, instant).unwrap_or(instant);
+            let since = quantities.timeline.naming_instant(&stage.body, instant);
             let own = quantities.model().symbol_of(&format!("angle_{}{since}", stage.body));
             let own = own.map(|symbol| quantities.angle_or_sketch(&Expr::from(symbol)));
             own.filter(|(_, label)| label.is_some()).unwrap_or_else(|| (from_height(quantities, index, stage), None))

@@ -102,7 +102,7 @@ fn close(worked: &Worked<'_>, whole: &Expr) -> Closeness {
     // Where the difference is a good part of its terms, no datum of three figures makes up for it.
     let terms = if let Expr::Sum(terms) = whole { &terms[..] } else { &[] };
     let value = |term: &Expr| term.evaluate(&|symbol| value_of(worked, symbol).value).abs();
-    let figures = worked.problem.loaded().draft.figures.unwrap_or(3);
+    let figures = worked.problem.loaded().draft.significant_figures();
     if figures >= 3 && terms.len() == 2 && size > CLEAR * terms.iter().map(value).fold(0.0, f64::max) {
         return Closeness::Apart;
     }
@@ -124,7 +124,7 @@ fn value_of(worked: &Worked<'_>, symbol: Symbol) -> Bounded {
 /// last place.
 fn reach(worked: &Worked<'_>, whole: &Expr) -> f64 {
     let model = worked.problem.model();
-    let figures = usize::from(worked.problem.loaded().draft.figures.unwrap_or(3));
+    let figures = worked.problem.loaded().draft.significant_figures();
     let told: BTreeMap<Symbol, f64> = (worked.variant.all_given().iter())
         .map(|(symbol, value, unit)| (*symbol, half_of_last_place(value, unit, name(model, *symbol), figures)))
         .collect();

@@ -31,7 +31,7 @@ pub(super) struct Ranges<'b, 's> {
 
 impl<'b, 's> Ranges<'b, 's> {
     pub(super) fn new(loaded: &Loaded, builder: &'b Builder<'s>) -> Self {
-        let figures = usize::from(loaded.draft.figures.unwrap_or(3));
+        let figures = loaded.draft.significant_figures();
         let mut values = BTreeMap::new();
         for (symbol, entry) in builder.symbols().iter() {
             let bounds = match loaded.given.get(&entry.name) {
