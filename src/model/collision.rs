@@ -5,12 +5,10 @@ use crate::expr::Symbol;
 use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Path;
-use crate::scene::Stage;
 
 use super::Builder;
 use super::Name;
 use super::QuantityKind;
-use super::stage::Description;
 
 /// What the time is that runs within a stage.
 const RUNNING: &str = "the time";
@@ -57,8 +55,7 @@ impl Builder<'_> {
     /// The time from the start to an instant as a sum of durations, where those of all stages before it are used.
     pub(super) fn time_until(&self, instant: usize) -> Option<Expr> {
         let lasting = self.lasting.iter().zip(&self.scene.stages).take(instant.checked_sub(1)?);
-        let takes_time = |stage: &Stage| Description::of(self.scene, stage).takes_time;
-        let durations = lasting.filter(|(_, stage)| takes_time(stage)).map(|(duration, _)| duration.clone());
+        let durations = lasting.filter(|(_, stage)| stage.takes_time()).map(|(duration, _)| duration.clone());
         Some(Expr::sum(durations.collect::<Option<Vec<_>>>()?))
     }
 

@@ -15,7 +15,6 @@ use super::super::Meaning;
 use super::super::Name;
 use super::super::QuantityKind;
 use super::super::name::MASS_CENTRE;
-use super::super::stage::Description;
 
 pub(super) fn mass_centre_velocity(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let instant = builder.number(name)?;
@@ -167,7 +166,7 @@ impl Builder<'_> {
         let scene = self.scene;
         let stage = scene.stages.get(index)?;
         let among = |bodies: &[&str]| alive.iter().all(|own| bodies.contains(&own.as_str()));
-        if !Description::of(scene, stage).takes_time {
+        if !stage.takes_time() {
             return Some(Moves::Not);
         }
         if let Stage::Flight(flight) = stage {

@@ -23,8 +23,6 @@ pub(in crate::model) struct Description<'a> {
     pub bodies: Vec<Named<'a>>,
     /// The bodies whose velocities it changes, where they are not those that it names.
     pub changes: Option<Vec<&'a str>>,
-    /// Whether it takes time.
-    pub takes_time: bool,
     /// Whose place it leaves as it was.
     pub leaves: Leaves,
     /// Whether its equations hold in three dimensions.
@@ -230,7 +228,6 @@ impl<'a> Description<'a> {
             ends: Span::Lasting,
             bodies: Vec::new(),
             changes: None,
-            takes_time: true,
             leaves: Leaves::None,
             fills_space: false,
             about: None,
@@ -239,7 +236,7 @@ impl<'a> Description<'a> {
     }
 
     fn sudden(noun: &'a str) -> Self {
-        Self { ends: Span::Sudden, takes_time: false, leaves: Leaves::All, ..Self::lasting(noun) }
+        Self { ends: Span::Sudden, leaves: Leaves::All, ..Self::lasting(noun) }
     }
 }
 

@@ -165,6 +165,36 @@ impl Stage {
         }
     }
 
+    /// Whether time passes in it: where none does, clocks and places stay as they were.
+    #[must_use]
+    pub fn takes_time(&self) -> bool {
+        match self {
+            Self::Impact(_) | Self::Blow(_) | Self::Strike(_) | Self::Separate(_) => false,
+            Self::Push(_)
+            | Self::Slide(_)
+            | Self::Spring(_)
+            | Self::Swing(_)
+            | Self::Taut(_)
+            | Self::Connected(_)
+            | Self::Tow(_)
+            | Self::Rotate(_)
+            | Self::Moment(_)
+            | Self::Conical(_)
+            | Self::Bowl(_)
+            | Self::Interact(_)
+            | Self::Central(_)
+            | Self::Fall(_)
+            | Self::Bounces(_)
+            | Self::Stream(_)
+            | Self::Thrust(_)
+            | Self::Drift(_)
+            | Self::SlideOff(_)
+            | Self::Walk(_)
+            | Self::Flight(_)
+            | Self::Motion(_) => true,
+        }
+    }
+
     /// The name that the author gave the stage, used in brackets: `J_A[hit]`.
     #[must_use]
     pub fn name(&self) -> Option<&str> {

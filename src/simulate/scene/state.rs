@@ -3,7 +3,6 @@
 use crate::scene::Axis;
 
 use super::nothing::NothingToSimulate;
-use super::stage::is_sudden;
 use super::stage::same_place;
 use super::values::Values;
 use super::vector::{Vector, ZERO, add, part, times, unit};
@@ -77,7 +76,7 @@ impl Values<'_> {
             if let Some(time) = (self.value)(&name) {
                 return Some(time);
             }
-            self.scene.stages.get(instant - 2).filter(|before| is_sudden(before))?;
+            self.scene.stages.get(instant - 2).filter(|before| !before.takes_time())?;
         }
         None
     }

@@ -140,8 +140,3 @@ pub(super) fn same_place<'a>(stage: &'a Stage, body: &'a str) -> Option<&'a str>
         | Stage::Motion(_) => None,
     }
 }
-
-/// Whether a stage takes no time.
-pub(super) fn is_sudden(stage: &Stage) -> bool {
-    matches!(stage, Stage::Impact(_) | Stage::Blow(_) | Stage::Separate(_) | Stage::Strike(_))
-}
