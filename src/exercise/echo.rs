@@ -16,11 +16,7 @@ use super::rules::Rules;
 /// read by itself, in the order in which they were typed. The right answer is not looked at.
 pub(super) fn echo(worked: Worked<'_>, part: &Part, text: &str, mark: DecimalMark) -> Option<Result<String, String>> {
     let blank = Blank::new(Rules { problem: worked.problem, form: worked.form }, part);
-    let mut asked = blank.asked.clone();
-    if matches!(part.kind, PartKind::Formula(_) | PartKind::Choice(_)) {
-        // Which letters and phrases there are hangs on the way in which the scene goes.
-        blank.fill(&mut asked, worked, part);
-    }
+    let asked = blank.expected(worked);
     let read = |text: &str| {
         let Reading { answer, told } = Reading::of(text, &asked.kind, mark)?;
         Some(if answer.is_ok() { Ok(told) } else { Err(told) })

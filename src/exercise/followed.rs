@@ -11,6 +11,7 @@ use crate::problem::NumberPart;
 use crate::problem::PartKind;
 use crate::problem::VectorPart;
 use crate::quantity::Dimension;
+use crate::quantity::Tolerance;
 
 use super::follow_through::Earlier;
 use super::follow_through::Found;
@@ -205,9 +206,9 @@ fn accepted(verdict: Verdict) -> Option<Verdict> {
 fn is_far(right: &grade::ExpectedNumber, value: f64, answer: f64) -> bool {
     let size = value.abs().max(right.scale);
     let tolerance = match &right.tolerance {
-        grade::Tolerance::Relative(share) => share.to_f64().abs() * size,
-        grade::Tolerance::Absolute(distance) => distance.to_f64().abs(),
-        grade::Tolerance::ToFigures => size,
+        Tolerance::Relative(share) => share.to_f64().abs() * size,
+        Tolerance::Absolute(distance) => distance.to_f64().abs(),
+        Tolerance::ToFigures => size,
     };
     let reach = 2.0 * (tolerance + right.allowance + ROUNDING * size);
     !right.cyclic && right.unit.dimension() != Dimension::NONE && (answer.abs() - value.abs()).abs() > reach

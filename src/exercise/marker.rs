@@ -11,13 +11,16 @@ use crate::grade::Readings;
 use crate::grade::Rubric;
 use crate::problem;
 use crate::problem::AskedUnit;
+use crate::problem::ChoicePart;
 use crate::problem::End;
+use crate::problem::FormulaPart;
 use crate::problem::NoVariant;
 use crate::problem::NumberPart;
 use crate::problem::Part;
 use crate::problem::PartKind;
 use crate::problem::PlannedForm;
 use crate::problem::Problem;
+use crate::problem::RangePart;
 use crate::problem::Worked;
 use crate::quantity::coherent_unit;
 use crate::solve::Bounded;
@@ -49,8 +52,6 @@ use super::rules::Rules;
 #[derive(Clone, Debug)]
 pub struct Marker {
     pub(super) blanks: Vec<Blank>,
-    /// The parts with their right answers of some variant, to be filled anew; there is nothing, or one for each blank.
-    pub(super) filled: Vec<grade::Expected>,
     pub(super) rubric: Rubric,
     pub(super) mark: grade::DecimalMark,
     /// The letters in which answers may be typed.
@@ -60,11 +61,23 @@ pub struct Marker {
 /// One part, with everything but the right answer.
 #[derive(Clone, Debug)]
 pub(super) struct Blank {
-    pub(super) asked: grade::Expected,
-    /// The boundary of an interval; its ends are known with the numbers.
-    boundary: Option<grade::ExpectedNumber>,
+    id: String,
+    points: u32,
+    kind: BlankKind,
     /// What was read as answers to it.
     readings: Readings,
+}
+
+/// How it is answered: what is asked, and of numbers all that is expected but their values.
+#[derive(Clone, Debug)]
+enum BlankKind {
+    Number(Box<(grade::ExpectedNumber, NumberPart)>),
+    /// The components, and their axes.
+    Vector(Vec<(grade::ExpectedNumber, NumberPart)>, grade::Frame),
+    /// The boundary of the interval. The ends are known with the numbers.
+    Interval(Box<(grade::ExpectedNumber, RangePart)>),
+    Formula(FormulaPart),
+    Choice(ChoicePart),
 }
 
 impl Marker {
@@ -81,7 +94,6 @@ impl Marker {
         let rules = Rules { problem, form };
         Self {
             blanks: form.parts.iter().map(|part| Blank::new(rules, part)).collect(),
-            filled: Vec::new(),
             rubric: rules.rubric(),
             mark,
             notation: problem.notation().clone(),
@@ -91,7 +103,7 @@ impl Marker {
     /// The position of the part that is meant by a name, in the file's letters or the course's.
     #[must_use]
     pub fn part(&self, name: &str) -> Option<usize> {
-        let ids = || self.blanks.iter().map(|blank| blank.asked.id.as_str());
+        let ids = || self.blanks.iter().map(|blank| blank.id.as_str());
         let own = self.notation.usual(ids(), name);
         ids().position(|id| id == own)
     }
@@ -107,7 +119,7 @@ impl Marker {
     /// The report on answers to a sheet of this form that the student was not given.
     #[must_use]
     pub fn not_issued(&self) -> grade::Report {
-        grade::Report::not_issued(self.blanks.iter().map(|blank| (blank.asked.id.as_str(), blank.asked.points)))
+        grade::Report::not_issued(self.blanks.iter().map(|blank| (blank.id.as_str(), blank.points)))
     }
 
     /// The same with other rules of attempts and hints than those of the problem's file.
@@ -127,27 +139,17 @@ impl Marker {
 impl Blank {
     pub(super) fn new(rules: Rules<'_>, part: &Part) -> Self {
         let number = |own: &NumberPart| blank_number(rules, part, own);
-        let mut boundary = None;
         let kind = match &part.kind {
-            PartKind::Choice(_) | PartKind::Formula(_) => {
-                grade::ExpectedKind::Choice { options: Vec::new(), right: 0, because: String::new() }
+            PartKind::Number(own) => BlankKind::Number(Box::new((number(own), own.clone()))),
+            PartKind::Vector(vector) => {
+                let components = part.numbers().map(|(_, own)| (number(own), own.clone())).collect();
+                BlankKind::Vector(components, rules.frame(&vector.axes))
             }
-            PartKind::Number(own) => grade::ExpectedKind::Number(number(own)),
-            PartKind::Vector(vector) => grade::ExpectedKind::Vector(grade::ExpectedVector {
-                components: part.numbers().map(|(_, own)| number(own)).collect(),
-                frame: rules.frame(&vector.axes),
-            }),
-            PartKind::Range(range) => {
-                boundary = Some(number(&range.number));
-                let (name, unit) = (part.id.clone(), range.number.plain_unit());
-                grade::ExpectedKind::Interval(Box::new(grade::ExpectedInterval { name, low: None, high: None, unit }))
-            }
+            PartKind::Range(range) => BlankKind::Interval(Box::new((number(&range.number), range.clone()))),
+            PartKind::Formula(formula) => BlankKind::Formula(formula.clone()),
+            PartKind::Choice(choice) => BlankKind::Choice(choice.clone()),
         };
-        Self {
-            asked: grade::Expected { id: part.id.clone(), points: part.points, kind },
-            boundary,
-            readings: Readings::default(),
-        }
+        Self { id: part.id.clone(), points: part.points, kind, readings: Readings::default() }
     }
 
     /// What an answer says.
@@ -164,35 +166,37 @@ impl Blank {
         }
     }
 
-    /// Puts the right answer into a copy of the part. What [`widen`] puts in is left out.
-    pub(super) fn fill(&self, expected: &mut grade::Expected, worked: Worked<'_>, part: &Part) {
-        match (&mut expected.kind, &part.kind) {
-            (grade::ExpectedKind::Number(blank), PartKind::Number(number)) => fill(blank, worked, number),
-            (grade::ExpectedKind::Vector(blank), PartKind::Vector(vector)) => {
-                for (blank, number) in blank.components.iter_mut().zip(&vector.components) {
-                    fill(blank, worked, number);
-                }
-            }
-            (grade::ExpectedKind::Interval(blank), PartKind::Range(range)) => {
+    /// The part with its right answer for a variant. What [`widen`] puts in is left out.
+    pub(super) fn expected(&self, worked: Worked<'_>) -> grade::Expected {
+        let kind = match &self.kind {
+            BlankKind::Number(own) => grade::ExpectedKind::Number(filled(&own.0, worked, &own.1)),
+            BlankKind::Vector(components, frame) => grade::ExpectedKind::Vector(grade::ExpectedVector {
+                components: components.iter().map(|(blank, number)| filled(blank, worked, number)).collect(),
+                frame: frame.clone(),
+            }),
+            BlankKind::Interval(own) => {
+                let (boundary, range) = &**own;
+                let unit = range.number.plain_unit();
                 let end = |end: End| {
-                    let mut number = grade::ExpectedNumber::new(end.value.value, blank.unit.clone());
-                    if let Some(boundary) = self.boundary.as_ref().filter(|_| !end.own) {
-                        number = boundary.clone();
-                        fill(&mut number, worked, &range.number);
-                    }
+                    let number = if end.own {
+                        grade::ExpectedNumber::new(end.value.value, unit.clone())
+                    } else {
+                        filled(boundary, worked, &range.number)
+                    };
                     grade::ExpectedEnd { number, closed: end.closed, own: end.own }
                 };
-                let interval = worked.interval(range);
-                let ends = interval.map(|interval| [interval.low.map(end), interval.high.map(end)]);
-                [blank.low, blank.high] = ends.unwrap_or_default();
+                let ends = worked.interval(range).map(|interval| [interval.low, interval.high].map(|own| own.map(end)));
+                let [low, high] = ends.unwrap_or_default();
+                let name = self.id.clone();
+                grade::ExpectedKind::Interval(Box::new(grade::ExpectedInterval { name, low, high, unit }))
             }
-            (_, PartKind::Formula(formula)) => expected.kind = expected_formula(worked, formula),
-            (_, PartKind::Choice(choice)) => {
+            BlankKind::Formula(formula) => expected_formula(worked, formula),
+            BlankKind::Choice(choice) => {
                 let problem::Decision { options, right, because, .. } = choice.decided(&worked);
-                expected.kind = grade::ExpectedKind::Choice { options, right, because };
+                grade::ExpectedKind::Choice { options, right, because }
             }
-            _ => {}
-        }
+        };
+        grade::Expected { id: self.id.clone(), points: self.points, kind }
     }
 }
 
@@ -230,11 +234,7 @@ fn blank_number(rules: Rules<'_>, part: &Part, number: &NumberPart) -> grade::Ex
     let called = grade::Called { name: part.id.clone(), axis: rules.problem.axis(number.symbol), multiple_of };
     grade::ExpectedNumber {
         cyclic: is_direction(rules, part, number) && unit.is_plain_angle(),
-        tolerance: match &number.tolerance {
-            problem::Tolerance::Relative(fraction) => grade::Tolerance::Relative(fraction.clone()),
-            problem::Tolerance::Absolute(distance) => grade::Tolerance::Absolute(distance.clone()),
-            problem::Tolerance::ToFigures => grade::Tolerance::ToFigures,
-        },
+        tolerance: number.tolerance.clone(),
         units: rules.units(),
         writing: rules.writing(),
         reference: rules.reference(part),
@@ -253,11 +253,10 @@ fn is_direction(rules: Rules<'_>, part: &Part, number: &NumberPart) -> bool {
     rules.reference(part).is_some() || name.starts_with("angle_")
 }
 
-fn fill(blank: &mut grade::ExpectedNumber, worked: Worked<'_>, number: &NumberPart) {
+fn filled(blank: &grade::ExpectedNumber, worked: Worked<'_>, number: &NumberPart) -> grade::ExpectedNumber {
     let mut answer = worked.answer(number);
     if answer.value.abs() <= answer.error && worked.is_nothing(number.symbol) {
         answer = Bounded { value: 0.0, error: 0.0 };
     }
-    (blank.value, blank.error) = (answer.value, answer.error);
-    (blank.allowance, blank.scale) = (0.0, 0.0);
+    grade::ExpectedNumber { value: answer.value, error: answer.error, ..blank.clone() }
 }

@@ -59,36 +59,32 @@ impl Marker {
         answers: &[(&str, &str)],
         sittings: Sittings<'_>,
     ) -> grade::Report {
-        let Self { blanks, filled, rubric, mark, .. } = self;
+        let Self { blanks, rubric, mark, .. } = self;
         let count = blanks.len();
         let mut marking = Marking {
             worked,
             rubric,
-            expected: std::mem::take(filled),
+            expected: Vec::with_capacity(count),
             readings: Vec::with_capacity(count),
             parts: Vec::with_capacity(count),
             sittings,
             simulated: OnceCell::new(),
         };
-        if marking.expected.is_empty() {
-            marking.expected.extend(blanks.iter().map(|blank| blank.asked.clone()));
-        }
         for (position, (part, blank)) in worked.form.parts.iter().zip(blanks.iter_mut()).enumerate() {
             let text = answers.iter().find(|(id, _)| *id == part.id).map_or("", |(_, text)| *text);
-            // Several roots of a part before this one have made the list longer.
-            let place = marking.parts.len();
-            let Some(expected) = marking.expected.get_mut(place) else { break };
-            blank.fill(expected, worked, part);
-            if let Some(roots) = several(worked, part) {
-                let shared = shared_out(expected, &roots, text, worked, part, *mark);
-                for (expected, text) in &shared {
-                    marking.readings.push(blank.read(text, &expected.kind, *mark));
-                    marking.parts.push(position);
-                }
-                marking.expected.splice(place..=place, shared.into_iter().map(|(expected, _)| expected));
-            } else {
+            let single = blank.expected(worked);
+            let mut take = |expected: Expected, text: &str| {
                 marking.readings.push(blank.read(text, &expected.kind, *mark));
                 marking.parts.push(position);
+                marking.expected.push(expected);
+            };
+            match several(worked, part) {
+                Some(roots) => {
+                    for (expected, text) in shared_out(&single, &roots, text, worked, part, *mark) {
+                        take(expected, &text);
+                    }
+                }
+                None => take(single, text),
             }
         }
         let Marking { expected, readings, parts, .. } = &mut marking;
@@ -105,10 +101,8 @@ impl Marker {
             marking.follow_through(&mut report);
             marking.diagnose(&mut report);
         }
-        if marking.expected.len() == count {
-            *filled = marking.expected;
-        } else {
-            // Where a part had several roots, the list is longer than what is to be filled next.
+        // Where a part had several roots, the list is longer than the sheet.
+        if marking.expected.len() > count {
             report.parts = joined(report.parts, &marking.parts, worked);
             report.out_of = worked.form.parts.iter().fold(0, |sum: u32, part| sum.saturating_add(part.points));
             report.recount();
@@ -141,8 +135,7 @@ impl Exercise {
         let worked = self.worked();
         let rules = Rules { problem: worked.problem, form: worked.form };
         let blank = Blank::new(rules, part);
-        let mut expected = blank.asked.clone();
-        blank.fill(&mut expected, worked, part);
+        let mut expected = blank.expected(worked);
         widen(&mut expected, worked, part);
         expected
     }

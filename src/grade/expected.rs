@@ -8,6 +8,7 @@ use crate::expr::SymbolTable;
 use crate::quantity::Decimal;
 use crate::quantity::Dimension;
 use crate::quantity::Rational;
+use crate::quantity::Tolerance;
 use crate::quantity::Unit;
 
 /// What is expected as the answer to one part of a question.
@@ -282,15 +283,4 @@ impl ExpectedNumber {
     pub fn is_magnitude(&self) -> bool {
         !self.signed && self.value >= 0.0
     }
-}
-
-/// How far an answer may lie from the exact one, boundaries included.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Tolerance {
-    /// A fraction of the exact value: `0.01`.
-    Relative(Decimal),
-    /// A distance, in the unit of the question.
-    Absolute(Decimal),
-    /// Half a unit of the exact value's last asked figure: strict, and without any allowance for rounding in between.
-    ToFigures,
 }

@@ -27,7 +27,7 @@ mod verdict;
 pub use diagnose::Diagnosis;
 pub use expected::{
     Called, Expected, ExpectedEnd, ExpectedFormula, ExpectedInterval, ExpectedKind, ExpectedNumber, ExpectedVector,
-    Frame, FrameAxis, Multiple, Reference, Tolerance, Units, Writing,
+    Frame, FrameAxis, Multiple, Reference, Units, Writing,
 };
 pub use follow::Follows;
 pub use frequent::WrongAnswer;

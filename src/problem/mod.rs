@@ -37,7 +37,7 @@ pub use questions::equality::Closeness;
 pub use questions::formula::FormulaPart;
 pub use questions::judgement::Judgement;
 pub use questions::offered::Offer;
-pub use questions::part::{AskedUnit, NumberPart, Part, PartKind, Tolerance};
+pub use questions::part::{AskedUnit, NumberPart, Part, PartKind};
 pub use questions::range::{End, Interval, RangePart, Trial};
 pub use questions::vector::VectorPart;
 pub use reading::document::{Document, Entry, Kind, Node, Scalar, Style};

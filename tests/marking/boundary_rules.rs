@@ -7,9 +7,9 @@ use std::time::{Duration, Instant};
 use momentous::expr::{Expr, Symbol, SymbolEntry, SymbolTable};
 use momentous::grade::{
     DecimalMark, Expected, ExpectedFormula, ExpectedKind, ExpectedNumber, ExpectedVector, Frame, FrameAxis, Rubric,
-    Tolerance, Verdict, Writing, grade, judge, read,
+    Verdict, Writing, grade, judge, read,
 };
-use momentous::quantity::{Decimal, Dimension, Unit};
+use momentous::quantity::{Decimal, Dimension, Tolerance, Unit};
 
 fn number(value: &str, unit: &str) -> ExpectedNumber {
     let value = Decimal::parse(value).unwrap();

@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use momentous::grade::{
-    Answer, Attempts, DecimalMark, Expected, ExpectedKind, ExpectedNumber, History, Keep, Rubric, Seen, Tolerance,
-    Typed, Verdict, grade, judge, read,
+    Answer, Attempts, DecimalMark, Expected, ExpectedKind, ExpectedNumber, History, Keep, Rubric, Seen, Typed, Verdict,
+    grade, judge, read,
 };
-use momentous::quantity::{Decimal, Printed, Quantity, Rational, Unit};
+use momentous::quantity::{Decimal, Printed, Quantity, Rational, Tolerance, Unit};
 use proptest::prelude::*;
 
 fn expected(value: &str, unit: &str) -> ExpectedNumber {

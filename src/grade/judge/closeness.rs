@@ -6,11 +6,12 @@ use std::cell::OnceCell;
 use dashu::base::Abs;
 
 use crate::quantity::Rational;
+use crate::quantity::Tolerance;
 use crate::quantity::Unit;
 use crate::quantity::first_place;
 use crate::quantity::unit_of_place;
 
-use super::super::expected::{ExpectedNumber, Tolerance};
+use super::super::expected::ExpectedNumber;
 use super::super::number::Number;
 
 /// How near to a boundary, relative to the numbers involved, doubles are not trusted.

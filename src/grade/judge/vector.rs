@@ -1,10 +1,11 @@
 //! A vector: right where |v - t| <= tau |t|, and what is usual where it is not.
 
 use crate::quantity::Rational;
+use crate::quantity::Tolerance;
 use crate::quantity::Unit;
 use crate::quantity::dimension_name;
 
-use super::super::expected::{ExpectedVector, Tolerance, Units};
+use super::super::expected::{ExpectedVector, Units};
 use super::super::messages::Message;
 use super::super::number::Number;
 use super::super::read::VectorAnswer;

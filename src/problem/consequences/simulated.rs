@@ -3,6 +3,7 @@
 use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::laws::wrong::reading::SlipOf;
+use crate::quantity::Tolerance;
 use crate::quantity::half_unit;
 use crate::solve::BatchValues;
 use crate::solve::Bounded;
@@ -10,7 +11,6 @@ use crate::solve::Bounded;
 use super::super::questions::part::AskedUnit;
 use super::super::questions::part::NumberPart;
 use super::super::questions::part::PartKind;
-use super::super::questions::part::Tolerance;
 use super::super::questions::vector::VectorPart;
 use super::super::sampling::variant::Worked;
 use super::mistakes::Made;

@@ -7,6 +7,7 @@ use crate::fault::Path;
 use crate::model::Because;
 use crate::model::Builder;
 use crate::quantity::Decimal;
+use crate::quantity::Tolerance;
 use crate::quantity::Unit;
 use crate::solve::Equation;
 
@@ -16,7 +17,6 @@ use super::super::language::condition::are_comparable;
 use super::part::AskedUnit;
 use super::part::NumberPart;
 use super::part::PartKind;
-use super::part::Tolerance;
 use super::parts::Named;
 
 /// Which number is counted: the first for which a condition holds, or the last as long as it holds.

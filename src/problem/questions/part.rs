@@ -2,7 +2,7 @@
 
 use crate::expr::Symbol;
 use crate::model::component_name;
-use crate::quantity::Decimal;
+use crate::quantity::Tolerance;
 use crate::quantity::Unit;
 
 use super::decision::ChoicePart;
@@ -64,17 +64,6 @@ pub enum AskedUnit {
     Unit(Unit),
     /// A quantity of the problem: the answer is a multiple of it. The unit is that of the multiple: none, where both measure the same.
     InTermsOf(Symbol, Unit),
-}
-
-/// How far an answer may lie from the exact one.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Tolerance {
-    /// A fraction of the exact value: `1/100`.
-    Relative(Decimal),
-    /// A distance, in the unit of the question.
-    Absolute(Decimal),
-    /// Half a unit of the exact value's last figure.
-    ToFigures,
 }
 
 impl Part {
