@@ -43,7 +43,7 @@ pub(super) struct Samples {
 pub(super) struct Sample {
     /// The printed givens, as one text.
     pub given: String,
-    /// The text of the sheet, as a digest.
+    /// The text of the sheet and the numbers of its graph, as a digest.
     pub sheet: u64,
     /// What is left out and worth a word, each with its share of what is kept.
     pub neglected: Vec<(String, f64)>,
@@ -159,7 +159,7 @@ impl Sample {
             worked.neglected().into_iter().map(|(weight, share)| (called(problem, weight), share)).collect();
         Some(Self {
             given: given.join("; "),
-            sheet: digest(&variant.text(problem)),
+            sheet: digest(&format!("{}{:?}", variant.text(problem), variant.printed_numbers(problem))),
             neglected,
             answers: answers(&worked, worked.form),
             unclear,

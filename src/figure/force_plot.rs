@@ -42,6 +42,8 @@ pub struct PlotAxis {
     pub symbol: Math,
     /// Its unit: `N`.
     pub unit: String,
+    /// Values of points of the curve that are written at the axis, in place of round numbers.
+    pub told: Vec<(f64, Math)>,
 }
 
 /// From (time, force) to places on the drawing.
@@ -81,7 +83,11 @@ impl ForcePlot {
     /// use momentous::expr::Math;
     /// use momentous::figure::{ForcePlot, PlotAxis, Wording, overlaps};
     ///
-    /// let axis = |symbol: &str, unit: &str| PlotAxis { symbol: Math::Identifier(symbol.into()), unit: unit.into() };
+    /// let axis = |symbol: &str, unit: &str| PlotAxis {
+    ///     symbol: Math::Identifier(symbol.into()),
+    ///     unit: unit.into(),
+    ///     told: Vec::new(),
+    /// };
     /// let plot = ForcePlot {
     ///     wording: Wording::default(),
     ///     time: axis("t", "s"),
@@ -117,6 +123,7 @@ impl ForcePlot {
             canvas.draw(Shape::Area { points, role: Role::Impulse });
         }
         self.draw_axes(&mut canvas, &frame, zero);
+        self.draw_guides(&mut canvas, &frame, &points);
         if curve.len() > 1 {
             canvas.draw(Shape::Line { points: curve.clone(), role: Role::Curve, dashed: false });
         }
@@ -141,24 +148,44 @@ impl ForcePlot {
         if zero > 0.0 {
             canvas.line([Point::ORIGIN, Point::new(SIZE.x, 0.0)], Role::Guide, false);
         }
-        for value in &times.values {
-            let foot = Point::new(frame.place(Point::new(*value, 0.0)).x, 0.0);
+        let mut rows = Rows::default();
+        for (value, text) in self.time.marked(&times) {
+            let foot = Point::new(frame.place(Point::new(value, 0.0)).x, 0.0);
             canvas.line([foot, foot - Point::new(0.0, TICK)], Role::Axis, false);
-            let text = Math::Number(times.text(*value));
-            let height = foot.y - TICK - TICK_GAP - Measure::of(&text).above;
-            canvas.fixed_label(on_baseline(foot.x, height, &text), &text, Role::Axis);
+            let Measure { width, above, below } = Measure::of(&text);
+            let row = rows.free(foot.x, width) * (above + below + TICK_GAP);
+            canvas.fixed_label(on_baseline(foot.x, foot.y - TICK - TICK_GAP - above - row, &text), &text, Role::Axis);
         }
-        for value in &forces.values {
-            let side = Point::new(0.0, frame.place(Point::new(0.0, *value)).y);
+        let marked = self.force.marked(&forces);
+        let widest = marked.iter().map(|(_, text)| Measure::of(text).width).fold(0.0, f64::max);
+        let mut columns = Rows::default();
+        for (value, text) in marked {
+            let side = Point::new(0.0, frame.place(Point::new(0.0, value)).y);
             canvas.line([side, side - Point::new(TICK, 0.0)], Role::Axis, false);
-            let text = Math::Number(forces.text(*value));
-            let shift = TICK + TICK_GAP + Measure::of(&text).width / 2.0;
+            let Measure { width, above, below } = Measure::of(&text);
+            let column = columns.free(side.y, above + below) * (widest + TICK_GAP);
+            let shift = TICK + TICK_GAP + width / 2.0 + column;
             canvas.fixed_label(side - Point::new(shift, 0.0), &text, Role::Axis);
         }
-        let (time, force) = (self.time.title(times.power), self.force.title(forces.power));
+        let (time, force) = (self.time.title(&times), self.force.title(&forces));
         let shift = Measure::of(&time).width / 2.0 + TICK_GAP;
         canvas.fixed_label(right + Point::new(shift, 0.0), &time, Role::Axis);
         canvas.label(&force, Role::Axis, Anchor::Around { at: top, radius: 0.0, prefer: std::f64::consts::FRAC_PI_2 });
+    }
+
+    /// From each point whose coordinates are written at the axes to these.
+    fn draw_guides(&self, canvas: &mut Canvas, frame: &Frame, points: &[Point]) {
+        for (time, _) in self.time.told.iter().filter(|(time, _)| *time != 0.0) {
+            let heights = points.iter().filter(|point| point.x == *time).map(|point| frame.place(*point).y);
+            let Some(highest) = heights.reduce(f64::max) else { continue };
+            let foot = frame.place(Point::new(*time, 0.0)).x;
+            canvas.line([Point::new(foot, 0.0), Point::new(foot, highest)], Role::Guide, true);
+        }
+        for (force, _) in self.force.told.iter().filter(|(force, _)| *force != 0.0) {
+            let Some(first) = points.iter().find(|point| point.y == *force) else { continue };
+            let first = frame.place(*first);
+            canvas.line([Point::new(0.0, first.y), first], Role::Guide, true);
+        }
     }
 
     fn draw_marks(&self, canvas: &mut Canvas, frame: &Frame, points: &[Point], zero: f64) {
@@ -173,9 +200,44 @@ impl ForcePlot {
     }
 }
 
+/// Rows of labels beside an axis, the nearest first: how far each is taken.
+#[derive(Default)]
+struct Rows(Vec<f64>);
+
+impl Rows {
+    /// The first row in which there is room for a label at a place; labels come in rising order.
+    fn free(&mut self, at: f64, size: f64) -> f64 {
+        let (low, high) = (at - size / 2.0, at + size / 2.0 + TICK_GAP);
+        let mut number = 0.0;
+        for end in &mut self.0 {
+            if *end <= low {
+                *end = high;
+                return number;
+            }
+            number += 1.0;
+        }
+        self.0.push(high);
+        number
+    }
+}
+
 impl PlotAxis {
+    /// What is written at the axis, in rising order.
+    fn marked(&self, ticks: &Ticks) -> Vec<(f64, Math)> {
+        if self.told.is_empty() {
+            return ticks.values.iter().map(|value| (*value, Math::Number(ticks.text(*value)))).collect();
+        }
+        let zero = (0.0, Math::Number("0".to_owned()));
+        let mut marked: Vec<(f64, Math)> = self.told.iter().filter(|(value, _)| value.is_finite()).cloned().collect();
+        marked.push(zero);
+        marked.sort_by(|one, other| one.0.total_cmp(&other.0));
+        marked.dedup_by(|one, other| one.0 == other.0);
+        marked
+    }
+
     /// `F in N`, or `F in 10^3 N` where the ticks have a power taken out.
-    fn title(&self, power: i32) -> Math {
+    fn title(&self, ticks: &Ticks) -> Math {
+        let power = if self.told.is_empty() { ticks.power } else { 0 };
         let mut parts = vec![self.symbol.clone(), Math::Text("in".to_owned())];
         if power != 0 {
             let (ten, power) = (Math::Number("10".to_owned()), Math::Number(power.to_string()));

@@ -37,6 +37,7 @@ use super::Meaning;
 use super::Name;
 use super::Omission;
 use super::Omitted;
+use super::PrintedGraph;
 use super::QuantityKind;
 use super::Reason;
 use super::Slope;
@@ -70,6 +71,7 @@ pub struct Builder<'s> {
     pub(super) influences: Vec<Influence>,
     pub(super) flowing: Vec<Flowing>,
     pub(super) slopes: Vec<Slope>,
+    pub(super) graph: Option<PrintedGraph>,
     /// How long each stage lasts, where that is used.
     pub(super) lasting: Vec<Option<Expr>>,
     /// The angular impulse of each moment that stays the same: stage, centre, axis, value.
@@ -117,6 +119,7 @@ impl<'s> Builder<'s> {
             influences: Vec::new(),
             flowing: Vec::new(),
             slopes: Vec::new(),
+            graph: None,
             lasting: vec![None; scene.stages.len()],
             turned: Vec::new(),
             literals: Vec::new(),

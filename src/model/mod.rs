@@ -19,6 +19,7 @@ mod name;
 mod overview;
 mod pair;
 mod place;
+mod printed_graph;
 mod quantity_kind;
 mod read;
 mod reason;
@@ -41,6 +42,7 @@ pub use instance::{Agent, Because, Impulse, Instance, Integral, Omission, Omitte
 pub use mistaken::Mistaken;
 use name::Meaning;
 pub use name::{Instant, Name, VectorName, component_name};
+pub use printed_graph::PrintedGraph;
 pub use quantity_kind::{QuantityKind, VectorKind};
 pub use reason::{Reason, Warning};
 pub use timeline::Timeline;
@@ -90,6 +92,8 @@ pub struct Model {
     pub forces: Vec<ActingForce>,
     /// The slopes of floors.
     pub slopes: Vec<Slope>,
+    /// The force that the sheet tells by its graph.
+    pub graph: Option<PrintedGraph>,
     /// The streams that meet bodies.
     pub flowing: Vec<Flowing>,
     /// Values that the author wrote into terms: known, and the same in every variant.
@@ -315,6 +319,7 @@ impl<'s> Builder<'s> {
             literals: self.literals,
             frames: self.frames,
             slopes: self.slopes,
+            graph: self.graph,
             free: self.free,
             expressions: self.expressions,
             mentions: self.mentions,

@@ -10,6 +10,7 @@ use crate::fault::Path;
 use crate::quantity::Dimension;
 use crate::scene::Axis;
 use crate::scene::Components;
+use crate::scene::Graph;
 use crate::scene::Strength;
 use crate::scene::Term;
 
@@ -55,35 +56,35 @@ impl Builder<'_> {
                 Expr::zero()
             }
             Strength::Graph(graph) => {
-                let read = |builder: &mut Self, term: &Term, dimension, position: usize, side: usize| {
-                    let value = builder.read(term, dimension, meaning, &path.key("points").index(position).index(side));
-                    builder.zero_if_so_written(value)
-                };
-                let points: Vec<[Expr; 2]> = graph
-                    .points
-                    .iter()
-                    .enumerate()
-                    .map(|(position, [time, force])| {
-                        [read(self, time, Dimension::TIME, position, 0), read(self, force, dimension, position, 1)]
-                    })
-                    .collect();
-                if points.len() < 2 {
-                    let fault = Fault::new(Code::MissingKey, "a graph needs at least two points");
-                    let help = "write pairs of time and force: `[[0 s, 0 N], [2 s, 6 N]]`";
-                    self.faults.push(fault.help(help).at_path(path.key("points")));
-                }
-                for pair in points.windows(2) {
-                    self.in_order(&pair[0][0], &pair[1][0], Reason::PointsInOrder);
-                }
-                // Two points at one time are a step, over which no time passes.
-                let pieces = points.windows(2).filter(|pair| pair[0][0] != pair[1][0]).map(|pair| {
-                    let [[t0, f0], [t1, f1]] = [pair[0].clone(), pair[1].clone()];
-                    let slope = (f1 - f0.clone()) / (t1.clone() - t0.clone());
-                    (Some(t1), (f0 + slope * (clock.clone() - t0)).simplify())
-                });
-                Expr::Piecewise(Arc::new(Piecewise { variable: clock.clone(), pieces: pieces.collect() }))
+                let points = self.points(graph, dimension, meaning, path);
+                through(&points, clock)
             }
         }
+    }
+
+    /// The points of a graph: time and strength.
+    pub(super) fn points(&mut self, graph: &Graph, dimension: Dimension, meaning: &str, path: &Path) -> Vec<[Expr; 2]> {
+        let read = |builder: &mut Self, term: &Term, dimension, position: usize, side: usize| {
+            let value = builder.read(term, dimension, meaning, &path.key("points").index(position).index(side));
+            builder.zero_if_so_written(value)
+        };
+        let points: Vec<[Expr; 2]> = graph
+            .points
+            .iter()
+            .enumerate()
+            .map(|(position, [time, force])| {
+                [read(self, time, Dimension::TIME, position, 0), read(self, force, dimension, position, 1)]
+            })
+            .collect();
+        if points.len() < 2 {
+            let fault = Fault::new(Code::MissingKey, "a graph needs at least two points");
+            let help = "write pairs of time and force: `[[0 s, 0 N], [2 s, 6 N]]`";
+            self.faults.push(fault.help(help).at_path(path.key("points")));
+        }
+        for pair in points.windows(2) {
+            self.in_order(&pair[0][0], &pair[1][0], Reason::PointsInOrder);
+        }
+        points
     }
 
     /// Components along the axes in their order, each as a function of the time `t`; those left out are zero.
@@ -108,4 +109,15 @@ impl Builder<'_> {
         };
         axes.iter().map(read).map(|value| value.unwrap_or_else(Expr::zero)).collect()
     }
+}
+
+/// Straight lines between the points of a graph. Two points at one time are a step, over which no time passes.
+pub(super) fn through(points: &[[Expr; 2]], clock: Expr) -> Expr {
+    let pieces = points.windows(2).filter(|pair| pair[0][0] != pair[1][0]).map(|pair| {
+        let [[t0, f0], [t1, f1]] = [pair[0].clone(), pair[1].clone()];
+        let slope = (f1 - f0.clone()) / (t1.clone() - t0.clone());
+        (Some(t1), (f0 + slope * (clock.clone() - t0)).simplify())
+    });
+    let pieces = pieces.collect();
+    Expr::Piecewise(Arc::new(Piecewise { variable: clock, pieces }))
 }

@@ -10,7 +10,7 @@ mod term;
 pub use axes::{Axes, Axis, Sense, Senses};
 pub use body::{Body, Guide, Plane, Point, Surface};
 pub use components::Components;
-pub use force::{Force, Friction, Piece, Pull, Strength};
+pub use force::{Force, Friction, Graph, Piece, Pull, Strength};
 pub use stage::Stage;
 pub use term::Term;
 

@@ -98,8 +98,8 @@ fn plot(film: &Film, bodies: &[String], place: usize, axis: &Component) -> Figur
     let symbol = |name: &str| Math::Identifier(name.into());
     let plot = ForcePlot {
         wording: Wording { title: caption.clone(), description: String::new(), caption },
-        time: PlotAxis { symbol: symbol("t"), unit: "s".to_owned() },
-        force: PlotAxis { symbol: symbol(axis.letter), unit: "m".to_owned() },
+        time: PlotAxis { symbol: symbol("t"), unit: "s".to_owned(), told: Vec::new() },
+        force: PlotAxis { symbol: symbol(axis.letter), unit: "m".to_owned(), told: Vec::new() },
         points: curve(0),
         area: None,
         marks: Vec::new(),

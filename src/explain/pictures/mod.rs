@@ -8,6 +8,7 @@ mod cache;
 mod compass;
 mod diagram_plan;
 mod flow;
+mod graph;
 mod labels;
 mod moment;
 mod momentum;

@@ -27,9 +27,14 @@ const PIECES: u32 = 72;
 /// The force of a stage that changes with time, where there is one and its values may be shown.
 pub(super) fn force_plot(quantities: &Quantities<'_>, stage: usize) -> Option<Drawing> {
     let clock = quantities.model().symbols.find("t")?;
-    let pulls = quantities.model().forces.iter().filter(|force| force.stage == stage && force.kind == ForceKind::Pull);
-    let force = pulls.into_iter().find(|force| force.strength.contains(clock))?;
+    let force = pulls(quantities, stage).find(|force| force.strength.contains(clock))?;
     plot(quantities, force, clock)
+}
+
+/// The pushes and pulls of a stage.
+pub(super) fn pulls<'a>(quantities: &Quantities<'a>, stage: usize) -> impl Iterator<Item = &'a ActingForce> {
+    let forces = quantities.model().forces.iter();
+    forces.filter(move |force| force.stage == stage && force.kind == ForceKind::Pull)
 }
 
 fn plot(quantities: &Quantities<'_>, force: &ActingForce, clock: Symbol) -> Option<Drawing> {
@@ -55,9 +60,9 @@ fn plot(quantities: &Quantities<'_>, force: &ActingForce, clock: Symbol) -> Opti
     // What acts before the body moves is no part of the impulse that moves it.
     let shaded = quantities.scope() == Scope::Solved && begin == force.during[0];
     let plot = ForcePlot {
-        wording: wording(quantities, force, shaded),
-        time: PlotAxis { symbol: name_math("t"), unit: time.unicode() },
-        force: PlotAxis { symbol: name_math("F"), unit: strength.unicode() },
+        wording: wording(force, &marks, shaded),
+        time: PlotAxis { symbol: name_math("t"), unit: time.unicode(), told: Vec::new() },
+        force: PlotAxis { symbol: name_math("F"), unit: strength.unicode(), told: Vec::new() },
         points,
         area: shaded.then(|| quantities.impulse_of_force(force).label),
         marks: marks.into_iter().map(|mark| (mark.time / second, mark.label)).collect(),
@@ -66,15 +71,15 @@ fn plot(quantities: &Quantities<'_>, force: &ActingForce, clock: Symbol) -> Opti
 }
 
 /// A time with a name.
-struct Mark {
-    time: f64,
-    label: Math,
+pub(super) struct Mark {
+    pub time: f64,
+    pub label: Math,
     /// What a figure's description calls it.
     words: String,
 }
 
 /// Times with names: the ends of the force's pieces, when the body starts to move, the end.
-fn marks(quantities: &Quantities<'_>, force: &ActingForce) -> Vec<Mark> {
+pub(super) fn marks(quantities: &Quantities<'_>, force: &ActingForce) -> Vec<Mark> {
     let pieces = match &force.strength {
         Expr::Piecewise(piecewise) => piecewise.pieces.iter().filter_map(|(until, _)| until.clone()).collect(),
         _ => Vec::new(),
@@ -95,10 +100,10 @@ fn marks(quantities: &Quantities<'_>, force: &ActingForce) -> Vec<Mark> {
     marks
 }
 
-fn wording(quantities: &Quantities<'_>, force: &ActingForce, shaded: bool) -> Wording {
+pub(super) fn wording(force: &ActingForce, marks: &[Mark], shaded: bool) -> Wording {
     let name = force.in_words();
     let area = if shaded { ", whose impulse is the shaded area" } else { "" };
-    let times: Vec<String> = marks(quantities, force).into_iter().map(|mark| mark.words).collect();
+    let times: Vec<&str> = marks.iter().map(|mark| mark.words.as_str()).collect();
     let marked = if times.is_empty() { String::new() } else { format!("marked times: {}", times.join(", ")) };
     Wording {
         title: format!("Graph of {name} against time"),

@@ -102,7 +102,7 @@ impl<'a> Quantities<'a> {
 
     /// The value of a quantity in SI units, where it may be shown.
     pub(super) fn value(&self, symbol: Symbol) -> Option<f64> {
-        let told = || self.worked.variant.given(symbol).is_some() || self.is_any(symbol);
+        let told = || self.worked.variant.given(symbol).is_some() || self.is_any(symbol) || self.is_assumed(symbol);
         if self.scope == Scope::Given && !told() {
             return None;
         }
@@ -181,7 +181,7 @@ impl<'a> Quantities<'a> {
     }
 
     /// Whether a quantity stands for any value, so that no number of the problem means anything by itself.
-    fn is_any(&self, symbol: Symbol) -> bool {
+    pub(super) fn is_any(&self, symbol: Symbol) -> bool {
         self.worked.form.free.contains(&symbol)
     }
 

@@ -13,12 +13,12 @@ use super::angular;
 use super::arm;
 use super::compass::Compass;
 use super::flow;
+use super::graph;
 use super::moment;
 use super::momentum;
 use super::participants::Arrows;
 use super::participants::Drawn;
 use super::participants::Participant;
-use super::plot;
 use super::quantities::Quantities;
 use super::sheet;
 use super::snapshot;
@@ -26,11 +26,14 @@ use super::string;
 
 /// The figure of the problem sheet, by what happens first; none where nothing that is given can be drawn.
 pub(super) fn sheet(quantities: &Quantities<'_>, compass: &Compass) -> Option<Drawing> {
+    if let Some(graph) = &quantities.model().graph {
+        return graph::force_plot(quantities, graph.stage);
+    }
     match quantities.scene().stages.first() {
         None | Some(Stage::Interact(_)) => snapshot::drawing(quantities, compass),
         Some(Stage::Impact(impact)) => sheet::contact::drawing(quantities, compass, impact)
             .or_else(|| sheet::line::drawing(quantities, compass, 0)),
-        Some(Stage::Push(push)) if is_graph(push) => plot::force_plot(quantities, 0),
+        Some(Stage::Push(push)) if is_graph(push) => graph::force_plot(quantities, 0),
         Some(Stage::Push(push)) if push.is_of_several() => {
             snapshot::pushed(quantities, compass).or_else(|| sheet::line::drawing(quantities, compass, 0))
         }
@@ -88,7 +91,7 @@ pub(super) fn solution(
         Stage::Central(central) => vec![Some(angular::central(quantities, index, central))],
         Stage::Bounces(bounces) => vec![sheet::fall::bouncing(quantities, bounces)],
         Stage::Push(push) => {
-            let plot = plot::force_plot(quantities, index);
+            let plot = graph::force_plot(quantities, index);
             let place = if push.is_of_several() { snapshot::pushed } else { snapshot::in_space };
             let place = if index == 0 { place(quantities, compass) } else { None };
             [place, plot, momenta()].into_iter().collect()

@@ -44,7 +44,7 @@ pub(in crate::model) use bounce_heights::is_height_of_a_bounce;
 pub(in crate::model) use described::Description;
 pub(in crate::model) use described::ROTOR;
 pub(in crate::model) use described::Span;
-pub(in crate::model) use push::Pushed;
+pub(in crate::model) use push::{Acting, Pushed};
 pub(in crate::model) use push_system::pushing;
 pub(in crate::model) use push_system::total_impulse;
 pub(in crate::model) use rotate::angular_impulse_by_name;

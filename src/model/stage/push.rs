@@ -18,6 +18,7 @@ use crate::model::Reason;
 use crate::model::acting::Acts;
 use crate::model::frame::Direction;
 use crate::model::incline::Incline;
+use crate::model::strength::through;
 use crate::model::wording;
 use crate::quantity::Dimension;
 use crate::scene::Axis;
@@ -27,6 +28,7 @@ use crate::scene::Pull;
 use crate::scene::Strength;
 use crate::scene::stage::During;
 use crate::scene::stage::Push;
+use crate::scene::stage::ToldBy;
 use crate::scene::stage::Until;
 use crate::solve::Relation;
 
@@ -35,6 +37,8 @@ pub(in crate::model) struct Acting {
     pub name: String,
     pub strength: Expr,
     pub direction: Direction,
+    /// The points of its graph, where it is told by one.
+    pub points: Vec<[Expr; 2]>,
 }
 
 /// What is the same all through a push.
@@ -89,6 +93,9 @@ impl Builder<'_> {
         }
         for force in &acting {
             self.told_throughout(&force.name, &force.strength, end);
+        }
+        if stage.told == Some(ToldBy::Graph) {
+            self.print_graph(index, &acting, &path.key("told"));
         }
         let incline = self.incline(index, stage.incline.as_ref(), path);
         let over = stage.over.as_ref().map(|term| {
@@ -306,16 +313,23 @@ impl Builder<'_> {
             let parts = parts.filter(|(_, strength)| !strength.is_zero()).map(|(position, strength)| {
                 let letter = self.axes.get(position).map_or("", |(axis, _)| axis.letter());
                 let direction = Direction::axis(self.axis_place(position), false);
-                Acting { name: format!("{name} along {letter}"), strength, direction }
+                Acting { name: format!("{name} along {letter}"), strength, direction, points: Vec::new() }
             });
             return parts.collect();
         }
-        let strength = self.strength(&pull.value, Dimension::FORCE, &wording::force_of(&name), &at);
+        let meaning = wording::force_of(&name);
+        let (strength, points) = match &pull.value {
+            Strength::Graph(graph) => {
+                let points = self.points(graph, Dimension::FORCE, &meaning, &at);
+                (through(&points, self.running_time().into()), points)
+            }
+            other => (self.strength(other, Dimension::FORCE, &meaning, &at), Vec::new()),
+        };
         let direction = match &pull.direction {
             Some(term) => self.direction(term, &path.key("direction")),
             None => self.first_axis(),
         };
-        vec![Acting { name, strength, direction }]
+        vec![Acting { name, strength, direction, points }]
     }
 
     /// The impulse of a force over the stage: force times time, or a symbol with its integral.

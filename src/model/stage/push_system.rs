@@ -69,6 +69,7 @@ fn of_one_body<'a>(scene: &Scene, push: &Push) -> impl Iterator<Item = (&'a str,
         (push.until.is_some(), "an end at rest", "until"),
         (push.incline.is_some(), "a slope", "incline"),
         (push.direction.is_some(), "a direction of motion", "direction"),
+        (push.told.is_some(), "a graph that is printed", "told"),
         (rubs, "friction", "forces"),
         (varies, "a force that depends on the position", "forces"),
     ];

@@ -99,7 +99,8 @@ impl Builder<'_> {
         let end = self.stage_duration(index, stage.duration.as_ref(), path);
         self.told_throughout(name, &strength, &end);
         let clock = self.running_time();
-        let force = Acting { name: name.to_owned(), strength, direction: Direction::axis(0, false) };
+        let force =
+            Acting { name: name.to_owned(), strength, direction: Direction::axis(0, false), points: Vec::new() };
         let impulse = self.impulse_of(index, &force, clock, [&Expr::zero(), &end]);
         let own = self.in_stage(QuantityKind::Impulse, ahead, index);
         let meaning = format!("the impulse on {}", self.called(ahead));

@@ -5,6 +5,7 @@ pub(super) mod any;
 pub(super) mod compile;
 pub(super) mod form_cache;
 pub(super) mod form_draft;
+mod graph_told;
 pub(super) mod input;
 pub(super) mod planned;
 pub(super) mod regimes;

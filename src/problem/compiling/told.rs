@@ -10,6 +10,7 @@ use crate::fault::Path;
 use crate::laws::geometry;
 use crate::laws::kinematics;
 use crate::model::Model;
+use crate::model::PrintedGraph;
 use crate::quantity::Decimal;
 use crate::quantity::Quantity;
 use crate::quantity::Unit;
@@ -22,6 +23,7 @@ use super::super::language::text::Text;
 use super::super::reading::load::Loaded;
 use super::super::reading::numerals::goes_without_saying;
 use super::super::reading::numerals::tells;
+use super::graph_told;
 use super::planned::Form;
 use super::planned::Problem;
 
@@ -56,6 +58,10 @@ pub(in crate::problem) fn check(loaded: &Loaded, model: &Model, form: &Form) -> 
                 faults.push(Fault::new(Code::Text, message).help(help).at_path(path.clone()).within(placeholder.span));
             }
         }
+    }
+    if let Some(graph) = &model.graph {
+        printed.extend(graph.symbols());
+        faults.extend(graph_told::check(model, form, graph));
     }
     let needed = form.needed();
     let revealed = form.reveal.iter().map(|reveal| (reveal.name.as_str(), reveal.symbol));
@@ -103,8 +109,9 @@ impl Problem {
         let model = self.model();
         let prose = prose(self.loaded(), form);
         let needed = in_laws(self, form);
+        let drawn: BTreeSet<Symbol> = model.graph.iter().flat_map(PrintedGraph::symbols).collect();
         let untold = |(symbol, value): &&(Symbol, Quantity)| {
-            needed.contains(symbol) && !is_said(&prose, &value.value, &value.unit)
+            needed.contains(symbol) && !drawn.contains(symbol) && !is_said(&prose, &value.value, &value.unit)
         };
         let name = |(symbol, _): &(Symbol, Quantity)| model.symbols.entry(*symbol).name.as_str();
         model.literals.iter().filter(untold).map(name).collect()

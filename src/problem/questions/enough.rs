@@ -11,6 +11,7 @@ use crate::fault::Path;
 use crate::laws::wrong::concept;
 use crate::model::Builder;
 use crate::model::Model;
+use crate::model::PrintedGraph;
 use crate::solve::Condition;
 use crate::solve::Equation;
 use crate::solve::Plan;
@@ -86,6 +87,7 @@ pub(in crate::problem) fn on_the_sheet(
         .into_iter()
         .flat_map(Text::told)
         .filter_map(|name| model.symbol_of(&name))
+        .chain(model.graph.iter().flat_map(PrintedGraph::symbols))
         .collect();
     let is_secret = |known: &&Known| match known.origin {
         Origin::Drawn(_) => !printed.contains(&known.symbol),

@@ -2,6 +2,7 @@
 
 use crate::expr::Expr;
 use crate::expr::Symbol;
+use crate::model::PrintedGraph;
 use crate::model::QuantityKind;
 use crate::quantity::Decimal;
 use crate::quantity::Printed;
@@ -99,6 +100,13 @@ impl Variant {
                 let (value, unit) = self.told(problem, symbol);
                 let typed = Printed::written(&value).plain().replace(" × 10^", "e");
                 numbers.push((name.clone(), format!("{typed} {unit}").trim_end().to_owned()));
+            }
+        }
+        let graph = problem.model().graph.iter().flat_map(PrintedGraph::symbols);
+        for (symbol, (value, unit)) in graph.filter_map(|symbol| Some((symbol, self.given(symbol)?))) {
+            let name = &problem.model().symbols.entry(symbol).name;
+            if numbers.iter().all(|(own, _)| own != name) {
+                numbers.push((name.clone(), format!("{value} {unit}").trim_end().to_owned()));
             }
         }
         numbers

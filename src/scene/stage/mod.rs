@@ -45,7 +45,7 @@ pub use included::Included;
 pub use interact::Interact;
 pub use moment::Moment;
 pub use motion::{Course, Motion};
-pub use push::{During, Push};
+pub use push::{During, Push, ToldBy};
 pub use rotate::{Arm, Rotate};
 pub use separate::{Relative, Separate, When};
 pub use slide::Slide;

@@ -38,6 +38,18 @@ pub struct Push {
     pub incline: Option<Term>,
     /// The forces. Weight acts by itself in a vertical plane.
     pub forces: Vec<Force>,
+    /// `graph` if the sheet's graph tells the force that is given by points: it prints the time and the force of each, and the text
+    /// need not. A time or a force is then a value, a name, or a multiple of one.
+    #[serde(default)]
+    pub told: Option<ToldBy>,
+}
+
+/// What tells the numbers of a force.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ToldBy {
+    /// The graph on the sheet.
+    Graph,
 }
 
 impl Push {

@@ -258,7 +258,7 @@ pub fn force_plot(dice: &mut Dice) -> Drawing {
         point
     });
     let points: Vec<[f64; 2]> = points.collect();
-    let axis = |symbol: &str, unit: &str| PlotAxis { symbol: name(symbol), unit: unit.to_owned() };
+    let axis = |symbol: &str, unit: &str| PlotAxis { symbol: name(symbol), unit: unit.to_owned(), told: Vec::new() };
     ForcePlot {
         wording: wording("A random force"),
         time: axis("t", "s"),
@@ -318,7 +318,7 @@ pub fn nonsense() -> Vec<Drawing> {
     };
     let situation =
         |layout| Situation { wording: wording("Nonsense"), layout, axes: vec![AxisMark::new("x", f64::NAN)] };
-    let axis = || PlotAxis { symbol: name("t"), unit: String::new() };
+    let axis = || PlotAxis { symbol: name("t"), unit: String::new(), told: Vec::new() };
     let plot = ForcePlot {
         wording: wording("Nonsense"),
         time: axis(),

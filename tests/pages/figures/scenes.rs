@@ -270,8 +270,8 @@ pub fn angular_diagrams() -> Vec<(&'static str, AngularDiagram)> {
 pub fn force_plots() -> Vec<(&'static str, ForcePlot)> {
     let plot = |title, points, marks| ForcePlot {
         wording: wording(title),
-        time: PlotAxis { symbol: name("t"), unit: "s".to_owned() },
-        force: PlotAxis { symbol: name("F"), unit: "N".to_owned() },
+        time: PlotAxis { symbol: name("t"), unit: "s".to_owned(), told: Vec::new() },
+        force: PlotAxis { symbol: name("F"), unit: "N".to_owned(), told: Vec::new() },
         points,
         area: Some(name("J")),
         marks,
@@ -280,6 +280,29 @@ pub fn force_plots() -> Vec<(&'static str, ForcePlot)> {
     vec![
         ("ramp", plot("A ramp", vec![[0.0, 0.0], [2.0, 36.0], [5.0, 36.0]], vec![(2.0, sub("t", "a"))])),
         ("pulse", plot("A short blow", sine.collect(), Vec::new())),
+        (
+            "told",
+            ForcePlot {
+                time: PlotAxis {
+                    told: [0.0, 0.9, 1.8, 2.5, 2.55, 4.0].map(|time| (time, Math::Number(time.to_string()))).to_vec(),
+                    ..plot("", Vec::new(), Vec::new()).time
+                },
+                force: PlotAxis {
+                    told: vec![
+                        (3.5, Math::Number("3.5".into())),
+                        (-7.0, Math::Number("-7".into())),
+                        (7.0, sub("F", "max")),
+                        (7.2, Math::Number("7.2".into())),
+                    ],
+                    ..plot("", Vec::new(), Vec::new()).force
+                },
+                ..plot(
+                    "Told by its graph",
+                    vec![[0.0, 3.5], [0.9, 3.5], [0.9, -7.0], [1.8, -7.0], [2.5, 7.0], [2.55, 7.2], [4.0, 0.0]],
+                    Vec::new(),
+                )
+            },
+        ),
         ("both", plot("Forwards and back", vec![[0.0, 20.0], [1.0, 20.0], [3.0, -30.0], [4.0, 0.0]], Vec::new())),
     ]
 }
