@@ -17,6 +17,17 @@ pub const KINETIC: Law = Law {
     wrong: wrong::energy::KINETIC,
 };
 
+/// Potential energy of a weight.
+pub const POTENTIAL: Law = Law {
+    id: "potential-energy",
+    name: "the definition of potential energy",
+    statement: "The potential energy of a body due to its weight is its weight times its height above the origin.",
+    signs: "Negative below the origin.",
+    when: "The body stays so close to the ground that its weight does not change.",
+    source: "Definition: the work of the weight on the way back to the origin.",
+    wrong: &[],
+};
+
 /// Energy lost in a stage.
 pub const LOSS: Law = Law {
     id: "energy-lost",
@@ -73,7 +84,7 @@ pub const CONSERVATION: Law = Law {
 };
 
 /// The laws of this chapter.
-pub const LAWS: &[&Law] = &[&KINETIC, &LOSS, &GAIN, &WORK_ENERGY, &WORK, &CONSERVATION];
+pub const LAWS: &[&Law] = &[&KINETIC, &POTENTIAL, &LOSS, &GAIN, &WORK_ENERGY, &WORK, &CONSERVATION];
 
 /// `1/2 (m_A m_B)/(m_A + m_B) (1 - e^2) u^2`: what an impact of two free bodies that approach each other at `u` loses.
 #[must_use]

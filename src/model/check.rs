@@ -59,6 +59,12 @@ pub(super) fn is_structural(scene: &Scene, name: &str) -> bool {
             QuantityKind::Position | QuantityKind::Coordinate(_) => !name.subject.is_empty() && name.instant.is_some(),
             QuantityKind::Height => is_height_of_a_bounce(scene, &name),
             QuantityKind::MomentumRate => name.instant.is_some() && name.subject.is_empty(),
+            QuantityKind::PotentialEnergy => {
+                scene.plane == Plane::Vertical && !name.subject.is_empty() && name.instant.is_some()
+            }
+            QuantityKind::Period => {
+                name.instant.is_some() && scene.stages.iter().any(|stage| matches!(stage, Stage::Rotate(_)))
+            }
             QuantityKind::Moment | QuantityKind::AngularMomentumRate => {
                 name.instant.is_some() && (name.is_of_mass_centre() || scene.points.contains_key(&name.subject))
             }

@@ -102,6 +102,8 @@ pub enum QuantityKind {
     Power,
     /// Kinetic energy.
     KineticEnergy,
+    /// Potential energy due to weight.
+    PotentialEnergy,
     /// Kinetic energy relative to the centre of mass.
     RelativeEnergy,
     /// Kinetic energy that a stage loses.
@@ -170,6 +172,7 @@ const READ: &[QuantityKind] = &[
     QuantityKind::Force,
     QuantityKind::Weight,
     QuantityKind::KineticEnergy,
+    QuantityKind::PotentialEnergy,
     QuantityKind::Work,
     QuantityKind::AngularMomentum,
     QuantityKind::Moment,
@@ -231,6 +234,7 @@ impl QuantityKind {
             Self::Weight => ("W", Dimension::FORCE),
             Self::Power => ("P", Dimension::new(1, 2, -3)),
             Self::KineticEnergy => ("T", Dimension::ENERGY),
+            Self::PotentialEnergy => ("V", Dimension::ENERGY),
             Self::RelativeEnergy => ("T_rel", Dimension::ENERGY),
             Self::EnergyLost => ("T_lost", Dimension::ENERGY),
             Self::EnergyGained => ("T_gained", Dimension::ENERGY),

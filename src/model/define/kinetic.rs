@@ -35,6 +35,23 @@ pub(super) fn kinetic_energy(builder: &mut Builder<'_>, name: &Name) -> Option<S
     Some(symbol)
 }
 
+/// The potential energy of a body's weight, where an axis points up or down.
+pub(super) fn potential_energy(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
+    let (body, instant) = builder.body_at(name)?;
+    let (position, down) = (0..builder.axes.len()).find_map(|place| Some((place, builder.downwards(place)?)))?;
+    let axis = builder.axes.get(position)?.0;
+    let (owner, when) = (builder.called(&body), builder.when(instant));
+    let symbol = builder.symbol(
+        Name { subject: body.clone(), ..name.clone() }.at(instant),
+        format!("the potential energy of {owner} {when}"),
+    );
+    let height = Expr::integer(-down) * builder.place(&body, instant, axis);
+    let (mass, gravity) = (builder.mass(&body), builder.gravity());
+    let sides = (symbol.into(), Expr::product([mass, gravity, height]));
+    builder.law(&energy::POTENTIAL, None, Because::Definition, sides);
+    Some(symbol)
+}
+
 pub(super) fn energy_lost(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let stage = balanced_stage(builder, name, &builder.impacts())?;
     let meaning = format!("the kinetic energy lost in {}", builder.stage_phrase(stage));

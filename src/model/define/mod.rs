@@ -39,6 +39,7 @@ use angular::rate_of_angular_momentum;
 use kinetic::energy_gained;
 use kinetic::energy_lost;
 use kinetic::kinetic_energy;
+use kinetic::potential_energy;
 use kinetic::work;
 use mass_centre::mass_centre_position;
 use mass_centre::total_mass;
@@ -67,6 +68,7 @@ const DEFINITIONS: &[(QuantityKind, Define)] = &[
     (QuantityKind::Impulse, impulse),
     (QuantityKind::MeanForce, mean_force),
     (QuantityKind::KineticEnergy, kinetic_energy),
+    (QuantityKind::PotentialEnergy, potential_energy),
     (QuantityKind::EnergyLost, energy_lost),
     (QuantityKind::EnergyGained, energy_gained),
     (QuantityKind::Work, work),

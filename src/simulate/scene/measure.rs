@@ -48,6 +48,11 @@ pub fn measure(
         }
         ("T", "") => energy(&values, alive, &moving),
         ("T", body) if body != "G" => energy(&values, &[body], &moving),
+        ("V", body) => {
+            let (own, mass) = (place(&values, body).ok()?, values.mass(body).ok()?);
+            let lifted = values.axes().into_iter().map(|axis| Some(-values.gravity(axis).ok()? * part(own, axis)));
+            Some((mass * lifted.sum::<Option<f64>>()?, 0.0))
+        }
         ("r" | "v", "G") => of_centre(&values, alive, asked, &moving),
         ("v", body) => Some((one(moving(body)?)?, 0.0)),
         ("H", point) => {

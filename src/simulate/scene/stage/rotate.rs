@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use core::f64::consts::PI;
+use core::f64::consts::{PI, TAU};
 
 use crate::scene::stage::Rotate;
 
@@ -62,7 +62,9 @@ impl StageRun<'_> {
         }
         let weighed = held.iter().all(|own| self.values.mass(own.body).is_ok());
         let turning = |own: &Held<'_>| Ok(self.values.velocity_before(own.body, axis)? / own.ends[0]);
-        let started = self.values.named(&format!("omega_{first}"));
+        let turning_of = held.first().filter(|_| !stage.is_arm()).map_or("", |own| own.body);
+        let period = || Ok(TAU / self.values.named(&format!("period_{turning_of}{first}"))?);
+        let started = self.values.named(&format!("omega_{first}")).or_else(|_| period());
         let before = held.iter().fold(started, |known, own| known.or_else(|_| turning(own)))?;
         // What carries the particles is one more, of so much mass that its moment of inertia is the same.
         if let Some(rotor) = &stage.rotor {
@@ -129,9 +131,8 @@ impl StageRun<'_> {
                     self.note(&format!("T_{instant}"), resists(side) * rate * rate / 2.0, 0.0);
                 }
             }
-            let turning = held.first().filter(|_| !stage.is_arm()).map_or("", |own| own.body);
-            self.note(&format!("omega_{turning}{instant}"), rate, before);
-            self.note(&format!("period_{turning}{instant}"), std::f64::consts::TAU / rate.abs(), 0.0);
+            self.note(&format!("omega_{turning_of}{instant}"), rate, before);
+            self.note(&format!("period_{turning_of}{instant}"), TAU / rate.abs(), 0.0);
             for own in held.iter().filter(|own| stage.rotor.as_deref() != Some(own.body)) {
                 self.note(&format!("a_{}{instant}.n", own.body), own.ends[side] * rate * rate, 0.0);
             }
