@@ -5,8 +5,11 @@ use std::sync::Arc;
 
 use crate::exercise::Exercise;
 use crate::explain::lines_out;
+use crate::explain::offered_pictures;
 use crate::grade::DecimalMark;
+use crate::problem::ChoicePart;
 use crate::problem::Part;
+use crate::problem::PartKind;
 use crate::problem::Problem;
 
 use super::answers::noted;
@@ -30,7 +33,7 @@ fn exercises(problem: &Arc<Problem>, form: usize, seeds: u64) -> impl Iterator<I
 pub(super) fn from_the_sheet(problem: &Arc<Problem>, form: usize, seeds: u64) -> Outcome {
     let differs = |(seed, first): (u64, Exercise)| {
         let again = Exercise::with_values(problem, form, seed, &sheet_values(&first), &[]);
-        let [ours, theirs] = [key(&first), again.map(|again| key(&again)).unwrap_or_default()];
+        let [ours, theirs] = [meant(&first), again.map(|again| meant(&again)).unwrap_or_default()];
         ours.iter().find(|answer| !theirs.contains(answer)).map(|(id, answer)| {
             let other = theirs.iter().find(|(own, _)| own == id).map_or("no answer", |(_, other)| other);
             format!("with seed {seed}, `{id}` is {answer}, but the printed numbers give {other}")
@@ -70,6 +73,20 @@ fn sheet_values(exercise: &Exercise) -> Vec<(String, String)> {
 
 fn key(exercise: &Exercise) -> Vec<(String, String)> {
     exercise.worked().form.parts.iter().map(|part| (part.id.clone(), exercise.printed(part))).collect()
+}
+
+/// The key with each picture described in place of its name, which depends on the seed.
+fn meant(exercise: &Exercise) -> Vec<(String, String)> {
+    let worked = exercise.worked();
+    let described = |part: &Part| match &part.kind {
+        PartKind::Choice(choice @ ChoicePart::Pictured(pictured)) => {
+            let right = choice.decided(&worked).right;
+            offered_pictures(worked, pictured).into_iter().nth(right).map(|own| own.description)
+        }
+        _ => None,
+    };
+    let parts = worked.form.parts.iter();
+    parts.map(|part| (part.id.clone(), described(part).unwrap_or_else(|| exercise.printed(part)))).collect()
 }
 
 /// A student who types in what the key prints gets every point.

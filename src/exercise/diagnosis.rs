@@ -9,6 +9,7 @@ use crate::problem::Decision;
 use crate::problem::FormulaPart;
 use crate::problem::Mistake;
 use crate::problem::PartKind;
+use crate::problem::Said;
 use crate::problem::Simulated;
 use crate::problem::Worked;
 
@@ -111,10 +112,11 @@ impl Marking<'_> {
 
 /// What is said of a wrong choice: what the author says of that option, or of the mistake behind any.
 pub(super) fn misjudged(worked: Worked<'_>, decision: &Decision, option: usize) -> Option<Diagnosis> {
-    if let Some(said) = decision.said.get(option).filter(|said| !said.is_empty()) {
-        return Some(Diagnosis { codes: Vec::new(), step: None, hints: vec![said.clone()] });
-    }
-    let behind = decision.behind?;
+    let behind = match decision.said.get(option) {
+        Some(Said::Own(said)) => return Some(Diagnosis { codes: Vec::new(), step: None, hints: vec![said.clone()] }),
+        Some(Said::Mistake(mistake)) => mistake,
+        Some(Said::Nothing) | None => decision.behind?,
+    };
     let question = feedback_on(worked, behind).unwrap_or_else(|| behind.ask.to_owned());
     Some(Diagnosis { codes: vec![behind.id], step: None, hints: vec![question, behind.hint.to_owned()] })
 }

@@ -38,6 +38,7 @@ use crate::explain::Outline;
 use crate::expr::Math;
 use crate::expr::Operator;
 use crate::expr::Symbol;
+use crate::figure::Drawing;
 use crate::problem;
 use crate::problem::AskedUnit;
 use crate::problem::ChoicePart;
@@ -172,7 +173,7 @@ impl Exercise {
                 (vec![Inline::Text(format!("Find {}, ", part.label)), Inline::Math(name), Inline::Text(along)], unit)
             }
             PartKind::Formula(formula) => (self.formula_on_sheet(part, formula), None),
-            PartKind::Range(_) | PartKind::Choice(ChoicePart::Offered(_)) => {
+            PartKind::Range(_) | PartKind::Choice(ChoicePart::Offered(_) | ChoicePart::Pictured(_)) => {
                 (vec![Inline::Text(part.label.clone())], None)
             }
             PartKind::Choice(ChoicePart::Order(symbols)) => {
@@ -198,7 +199,22 @@ impl Exercise {
             PartKind::Choice(choice @ ChoicePart::Offered(_)) => choice.decided(&self.worked()).options,
             _ => Vec::new(),
         };
-        SheetPart { label: letter(index), text, options, unit, points: Some(f64::from(part.points)) }
+        SheetPart {
+            label: letter(index),
+            text,
+            options,
+            pictures: self.pictures(part),
+            unit,
+            points: Some(f64::from(part.points)),
+        }
+    }
+
+    /// The pictures to choose from.
+    fn pictures(&self, part: &Part) -> Vec<Drawing> {
+        match &part.kind {
+            PartKind::Choice(ChoicePart::Pictured(pictured)) => explain::offered_pictures(self.worked(), pictured),
+            _ => Vec::new(),
+        }
     }
 
     /// What stands for the unit beside the room for an answer; none for a pure number.

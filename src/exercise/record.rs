@@ -107,7 +107,7 @@ impl Exercise {
             }
             PartKind::Choice(choice) => {
                 let decision = choice.decided(&self.worked());
-                json!({
+                let mut asked = json!({
                     "id": part.id,
                     "kind": "choice",
                     "find": part.label,
@@ -115,7 +115,13 @@ impl Exercise {
                     "value": decision.options.get(decision.right),
                     "because": decision.because,
                     "points": part.points,
-                })
+                });
+                // In words: what a screen reader says of each.
+                let pictures: Vec<String> = self.pictures(part).into_iter().map(|own| own.description).collect();
+                if let (false, Some(object)) = (pictures.is_empty(), asked.as_object_mut()) {
+                    object.insert("pictures".into(), json!(pictures));
+                }
+                asked
             }
         }
     }

@@ -55,6 +55,8 @@ pub struct Field {
     pub question: Vec<Inline>,
     /// How it is answered.
     pub kind: FieldKind,
+    /// The pictures to choose from, in the order of their names.
+    pub pictures: Vec<Drawing>,
     /// The unit that the answer is to be given in.
     pub unit: Option<Math>,
     /// The names that a formula may contain, as they are typed.
@@ -110,7 +112,7 @@ impl Exercise {
         StudentSheet { title, statement, figure, fields: fields.collect(), note, hints }
     }
 
-    fn field(&self, SheetPart { label, text, unit, .. }: SheetPart, part: &Part) -> Field {
+    fn field(&self, SheetPart { label, text, unit, pictures, .. }: SheetPart, part: &Part) -> Field {
         let (kind, question, symbols) = match &part.kind {
             PartKind::Number(number) if number.whole => (FieldKind::Count, text, Vec::new()),
             PartKind::Number(_) => (FieldKind::Number, text, Vec::new()),
@@ -122,7 +124,7 @@ impl Exercise {
                 (FieldKind::Choice { options }, vec![Inline::Text(part.label.clone())], Vec::new())
             }
         };
-        Field { id: part.id.clone(), label, question, kind, unit, symbols, points: part.points }
+        Field { id: part.id.clone(), label, question, kind, pictures, unit, symbols, points: part.points }
     }
 
     fn options(&self, choice: &ChoicePart) -> Vec<String> {

@@ -5,6 +5,7 @@ use crate::expr::Math;
 use crate::figure::Drawing;
 use crate::problem::FormulaPart;
 use crate::problem::NumberPart;
+use crate::problem::Pictured;
 use crate::problem::Sampler;
 use crate::problem::Variant;
 use crate::problem::Worked;
@@ -68,4 +69,12 @@ pub fn situation(worked: Worked<'_>) -> Option<Drawing> {
     let cache = SolutionCache::of(worked);
     let way = cache.way(worked);
     pictures::situation(&Quantities::new(worked, Scope::Given, &way.manners, &way.pictures))
+}
+
+/// The pictures that are offered in a choice, each with its name; in the order in which they are offered.
+#[must_use]
+pub fn offered_pictures(worked: Worked<'_>, pictured: &Pictured) -> Vec<Drawing> {
+    let cache = SolutionCache::of(worked);
+    let way = cache.way(worked);
+    pictures::offered(&Quantities::new(worked, Scope::Solved, &way.manners, &way.pictures), pictured)
 }

@@ -12,7 +12,7 @@ mod terms;
 mod wording;
 mod working;
 
-pub use asked::{lines_out, printed_answers, printed_formula, situation};
+pub use asked::{lines_out, offered_pictures, printed_answers, printed_formula, situation};
 pub use lines::Line;
 pub use lines::lines;
 pub use outline::{Audience, Block, Inline, Outline, Section};

@@ -17,6 +17,8 @@ pub enum Feature {
     Credit,
     /// Choices.
     Choices,
+    /// Choices between pictures.
+    Pictures,
     /// Vectors.
     Vectors,
     /// Several values of one quantity.

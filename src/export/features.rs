@@ -16,13 +16,14 @@ const COMPONENTS: Place = Instead("a field for each component, marked by itself"
 const ROOTS: Place = Instead("a field for each, from the smallest, marked by itself");
 const ENDS: Place = Instead("a field for each end; whether the end belongs to it is not asked");
 const CHOICE: Place = Instead("a choice among the right one and those of usual mistakes");
+const PICTURES: Place = Instead("the pictures below the statement, a choice among their names");
 const LEFT_OUT: Place = LeftOut("");
 const ALONE: Place = LeftOut("each answer is marked by itself");
 const FEEDBACK: Place = Whole("feedback of its own");
 const EXACT: Place = Whole("their share of the points");
 
 /// Every feature.
-pub const FEATURES: [Row; 16] = [
+pub const FEATURES: [Row; 17] = [
     (
         Feature::Numbers,
         "numbers and their tolerance",
@@ -96,6 +97,7 @@ pub const FEATURES: [Row; 16] = [
             Instead("the kind schoice, without feedback"),
         ],
     ),
+    (Feature::Pictures, "choices between pictures", [PICTURES; 7]),
     (Feature::Vectors, "vectors", [COMPONENTS; 7]),
     (Feature::Roots, "several values of one quantity", [ROOTS; 7]),
     (Feature::Intervals, "intervals", [ENDS; 7]),

@@ -80,7 +80,8 @@ impl<'i> Question<'i> {
                 ItemAnswers::Roots(_) => Some(Feature::Roots),
                 ItemAnswers::Vector(_) => Some(Feature::Vectors),
                 ItemAnswers::Interval { .. } => Some(Feature::Intervals),
-                ItemAnswers::Choice { .. } => Some(Feature::Choices),
+                ItemAnswers::Choice { .. } if part.field.pictures.is_empty() => Some(Feature::Choices),
+                ItemAnswers::Choice { .. } => Some(Feature::Pictures),
                 ItemAnswers::Formula { mistaken } if mistaken.is_empty() => Some(Feature::LoneFormulas),
                 ItemAnswers::Formula { .. } => Some(Feature::Formulas),
             });
@@ -125,11 +126,19 @@ impl<'i> Question<'i> {
 
     /// The statement with its figure, and what to take for constants.
     pub(super) fn statement(&self, markup: Markup, pictures: &mut Pictures) -> Result<String, Faults> {
-        let sheet = &self.item.sheet;
+        let (item, sheet) = (self.item, &self.item.sheet);
         let mut text = markup.authored(&self.item.identity.problem, &sheet.statement, LEVEL)?;
         text.push_str("\n\n");
         if let Some(drawing) = &sheet.figure {
             text.push_str(&pictures.show(markup, drawing));
+        }
+        let several = item.parts.len() > 1;
+        for field in item.parts.iter().map(|part| &part.field) {
+            for drawing in &field.pictures {
+                let label = if several { format!("({}) ", field.label) } else { String::new() };
+                text.push_str(&markup.paragraph(&markup.text(&format!("{label}{}:", drawing.title))));
+                text.push_str(&pictures.show(markup, drawing));
+            }
         }
         if !sheet.note.is_empty() {
             text.push_str(&markup.paragraph(&markup.inline(&sheet.note)));

@@ -4,6 +4,7 @@ use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::expr::SymbolTable;
 use crate::quantity::Quantity;
+use crate::scene::Axis;
 use crate::scene::Scene;
 use crate::solve::System;
 
@@ -51,6 +52,23 @@ impl<'s> Builder<'s> {
     #[must_use]
     pub fn axis_letters(&self) -> Vec<&'static str> {
         self.axes.iter().map(|(axis, _)| axis.letter()).collect()
+    }
+
+    /// The momentum along each axis of what is told of `mass_of`, with the velocity that `body` has at an instant.
+    #[must_use]
+    pub fn momentum_with(&mut self, mass_of: &str, body: &str, instant: usize) -> Vec<Expr> {
+        let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
+        axes.into_iter().map(|axis| self.mass(mass_of) * self.velocity(body, instant, axis)).collect()
+    }
+
+    /// The body with which another moves at an instant: itself, or what it is a part of.
+    #[must_use]
+    pub fn moves_with(&self, body: &str, instant: usize) -> Option<String> {
+        let alive = self.timeline.alive(instant);
+        let holds =
+            |whole: &&&str| self.scene.members(whole).contains(&body) || self.scene.division_of(whole).contains(&body);
+        let itself = alive.iter().find(|own| **own == body);
+        itself.or_else(|| alive.iter().find(holds)).map(|own| (*own).to_owned())
     }
 
     /// The impulses of all stages so far.

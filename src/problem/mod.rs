@@ -18,7 +18,7 @@ pub use consequences::simulated::Simulated;
 pub use language::allowed::Meant;
 pub use language::ask::{
     Answered, Ask, AskedRoots, Choose, Classifiable, Classify, Conservable, Conserved, Count, Enough, Find, Holds,
-    Impulsive, Order, Range, Turn, WhichRoot,
+    Impulsive, Order, Pictures, Range, Turn, WhichRoot,
 };
 pub use language::comparison::split_relation;
 pub use language::course::CourseSymbols;
@@ -32,12 +32,13 @@ pub use language::literal::Literal;
 pub use language::rubric::{Keep, OtherUnits, Rubric, Writing};
 pub use language::settings::Course;
 pub use language::text::{Filter, Piece, Placeholder, Text, is_name};
-pub use questions::decision::{ChoicePart, Claim, Decision, orders};
+pub use questions::decision::{ChoicePart, Claim, Decision, Said, orders};
 pub use questions::equality::Closeness;
 pub use questions::formula::FormulaPart;
 pub use questions::judgement::Judgement;
 pub use questions::offered::Offer;
 pub use questions::part::{AskedUnit, NumberPart, Part, PartKind};
+pub use questions::pictured::{Balance, Picture, Pictured};
 pub use questions::range::{End, Interval, RangePart, Trial};
 pub use questions::vector::VectorPart;
 pub use reading::document::{Document, Entry, Kind, Node, Scalar, Style};

@@ -82,6 +82,8 @@ pub struct SheetPart {
     pub text: Vec<Inline>,
     /// What can be chosen, each by its letter; none where nothing is chosen, or the text says it.
     pub options: Vec<String>,
+    /// Pictures that can be chosen, each with its name as the caption.
+    pub pictures: Vec<Drawing>,
     /// The unit the answer is to be given in.
     pub unit: Option<Math>,
     /// What it is worth.

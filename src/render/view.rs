@@ -86,6 +86,8 @@ impl<'a> View<'a> {
         for (index, hint) in sheet.hints.iter().enumerate() {
             hints.push(self.authored(&format!("{id}: hint {}", index + 1), hint)?);
         }
+        let figure = optional(sheet.figure.as_ref(), |figure| self.figure(figure));
+        let parts: Vec<Value> = sheet.parts.iter().map(|part| self.part(part)).collect();
         let total: f64 = sheet.parts.iter().filter_map(|part| part.points).sum();
         Ok(map([
             ("kind", "sheet".into()),
@@ -93,20 +95,22 @@ impl<'a> View<'a> {
             ("identity", identity(&sheet.identity)),
             ("student", sheet.student.clone().into()),
             ("statement", statement),
-            ("parts", Value::from(sheet.parts.iter().map(|part| self.part(part)).collect::<Vec<_>>())),
+            ("parts", Value::from(parts)),
             ("points", points(Some(total).filter(|total| *total > 0.0))),
             ("note", optional(Some(&sheet.note).filter(|note| !note.is_empty()), |note| self.inline(note))),
-            ("figure", optional(sheet.figure.as_ref(), |figure| self.figure(figure))),
+            ("figure", figure),
             ("hints", Value::from(hints)),
         ]))
     }
 
-    fn part(&self, part: &SheetPart) -> Value {
+    fn part(&mut self, part: &SheetPart) -> Value {
+        let pictures: Vec<Value> = part.pictures.iter().map(|picture| self.figure(picture)).collect();
         let option = |(text, letter): (&String, char)| self.inline(&[Inline::Text(format!("{letter}. {text}"))]);
         map([
             ("label", part.label.as_str().into()),
             ("text", self.inline(&part.text)),
             ("options", Value::from(part.options.iter().zip('A'..='Z').map(option).collect::<Vec<_>>())),
+            ("pictures", Value::from(pictures)),
             ("unit", optional(part.unit.as_ref(), |unit| ready(&self.writer.math(unit)))),
             ("points", points(part.points)),
         ])

@@ -18,6 +18,7 @@ use crate::solve::Bounded;
 
 use super::conserved::is_conserved;
 use super::crossing::holds;
+use super::pictures;
 use super::simulation::Case;
 use super::simulation::Seen;
 use super::simulation::UNCHANGED;
@@ -64,6 +65,9 @@ pub(super) fn chosen(
                 }
                 None => offer.right_by(&worked, &|claim| claimed(case, witness, claim)),
             }
+        }
+        (_, ChoicePart::Pictured(pictured)) => {
+            pictures::seen(witness, pictured, &Worked::new(case.problem, case.variant)?)
         }
         (Ask::Conserved(ask), _) => is_conserved(case, witness, ask).map(yes),
         (Ask::Classify(ask), _) => kind(case.scene, witness, witness.stage_of(ask.stage.as_deref())?),

@@ -9,6 +9,7 @@ mod crossing;
 mod film;
 mod impacts;
 mod parts;
+mod pictures;
 mod record;
 mod simulation;
 mod staging;

@@ -67,6 +67,7 @@ const BEYOND_A_SCHEMA: &[&str] = &[
     "only_one_option",
     "option_",
     "options_",
+    "pictures_",
 ];
 
 fn is_valid(path: &Path) -> bool {

@@ -213,3 +213,54 @@ ask: [ { enough: v_B2 }, { enough: v_G2 } ]
     let untold = IMPACT.replace("v_B1: 0 m/s }", "v_B1: 0 m/s, e: { one_of: [0.25, 0.5] } }");
     assert_eq!(printed(&exercise(&untold)), ["no", "yes"]);
 }
+
+/// 0.2 kg at 5 m/s comes back at 3 m/s: 1.0 N s, -1.6 N s and -0.6 N s, of which the longest is drawn as 10 units.
+const REBOUND: &str = "
+id: test/rebound
+title: Rebound
+level: core
+scene:
+  axes: { x: to the right }
+  bodies: { A: { name: ball A } }
+  surfaces: { wall: { name: the wall, normal: to the left } }
+  stages: [ { impact: { body: A, against: wall } } ]
+given: { m_A: 0.2 kg, v_A1: 5 m/s, v_A2: -3 m/s }
+text: 'Ball A ({{ m_A }}) {{ v_A1 | motion }} and hits a wall; afterwards it {{ v_A2 | motion }}.'
+ask: [ { choose: Which diagram is right?, pictures: impulse-momentum } ]
+";
+
+#[test]
+fn pictures_are_those_of_usual_mistakes_and_no_two_look_alike() {
+    let problem = Arc::new(compile(load(Source::new("asks.yaml", REBOUND)).unwrap(), None).unwrap());
+    let arrow = |size: &str, way: &str| format!("{size} units long to the {way}");
+    let (left, right) = ("left", "right");
+    let all = [
+        (None, [arrow("6.25", right), arrow("10.0", left), arrow("3.75", left)]),
+        // Sizes without their signs: from 1.0 N s to 0.6 N s, so 0.4 N s less.
+        (Some("sign-lost"), [arrow("10.0", right), arrow("4.00", left), arrow("6.00", right)]),
+        (Some("impulse-reversed"), [arrow("6.25", right), arrow("10.0", right), arrow("3.75", left)]),
+        (Some("start-momentum-forgotten"), [arrow("10.0", right), arrow("6.00", left), arrow("6.00", left)]),
+    ];
+    let mut orders = std::collections::BTreeSet::new();
+    for seed in 1..30 {
+        let exercise = Exercise::draw(&problem, 0, seed).unwrap();
+        let mut marker = momentous::exercise::Marker::new(&problem, 0, DecimalMark::Point).unwrap();
+        let pictures = &exercise.sheet().parts[0].pictures;
+        let mut order = Vec::new();
+        for (picture, letter) in pictures.iter().zip(["A", "B", "C", "D"]) {
+            let report = marker.mark(exercise.worked(), &[("a", letter)], momentous::grade::Sitting::default());
+            let behind = report.parts[0].diagnosis.as_ref().map(|own| own.codes[0]);
+            let (_, arrows) = all.iter().find(|(mistake, _)| *mistake == behind).unwrap();
+            assert_eq!(picture.caption, format!("Diagram {letter}"));
+            let described = arrows.iter().all(|arrow| picture.description.contains(arrow.as_str()));
+            assert!(described, "{behind:?}: {}", picture.description);
+            assert_eq!(report.parts[0].verdict.to_string() == "right", behind.is_none());
+            let alike = pictures.iter().filter(|other| other.shapes == picture.shapes).count();
+            assert_eq!(alike, 1);
+            order.push(behind);
+        }
+        assert_eq!(order.len(), 4);
+        orders.insert(order);
+    }
+    assert!(orders.len() > 10, "{}", orders.len());
+}

@@ -63,6 +63,8 @@ pub struct FieldResponse {
     pub unit: Option<Fragment>,
     /// What can be chosen.
     pub options: Vec<String>,
+    /// The pictures to choose from, in the order of `options`; empty where these say what can be chosen.
+    pub pictures: Vec<FigureResponse>,
     /// The names that a formula may contain.
     pub symbols: Vec<String>,
     /// How many components a vector has.
@@ -86,6 +88,7 @@ impl From<Field> for FieldResponse {
             kind,
             unit: field.unit.as_ref().map(Fragment::math),
             options,
+            pictures: field.pictures.iter().map(FigureResponse::of).collect(),
             symbols: field.symbols,
             components,
             points: field.points,

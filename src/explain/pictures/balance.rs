@@ -1,5 +1,8 @@
 //! The balance of a body: momentum before + impulses = momentum after, and what follows of it that was not solved.
 
+use crate::problem::Picture;
+
+use super::quantities::Quantities;
 use super::vectors::Labelled;
 
 /// One body in one stage, along x and y of the scene.
@@ -37,6 +40,16 @@ impl Balance {
         let mut missing = vectors.iter_mut().filter(|(_, value)| value.is_none());
         if let (Some((sign, value)), None) = (missing.next(), missing.next()) {
             **value = Some([-*sign * x, -*sign * y]);
+        }
+    }
+
+    /// Has the arrows of a picture.
+    pub(super) fn take(&mut self, quantities: &Quantities<'_>, picture: &Picture) {
+        let Some(row) = picture.rows.iter().find(|row| row.body == self.body) else { return };
+        self.before.value = quantities.along_axes(&row.before);
+        self.after.value = quantities.along_axes(&row.after);
+        for impulse in &mut self.impulses {
+            impulse.value = quantities.along_axes(&row.impulse);
         }
     }
 

@@ -24,6 +24,7 @@ mod vectors;
 mod words;
 
 use crate::figure::Drawing;
+use crate::problem::Pictured;
 
 pub(super) use cache::PictureCache;
 pub(super) use quantities::Quantities;
@@ -45,4 +46,10 @@ pub(super) fn solution(quantities: &Quantities<'_>) -> Vec<Drawing> {
 /// The figure of the problem sheet, which shows only what is given; none where that is no more than outlines of bodies.
 pub(super) fn situation(quantities: &Quantities<'_>) -> Option<Drawing> {
     stages::sheet(quantities, quantities.compass()).filter(|drawing| !drawing.is_bare())
+}
+
+/// The pictures that are offered in a choice, in their order.
+pub(super) fn offered(quantities: &Quantities<'_>, pictured: &Pictured) -> Vec<Drawing> {
+    let pictures = pictured.pictures(&quantities.worked);
+    pictures.iter().filter_map(|picture| stages::offered(quantities, pictured.stage, picture)).collect()
 }

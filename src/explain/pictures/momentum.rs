@@ -9,6 +9,7 @@ use crate::figure::MomentumDiagram;
 use crate::model::ForceKind;
 use crate::model::Impulse;
 use crate::model::QuantityKind;
+use crate::problem::Picture;
 use crate::scene::Stage;
 use crate::scene::stage::Impact;
 
@@ -25,6 +26,7 @@ use super::participants::Participant;
 use super::quantities::Quantities;
 use super::vectors::Labelled;
 use super::words::diagram_wording;
+use super::words::offered_wording;
 
 fn plan(quantities: &Quantities<'_>, participants: &[Participant], stage: usize) -> Plan {
     let mut bodies = participants.to_vec();
@@ -57,6 +59,17 @@ fn impulses_on<'a>(quantities: &Quantities<'a>, stage: usize, body: &str) -> imp
 
 /// The diagram of a stage.
 pub(super) fn diagram(quantities: &Quantities<'_>, compass: &Compass, stage: usize, drawn: &Drawn) -> Option<Drawing> {
+    diagram_with(quantities, compass, stage, drawn, None)
+}
+
+/// The diagram of a stage with arrows of a picture that is offered in place of its own.
+pub(super) fn diagram_with(
+    quantities: &Quantities<'_>,
+    compass: &Compass,
+    stage: usize,
+    drawn: &Drawn,
+    offered: Option<&Picture>,
+) -> Option<Drawing> {
     let own = quantities.scene().stages.get(stage)?;
     let Plan { rows, besides } = quantities.pictures.diagram(stage, || plan(quantities, &drawn.participants, stage))?;
     let tilted = quantities.slope(stage).map(|(rise, _)| compass.tilted(rise));
@@ -66,6 +79,11 @@ pub(super) fn diagram(quantities: &Quantities<'_>, compass: &Compass, stage: usi
     let mut balances: Vec<Balance> =
         rows.iter().map(|row| balance(with_all, drawn.arrows, stage, row, rows.len())).collect();
     complete(&mut balances, drawn.mutual);
+    if let Some(picture) = offered {
+        for balance in &mut balances {
+            balance.take(quantities, picture);
+        }
+    }
     let frame = quantities.model().frames.get(stage)?.as_ref();
     let normal = frame.and_then(|frame| quantities.direction(&frame.normal)).map(|normal| compass.angle(normal));
     let turned = frame.is_some_and(|frame| !frame.normal.turn.is_zero());
@@ -86,7 +104,10 @@ pub(super) fn diagram(quantities: &Quantities<'_>, compass: &Compass, stage: usi
         impulses: balance.impulses.iter().map(|impulse| impulse.placed(compass)).collect(),
         after: balance.after.placed(compass),
     });
-    let wording = diagram_wording(quantities, compass, stage, &balances);
+    let wording = match offered {
+        Some(picture) => offered_wording(quantities, compass, &balances, &picture.name),
+        None => diagram_wording(quantities, compass, stage, &balances),
+    };
     let diagram = MomentumDiagram { wording, bodies: rows.collect(), axes: compass.marks() };
     Some(diagram.drawing())
 }

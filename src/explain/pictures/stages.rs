@@ -1,6 +1,7 @@
 //! What is drawn of each kind of stage: on the problem sheet, in the solution, and in its diagram of momenta.
 
 use crate::figure::Drawing;
+use crate::problem::Picture;
 use crate::scene::Force;
 use crate::scene::Plane;
 use crate::scene::Stage;
@@ -128,6 +129,12 @@ pub(super) fn solution(
             vec![momenta()]
         }
     }
+}
+
+/// A diagram of momenta that is offered among others.
+pub(super) fn offered(quantities: &Quantities<'_>, stage: usize, picture: &Picture) -> Option<Drawing> {
+    let drawn = drawn(quantities.scene().stages.get(stage)?);
+    momentum::diagram_with(quantities, quantities.compass(), stage, &drawn, Some(picture))
 }
 
 /// Who takes part in the diagram of momenta of a stage, and how.

@@ -27,6 +27,8 @@ const NOTHING: f64 = 1e-9;
 const RESULTANT: &str = "\u{222b}\u{3a3}F\u{2009}dt";
 /// How a drawing of three axes is to be read.
 pub(super) const OBLIQUE: &str = "oblique projection: lengths along the slanting axis are drawn shorter";
+/// The longest arrow of a diagram that is offered, in words.
+const LONGEST: f64 = 10.0;
 /// Figures of the numbers in descriptions.
 const FIGURES: usize = 3;
 
@@ -59,8 +61,7 @@ pub(super) fn diagram_wording(
     let unit = balances.iter().all(|balance| quantities.mass(&balance.body).is_some());
     let unit = (unit && quantities.has_numbers())
         .then(|| coherent_unit(Dimension::MOMENTUM, quantities.worked.problem.units()));
-    let largest =
-        balances.iter().flat_map(Balance::all).filter_map(|vector| vector.value).map(size).fold(0.0, f64::max);
+    let largest = largest(balances);
     let unit = unit.map(|unit| (unit.factor().to_f64(), unit.unicode()));
     let speak = Speak { compass, unit: unit.as_ref().map(|(size, name)| (*size, name.as_str())), largest };
     let rows = balances.iter().map(|balance| speak.balance(&quantities.called(&balance.body), balance));
@@ -78,6 +79,25 @@ pub(super) fn diagram_wording(
             if in_one { format!("{RESULTANT} is the total impulse of all forces") } else { String::new() },
         ]),
     }
+}
+
+/// What is said of a diagram that is offered among others: as much as the eye sees of each, and not which is right.
+pub(super) fn offered_wording(
+    quantities: &Quantities<'_>,
+    compass: &Compass,
+    balances: &[Balance],
+    name: &str,
+) -> Wording {
+    let largest = largest(balances);
+    let speak = Speak { compass, unit: Some((largest / LONGEST, "units long")), largest };
+    let rows = balances.iter().map(|balance| speak.balance(&quantities.called(&balance.body), balance));
+    let scale = format!("the longest arrow is {LONGEST} units long");
+    let name = capitalised(name);
+    Wording { title: name.clone(), description: sentences(std::iter::once(scale).chain(rows)), caption: name }
+}
+
+fn largest(balances: &[Balance]) -> f64 {
+    balances.iter().flat_map(Balance::all).filter_map(|vector| vector.value).map(size).fold(0.0, f64::max)
 }
 
 /// How vectors are spoken of in one figure.

@@ -10,6 +10,7 @@ use crate::problem::FormulaPart;
 use crate::problem::NumberPart;
 use crate::problem::Part;
 use crate::problem::PartKind;
+use crate::problem::Said;
 use crate::problem::orders;
 use crate::quantity::Printed;
 use crate::solve::Bounded;
@@ -40,12 +41,17 @@ fn sentence(display: Display<'_>, part: &Part) -> Vec<Inline> {
             ]
         }
         PartKind::Choice(choice) => {
-            let Decision { options, right, because, .. } = choice.decided(&display.worked);
+            let Decision { options, right, because, said, .. } = choice.decided(&display.worked);
             let option = options.get(right).map_or("", String::as_str).trim_end_matches('.');
+            let mistaken = options.iter().zip(&said).filter_map(|(option, said)| match said {
+                Said::Mistake(mistake) => Some(format!(" {} {}.", capitalised(option), mistake.does)),
+                Said::Own(_) | Said::Nothing => None,
+            });
+            let mistaken: String = mistaken.collect();
             vec![
                 Inline::Text(format!("{} ", part.label)),
                 Inline::Strong(capitalised(option)),
-                Inline::Text(format!(": {because}.")),
+                Inline::Text(format!(": {because}.{mistaken}")),
             ]
         }
         PartKind::Formula(formula) => formula_sentence(display, part, formula),

@@ -67,6 +67,21 @@ pub const EQUATIONS_NOT_COUNTED: Misconception = Misconception {
     hint: "One equation finds one unknown quantity. What else would have to be known of this motion?",
 };
 
+/// A picture in which an impulse changes nothing.
+pub const MOMENTUM_KEPT: Misconception = Misconception {
+    id: "momentum-kept",
+    does: "leaves the momentum of each body as it was, although an impulse acts on it",
+    ask: "What does an impulse do to the momentum of the body on which it acts?",
+    hint: "Put the arrow of the impulse to the tip of the momentum before: the momentum after ends where it ends.",
+};
+/// A picture in which the arrows do not add up.
+pub const AFTER_REVERSED: Misconception = Misconception {
+    id: "momentum-after-reversed",
+    does: "turns the momentum after the wrong way round",
+    ask: "Put the arrow of the impulse to the tip of the momentum before. In which direction does the sum point?",
+    hint: "Momentum before and impulse, arrow after arrow, add up to the momentum after.",
+};
+
 /// Every one of them.
 pub const CONCEPTS: &[&Misconception] = &[
     &MOMENTUM_BY_ENERGY,
@@ -78,4 +93,6 @@ pub const CONCEPTS: &[&Misconception] = &[
     &IMPULSIVE_AS_ORDINARY,
     &ENOUGH_OVERLOOKED,
     &EQUATIONS_NOT_COUNTED,
+    &MOMENTUM_KEPT,
+    &AFTER_REVERSED,
 ];

@@ -272,7 +272,15 @@ pub struct Choose {
     /// The question as the sheet puts it: `What does trolley A do after the impact?`.
     pub choose: String,
     /// The options: with `last` 2 to 8.
+    #[serde(default)]
     pub options: Vec<Offered>,
+    /// In place of `options`: pictures, the right one and those of usual mistakes, which the program draws from the scene.
+    #[serde(default)]
+    pub pictures: Option<Pictures>,
+    /// The name of the stage of which the pictures are. Default: the only one.
+    #[serde(default)]
+    #[schemars(with = "Option<Term>")]
+    pub stage: Option<String>,
     /// What is offered last in every order, and is right where no other option is: `{ text: none of these }`.
     #[serde(default)]
     pub last: Option<LastOffered>,
@@ -314,6 +322,14 @@ pub struct LastOffered {
     /// What is said to a student who chose it wrongly.
     #[serde(default)]
     pub feedback: Option<String>,
+}
+
+/// What the options of a choice between pictures show.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Pictures {
+    /// Momentum before, impulse and momentum after of each body.
+    ImpulseMomentum,
 }
 
 /// Which values of a quantity are asked.

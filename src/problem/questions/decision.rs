@@ -14,6 +14,7 @@ use crate::solve::evaluate;
 use super::super::sampling::variant::Worked;
 use super::judgement::Judgement;
 use super::offered::Offer;
+use super::pictured::Pictured;
 
 /// A choice between phrases.
 #[derive(Clone, Debug)]
@@ -30,6 +31,8 @@ pub enum ChoicePart {
     Physical(Symbol),
     /// Which of the author's own options is right.
     Offered(Box<Offer>),
+    /// Which of several pictures is right.
+    Pictured(Box<Pictured>),
 }
 
 /// The phrases of a choice, and the right one.
@@ -43,8 +46,20 @@ pub struct Decision {
     pub because: String,
     /// The common mistake that leads to another phrase, where there is one.
     pub behind: Option<&'static Misconception>,
-    /// What the author says to a student who chose an option wrongly, in the order of the options; empty where it is nothing.
-    pub said: Vec<String>,
+    /// What there is to say to a student who chose an option wrongly, in the order of the options.
+    pub said: Vec<Said>,
+}
+
+/// What there is to say of an option that is wrong.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub enum Said {
+    /// Nothing but what is said of the question.
+    #[default]
+    Nothing,
+    /// The author's own words.
+    Own(String),
+    /// What the mistake that leads to it says.
+    Mistake(&'static Misconception),
 }
 
 /// A claim about the numbers of a variant.
@@ -93,6 +108,7 @@ impl ChoicePart {
             Self::Order(symbols) => symbols.iter().copied().collect(),
             Self::Physical(symbol) => BTreeSet::from([*symbol]),
             Self::Offered(offer) => offer.symbols(),
+            Self::Pictured(pictured) => pictured.symbols(),
         }
     }
 
@@ -112,6 +128,7 @@ impl ChoicePart {
             Self::Order(symbols) => symbols.clone(),
             Self::Physical(symbol) => vec![*symbol],
             Self::Offered(offer) => offer.quantities(),
+            Self::Pictured(pictured) => pictured.quantities.clone(),
         }
     }
 
@@ -127,6 +144,15 @@ impl ChoicePart {
         matches!(self, Self::Judged(choice) if choice.is_within_data(worked))
     }
 
+    /// Why what is offered cannot be offered with the numbers of a variant.
+    pub(in crate::problem) fn refused(&self, worked: &Worked<'_>) -> Option<String> {
+        match self {
+            Self::Offered(offer) => offer.refused(worked),
+            Self::Pictured(pictured) => pictured.refused(worked),
+            _ => None,
+        }
+    }
+
     /// The phrases, and which of them is right for a variant.
     #[must_use]
     pub fn decided(&self, worked: &Worked<'_>) -> Decision {
@@ -137,6 +163,7 @@ impl ChoicePart {
             Self::Order(symbols) => ordered(symbols, worked),
             Self::Physical(symbol) => worked.possible_root(*symbol),
             Self::Offered(offer) => offer.decided(worked),
+            Self::Pictured(pictured) => pictured.decided(worked),
         }
     }
 }

@@ -15,6 +15,8 @@ pub(super) mod offered;
 pub(super) mod offered_read;
 pub(super) mod part;
 pub(super) mod parts;
+pub(super) mod pictured;
+pub(super) mod pictured_read;
 pub(super) mod range;
 pub(super) mod roots;
 pub(super) mod sudden;

@@ -16,6 +16,7 @@ use super::super::sampling::variant::Worked;
 use super::decision::ChoicePart;
 use super::decision::Claim;
 use super::decision::Decision;
+use super::decision::Said;
 use super::part::Part;
 use super::part::PartKind;
 
@@ -128,15 +129,9 @@ impl Offer {
 
     /// The places in the file, in the order in which the options are offered.
     fn order(&self, worked: &Worked<'_>) -> Vec<usize> {
-        let mut order: Vec<usize> = (0..self.options.len()).collect();
         let moved = self.options.iter().filter(|option| !matches!(option.truth, Truth::Otherwise)).count();
-        // Numbers of somebody's own have no seed, and the order of the file may tell which is right.
-        let mut word = worked.problem.streams().word_of(&self.stream, worked.variant.seed().unwrap_or_default());
-        for place in (1..moved).rev() {
-            let choices = place as u64 + 1;
-            order.swap(place, usize::try_from(word % choices).unwrap_or(place));
-            word /= choices;
-        }
+        let mut order = shuffled(worked, &self.stream, moved);
+        order.extend(moved..self.options.len());
         order
     }
 
@@ -150,7 +145,7 @@ impl Offer {
             because: right.and_then(|place| self.options.get(place)).map(|own| own.why(worked)).unwrap_or_default(),
             behind: None,
             said: own()
-                .map(|option| option.feedback.as_ref().map(|text| filled(text, worked)).unwrap_or_default())
+                .map(|option| option.feedback.as_ref().map_or(Said::Nothing, |text| Said::Own(filled(text, worked))))
                 .collect(),
         }
     }
@@ -185,6 +180,19 @@ pub(in crate::problem) fn check(model: &Model, form: &Form) -> Vec<Fault> {
         Some(fault.help(help).at_path(form.question.path.key("ask").index(index).key("options")))
     };
     form.parts.iter().enumerate().filter_map(lost).collect()
+}
+
+/// So many places in an order that each seed draws by itself.
+pub(super) fn shuffled(worked: &Worked<'_>, stream: &str, count: usize) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..count).collect();
+    // Numbers of somebody's own have no seed, and the order of the file may tell which is right.
+    let mut word = worked.problem.streams().word_of(stream, worked.variant.seed().unwrap_or_default());
+    for place in (1..count).rev() {
+        let choices = place as u64 + 1;
+        order.swap(place, usize::try_from(word % choices).unwrap_or(place));
+        word /= choices;
+    }
+    order
 }
 
 /// A text on one line with its placeholders said for a variant.

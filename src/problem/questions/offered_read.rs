@@ -34,6 +34,12 @@ pub(in crate::problem) fn read(
     builder: &mut Builder<'_>,
     path: &Path,
 ) -> Option<PartKind> {
+    if ask.stage.is_some() {
+        let fault = Fault::new(Code::Value, "only `pictures` are of a stage");
+        let help = "remove `stage`, or ask for pictures: `pictures: impulse-momentum`";
+        builder.fault(fault.help(help).at_path(path.key("stage")));
+        return None;
+    }
     let faults = misfits(ask, path);
     if !faults.is_empty() {
         for fault in faults {

@@ -43,6 +43,7 @@ use super::part::AskedUnit;
 use super::part::NumberPart;
 use super::part::Part;
 use super::part::PartKind;
+use super::pictured_read;
 use super::range;
 use super::roots;
 use super::vector;
@@ -77,6 +78,10 @@ pub(in crate::problem) fn read(loaded: &Loaded, question: &Question, builder: &m
             }
             Ask::Find(find) => number(loaded, find, builder, &path),
             Ask::Count(count) => counted(count, builder, &path, &mut read.counts),
+            Ask::Choose(ask) if ask.pictures.is_some() => {
+                pictured_read::read(loaded, question, ask, &letter, builder, &path)
+                    .map(|kind| (letter, ask.choose.clone(), kind))
+            }
             Ask::Choose(ask) => offered_read::read(loaded, question, ask, &letter, builder, &path)
                 .map(|kind| (letter, ask.choose.clone(), kind)),
             Ask::Conserved(ask) => {

@@ -229,7 +229,7 @@ impl<'p> Sampler<'p> {
     /// Why the author's own options cannot be offered with these numbers.
     fn misfit(&self) -> Option<String> {
         let offers = self.form.parts.iter().filter_map(|part| match &part.kind {
-            PartKind::Choice(ChoicePart::Offered(offer)) => Some(offer),
+            PartKind::Choice(choice @ (ChoicePart::Offered(_) | ChoicePart::Pictured(_))) => Some(choice),
             _ => None,
         });
         let mut offers = offers.peekable();

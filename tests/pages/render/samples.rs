@@ -157,6 +157,7 @@ pub fn sheet() -> Sheet {
             .into(),
         parts: vec![
             SheetPart {
+                pictures: Vec::new(),
                 options: Vec::new(),
                 label: "a".into(),
                 text: vec![text("Find the speed of puck B just after the impact")],
@@ -164,6 +165,7 @@ pub fn sheet() -> Sheet {
                 points: Some(2.0),
             },
             SheetPart {
+                pictures: Vec::new(),
                 options: Vec::new(),
                 label: "b".into(),
                 text: vec![

@@ -1,0 +1,42 @@
+//! Pictures that are offered, held against what the simulation finds.
+
+use crate::problem::Balance;
+use crate::problem::Pictured;
+use crate::problem::Worked;
+
+use super::simulation::Witness;
+
+/// The share of the longest arrow by which an arrow may be off what the simulation finds.
+const OFF: f64 = 1e-6;
+
+/// The only picture whose arrows are those that the simulation finds; none where it finds nothing of them, or another number of
+/// pictures fits.
+pub(super) fn seen(witness: &Witness<'_>, pictured: &Pictured, worked: &Worked<'_>) -> Option<usize> {
+    if !witness.has_run(pictured.stage) {
+        return None;
+    }
+    let pictures = pictured.pictures(worked);
+    let mut fitting = Vec::new();
+    for (place, picture) in pictures.iter().enumerate() {
+        let rows: Option<Vec<bool>> = picture.rows.iter().map(|row| fits(witness, pictured.stage, row)).collect();
+        fitting.extend(rows?.into_iter().all(|fits| fits).then_some(place));
+    }
+    if let [only] = fitting[..] { Some(only) } else { None }
+}
+
+/// Whether the row of a body is what the simulation finds of it.
+fn fits(witness: &Witness<'_>, stage: usize, row: &Balance) -> Option<bool> {
+    let axes = witness.scene().axes.rectangular();
+    let letters: Vec<&str> = axes.iter().map(|(axis, _)| if axes.len() > 1 { axis.letter() } else { "" }).collect();
+    let momentum = |instant| -> Option<Vec<f64>> {
+        letters.iter().map(|letter| witness.carried("p", &row.body, instant, letter)).collect()
+    };
+    let (before, after) = (momentum(stage + 1)?, momentum(stage + 2)?);
+    let impulse: Vec<f64> = after.iter().zip(&before).map(|(after, before)| after - before).collect();
+    let found = [&before, &impulse, &after];
+    let largest = found.iter().flat_map(|arrow| arrow.iter()).fold(0.0, |largest: f64, part| largest.max(part.abs()));
+    let near = |(found, drawn): (&&Vec<f64>, &&Vec<f64>)| {
+        found.iter().zip(drawn.iter()).all(|(found, drawn)| (found - drawn).abs() <= OFF * largest)
+    };
+    Some(found.iter().zip(&[&row.before, &row.impulse, &row.after]).all(near))
+}
