@@ -16,13 +16,14 @@ use crate::simulate::scene::angle_from;
 use crate::simulate::scene::is_impulsive;
 use crate::solve::Bounded;
 
+use super::case::Case;
 use super::conserved::is_conserved;
 use super::crossing::holds;
 use super::pictures;
-use super::simulation::Case;
 use super::simulation::Seen;
 use super::simulation::UNCHANGED;
 use super::simulation::Witness;
+use super::worlds;
 
 /// The kinds of impact in the order in which they are offered.
 const ELASTIC: usize = 0;
@@ -69,6 +70,7 @@ pub(super) fn chosen(
         (_, ChoicePart::Pictured(pictured)) => {
             pictures::seen(witness, pictured, &Worked::new(case.problem, case.variant)?)
         }
+        (Ask::Enough(ask), _) => worlds::settle(case, &ask.enough, tolerance).map(yes),
         (Ask::Conserved(ask), _) => is_conserved(case, witness, ask).map(yes),
         (Ask::Classify(ask), _) => kind(case.scene, witness, witness.stage_of(ask.stage.as_deref())?),
         (Ask::Impulsive(ask), _) => {
@@ -154,7 +156,7 @@ pub(super) fn is_first(worked: &Worked<'_>, scene: &Scene, ask: &Count, answer: 
     let symbol = worked.problem.model().symbol_of(name.trim())?;
     let satisfied = |number: f64| -> Option<bool> {
         let said = vec![(symbol, number)];
-        let case = Case { problem: worked.problem, scene, variant: worked.variant, said };
+        let case = Case { problem: worked.problem, scene, variant: worked.variant, said, known: None };
         let witness = Witness::new(&case, tolerance);
         let told = |text: &str| witness.value(text).map(|value| Seen { value, error: 0.0 });
         let side = |text: &str| witness.seen(text).or_else(|| told(text));

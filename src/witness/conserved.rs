@@ -6,7 +6,7 @@ use crate::scene::Scene;
 use crate::scene::Stage;
 use crate::simulate::scene::RecordedMotion;
 
-use super::simulation::Case;
+use super::case::Case;
 use super::simulation::UNCHANGED;
 use super::simulation::Witness;
 use super::turning;

@@ -3,6 +3,7 @@
 //! What is given and what is answered is put in together, and every quantity that both the laws and the simulation know is
 //! compared ([`Portion`]). The same simulations are watched as films ([`shoot`]).
 
+mod case;
 mod choices;
 mod conserved;
 mod crossing;
@@ -16,6 +17,7 @@ mod staging;
 mod together;
 mod trial;
 mod turning;
+mod worlds;
 
 pub use film::{AT_ITS_TIME, Film, NotShown, Shot, shoot};
 pub use impacts::IMPACTS;

@@ -10,10 +10,10 @@ use crate::problem::PartKind;
 use crate::problem::Turn;
 use crate::problem::Worked;
 
+use super::case::Case;
 use super::choices::chosen;
 use super::choices::is_first;
 use super::choices::taken_root;
-use super::simulation::Case;
 use super::simulation::Comparison;
 use super::simulation::Witness;
 

@@ -14,8 +14,6 @@ use crate::model::Timeline;
 use crate::model::VectorKind;
 use crate::model::VectorName;
 use crate::model::component_name;
-use crate::problem::Problem;
-use crate::problem::Variant;
 use crate::scene::Scene;
 use crate::scene::Stage;
 use crate::simulate::scene::Asked;
@@ -29,18 +27,11 @@ use crate::simulate::scene::measure;
 use crate::simulate::scene::value_of;
 use crate::simulate::scene::watch;
 
+use super::case::Case;
+
 /// The share of a momentum or an energy below which a change of it is none: far above errors of runs, far below changes that
 /// anybody would ask for.
 pub(super) const UNCHANGED: f64 = 1e-7;
-
-/// The variant of a problem, and what is said of it that is not so.
-pub(super) struct Case<'a> {
-    pub problem: &'a Problem,
-    pub scene: &'a Scene,
-    pub variant: &'a Variant,
-    /// Values that take the place of the variant's.
-    pub said: Vec<(Symbol, f64)>,
-}
 
 /// A simulation of a variant.
 pub(super) struct Witness<'a> {
@@ -56,6 +47,7 @@ pub(super) struct Witness<'a> {
     pub nothing: Option<NothingToSimulate>,
     run: BTreeSet<usize>,
     used: RefCell<BTreeSet<Symbol>>,
+    missing: RefCell<BTreeSet<Symbol>>,
     watched: Cell<bool>,
 }
 
@@ -100,9 +92,13 @@ impl<'a> Witness<'a> {
             nothing: None,
             run: BTreeSet::new(),
             used: RefCell::default(),
+            missing: RefCell::default(),
             watched: Cell::default(),
         };
         for stage in 0..case.scene.stages.len() {
+            if witness.nothing.is_none() {
+                witness.missing.borrow_mut().clear();
+            }
             match witness.observed(stage) {
                 Ok(observed) => {
                     witness.run.insert(stage);
@@ -170,7 +166,8 @@ impl<'a> Witness<'a> {
     /// What the variant says of a quantity, or what is put in its place.
     fn said(&self, symbol: Symbol) -> Option<f64> {
         let other = self.case.said.iter().rev().find(|(own, _)| *own == symbol);
-        other.map(|(_, value)| *value).or_else(|| Some(self.case.variant.value(symbol)?.value))
+        let is_known = self.case.known.is_none_or(|known| known.contains(&symbol));
+        other.map(|(_, value)| *value).or_else(|| Some(self.case.variant.value(symbol).filter(|_| is_known)?.value))
     }
 
     fn said_of(&self, name: &str) -> Option<(Symbol, f64)> {
@@ -188,7 +185,16 @@ impl<'a> Witness<'a> {
     /// What the simulation starts from: what is said, else what a stage before reached.
     pub(super) fn value(&self, name: &str) -> Option<f64> {
         let found = || self.found_as(name).map(|own| own.value);
-        self.told(name).or_else(found).or_else(|| self.component(&self.since(name)))
+        let value = self.told(name).or_else(found).or_else(|| self.component(&self.since(name)));
+        if value.is_none() && self.nothing.is_none() {
+            self.missing.borrow_mut().extend(self.symbol(&self.since(name)));
+        }
+        value
+    }
+
+    /// The quantities without whose values a stage could not be simulated.
+    pub(super) fn missing(&self) -> BTreeSet<Symbol> {
+        self.missing.borrow().clone()
     }
 
     /// A component of a velocity of which speed and direction are said.

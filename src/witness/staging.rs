@@ -9,7 +9,7 @@ use crate::simulate::scene::follow;
 use crate::simulate::scene::translate;
 
 use super::TOLERANCES;
-use super::simulation::Case;
+use super::case::Case;
 use super::simulation::Witness;
 
 /// The motions of a stage that is integrated in time as it is, counted from 0; or why there are none.
@@ -23,7 +23,7 @@ pub fn followed(
     tolerance: f64,
 ) -> Result<Vec<RecordedMotion>, NothingToSimulate> {
     let scene = &problem.loaded().draft.scene;
-    let case = Case { problem, scene, variant, said: Vec::new() };
+    let case = Case { problem, scene, variant, said: Vec::new(), known: None };
     let witness = Witness::new(&case, TOLERANCES[0]);
     follow(scene, stage, &|name| witness.value(name), tolerance)
 }
@@ -32,7 +32,7 @@ pub fn followed(
 #[must_use]
 pub fn staged(problem: &Problem, variant: &Variant) -> Vec<Result<Staged, NothingToSimulate>> {
     let scene = &problem.loaded().draft.scene;
-    let case = Case { problem, scene, variant, said: Vec::new() };
+    let case = Case { problem, scene, variant, said: Vec::new(), known: None };
     let witness = Witness::new(&case, TOLERANCES[0]);
     (0..scene.stages.len()).map(|stage| translate(scene, stage, &|name| witness.value(name))).collect()
 }

@@ -16,9 +16,9 @@ use crate::simulate::scene::NothingToSimulate;
 use crate::simulate::scene::Procedure;
 
 use super::TOLERANCES;
+use super::case::Case;
 use super::parts;
 use super::parts::Answer;
-use super::simulation::Case;
 use super::simulation::Comparison;
 use super::simulation::Witness;
 
@@ -90,7 +90,7 @@ impl Portion {
         for seed in seeds {
             let Ok(variant) = sampler.variant(seed) else { continue };
             let Some(worked) = Worked::new(problem, &variant) else { continue };
-            let case = Case { problem, scene, variant: &variant, said: Vec::new() };
+            let case = Case { problem, scene, variant: &variant, said: Vec::new(), known: None };
             let mut trial = Trial::new(&worked, &case);
             own.simulated.seeds += 1;
             // The very first says how far off all can be, and how closely everything would be seen.
@@ -317,7 +317,7 @@ ask: [{ find: v_A2.x, unit: m/s }, { find: v_B2.y, unit: m/s }, { conserved: ene
         let mut scene = problem.loaded().draft.scene.clone();
         change(&mut scene);
         let worked = Worked::new(&problem, &variant).unwrap();
-        let case = Case { problem: &problem, scene: &scene, variant: &variant, said: said(&problem) };
+        let case = Case { problem: &problem, scene: &scene, variant: &variant, said: said(&problem), known: None };
         Trial::new(&worked, &case).differing(&mut Simulated::default())
     }
 
@@ -350,7 +350,7 @@ ask: [{ find: v_A2.x, unit: m/s }, { find: v_B2.y, unit: m/s }, { conserved: ene
         let mut scene = problem.loaded().draft.scene.clone();
         elastic(&mut scene);
         let worked = Worked::new(&problem, &variant).unwrap();
-        let case = Case { problem: &problem, scene: &scene, variant: &variant, said: Vec::new() };
+        let case = Case { problem: &problem, scene: &scene, variant: &variant, said: Vec::new(), known: None };
         let witness = Witness::new(&case, TOLERANCES[0]);
         let last = Answer::all(&worked).pop().unwrap();
         assert_eq!(parts::agrees(&worked, &case, &witness, &last, TOLERANCES[0]), Some(false));

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use momentous::bank::AnswerSpread;
 use momentous::bank::Audit;
 use momentous::bank::Bank;
 use momentous::bank::FormAudit;
@@ -111,5 +112,38 @@ fn what_is_conserved_all_the_way_is_witnessed() {
             "{stage}: {:?}",
             form.outcome(Promise::Simulation)
         );
+    }
+}
+
+/// Questions of whether there is enough information, in scenes with another quantity open: what is given, what is asked, what is so.
+/// With neither e nor a velocity afterwards momentum is one equation for two velocities: `OpenStax`, College Physics 2e, section 8.4,
+/// takes the second one from the impact being elastic.
+const ENOUGH: [(&str, &str, &str); 6] = [
+    ("m_A: 0.5 kg, m_B: 3.5 kg, v_A1: 4 m/s, v_B1: 0 m/s", "v_A2", "no"),
+    ("m_A: 0.5 kg, m_B: 3.5 kg, v_A1: 4 m/s, v_B1: 0 m/s, e: 1", "v_A2", "yes"),
+    ("m_A: 0.5 kg, m_B: 3.5 kg, v_A1: 4 m/s, v_B1: 0 m/s", "v_G2", "yes"),
+    ("m_A: 0.5 kg, m_B: 3.5 kg, v_A1: 4 m/s, v_B1: 0 m/s, v_A2: -1.6 m/s", "v_B2", "yes"),
+    ("m_B: 3.5 kg, v_A1: 4 m/s, v_B1: 0 m/s, v_A2: -1.6 m/s", "v_B2", "no"),
+    ("m_A: 0.5 kg, v_A1: 4 m/s, v_B1: 0 m/s, v_A2: -1.6 m/s", "J_B", "yes"),
+];
+
+#[test]
+fn whether_there_is_enough_information_is_witnessed_by_worlds_that_print_the_same_sheet() {
+    let renderer = Renderer::new(None).unwrap();
+    for (given, sought, right) in ENOUGH {
+        let printed: Vec<String> =
+            given.split(", ").filter_map(|own| Some(format!("{{{{ {} }}}}", own.split_once(':')?.0))).collect();
+        let text = format!(
+            "id: a/b\ntitle: A\nlevel: intro\nscene:\n  axes: {{ x: to the right }}\n  bodies: {{ A: {{ name: cart A }}, B: {{ name: cart B }} }}\n  \
+             stages: [ {{ impact: {{ between: [A, B], restitution: e }} }} ]\ngiven: {{ {given} }}\ntext: >\n  {}\nask: [ {{ enough: {sought} }} ]\n",
+            printed.join(" ")
+        );
+        let audit = audit(&Source::new("a.yaml", &text), first(1), &renderer);
+        let [form] = &audit.forms[..] else { panic!("{given}: {audit:?}") };
+        let [AnswerSpread::Choice { right: found, .. }] = &form.answers[..] else { panic!("{given}: {form:?}") };
+        assert_eq!(found.keys().map(String::as_str).collect::<Vec<_>>(), [right], "{sought} from {given}");
+        assert!(form.simulation.is_whole(), "{sought} from {given}: {:?}", form.simulation);
+        let outcome = form.outcome(Promise::Simulation);
+        assert!(matches!(outcome, Some(Outcome::Kept)), "{sought} from {given}: {outcome:?}");
     }
 }

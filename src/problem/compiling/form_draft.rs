@@ -181,6 +181,7 @@ impl FormDraft {
             parts: self.parts,
             meant: self.allowed.meant,
             told,
+            on_sheet: sheet,
             free: BTreeSet::new(),
             formulas: Formulas::default(),
             samples: Samples::default(),

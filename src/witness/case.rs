@@ -1,0 +1,19 @@
+//! What is simulated: a variant, and what is put in place of its values.
+
+use std::collections::BTreeSet;
+
+use crate::expr::Symbol;
+use crate::problem::Problem;
+use crate::problem::Variant;
+use crate::scene::Scene;
+
+/// The variant of a problem, and what is said of it that is not so.
+pub(super) struct Case<'a> {
+    pub problem: &'a Problem,
+    pub scene: &'a Scene,
+    pub variant: &'a Variant,
+    /// Values that take the place of the variant's.
+    pub said: Vec<(Symbol, f64)>,
+    /// The only quantities of which the variant's own values are used; every one, where none are named.
+    pub known: Option<&'a BTreeSet<Symbol>>,
+}
