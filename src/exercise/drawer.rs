@@ -1,4 +1,4 @@
-//! Many variants of one form, one after the other.
+//! Variants drawn: one by itself, or many of one form, one after the other.
 
 use std::sync::Arc;
 
@@ -43,5 +43,15 @@ impl<'p> Drawer<'p> {
     /// [`NoVariant`] where the seed has no admissible numbers.
     pub fn draw(&mut self, seed: u64) -> Result<Exercise, NoVariant> {
         Ok(Exercise { problem: Arc::clone(self.problem), variant: self.sampler.variant(seed)? })
+    }
+}
+
+impl Exercise {
+    /// Draws the numbers of a seed and solves them.
+    ///
+    /// # Errors
+    /// [`NoVariant`] where the seed has no admissible numbers.
+    pub fn draw(problem: &Arc<Problem>, form: usize, seed: u64) -> Result<Self, NoVariant> {
+        Drawer::new(problem, form)?.draw(seed)
     }
 }

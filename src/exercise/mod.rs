@@ -43,7 +43,6 @@ use crate::problem;
 use crate::problem::AskedUnit;
 use crate::problem::ChoicePart;
 use crate::problem::End;
-use crate::problem::NoVariant;
 use crate::problem::NumberPart;
 use crate::problem::Part;
 use crate::problem::PartKind;
@@ -86,14 +85,6 @@ pub struct Exercise {
 }
 
 impl Exercise {
-    /// Draws the numbers of a seed and solves them.
-    ///
-    /// # Errors
-    /// [`NoVariant`] where the seed has no admissible numbers.
-    pub fn draw(problem: &Arc<Problem>, form: usize, seed: u64) -> Result<Self, NoVariant> {
-        Drawer::new(problem, form)?.draw(seed)
-    }
-
     /// The problem.
     #[must_use]
     pub fn problem(&self) -> &Problem {

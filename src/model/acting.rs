@@ -1,12 +1,10 @@
-//! The forces of a push one by one, for diagrams; the equations need only their sums.
+//! What acts during a stage, as diagrams show it: forces one by one, the slopes of floors, streams.
 
 use std::borrow::Cow;
 
 use crate::expr::Expr;
 
-use super::Builder;
-use super::Direction;
-use super::incline::Incline;
+use super::frame::Direction;
 use super::wording;
 
 /// A force that acts on a body during a push.
@@ -73,65 +71,4 @@ pub struct Flowing {
     pub leaving: Option<Direction>,
     /// Its speed relative to the body.
     pub relative: Expr,
-}
-
-/// Where and when the forces of one push act.
-#[derive(Clone, Copy)]
-pub(super) struct Acts<'a> {
-    pub stage: usize,
-    pub on: &'a str,
-    pub during: [&'a Expr; 2],
-}
-
-impl Acts<'_> {
-    pub(super) fn force(self, kind: ForceKind, called: &str, strength: Expr, direction: Direction) -> ActingForce {
-        let (on, during) = (self.on.to_owned(), self.during.map(Clone::clone));
-        ActingForce { stage: self.stage, on, kind, called: called.to_owned(), strength, direction, during }
-    }
-}
-
-impl Builder<'_> {
-    /// The components of a force when it begins to act, or at its end.
-    pub(super) fn components_at(&self, force: &ActingForce, at_end: bool) -> Vec<Expr> {
-        let clock = self.symbols.find("t");
-        let time = &force.during[usize::from(at_end)];
-        let strength = force.strength.substitute(&|symbol| (Some(symbol) == clock).then(|| time.clone()));
-        let parts = self.components(&force.direction).into_iter();
-        parts.map(|part| if part.is_zero() { part } else { strength.clone() * part }.simplify()).collect()
-    }
-
-    /// Notes a push or a pull.
-    pub(super) fn note_pull(&mut self, acts: Acts<'_>, called: &str, strength: &Expr, direction: &Direction) {
-        self.forces.push(acts.force(ForceKind::Pull, called, strength.clone(), direction.clone()));
-    }
-
-    /// Notes the weight of a body, where it acts in the plane of the scene.
-    pub(super) fn note_weight(&mut self, acts: Acts<'_>) {
-        let Some((position, down)) = (0..self.axes.len()).find_map(|place| Some((place, self.downwards(place)?)))
-        else {
-            return;
-        };
-        let strength = self.mass(acts.on) * self.gravity();
-        let direction = Direction::axis(self.axis_place(position), down < 0);
-        self.forces.push(acts.force(ForceKind::Weight, "weight", strength, direction));
-    }
-
-    /// Notes what a floor has to do with a body that slides on it along the axis, or `backwards`.
-    pub(super) fn note_floor(
-        &mut self,
-        acts: Acts<'_>,
-        incline: &Incline,
-        weight: Expr,
-        normal: Expr,
-        kinetic: Expr,
-        backwards: bool,
-    ) {
-        let friction = kinetic * normal.clone();
-        self.forces.push(acts.force(ForceKind::Weight, "weight", weight, incline.downwards()));
-        self.forces.push(acts.force(ForceKind::Normal, "the normal force", normal, Direction::axis(1, false)));
-        if !friction.is_zero() {
-            let against = Direction::axis(0, !backwards);
-            self.forces.push(acts.force(ForceKind::Friction, "friction", friction, against));
-        }
-    }
 }

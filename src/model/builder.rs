@@ -33,7 +33,6 @@ use super::Impulse;
 use super::Influence;
 use super::Instance;
 use super::Integral;
-use super::Meaning;
 use super::Name;
 use super::Omission;
 use super::Omitted;
@@ -43,6 +42,7 @@ use super::Reason;
 use super::Slope;
 use super::alternative::Alternative;
 use super::frame::Frame;
+use super::name::Meaning;
 use super::timeline::Timeline;
 
 /// What using an equation costs a plan.
@@ -181,6 +181,16 @@ impl<'s> Builder<'s> {
         symbol
     }
 
+    /// The way in which a body stands still all through a stage: its choice, counted from 0, and what happens there.
+    #[must_use]
+    pub fn stands_still(&self, body: &str, stage: usize) -> Option<(usize, &str)> {
+        let is_meant = |way: &&Alternative| way.still.as_ref().is_some_and(|own| own.0 == stage && own.1 == body);
+        self.choices
+            .iter()
+            .enumerate()
+            .find_map(|(choice, ways)| Some((choice, ways.iter().find(is_meant)?.what.as_str())))
+    }
+
     /// What a quantity is: its name, taken apart.
     #[must_use]
     pub fn name(&self, symbol: Symbol) -> &Name {
@@ -309,7 +319,7 @@ impl<'s> Builder<'s> {
     /// Makes the masses that are names of their own, where another mass is given in terms of them: `m` before `2*m`.
     pub(super) fn masses_by_name(&mut self) {
         let scene = self.scene;
-        let is_name = |term: &crate::scene::Term| super::read::is_bare_name(term.0.trim());
+        let is_name = |term: &crate::scene::Term| super::name::is_bare_name(term.0.trim());
         let masses = || scene.bodies.iter().filter_map(|(body, entry)| Some((body, entry.mass.as_ref()?)));
         if masses().any(|(_, term)| !is_name(term)) {
             for (body, _) in masses().filter(|(_, term)| is_name(term)) {

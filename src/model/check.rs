@@ -3,7 +3,6 @@
 use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Path;
-use crate::fault::did_you_mean;
 use crate::scene::Axes;
 use crate::scene::Plane;
 use crate::scene::Scene;
@@ -20,6 +19,7 @@ use super::stage::Description;
 use super::stage::ROTOR;
 use super::stage::is_height_of_a_bounce;
 use super::timeline::Timeline;
+use super::unknown::unknown;
 
 /// Whether a name is one that the scene makes by itself, rather than one that the author chose.
 pub(super) fn is_structural(scene: &Scene, name: &str) -> bool {
@@ -314,13 +314,4 @@ fn bad_body_name(name: &str) -> Fault {
     Fault::new(Code::Value, format!("a body cannot be called `{name}`")).help(
         "write a short name that ends in a letter (digits number the instants) and is not `G` (the centre of mass)",
     )
-}
-
-pub(super) fn unknown(kind: &str, name: &str, known: &[&str]) -> Fault {
-    let fault = Fault::new(Code::UnknownName, format!("there is no {kind} `{name}` at this point of the scene"));
-    match did_you_mean(name, known.iter().copied()) {
-        Some(near) => fault.help(format!("did you mean `{near}`?")),
-        None if known.is_empty() => fault.help(format!("declare it under the scene's {kind}s")),
-        None => fault.help(format!("the scene has: {}", known.join(", "))),
-    }
 }

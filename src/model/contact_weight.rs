@@ -1,21 +1,6 @@
-//! The impulse of weight in a contact of known duration: left out, or put into the balance.
+//! The impulse of weight on a body in a short contact, beside the change of its momentum.
 
 use crate::expr::Expr;
-use crate::fault::Code;
-use crate::fault::Fault;
-use crate::fault::Path;
-use crate::quantity::Dimension;
-use crate::scene::Term;
-use crate::scene::stage::Included;
-use crate::solve::Relation;
-
-use super::Agent;
-use super::Builder;
-use super::Impulse;
-use super::Reason;
-use super::frame::Direction;
-use super::frame::Frame;
-use super::guide::dot;
 
 /// From which share of the change of momentum on what is left out must not be: one part in so many.
 const TOO_MUCH: i64 = 10;
@@ -50,105 +35,5 @@ impl ContactWeight {
         #[allow(clippy::cast_precision_loss, reason = "a small whole number")]
         let whole = TOO_MUCH as f64;
         weight / whole / change
-    }
-}
-
-/// A contact that may last as long as is given.
-pub(super) struct Lasting<'a> {
-    pub index: usize,
-    pub duration: Option<&'a Term>,
-    pub include: &'a [Included],
-    pub path: &'a Path,
-}
-
-impl Builder<'_> {
-    /// The weights that act in short contacts, so far.
-    #[must_use]
-    pub fn weights(&self) -> &[ContactWeight] {
-        &self.weights
-    }
-
-    /// What a contact that includes weight adds to each component of a velocity; none where it leaves weight out.
-    pub(super) fn included_weight(&mut self, contact: &Lasting<'_>, body: &str) -> Option<Vec<Expr>> {
-        if contact.include.is_empty() {
-            return None;
-        }
-        let acts = (0..self.axes.len()).any(|position| self.downwards(position).is_some());
-        let wrong = if contact.duration.is_none() {
-            Some(("the impulse of weight cannot be found without the duration of the contact", "write `duration: dt`"))
-        } else if !acts {
-            Some(("weight does not act along the axes of this scene", "write `plane: vertical`, or remove `include`"))
-        } else if self.guided(body).is_some() {
-            Some(("the weight of a guided body is balanced by its guide", "remove `include`"))
-        } else {
-            None
-        };
-        if let Some((message, help)) = wrong {
-            let fault = Fault::new(Code::Value, message).help(help);
-            self.faults.push(fault.at_path(contact.path.key("include")));
-            return None;
-        }
-        let time = self.contact_time(contact)?;
-        let fall = |position| self.downwards(position).map(|down| (position, down));
-        let falls: Vec<(usize, i64)> = (0..self.axes.len()).filter_map(fall).collect();
-        let gained = self.gravity() * time;
-        let component = |position: usize| {
-            let down = falls.iter().find(|(own, _)| *own == position);
-            down.map_or_else(Expr::zero, |(_, down)| Expr::integer(*down) * gained.clone())
-        };
-        Some((0..self.axes.len()).map(component).collect())
-    }
-
-    /// What weight adds to a velocity along and across a normal; nothing where it adds none.
-    pub(super) fn turned_into(&self, gained: &[Expr], frame: &Frame) -> [Option<Expr>; 2] {
-        let part = |part: Expr| Some(part).filter(|part| !part.is_zero());
-        if let [only] = gained {
-            return [part(only.clone()), None];
-        }
-        let across = Direction::turned(frame.normal.quarters + 1, frame.normal.turn.clone());
-        [&frame.normal, &across].map(|direction| part(dot(gained, &self.components(direction))))
-    }
-
-    /// Notes the impulse that an included weight gives a body.
-    pub(super) fn weight_acts(&mut self, index: usize, body: &str, gained: &[Expr]) {
-        let mass = self.mass(body);
-        self.impulses.push(Impulse {
-            stage: index,
-            on: body.to_owned(),
-            by: Agent::Outside,
-            called: "weight".into(),
-            components: gained.iter().map(|own| own.clone() * mass.clone()).collect(),
-            impulsive: false,
-        });
-    }
-
-    fn contact_time(&mut self, contact: &Lasting<'_>) -> Option<Expr> {
-        let meaning = format!("the duration of {}", self.stage_phrase(contact.index));
-        let path = contact.path.key("duration");
-        Some(self.read_positive(contact.duration?, Dimension::TIME, &meaning, &path))
-    }
-
-    /// Compares the impulse of weight with the change of momentum of each body, by its names before and after the contact, and
-    /// requires that it is small where it is left out. `hangs` says that weight acts although no axis points up or down.
-    pub(super) fn weigh_contact(&mut self, contact: &Lasting<'_>, bodies: &[(&str, &str)], hangs: bool) {
-        let acts = hangs || (0..self.axes.len()).any(|position| self.downwards(position).is_some());
-        let Some(time) = acts.then(|| self.contact_time(contact)).flatten() else { return };
-        let included = !contact.include.is_empty();
-        for (before, after) in bodies {
-            if self.guided(before).is_some() {
-                continue;
-            }
-            let [from, to] = [(before, contact.index + 1), (after, contact.index + 2)]
-                .map(|(body, instant)| self.velocities(body, instant));
-            let change = to.into_iter().zip(from).map(|(to, from)| to - from).collect();
-            let fall = self.gravity() * time.clone();
-            let own = ContactWeight { stage: contact.index, on: (*before).to_owned(), included, fall, change };
-            if !included {
-                let [weight, change] = own.squares();
-                let reason = Reason::WeightNotNegligible(self.called(before), self.stage_phrase(contact.index));
-                self.require(weight, Relation::Less, change, reason);
-            }
-            self.weights.push(own);
-        }
     }
 }

@@ -12,7 +12,7 @@ use super::Builder;
 use super::Name;
 use super::QuantityKind;
 use super::check;
-use super::read::is_bare_name;
+use super::name::is_bare_name;
 
 impl Builder<'_> {
     /// The quantity `id`, which is the value of an expression: the same one each time for the same expression. `path` is the

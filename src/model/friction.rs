@@ -19,9 +19,9 @@ use super::Impulse;
 use super::Integral;
 use super::QuantityKind;
 use super::Reason;
-use super::acting::Acts;
 use super::alternative::Alternative;
 use super::builder::LAW_COST;
+use super::forces::Acts;
 use super::stage::Pushed;
 
 /// The forces on a body that rests or slides on a floor, along its motion.

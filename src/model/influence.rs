@@ -2,10 +2,6 @@
 
 use crate::expr::Expr;
 
-use super::ActingForce;
-use super::Builder;
-use super::ForceKind;
-
 /// Something that acts on a body from the first moment of a stage to the last.
 #[derive(Clone, Debug)]
 pub struct Influence {
@@ -106,35 +102,5 @@ impl Influence {
     #[must_use]
     pub fn is_within(&self, system: &[String]) -> bool {
         !self.by.is_empty() && self.by.iter().all(|body| system.contains(body))
-    }
-}
-
-impl Builder<'_> {
-    /// Notes what acts during a stage that lasts.
-    pub(super) fn acts(&mut self, influence: Influence) {
-        self.influences.push(influence);
-    }
-
-    /// The forces that a push or a slide has noted, as influences.
-    pub(super) fn acts_as_noted(&mut self, stage: usize) {
-        let one_axis = self.axes.len() == 1;
-        let here = || self.forces.iter().filter(|force| force.stage == stage);
-        let on_floor = one_axis && here().any(|force| force.kind == ForceKind::Normal);
-        let noted = |force: &ActingForce| {
-            let parts = match force.kind {
-                // What a floor has to do with a body is counted along it and away from it, whatever the axis is called.
-                ForceKind::Weight | ForceKind::Normal | ForceKind::Friction if on_floor => {
-                    let [along, _] = force.direction.cosine_and_sine();
-                    vec![along]
-                }
-                _ => self.components(&force.direction),
-            };
-            let part = |part: Expr| if part.is_zero() { part } else { (force.strength.clone() * part).simplify() };
-            let own = Influence::outside(stage, &force.on, force.called.as_str());
-            let own = own.force(parts.into_iter().map(part).collect());
-            if force.kind == ForceKind::Normal { own.workless() } else { own }
-        };
-        let influences: Vec<Influence> = here().map(noted).collect();
-        self.influences.extend(influences);
     }
 }

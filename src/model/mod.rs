@@ -7,9 +7,13 @@ mod check;
 mod collision;
 mod contact_weight;
 mod define;
+mod directions;
 mod expression;
+mod finished;
+mod forces;
 mod frame;
 mod friction;
+mod graph_of_push;
 mod guide;
 mod incline;
 mod influence;
@@ -30,82 +34,41 @@ mod stage;
 mod strength;
 mod timeline;
 mod total;
+mod unknown;
+mod weight_in_contact;
 mod wording;
 
 pub use acting::{ActingForce, Flowing, ForceKind, Slope};
 pub use alternative::Alternative;
 pub use builder::Builder;
 pub use contact_weight::ContactWeight;
+pub use finished::Model;
 pub use frame::{Direction, Frame, above_or_below, is_reversed};
 pub use influence::{Effect, Influence, Moment, Work};
 pub use instance::{Agent, Because, Impulse, Instance, Integral, Omission, Omitted};
 pub use mistaken::Mistaken;
-use name::Meaning;
 pub use name::{Instant, Name, VectorName, component_name};
 pub use printed_graph::PrintedGraph;
 pub use quantity_kind::{QuantityKind, VectorKind};
 pub use reason::{Reason, Warning};
 pub use timeline::Timeline;
 
-use std::collections::BTreeMap;
 use std::collections::BTreeSet;
 
 use crate::expr::Expr;
 use crate::expr::Symbol;
-use crate::expr::SymbolTable;
 use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Path;
 use crate::laws::geometry;
 use crate::laws::kinematics;
 use crate::quantity::Dimension;
-use crate::quantity::Quantity;
 use crate::quantity::with_minus_signs;
 use crate::scene::Scene;
 use crate::solve::Condition;
 use crate::solve::Equation;
 use crate::solve::Relation;
 use crate::solve::Statement;
-use crate::solve::System;
-
-/// A scene as equations: the symbols, the system, and why each equation may be used.
-#[derive(Clone, Debug)]
-pub struct Model {
-    /// The quantities.
-    pub symbols: SymbolTable,
-    names: Vec<Name>,
-    /// The equations that hold whatever happens. Their tags count [`Model::instances`].
-    pub system: System,
-    /// For each stage that can go several ways, the ways.
-    pub choices: Vec<Vec<Alternative>>,
-    /// Which law each equation is, and why it applies.
-    pub instances: Vec<Instance>,
-    /// What to say where a condition is broken; conditions' tags count these.
-    pub reasons: Vec<Reason>,
-    /// What was left out on purpose.
-    pub omissions: Vec<Omission>,
-    /// The impulses of each stage.
-    pub impulses: Vec<Impulse>,
-    /// The weights that act in short contacts of known duration.
-    pub weights: Vec<ContactWeight>,
-    /// The forces of each push.
-    pub forces: Vec<ActingForce>,
-    /// The slopes of floors.
-    pub slopes: Vec<Slope>,
-    /// The force that the sheet tells by its graph.
-    pub graph: Option<PrintedGraph>,
-    /// The streams that meet bodies.
-    pub flowing: Vec<Flowing>,
-    /// Values that the author wrote into terms: known, and the same in every variant.
-    pub literals: Vec<(Symbol, Quantity)>,
-    /// The axes n and t of each stage that has them.
-    pub frames: Vec<Option<Frame>>,
-    /// Names that terms introduced without defining them: to be given, or asked.
-    pub free: BTreeSet<Symbol>,
-    /// What questions call by names of their own, each with the expression for which it stands.
-    pub expressions: BTreeMap<Symbol, Expr>,
-    mentions: BTreeMap<String, Symbol>,
-}
 
 impl<'s> Builder<'s> {
     /// A model of a scene with the equations of its stages. `given` are names of the author's own with their dimensions; the
@@ -336,46 +299,4 @@ fn each_once(faults: Vec<Fault>) -> Vec<Fault> {
         }
     }
     kept
-}
-
-impl Model {
-    /// Every quantity that an equation or a condition of the scene refers to.
-    #[must_use]
-    pub fn mentioned(&self) -> BTreeSet<Symbol> {
-        let ways = || self.choices.iter().flatten();
-        let equations = self.system.equations.iter().chain(ways().flat_map(|way| &way.equations));
-        let conditions = self.system.conditions.iter().chain(ways().flat_map(|way| &way.conditions));
-        let sides = conditions.flat_map(|condition| [condition.left.symbols(), condition.right.symbols()]);
-        equations.map(Equation::symbols).chain(sides).flatten().collect()
-    }
-
-    /// What a quantity is: its name, taken apart.
-    #[must_use]
-    pub fn name(&self, symbol: Symbol) -> &Name {
-        &self.names[symbol.index()]
-    }
-
-    /// The quantity that a mentioned name stands for, in whichever spelling it was mentioned.
-    #[must_use]
-    pub fn symbol_of(&self, name: &str) -> Option<Symbol> {
-        self.mentions.get(name).copied().or_else(|| self.symbols.find(name))
-    }
-
-    /// The stream of a stage.
-    #[must_use]
-    pub fn flowing_in(&self, stage: usize) -> Option<&Flowing> {
-        self.flowing.iter().find(|own| own.stage == stage)
-    }
-
-    /// When an instant of the scene is, as an adverbial phrase: `just after the impact`.
-    #[must_use]
-    pub fn when(&self, scene: &Scene, instant: usize) -> String {
-        wording::when(scene, instant)
-    }
-
-    /// A stage of the scene as a noun phrase: `the impact`.
-    #[must_use]
-    pub fn phrase(&self, scene: &Scene, stage: usize) -> String {
-        wording::stage(scene, stage)
-    }
 }

@@ -200,6 +200,13 @@ pub fn component_name(vector: &str, axis: &str) -> String {
     }
 }
 
+/// Whether a text is one name: a word that is not the number pi.
+pub(super) fn is_bare_name(text: &str) -> bool {
+    text.starts_with(|first: char| first.is_alphabetic())
+        && text.chars().all(|letter| letter.is_alphanumeric() || letter == '_')
+        && text != "pi"
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -7,9 +7,9 @@ use crate::scene::stage::Impact;
 use crate::scene::stage::Separate;
 
 use super::Builder;
-use super::Meaning;
 use super::Name;
 use super::QuantityKind;
+use super::name::Meaning;
 use super::stage::Description;
 
 impl Builder<'_> {

@@ -20,6 +20,7 @@ use crate::scene::Term;
 use super::Builder;
 use super::Name;
 use super::QuantityKind;
+use super::name::is_bare_name;
 
 /// Names of what a whole stage does, which need the stage in brackets where there are several.
 const STAGED: &[&str] = &["T_lost", "T_gained", "work", "J_def", "J_rest", "v_common", "dt"];
@@ -211,10 +212,4 @@ fn is_beyond_numbers(expr: &Expr) -> bool {
         return expr.as_number().is_none() && (size.is_nan() || size >= 1e300);
     }
     expr.children().any(is_beyond_numbers)
-}
-
-pub(super) fn is_bare_name(text: &str) -> bool {
-    text.starts_with(|first: char| first.is_alphabetic())
-        && text.chars().all(|letter| letter.is_alphanumeric() || letter == '_')
-        && text != "pi"
 }

@@ -7,11 +7,11 @@ use crate::scene::Axes;
 use crate::scene::Scene;
 use crate::scene::Stage;
 
-use super::check::unknown;
 use super::read::moving_point;
 use super::stage::Description;
 use super::stage::ROTOR;
 use super::timeline::Timeline;
+use super::unknown::unknown;
 
 /// What a scene says of places and directions that its axes do not allow.
 pub(super) fn faults(scene: &Scene) -> Vec<Fault> {

@@ -1,5 +1,5 @@
 //! The rules of the house, read from the source as text: which room may import which, which room alone knows an outside
-//! package, and how long a file may grow. `docs/architecture.md` says why.
+//! package, how long a file may grow, and that no files of a room need each other. `docs/architecture.md` says why.
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -8,6 +8,7 @@ use std::path::Path;
 
 use words::{code_of, mentions};
 
+mod cycles;
 mod reading;
 mod words;
 

@@ -15,11 +15,11 @@ use super::super::ActingForce;
 use super::super::Builder;
 use super::super::Direction;
 use super::super::ForceKind;
-use super::super::Meaning;
 use super::super::Name;
 use super::super::QuantityKind;
 use super::super::builder::SECOND_COST;
 use super::super::name::MASS_CENTRE;
+use super::super::name::Meaning;
 use super::super::stage::Description;
 
 pub(super) fn angular_momentum(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {

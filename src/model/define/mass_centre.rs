@@ -11,10 +11,10 @@ use crate::scene::stage::Separate;
 
 use super::super::Agent;
 use super::super::Builder;
-use super::super::Meaning;
 use super::super::Name;
 use super::super::QuantityKind;
 use super::super::name::MASS_CENTRE;
+use super::super::name::Meaning;
 
 pub(super) fn mass_centre_velocity(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let instant = builder.number(name)?;

@@ -6,11 +6,11 @@ use crate::laws::energy;
 use crate::laws::mass_centre;
 
 use super::super::Builder;
-use super::super::Meaning;
 use super::super::Name;
 use super::super::QuantityKind;
 use super::super::builder::SECOND_COST;
 use super::super::name::MASS_CENTRE;
+use super::super::name::Meaning;
 
 pub(super) fn relative_velocity(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let (body, _) = builder.body_at(name)?;

@@ -8,12 +8,12 @@ use crate::quantity::Dimension;
 
 use super::super::Builder;
 use super::super::Instant;
-use super::super::Meaning;
 use super::super::Name;
 use super::super::QuantityKind;
 use super::super::VectorKind;
 use super::super::builder::SECOND_COST;
 use super::super::component_name;
+use super::super::name::Meaning;
 
 /// A vector that a name stands for, or a direction.
 struct Vector {

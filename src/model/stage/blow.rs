@@ -8,7 +8,7 @@ use crate::model::Builder;
 use crate::model::Impulse;
 use crate::model::Name;
 use crate::model::QuantityKind;
-use crate::model::contact_weight::Lasting;
+use crate::model::weight_in_contact::Lasting;
 use crate::scene::Axis;
 use crate::scene::Plane;
 use crate::scene::stage::Blow;

@@ -15,7 +15,7 @@ use crate::model::Integral;
 use crate::model::Name;
 use crate::model::QuantityKind;
 use crate::model::Reason;
-use crate::model::acting::Acts;
+use crate::model::forces::Acts;
 use crate::model::frame::Direction;
 use crate::model::incline::Incline;
 use crate::model::strength::through;

@@ -12,7 +12,7 @@ use crate::model::Effect;
 use crate::model::Impulse;
 use crate::model::Influence;
 use crate::model::QuantityKind;
-use crate::model::acting::Acts;
+use crate::model::forces::Acts;
 use crate::model::incline::Incline;
 use crate::model::speeds::Speeds;
 use crate::quantity::Dimension;

@@ -9,8 +9,8 @@ use crate::model::Builder;
 use crate::model::Impulse;
 use crate::model::QuantityKind;
 use crate::model::Reason;
-use crate::model::contact_weight::Lasting;
 use crate::model::frame::Frame;
+use crate::model::weight_in_contact::Lasting;
 use crate::quantity::Dimension;
 use crate::solve::Relation;
 

@@ -6,9 +6,9 @@ use crate::laws::kinematics;
 use crate::laws::momentum;
 use crate::model::Builder;
 use crate::model::Reason;
-use crate::model::contact_weight::Lasting;
 use crate::model::frame::Frame;
 use crate::model::pair::Pair;
+use crate::model::weight_in_contact::Lasting;
 use crate::scene::Plane;
 use crate::scene::stage::Taut;
 use crate::solve::Relation;
@@ -25,7 +25,7 @@ impl Builder<'_> {
         let [first, second] = bodies.map(|body| self.called(body));
         let before = bodies.map(|body| self.split(body, index + 1, index, &frame));
         let after = bodies.map(|body| self.split(body, index + 2, index, &frame));
-        let along = |pair: &[crate::model::frame::Split; 2]| pair.each_ref().map(|split| split.along.clone());
+        let along = |pair: &[crate::model::directions::Split; 2]| pair.each_ref().map(|split| split.along.clone());
         let plane = before.iter().any(|split| split.across.is_some());
         let pair = Pair {
             index,
