@@ -83,8 +83,31 @@ pub const CONSERVATION: Law = Law {
     wrong: wrong::energy::CONSERVATION,
 };
 
+/// Friction between two bodies.
+pub const RUBBING: Law = Law {
+    id: "work-of-friction-between-bodies",
+    name: "the principle of work and energy for both bodies",
+    statement: "Where two bodies rub on each other, the friction between them takes from their kinetic energy the force of friction times the distance that one slides on the other.",
+    signs: "The distance is measured on the other body, not over the ground; it is positive.",
+    when: "Kinetic friction of constant size acts between the bodies, and no other force does work.",
+    source: "The principle of work and energy for each of them, added: the two forces are opposite, and their displacements differ by that distance.",
+    wrong: wrong::energy::RUBBING,
+};
+
+/// What friction between two bodies turns into heat.
+pub const HEAT: Law = Law {
+    id: "heat-of-friction",
+    name: "conservation of energy",
+    statement: "The kinetic energy that two bodies lose by rubbing on each other is the force of friction times the distance that one slides on the other.",
+    signs: "The distance is measured on the other body, not over the ground; both are positive.",
+    when: "Kinetic friction of constant size acts between the bodies, and no other force does work.",
+    source: "The principle of work and energy for both bodies together.",
+    wrong: wrong::energy::HEAT,
+};
+
 /// The laws of this chapter.
-pub const LAWS: &[&Law] = &[&KINETIC, &POTENTIAL, &LOSS, &GAIN, &WORK_ENERGY, &WORK, &CONSERVATION];
+pub const LAWS: &[&Law] =
+    &[&KINETIC, &POTENTIAL, &LOSS, &GAIN, &WORK_ENERGY, &WORK, &CONSERVATION, &RUBBING, &HEAT];
 
 /// `1/2 (m_A m_B)/(m_A + m_B) (1 - e^2) u^2`: what an impact of two free bodies that approach each other at `u` loses.
 #[must_use]

@@ -20,13 +20,15 @@ pub(super) struct Pair<'a> {
     pub after: [Expr; 2],
     /// What acts between them: `the spring`, `the string`.
     pub link: &'a str,
+    /// Along what it acts, by another word.
+    pub line: &'a str,
     /// The pulley over which they act on each other, so that their impulses are equal along the string only.
     pub pulley: Option<&'a str>,
 }
 
 impl Builder<'_> {
-    /// The momentum of both together, and for whoever asks the impulse on each. `resolve` gives an impulse's components along
-    /// the axes.
+    /// The momentum of both together, and for whoever asks the impulse on each, which it returns. `resolve` gives an impulse's
+    /// components along the axes.
     pub(super) fn pair(
         &mut self,
         pair: &Pair<'_>,
@@ -34,7 +36,7 @@ impl Builder<'_> {
         resolve: &dyn Fn(&Self, &Expr) -> Vec<Expr>,
         duration: Option<&Term>,
         path: &Path,
-    ) {
+    ) -> [Expr; 2] {
         let masses = pair.bodies.map(|body| self.mass(body));
         let names = pair.bodies.map(|body| self.called(body));
         let side = |values: &[Expr; 2]| [0, 1].map(|own| (masses[own].clone(), values[own].clone()));
@@ -44,8 +46,8 @@ impl Builder<'_> {
             None => (
                 &momentum::CONSERVATION,
                 Because::Fact(format!(
-                    "{} exerts equal and opposite impulses on {first} and {second}, and no other impulse acts along it",
-                    pair.link
+                    "{} exerts equal and opposite impulses on {first} and {second}, and no other impulse acts along {}",
+                    pair.link, pair.line
                 )),
             ),
             Some(pulley) => (
@@ -86,8 +88,9 @@ impl Builder<'_> {
                 impulsive: pair.link == "the string",
             });
         }
-        let [on_first, on_second] = impulses;
+        let [on_first, on_second] = impulses.clone();
         let because = format!("{} acts on both with the same force", pair.link);
         self.law(&momentum::THIRD_LAW, Some(pair.index), because, (on_second, -on_first));
+        impulses
     }
 }

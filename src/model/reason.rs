@@ -51,6 +51,9 @@ pub enum Reason {
     /// Friction would not act against the motion.
     #[error("{0} would have to slide forwards for friction to act backwards")]
     SlidesBackwards(String),
+    /// A body would slide on another one the other way than its stage says.
+    #[error("{0} would slide on {1} the other way")]
+    SlidesOtherWay(String, String),
     /// A body would move the other way than its stage says.
     #[error("{0} would move the other way")]
     MovesBack(String),

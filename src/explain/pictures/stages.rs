@@ -31,6 +31,7 @@ pub(super) fn sheet(quantities: &Quantities<'_>, compass: &Compass) -> Option<Dr
         return graph::force_plot(quantities, graph.stage);
     }
     match quantities.scene().stages.first() {
+        Some(Stage::Interact(own)) if own.friction.is_some() => sheet::ride::rub(quantities, compass, own),
         None | Some(Stage::Interact(_)) => snapshot::drawing(quantities, compass),
         Some(Stage::Impact(impact)) => sheet::contact::drawing(quantities, compass, impact)
             .or_else(|| sheet::line::drawing(quantities, compass, 0)),
@@ -170,6 +171,9 @@ fn drawn(stage: &Stage) -> Drawn {
         Stage::Taut(own) => Drawn { mutual: own.over.is_none(), ..drawn(several(&own.between), Arrows::Impulses) },
         Stage::Flight(own) => drawn(own.flying().map(Participant::alone).collect(), Arrows::Weight),
         Stage::Fall(own) => drawn(alone(&own.body), Arrows::Weight),
+        Stage::Interact(own) if own.friction.is_some() => {
+            Drawn { mutual: true, ..drawn(several(&own.between), Arrows::Impulses) }
+        }
         Stage::Interact(own) => drawn(several(&own.between), Arrows::Resultant),
         Stage::SlideOff(own) => {
             drawn([&own.body, &own.on].map(|body| Participant::alone(body)).to_vec(), Arrows::Resultant)

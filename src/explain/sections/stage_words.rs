@@ -8,6 +8,7 @@ use crate::scene::Scene;
 use crate::scene::Stage;
 use crate::scene::stage::Connected;
 use crate::scene::stage::Ends;
+use crate::scene::stage::Interact;
 use crate::scene::stage::Strand;
 
 use super::super::wording::capitalised;
@@ -61,6 +62,9 @@ pub(super) fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
         }
         Stage::Conical(conical) => format!("the cord of {} changes its length", name(&conical.body)),
         Stage::Bowl(bowl) => format!("{} slides round inside the wall", name(&bowl.body)),
+        Stage::Interact(Interact { friction: Some(_), between, .. }) if let [upper, lower] = &between[..] => {
+            format!("{} on {}", does(upper, ["slides", "slide"]), name(lower))
+        }
         Stage::Interact(interact) => {
             let bodies: Vec<String> = interact.between.iter().map(|body| name(body)).collect();
             format!("{} act on each other", list(&bodies))
@@ -126,6 +130,11 @@ pub(super) fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) 
             let (are, their) = if bodies.len() > 1 { ("are", "their") } else { ("is", "its") };
             during(format!("{} {are} acted on by {their} weight alone", list(&bodies)))
         }
+        (Stage::Interact(own), [one, other]) if own.friction.is_some() => during(format!(
+            "{} and {} are acted on by the friction between them, with equal and opposite forces along the axis",
+            name(&one.on),
+            name(&other.on)
+        )),
         (
             Stage::Separate(_)
             | Stage::Walk(_)

@@ -43,6 +43,8 @@ pub enum Face {
         way: Option<Math>,
         /// Whether the way leads to the right.
         rightwards: bool,
+        /// Whether it stands on a floor, and not on water.
+        floor: bool,
     },
     /// A slope.
     Slope {
@@ -61,7 +63,9 @@ impl Ride {
     pub(super) fn draw(&self, canvas: &mut Canvas) {
         let scales = Scales::of([&self.rider, &self.carrier], LONGEST);
         match &self.face {
-            Face::Deck { way, rightwards } => self.draw_deck(canvas, way.as_ref(), *rightwards, &scales),
+            Face::Deck { way, rightwards, floor } => {
+                self.draw_deck(canvas, way.as_ref(), [*rightwards, *floor], &scales);
+            },
             Face::Slope { angle, label, rightwards, height } => {
                 let angle = if angle.is_finite() { angle.clamp(FLATTEST, STEEPEST) } else { FLATTEST };
                 self.draw_slope(canvas, angle, [label.as_ref(), height.as_ref()], *rightwards, &scales);
@@ -69,19 +73,24 @@ impl Ride {
         }
     }
 
-    fn draw_deck(&self, canvas: &mut Canvas, way: Option<&Math>, rightwards: bool, scales: &Scales) {
+    fn draw_deck(&self, canvas: &mut Canvas, way: Option<&Math>, [rightwards, floor]: [bool; 2], scales: &Scales) {
         let deck = Body::plank(&self.carrier.name, DECK);
         deck.draw(canvas);
         let up = Point::new(0.0, 1.0);
         let rider = self.rider.outline();
         let side = if rightwards { 1.0 } else { -1.0 };
         let end = DECK.x / 2.0 - rider.support(Point::new(1.0, 0.0)) - 2.0;
-        let level = DECK.y / 2.0 + rider.support(up);
+        let half = if floor { deck.support(up) } else { DECK.y / 2.0 };
+        let level = half + rider.support(up);
         let rider = rider.moved(Point::new(-side * end, level));
         rider.draw(canvas);
         // The water: what carries the deck does not hold it.
         let water = Point::new(DECK.x / 2.0 + OVERHANG, -DECK.y / 4.0);
-        for side in [-1.0, 1.0] {
+        if floor {
+            let [left, right] = [-1.0, 1.0].map(|side| Point::new(side * water.x, -half));
+            draw_surface(canvas, left, right);
+        }
+        for side in [-1.0, 1.0].into_iter().filter(|_| !floor) {
             let shore = Point::new(side * water.x, water.y);
             canvas.line([Point::new(side * DECK.x / 2.0, water.y), shore], Role::Guide, false);
         }

@@ -1,6 +1,7 @@
 //! Mistakes about kinetic energy and its loss.
 
 use crate::expr::Expr;
+use crate::expr::Symbol;
 use crate::quantity::Dimension;
 
 use super::Misconception;
@@ -80,7 +81,22 @@ pub const SPRING_HALF: Misconception = Misconception {
     ask: "The force of a spring grows from zero: what is its average over the distance?",
     hint: "Draw the force against the deformation: the energy is the area of a triangle.",
 };
+/// The weight of the lower body, or of both, for that of the upper one.
+pub const OTHER_WEIGHT: Misconception = Misconception {
+    id: "friction-of-the-other-body",
+    does: "takes the weight of the lower body, or of both, for the normal force between them",
+    ask: "Which body presses on the surface where the two rub, and with what weight?",
+    hint: "The normal force between the bodies carries the body on top, and nothing else.",
+};
 
+/// Wrong forms of the work of friction between two bodies.
+pub const RUBBING: &[WrongForm] = &[
+    WrongForm { of: &OTHER_WEIGHT, write: other_weight },
+    WrongForm { of: &FRICTION_REVERSED, write: friction_reversed },
+    WrongForm { of: &ONE_BODY, write: upper_body },
+];
+/// Wrong forms of the heat of friction.
+pub const HEAT: &[WrongForm] = &[WrongForm { of: &OTHER_WEIGHT, write: other_weight }];
 /// Wrong forms of work and energy.
 pub const WORK: &[WrongForm] = &[
     WrongForm { of: &FRICTION_FORGOTTEN, write: friction_forgotten },
@@ -112,6 +128,40 @@ pub const LOSS: &[WrongForm] = &[
 /// Whether a term is the work of a weight: not that of the friction which the weight causes.
 fn is_weight(law: &Taught<'_>, term: &Expr) -> bool {
     law.has_gravity(term) && !matches!(term, Expr::Sum(_)) && !rubs(law, term)
+}
+
+/// The other masses of the stage, and their sum with the one that rubs, in its place where friction stands.
+fn other_weight(law: &Taught<'_>) -> Vec<Wrong> {
+    let Some(upper) = rubbing_mass(law) else { return Vec::new() };
+    let beside = law.beside("work-of-friction-between-bodies").flat_map(|(start, _)| start.symbols());
+    let mut others: Vec<Symbol> = law.quantities(Dimension::MASS);
+    others.extend(beside.filter(|own| law.is(*own, Dimension::MASS) && !law.quantities(Dimension::MASS).contains(own)));
+    let others = others.into_iter().filter(|own| *own != upper).map(Expr::from);
+    let taken = others.flat_map(|own| [own.clone(), own + Expr::from(upper)]);
+    let rewritten = taken.flat_map(|mass| {
+        law.both(|side| {
+            let swap = |term: Expr| {
+                let own = |symbol| (symbol == upper).then(|| mass.clone());
+                if rubs(law, &term) { term.substitute(&own) } else { term }
+            };
+            Expr::sum(terms(side).into_iter().map(swap))
+        })
+    });
+    rewritten.collect()
+}
+
+/// The kinetic energy of the body on top only.
+fn upper_body(law: &Taught<'_>) -> Vec<Wrong> {
+    let Some(upper) = rubbing_mass(law) else { return Vec::new() };
+    let own = |side: &Expr| Expr::sum(terms(side).into_iter().filter(|term| term.contains(upper)));
+    law.both(own)
+}
+
+/// The mass in the term of friction.
+fn rubbing_mass(law: &Taught<'_>) -> Option<Symbol> {
+    let [left, right] = [&law.sides.0, &law.sides.1].map(terms);
+    let friction = left.into_iter().chain(right).find(|term| rubs(law, term))?;
+    friction.symbols().into_iter().find(|own| law.is(*own, Dimension::MASS))
 }
 
 fn weight_work_forgotten(law: &Taught<'_>) -> Vec<Wrong> {

@@ -148,6 +148,11 @@ impl<'a> Description<'a> {
                 axes: &[0],
                 ..Self::lasting("slide")
             },
+            Stage::Interact(own) if own.friction.is_some() => Self {
+                bodies: own.between.iter().map(|body| (body.as_str(), Some("between"))).collect(),
+                axes: &[1, 2, 3],
+                ..Self::lasting("slide")
+            },
             Stage::Interact(own) => Self {
                 bodies: own.between.iter().map(|body| (body.as_str(), None)).collect(),
                 ends: Span::Around,

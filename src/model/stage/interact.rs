@@ -22,6 +22,10 @@ impl Builder<'_> {
             let fault = Fault::new(Code::Value, "in a vertical plane, weight is an external force on the bodies");
             self.faults.push(fault.help("write `plane: horizontal`").at_path(path.clone()));
         }
+        if let Some(friction) = &stage.friction {
+            return self.rub(index, stage, friction, path);
+        }
+        self.nothing_rubs(stage, path);
         let bodies: Vec<&str> = stage.between.iter().map(String::as_str).collect();
         let because = "the forces between the bodies cancel in pairs";
         self.momentum_of_all(index, because, [&bodies, &bodies]);

@@ -25,6 +25,7 @@ mod push_by_place;
 mod push_motion;
 mod push_system;
 mod rotate;
+mod rub;
 mod separate;
 mod slide;
 mod slide_off;

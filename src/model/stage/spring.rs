@@ -180,7 +180,7 @@ impl Builder<'_> {
             let spring = Influence::outside(index, own, "the spring").by(&[other]);
             self.acts(spring.works(Effect::Open, SPRING_WORKS));
         }
-        let pair = Pair { index, bodies, before, after, link: "the spring", pulley: None };
+        let pair = Pair { index, bodies, before, after, link: "the spring", line: "it", pulley: None };
         self.pair(&pair, None, &|_, impulse| vec![impulse.clone()], None, path);
         self.neglect("friction and other resistance", "the problem does not mention any");
     }

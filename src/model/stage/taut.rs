@@ -33,6 +33,7 @@ impl Builder<'_> {
             before: along(&before),
             after: along(&after),
             link: "the string",
+            line: "it",
             pulley: stage.over.as_deref(),
         };
         let resolve = |builder: &Self, impulse: &Expr| builder.resolved(impulse, &frame);

@@ -134,6 +134,9 @@ fn words_of_energy(balance: &Balance<'_>, builder: &Builder<'_>) -> (&'static st
             "the parts do not move away from each other",
             "the parts are pushed away from each other, and the forces that do so do work on them",
         ),
+        Some(Stage::Interact(own)) if all && own.friction.is_some() => {
+            ("the bodies do not slide on each other", "friction turns part of the kinetic energy into heat")
+        }
         Some(Stage::Interact(_)) if all => ("the bodies lose no kinetic energy", "the bodies do work on each other"),
         None
         | Some(

@@ -42,7 +42,7 @@ pub use fall::Fall;
 pub use flight::Flight;
 pub use impact::{Impact, Partners};
 pub use included::Included;
-pub use interact::Interact;
+pub use interact::{Interact, UntilTogether};
 pub use moment::Moment;
 pub use motion::{Course, Motion};
 pub use push::{During, Push, ToldBy};

@@ -14,6 +14,7 @@ use crate::figure::Wording;
 use crate::model::above_or_below;
 use crate::model::is_reversed;
 use crate::scene::Term;
+use crate::scene::stage::Interact;
 use crate::scene::stage::SlideOff;
 use crate::scene::stage::Walk;
 
@@ -52,8 +53,22 @@ pub(in super::super) fn walk(
     let face = Face::Deck {
         way: way.filter(|_| quantities.scope() == Scope::Given),
         rightwards: distance.unwrap_or(1.0) * sense >= 0.0,
+        floor: false,
     };
     let wording = on_another(quantities, [&stage.body, &stage.on], told.into_iter().chain(moved.clone()), moved);
+    Some(Situation { wording, layout: Layout::Ride(Ride { rider, carrier, face }), axes: compass.marks() }.drawing())
+}
+
+/// Before a body slides on another one, with their velocities.
+pub(in super::super) fn rub(quantities: &Quantities<'_>, compass: &Compass, stage: &Interact) -> Option<Drawing> {
+    let bodies = [stage.between.first()?.as_str(), stage.between.get(1)?.as_str()];
+    let rightwards = compass.place([1.0, 0.0])[0] > 0.0;
+    let backwards = quantities.is_backwards(stage.direction.as_ref());
+    let [rider, carrier] = bodies.map(|body| quantities.body(body, quantities.motion(compass, body, 1)));
+    let arrows = (!rider.vectors.is_empty() || !carrier.vectors.is_empty())
+        .then(|| "the arrows are the velocities at the start".to_owned());
+    let wording = on_another(quantities, bodies, arrows.clone(), arrows);
+    let face = Face::Deck { way: None, rightwards: rightwards != backwards, floor: true };
     Some(Situation { wording, layout: Layout::Ride(Ride { rider, carrier, face }), axes: compass.marks() }.drawing())
 }
 

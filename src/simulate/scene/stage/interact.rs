@@ -21,6 +21,9 @@ const WATCHED: f64 = 2.0;
 
 impl StageRun<'_> {
     pub(super) fn interact(&mut self, stage: &Interact) -> Result<(), NothingToSimulate> {
+        if let Some(friction) = &stage.friction {
+            return self.rub(stage, friction);
+        }
         let bodies: Vec<&str> = stage.between.iter().map(String::as_str).collect();
         if bodies.len() > MOST {
             return Err(NothingToSimulate::NoMethod);

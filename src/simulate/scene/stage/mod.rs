@@ -20,6 +20,7 @@ mod push_by_place;
 mod push_system;
 mod rates;
 mod rotate;
+mod rub;
 mod separate;
 mod slide;
 mod slide_off;

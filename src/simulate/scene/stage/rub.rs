@@ -1,0 +1,66 @@
+//! A body that slides on another one: an opposite pair of constant forces, until they move together.
+
+use crate::scene::Term;
+use crate::scene::stage::Interact;
+
+use crate::simulate::scene::course::Until;
+use crate::simulate::scene::nothing::NothingToSimulate;
+use crate::simulate::scene::particles::{Force, Particle, place, velocity};
+use crate::simulate::scene::stage_run::StageRun;
+use crate::simulate::scene::system::System;
+use crate::simulate::scene::vector::{Vector, dot, less, size, times, unit};
+
+impl StageRun<'_> {
+    pub(super) fn rub(&mut self, stage: &Interact, friction: &Term) -> Result<(), NothingToSimulate> {
+        let ([axis], [upper, lower]) = (&self.values.axes()[..], &stage.between[..]) else {
+            return Err(NothingToSimulate::Unread);
+        };
+        let (along, bodies) = (unit(*axis), [upper.as_str(), lower.as_str()]);
+        let mut particles = Vec::new();
+        for body in bodies {
+            let moves = times(self.values.velocity_before(body, *axis)?, along);
+            particles.push(Particle::free(body, self.values.mass(body)?, moves));
+        }
+        let masses = [self.values.mass(upper)?, self.values.mass(lower)?];
+        let moved: Vec<(f64, Vector)> = masses.into_iter().zip(particles.iter().map(|own| own.velocity)).collect();
+        let seen = less(particles[0].velocity, particles[1].velocity);
+        let scale: f64 = particles.iter().map(|own| size(own.velocity)).sum();
+        let normal = masses[0] * self.values.named("g")?;
+        let force = self.values.term(friction)? * normal;
+        let ahead = times(dot(along, seen).signum(), along);
+        let mut system = System::<12>::new(self.values.frame(), particles);
+        system.forces.push(Force::steady(0, times(-force, ahead)));
+        system.forces.push(Force::steady(1, times(force, ahead)));
+        let slides = |state: &[f64; 12]| dot(ahead, less(velocity(state, 0), velocity(state, 1)));
+        let slid = |state: &[f64; 12]| dot(ahead, less(place(state, 0), place(state, 1)));
+        let stopping = size(seen) / (force / masses[0] + force / masses[1]);
+        let integrator = self.integrator(stopping / 4.0);
+        let end = match (stage.until, self.values.known(stage.distance.as_ref())) {
+            (Some(_), _) => self.go(&system, integrator, &Until::Event(&slides))?,
+            (None, Some(way)) => self.go(&system, integrator, &Until::Event(&|state| way - slid(state)))?,
+            (None, None) => {
+                let time = self.values.known(stage.during.as_ref()).map_or_else(|| self.values.duration(), Ok)?;
+                self.go(&system, integrator, &Until::Time(time))?
+            }
+        };
+        self.remark("Each position is measured from the starting point of its body.");
+        let ends = [0, 1].map(|own| velocity(&end.state, own));
+        for (own, body) in bodies.into_iter().enumerate() {
+            self.note_velocity(body, ends[own], scale);
+            self.note_impulse(body, times(masses[own], less(ends[own], moved[own].1)), None);
+            let way = dot(along, place(&end.state, own));
+            self.note_here(&format!("s_{body}"), way, scale * end.time);
+            let letter = self.values.letter(*axis);
+            let [from, to] = [1, 2].map(|side| format!("r_{body}{}{letter}", self.values.index + side));
+            if let Ok(from) = self.values.named(&from) {
+                self.note(&to, from + way, scale * end.time);
+            }
+        }
+        let rest: Vec<(f64, Vector)> = masses.into_iter().zip(ends).collect();
+        self.note_energy(&moved, &rest);
+        self.note_here(&format!("N_{upper}"), normal, 0.0);
+        self.note_term(stage.distance.as_ref(), slid(&end.state), scale * end.time);
+        self.note_duration(stage.during.as_ref(), end.time);
+        Ok(())
+    }
+}
