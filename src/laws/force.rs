@@ -105,6 +105,17 @@ pub const CORD: Law = Law {
     wrong: &[],
 };
 
+/// Push of a circular track.
+pub const TRACK: Law = Law {
+    id: "normal-force-on-a-circle",
+    name: "Newton's second law towards the centre of the circle",
+    statement: "The normal force minus the weight's component along the radius is the mass times the acceleration towards the centre, which is the speed squared over the radius.",
+    signs: "Positive towards the centre; the angle is measured from the vertical below the centre.",
+    when: "The body moves on the inside of a smooth circular track.",
+    source: "Newton's second law and the acceleration of motion on a circle.",
+    wrong: wrong::force::TRACK,
+};
+
 /// A conical pendulum.
 pub const CONICAL: Law = Law {
     id: "conical-pendulum",
@@ -118,7 +129,7 @@ pub const CONICAL: Law = Law {
 
 /// The laws of this chapter.
 pub const LAWS: &[&Law] =
-    &[&IMPULSE, &MEAN_FORCE, &WEIGHT, &BALANCE, &NORMAL_FORCE, &FRICTION, &THRESHOLD, &HOOKE, &CORD, &CONICAL];
+    &[&IMPULSE, &MEAN_FORCE, &WEIGHT, &BALANCE, &NORMAL_FORCE, &FRICTION, &THRESHOLD, &HOOKE, &CORD, &TRACK, &CONICAL];
 
 /// `S - m g cos(angle) = m v^2 / L`, with the square of the speed as a sum of squared components.
 #[must_use]

@@ -78,6 +78,9 @@ pub enum Reason {
     /// The cord of a body that swings would go slack.
     #[error("the cord would go slack before {0} to the end of {1}")]
     CordSlack(String, String),
+    /// A body on the inside of a track would lose contact with it.
+    #[error("{0} would leave the track before the end of {1}")]
+    LeavesTrack(String, String),
     /// Weight, which a short contact leaves out, would give too much.
     #[error(
         "weight would give {0} 10 % or more of its change of momentum in {1}, where it is neglected (`include: [weight]` takes it into account)"
@@ -203,7 +206,7 @@ impl Reason {
             | Self::AlreadySwingsBack(..)
             | Self::SlidesUp(..)
             | Self::Downwards(..) => Warning::Reverses,
-            Self::StringSlack | Self::CordSlack(..) => Warning::GoesSlack,
+            Self::StringSlack | Self::CordSlack(..) | Self::LeavesTrack(..) => Warning::GoesSlack,
             Self::WeightNotNegligible(..) => Warning::WeightNeglected,
             _ => return None,
         })

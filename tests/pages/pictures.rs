@@ -174,7 +174,8 @@ fn every_stage_has_its_diagram() {
         let drawings = drawings_of_solution(worked);
         let titled = |start: &str| drawings.iter().filter(|drawing| drawing.title.starts_with(start)).count();
         assert!(titled("Impulse-momentum") >= stages.iter().filter(momentum).count(), "{at}");
-        let swings = drawings.iter().filter(|drawing| drawing.title.ends_with("on its cord")).count();
+        let on_circle = |title: &str| title.ends_with("on its cord") || title.ends_with("on the circular track");
+        let swings = drawings.iter().filter(|drawing| on_circle(&drawing.title)).count();
         assert_eq!(swings, stages.iter().filter(swing).count(), "{at}");
         assert_eq!(titled("Angular impulse-momentum"), stages.iter().filter(angular).count(), "{at}");
         let unknown = drawings.iter().flat_map(labels).any(|label| label.plain().ends_with("= ?"));

@@ -33,6 +33,9 @@ pub(super) fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
             Some(Ends::Fixed(body)) => format!("the spring acts on {}", name(body)),
             None => phrase.to_owned(),
         },
+        Stage::Swing(swing) if swing.radius.is_some() => {
+            does(&swing.body, ["slides on the circular track", "slide on the circular track"])
+        }
         Stage::Swing(swing) => does(&swing.body, ["swings on its cord", "swing on their cord"]),
         Stage::Taut(taut) => {
             format!("the string between {} and {} goes taut", name(&taut.between[0]), name(&taut.between[1]))
@@ -157,7 +160,7 @@ pub(super) fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) 
             name(&other.on)
         )),
         (Stage::Spring(_), _) => during(format!("{body} {is} acted on by the spring")),
-        (Stage::Swing(_), _) => during(format!("{body} {is} acted on by {its} weight and the cord")),
+        (Stage::Swing(swing), _) => during(format!("{body} {is} acted on by {its} weight and {}", swing.held_by())),
         (Stage::Taut(_), [one, other]) => format!(
             "During {phrase}, it pulls {} and {} with impulses of equal size; nothing else is impulsive.",
             name(&one.on),

@@ -65,7 +65,7 @@ impl Ride {
         match &self.face {
             Face::Deck { way, rightwards, floor } => {
                 self.draw_deck(canvas, way.as_ref(), [*rightwards, *floor], &scales);
-            },
+            }
             Face::Slope { angle, label, rightwards, height } => {
                 let angle = if angle.is_finite() { angle.clamp(FLATTEST, STEEPEST) } else { FLATTEST };
                 self.draw_slope(canvas, angle, [label.as_ref(), height.as_ref()], *rightwards, &scales);

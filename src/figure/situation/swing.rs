@@ -1,6 +1,6 @@
 //! A body on a cord, at the two ends of its swing.
 
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::expr::Math;
 use crate::figure::body::{Attach, Body};
@@ -26,6 +26,9 @@ const ARC_ROOM: f64 = 12.0;
 const NEXT_ARC: f64 = 18.0;
 const DIMENSION_GAP: f64 = 24.0;
 const PATH_PARTS: u32 = 24;
+const TRACK_PARTS: u32 = 96;
+/// How far a track goes on beyond the places that are shown.
+const BEYOND: f64 = 0.2;
 
 /// A swing.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,6 +41,8 @@ pub struct Swing {
     pub length: Option<Math>,
     /// What is written at the height between the two places.
     pub height: Option<Math>,
+    /// Whether a circular track holds the body, and no cord.
+    pub on_track: bool,
 }
 
 /// A place of a body on a cord.
@@ -58,10 +63,17 @@ impl Swing {
             self.ends.iter().map(|end| MovingBody { vectors: end.vectors.clone(), ..self.body.clone() }).collect();
         let scales = Scales::of(&shown, LONGEST);
         let outlines: Vec<Body> =
-            angles.iter().map(|angle| self.body.outline().moved(Point::polar(CORD, *angle - FRAC_PI_2))).collect();
-        draw_pivot(canvas, &angles);
+            angles.iter().map(|angle| self.outline(*angle).moved(Point::polar(CORD, *angle - FRAC_PI_2))).collect();
+        if self.on_track {
+            self.draw_track(canvas, &angles, &outlines);
+        } else {
+            draw_pivot(canvas, &angles);
+        }
         for outline in &outlines {
             outline.draw(canvas);
+            if self.on_track {
+                continue;
+            }
             let inward = outline.centre() * (-1.0 / CORD);
             let end = outline.centre() + inward * outline.reach(inward);
             draw_cord(canvas, Point::ORIGIN, end);
@@ -84,15 +96,43 @@ impl Swing {
             canvas.label(length, Role::Length, Anchor::Along { from: Point::ORIGIN, to: outline.centre() * 0.9 });
         }
         if let (Some(height), [first, second]) = (&self.height, &outlines[..]) {
-            draw_height(canvas, [first, second], self.ends.iter().any(|end| !end.vectors.is_empty()), height);
+            let gap = if self.ends.iter().any(|end| !end.vectors.is_empty()) { LONGEST } else { 0.0 };
+            // Beside the whole of a track.
+            let least = if self.on_track { CORD + DIMENSION_GAP } else { 0.0 };
+            draw_height(canvas, [first, second], [gap, least], height);
+        }
+    }
+
+    /// The body, turned to stand on a track.
+    fn outline(&self, angle: f64) -> Body {
+        let outline = self.body.outline();
+        if self.on_track { outline.turned(angle) } else { outline }
+    }
+
+    /// The part of the circle on which the body slides, its centre, and the radius to each place that is told.
+    fn draw_track(&self, canvas: &mut Canvas, angles: &[f64], outlines: &[Body]) {
+        let depth = outlines.first().map_or(0.0, |own| own.support(own.centre() * (1.0 / CORD)));
+        let far = |pick: fn(f64, f64) -> f64| angles.iter().copied().fold(0.0, pick);
+        let (low, high) = (far(f64::min) - BEYOND, far(f64::max) + BEYOND);
+        let (low, high) = if high.max(-low) > FRAC_PI_2 + 2.0 * BEYOND { (-PI, PI) } else { (low, high) };
+        let part = |number: u32| low + (high - low) * f64::from(number) / f64::from(TRACK_PARTS);
+        let track = (0..=TRACK_PARTS).map(|number| Point::polar(CORD + depth, part(number) - FRAC_PI_2));
+        canvas.line(track, Role::Surface, false);
+        canvas.draw(Shape::Circle { centre: Point::ORIGIN, radius: PIVOT, role: Role::Axis });
+        for (outline, end) in outlines.iter().zip(&self.ends) {
+            if self.length.is_some() || end.label.is_some() {
+                let inward = outline.centre() * (-1.0 / CORD);
+                canvas.line([Point::ORIGIN, outline.centre() + inward * outline.reach(inward)], Role::Guide, true);
+            }
         }
     }
 
     /// The angles, far enough apart to be distinguished.
     fn drawn_angles(&self) -> Vec<f64> {
         let mut drawn: Vec<f64> = Vec::new();
+        let largest = if self.on_track { PI } else { LARGEST };
         for end in &self.ends {
-            let angle = if end.angle.is_finite() { end.angle.clamp(-LARGEST, LARGEST) } else { 0.0 };
+            let angle = if end.angle.is_finite() { end.angle.clamp(-largest, largest) } else { 0.0 };
             let angle = if angle == 0.0 { 0.0 } else { angle.abs().max(SMALLEST).copysign(angle) };
             let angle = match drawn.first() {
                 Some(first) if (angle - first).abs() < SMALLEST => first + SMALLEST.copysign(angle - first),
@@ -139,14 +179,14 @@ fn draw_path(canvas: &mut Canvas, [from, to]: [f64; 2], [first, second]: [&Body;
     }
 }
 
-/// Between the levels of the two places, beside the outer one and its arrow.
-fn draw_height(canvas: &mut Canvas, bodies: [&Body; 2], arrows: bool, label: &Math) {
+/// Between the levels of the two places, beside the outer one and its arrow, and at least so far from the middle.
+fn draw_height(canvas: &mut Canvas, bodies: [&Body; 2], [arrow, least]: [f64; 2], label: &Math) {
     let (down, half) = (Point::new(0.0, -1.0), bodies[0].support(Point::new(1.0, 0.0)));
     let places = bodies.map(|body| body.centre() + down * body.support(down));
     let [low, high] = if places[0].y <= places[1].y { places } else { [places[1], places[0]] };
     let side = if high.x < low.x { -1.0 } else { 1.0 };
-    let gap = if arrows { LONGEST + DIMENSION_GAP / 2.0 } else { DIMENSION_GAP };
-    let outer = (high.x * side).max(low.x * side) + half + gap;
+    let gap = if arrow > 0.0 { arrow + DIMENSION_GAP / 2.0 } else { DIMENSION_GAP };
+    let outer = ((high.x * side).max(low.x * side) + half + gap).max(least + half);
     let x = side * outer;
     for place in [low, high] {
         canvas.line(
@@ -162,12 +202,10 @@ fn draw_height(canvas: &mut Canvas, bodies: [&Body; 2], arrows: bool, label: &Ma
 mod tests {
     use super::*;
 
-    use std::f64::consts::PI;
-
     fn swing(angles: [f64; 2]) -> Swing {
         let end = |angle| SwingEnd { angle, label: None, vectors: Vec::new() };
         let body = MovingBody::new(Math::Identifier("A".into()));
-        Swing { body, ends: angles.map(end).to_vec(), length: None, height: None }
+        Swing { body, ends: angles.map(end).to_vec(), length: None, height: None, on_track: false }
     }
 
     #[test]

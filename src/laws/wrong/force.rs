@@ -50,6 +50,20 @@ pub const MULTIPLIED: Misconception = Misconception {
     ask: "The same impulse in a shorter time: does it take a larger force, or a smaller one?",
     hint: "Impulse is force times time; solve that for the force.",
 };
+/// `N = m g cos(angle)` on a circle.
+pub const TURN_FORGOTTEN: Misconception = Misconception {
+    id: "balance-on-a-circle",
+    does: "lets the normal force balance the weight, as if the body did not turn",
+    ask: "Does the body move along a straight line there? What does it take to turn it?",
+    hint: "The forces towards the centre add up to the mass times the square of the speed over the radius, not to zero.",
+};
+/// `N = m v^2 / R`.
+pub const ONLY_TURNED: Misconception = Misconception {
+    id: "weight-forgotten-on-a-circle",
+    does: "takes the force that turns the body for the normal force, and leaves out the weight",
+    ask: "Which forces act on the body there, and which of them have a component towards the centre?",
+    hint: "Normal force and weight together turn the body.",
+};
 /// Pounds of weight as pounds of mass.
 pub const WEIGHT_AS_MASS: Misconception = Misconception {
     id: "weight-as-mass",
@@ -79,6 +93,11 @@ pub const STATIC_KINETIC: Misconception = Misconception {
     hint: "Static friction decides when the body starts to slide; kinetic friction acts afterwards.",
 };
 
+/// Wrong forms of the normal force of a circular track.
+pub const TRACK: &[WrongForm] = &[
+    WrongForm { of: &TURN_FORGOTTEN, write: |law| one((law.left(), Expr::zero())) },
+    WrongForm { of: &ONLY_TURNED, write: |law| law.without(&|term| law.has_gravity(term)) },
+];
 /// Wrong forms of a conical pendulum.
 pub const CONICAL: &[WrongForm] = &[WrongForm { of: &TANGENT_INVERTED, write: tangent_inverted }];
 /// Wrong forms of an impulse as an integral.

@@ -88,7 +88,10 @@ impl<'a> Description<'a> {
                 },
                 ..Self::lasting("motion with the spring")
             },
-            Stage::Swing(own) => Self { bodies: alone(&own.body), ..Self::lasting("swing") },
+            Stage::Swing(own) => {
+                let noun = if own.radius.is_some() { "slide" } else { "swing" };
+                Self { bodies: alone(&own.body), ..Self::lasting(noun) }
+            }
             Stage::Taut(own) => Self {
                 bodies: between(own.between.each_ref().map(String::as_str)),
                 ends: Span::Sudden,

@@ -65,7 +65,8 @@ impl Builder<'_> {
         };
         self.lasting[index] = Some(time.clone());
         let sign = self.sense(stage.direction.as_ref(), path);
-        let [before, after] = [index + 1, index + 2].map(|instant| bodies.map(|body| self.velocity(body, instant, axis)));
+        let [before, after] =
+            [index + 1, index + 2].map(|instant| bodies.map(|body| self.velocity(body, instant, axis)));
         let rubbing = Rubbing { index, bodies, names, sign, friction, time, before, after };
         self.rubbing_impulses(&rubbing, path);
         let [upper, lower] = &rubbing.names;

@@ -33,9 +33,17 @@ impl Builder<'_> {
     pub(in crate::model) fn swing(&mut self, index: usize, stage: &Swing, path: &Path) {
         let body = stage.body.as_str();
         let name = self.called(body);
-        let length = stage.length.as_ref().map(|term| {
-            let meaning = format!("the length of the cord of {name}");
-            self.read_positive(term, Dimension::LENGTH, &meaning, &path.key("length"))
+        if let (Some(_), Some(_)) = (&stage.length, &stage.radius) {
+            let fault = Fault::new(Code::OverDetermined, "a cord and a track cannot both hold a body");
+            let help = "remove `length`, that of a cord, or `radius`, that of a track";
+            self.faults.push(fault.help(help).at_path(path.key("radius")));
+        }
+        let length = stage.arm().map(|term| {
+            let (meaning, key) = match &stage.radius {
+                Some(_) => ("the radius of the track".to_owned(), "radius"),
+                None => (format!("the length of the cord of {name}"), "length"),
+            };
+            self.read_positive(term, Dimension::LENGTH, &meaning, &path.key(key))
         });
         if length.is_none() && (stage.from.is_some() || stage.to.is_some()) {
             let fault = Fault::new(Code::MissingKey, "an angle of a swing needs the length of the cord");
@@ -50,7 +58,8 @@ impl Builder<'_> {
         let [start, end] = ends.each_ref().map(|end| energy::specific_kinetic(&end.velocity));
         // From one angle to another the height counts downwards.
         let sides = if ends[0].is_lowest { (start, end + raised) } else { (start + raised, end) };
-        let because = format!("the cord pulls {name} at right angles to its motion and does no work; the mass cancels");
+        let (holds, acts) = (stage.held_by(), if stage.radius.is_some() { "pushes" } else { "pulls" });
+        let because = format!("{holds} {acts} {name} at right angles to its motion and does no work; the mass cancels");
         self.law(&energy::CONSERVATION, Some(index), because, sides);
         if let Some(length) = &length {
             self.stays_taut(index, stage, length, &height, &ends[1]);
@@ -58,18 +67,23 @@ impl Builder<'_> {
                 self.tension(index, side, stage, length, end);
             }
         }
-        self.acts(Influence::outside(index, body, "the cord").workless());
-        let words = "weight does work as the height changes, while the cord, at right angles to the motion, does none";
-        self.acts(Influence::outside(index, body, "weight").works(Effect::Open, words));
+        self.acts(Influence::outside(index, body, holds).workless());
+        let words =
+            format!("weight does work as the height changes, while {holds}, at right angles to the motion, does none");
+        self.acts(Influence::outside(index, body, "weight").works(Effect::Open, &words));
         self.impulses.push(Impulse {
             stage: index,
             on: body.to_owned(),
             by: Agent::Outside,
-            called: "the cord".into(),
+            called: holds.into(),
             components: Vec::new(),
             impulsive: false,
         });
-        self.neglect("the mass of the cord", "it is light");
+        if stage.radius.is_some() {
+            self.neglect("friction", "the track is smooth");
+        } else {
+            self.neglect("the mass of the cord", "it is light");
+        }
         self.neglect("air resistance", "the problem does not mention any");
     }
 
@@ -81,7 +95,8 @@ impl Builder<'_> {
             Place::Lowest => (true, Expr::zero()),
             Place::Angle(term) => {
                 let since = self.timeline.naming_instant(body, instant);
-                let meaning = format!("the angle between the cord of {name} and the vertical {}", self.when(since));
+                let line = if stage.radius.is_some() { "radius to" } else { "cord of" };
+                let meaning = format!("the angle between the {line} {name} and the vertical {}", self.when(since));
                 let angle = match term {
                     Some(term) => {
                         let key = path.key(if side == 0 { "from" } else { "to" });
@@ -117,7 +132,10 @@ impl Builder<'_> {
                 self.law(&geometry::ARC, Some(index), because, (component.clone(), Expr::zero()));
             } else {
                 let along = Expr::integer(sign) * component.clone();
-                let reason = Reason::SwingsBack(name.clone());
+                let reason = match stage.radius {
+                    Some(_) => Reason::MovesBack(name.clone()),
+                    None => Reason::SwingsBack(name.clone()),
+                };
                 self.require(along, Relation::AtLeast, Expr::zero(), reason);
             }
         }
@@ -127,7 +145,11 @@ impl Builder<'_> {
     fn swings_on(&mut self, stage: &Swing, velocity: &Expr, path: &Path) {
         if stage.from.is_none() {
             let along = Expr::integer(self.sense(stage.direction.as_ref(), path)) * velocity.clone();
-            let reason = Reason::AlreadySwingsBack(self.called(&stage.body));
+            let name = self.called(&stage.body);
+            let reason = match stage.radius {
+                Some(_) => Reason::MovesBack(name),
+                None => Reason::AlreadySwingsBack(name),
+            };
             self.require(along, Relation::AtLeast, Expr::zero(), reason);
         }
     }
@@ -142,12 +164,12 @@ impl Builder<'_> {
         path: &Path,
     ) -> Expr {
         let between = ends.iter().all(|end| !end.is_lowest);
+        let on_track = usize::from(stage.radius.is_some());
+        let goes = self.does(&stage.body, [["swings", "swing"], ["slides", "slide"]][on_track]);
         let meaning = match (between, ends[0].is_lowest) {
             (true, _) => format!("the height by which {}", self.does(&stage.body, ["comes down", "come down"])),
-            (false, true) => format!("the height to which {}", self.does(&stage.body, ["swings up", "swing up"])),
-            (false, false) => {
-                format!("the height from which {}", self.does(&stage.body, ["swings down", "swing down"]))
-            }
+            (false, true) => format!("the height to which {goes} up"),
+            (false, false) => format!("the height from which {goes} down"),
         };
         let own = self.in_stage(QuantityKind::Height, &stage.body, index);
         let height = match &stage.height {
@@ -162,7 +184,8 @@ impl Builder<'_> {
             let [lower, upper] = if ends[0].is_lowest { [0, 1] } else { [1, 0] };
             let below = |end: &End| length.clone() * end.angle.clone().cos().simplify();
             let sides = (height.clone(), below(&ends[lower]) - below(&ends[upper]));
-            self.law(&geometry::HEIGHT_ON_CIRCLE, Some(index), "the cord is straight", sides);
+            let because = ["the cord is straight", "the track is a circle"][on_track];
+            self.law(&geometry::HEIGHT_ON_CIRCLE, Some(index), because, sides);
         }
         height
     }
@@ -172,7 +195,11 @@ impl Builder<'_> {
         if end.is_lowest {
             return;
         }
-        let reason = Reason::CordSlack(self.does(&stage.body, ["comes", "come"]), self.stage_phrase(index));
+        let comes = self.does(&stage.body, ["comes", "come"]);
+        let reason = match stage.radius {
+            Some(_) => Reason::LeavesTrack(self.called(&stage.body), self.stage_phrase(index)),
+            None => Reason::CordSlack(comes, self.stage_phrase(index)),
+        };
         if stage.stops() && stage.from.is_none() {
             self.require(height.clone(), Relation::AtMost, length.clone(), reason);
             return;
@@ -184,7 +211,7 @@ impl Builder<'_> {
 
     /// Whether a body swings on cords of several lengths, as at a peg: then its tension changes between two swings.
     fn changes_cord(&self, stage: &Swing) -> bool {
-        let length = |own: &Swing| own.length.as_ref().map(|term| term.0.trim().to_owned());
+        let length = |own: &Swing| own.arm().map(|term| term.0.trim().to_owned());
         let own = length(stage);
         self.scene
             .stages
@@ -192,22 +219,27 @@ impl Builder<'_> {
             .any(|other| matches!(other, Stage::Swing(other) if other.body == stage.body && length(other) != own))
     }
 
-    /// The tension of the cord at the start (0) or at the end (1).
+    /// The tension of the cord, or the normal force of the track, at the start (0) or at the end (1).
     fn tension(&mut self, index: usize, side: usize, stage: &Swing, length: &Expr, end: &End) {
         let (body, instant) = (stage.body.as_str(), index + 1 + side);
         let since = self.timeline.naming_instant(body, instant);
-        let name = self.called(body);
+        let (name, on_track) = (self.called(body), stage.radius.is_some());
         let (when, stage) = if self.changes_cord(stage) {
             (format!("at the {} of {}", ["start", "end"][side], self.stage_phrase(index)), self.stage_label(index))
         } else {
             (self.when(since), None)
         };
-        let meaning = format!("the tension of the cord of {name} {when}");
-        let tension = Expr::from(self.symbol(Name::of(QuantityKind::Tension, body).at(since).during(stage), meaning));
+        let (kind, law, meaning) = if on_track {
+            (QuantityKind::NormalForce, &force::TRACK, format!("the normal force of the track on {name} {when}"))
+        } else {
+            (QuantityKind::Tension, &force::CORD, format!("the tension of the cord of {name} {when}"))
+        };
+        let tension = Expr::from(self.symbol(Name::of(kind, body).at(since).during(stage), meaning));
         let (mass, gravity) = (self.mass(body), self.gravity());
         let cosine = end.angle.clone().cos().simplify();
         let sides = force::tension(&tension, [&mass, &gravity], &cosine, &end.velocity, length);
-        let because = format!("{} on a circle about the fixed end of the cord", self.does(body, ["moves", "move"]));
-        self.law(&force::CORD, None, because, sides);
+        let centre = ["the fixed end of the cord", "the centre of the track"][usize::from(on_track)];
+        let because = format!("{} on a circle about {centre}", self.does(body, ["moves", "move"]));
+        self.law(law, None, because, sides);
     }
 }

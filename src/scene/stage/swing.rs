@@ -7,7 +7,8 @@ use crate::scene::Term;
 
 use super::Until;
 
-/// A body on a light cord swings freely between its lowest point and another point, or between two points. Needs a vertical plane.
+/// A body on a light cord swings freely between its lowest point and another point, or between two points; or it slides so on the
+/// inside of a smooth circular track. Needs a vertical plane.
 ///
 /// Without `from` it starts at its lowest point. Without `to` it ends at its lowest point if it has `from`, and otherwise
 /// where it comes to rest.
@@ -22,6 +23,10 @@ pub struct Swing {
     /// The length of the cord, from the fixed end to the body. Default: none; only heights are then used.
     #[serde(default)]
     pub length: Option<Term>,
+    /// The radius of a smooth circular track on whose inside the body slides, in place of a cord. Angles are then those between its
+    /// radius and the vertical.
+    #[serde(default)]
+    pub radius: Option<Term>,
     /// The height between the two ends of the swing. Default: `h_` and the body's short name.
     #[serde(default)]
     pub height: Option<Term>,
@@ -63,6 +68,18 @@ pub enum Place<'a> {
 }
 
 impl Swing {
+    /// The distance from the centre of the circle, whatever keeps the body on it.
+    #[must_use]
+    pub fn arm(&self) -> Option<&Term> {
+        self.length.as_ref().or(self.radius.as_ref())
+    }
+
+    /// What keeps the body on its circle.
+    #[must_use]
+    pub fn held_by(&self) -> &'static str {
+        if self.radius.is_some() { "the track" } else { "the cord" }
+    }
+
     /// Where the swing starts and ends.
     #[must_use]
     pub fn places(&self) -> [Place<'_>; 2] {

@@ -177,6 +177,7 @@ pub fn held(dice: &mut Dice) -> Drawing {
                 .collect(),
             length: label(dice, "L"),
             height: label(dice, "h"),
+            on_track: false,
         }),
         1 => {
             let side = |dice: &mut Dice, number| PulleySide {
@@ -193,7 +194,7 @@ pub fn held(dice: &mut Dice) -> Drawing {
         2 => {
             let rightwards = dice.chance(50);
             let face = if dice.chance(50) {
-                Face::Deck { way: label(dice, "L"), rightwards }
+                Face::Deck { way: label(dice, "L"), rightwards, floor: false }
             } else {
                 let (angle, height) = (dice.between(0.1, 1.2), label(dice, "h"));
                 Face::Slope { angle, label: label(dice, "\u{3b2}"), rightwards, height }
@@ -304,7 +305,7 @@ pub fn nonsense() -> Vec<Drawing> {
         second: Partner::Surface,
     };
     let end = SwingEnd { angle: f64::NAN, label: Some(name("a")), vectors: moving.vectors.clone() };
-    let swing = Swing { body: moving.clone(), ends: vec![end], length: None, height: Some(name("h")) };
+    let swing = Swing { body: moving.clone(), ends: vec![end], length: None, height: Some(name("h")), on_track: false };
     let side = || PulleySide { body: moving.clone(), rest: Rest::Slope(f64::NAN, Some(name("a"))), strands: 0 };
     let pulley = Pulley { sides: [side(), side()] };
     let face = Face::Slope { angle: f64::NAN, label: Some(name("a")), rightwards: true, height: None };

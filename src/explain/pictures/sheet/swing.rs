@@ -26,7 +26,7 @@ pub(in super::super) fn drawing(
     index: usize,
     stage: &Swing,
 ) -> Drawing {
-    let length = stage.length.as_ref().and_then(|term| quantities.told(term));
+    let length = stage.arm().and_then(|term| quantities.told(term));
     let named = quantities.staged(&format!("h_{}", stage.body), index);
     let height = match &stage.height {
         Some(term) => quantities.told(term),
@@ -42,18 +42,23 @@ pub(in super::super) fn drawing(
     let rises = height.as_ref().map_or_else(String::new, |height| {
         format!("the difference in height between the two positions is {}", height.plain())
     });
+    let on_track = stage.radius.is_some();
+    let place = if on_track { format!("{name} on the circular track") } else { format!("{name} on its cord") };
+    let holds = if on_track {
+        let radius = length.as_ref().map_or_else(String::new, |length| format!(" of radius {}", length.plain()));
+        format!("{name} slides on the inside of a circular track{radius}")
+    } else {
+        format!("{name} hangs on a cord{on_cord}")
+    };
     let what = match quantities.scope() {
-        Scope::Given => format!("{name} on its cord"),
+        Scope::Given => place.clone(),
         Scope::Solved => format!("{phrase}: the momentum of {name} at its start and at its end"),
     };
-    let wording = Wording {
-        title: capitalised(&format!("{name} on its cord")),
-        description: sentences([format!("{name} hangs on a cord{on_cord}"), rises]),
-        caption: sentences([what]),
-    };
+    let wording =
+        Wording { title: capitalised(&place), description: sentences([holds, rises]), caption: sentences([what]) };
     let body = quantities.body(&stage.body, Vec::new());
     let height = height.filter(|_| shows_both);
-    let swing = crate::figure::Swing { body, ends, length, height };
+    let swing = crate::figure::Swing { body, ends, length, height, on_track };
     Situation { wording, layout: Layout::Swing(swing), axes: compass.marks() }.drawing()
 }
 
@@ -87,7 +92,7 @@ fn from_height(quantities: &Quantities<'_>, index: usize, stage: &Swing) -> f64 
     let value = |term: Option<&Term>| quantities.evaluate(&quantities.term(term?)?);
     let height = value(stage.height.as_ref())
         .or_else(|| quantities.named(&quantities.staged(&format!("h_{}", stage.body), index)));
-    let angle = height.zip(value(stage.length.as_ref())).map(|(height, length)| libm::acos(1.0 - height / length));
+    let angle = height.zip(value(stage.arm())).map(|(height, length)| libm::acos(1.0 - height / length));
     angle.filter(|angle| angle.is_finite()).unwrap_or(SKETCHED)
 }
 

@@ -1,5 +1,7 @@
 //! A swing on a cord: a pendulum, integrated.
 
+use core::f64::consts::PI;
+
 use crate::scene::stage::{Place, Swing, UpOrDown};
 
 use crate::simulate::scene::component::Frame;
@@ -22,7 +24,7 @@ impl StageRun<'_> {
         let sense = self.values.sense(stage.direction.as_ref(), axis)?;
         let before = self.values.velocity_before(body, axis);
         let [from, to] = stage.places();
-        let length = match (self.values.known(stage.length.as_ref()), height, &before) {
+        let length = match (self.values.known(stage.arm()), height, &before) {
             (Some(length), ..) => length,
             // Only heights are used, so that the length may be anything that reaches them.
             (None, Some(height), _) if stage.way == UpOrDown::Down => height / (1.0 - libm::cos(ANY_ANGLE)),
@@ -60,7 +62,17 @@ impl StageRun<'_> {
         };
         let cord = Constraint::Surface(Surface::circle(pivot));
         let system = System::<6> { constraint: Some(cord), ..System::new(Frame::plane(true), vec![bob]) };
-        let angle = |state: &[f64; 6]| libm::atan2(sense * state[0], length - state[1]);
+        // Counted on from where it starts, past the top as well.
+        let angle = |state: &[f64; 6]| {
+            let own = libm::atan2(sense * state[0], length - state[1]);
+            if own < start - 1.0 {
+                own + 2.0 * PI
+            } else if own > start - 1.0 + 2.0 * PI {
+                own - 2.0 * PI
+            } else {
+                own
+            }
+        };
         let swings = |state: &[f64; 6]| sense * cross(less(place(state, 0), pivot), velocity(state, 0))[2];
         let left = |state: &[f64; 6]| match end {
             Some(end) if !stops => end - angle(state),
@@ -76,7 +88,7 @@ impl StageRun<'_> {
             Place::Lowest => self.note_velocity(body, times(sense * reached, unit(axis)), 0.0),
             Place::Angle(term) => {
                 self.note(&format!("speed_{body}{}", instant + 1), reached, speed);
-                if stage.length.is_some() {
+                if stage.arm().is_some() {
                     self.note(&format!("angle_{body}{}", instant + 1), angle(&after), 1.0);
                     self.note_term(term, angle(&after), 1.0);
                 }
@@ -84,10 +96,11 @@ impl StageRun<'_> {
         }
         self.note_here(&format!("h_{body}"), rise, length);
         self.note_term(stage.height.as_ref(), rise, length);
-        if let (Ok(mass), true) = (self.values.mass(body), stage.length.is_some()) {
+        if let (Ok(mass), true) = (self.values.mass(body), stage.arm().is_some()) {
             for (instant, state) in [(instant, before), (instant + 1, after)] {
                 let tension = length * system.tension(0.0, &state).abs();
-                self.note(&format!("tension_{body}{instant}"), tension, mass * gravity);
+                let force = if stage.radius.is_some() { "N" } else { "tension" };
+                self.note(&format!("{force}_{body}{instant}"), tension, mass * gravity);
             }
         }
         Ok(())
