@@ -176,13 +176,13 @@ impl ForcePlot {
     /// From each point whose coordinates are written at the axes to these.
     fn draw_guides(&self, canvas: &mut Canvas, frame: &Frame, points: &[Point]) {
         for (time, _) in self.time.told.iter().filter(|(time, _)| *time != 0.0) {
-            let heights = points.iter().filter(|point| point.x == *time).map(|point| frame.place(*point).y);
+            let heights = points.iter().filter(|point| is_same(point.x, *time)).map(|point| frame.place(*point).y);
             let Some(highest) = heights.reduce(f64::max) else { continue };
             let foot = frame.place(Point::new(*time, 0.0)).x;
             canvas.line([Point::new(foot, 0.0), Point::new(foot, highest)], Role::Guide, true);
         }
         for (force, _) in self.force.told.iter().filter(|(force, _)| *force != 0.0) {
-            let Some(first) = points.iter().find(|point| point.y == *force) else { continue };
+            let Some(first) = points.iter().find(|point| is_same(point.y, *force)) else { continue };
             let first = frame.place(*first);
             canvas.line([Point::new(0.0, first.y), first], Role::Guide, true);
         }
@@ -198,6 +198,11 @@ impl ForcePlot {
             canvas.label(label, Role::Axis, anchor);
         }
     }
+}
+
+/// Whether two coordinates come from the same data: then they are the same to the last digit.
+fn is_same(one: f64, other: f64) -> bool {
+    one - other == 0.0
 }
 
 /// Rows of labels beside an axis, the nearest first: how far each is taken.
@@ -231,7 +236,7 @@ impl PlotAxis {
         let mut marked: Vec<(f64, Math)> = self.told.iter().filter(|(value, _)| value.is_finite()).cloned().collect();
         marked.push(zero);
         marked.sort_by(|one, other| one.0.total_cmp(&other.0));
-        marked.dedup_by(|one, other| one.0 == other.0);
+        marked.dedup_by(|one, other| is_same(one.0, other.0));
         marked
     }
 

@@ -323,7 +323,9 @@ impl Builder<'_> {
                 let points = self.points(graph, Dimension::FORCE, &meaning, &at);
                 (through(&points, self.running_time().into()), points)
             }
-            other => (self.strength(other, Dimension::FORCE, &meaning, &at), Vec::new()),
+            other @ (Strength::Term(_) | Strength::Pieces(_) | Strength::Components(_)) => {
+                (self.strength(other, Dimension::FORCE, &meaning, &at), Vec::new())
+            }
         };
         let direction = match &pull.direction {
             Some(term) => self.direction(term, &path.key("direction")),

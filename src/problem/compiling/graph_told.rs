@@ -29,8 +29,8 @@ pub(super) fn check(model: &Model, form: &Form, graph: &PrintedGraph) -> Vec<Fau
             .flat_map(|point| point[side].symbols())
             .filter_map(|symbol| unit_of(model, form, symbol))
             .collect();
-        if let Some(pair) = units.windows(2).find(|pair| pair[0] != pair[1]) {
-            let message = format!("along one axis, the sheet's graph has values in {} and in {}", pair[0], pair[1]);
+        if let Some((one, other)) = units.iter().zip(units.iter().skip(1)).find(|(one, other)| one != other) {
+            let message = format!("along one axis, the sheet's graph has values in {one} and in {other}");
             faults.push(fault(message, "write them in one unit"));
         }
     }
