@@ -116,6 +116,17 @@ pub const TRACK: Law = Law {
     wrong: wrong::force::TRACK,
 };
 
+/// What holds a body on a level circle.
+pub const HOLDING: Law = Law {
+    id: "pull-on-a-level-circle",
+    name: "Newton's second law towards the centre of the circle",
+    statement: "The force that holds a body on a level circle is the mass times the acceleration towards the centre, which is the speed squared over the radius.",
+    signs: "Positive towards the centre.",
+    when: "The circle is horizontal, and no other force has a component towards its centre.",
+    source: "Newton's second law and the acceleration of motion on a circle.",
+    wrong: &[],
+};
+
 /// A conical pendulum.
 pub const CONICAL: Law = Law {
     id: "conical-pendulum",
@@ -128,8 +139,20 @@ pub const CONICAL: Law = Law {
 };
 
 /// The laws of this chapter.
-pub const LAWS: &[&Law] =
-    &[&IMPULSE, &MEAN_FORCE, &WEIGHT, &BALANCE, &NORMAL_FORCE, &FRICTION, &THRESHOLD, &HOOKE, &CORD, &TRACK, &CONICAL];
+pub const LAWS: &[&Law] = &[
+    &IMPULSE,
+    &MEAN_FORCE,
+    &WEIGHT,
+    &BALANCE,
+    &NORMAL_FORCE,
+    &FRICTION,
+    &THRESHOLD,
+    &HOOKE,
+    &CORD,
+    &TRACK,
+    &HOLDING,
+    &CONICAL,
+];
 
 /// `S - m g cos(angle) = m v^2 / L`, with the square of the speed as a sum of squared components.
 #[must_use]

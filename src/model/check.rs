@@ -18,6 +18,7 @@ use super::name::MASS_CENTRE;
 use super::stage::Description;
 use super::stage::ROTOR;
 use super::stage::is_height_of_a_bounce;
+use super::stage::is_holding_pull;
 use super::timeline::Timeline;
 use super::unknown::unknown;
 
@@ -58,6 +59,7 @@ pub(super) fn is_structural(scene: &Scene, name: &str) -> bool {
             QuantityKind::Mass => !scene.parts_of(&name.subject).is_empty(),
             QuantityKind::Position | QuantityKind::Coordinate(_) => !name.subject.is_empty() && name.instant.is_some(),
             QuantityKind::Height => is_height_of_a_bounce(scene, &name),
+            QuantityKind::Tension => is_holding_pull(scene, &name),
             QuantityKind::MomentumRate => name.instant.is_some() && name.subject.is_empty(),
             QuantityKind::PotentialEnergy => {
                 scene.plane == Plane::Vertical && !name.subject.is_empty() && name.instant.is_some()

@@ -170,6 +170,7 @@ const READ: &[QuantityKind] = &[
     QuantityKind::AngularImpulse,
     QuantityKind::TimeIntegral,
     QuantityKind::Force,
+    QuantityKind::Tension,
     QuantityKind::Weight,
     QuantityKind::KineticEnergy,
     QuantityKind::PotentialEnergy,

@@ -14,6 +14,7 @@ use crate::figure::Wording;
 use crate::model::QuantityKind;
 use crate::scene::Strength;
 use crate::scene::Term;
+use crate::scene::stage::Arm;
 use crate::scene::stage::Bowl;
 use crate::scene::stage::Central;
 use crate::scene::stage::Conical;
@@ -52,9 +53,9 @@ pub(super) fn rotation(quantities: &Quantities<'_>, stage: usize, rotate: &Rotat
     };
     let places = [place(0)?, place(1)?];
     let label = moment_impulse(quantities, stage, rotate);
-    let gained = match (&rotate.moment, &places.each_ref().map(Place::moment)) {
-        (None, _) => Some(0.0),
-        (Some(_), [Some(before), Some(after)]) => Some(after - before),
+    let gained = match (rotate.is_driven(), &places.each_ref().map(Place::moment)) {
+        (false, _) => Some(0.0),
+        (true, [Some(before), Some(after)]) => Some(after - before),
         _ => None,
     };
     let impulse = AngularImpulse { label, value: gained };
@@ -137,14 +138,23 @@ pub(super) fn moment_impulse(quantities: &Quantities<'_>, stage: usize, rotate: 
     if let Some(Statement::Equal { left, .. }) = equation.map(|equation| &equation.statement) {
         return quantities.symbolic(left);
     }
-    let Some(Strength::Term(moment)) = &rotate.moment else { return nothing(&rotate.about) };
     let zero = Expr::zero();
     let duration = match &rotate.during {
         Some(During::For(term)) => quantities.term(term).map(|end| quantities.duration(&zero, &end)),
         _ => None,
     };
+    let duration = duration.unwrap_or_else(|| name_math("dt"));
+    if !rotate.forces.is_empty() {
+        let only = rotate.driving().next().filter(|_| rotate.forces.len() == 1 && rotate.moment.is_none());
+        let moment = only.and_then(|(force, on)| {
+            let (Strength::Term(force), (_, Arm::Constant(arm))) = (&force.value, on?) else { return None };
+            Some([quantities.symbolic(&quantities.term(arm)?), quantities.unsigned(&quantities.term(force)?)])
+        });
+        return moment.map_or_else(|| name_math("I_M"), |[arm, force]| product([arm, force, duration]));
+    }
+    let Some(Strength::Term(moment)) = &rotate.moment else { return nothing(&rotate.about) };
     let moment = quantities.term(moment).map(|moment| quantities.unsigned(&moment));
-    product([moment.unwrap_or_else(|| name_math("M")), duration.unwrap_or_else(|| name_math("dt"))])
+    product([moment.unwrap_or_else(|| name_math("M")), duration])
 }
 
 /// The angular impulse of a force that has no moment: `M_O dt`, said to be zero by the diagram.

@@ -20,6 +20,7 @@ use crate::figure::OnArm;
 use crate::figure::Role;
 use crate::figure::Situation;
 use crate::figure::Wording;
+use crate::scene::Strength;
 use crate::scene::Term;
 use crate::scene::stage::Rotate;
 use crate::scene::stage::Strike;
@@ -63,7 +64,8 @@ pub(super) fn sheet(quantities: &Quantities<'_>, stage: &Rotate) -> Drawing {
     let mut turns: Vec<(Moment, Role)> = turning(quantities, 1).into_iter().collect();
     let acts = stage.moment.as_ref().and_then(|strength| given_moment(quantities, strength));
     turns.extend(acts.map(|own| (own, Role::Force)));
-    situation(quantities, &held(stage), (&stage.about, stage.rotor.as_deref()), turns)
+    let pushes = |body: &str, angle: f64| along_path(quantities, stage, body, angle);
+    situation(quantities, &held(stage), (&stage.about, stage.rotor.as_deref()), turns, &pushes)
 }
 
 /// A body that comes to an arm.
@@ -73,6 +75,7 @@ pub(super) fn strike_sheet(quantities: &Quantities<'_>, stage: &Strike) -> Drawi
         &struck(stage),
         (&stage.about, stage.rotor.as_deref()),
         turning(quantities, 1).into_iter().collect(),
+        &|_, _| Vec::new(),
     )
 }
 
@@ -88,12 +91,14 @@ fn situation(
     all: &[Carried<'_>],
     (about, rotor): (&str, Option<&str>),
     turns: Vec<(Moment, Role)>,
+    pushes: &dyn Fn(&str, f64) -> Vec<Moving>,
 ) -> Drawing {
     let particles = all.iter().map(|own| {
         let name = quantities.velocity_name(own.body, 1);
         let shown = quantities.named(&name).filter(|_| own.strikes || turns.is_empty());
-        let vectors = shown.map(|value| Moving::velocity(LabelledVector::known(name_math(&name), across(own, value))));
-        on_arm(quantities, own, 0, vectors.into_iter().collect())
+        let vector = |value| Moving::velocity(LabelledVector::known(name_math(&name), across(own.angle, value)));
+        let vectors = shown.map(vector).into_iter().chain(pushes(own.body, own.angle)).collect();
+        on_arm(quantities, own, 0, vectors)
     });
     let particles: Vec<OnArm> = particles.collect();
     let (names, centre) = (names(quantities, all, rotor), quantities.point(about));
@@ -102,19 +107,41 @@ fn situation(
         let what = if *role == Role::Force { "the moment" } else { "the angular velocity" };
         format!("{what} {} is {sense}", turn.label.plain())
     });
+    let pushed = all.iter().zip(&particles).flat_map(|(own, particle)| {
+        let forces = particle.body.vectors.iter().filter(|moving| moving.role == Role::Force);
+        forces.map(|force| format!("the force {} acts on {}", force.vector.label.plain(), quantities.called(own.body)))
+    });
+    let pushed: Vec<String> = pushed.collect();
     let seen = format!("{names} about {centre}, seen along the axis");
     let wording = Wording {
         title: capitalised(&format!("{names} and {centre}")),
-        description: sentences([seen.clone()].into_iter().chain(arcs)),
+        description: sentences([seen.clone()].into_iter().chain(pushed).chain(arcs)),
         caption: sentences([seen]),
     };
     let arm = Arm { centre: body_math(about), particles, turns };
     Situation { wording, layout: Layout::Arm(arm), axes: Vec::new() }.drawing()
 }
 
-/// A transverse vector where the body is drawn.
-fn across(own: &Carried<'_>, value: f64) -> [f64; 2] {
-    [-value * libm::sin(own.angle), value * libm::cos(own.angle)]
+/// A transverse vector where a body is drawn at that angle.
+fn across(angle: f64, value: f64) -> [f64; 2] {
+    [-value * libm::sin(angle), value * libm::cos(angle)]
+}
+
+/// The forces along the path of a body drawn at that angle that are given.
+pub(super) fn along_path(quantities: &Quantities<'_>, stage: &Rotate, body: &str, angle: f64) -> Vec<Moving> {
+    let own = stage.driving().filter(|(_, on)| on.is_some_and(|(on, _)| on == body));
+    let arrow = |strength: &Strength| {
+        let Strength::Term(term) = strength else { return None };
+        let term = quantities.term(term)?;
+        let clock = quantities.model().symbols.find("t").filter(|clock| term.contains(*clock));
+        // A force that changes has no one length; its arrow shows where it points.
+        let (label, size) = match clock {
+            Some(_) => (Math::Identifier("F".to_owned()), 1.0),
+            None => (quantities.unsigned(&term), quantities.evaluate(&term)?),
+        };
+        Some(Moving::force(LabelledVector::known(label, across(angle, size))))
+    };
+    own.filter_map(|(force, _)| arrow(&force.value)).collect()
 }
 
 fn on_arm(quantities: &Quantities<'_>, own: &Carried<'_>, side: usize, vectors: Vec<Moving>) -> OnArm {
@@ -187,7 +214,7 @@ fn arm(
         let momentum = quantities.mass(own.body)? * quantities.named(&name).or_else(turns)?;
         moment += momentum * distance;
         let label = product([quantities.mass_math(own.body), name_math(&name)]);
-        let vector = LabelledVector::known(label, across(own, momentum));
+        let vector = LabelledVector::known(label, across(own.angle, momentum));
         particles.push(on_arm(quantities, own, side, vec![Moving::momentum(vector)]));
     }
     let mut turns = Vec::new();

@@ -31,6 +31,7 @@ use super::builder::SECOND_COST;
 use super::name::Meaning;
 use super::stage::angular_impulse_by_name;
 use super::stage::height_of_a_bounce;
+use super::stage::holding_pull;
 use super::stage::total_impulse;
 use angular::angular_momentum;
 use angular::moment_of_forces;
@@ -81,6 +82,7 @@ const DEFINITIONS: &[(QuantityKind, Define)] = &[
     (QuantityKind::Period, period_of_rotation),
     (QuantityKind::Moment, moment_of_forces),
     (QuantityKind::AngularMomentumRate, rate_of_angular_momentum),
+    (QuantityKind::Tension, holding_pull),
     (QuantityKind::Weight, weight),
     (QuantityKind::Mass, total_mass),
     (QuantityKind::Height, height_of_a_bounce),
@@ -153,7 +155,7 @@ impl Builder<'_> {
         found.next().is_none().then_some(first)
     }
 
-    fn number(&self, name: &Name) -> Option<usize> {
+    pub(super) fn number(&self, name: &Name) -> Option<usize> {
         match name.instant {
             Some(Instant::Number(number)) if (1..=self.timeline.last()).contains(&number) => Some(number),
             _ => None,

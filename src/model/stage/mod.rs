@@ -2,6 +2,7 @@
 
 #![deny(clippy::wildcard_enum_match_arm)]
 
+mod along_path;
 mod blow;
 mod bounce_heights;
 mod bounces;
@@ -40,6 +41,8 @@ mod thrust_motion;
 mod tow;
 mod walk;
 
+pub(in crate::model) use along_path::holding_pull;
+pub(in crate::model) use along_path::is_holding_pull;
 pub(in crate::model) use bounce_heights::height_of_a_bounce;
 pub(in crate::model) use bounce_heights::is_height_of_a_bounce;
 pub(in crate::model) use described::Description;

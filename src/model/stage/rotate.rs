@@ -19,6 +19,8 @@ use crate::quantity::Dimension;
 use crate::scene::stage::Arm;
 use crate::scene::stage::Rotate;
 
+use super::along_path::Along;
+
 impl Builder<'_> {
     pub(in crate::model) fn rotate(&mut self, index: usize, stage: &Rotate, path: &Path) {
         let point = stage.about.as_str();
@@ -29,18 +31,37 @@ impl Builder<'_> {
             let meaning = format!("the moment about {centre}");
             self.strength(strength, Dimension::ENERGY, &meaning, &path.key("moment"))
         });
+        let forces = self.along_path(stage, path);
+        let total = match (&moment, &forces[..]) {
+            (None, []) => None,
+            (Some(moment), []) => Some(moment.clone()),
+            (moment, forces) => {
+                Some(Expr::sum(moment.iter().cloned().chain(forces.iter().map(|force| force.moment.clone()))))
+            }
+        };
         let mut gained = None;
-        if let Some(moment) = &moment {
+        if let Some(total) = &total {
             let (start, end) = match &stage.during {
                 Some(during) => self.duration(index, during, &path.key("during")),
                 None => (Expr::zero(), self.stage_duration(index, None, path)),
             };
             self.lasting[index] = Some(end.clone() - start.clone());
-            self.told_throughout("the moment", moment, &end);
-            gained = Some(self.angular_impulse(index, (&centre, None), moment, &start, &end));
+            if let Some(moment) = &moment {
+                self.told_throughout("the moment", moment, &end);
+            }
+            for force in &forces {
+                self.told_throughout(&force.name, &force.strength, &end);
+            }
+            gained = Some(self.angular_impulse(index, (&centre, None), total, &start, &end));
         }
         let lone = held.first().filter(|_| !stage.is_arm());
         let because = match (&gained, lone) {
+            (Some(_), _) if !forces.is_empty() => {
+                let changing = Self::changing(moment.is_some(), &forces, &centre);
+                format!(
+                    "what holds the arm at {centre} has no moment about it, and only {changing} the angular momentum"
+                )
+            }
             (Some(_), Some(_)) => {
                 format!(
                     "the force of the arm passes through {centre}, and only the moment changes the angular momentum"
@@ -67,12 +88,16 @@ impl Builder<'_> {
         self.law(&angular::ANGULAR_IMPULSE, Some(index), because, (start, after));
         let changing = held.iter().any(|(_, arm)| matches!(arm, Arm::Changing(_)));
         self.arm_acts(index, stage, &held, moment.as_ref(), path);
+        for force in &forces {
+            self.along_acts(index, force);
+        }
         for body in stage.turning() {
             self.impulses.push(Impulse {
                 stage: index,
                 on: body.to_owned(),
                 by: Agent::Outside,
                 called: match (&moment, changing) {
+                    _ if !forces.is_empty() => acting_words(&centre, stage, &forces),
                     (Some(_), _) if stage.rotor.is_some() => {
                         format!("the force at {centre} and the moment about it")
                     }
@@ -254,6 +279,17 @@ impl Builder<'_> {
         let meaning = Meaning { noun: "the angular impulse", of: format!("about {centre}") };
         self.component(name, meaning)
     }
+}
+
+/// What acts, where there are forces along the path.
+fn acting_words(centre: &str, stage: &Rotate, forces: &[Along<'_>]) -> String {
+    let holds =
+        if stage.rotor.is_some() { format!("the force at {centre}") } else { "the force of the arm".to_owned() };
+    let moment = stage.moment.iter().map(|_| format!("the moment about {centre}"));
+    let mut all: Vec<String> =
+        [holds].into_iter().chain(forces.iter().map(|force| force.name.clone())).chain(moment).collect();
+    let last = all.pop().unwrap_or_default();
+    format!("{} and {last}", all.join(", "))
 }
 
 /// The angular impulse of a moment that stays the same, where somebody asks for it.

@@ -46,7 +46,7 @@ pub use interact::{Interact, UntilTogether};
 pub use moment::Moment;
 pub use motion::{Course, Motion};
 pub use push::{During, Push, ToldBy};
-pub use rotate::{Arm, Rotate};
+pub use rotate::{AlongPath, Arm, Rotate};
 pub use separate::{Relative, Separate, When};
 pub use slide::Slide;
 pub use slide_off::SlideOff;

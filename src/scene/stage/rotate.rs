@@ -33,9 +33,26 @@ pub struct Rotate {
     /// The moment about the point: a term that may contain the time `t`, pieces or a graph. Default: none.
     #[serde(default)]
     pub moment: Option<Strength>,
-    /// How long the moment acts. Default: `dt`.
+    /// Forces on the particles along their path, at right angles to the arm, which keeps its length.
+    #[serde(default)]
+    pub forces: Vec<AlongPath>,
+    /// How long the moment and the forces act. Default: `dt`.
     #[serde(default)]
     pub during: Option<During>,
+}
+
+/// A force on a particle along its path.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct AlongPath {
+    /// How the force is called in a sentence: `the push of the child`. Default: "the force".
+    #[serde(default)]
+    pub name: Option<String>,
+    /// The particle on which it acts, where there are several.
+    #[serde(default)]
+    pub on: Option<String>,
+    /// Its strength, counted as the axis is: a term that may contain the time `t`, pieces or a graph.
+    pub value: Strength,
 }
 
 /// The length of the arm.
@@ -59,6 +76,26 @@ impl Rotate {
     #[must_use]
     pub fn turning(&self) -> Vec<&str> {
         self.held().into_iter().map(|(body, _)| body).chain(self.rotor.as_deref()).collect()
+    }
+
+    /// Whether something changes its angular momentum.
+    #[must_use]
+    pub fn is_driven(&self) -> bool {
+        self.moment.is_some() || !self.forces.is_empty()
+    }
+
+    /// The forces along the path, each with the particle on which it acts and the distance of that from the point; none of a
+    /// force that says no particle of the stage.
+    pub fn driving(&self) -> impl Iterator<Item = (&AlongPath, Option<(&str, &Arm)>)> {
+        let held = self.held();
+        self.forces.iter().map(move |force| {
+            let own = match (&force.on, &held[..]) {
+                (None, [only]) => Some(*only),
+                (None, _) => None,
+                (Some(on), held) => held.iter().find(|(body, _)| body == on).copied(),
+            };
+            (force, own)
+        })
     }
 
     /// What is held, each body with its distance from the point.

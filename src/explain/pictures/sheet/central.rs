@@ -37,7 +37,8 @@ pub(in super::super) fn on_arm(quantities: &Quantities<'_>, rotate: &Rotate) -> 
     let radius = arm.map(|arm| quantities.symbolic(&arm));
     let name = quantities.velocity_name(body, 1);
     let moment = rotate.moment.as_ref().and_then(|strength| given_moment(quantities, strength));
-    draw(quantities, [body, &rotate.about], radius, &name, true, moment)
+    let forces = arm::along_path(quantities, rotate, body, PLACE);
+    draw(quantities, [body, &rotate.about], radius, &name, forces, true, moment)
 }
 
 /// A body under a central force at the first place.
@@ -45,7 +46,7 @@ pub(in super::super) fn under_force(quantities: &Quantities<'_>, central: &stage
     let name = quantities.velocity_name(&central.body, 1);
     let radius = quantities.since(QuantityKind::Position, &central.body, 1).to_string();
     let radius = quantities.named(&radius).map(|_| name_math(&radius));
-    draw(quantities, [&central.body, &central.about], radius, &format!("{name}.theta"), false, None)
+    draw(quantities, [&central.body, &central.about], radius, &format!("{name}.theta"), Vec::new(), false, None)
 }
 
 fn draw(
@@ -53,13 +54,14 @@ fn draw(
     [body, about]: [&str; 2],
     radius: Option<Math>,
     velocity: &str,
+    forces: Vec<Moving>,
     circle: bool,
     moment: Option<Moment>,
 ) -> Option<Drawing> {
     let (sine, cosine) = (libm::sin(PLACE), libm::cos(PLACE));
     let velocity = quantities.named(velocity).map(|value| (name_math(velocity), [-value * sine, value * cosine]));
-    let vectors: Vec<Moving> =
-        velocity.into_iter().map(|(label, value)| Moving::velocity(LabelledVector::known(label, value))).collect();
+    let velocity = velocity.map(|(label, value)| Moving::velocity(LabelledVector::known(label, value)));
+    let vectors: Vec<Moving> = velocity.into_iter().chain(forces).collect();
     if radius.is_none() && vectors.is_empty() {
         return None;
     }

@@ -49,6 +49,24 @@ fn seen(held: &[Held<'_>], state: &[f64; 3], [rate, gain, power]: [f64; 3], [tim
 }
 
 impl StageRun<'_> {
+    /// The moment of all that turns the arm, and when something in it changes its law.
+    fn turned_by(&self, stage: &Rotate) -> Result<(OfTime, Vec<f64>), NothingToSimulate> {
+        let (mut all, mut changes): (Vec<(f64, OfTime)>, Vec<f64>) = (Vec::new(), Vec::new());
+        if let Some(moment) = &stage.moment {
+            let (strength, own) = self.values.strength(moment)?;
+            all.push((1.0, strength));
+            changes.extend(own);
+        }
+        for (force, on) in stage.driving() {
+            let (_, arm) = on.ok_or(NothingToSimulate::Unread)?;
+            let (strength, own) = self.values.strength(&force.value)?;
+            all.push((self.values.term(arm.ends()[0])?, strength));
+            changes.extend(own);
+        }
+        changes.sort_by(f64::total_cmp);
+        Ok((Arc::new(move |time| all.iter().map(|(arm, strength)| arm * strength(time)).sum()), changes))
+    }
+
     pub(super) fn rotate(&mut self, stage: &Rotate) -> Result<(), NothingToSimulate> {
         let axis = self.values.axes().first().copied().ok_or(NothingToSimulate::Unread)?;
         let first = self.values.index + 1;
@@ -56,7 +74,7 @@ impl StageRun<'_> {
         for (body, arm) in stage.held() {
             let [from, to] = arm.ends();
             // What one particle does alone, without a moment, is the same whatever its mass.
-            let lone = stage.moment.is_none() && stage.bodies.len() < 2 && stage.rotor.is_none();
+            let lone = !stage.is_driven() && stage.bodies.len() < 2 && stage.rotor.is_none();
             let mass = if lone { self.values.any_mass(body) } else { self.values.mass(body)? };
             held.push(Held { body, mass, ends: [self.values.term(from)?, self.values.term(to)?] });
         }
@@ -72,13 +90,10 @@ impl StageRun<'_> {
             let mass = self.values.inertia(Some(rotor))? / (arm * arm);
             held.push(Held { body: rotor, mass, ends: [arm, arm] });
         }
-        let (moment, changes): (OfTime, Vec<f64>) = match &stage.moment {
-            Some(moment) => self.values.strength(moment)?,
-            None => (Arc::new(|_| 0.0), Vec::new()),
-        };
+        let (moment, changes) = self.turned_by(stage)?;
         // Without a moment how long it takes does not matter: about as long as an eighth of a turn.
-        let [start, end] = match (&stage.moment, &stage.during) {
-            (None, None) => [0.0, 1.0 / before.abs()],
+        let [start, end] = match (stage.is_driven(), &stage.during) {
+            (false, None) => [0.0, 1.0 / before.abs()],
             (_, during) => self.during(during.as_ref())?,
         };
         let span = end - start;
@@ -119,7 +134,7 @@ impl StageRun<'_> {
         let resists = |side: usize| held.iter().map(|own| own.mass * own.ends[side] * own.ends[side]).sum::<f64>();
         let energy = resists(0) * before * before / 2.0;
         self.note_here("work", work, energy);
-        if stage.moment.is_some() {
+        if stage.is_driven() {
             let (from, to) = (resists(0) * before, resists(1) * after);
             self.note_here("I_M", to - from, from.abs().max(to.abs()));
         }
@@ -134,7 +149,11 @@ impl StageRun<'_> {
             self.note(&format!("omega_{turning_of}{instant}"), rate, before);
             self.note(&format!("period_{turning_of}{instant}"), TAU / rate.abs(), 0.0);
             for own in held.iter().filter(|own| stage.rotor.as_deref() != Some(own.body)) {
-                self.note(&format!("a_{}{instant}.n", own.body), own.ends[side] * rate * rate, 0.0);
+                let towards = own.ends[side] * rate * rate;
+                self.note(&format!("a_{}{instant}.n", own.body), towards, 0.0);
+                if weighed {
+                    self.note(&format!("tension_{}{instant}", own.body), own.mass * towards, 0.0);
+                }
             }
         }
         for own in held.iter().filter(|own| stage.rotor.as_deref() != Some(own.body)) {
