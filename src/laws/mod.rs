@@ -12,6 +12,7 @@ pub mod mass_centre;
 pub mod momentum;
 pub mod motion;
 pub mod orbit;
+pub mod resistance;
 pub mod restitution;
 pub mod separation;
 mod sides;
@@ -34,6 +35,7 @@ pub const CHAPTERS: &[(&str, &[&Law])] = &[
     ("Central force of gravity", orbit::LAWS),
     ("Motions given as functions", motion::LAWS),
     ("Motion between impacts", kinematics::LAWS),
+    ("Motion against resistance", resistance::LAWS),
     ("Bouncing", bouncing::LAWS),
     ("Streams and variable mass", variable_mass::LAWS),
 ];

@@ -92,6 +92,25 @@ impl Builder<'_> {
         }
     }
 
+    /// The friction on a body that slides all the time one way, as a force along the axis.
+    pub(super) fn sliding_friction(
+        &mut self,
+        pushed: &Pushed<'_>,
+        friction: &Friction,
+        axis: Axis,
+        path: &Path,
+    ) -> Expr {
+        if friction.at_rest.is_some() {
+            let fault =
+                Fault::new(Code::Value, "a force that depends on the position needs a body that slides all the way");
+            self.faults.push(fault.help("remove `static`").at_path(path.key("static")));
+        }
+        let kinetic =
+            self.read(&friction.kinetic, Dimension::NONE, "the coefficient of kinetic friction", &path.key("kinetic"));
+        let Contact { normal, kinetic, .. } = self.contact(pushed, kinetic, axis);
+        Expr::integer(-pushed.sign) * kinetic * normal
+    }
+
     /// The forces along and across the floor, the normal force as a quantity of its own where it does not change.
     fn contact(&mut self, pushed: &Pushed<'_>, kinetic: Expr, axis: Axis) -> Contact {
         let (index, body) = (pushed.index, pushed.body);

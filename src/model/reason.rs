@@ -60,6 +60,12 @@ pub enum Reason {
     /// The same at the start or the end of a stage.
     #[error("{0} would move the other way at the {1} of {2}")]
     MovesBackAt(String, String, String),
+    /// The forces besides a resistance are not what drives a body.
+    #[error("the forces besides the resistance would hold {0} back")]
+    HeldBack(String),
+    /// The forces besides a resistance are not what holds a body back.
+    #[error("the forces besides the resistance would drive {0} on")]
+    DrivenOn(String),
     /// A body would swing the other way than its stage says.
     #[error("{0} would swing the other way")]
     SwingsBack(String),

@@ -69,6 +69,8 @@ const BEYOND_A_SCHEMA: &[&str] = &[
     "option_",
     "options_",
     "pictures_",
+    "resistance_",
+    "rest_that_never_comes",
 ];
 
 fn is_valid(path: &Path) -> bool {

@@ -169,7 +169,10 @@ fn drawn(stage: &Stage) -> Drawn {
             None => drawn(Vec::new(), Arrows::Resultant),
         },
         Stage::Taut(own) => Drawn { mutual: own.over.is_none(), ..drawn(several(&own.between), Arrows::Impulses) },
-        Stage::Flight(own) => drawn(own.flying().map(Participant::alone).collect(), Arrows::Weight),
+        Stage::Flight(own) => {
+            let arrows = if own.is_free() { Arrows::Weight } else { Arrows::Resultant };
+            drawn(own.flying().map(Participant::alone).collect(), arrows)
+        }
         Stage::Fall(own) => drawn(alone(&own.body), Arrows::Weight),
         Stage::Interact(own) if own.friction.is_some() => {
             Drawn { mutual: true, ..drawn(several(&own.between), Arrows::Impulses) }

@@ -4,11 +4,15 @@ use crate::model::Agent;
 use crate::model::ForceKind;
 use crate::model::Impulse;
 use crate::model::Model;
+use crate::scene::Force;
+use crate::scene::Plane;
 use crate::scene::Scene;
 use crate::scene::Stage;
 use crate::scene::stage::Connected;
 use crate::scene::stage::Ends;
+use crate::scene::stage::Flight;
 use crate::scene::stage::Interact;
+use crate::scene::stage::Push;
 use crate::scene::stage::Strand;
 
 use super::super::wording::capitalised;
@@ -25,7 +29,14 @@ pub(super) fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
             _ => phrase.to_owned(),
         },
         Stage::Push(push) => {
-            format!("forces act on {}", list(&push.pushed().map(name).collect::<Vec<_>>()))
+            let bodies = list(&push.pushed().map(name).collect::<Vec<_>>());
+            if push.is_resisted_alone() {
+                return format!(
+                    "{bodies} {} against the resistance",
+                    if push.is_of_several() { "move" } else { "moves" }
+                );
+            }
+            format!("forces act on {bodies}")
         }
         Stage::Slide(slide) => does(&slide.body, ["slides", "slide"]),
         Stage::Spring(spring) => match spring.ends() {
@@ -83,7 +94,8 @@ pub(super) fn happening(scene: &Scene, stage: &Stage, phrase: &str) -> String {
         Stage::Drift(_) => "no net force acts; every body keeps its velocity".to_owned(),
         Stage::Flight(flight) => {
             let bodies: Vec<String> = flight.flying().map(|body| scene.called(body)).collect();
-            format!("{} {} freely", list(&bodies), if bodies.len() > 1 { "move" } else { "moves" })
+            let how = if flight.is_free() { "freely" } else { "against the resistance" };
+            format!("{} {} {how}", list(&bodies), if bodies.len() > 1 { "move" } else { "moves" })
         }
         Stage::Separate(separate) => {
             format!("{phrase} of {}", list(&separate.into.iter().map(|part| name(part)).collect::<Vec<_>>()))
@@ -131,7 +143,7 @@ pub(super) fn acting(model: &Model, scene: &Scene, index: usize, stage: &Stage) 
         (Stage::Flight(flight), _) => {
             let bodies: Vec<String> = flight.flying().map(name).collect();
             let (are, their) = if bodies.len() > 1 { ("are", "their") } else { ("is", "its") };
-            during(format!("{} {are} acted on by {their} weight alone", list(&bodies)))
+            during(format!("{} {are} acted on by {}", list(&bodies), in_flight(scene, flight, their)))
         }
         (Stage::Interact(own), [one, other]) if own.friction.is_some() => during(format!(
             "{} and {} are acted on by the friction between them, with equal and opposite forces along the axis",
@@ -210,11 +222,34 @@ fn pushing(model: &Model, scene: &Scene, index: usize, stage: &Stage, [body, is,
         _ => force.called.clone(),
     });
     let mut called: Vec<String> = called.collect();
-    // Forces that depend on the position have no impulses of their own in the model.
     if let (Stage::Push(push), true) = (stage, called.is_empty()) {
-        called.extend(push.called().map(str::to_owned));
+        called = together(scene, push, its);
     }
     format!("{body} {is} acted on by {}", list(&called))
+}
+
+/// What acts in a flight.
+fn in_flight(scene: &Scene, flight: &Flight, their: &str) -> String {
+    let heavy = scene.plane == Plane::Vertical || flight.incline.is_some();
+    match (flight.is_free(), heavy) {
+        (true, _) => format!("{their} weight alone"),
+        (false, true) => format!("{their} weight and the resistance"),
+        (false, false) => "the resistance alone".to_owned(),
+    }
+}
+
+/// What acts in a push whose forces have one impulse together: those that depend on the position, or a resistance.
+fn together(scene: &Scene, push: &Push, its: &str) -> Vec<String> {
+    let mut called: Vec<String> = push.called().map(str::to_owned).collect();
+    let rubs = push.forces.iter().any(|force| matches!(force, Force::Friction(_)));
+    if push.resistance.is_some() || rubs {
+        let on_floor = push.incline.is_some() || rubs;
+        called.extend((scene.plane == Plane::Vertical || on_floor).then(|| format!("{its} weight")));
+        called.extend(on_floor.then(|| "the normal force".to_owned()));
+        called.extend(rubs.then(|| "friction".to_owned()));
+        called.extend(push.resistance.is_some().then(|| "the resistance".to_owned()));
+    }
+    called
 }
 
 /// What acts on a body that strikes an arm.

@@ -36,7 +36,7 @@ const LETTERS: [(&str, &str); 28] = [
     ("path", "s"),
 ];
 
-/// The typeset form of a quantity's name. A stage in square brackets is shown for durations only.
+/// The typeset form of a quantity's name. A stage in square brackets is shown for durations and terminal velocities only.
 ///
 /// ```
 /// use momentous::expr::name_math;
@@ -60,9 +60,13 @@ pub fn name_math(name: &str) -> Math {
             return Math::Row(vec![Math::Operator(operator), base_math(axis)]);
         }
     }
-    // Several durations in one solution are told apart by their stages.
-    if let Some(stage) = name.strip_prefix("dt[").and_then(|rest| rest.strip_suffix(']')) {
-        return with_subscript(base_math("dt"), stage);
+    // Several of them in one solution are told apart by their stages.
+    for base in ["dt", "w"] {
+        if let Some((of, stage)) = name.strip_suffix(']').and_then(|rest| rest.split_once('['))
+            && of == base
+        {
+            return with_subscript(base_math(base), stage);
+        }
     }
     let name = without_stage(name);
     let (name, instant) = split_mark(&name, '@');

@@ -197,7 +197,7 @@ impl Builder<'_> {
     fn weights_in_flight(&mut self, stage: usize, instant: usize, at_end: bool) -> Option<Vec<(ActingForce, bool)>> {
         let alive: Vec<String> = self.timeline.alive(instant).into_iter().map(str::to_owned).collect();
         let own = self.scene.stages.get(stage)?;
-        if !matches!(own, Stage::Fall(_) | Stage::Flight(Flight { incline: None, .. })) {
+        if !matches!(own, Stage::Fall(_) | Stage::Flight(Flight { incline: None, resistance: None, .. })) {
             return None;
         }
         let flying = Description::of(self.scene, own).changed();

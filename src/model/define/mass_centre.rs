@@ -169,7 +169,9 @@ impl Builder<'_> {
         if !stage.takes_time() {
             return Some(Moves::Not);
         }
-        if let Stage::Flight(flight) = stage {
+        if let Stage::Flight(flight) = stage
+            && flight.is_free()
+        {
             let all = among(&flight.flying().collect::<Vec<_>>());
             return all.then(|| Moves::Flying(self.flight_time(index, flight)));
         }

@@ -20,7 +20,10 @@ use crate::scene::Plane;
 use crate::scene::Stage;
 use crate::scene::Term;
 use crate::scene::stage::Flight;
+use crate::scene::stage::Resistance;
 use crate::solve::Relation;
+
+use super::resisted::Resisted;
 
 impl Builder<'_> {
     pub(in crate::model) fn flight(&mut self, index: usize, stage: &Flight, path: &Path) {
@@ -31,15 +34,34 @@ impl Builder<'_> {
             Some(_) => self.falling(index, stage.incline.as_ref(), path).unwrap_or_default(),
             None => Vec::new(),
         };
-        for body in &bodies {
-            self.free_motion(index, body, &time, &falls);
+        match (&stage.resistance, &bodies[..]) {
+            (None, _) => {
+                for body in &bodies {
+                    self.free_motion(index, body, &time, &falls);
+                }
+            }
+            (Some(Resistance::Linear(term)), [body]) => {
+                let resists = self.linear_resistance(term, &path.key("resistance"));
+                self.resisted_motion(index, body, &time, &falls, &resists);
+            }
+            (Some(Resistance::Quadratic(_)), _) => {
+                let message = "a flight against a resistance in proportion to the square of the speed has no formula";
+                let help = "along a vertical line write the rise and the fall as a `push` each, with `forces: []`; in a plane take a `linear` one";
+                self.faults.push(Fault::new(Code::Value, message).help(help).at_path(path.key("resistance")));
+            }
+            (Some(Resistance::Linear(_)), _) => {
+                let fault = Fault::new(Code::Value, "a `resistance` in a flight needs a single body");
+                let help = "write `body: A`, and a flight of its own for each body";
+                self.faults.push(fault.help(help).at_path(path.key("resistance")));
+            }
         }
         if let Some(until) = &stage.until {
             self.end_of_flight(index, &bodies, until, &|_| None, &path.key("until"));
         }
         match self.scene.plane {
-            Plane::Vertical => self.neglect("air resistance", "the problem does not mention any"),
-            Plane::Horizontal => self.neglect("friction", "the problem does not mention any"),
+            Plane::Vertical if stage.is_free() => self.neglect("air resistance", "the problem does not mention any"),
+            Plane::Horizontal if stage.is_free() => self.neglect("friction", "the problem does not mention any"),
+            Plane::Vertical | Plane::Horizontal => {}
         }
     }
 
@@ -115,6 +137,28 @@ impl Builder<'_> {
                 impulsive: false,
             });
         }
+    }
+
+    /// Velocity and place of one body at the end, where something resists its motion in proportion to the speed.
+    fn resisted_motion(&mut self, index: usize, body: &str, time: &Expr, falls: &[Fall], resists: &Expr) {
+        let (clock, zero) = (self.running_time(), Expr::zero());
+        let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
+        let steady = self.pulls_along(body, falls);
+        for (axis, steady) in axes.into_iter().zip(steady) {
+            let after = self.velocity(body, index + 2, axis);
+            let [from, to] = [index + 1, index + 2].map(|instant| self.place(body, instant, axis));
+            let (during, moved) = ([&zero, time], to - from);
+            self.resisted(&Resisted { index, body, axis, steady, resists, clock, during, moved, after });
+        }
+        self.acts(Influence::outside(index, body, "the resistance"));
+        self.impulses.push(Impulse {
+            stage: index,
+            on: body.to_owned(),
+            by: Agent::Outside,
+            called: "all forces together".into(),
+            components: Vec::new(),
+            impulsive: false,
+        });
     }
 
     /// What is so at the end: the top of the path, or a place; `moved` says where a body then is, if that is to be put in.

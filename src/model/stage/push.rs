@@ -110,7 +110,10 @@ impl Builder<'_> {
         let [start, end] = [start, end].map(Clone::clone);
         let pushed = Pushed { index, body, acting, clock, start, end, incline, over, stops, sign };
         if let Some(place) = place {
-            return self.push_by_place(&pushed, place, stage, path);
+            return self.push_by_place(&pushed, place, stage, friction, path);
+        }
+        if let Some(resistance) = &stage.resistance {
+            return self.push_against_resistance(&pushed, resistance, stage, path);
         }
         self.check_over(&pushed, path);
         match friction {
@@ -120,7 +123,7 @@ impl Builder<'_> {
     }
 
     /// Work is force times distance only where the force stays the same, and along one axis.
-    fn check_over(&mut self, pushed: &Pushed<'_>, path: &Path) {
+    pub(super) fn check_over(&mut self, pushed: &Pushed<'_>, path: &Path) {
         let changes = pushed.acting.iter().any(|force| force.strength.contains(pushed.clock));
         if pushed.over.is_some() && (changes || self.axes.len() != 1) {
             let fault = Fault::new(Code::Value, "`over` needs forces that do not change with time, along one axis");

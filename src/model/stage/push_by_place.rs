@@ -17,7 +17,7 @@ use crate::model::Name;
 use crate::model::QuantityKind;
 use crate::model::Reason;
 use crate::model::wording;
-use crate::scene::Force;
+use crate::scene::Friction;
 use crate::scene::stage::Push;
 use crate::solve::Relation;
 
@@ -34,7 +34,14 @@ impl Builder<'_> {
     }
 
     /// A push by forces of which some depend on the place: work and energy from one end to the other.
-    pub(super) fn push_by_place(&mut self, pushed: &Pushed<'_>, place: Symbol, stage: &Push, path: &Path) {
+    pub(super) fn push_by_place(
+        &mut self,
+        pushed: &Pushed<'_>,
+        place: Symbol,
+        stage: &Push,
+        friction: Option<(&Friction, Path)>,
+        path: &Path,
+    ) {
         self.check_by_place(pushed, place, stage, path);
         let Some((axis, _)) = self.axes.first().cloned() else { return };
         let (index, body, sign) = (pushed.index, pushed.body, Expr::integer(pushed.sign));
@@ -62,8 +69,21 @@ impl Builder<'_> {
             None => self.weight_on_slope(body, &pushed.incline),
         };
         if !weight.is_zero() {
-            works.push(weight.clone() * moved);
+            works.push(weight.clone() * moved.clone());
             forces.push(weight);
+        }
+        let rubs = friction.is_some();
+        if let Some((friction, at)) = friction {
+            let along = self.sliding_friction(pushed, friction, axis, &at);
+            let (normal, clear) = (along.contains(place), stage.incline.is_none() && self.downwards(0).is_some());
+            if normal || clear {
+                let message =
+                    "`friction` beside a force that depends on the position needs a normal force that stays the same";
+                let help = "let the force point along a floor, or write the friction as one of the forces";
+                self.faults.push(Fault::new(Code::Value, message).help(help).at_path(at));
+            }
+            works.push(along.clone() * moved.clone());
+            forces.push(along);
         }
         let [before, after] = [index + 1, index + 2].map(|instant| self.velocity(body, instant, axis));
         let after = if pushed.stops { Expr::zero() } else { after };
@@ -77,7 +97,8 @@ impl Builder<'_> {
             self.require(sign * (ends[1].clone() - ends[0].clone()), Relation::AtLeast, Expr::zero(), reason);
         }
         let net = Expr::sum(forces).simplify();
-        self.rates_along(pushed, axis, &net, place, &ends);
+        let nets = ends.each_ref().map(|end| net.substitute(&|own| (own == place).then(|| end.clone())));
+        self.rates_along(pushed, axis, nets);
         let lasts = pushed.end.clone() - pushed.start.clone();
         let impulse = self.impulse_of_all(index, body, axis, &lasts);
         let force = Influence::outside(index, body, "the net force").force(vec![net]);
@@ -90,7 +111,7 @@ impl Builder<'_> {
             components: vec![impulse],
             impulsive: false,
         });
-        if self.downwards(0).is_none() {
+        if self.downwards(0).is_none() && !rubs {
             self.neglect("friction", "the problem does not mention any");
         }
     }
@@ -138,11 +159,9 @@ impl Builder<'_> {
             let message = "the time does not follow in general where a force depends on the position";
             fault(message, "remove `during`; say how far the body moves: `over: d`".into(), path.key("during"));
         }
-        if stage.forces.iter().any(|force| matches!(force, Force::Friction(_))) {
-            let message = "`friction` cannot act beside a force that depends on the position";
-            let help =
-                "write it as a force: `{ name: friction, value: mu*m*g, direction: -x }`, with an axis of the scene";
-            fault(message, help.into(), path.key("forces"));
+        if stage.resistance.is_some() {
+            let message = "a `resistance` cannot act beside a force that depends on the position";
+            fault(message, "leave one of the two, or divide the motion into stages".into(), path.key("resistance"));
         }
     }
 }

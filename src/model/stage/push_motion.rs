@@ -1,7 +1,6 @@
 //! How a body moves while known forces act on it: where it is at the end, its acceleration and net force at both ends.
 
 use crate::expr::Expr;
-use crate::expr::Symbol;
 use crate::laws::kinematics;
 use crate::laws::motion;
 use crate::model::Builder;
@@ -16,7 +15,8 @@ impl Builder<'_> {
     /// Place, acceleration and net force along one axis, along which these forces act.
     pub(in crate::model) fn motion_along(&mut self, pushed: &Pushed<'_>, axis: Axis, forces: &[Expr]) {
         let net = Expr::sum(forces.iter().cloned()).simplify();
-        self.rates_along(pushed, axis, &net, pushed.clock, &[pushed.start.clone(), pushed.end.clone()]);
+        let at = |time: &Expr| net.substitute(&|own| (own == pushed.clock).then(|| time.clone()));
+        self.rates_along(pushed, axis, [at(&pushed.start), at(&pushed.end)]);
         let (index, body) = (pushed.index, pushed.body);
         let (name, mass) = (self.called(body), self.mass(body));
         let [from, to] = [index + 1, index + 2].map(|instant| self.place(body, instant, axis));
@@ -38,22 +38,14 @@ impl Builder<'_> {
         self.integral(&motion::DISPLACEMENT, index, because, (to - from, value.simplify()), integral);
     }
 
-    /// Acceleration and net force at both ends, of a net force that depends on a variable.
-    pub(super) fn rates_along(
-        &mut self,
-        pushed: &Pushed<'_>,
-        axis: Axis,
-        net: &Expr,
-        variable: Symbol,
-        [start, end]: &[Expr; 2],
-    ) {
+    /// Acceleration and net force at both ends, where all forces add up to these.
+    pub(super) fn rates_along(&mut self, pushed: &Pushed<'_>, axis: Axis, [start, end]: [Expr; 2]) {
         let (name, mass) = (self.called(pushed.body), self.mass(pushed.body));
         let along = self.along(axis);
         let first = usize::from(self.scene.follows_a_force(pushed.index, pushed.body));
         let ends = [(pushed.index + 1, start), (pushed.index + 2, end)];
-        for (instant, end) in ends.into_iter().skip(first) {
+        for (instant, there) in ends.into_iter().skip(first) {
             let [force, acceleration] = self.net_force_and_acceleration(pushed.body, instant, axis);
-            let there = net.substitute(&|own| (own == variable).then(|| end.clone()));
             let because = format!("these are all forces on {name}{along}");
             self.law(&motion::ALL_FORCES, Some(pushed.index), because, (force.clone(), there));
             let because = format!("the net force on {name} accelerates it");

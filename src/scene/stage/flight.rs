@@ -5,6 +5,8 @@ use serde::Deserialize;
 
 use crate::scene::Term;
 
+use super::Resistance;
+
 /// Bodies move freely: under their weight in a vertical plane, uniformly in a horizontal one. A body that a flight does not
 /// name has a clock of its own, which stands still meanwhile.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -25,6 +27,9 @@ pub struct Flight {
     /// How long it lasts.
     #[serde(default)]
     pub during: Option<Term>,
+    /// What resists the motion of the one body that flies, in proportion to the speed: `{ linear: b }`.
+    #[serde(default)]
+    pub resistance: Option<Resistance>,
     /// The slope along which the first axis runs, the second pointing away from it: `alpha` where the first axis points up or down
     /// the slope, else `alpha above +x`. Default: the axes are level and upright.
     #[serde(default)]
@@ -32,6 +37,12 @@ pub struct Flight {
 }
 
 impl Flight {
+    /// Whether nothing but weight acts.
+    #[must_use]
+    pub fn is_free(&self) -> bool {
+        self.resistance.is_none()
+    }
+
     /// Who flies.
     pub fn flying(&self) -> impl Iterator<Item = &str> {
         self.body.iter().chain(&self.bodies).map(String::as_str)

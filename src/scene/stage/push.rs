@@ -5,7 +5,7 @@ use serde::Deserialize;
 
 use crate::scene::{Force, Strength, Term};
 
-use super::Until;
+use super::{Resistance, Until};
 
 /// Forces act on a body, or on several bodies, for a time.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -36,6 +36,10 @@ pub struct Push {
     /// alone where the axis points up or down the slope. Directions of forces are counted from the axis along the slope.
     #[serde(default)]
     pub incline: Option<Term>,
+    /// What resists the motion all the time, where anything does, beside forces that stay the same: `{ linear: b }` in proportion to the
+    /// speed, or along one axis `{ quadratic: k }` in proportion to its square.
+    #[serde(default)]
+    pub resistance: Option<Resistance>,
     /// The forces. Weight acts by itself in a vertical plane.
     pub forces: Vec<Force>,
     /// `graph` if the sheet's graph tells the force that is given by points: it prints the time and the force of each, and the text
@@ -76,6 +80,12 @@ impl Push {
             Force::Pull(pull) => matches!(&pull.value, Strength::Term(term) if term.mentions(letter)),
             Force::Friction(_) => false,
         })
+    }
+
+    /// Whether a resistance acts and no pushes and pulls.
+    #[must_use]
+    pub fn is_resisted_alone(&self) -> bool {
+        self.resistance.is_some() && self.forces.is_empty()
     }
 
     /// What its pushes and pulls are called.

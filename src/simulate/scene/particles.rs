@@ -37,6 +37,8 @@ pub(super) struct Force {
 pub(super) enum Strength {
     /// As the time says.
     InTime(OfTime),
+    /// Against the velocity along the line, so much for each metre per second, and for the square of it.
+    Resistance { linear: f64, quadratic: f64 },
     /// As a spring pulls, which is deformed by so much where all particles are at the origin.
     Spring { stiffness: f64, deformed: f64 },
 }
@@ -106,11 +108,25 @@ impl Force {
         Self { on, strength: Strength::Spring { stiffness, deformed } }
     }
 
+    /// A resistance to the motion of a particle along a direction, for each metre per second and for the square of it.
+    pub(super) fn resistance(on: usize, along: Vector, [linear, quadratic]: [f64; 2]) -> Self {
+        Self { on: vec![(on, along)], strength: Strength::Resistance { linear, quadratic } }
+    }
+
     pub(super) fn strength(&self, time: f64, state: &[f64]) -> f64 {
         match &self.strength {
             Strength::InTime(strength) => strength(time),
+            Strength::Resistance { linear, quadratic } => {
+                let speed = self.moves(state);
+                -(linear + quadratic * speed.abs()) * speed
+            }
             Strength::Spring { stiffness, .. } => -stiffness * self.deformation(state).unwrap_or(0.0),
         }
+    }
+
+    /// How fast the particles move along the line.
+    fn moves(&self, state: &[f64]) -> f64 {
+        self.on.iter().fold(0.0, |sum, (own, along)| sum + dot(*along, velocity(state, *own)))
     }
 
     /// How far a spring is deformed.

@@ -14,7 +14,7 @@ use crate::simulate::scene::values::OfSeveral;
 use crate::simulate::scene::vector::{Vector, ZERO, add, cross, less, part, size, times};
 
 /// The time after which it is looked on which side of its end a motion that starts on it has gone.
-const SOON: f64 = 1e-6;
+pub(super) const SOON: f64 = 1e-6;
 
 /// The share of its time over which it is looked at how fast something changes.
 const SOON_AFTER: f64 = 1e-3;
@@ -27,7 +27,7 @@ impl Particle<'_> {
     }
 
     /// The same particle with nought for what is not known of it.
-    fn or_nought(&self) -> Self {
+    pub(super) fn or_nought(&self) -> Self {
         let known = |vector: Vector| vector.map(|part| if part.is_nan() { 0.0 } else { part });
         Self { place: known(self.place), velocity: known(self.velocity), ..*self }
     }
@@ -42,6 +42,9 @@ impl StageRun<'_> {
         let bodies: Vec<_> = stage.flying().map(|body| self.flying(body, falls)).collect();
         if bodies.iter().any(|own| own.velocity.iter().any(|part| part.is_nan())) {
             return Err(NothingToSimulate::ValueMissing);
+        }
+        if let (Some(resistance), [body]) = (&stage.resistance, &bodies[..]) {
+            return self.fly_resisted(body, resistance, stage);
         }
         self.fly(&bodies, stage.until.as_ref(), stage.during.as_ref())
     }
@@ -144,7 +147,7 @@ impl StageRun<'_> {
     }
 
     /// The two sides of an equation in places as a function of the places that is zero where they are equal.
-    fn equation(&self, bodies: &[Particle<'_>], text: &str) -> Result<OfSeveral, NothingToSimulate> {
+    pub(super) fn equation(&self, bodies: &[Particle<'_>], text: &str) -> Result<OfSeveral, NothingToSimulate> {
         let (left, right) = text.split_once('=').ok_or(NothingToSimulate::Unread)?;
         let placed = placed(&self.values.axes(), bodies, 0.0);
         let mut names: Vec<String> = placed.iter().map(|(body, axis, _)| format!("{}_{body}", axis.letter())).collect();
@@ -181,7 +184,7 @@ impl StageRun<'_> {
 }
 
 /// The places along the axes that are known of bodies after a time.
-fn placed<'s>(axes: &[Axis], bodies: &[Particle<'s>], time: f64) -> Vec<(&'s str, Axis, f64)> {
+pub(super) fn placed<'s>(axes: &[Axis], bodies: &[Particle<'s>], time: f64) -> Vec<(&'s str, Axis, f64)> {
     let ends = bodies.iter().map(|own| own.after(time));
     let each = ends.flat_map(|own| axes.iter().map(move |axis| (own.name, *axis, part(own.place, *axis))));
     each.filter(|(_, _, place)| !place.is_nan()).collect()

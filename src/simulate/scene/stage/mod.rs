@@ -11,6 +11,7 @@ mod conical;
 mod connected;
 mod fall;
 mod flight;
+mod flight_resisted;
 mod impact;
 mod interact;
 mod moment;

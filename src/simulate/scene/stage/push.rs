@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::scene::stage::{During, Push};
+use crate::scene::stage::{During, Push, Resistance};
 use crate::scene::{Force, Friction, Pull, Strength};
 
 use crate::simulate::scene::course::Until;
@@ -12,10 +12,13 @@ use crate::simulate::scene::particles::{Force as Acting, Particle, place, veloci
 use crate::simulate::scene::stage_run::StageRun;
 use crate::simulate::scene::system::System;
 use crate::simulate::scene::values::OfTime;
-use crate::simulate::scene::vector::{Vector, ZERO, across, add, dot, part, size, times, unit};
+use crate::simulate::scene::vector::{Vector, ZERO, across, add, dot, less, part, size, times, unit};
 
 /// Pushes and pulls in the time of the stage, each with its direction; and when one of them changes its law.
 type Pulls = (Vec<(Vector, OfTime)>, Vec<f64>);
+
+/// How many times the mass by the coefficient of a resistance leave next to nothing of a velocity.
+const LONG: f64 = 40.0;
 
 impl StageRun<'_> {
     pub(super) fn push(&mut self, stage: &Push) -> Result<(), NothingToSimulate> {
@@ -55,13 +58,17 @@ impl StageRun<'_> {
         }
         let mut reached = Vec::new();
         let mut displaced = ZERO;
-        // What is gained from rest, in the velocity that the body has anyhow, is the impulse.
-        for moves in [before, ZERO] {
+        // What is gained from rest, in the velocity that the body has anyhow, is the impulse; not where its velocity matters.
+        let alike = stage.resistance.is_none();
+        for moves in [before, ZERO].into_iter().take(1 + usize::from(alike)) {
             let mut system = self.pulled(stage, body, ZERO, moves)?;
             system.start = start;
             let integrator = self.integrator((end - start) / 4.0);
             let last = self.try_out(&system, integrator, &Until::Time(end))?;
             if reached.is_empty() {
+                if let Some(resistance) = &stage.resistance {
+                    self.note_terminal(&system, resistance)?;
+                }
                 self.note_ends(body, &system, [(start, &system.state()), (end, &last.state)]);
                 displaced = place(&last.state, 0);
             }
@@ -69,7 +76,8 @@ impl StageRun<'_> {
         }
         self.note_velocity(body, reached[0], size(before));
         self.note_place(body, displaced);
-        let impulse = times(self.values.mass(body)?, reached[1]);
+        let gained = if alike { reached[1] } else { less(reached[0], before) };
+        let impulse = times(self.values.mass(body)?, gained);
         self.note_impulse(body, impulse, None);
         self.note_duration(None, end - start);
         Ok(Some(impulse))
@@ -117,8 +125,15 @@ impl StageRun<'_> {
         let guide = if let [only] = self.values.axes()[..] { Some(unit(only)) } else { None };
         let free = Particle::free(body, self.values.mass(body)?, velocity);
         let particle = Particle { place, falls: self.values.falling()?, guide, ..free };
-        let forces =
+        let mut forces: Vec<Acting> =
             pulls.into_iter().map(|(towards, strength)| Acting::in_time(vec![(0, towards)], strength)).collect();
+        if let Some(resistance) = &stage.resistance {
+            let coefficients = match resistance {
+                Resistance::Linear(term) => [self.values.term(term)?, 0.0],
+                Resistance::Quadratic(term) => [0.0, self.values.term(term)?],
+            };
+            forces.extend(self.values.axes().into_iter().map(|axis| Acting::resistance(0, unit(axis), coefficients)));
+        }
         Ok(System { forces, changes, ..System::new(self.values.frame(), vec![particle]) })
     }
 
@@ -149,6 +164,41 @@ impl StageRun<'_> {
         Ok((all, changes))
     }
 
+    /// Notes the velocity at which a body ends up against a resistance in proportion to the speed, whatever it starts with; or the
+    /// speed at which one in proportion to its square is as large as what acts on a body at rest.
+    pub(super) fn note_terminal(
+        &mut self,
+        system: &System<'_, 6>,
+        resistance: &Resistance,
+    ) -> Result<(), NothingToSimulate> {
+        let mass = system.particles.first().and_then(|own| own.mass).ok_or(NothingToSimulate::ValueMissing)?;
+        let term = match resistance {
+            Resistance::Linear(term) => term,
+            Resistance::Quadratic(term) => {
+                let still = mass * size(velocity(&system.slope(system.start, &[0.0; 6]), 0));
+                if still > 0.0 {
+                    self.note_here("w", libm::sqrt(still / self.values.term(term)?), 0.0);
+                }
+                return Ok(());
+            }
+        };
+        let time = mass / self.values.term(term)?;
+        let integrator = self.integrator(time / 4.0);
+        let last = self.try_out(system, integrator, &Until::Time(system.start + LONG * time))?;
+        let ends = velocity(&last.state, 0);
+        for axis in self.values.axes() {
+            self.note_here(&format!("w{}", self.values.letter(axis)), part(ends, axis), size(ends));
+        }
+        Ok(())
+    }
+
+    /// When next to nothing is left of a motion that only a resistance in proportion to the speed slows, so that it never ends.
+    fn fading(&self, stage: &Push, body: &str, system: &System<'_, 6>) -> Result<Option<f64>, NothingToSimulate> {
+        let Some(Resistance::Linear(term)) = &stage.resistance else { return Ok(None) };
+        let still = velocity(&system.slope(system.start, &[0.0; 6]), 0);
+        Ok((size(still) == 0.0).then_some(LONG * self.values.mass(body)? / self.values.term(term)?))
+    }
+
     /// Along one axis, on a floor or a slope.
     fn push_along(&mut self, stage: &Push, body: &str, friction: Option<&Friction>) -> Result<(), NothingToSimulate> {
         let [axis] = self.values.axes()[..] else { return Err(NothingToSimulate::Unread) };
@@ -167,7 +217,7 @@ impl StageRun<'_> {
         let normal: OfTime = Arc::new(move |time| pressed - lifts.iter().map(|own| lifted(own, time)).sum::<f64>());
         let span = self.during(stage.during.as_ref());
         let finish = match (stage.until, &span, self.values.known(stage.over.as_ref())) {
-            (Some(_), ..) => Finish::Rest,
+            (Some(_), ..) => self.fading(stage, body, &system)?.map_or(Finish::Rest, Finish::Time),
             (None, Ok([_, end]), _) => Finish::Time(*end),
             (None, Err(_), Some(way)) => Finish::Procedure(way),
             (None, Err(missing), None) => return Err(*missing),
@@ -203,6 +253,9 @@ impl StageRun<'_> {
             let grip = times(-self.values.term(&own.kinetic)?, ahead);
             system.forces.push(Acting::in_time(vec![(0, grip)], Arc::clone(&normal)));
         }
+        if let Some(resistance) = &stage.resistance {
+            self.note_terminal(&system, resistance)?;
+        }
         let end = self.go_along(&system, (0, ahead), finish)?;
         if at_rest.is_none() {
             self.note_ends(body, &system, [(begun, &system.state()), (end.time, &end.state)]);
@@ -214,7 +267,9 @@ impl StageRun<'_> {
             Some(During::For(term)) => Some(term),
             _ => None,
         };
-        self.note_duration(term, end.time - begun);
+        if !matches!((stage.until, finish), (Some(_), Finish::Time(_))) {
+            self.note_duration(term, end.time - begun);
+        }
         if needs_weight {
             self.note_here(&format!("N_{body}"), normal(begins), 0.0);
         }

@@ -5,7 +5,8 @@ use crate::scene::{Force, Strength};
 
 use crate::simulate::scene::nothing::NothingToSimulate;
 use crate::simulate::scene::stage_run::{StageRun, kinetic};
-use crate::simulate::scene::vector::{part, times, unit};
+use crate::simulate::scene::values::OfSeveral;
+use crate::simulate::scene::vector::{across, dot, part, times, unit};
 
 impl StageRun<'_> {
     pub(super) fn push_by_place(&mut self, stage: &Push, body: &str) -> Result<(), NothingToSimulate> {
@@ -14,23 +15,36 @@ impl StageRun<'_> {
         let (mass, before) = (self.values.mass(body)?, self.values.velocity_before(body, axis)?);
         let from = self.values.place_before(body, axis)?;
         let mut strengths = Vec::new();
+        let (mut grip, mut lifts) = (0.0, Vec::new());
         for force in &stage.forces {
-            let Force::Pull(pull) = force else { return Err(NothingToSimulate::Unread) };
+            let pull = match force {
+                Force::Pull(pull) => pull,
+                Force::Friction(own) => {
+                    grip = self.values.term(&own.friction.kinetic)?;
+                    continue;
+                }
+            };
             let Strength::Term(term) = &pull.value else { return Err(NothingToSimulate::Unread) };
-            let towards = part(self.values.towards(pull.direction.as_ref())?, axis);
-            strengths.push((towards, self.values.of_several(&term.0, &[axis.letter().to_owned()])?));
+            let towards = self.values.towards(pull.direction.as_ref())?;
+            let strength = self.values.of_several(&term.0, &[axis.letter().to_owned()])?;
+            lifts.push((dot(towards, across(unit(axis))), strength.clone()));
+            strengths.push((part(towards, axis), strength));
         }
         let falls = part(self.values.falling()?, axis);
-        let slope = self.values.slope(stage.incline.as_ref())?.along;
-        let pull = if slope == 0.0 { 0.0 } else { self.values.named("g")? * slope };
-        let force = |place: f64| {
-            let pulls = strengths.iter().map(|(towards, strength)| towards * strength(&[place]));
-            pulls.sum::<f64>() + mass * (falls + pull)
-        };
+        let slope = self.values.slope(stage.incline.as_ref())?;
+        let needs_weight = slope.along != 0.0 || grip != 0.0;
+        let gravity = if needs_weight { self.values.named("g")? } else { 0.0 };
         let mut ahead = before.signum();
         if before == 0.0 {
             ahead = self.values.sense(stage.direction.as_ref(), axis)?;
         }
+        let all = |own: &[(f64, OfSeveral)], place: f64| {
+            own.iter().map(|(towards, strength)| towards * strength(&[place])).sum::<f64>()
+        };
+        let force = |place: f64| {
+            let presses = mass * gravity * slope.across - all(&lifts, place);
+            all(&strengths, place) + mass * (falls + gravity * slope.along) - ahead * grip * presses
+        };
         let begins = kinetic(mass, times(before, unit(axis)));
         let gains = |way: f64, _: &[f64; 1]| [ahead * force(from + ahead * way)];
         let known = self.values.known(stage.over.as_ref());
@@ -53,6 +67,9 @@ impl StageRun<'_> {
         self.note(&self.values.velocity_after(body, axis), after, before);
         self.note(&self.values.place_name(body, index + 2, axis), from + ahead * way, from.abs().max(way));
         self.note_term(stage.over.as_ref(), way, 0.0);
+        if grip != 0.0 {
+            self.note_here(&format!("N_{body}"), mass * gravity * slope.across - all(&lifts, from), 0.0);
+        }
         self.note_impulse(body, times(mass * (after - before), unit(axis)), None);
         let ends = [from, from + ahead * way].map(force);
         let largest = [0.0, 0.3, 0.5, 1.0].map(|share| force(from + share * ahead * way).abs());

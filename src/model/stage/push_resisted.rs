@@ -1,0 +1,122 @@
+//! A body that something resists beside forces that stay the same.
+
+use crate::expr::Expr;
+use crate::fault::Code;
+use crate::fault::Fault;
+use crate::fault::Path;
+use crate::laws::kinematics;
+use crate::model::Agent;
+use crate::model::Builder;
+use crate::model::Impulse;
+use crate::model::Influence;
+use crate::scene::Axis;
+use crate::scene::Force;
+use crate::scene::stage::Push;
+use crate::scene::stage::Resistance;
+
+use super::push::Pushed;
+use super::resisted::Resisted;
+
+impl Builder<'_> {
+    /// A push against a resistance: along each axis the velocity as a function of time, and the impulse.
+    pub(super) fn push_against_resistance(
+        &mut self,
+        pushed: &Pushed<'_>,
+        resistance: &Resistance,
+        stage: &Push,
+        path: &Path,
+    ) {
+        self.check_resisted(pushed, stage, path);
+        self.check_over(pushed, path);
+        let at = path.key("resistance");
+        let coefficient = match resistance {
+            Resistance::Linear(term) => self.linear_resistance(term, &at),
+            Resistance::Quadratic(term) => self.quadratic_resistance(term, &at),
+        };
+        let index = pushed.index;
+        let lasts = (pushed.end.clone() - pushed.start.clone()).simplify();
+        let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
+        let mut impulses = Vec::new();
+        for (position, axis) in axes.into_iter().enumerate() {
+            let steady = self.steady_along(pushed, position);
+            match resistance {
+                Resistance::Linear(_) => self.linearly_resisted(pushed, axis, steady, &coefficient),
+                Resistance::Quadratic(_) => {
+                    self.quadratically_resisted(pushed, axis, &steady, [&coefficient, &lasts], path);
+                }
+            }
+            impulses.push(self.impulse_of_all(index, pushed.body, axis, &lasts));
+        }
+        if stage.incline.is_some() {
+            self.neglect("friction", "the slope is smooth");
+        } else if self.weight_acts_across() {
+            let why = "it has no component along the motion";
+            self.not_needed("weight and everything else that acts across the motion", why);
+        }
+        self.acts(Influence::outside(index, pushed.body, "the net force"));
+        self.impulses.push(Impulse {
+            stage: index,
+            on: pushed.body.to_owned(),
+            by: Agent::Outside,
+            called: "all forces together".into(),
+            components: impulses,
+            impulsive: false,
+        });
+    }
+
+    /// What acts along the axis of that position beside the resistance.
+    fn steady_along(&mut self, pushed: &Pushed<'_>, position: usize) -> Expr {
+        let mut forces = Vec::new();
+        for force in &pushed.acting {
+            forces.push(force.strength.clone() * self.components(&force.direction).swap_remove(position));
+        }
+        forces.push(match self.downwards(position) {
+            Some(down) => Expr::integer(down) * self.mass(pushed.body) * self.gravity(),
+            None => self.weight_on_slope(pushed.body, &pushed.incline),
+        });
+        Expr::sum(forces).simplify()
+    }
+
+    /// What a push against a resistance in proportion to the speed says besides of one axis.
+    fn linearly_resisted(&mut self, pushed: &Pushed<'_>, axis: Axis, steady: Expr, resists: &Expr) {
+        let (index, body) = (pushed.index, pushed.body);
+        let [before, after] = [index + 1, index + 2].map(|instant| self.velocity(body, instant, axis));
+        let [from, to] = [index + 1, index + 2].map(|instant| self.place(body, instant, axis));
+        let mut moved = to.clone() - from.clone();
+        if let Some(over) = &pushed.over {
+            moved = Expr::integer(pushed.sign) * over.clone();
+            let sides = (to, from + moved.clone());
+            self.law(&kinematics::DISPLACED, Some(index), "the forces act over this distance", sides);
+            let [before, after] = [&before, &after].map(|velocity| Expr::integer(pushed.sign) * velocity.clone());
+            self.moves_along(index, body, [&before, &after]);
+        }
+        let nets = [&before, &after].map(|velocity| steady.clone() - resists.clone() * velocity.clone());
+        self.rates_along(pushed, axis, nets);
+        let after = if pushed.stops { Expr::zero() } else { after };
+        let (clock, during) = (pushed.clock, [&pushed.start, &pushed.end]);
+        self.resisted(&Resisted { index, body, axis, steady, resists, clock, during, moved, after });
+    }
+
+    /// What has no formula beside a resistance.
+    fn check_resisted(&mut self, pushed: &Pushed<'_>, stage: &Push, path: &Path) {
+        if stage.is_of_several() {
+            let fault = Fault::new(Code::Value, "a `resistance` in a push needs a single body");
+            let help = "write `body: A`, and a push of its own for each body";
+            self.faults.push(fault.help(help).at_path(path.key("resistance")));
+        }
+        let mut fault = |message: &str, help: &str| {
+            self.faults.push(Fault::new(Code::Value, message).help(help).at_path(path.key("forces")));
+        };
+        if pushed.acting.iter().any(|force| force.strength.contains(pushed.clock)) {
+            let message =
+                "beside a `resistance` forces must not change with time: there is no formula for the motion in general";
+            fault(message, "write forces that stay the same, in several stages where they change in steps");
+        }
+        if stage.forces.iter().any(|force| matches!(force, Force::Friction(_))) {
+            let message = "`friction` cannot act beside a `resistance`";
+            let help =
+                "write it as a force: `{ name: friction, value: mu*m*g, direction: -x }`, with an axis of the scene";
+            fault(message, help);
+        }
+    }
+}

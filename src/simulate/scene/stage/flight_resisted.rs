@@ -1,0 +1,81 @@
+//! A flight against a resistance, integrated in time.
+
+use crate::scene::stage::{Flight, Resistance};
+
+use crate::simulate::scene::course::Until;
+use crate::simulate::scene::nothing::NothingToSimulate;
+use crate::simulate::scene::particles::{Force, Particle, place, velocity};
+use crate::simulate::scene::stage_run::StageRun;
+use crate::simulate::scene::system::System;
+use crate::simulate::scene::vector::{Vector, add, less, part, size, unit};
+
+use super::flight::{SOON, placed};
+
+/// What changes its sign where a flight ends.
+type Signed<'a> = Box<dyn Fn(&[f64; 6]) -> f64 + 'a>;
+
+impl StageRun<'_> {
+    /// A body whose places may be unknown, until its flight ends.
+    pub(super) fn fly_resisted(
+        &mut self,
+        body: &Particle<'_>,
+        resistance: &Resistance,
+        stage: &Flight,
+    ) -> Result<(), NothingToSimulate> {
+        let Resistance::Linear(term) = resistance else { return Err(NothingToSimulate::NoMethod) };
+        let (linear, axes) = (self.values.term(term)?, self.values.axes());
+        let starts = body.or_nought();
+        let forces = axes.iter().map(|axis| Force::resistance(0, unit(*axis), [linear, 0.0])).collect();
+        let mut system = System::<6> { forces, ..System::new(self.values.frame(), vec![starts]) };
+        self.note_terminal(&system, resistance)?;
+        let weight = libm::sqrt(size(body.falls));
+        let quick = 1.0 / (size(body.velocity) + weight).max(f64::MIN_POSITIVE);
+        let integrator = self.integrator(quick.min(self.values.mass(body.name)? / linear) / 8.0);
+        // What is not known of where it starts is not known of where it is, either.
+        let now = |state: &[f64; 6]| Particle { place: add(body.place, displaced(state, &starts)), ..*body };
+        let signed: Signed<'_> = match stage.until.as_ref().map(|term| term.0.trim()) {
+            None => Box::new(|_| 1.0),
+            Some("top") => {
+                let up = axes.iter().rfind(|axis| part(body.falls, **axis) != 0.0);
+                let up = *up.ok_or(NothingToSimulate::NothingChanges)?;
+                Box::new(move |state| part(velocity(state, 0), up))
+            }
+            Some(text) => {
+                let (apart, axes) = (self.equation(&[*body], text)?, axes.clone());
+                Box::new(move |state| {
+                    let places = placed(&axes, &[now(state)], 0.0).into_iter().map(|(_, _, place)| place);
+                    apart(&places.collect::<Vec<_>>())
+                })
+            }
+        };
+        let end = if stage.until.is_none() {
+            let during = stage.during.as_ref();
+            let time = during.map_or_else(|| self.values.duration(), |term| self.values.term(term))?;
+            self.go(&system, integrator, &Until::Time(time))?
+        } else {
+            if signed(&system.state()) == 0.0 {
+                // A moment later it is on the side from which it comes back.
+                let soon = self.go(&system, integrator, &Until::Time(SOON))?;
+                system.go_on_from(&soon);
+            }
+            let side = signed(&system.state()).signum();
+            self.go(&system, integrator, &Until::Event(&|state| signed(state) * side))?
+        };
+        let moved = displaced(&end.state, &starts);
+        self.note_velocity(body.name, velocity(&end.state, 0), size(body.velocity));
+        for axis in axes {
+            let from = part(body.place, axis);
+            if !from.is_nan() {
+                let name = self.values.place_name(body.name, self.values.index + 2, axis);
+                self.note(&name, from + part(moved, axis), from.abs().max(size(moved)));
+            }
+        }
+        self.note_duration(stage.during.as_ref(), end.time);
+        Ok(())
+    }
+}
+
+/// How far it is from where it started.
+fn displaced(state: &[f64; 6], starts: &Particle<'_>) -> Vector {
+    less(place(state, 0), starts.place)
+}
