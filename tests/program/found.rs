@@ -27,6 +27,7 @@ const FOUND: &[(&str, Outcome)] = &[
     ("angle_with_a_relative_velocity", Holds(&["angle(v_A2, v_rel_A2) = 26.6"])),
     ("backwards", Refused(&["`backwards` is not a direction of this scene", "its directions are `ahead`"])),
     ("formula_of_an_own_name", Holds(&["F_m = pi*m*v_A2/(2*tau)"])),
+    ("fraction_beside_a_kind", Holds(&["v_B2 = 1.50 m/s", "b = inelastic"])),
     ("fraction_with_a_unit", Holds(&["v_A2 = 0.868 m/s", "T_lost[1] = 5.33 J"])),
     ("given_by_given", Holds(&["v_A2 = 6.00 m/s"])),
     ("interact_after_impact", Holds(&["v_C3 = 0.444 m/s", "p_3 = 1.00 kg m/s"])),

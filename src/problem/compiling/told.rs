@@ -20,6 +20,8 @@ use crate::solve::Statement;
 use super::super::language::known::Known;
 use super::super::language::known::Origin;
 use super::super::language::text::Text;
+use super::super::questions::part::Part;
+use super::super::questions::part::PartKind;
 use super::super::reading::load::Loaded;
 use super::super::reading::numerals::goes_without_saying;
 use super::super::reading::numerals::tells;
@@ -31,7 +33,7 @@ use super::planned::Problem;
 pub(in crate::problem) fn check(loaded: &Loaded, model: &Model, form: &Form) -> Vec<Fault> {
     let story = Path::root().key("text");
     let texts = [(story.clone(), &loaded.draft.text), (form.question.path.key("text"), &form.question.text)];
-    let asked: BTreeSet<Symbol> = form.wanted().collect();
+    let asked = asked(loaded, model, form);
     let mut faults = Vec::new();
     let mut printed = BTreeSet::new();
     let mut looked_at: Option<&Text> = None;
@@ -80,6 +82,17 @@ pub(in crate::problem) fn check(loaded: &Loaded, model: &Model, form: &Form) -> 
         }
     }
     faults
+}
+
+/// What the text of a form may not give away. A question with options compares what it is about, and some of that may be given as
+/// an expression.
+fn asked(loaded: &Loaded, model: &Model, form: &Form) -> BTreeSet<Symbol> {
+    let is_given = |symbol: &Symbol| loaded.given.get(&model.symbols.entry(*symbol).name).is_some();
+    let of = |part: &Part| match &part.kind {
+        PartKind::Choice(choice) => choice.symbols().into_iter().filter(|symbol| !is_given(symbol)).collect(),
+        PartKind::Number(_) | PartKind::Vector(_) | PartKind::Formula(_) | PartKind::Range(_) => part.kind.wanted(),
+    };
+    form.parts.iter().flat_map(of).collect()
 }
 
 /// Whether the file gives it, rather than a default that the sheet's note tells.
