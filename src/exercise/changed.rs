@@ -47,7 +47,7 @@ impl Exercise {
         set: &[(String, String)],
         find: &[String],
     ) -> Result<Self, Faults> {
-        Self::of_changed(problem, typed(problem.loaded(), form, set, find), seed)
+        Self::of_changed(problem, typed(problem, form, set, find), seed)
     }
 
     fn of_changed(problem: &Problem, changed: Result<Loaded, Vec<Fault>>, seed: u64) -> Result<Self, Faults> {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use momentous::problem::{Problem, Sampler};
+use momentous::problem::{Ask, Problem, Sampler};
 use momentous::solve::{Cause, Step};
 
 use crate::variants::{bank, bank_problem, form_name, problem, read, sheet, solved, value};
@@ -98,8 +98,14 @@ fn what_nobody_asks_for_is_in_the_audit_only() {
 fn every_step_of_the_bank_serves_the_question() {
     for problem in bank() {
         for (index, form) in problem.forms().iter().enumerate() {
+            // Where the sheet tells enough to find a quantity, the solution finds it.
+            let found = form.question.ask.iter().filter_map(|ask| match ask {
+                Ask::Enough(own) => problem.model().symbol_of(&own.enough),
+                _ => None,
+            });
+            let asked: BTreeSet<_> = form.wanted().chain(found).collect();
             for leaf in form.solver.leaves() {
-                let mut needed: BTreeSet<_> = form.wanted().collect();
+                let mut needed = asked.clone();
                 for step in leaf.answer_steps().iter().rev() {
                     assert!(
                         step.unknowns.iter().any(|unknown| needed.contains(unknown)),

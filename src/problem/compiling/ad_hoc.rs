@@ -4,6 +4,7 @@ use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Path;
 use crate::model::Name;
+use crate::model::PrintedGraph;
 use crate::model::QuantityKind;
 
 use super::super::language::ask::Answered;
@@ -15,13 +16,14 @@ use super::super::language::literal::Literal;
 use super::super::language::text::Text;
 use super::super::language::text::is_name;
 use super::super::reading::load::Loaded;
+use super::planned::Problem;
 
 /// The same scene with other values and another question. Its text is left out, since it may no longer fit.
 ///
 /// # Errors
 /// A fault for each value that cannot be read, and where the problem has no such form.
 pub fn ad_hoc(loaded: &Loaded, form: usize, set: &[(String, String)], find: &[String]) -> Result<Loaded, Vec<Fault>> {
-    let mut changed = typed(loaded, form, set, find)?;
+    let mut changed = changed(loaded, form, set, find)?;
     changed.draft.text = Text::default();
     for question in &mut changed.questions {
         question.text = Text::default();
@@ -29,12 +31,29 @@ pub fn ad_hoc(loaded: &Loaded, form: usize, set: &[(String, String)], find: &[St
     Ok(changed)
 }
 
-/// The same scene with other values, and its text, which says each of them: those for which it has no place stand at its end. Where
-/// something else is sought, the story stays without the question of the form.
+/// The same scene with other values, and its text, which says each of them: those for which it has no place stand at its end, but
+/// for those that the sheet's graph prints. Where something else is sought, the story stays without the question of the form.
 ///
 /// # Errors
 /// A fault for each value that cannot be read, and where the problem has no such form.
-pub fn typed(loaded: &Loaded, form: usize, set: &[(String, String)], find: &[String]) -> Result<Loaded, Vec<Fault>> {
+pub fn typed(problem: &Problem, form: usize, set: &[(String, String)], find: &[String]) -> Result<Loaded, Vec<Fault>> {
+    let mut changed = changed(problem.loaded(), form, set, find)?;
+    let model = problem.model();
+    let drawn = || model.graph.iter().flat_map(PrintedGraph::symbols);
+    let on_graph = |name: &str| drawn().any(|symbol| model.symbols.entry(symbol).name == name);
+    for question in &mut changed.questions {
+        let places = || [&changed.draft.text, &question.text].into_iter().flat_map(Text::placeholders);
+        let is_told = |name: &str| on_graph(name) || places().any(|own| own.name == name && own.filter.tells());
+        let untold = set.iter().map(|(name, _)| name).filter(|name| is_name(name) && !is_told(name));
+        let untold: Vec<String> = untold.map(|name| format!("{{{{ {name} | named }}}}")).collect();
+        if !untold.is_empty() {
+            question.text = question.text.followed_by(Text::read(&format!("\n\nHere {}.", untold.join(", ")))?);
+        }
+    }
+    Ok(changed)
+}
+
+fn changed(loaded: &Loaded, form: usize, set: &[(String, String)], find: &[String]) -> Result<Loaded, Vec<Fault>> {
     let mut changed = loaded.clone();
     let Some(question) = loaded.questions.get(form) else {
         return Err(vec![Fault::new(Code::UnknownName, "the problem has no such form")]);
@@ -80,13 +99,6 @@ pub fn typed(loaded: &Loaded, form: usize, set: &[(String, String)], find: &[Str
     let told = |name: &String| set.iter().any(|(own, _)| own == name);
     question.reveal.retain(|name| !told(name) && !find.contains(name));
     question.elsewhere.retain(|name| !told(name));
-    let places = || [&changed.draft.text, &question.text].into_iter().flat_map(Text::placeholders);
-    let is_told = |name: &str| places().any(|own| own.name == name && own.filter.tells());
-    let untold = set.iter().map(|(name, _)| name).filter(|name| is_name(name) && !is_told(name));
-    let untold: Vec<String> = untold.map(|name| format!("{{{{ {name} | named }}}}")).collect();
-    if !untold.is_empty() {
-        question.text = question.text.followed_by(Text::read(&format!("\n\nHere {}.", untold.join(", ")))?);
-    }
     changed.given = given.into_iter().collect::<Entries<Given>>();
     changed.questions = vec![question];
     Ok(changed)

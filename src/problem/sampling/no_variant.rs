@@ -52,6 +52,12 @@ pub enum Rejection {
     /// They make a vector zero whose direction is asked; the direction in words.
     #[error("{0} is asked for, but that vector is zero and has none; choose other numbers, or ask for its components")]
     NoDirection(String),
+    /// They make the solution divide by zero on the way to an answer; the answer's name.
+    #[error(
+        "`{0}` does not follow from these numbers: on the way to it something is divided by zero, as by the sine of a direction \
+         along an axis; give the component that is zero instead of the direction (`v_A2.y: 0 m/s`), or choose other numbers"
+    )]
+    Undefined(String),
     /// They leave several solutions.
     #[error("there are {0} solutions; pick one with `where`, or ask for all with `roots: all`")]
     Several(usize),

@@ -159,6 +159,9 @@ impl<'p> Sampler<'p> {
         if let (1, Some(direction)) = (several, self.lost_direction()) {
             return Some(self.no_direction(direction));
         }
+        if let (1, Some(undefined)) = (several, self.undefined()) {
+            return Some(Rejection::Undefined(self.problem.model().symbols.entry(undefined).name.clone()));
+        }
         if let (1, Some(misfit)) = (several, self.misfit()) {
             return Some(Rejection::Options(misfit));
         }
@@ -214,7 +217,7 @@ impl<'p> Sampler<'p> {
 
     /// One solution, or any number of them where every one is asked for; and nothing is asked in terms of zero.
     fn is_admissible(&self, solutions: usize) -> bool {
-        let told = self.zero_unit().is_none() && self.lost_direction().is_none();
+        let told = self.zero_unit().is_none() && self.lost_direction().is_none() && self.undefined().is_none();
         self.form.accepts(solutions) && told && self.has_intervals() && self.misfit().is_none()
     }
 
@@ -249,6 +252,12 @@ impl<'p> Sampler<'p> {
     fn lost_direction(&self) -> Option<Symbol> {
         let is_lost = |own: &Symbol| self.answer(*own).is_some_and(|value| value.error > 1.0);
         self.directions.iter().copied().find(is_lost)
+    }
+
+    /// A number that is asked and has no bound in as many digits as there are: what it is divided by may be nothing.
+    fn undefined(&self) -> Option<Symbol> {
+        let mut asked = self.form.parts.iter().flat_map(|part| part.kind.numbers()).map(|number| number.symbol);
+        asked.find(|symbol| self.answer(*symbol).is_some_and(|value| !value.error.is_finite()))
     }
 
     fn no_direction(&self, direction: Symbol) -> Rejection {

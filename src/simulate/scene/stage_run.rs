@@ -151,8 +151,13 @@ impl<'a> StageRun<'a> {
     pub(super) fn note_impulse(&mut self, body: &str, impulse: Vector, duration: Option<&Term>) {
         self.note_vector(&format!("J_{body}"), impulse);
         if let Some(time) = duration.and_then(|term| self.values.term(term).ok()) {
-            self.note_vector(&format!("F_avg_{body}"), times(1.0 / time, impulse));
+            self.note_average_force(body, impulse, time);
         }
+    }
+
+    /// Notes the average force on a body by the impulse on it in so many seconds.
+    pub(super) fn note_average_force(&mut self, body: &str, impulse: Vector, time: f64) {
+        self.note_vector(&format!("F_avg_{body}"), times(1.0 / time, impulse));
     }
 
     /// The impulse of weight on a body while a contact lasts that includes it, integrated; none where it is left out.

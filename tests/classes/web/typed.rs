@@ -35,7 +35,7 @@ fn every_form_of_the_bank_is_the_same_sheet_with_its_own_numbers_typed() {
             assert_eq!(own["statement"], drawn["statement"], "{} {name:?} {set}", problem.id());
             // Numbers of one's own have no seed, from which the order of options comes.
             assert_eq!(in_order(&own["fields"]), in_order(&drawn["fields"]), "{} {name:?} {set}", problem.id());
-            let answers = json!({ "seed": 3, "answers": printed(&exercise) });
+            let answers = json!({ "seed": 3, "answers": in_own_letters(json!(printed(&exercise)), &drawn, &own) });
             let marked = typed("mark", &client, problem.id(), name, &set, &answers);
             assert_eq!(marked["right"], true, "{} {name:?}: {marked:#}", problem.id());
         }
@@ -43,10 +43,34 @@ fn every_form_of_the_bank_is_the_same_sheet_with_its_own_numbers_typed() {
     assert!(tried > 100, "{tried}");
 }
 
-/// Fields with their options in the order of the alphabet.
+/// The drawings of a field, without the letters under which they are offered.
+fn drawings(field: &Value) -> Vec<String> {
+    let pictures = field["pictures"].as_array().into_iter().flatten();
+    let drawing = |own: &Value| own["svg"].as_str().unwrap().split_once("</title>").unwrap().1.to_owned();
+    pictures.map(drawing).collect()
+}
+
+/// Answers of one sheet, for another that offers the same pictures under other letters.
+fn in_own_letters(mut answers: Value, drawn: &Value, own: &Value) -> Value {
+    for (drawn, own) in drawn["fields"].as_array().unwrap().iter().zip(own["fields"].as_array().unwrap()) {
+        let Some(answer) = answers.get_mut(drawn["id"].as_str().unwrap()).filter(|_| !drawings(drawn).is_empty())
+        else {
+            continue;
+        };
+        let letter = drawn["options"].as_array().unwrap().iter().position(|option| option == answer).unwrap();
+        let place = drawings(own).iter().position(|own| *own == drawings(drawn)[letter]).unwrap();
+        *answer = own["options"][place].clone();
+    }
+    answers
+}
+
+/// Fields with their options in the order of the alphabet, and their pictures in an order of their own.
 fn in_order(fields: &Value) -> Value {
     let mut fields = fields.clone();
     for field in fields.as_array_mut().unwrap() {
+        let mut pictures = drawings(field);
+        pictures.sort();
+        field["pictures"] = Value::from(pictures);
         if let Some(options) = field["options"].as_array_mut() {
             options.sort_by_key(Value::to_string);
         }

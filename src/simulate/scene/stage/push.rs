@@ -79,6 +79,7 @@ impl StageRun<'_> {
         let gained = if alike { reached[1] } else { less(reached[0], before) };
         let impulse = times(self.values.mass(body)?, gained);
         self.note_impulse(body, impulse, None);
+        self.note_average_force(body, impulse, end - start);
         self.note_duration(None, end - start);
         Ok(Some(impulse))
     }
