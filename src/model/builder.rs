@@ -44,6 +44,7 @@ use super::alternative::Alternative;
 use super::frame::Frame;
 use super::name::Meaning;
 use super::timeline::Timeline;
+use super::turned::Turned;
 
 /// What using an equation costs a plan.
 pub(super) const LAW_COST: u32 = 10;
@@ -74,8 +75,7 @@ pub struct Builder<'s> {
     pub(super) graph: Option<PrintedGraph>,
     /// How long each stage lasts, where that is used.
     pub(super) lasting: Vec<Option<Expr>>,
-    /// The angular impulse of each moment that stays the same: stage, centre, axis, value.
-    pub(super) turned: Vec<(usize, String, Option<String>, Expr)>,
+    pub(super) turned: Vec<Turned>,
     pub(super) literals: Vec<(Symbol, Quantity)>,
     pub(super) frames: Vec<Option<Frame>>,
     /// The components along the axes from which a direction follows.

@@ -34,6 +34,7 @@ mod stage;
 mod strength;
 mod timeline;
 mod total;
+mod turned;
 mod unknown;
 mod weight_in_contact;
 mod wording;

@@ -15,6 +15,7 @@ use crate::model::Name;
 use crate::model::QuantityKind;
 use crate::model::Work;
 use crate::model::name::Meaning;
+use crate::model::turned::Turned;
 use crate::quantity::Dimension;
 use crate::scene::stage::Arm;
 use crate::scene::stage::Rotate;
@@ -257,10 +258,17 @@ impl Builder<'_> {
         let clock = self.running_time();
         if !moment.contains(clock) {
             let value = moment.clone() * (end.clone() - start.clone());
-            self.turned.push((index, centre.to_owned(), letter.map(str::to_owned), value.clone()));
+            self.turned.push(Turned {
+                stage: index,
+                of: format!("about {centre}"),
+                letter: letter.map(str::to_owned),
+                law: &angular::MOMENT_IMPULSE,
+                because: "the moment stays the same".to_owned(),
+                ends: [Expr::zero(), value.clone()],
+            });
             return value;
         }
-        let symbol = self.named_angular_impulse(index, (centre, letter));
+        let symbol = self.named_angular_impulse(index, (format!("about {centre}"), letter));
         match moment.definite(clock, start, end) {
             Some(value) => {
                 let integral =
@@ -274,9 +282,9 @@ impl Builder<'_> {
         }
         symbol.into()
     }
-    fn named_angular_impulse(&mut self, index: usize, (centre, letter): (&str, Option<&str>)) -> Symbol {
+    fn named_angular_impulse(&mut self, index: usize, (of, letter): (String, Option<&str>)) -> Symbol {
         let name = self.in_stage(QuantityKind::AngularImpulse, "", index).along(letter);
-        let meaning = Meaning { noun: "the angular impulse", of: format!("about {centre}") };
+        let meaning = Meaning { noun: "the angular impulse", of };
         self.component(name, meaning)
     }
 }
@@ -292,16 +300,16 @@ fn acting_words(centre: &str, stage: &Rotate, forces: &[Along<'_>]) -> String {
     format!("{} and {last}", all.join(", "))
 }
 
-/// The angular impulse of a moment that stays the same, where somebody asks for it.
+/// The angular impulse of a moment that stays the same, or of a body that strikes, where somebody asks for it.
 pub(in crate::model) fn angular_impulse_by_name(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let meant = |index: usize| name.stage.is_none() || builder.stage_label(index) == name.stage;
-    let mut all = builder.turned.iter().filter(|own| meant(own.0) && own.2 == name.component);
-    let (index, centre, letter, value) = all.next().cloned()?;
+    let mut all = builder.turned.iter().filter(|own| meant(own.stage) && own.letter == name.component);
+    let own = all.next().cloned()?;
     if all.next().is_some() || !name.subject.is_empty() {
         return None;
     }
-    let symbol = builder.named_angular_impulse(index, (&centre, letter.as_deref()));
-    let because = "the moment stays the same";
-    builder.law(&angular::MOMENT_IMPULSE, Some(index), because, (symbol.into(), value));
+    let symbol = builder.named_angular_impulse(own.stage, (own.of, own.letter.as_deref()));
+    let [before, after] = own.ends;
+    builder.law(own.law, Some(own.stage), own.because, (Expr::sum([before, symbol.into()]), after));
     Some(symbol)
 }

@@ -12,6 +12,7 @@ use crate::model::Impulse;
 use crate::model::Name;
 use crate::model::QuantityKind;
 use crate::model::Reason;
+use crate::model::turned::Turned;
 use crate::quantity::Dimension;
 use crate::scene::stage::Strike;
 use crate::solve::Relation;
@@ -24,11 +25,13 @@ impl Builder<'_> {
         let distance = self.read_positive(&stage.at, Dimension::LENGTH, &meaning, &path.key("at"));
         let mut momenta = Vec::new();
         let mut contact = Vec::new();
+        let mut turning = Vec::new();
         for side in [0, 1] {
             let instant = index + 1 + side;
             let turn = self.turn_of_arm(&centre, instant);
             let velocity = self.transverse(body, instant);
-            let mut terms = vec![Expr::product([self.mass(body), distance.clone(), velocity.clone()])];
+            let striking = Expr::product([self.mass(body), distance.clone(), velocity.clone()]);
+            let mut terms = Vec::new();
             for (carried, term) in &stage.carries {
                 let meaning = format!("the distance of {} from {centre}", self.called(carried));
                 let arm =
@@ -36,6 +39,8 @@ impl Builder<'_> {
                 terms.push(self.on_arm(index, carried, instant, &arm, &turn));
             }
             terms.extend(self.momentum_of_rotor(stage.rotor.as_deref(), &turn));
+            turning.push(Expr::sum(terms.iter().cloned()));
+            terms.insert(0, striking);
             let meaning = format!("the angular momentum about {centre} {}", self.when(instant));
             let momentum =
                 Expr::from(self.symbol(Name::of(QuantityKind::AngularMomentum, &stage.about).at(instant), meaning));
@@ -50,6 +55,16 @@ impl Builder<'_> {
         );
         if let [before, after] = &momenta[..] {
             self.law(&angular::CONSERVATION, Some(index), because, (before.clone(), after.clone()));
+        }
+        if let Ok(ends) = <[Expr; 2]>::try_from(turning) {
+            self.turned.push(Turned {
+                stage: index,
+                of: format!("of {name} on {arm} about {centre}"),
+                letter: None,
+                law: &angular::ANGULAR_IMPULSE,
+                because: format!("the impulse at {centre} has no moment about it, and only that of {name} turns {arm}"),
+                ends,
+            });
         }
         if let [[v1, w1], [v2, w2]] = &contact[..] {
             self.parting(index, stage, [[v1, w1], [v2, w2]], path);

@@ -63,6 +63,7 @@ impl StageRun<'_> {
             self.note(&format!("H_{}{}", stage.about, first + side), moment, size);
             self.note(&format!("omega_{}", first + side), turning, fast / distance);
         }
+        self.note_here("I_M", resists * distance * (struck - turning * distance), resists * distance * fast);
         self.note_velocity(body, times(after, along), fast);
         self.note_energy(&ends[0], &ends[1]);
         Ok(())

@@ -1,0 +1,17 @@
+//! Angular impulses that get a name once somebody asks for them.
+
+use crate::expr::Expr;
+use crate::laws::Law;
+
+/// An angular impulse that no equation needs, with the equation that gives it where somebody asks for it.
+#[derive(Clone, Debug)]
+pub(super) struct Turned {
+    pub stage: usize,
+    /// Whose it is and about which point, as in a sentence.
+    pub of: String,
+    pub letter: Option<String>,
+    pub law: &'static Law,
+    pub because: String,
+    /// What it is added to, and the result.
+    pub ends: [Expr; 2],
+}
