@@ -23,14 +23,25 @@ impl Builder<'_> {
         Some(self.inertia(rotor?)? * turn.clone())
     }
 
-    /// The kinetic energy of a body that turns about a fixed axis.
-    pub(super) fn kinetic_of_rotor(&mut self, body: &str, instant: usize) -> Option<Expr> {
-        let inertia = self.inertia(body)?;
+    /// The angular velocity of a body that turns about a fixed axis, and the point where that is.
+    fn turn_of_rotor(&mut self, body: &str, instant: usize) -> Option<(String, Expr)> {
         let scene = self.scene;
         let turned = scene.stages.iter().map(|stage| Description::of(scene, stage));
         let about = turned.filter(|own| own.bodies.contains(&(body, Some(ROTOR)))).find_map(|own| own.about)?;
         let centre = self.point(about);
-        let turn = self.turn_of_arm(&centre, instant);
+        Some((about.to_owned(), self.turn_of_arm(&centre, instant)))
+    }
+
+    /// The kinetic energy of a body that turns about a fixed axis.
+    pub(super) fn kinetic_of_rotor(&mut self, body: &str, instant: usize) -> Option<Expr> {
+        let inertia = self.inertia(body)?;
+        let (_, turn) = self.turn_of_rotor(body, instant)?;
         Some(energy::kinetic(&inertia, &[turn]))
+    }
+
+    /// The angular momentum of a body that turns about a fixed axis at that point.
+    pub(super) fn momentum_about(&mut self, body: &str, point: &str, instant: usize) -> Option<Expr> {
+        let (about, turn) = self.turn_of_rotor(body, instant)?;
+        if about == point { self.momentum_of_rotor(Some(body), &turn) } else { None }
     }
 }

@@ -6,6 +6,7 @@ use crate::fault::Path;
 use crate::scene::Axes;
 use crate::scene::Scene;
 use crate::scene::Stage;
+use crate::scene::stage::Moment;
 
 use super::read::moving_point;
 use super::stage::Description;
@@ -66,6 +67,11 @@ pub(super) fn turning(scene: &Scene, timeline: &Timeline, stage: &Stage, at: Pat
             faults.push(fault.help(help).at_path(at.key(ROTOR)));
         }
     }
+    if let Stage::Moment(own) = stage
+        && let Some(rotor) = scene.rotors().next()
+    {
+        faults.extend(on_a_rotor(scene, own, rotor, axes).map(|fault| fault.at_path(at.clone())));
+    }
     if !wanted.contains(&axes) {
         faults.push(other_axes(stage, wanted).at_path(at.clone()));
     }
@@ -75,6 +81,21 @@ pub(super) fn turning(scene: &Scene, timeline: &Timeline, stage: &Stage, at: Pat
         faults.push(fault.help("write `body: A` with `arm: L`, `bodies: { A: L, B: L/2 }`, or `rotor: R`").at_path(at));
     }
     faults
+}
+
+/// A moment on a body with a moment of inertia that does not turn by itself about a fixed axis.
+fn on_a_rotor(scene: &Scene, moment: &Moment, rotor: &str, axes: usize) -> Option<Fault> {
+    let name = scene.called(rotor);
+    if axes != 2 || moment.about == "G" {
+        let message = format!("{name} has a moment of inertia and turns in a plane about a fixed axis");
+        let help = "keep the two axes of that plane, and name the fixed point of the axis under `about`";
+        return Some(Fault::new(Code::Value, message).help(help));
+    }
+    (scene.rotors().count() < scene.bodies.len()).then(|| {
+        let message = format!("a moment acts on {name}, which has a moment of inertia, and on particles");
+        let help = format!("write `rotate` with `rotor: {rotor}`, the particles as its `bodies`, and the `moment`");
+        Fault::new(Code::Value, message).help(help)
+    })
 }
 
 /// A point that is not declared, or that moves.

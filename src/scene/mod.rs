@@ -45,6 +45,11 @@ pub struct Scene {
 }
 
 impl Scene {
+    /// The bodies with a moment of inertia.
+    pub fn rotors(&self) -> impl Iterator<Item = &str> {
+        self.bodies.iter().filter(|(_, body)| body.inertia.is_some()).map(|(name, _)| name.as_str())
+    }
+
     /// What a body consists of that is not declared because a stage makes it, or divides it; empty for any other body.
     #[must_use]
     pub fn parts_of(&self, whole: &str) -> Vec<&str> {

@@ -28,6 +28,7 @@ const BEYOND_A_SCHEMA: &[&str] = &[
     "find_of_a_given",
     "force_",
     "friction_",
+    "moment_on_a_rotor_",
     "place_and_slope_of_several",
     "push_of_",
     "motion_of_a_coefficient",

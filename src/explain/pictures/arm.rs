@@ -80,7 +80,7 @@ pub(super) fn strike_sheet(quantities: &Quantities<'_>, stage: &Strike) -> Drawi
 }
 
 /// The angular velocity at an instant, where it may be shown.
-fn turning(quantities: &Quantities<'_>, instant: usize) -> Option<(Moment, Role)> {
+pub(super) fn turning(quantities: &Quantities<'_>, instant: usize) -> Option<(Moment, Role)> {
     let name = format!("omega_{instant}");
     let value = quantities.named(&name).filter(|value| *value != 0.0)?;
     Some((Moment { label: name_math(&name), value }, Role::Velocity))

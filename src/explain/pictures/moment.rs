@@ -27,6 +27,7 @@ use crate::scene::stage::Moment;
 use super::super::wording::capitalised;
 use super::super::wording::list;
 use super::angular::given_moment;
+use super::arm::turning as turning_of_arm;
 use super::compass::Compass;
 use super::labels::body_math;
 use super::quantities::Quantities;
@@ -134,6 +135,7 @@ fn arcs(quantities: &Quantities<'_>, names: &str, stage: &Moment) -> Drawing {
     let name = format!("H_{}1", stage.about);
     let first = quantities.named(&name).filter(|value| *value != 0.0);
     let first = first.map(|value| (figure::Moment { label: name_math(&name), value }, Role::Momentum));
+    let first = first.or_else(|| turning_of_arm(quantities, 1));
     let moment = given_moment(quantities, &stage.value).map(|own| (own, Role::Force));
     let turns: Vec<(figure::Moment, Role)> = first.into_iter().chain(moment).collect();
     let seen = format!("the moment on {names} about {}", quantities.centre(&stage.about));

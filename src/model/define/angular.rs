@@ -40,6 +40,10 @@ pub(super) fn angular_momentum(builder: &mut Builder<'_>, name: &Name) -> Option
     } else {
         let turning = builder.turning(name)?;
         for body in &bodies {
+            if builder.scene.rotors().any(|rotor| rotor == body) {
+                terms.push(builder.momentum_about(body, about, instant)?);
+                continue;
+            }
             let mass = builder.mass(body);
             let (arm, velocity) = (builder.arm(body, instant, about)?, builder.velocities(body, instant));
             terms.push(mass * angular::moments(&arm, &velocity).into_iter().nth(turning)?);
@@ -47,6 +51,9 @@ pub(super) fn angular_momentum(builder: &mut Builder<'_>, name: &Name) -> Option
     }
     let symbol = builder.component(builder.canonical(name), meaning);
     let because = match bodies.len() {
+        _ if builder.scene.rotors().next().is_some() => {
+            "what turns about a fixed axis has its moment of inertia times its angular velocity"
+        }
         1 => "angular momentum is the moment of the momentum",
         _ => "the angular momentum of the system is the sum of the moments of the momenta",
     };

@@ -119,6 +119,7 @@ impl<'a> Description<'a> {
                 ..Self::lasting("motion")
             },
             Stage::Moment(own) => Self {
+                bodies: scene.rotors().map(|body| (body, Some(ROTOR))).collect(),
                 ends: Span::Around,
                 changes: Some(scene.bodies.keys().map(String::as_str).collect()),
                 fills_space: true,

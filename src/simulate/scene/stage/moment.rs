@@ -17,7 +17,7 @@ use crate::simulate::scene::vector::{ZERO, part, times, unit};
 /// Half the distance of the tracks, in m.
 const ARM: f64 = 0.5;
 
-/// The mass of each particle, in kg.
+/// The mass of each particle, in kg, where no moment of inertia is told.
 const MASS: f64 = 1.0;
 
 impl StageRun<'_> {
@@ -39,15 +39,38 @@ impl StageRun<'_> {
                 vec![(String::new(), moment, changes)]
             }
         };
+        let rotors: Vec<String> = self.values.scene.rotors().map(str::to_owned).collect();
+        let mut inertia = 0.0;
+        for rotor in &rotors {
+            inertia += self.values.inertia(Some(rotor))?;
+        }
+        let mass = if inertia > 0.0 { inertia / (2.0 * ARM * ARM) } else { MASS };
         for (letter, moment, changes) in turnings {
             // Each particle feels one force of the couple.
             let pair = Force::in_time(vec![(0, times(1.0 / (2.0 * ARM), unit(Axis::X)))], moment);
-            let mut system = System::<6>::new(Frame::line("s"), vec![Particle::free("", MASS, ZERO)]);
+            let mut system = System::<6>::new(Frame::line("s"), vec![Particle::free("", mass, ZERO)]);
             (system.forces, system.changes, system.start) = (vec![pair], changes, start);
             let integrator = self.integrator((end - start) / 4.0);
             let pushed = self.try_out(&system, integrator, &Until::Time(end))?;
-            let gained = 2.0 * ARM * MASS * part(velocity(&pushed.state, 0), Axis::X);
+            let faster = part(velocity(&pushed.state, 0), Axis::X) / ARM;
+            let gained = 2.0 * ARM * ARM * mass * faster;
             self.note_here(&format!("I_M{letter}"), gained, 0.0);
+            let first = self.values.index + 1;
+            if inertia > 0.0 {
+                let about = |missing| {
+                    Ok(self.values.named(&format!("H_{}{first}", stage.about)).map_err(|_| missing)? / inertia)
+                };
+                let turning = self.values.named(&format!("omega_{first}")).or_else(about)?;
+                let ends = [turning, turning + faster];
+                for (instant, rate) in (first..).zip(ends) {
+                    self.note(&format!("omega_{instant}"), rate, turning);
+                    self.note(&format!("H_{}{instant}", stage.about), inertia * rate, inertia * turning);
+                    self.note(&format!("T_{instant}"), inertia * rate * rate / 2.0, 0.0);
+                }
+                let [start, end] = ends.map(|rate| [(inertia / (ARM * ARM), times(ARM * rate, unit(Axis::X)))]);
+                self.note_energy(&start, &end);
+                continue;
+            }
             let [before, after] = [1, 2].map(|own| format!("H_{}{}{letter}", stage.about, self.values.index + own));
             if let Ok(before) = self.values.named(&before) {
                 self.note(&after, before + gained, before);
