@@ -139,9 +139,10 @@ fn arcs(quantities: &Quantities<'_>, names: &str, stage: &Moment) -> Drawing {
     let moment = given_moment(quantities, &stage.value).map(|own| (own, Role::Force));
     let turns: Vec<(figure::Moment, Role)> = first.into_iter().chain(moment).collect();
     let seen = format!("the moment on {names} about {}", quantities.centre(&stage.about));
-    let each = turns.iter().map(|(turn, _)| {
+    let each = turns.iter().map(|(turn, role)| {
         let sense = if turn.value < 0.0 { "clockwise" } else { "counter-clockwise" };
-        format!("{} is {sense}", turn.label.plain())
+        let what = if *role == Role::Velocity { "the angular velocity " } else { "" };
+        format!("{what}{} is {sense}", turn.label.plain())
     });
     let wording = Wording {
         title: capitalised(names),

@@ -88,9 +88,12 @@ pub(in crate::problem) fn check(loaded: &Loaded, model: &Model, form: &Form) -> 
 /// an expression.
 fn asked(loaded: &Loaded, model: &Model, form: &Form) -> BTreeSet<Symbol> {
     let is_given = |symbol: &Symbol| loaded.given.get(&model.symbols.entry(*symbol).name).is_some();
-    let of = |part: &Part| match &part.kind {
-        PartKind::Choice(choice) => choice.symbols().into_iter().filter(|symbol| !is_given(symbol)).collect(),
-        PartKind::Number(_) | PartKind::Vector(_) | PartKind::Formula(_) | PartKind::Range(_) => part.kind.wanted(),
+    let of = |part: &Part| {
+        let mut symbols = part.kind.wanted();
+        if let PartKind::Choice(_) = &part.kind {
+            symbols.retain(|symbol| !is_given(symbol));
+        }
+        symbols
     };
     form.parts.iter().flat_map(of).collect()
 }
