@@ -8,8 +8,8 @@ use crate::laws::wrong::Misconception;
 use crate::problem::Decision;
 use crate::problem::FormulaPart;
 use crate::problem::Mistake;
+use crate::problem::OptionFeedback;
 use crate::problem::PartKind;
-use crate::problem::Said;
 use crate::problem::Simulated;
 use crate::problem::Worked;
 
@@ -112,10 +112,12 @@ impl Marking<'_> {
 
 /// What is said of a wrong choice: what the author says of that option, or of the mistake behind any.
 pub(super) fn misjudged(worked: Worked<'_>, decision: &Decision, option: usize) -> Option<Diagnosis> {
-    let behind = match decision.said.get(option) {
-        Some(Said::Own(said)) => return Some(Diagnosis { codes: Vec::new(), step: None, hints: vec![said.clone()] }),
-        Some(Said::Mistake(mistake)) => mistake,
-        Some(Said::Nothing) | None => decision.behind?,
+    let behind = match decision.feedback.get(option) {
+        Some(OptionFeedback::Own(said)) => {
+            return Some(Diagnosis { codes: Vec::new(), step: None, hints: vec![said.clone()] });
+        }
+        Some(OptionFeedback::Mistake(mistake)) => mistake,
+        Some(OptionFeedback::Nothing) | None => decision.behind?,
     };
     let question = feedback_on(worked, behind).unwrap_or_else(|| behind.ask.to_owned());
     Some(Diagnosis { codes: vec![behind.id], step: None, hints: vec![question, behind.hint.to_owned()] })

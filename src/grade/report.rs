@@ -192,7 +192,7 @@ fn grade_part(
                 report.points.0 *= rubric.fraction(also);
             }
             report.understood = Some(told);
-            report.message = judgement.told();
+            report.message = judgement.feedback();
         }
     }
     report

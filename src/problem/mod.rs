@@ -32,7 +32,7 @@ pub use language::literal::Literal;
 pub use language::rubric::{Keep, OtherUnits, Rubric, Writing};
 pub use language::settings::Course;
 pub use language::text::{Filter, Piece, Placeholder, Text, is_name};
-pub use questions::decision::{ChoicePart, Claim, Decision, Said, orders};
+pub use questions::decision::{ChoicePart, Claim, Decision, OptionFeedback, orders};
 pub use questions::equality::Closeness;
 pub use questions::formula::FormulaPart;
 pub use questions::judgement::Judgement;

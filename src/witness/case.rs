@@ -7,13 +7,13 @@ use crate::problem::Problem;
 use crate::problem::Variant;
 use crate::scene::Scene;
 
-/// The variant of a problem, and what is said of it that is not so.
+/// The variant of a problem, and the values that are put in place of its own.
 pub(super) struct Case<'a> {
     pub problem: &'a Problem,
     pub scene: &'a Scene,
     pub variant: &'a Variant,
     /// Values that take the place of the variant's.
-    pub said: Vec<(Symbol, f64)>,
+    pub replaced: Vec<(Symbol, f64)>,
     /// The only quantities of which the variant's own values are used; every one, where none are named.
     pub known: Option<&'a BTreeSet<Symbol>>,
 }

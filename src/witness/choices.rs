@@ -155,8 +155,8 @@ pub(super) fn is_first(worked: &Worked<'_>, scene: &Scene, ask: &Count, answer: 
     let (left, relation, right) = split_relation(condition)?;
     let symbol = worked.problem.model().symbol_of(name.trim())?;
     let satisfied = |number: f64| -> Option<bool> {
-        let said = vec![(symbol, number)];
-        let case = Case { problem: worked.problem, scene, variant: worked.variant, said, known: None };
+        let replaced = vec![(symbol, number)];
+        let case = Case { problem: worked.problem, scene, variant: worked.variant, replaced, known: None };
         let witness = Witness::new(&case, tolerance);
         let told = |text: &str| witness.value(text).map(|value| Seen { value, error: 0.0 });
         let side = |text: &str| witness.seen(text).or_else(|| told(text));

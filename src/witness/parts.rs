@@ -88,7 +88,7 @@ pub(super) fn comparisons(worked: &Worked<'_>, witness: &Witness<'_>) -> BTreeMa
                 };
                 if sides.iter().any(|(_, seen)| seen.is_some()) {
                     let [(left, one), (right, other)] = [at(&sides[0]), at(&sides[1])];
-                    let boundary = Comparison { said: 0.0, found: left - right, error: one + other, turns: false };
+                    let boundary = Comparison { stated: 0.0, found: left - right, error: one + other, turns: false };
                     all.insert(format!("the boundary of {}", part.id), boundary);
                 }
             }
@@ -131,7 +131,7 @@ pub(super) fn agrees(
             Some(found? == right)
         }
         Answer::Number { symbol, ask: Ask::Count(count), .. } => {
-            let put = case.said.iter().find(|(own, _)| own == symbol).map(|(_, value)| *value);
+            let put = case.replaced.iter().find(|(own, _)| own == symbol).map(|(_, value)| *value);
             let number = put.or_else(|| Some(worked.variant.value(*symbol)?.value))?;
             is_first(worked, case.scene, count, number, tolerance)
         }

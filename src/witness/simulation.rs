@@ -54,7 +54,7 @@ pub(super) struct Witness<'a> {
 /// What the laws say and what the simulation finds.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Comparison {
-    pub said: f64,
+    pub stated: f64,
     pub found: f64,
     /// What the run and the value that is said may be off by; the errors of inputs come on top.
     pub error: f64,
@@ -65,7 +65,7 @@ pub(super) struct Comparison {
 impl Comparison {
     /// How far what is found lies from what is said.
     pub(super) fn apart(&self) -> f64 {
-        let apart = self.found - self.said;
+        let apart = self.found - self.stated;
         let whole = core::f64::consts::TAU;
         if self.turns { apart - whole * libm::round(apart / whole) } else { apart }
     }
@@ -164,20 +164,20 @@ impl<'a> Witness<'a> {
     }
 
     /// What the variant says of a quantity, or what is put in its place.
-    fn said(&self, symbol: Symbol) -> Option<f64> {
-        let other = self.case.said.iter().rev().find(|(own, _)| *own == symbol);
+    fn stated(&self, symbol: Symbol) -> Option<f64> {
+        let other = self.case.replaced.iter().rev().find(|(own, _)| *own == symbol);
         let is_known = self.case.known.is_none_or(|known| known.contains(&symbol));
         other.map(|(_, value)| *value).or_else(|| Some(self.case.variant.value(symbol).filter(|_| is_known)?.value))
     }
 
-    fn said_of(&self, name: &str) -> Option<(Symbol, f64)> {
+    fn stated_by_name(&self, name: &str) -> Option<(Symbol, f64)> {
         let symbol = self.symbol(&self.since(name))?;
-        Some((symbol, self.said(symbol)?))
+        Some((symbol, self.stated(symbol)?))
     }
 
     /// What is said of a quantity, which is noted as one that was looked at.
-    fn told(&self, name: &str) -> Option<f64> {
-        let (symbol, value) = self.said_of(name)?;
+    fn started_from(&self, name: &str) -> Option<f64> {
+        let (symbol, value) = self.stated_by_name(name)?;
         self.used.borrow_mut().insert(symbol);
         Some(value)
     }
@@ -185,7 +185,7 @@ impl<'a> Witness<'a> {
     /// What the simulation starts from: what is said, else what a stage before reached.
     pub(super) fn value(&self, name: &str) -> Option<f64> {
         let found = || self.found_as(name).map(|own| own.value);
-        let value = self.told(name).or_else(found).or_else(|| self.component(&self.since(name)));
+        let value = self.started_from(name).or_else(found).or_else(|| self.component(&self.since(name)));
         if value.is_none() && self.nothing.is_none() {
             self.missing.borrow_mut().extend(self.symbol(&self.since(name)));
         }
@@ -205,7 +205,7 @@ impl<'a> Witness<'a> {
         else {
             return None;
         };
-        let said = |kind| self.said_of(&Name::of(kind, &name.subject).at(at).to_string());
+        let said = |kind| self.stated_by_name(&Name::of(kind, &name.subject).at(at).to_string());
         let angle = said(QuantityKind::Direction(VectorKind::Velocity))?;
         let speed = said(QuantityKind::Speed)?;
         self.used.borrow_mut().extend([angle.0, speed.0]);
@@ -300,7 +300,7 @@ impl<'a> Witness<'a> {
     fn worked_out(&self, expr: &Expr) -> Seen {
         let of = |symbol| {
             let name = &self.case.problem.model().symbols.entry(symbol).name;
-            let said = || Seen { value: self.said(symbol).unwrap_or(f64::NAN), error: self.error_of(symbol) };
+            let said = || Seen { value: self.stated(symbol).unwrap_or(f64::NAN), error: self.error_of(symbol) };
             self.seen(name).or_else(|| self.started_with(name)).unwrap_or_else(said)
         };
         let all: BTreeMap<Symbol, Seen> = expr.symbols().into_iter().map(|symbol| (symbol, of(symbol))).collect();
@@ -322,7 +322,7 @@ impl<'a> Witness<'a> {
         // An expression that a question names is what its parts make of it.
         let expression = || self.case.problem.model().expressions.get(&symbol).map(|own| self.worked_out(own));
         let seen = self.seen(name).or_else(expression)?;
-        Some(self.compared(symbol, self.said(symbol)?, seen))
+        Some(self.compared(symbol, self.stated(symbol)?, seen))
     }
 
     fn compared(&self, symbol: Symbol, said: f64, seen: Seen) -> Comparison {
@@ -330,7 +330,7 @@ impl<'a> Witness<'a> {
             self.case.problem.model().name(symbol).kind,
             QuantityKind::Direction(_) | QuantityKind::CountedDirection(_) | QuantityKind::AngleBetween(_)
         );
-        Comparison { said, found: seen.value, error: seen.error + self.error_of(symbol), turns }
+        Comparison { stated: said, found: seen.value, error: seen.error + self.error_of(symbol), turns }
     }
 
     /// A direction that is counted from somewhere.
@@ -343,7 +343,7 @@ impl<'a> Witness<'a> {
         let angle = angle_from(self.case.scene, from, [x.value, y.value, 0.0], &|name| self.value(name))?;
         let error = (x.error + y.error) / libm::hypot(x.value, y.value) + self.tolerance;
         let seen = Seen { value: if clockwise { -angle } else { angle }, error };
-        Some(self.compared(symbol, self.said(symbol)?, seen))
+        Some(self.compared(symbol, self.stated(symbol)?, seen))
     }
 
     /// Everything that is both said and found, under a name each.
@@ -353,7 +353,7 @@ impl<'a> Witness<'a> {
             all.extend(self.comparison(symbol).map(|comparison| (entry.name.clone(), comparison)));
         }
         for reached in self.found.values() {
-            if let Some((symbol, said)) = self.said_of(&reached.name) {
+            if let Some((symbol, said)) = self.stated_by_name(&reached.name) {
                 let seen = Seen { value: reached.value, error: reached.error };
                 all.insert(reached.name.clone(), self.compared(symbol, said, seen));
             }
@@ -361,16 +361,16 @@ impl<'a> Witness<'a> {
         for (bodies, sum) in &self.sums {
             // The bodies as the problem says they end; the others of the scene have no part in it.
             let own: Vec<&str> = bodies.iter().map(String::as_str).collect();
-            let said = |name: &str| self.told(name);
+            let said = |name: &str| self.started_from(name);
             if let Some((said, _)) = self.asked(&sum.name, &|asked, _| measure(self.case.scene, &own, asked, &said)) {
-                let comparison = Comparison { said, found: sum.value, error: sum.error, turns: false };
+                let comparison = Comparison { stated: said, found: sum.value, error: sum.error, turns: false };
                 all.insert(format!("{} of all together", sum.name), comparison);
             }
         }
         for term in &self.terms {
             let own = value_of(self.case.scene, &term.name, &|name| self.value(name));
             if let Some(said) = own {
-                let comparison = Comparison { said, found: term.value, error: term.error, turns: false };
+                let comparison = Comparison { stated: said, found: term.value, error: term.error, turns: false };
                 all.insert(format!("`{}` of the scene", term.name), comparison);
             }
         }

@@ -23,7 +23,7 @@ pub fn followed(
     tolerance: f64,
 ) -> Result<Vec<RecordedMotion>, NothingToSimulate> {
     let scene = &problem.loaded().draft.scene;
-    let case = Case { problem, scene, variant, said: Vec::new(), known: None };
+    let case = Case { problem, scene, variant, replaced: Vec::new(), known: None };
     let witness = Witness::new(&case, TOLERANCES[0]);
     follow(scene, stage, &|name| witness.value(name), tolerance)
 }
@@ -32,7 +32,7 @@ pub fn followed(
 #[must_use]
 pub fn staged(problem: &Problem, variant: &Variant) -> Vec<Result<Staged, NothingToSimulate>> {
     let scene = &problem.loaded().draft.scene;
-    let case = Case { problem, scene, variant, said: Vec::new(), known: None };
+    let case = Case { problem, scene, variant, replaced: Vec::new(), known: None };
     let witness = Witness::new(&case, TOLERANCES[0]);
     (0..scene.stages.len()).map(|stage| translate(scene, stage, &|name| witness.value(name))).collect()
 }

@@ -90,7 +90,7 @@ impl Portion {
         for seed in seeds {
             let Ok(variant) = sampler.variant(seed) else { continue };
             let Some(worked) = Worked::new(problem, &variant) else { continue };
-            let case = Case { problem, scene, variant: &variant, said: Vec::new(), known: None };
+            let case = Case { problem, scene, variant: &variant, replaced: Vec::new(), known: None };
             let mut trial = Trial::new(&worked, &case);
             own.simulated.seeds += 1;
             // The very first says how far off all can be, and how closely everything would be seen.
@@ -147,7 +147,7 @@ impl<'a> Trial<'a> {
         for symbol in self.witness.inputs() {
             let Some(value) = self.worked.variant.value(symbol).filter(|value| value.error > 0.0) else { continue };
             let nudge = if value.value == 0.0 { NUDGE } else { value.value.abs() * NUDGE };
-            let other = Case { said: vec![(symbol, value.value - nudge)], ..*self.case };
+            let other = Case { replaced: vec![(symbol, value.value - nudge)], ..*self.case };
             // The coarser run will do for a slope, so long as it is compared with its like.
             let changed = compared(self.worked, &Witness::new(&other, coarse));
             for (name, (_, bound)) in self.all.iter_mut().filter(|(name, _)| !expressions.contains_key(name.as_str())) {
@@ -186,7 +186,7 @@ impl<'a> Trial<'a> {
         for (name, symbol, said) in parts::formulas(self.worked) {
             let quantity = &self.worked.problem.model().symbols.entry(symbol).name;
             if let Some((comparison, bound)) = self.all.get(quantity).cloned() {
-                self.all.insert(name, (Comparison { said, ..comparison }, bound));
+                self.all.insert(name, (Comparison { stated: said, ..comparison }, bound));
             }
         }
     }
@@ -204,10 +204,10 @@ impl<'a> Trial<'a> {
             if is_beyond(own) {
                 return Some(format!(
                     "`{name}` is {} by the laws and {} by simulation: a difference of {apart:e}, where errors allow {bound:e}",
-                    comparison.said, comparison.found
+                    comparison.stated, comparison.found
                 ));
             }
-            let size = comparison.said.abs();
+            let size = comparison.stated.abs();
             // Beside a value that is nothing but rounding, no distance is small.
             if size > *bound / NEAR_ZERO {
                 simulated.apart = simulated.apart.max(apart / size);
@@ -239,7 +239,7 @@ impl<'a> Trial<'a> {
 
     /// Whether it is found out that a quantity has another value than its own; that an expression contains it shows nothing.
     fn finds_out(&self, symbol: Symbol, wrong: f64, answer: Option<&Answer<'_>>) -> bool {
-        let case = Case { said: vec![(symbol, wrong)], ..*self.case };
+        let case = Case { replaced: vec![(symbol, wrong)], ..*self.case };
         let witness = Witness::new(&case, TOLERANCES[0]);
         let (expressions, own) = (self.expressions(), &self.worked.problem.model().symbols.entry(symbol).name);
         let differs = |(name, other): (&String, &Comparison)| {
@@ -317,7 +317,7 @@ ask: [{ find: v_A2.x, unit: m/s }, { find: v_B2.y, unit: m/s }, { conserved: ene
         let mut scene = problem.loaded().draft.scene.clone();
         change(&mut scene);
         let worked = Worked::new(&problem, &variant).unwrap();
-        let case = Case { problem: &problem, scene: &scene, variant: &variant, said: said(&problem), known: None };
+        let case = Case { problem: &problem, scene: &scene, variant: &variant, replaced: said(&problem), known: None };
         Trial::new(&worked, &case).differing(&mut Simulated::default())
     }
 
@@ -350,7 +350,7 @@ ask: [{ find: v_A2.x, unit: m/s }, { find: v_B2.y, unit: m/s }, { conserved: ene
         let mut scene = problem.loaded().draft.scene.clone();
         elastic(&mut scene);
         let worked = Worked::new(&problem, &variant).unwrap();
-        let case = Case { problem: &problem, scene: &scene, variant: &variant, said: Vec::new(), known: None };
+        let case = Case { problem: &problem, scene: &scene, variant: &variant, replaced: Vec::new(), known: None };
         let witness = Witness::new(&case, TOLERANCES[0]);
         let last = Answer::all(&worked).pop().unwrap();
         assert_eq!(parts::agrees(&worked, &case, &witness, &last, TOLERANCES[0]), Some(false));

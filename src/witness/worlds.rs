@@ -90,8 +90,8 @@ impl Sheet<'_> {
     }
 
     fn with(&self, open: &[Symbol], world: &[f64]) -> Case<'_> {
-        let said = open.iter().copied().zip(world.iter().copied()).collect();
-        Case { said, known: Some(self.told), ..*self.case }
+        let replaced = open.iter().copied().zip(world.iter().copied()).collect();
+        Case { replaced, known: Some(self.told), ..*self.case }
     }
 
     /// What a simulation of a world finds; none where it cannot be simulated.
@@ -105,7 +105,7 @@ impl Sheet<'_> {
     fn off(&self, open: &[Symbol], world: &[f64]) -> Option<Vec<f64>> {
         self.simulated(open, world, |witness| {
             let compared = self.told.iter().filter_map(|symbol| witness.comparison(*symbol));
-            Some(compared.map(|own| own.apart() / own.said.abs().max(1.0)).collect())
+            Some(compared.map(|own| own.apart() / own.stated.abs().max(1.0)).collect())
         })
     }
 

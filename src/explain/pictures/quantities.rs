@@ -168,7 +168,7 @@ impl<'a> Quantities<'a> {
     }
 
     /// How a term is written, where its value may be shown.
-    pub(super) fn told(&self, term: &Term) -> Option<Math> {
+    pub(super) fn symbol_of_known(&self, term: &Term) -> Option<Math> {
         let term = self.term(term)?;
         self.evaluate(&term)?;
         Some(self.symbolic(&term))

@@ -8,9 +8,9 @@ use crate::problem::ChoicePart;
 use crate::problem::Decision;
 use crate::problem::FormulaPart;
 use crate::problem::NumberPart;
+use crate::problem::OptionFeedback;
 use crate::problem::Part;
 use crate::problem::PartKind;
-use crate::problem::Said;
 use crate::problem::orders;
 use crate::quantity::Printed;
 use crate::solve::Bounded;
@@ -41,11 +41,11 @@ fn sentence(display: Display<'_>, part: &Part) -> Vec<Inline> {
             ]
         }
         PartKind::Choice(choice) => {
-            let Decision { options, right, because, said, .. } = choice.decided(&display.worked);
+            let Decision { options, right, because, feedback, .. } = choice.decided(&display.worked);
             let option = options.get(right).map_or("", String::as_str).trim_end_matches('.');
-            let mistaken = options.iter().zip(&said).filter_map(|(option, said)| match said {
-                Said::Mistake(mistake) => Some(format!(" {} {}.", capitalised(option), mistake.does)),
-                Said::Own(_) | Said::Nothing => None,
+            let mistaken = options.iter().zip(&feedback).filter_map(|(option, feedback)| match feedback {
+                OptionFeedback::Mistake(mistake) => Some(format!(" {} {}.", capitalised(option), mistake.does)),
+                OptionFeedback::Own(_) | OptionFeedback::Nothing => None,
             });
             let mistaken: String = mistaken.collect();
             vec![

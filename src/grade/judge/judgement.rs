@@ -26,7 +26,7 @@ impl Judgement {
 
     /// What the student is told, in words.
     #[must_use]
-    pub fn told(&self) -> Cow<'static, str> {
+    pub fn feedback(&self) -> Cow<'static, str> {
         match self.messages.as_slice() {
             [one] => English.message(one),
             all => all.iter().map(|one| English.message(one)).collect::<Vec<_>>().join(" ").into(),

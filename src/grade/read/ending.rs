@@ -77,7 +77,7 @@ impl<'t> Plain<'t> {
     }
 
     /// The number in words, with what follows it: most numbers stand as they would be printed.
-    fn told(&self, number: &Number, written: Written, ending: &Ending) -> String {
+    fn in_words(&self, number: &Number, written: Written, ending: &Ending) -> String {
         let mut told = String::with_capacity(self.digits.len() + ending.many.len() + 2);
         let (whole, decimals) = self.digits.split_once('.').unwrap_or((self.digits, ""));
         let is_printed = match whole.as_bytes() {
@@ -120,7 +120,7 @@ impl Endings {
             }
         };
         let (number, written) = plain.number()?;
-        let told = plain.told(&number, written, ending);
+        let in_words = plain.in_words(&number, written, ending);
         let answer = NumberAnswer {
             number,
             written,
@@ -130,7 +130,7 @@ impl Endings {
             sense: ending.sense.clone(),
             heading: None,
         };
-        Some((Ok(Answer::Number(answer)), told))
+        Some((Ok(Answer::Number(answer)), in_words))
     }
 
     /// Remembers the ending of an answer that was read, where it is one behind a plain number.

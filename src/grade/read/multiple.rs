@@ -24,8 +24,8 @@ pub(super) fn without<'t>(answer: &'t str, asked: &ExpectedNumber) -> Result<Cow
     }
 }
 
-/// What is told where the unit cannot be read and none is wanted but the quantity.
-pub(super) fn told(kind: UnreadableKind, asked: &ExpectedNumber) -> UnreadableKind {
+/// The reason where the unit cannot be read and none is wanted but the quantity of which the answer is a multiple.
+pub(super) fn reason(kind: UnreadableKind, asked: &ExpectedNumber) -> UnreadableKind {
     match (asked.called.as_ref().and_then(|called| called.multiple_of.clone()), kind) {
         (Some(multiple), UnreadableKind::Unit(_)) => UnreadableKind::Multiple(multiple.name),
         (_, kind) => kind,

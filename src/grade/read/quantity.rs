@@ -39,7 +39,7 @@ pub(super) fn read(answer: &str, asked: &ExpectedNumber, mark: DecimalMark) -> R
         }),
         None => found,
     };
-    found.map_err(|(at, kind)| plain.fault(at, multiple::told(kind, asked)))
+    found.map_err(|(at, kind)| plain.fault(at, multiple::reason(kind, asked)))
 }
 
 /// A direction in words, as the question counts it.

@@ -141,7 +141,7 @@ fn in_laws(problem: &Problem, form: &Form) -> BTreeSet<Symbol> {
     let asked = [&geometry::BOUNDARY, &kinematics::COUNT];
     let printed: BTreeSet<Expr> = [&loaded.draft.text, &form.question.text]
         .into_iter()
-        .flat_map(Text::told)
+        .flat_map(Text::printed_names)
         .filter_map(|name| model.symbol_of(&name))
         .map(Expr::from)
         .collect();

@@ -60,8 +60,8 @@ impl Question {
         let forms = root.key("forms");
         let forms = draft.forms.iter().map(|(name, form)| Self::of(draft, Some(name), form, forms.key(name)));
         let mut all: Vec<Self> = forms.collect();
-        let story = draft.text.told();
-        let told: Vec<BTreeSet<String>> = all.iter().map(|own| own.text.told()).collect();
+        let story = draft.text.printed_names();
+        let told: Vec<BTreeSet<String>> = all.iter().map(|own| own.text.printed_names()).collect();
         for (own, here) in all.iter_mut().zip(&told) {
             own.elsewhere =
                 told.iter().flatten().filter(|name| !here.contains(*name) && !story.contains(*name)).cloned().collect();

@@ -159,8 +159,8 @@ impl Text {
         })
     }
 
-    /// The names whose values it tells.
-    pub(in crate::problem) fn told(&self) -> BTreeSet<String> {
+    /// The names whose values it prints.
+    pub(in crate::problem) fn printed_names(&self) -> BTreeSet<String> {
         let told = self.placeholders().filter(|placeholder| placeholder.filter.tells());
         told.map(|placeholder| placeholder.name.clone()).collect()
     }

@@ -47,12 +47,12 @@ pub struct Decision {
     /// The common mistake that leads to another phrase, where there is one.
     pub behind: Option<&'static Misconception>,
     /// What there is to say to a student who chose an option wrongly, in the order of the options.
-    pub said: Vec<Said>,
+    pub feedback: Vec<OptionFeedback>,
 }
 
 /// What there is to say of an option that is wrong.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub enum Said {
+pub enum OptionFeedback {
     /// Nothing but what is said of the question.
     #[default]
     Nothing,
@@ -92,7 +92,7 @@ impl Decision {
             right: usize::from(!holds),
             because,
             behind: None,
-            said: Vec::new(),
+            feedback: Vec::new(),
         }
     }
 }
@@ -240,7 +240,7 @@ fn ordered(symbols: &[Symbol], worked: &Worked<'_>) -> Decision {
         options: options.iter().map(|option| written(option)).collect(),
         because: "the values found above are in this order".into(),
         behind: None,
-        said: Vec::new(),
+        feedback: Vec::new(),
     }
 }
 

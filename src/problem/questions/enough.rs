@@ -85,7 +85,7 @@ pub(in crate::problem) fn on_the_sheet(
 ) -> BTreeSet<Symbol> {
     let printed: BTreeSet<Symbol> = [&loaded.draft.text, &question.text]
         .into_iter()
-        .flat_map(Text::told)
+        .flat_map(Text::printed_names)
         .filter_map(|name| model.symbol_of(&name))
         .chain(model.graph.iter().flat_map(PrintedGraph::symbols))
         .collect();

@@ -133,9 +133,15 @@ impl Judgement {
                 own.right == case.right && (own.unless.is_empty() || !own.unless.iter().all(|test| test.holds(worked)))
             };
             let behind = self.behind.as_ref().filter(applies).map(|own| own.mistake);
-            return Decision { options: self.options.clone(), right: case.right, because, behind, said: Vec::new() };
+            return Decision {
+                options: self.options.clone(),
+                right: case.right,
+                because,
+                behind,
+                feedback: Vec::new(),
+            };
         }
-        Decision { options: self.options.clone(), right: 0, because: String::new(), behind: None, said: Vec::new() }
+        Decision { options: self.options.clone(), right: 0, because: String::new(), behind: None, feedback: Vec::new() }
     }
 
     /// Why a case does not hold: what its tests say, after what is the same nevertheless.

@@ -16,7 +16,7 @@ use super::super::sampling::variant::Worked;
 use super::decision::ChoicePart;
 use super::decision::Claim;
 use super::decision::Decision;
-use super::decision::Said;
+use super::decision::OptionFeedback;
 use super::part::Part;
 use super::part::PartKind;
 
@@ -144,8 +144,13 @@ impl Offer {
             right: order.iter().position(|place| Some(*place) == right).unwrap_or(0),
             because: right.and_then(|place| self.options.get(place)).map(|own| own.why(worked)).unwrap_or_default(),
             behind: None,
-            said: own()
-                .map(|option| option.feedback.as_ref().map_or(Said::Nothing, |text| Said::Own(filled(text, worked))))
+            feedback: own()
+                .map(|option| {
+                    option
+                        .feedback
+                        .as_ref()
+                        .map_or(OptionFeedback::Nothing, |text| OptionFeedback::Own(filled(text, worked)))
+                })
                 .collect(),
         }
     }

@@ -10,7 +10,7 @@ use crate::laws::wrong::momentum;
 
 use super::super::sampling::variant::Worked;
 use super::decision::Decision;
-use super::decision::Said;
+use super::decision::OptionFeedback;
 use super::offered::shuffled;
 
 /// A choice between impulse-momentum diagrams of one stage.
@@ -134,7 +134,10 @@ impl Pictured {
                 "each momentum is the mass times the velocity found above, and each impulse is the momentum after minus the momentum before{third_law}"
             ),
             behind: None,
-            said: pictures.iter().map(|own| own.mistake.map_or(Said::Nothing, Said::Mistake)).collect(),
+            feedback: pictures
+                .iter()
+                .map(|own| own.mistake.map_or(OptionFeedback::Nothing, OptionFeedback::Mistake))
+                .collect(),
             options: pictures.into_iter().map(|own| own.name).collect(),
         }
     }

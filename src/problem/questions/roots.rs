@@ -138,7 +138,7 @@ impl Worked<'_> {
                 "both values satisfy the equations, but only this one satisfies the conditions of the scene".into()
             },
             behind: None,
-            said: Vec::new(),
+            feedback: Vec::new(),
         }
     }
 

@@ -97,7 +97,7 @@ impl Variant {
             let Some(symbol) = problem.model().symbol_of(name).filter(|_| tells) else { continue };
             let speaker = Speaker { problem, variant: self, symbol, name };
             if speaker.constant().is_none() && numbers.iter().all(|(own, _)| own != name) {
-                let (value, unit) = self.told(problem, symbol);
+                let (value, unit) = self.printed_value(problem, symbol);
                 let typed = Printed::written(&value).plain().replace(" × 10^", "e");
                 numbers.push((name.clone(), format!("{typed} {unit}").trim_end().to_owned()));
             }
@@ -129,7 +129,7 @@ impl Speaker<'_> {
                 _ => constant,
             };
         }
-        let (value, unit) = self.variant.told(self.problem, self.symbol);
+        let (value, unit) = self.variant.printed_value(self.problem, self.symbol);
         match filter {
             Filter::Quantity => quantity(&value, &unit),
             Filter::Value => number(&value),

@@ -93,7 +93,7 @@ impl Variant {
     }
 
     /// The value and unit with which a text prints a quantity: as given, else rounded to the problem's figures.
-    pub(in crate::problem) fn told(&self, problem: &Problem, symbol: Symbol) -> (Decimal, Unit) {
+    pub(in crate::problem) fn printed_value(&self, problem: &Problem, symbol: Symbol) -> (Decimal, Unit) {
         if let Some(told) = self.given(symbol) {
             return told;
         }

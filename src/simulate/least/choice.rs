@@ -145,7 +145,8 @@ fn untabled(scene: &Classified, request: &Request) -> Result<Choice, NoChoice> {
 
 /// One line: the method, what it costs, and why nothing less serves.
 fn sentence(scene: &Classified, request: &Request, cost: &Cost) -> String {
-    let setting = cost.method.told(cost.setting).map_or_else(String::new, |setting| format!(" with {setting}"));
+    let setting =
+        cost.method.setting_in_words(cost.setting).map_or_else(String::new, |setting| format!(" with {setting}"));
     let reason = &scene.reason;
     let why = match (request.method, scene.class, request.accuracy, request.budget) {
         (Some(_), ..) => "as asked for".to_owned(),

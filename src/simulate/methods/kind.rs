@@ -126,7 +126,7 @@ impl MethodKind {
 
     /// A setting in words, where a step is a part of the run.
     #[must_use]
-    pub fn told(self, setting: Option<f64>) -> Option<String> {
+    pub fn setting_in_words(self, setting: Option<f64>) -> Option<String> {
         let setting = setting?;
         match self.setting() {
             Setting::None => None,

@@ -34,10 +34,10 @@ pub(super) struct Search<'a> {
     choice: Choice<'a>,
     /// For each column the rows that contain it.
     containing: Vec<Bits>,
-    /// What is yet to be looked at, by its estimate, and by when it was come to.
+    /// What is yet to be looked at, by its estimate, and by when it was found.
     open: BTreeMap<(u64, usize), Entry>,
     /// How often something was put there.
-    come: usize,
+    arrivals: usize,
     forbidden: Vec<Bits>,
     left: usize,
     /// How many more numbers may be kept with what is yet to be looked at.
@@ -92,7 +92,7 @@ impl<'a> Search<'a> {
             cheapest,
             containing,
             open: BTreeMap::new(),
-            come: 0,
+            arrivals: 0,
             forbidden: Vec::new(),
             left: BUDGET,
             room: ROOM,
@@ -184,9 +184,10 @@ impl<'a> Search<'a> {
     /// where too few rows come within, one more column must.
     fn at_least(&self, free: usize, new: &Bits, more: &Bits) -> u64 {
         let needed = free + new.len();
-        let come = self.containing(new.iter());
-        let come = come.iter().filter(|row| more.covers(&self.structure.rows[*row].unknowns)).take(needed).count();
-        self.estimate(new) + if come < needed { self.least } else { 0 }
+        let covered = self.containing(new.iter());
+        let covered =
+            covered.iter().filter(|row| more.covers(&self.structure.rows[*row].unknowns)).take(needed).count();
+        self.estimate(new) + if covered < needed { self.least } else { 0 }
     }
 
     /// The rows that contain some of the columns and others, and may come within. What lies within is added to what is said.
@@ -244,7 +245,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Puts columns on the list, unless they bring what is not to come.
+    /// Puts columns on the list, unless they bring what is left out.
     fn widen(&mut self, estimate: u64, within: Within) {
         if self.left > 0 && !self.has_any(&within.columns, &within.without) {
             self.left -= 1;
@@ -253,8 +254,8 @@ impl<'a> Search<'a> {
     }
 
     fn put(&mut self, estimate: u64, entry: Entry) {
-        self.come += 1;
-        self.open.insert((estimate, self.come), entry);
+        self.arrivals += 1;
+        self.open.insert((estimate, self.arrivals), entry);
     }
 
     /// What finding these columns costs at least.

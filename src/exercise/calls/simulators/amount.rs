@@ -30,7 +30,7 @@ impl Amount {
     }
 
     /// A number whose text is known, such as an answer.
-    pub(super) fn told(value: f64, text: &str) -> Self {
+    pub(super) fn with_text(value: f64, text: &str) -> Self {
         Self { value, text: prose(text) }
     }
 

@@ -155,7 +155,7 @@ fn shown(world: &World<1>, record: &Record, problem: ProblemOf, compared: Option
     let answer = |id: &str| answers.iter().find(|answer| answer.id == id);
     let told =
         |id: &str, value: f64, unit: &str| match answer(id).and_then(|answer| Some((answer.value?, &answer.printed))) {
-            Some((value, printed)) => Amount::told(value, printed),
+            Some((value, printed)) => Amount::with_text(value, printed),
             None => Amount::new(value, scale, unit),
         };
     let bodies: Vec<CollisionBody> = ["A", "B"]
@@ -180,7 +180,7 @@ fn shown(world: &World<1>, record: &Record, problem: ProblemOf, compared: Option
     let (whole, left) = (total(record.moments.first()), total(record.moments.last()));
     let lost = record.moments.last().map_or(0.0, |moment| moment.lost);
     let told_lost = match answer("T_lost").and_then(|answer| Some((answer.value?, &answer.printed))) {
-        Some((value, printed)) => Amount::told(value, printed),
+        Some((value, printed)) => Amount::with_text(value, printed),
         None => Amount::new(whole - left, whole, "J"),
     };
     let places = places(record);

@@ -99,7 +99,7 @@ impl Compared {
                 }
                 compared.place(&Record::of(world, &run, 0.0), exact);
                 compared.balance(&Record::of_steps(world, &run), exact);
-                let taken = Amount::told(count(run.steps), &run.steps.to_string());
+                let taken = Amount::with_text(count(run.steps), &run.steps.to_string());
                 compared.rows.push(Row { what: "Steps".into(), amount: taken });
             }
         }

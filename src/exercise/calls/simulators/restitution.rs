@@ -191,7 +191,7 @@ fn sums(train: &BounceTrain, problem: &ProblemOf) -> Sums {
     let answers = problem.solved.as_ref().map(|solved| solved.answers.as_slice()).unwrap_or_default();
     let total = answers.iter().find(|answer| answer.id == "t_total").and_then(|own| Some((own.value?, &own.printed)));
     let time = match total {
-        Some((value, printed)) => Amount::told(value, printed),
+        Some((value, printed)) => Amount::with_text(value, printed),
         None => Amount::new(train.end(), 0.0, "s"),
     };
     Sums { time, path: Amount::new(train.path(), 0.0, "m") }

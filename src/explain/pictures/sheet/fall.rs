@@ -41,7 +41,7 @@ pub(in super::super) fn drawing(quantities: &Quantities<'_>, compass: &Compass, 
         Some(Partners::Surface(..)) => slope(quantities, compass),
         None => Ground::Level,
     };
-    let label = quantities.told(&fall.height);
+    let label = quantities.symbol_of_known(&fall.height);
     let body = quantities.body(&fall.body, quantities.motion(compass, &fall.body, 1));
     let wording = fall_wording(quantities, &fall.body, label.as_ref(), 0);
     let fall = Fall { body, heights: vec![Height { label, value: 1.0 }], ground };
@@ -82,7 +82,7 @@ pub(in super::super) fn bouncing(quantities: &Quantities<'_>, bounces: &Bounces)
     let mut falls = stages.filter_map(|stage| if let Stage::Fall(fall) = stage { Some(fall) } else { None });
     let drop = falls.find(|fall| fall.body == bounces.body).map(|fall| &fall.height);
     let label = match drop {
-        Some(term) => quantities.told(term),
+        Some(term) => quantities.symbol_of_known(term),
         None => quantities.named("h_0").map(|_| name_math("h_0")),
     };
     let restitution = quantities.term(&bounces.restitution).and_then(|e| quantities.evaluate(&e));

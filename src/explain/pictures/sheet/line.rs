@@ -164,7 +164,7 @@ fn spring(quantities: &Quantities<'_>, names: &[&str], stage: usize) -> Option<(
             }
         }
     };
-    Some((place, quantities.told(&spring.stiffness)))
+    Some((place, quantities.symbol_of_known(&spring.stiffness)))
 }
 
 /// What connects the bodies that move in a stage.

@@ -26,10 +26,10 @@ pub(in super::super) fn drawing(
     index: usize,
     stage: &Swing,
 ) -> Drawing {
-    let length = stage.arm().and_then(|term| quantities.told(term));
+    let length = stage.arm().and_then(|term| quantities.symbol_of_known(term));
     let named = quantities.staged(&format!("h_{}", stage.body), index);
     let height = match &stage.height {
-        Some(term) => quantities.told(term),
+        Some(term) => quantities.symbol_of_known(term),
         None => quantities.named(&named).map(|_| name_math(&named)),
     };
     let ends = [0, 1].map(|side| end(quantities, compass, index, stage, side));
