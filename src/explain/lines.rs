@@ -61,6 +61,8 @@ pub enum Operation {
     Law,
     /// The second line, times the factor, was added to the first.
     Add,
+    /// The factor is zero for the values given, and the term of the line that holds it was left out.
+    Vanish,
     /// What the first line says the quantity on its left side equals was put into the second.
     Substitute,
     /// Both sides were squared; neither is negative.
@@ -163,6 +165,7 @@ impl List<'_> {
         let (operation, factor) = match &line.origin {
             Origin::Law(_) => (Operation::Law, None),
             Origin::Add { factor, .. } => (Operation::Add, Some(factor)),
+            Origin::Vanish { zero, .. } => (Operation::Vanish, Some(zero)),
             Origin::Put { .. } => (Operation::Substitute, None),
             Origin::Integrate(_) => (Operation::Integrate, None),
             Origin::Square(_) => (Operation::Square, None),

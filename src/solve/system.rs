@@ -15,6 +15,8 @@ pub struct System {
     pub positive: BTreeSet<Symbol>,
     /// Symbols that stand for one pure number in every problem with these equations, such as a right angle in degrees.
     pub fixed: BTreeMap<Symbol, Expr>,
+    /// What is known beforehand of known symbols: a plan holds for these values alone, and divides by nothing that is zero there.
+    pub values: BTreeMap<Symbol, Expr>,
 }
 
 impl System {

@@ -26,11 +26,10 @@ const FOUND: &[(&str, Outcome)] = &[
     ("aiming", Holds(&["angle_A1 = 12.1"])),
     ("angle_with_a_relative_velocity", Holds(&["angle(v_A2, v_rel_A2) = 26.6"])),
     ("backwards", Refused(&["`backwards` is not a direction of this scene", "its directions are `ahead`"])),
-    // Wanted: 10 m/s and the like, by an elimination that does not divide by the sine of 180 degrees.
-    (
-        "direction_along_an_axis",
-        Refused(&["`speed_B1` does not follow from these numbers", "give the component that is zero"]),
-    ),
+    // By hand: 2.25*10*sin 127 and 1.8*10*cos 53.
+    ("direction_along_an_axis", Holds(&["speed_A1 = 18.0 m/s", "speed_B1 = 10.8 m/s"])),
+    // By hand: 2.25*10*sin 53 and 1.8*10*cos 53.
+    ("direction_along_x", Holds(&["speed_A1 = 18.0 m/s", "speed_B1 = 10.8 m/s"])),
     ("formula_of_an_own_name", Holds(&["F_m = pi*m*v_A2/(2*tau)"])),
     ("fraction_beside_a_kind", Holds(&["v_B2 = 1.50 m/s", "b = inelastic"])),
     ("fraction_with_a_unit", Holds(&["v_A2 = 0.868 m/s", "T_lost[1] = 5.33 J"])),

@@ -1,5 +1,7 @@
 //! Which equations a plan takes, and what it says where there is none.
 
+use std::f64::consts::FRAC_PI_2;
+
 use momentous::expr::{Expr, equal};
 use momentous::solve::{Closed, Move, Plan, Reason, Relation, Tactic, audit};
 
@@ -60,6 +62,41 @@ fn a_speed_takes_the_positive_root_only() {
     let plan = world.plan("m M g h", "v").expect("a plan");
     assert_eq!(equations(&plan), [[0], [1]]);
     assert_eq!(plan.steps[0].roots.len(), 1);
+}
+
+/// The momenta of two bodies at the angles a and b have the components p and q.
+fn crossing(angles: [Expr; 2]) -> (World, Plan) {
+    let mut world = World::new(&["m*v_A*cos(a) + m*v_B*cos(b) = p", "m*v_A*sin(a) + m*v_B*sin(b) = q"]);
+    world.system.values = world.symbols("a b").into_iter().zip(angles).collect();
+    let plan = world.plan("m p q a b", "v_A v_B").expect("a plan");
+    (world, plan)
+}
+
+#[test]
+fn nothing_is_divided_by_what_is_zero_at_the_values_known_beforehand() {
+    let turned = |quarters: i32| Expr::Pi * Expr::ratio(quarters.into(), 2);
+    // In quarters of a turn; by hand, with m = 2, p = 6 and q = 10.
+    for (a, b, speeds) in [(1, 2, [5.0, -3.0]), (1, 0, [5.0, 3.0]), (0, 1, [3.0, 5.0]), (2, 3, [-3.0, -5.0])] {
+        let (mut world, plan) = crossing([turned(a), turned(b)]);
+        let names = world.symbols("m v_A a v_B b p q");
+        let mut values = [2.0, f64::NAN, 0.0, f64::NAN, 0.0, 6.0, 10.0];
+        (values[2], values[4]) = (f64::from(a) * FRAC_PI_2, f64::from(b) * FRAC_PI_2);
+        for (place, speed) in speeds.into_iter().enumerate() {
+            let (unknown, Closed::Formula(formula)) = &plan.steps[0].roots[0].values[place] else { panic!("{plan:?}") };
+            let at = |symbol| names.iter().position(|own| *own == symbol).map_or(f64::NAN, |place| values[place]);
+            let found = formula.evaluate(&at);
+            assert!((found - speed).abs() < 1e-9, "{a} {b}: {formula:?} = {found}");
+            values[names.iter().position(|own| own == unknown).unwrap()] = found;
+        }
+    }
+}
+
+#[test]
+fn values_known_beforehand_change_nothing_where_no_divisor_is_zero() {
+    let plans = [Expr::integer(7), Expr::ratio(1, 2)].map(|angle| crossing([angle, Expr::ratio(1, 3)]).1);
+    let [plain, valued] = plans.map(|plan| format!("{:?}", plan.steps));
+    assert_eq!(plain, valued);
+    assert!(!plain.contains("Vanish"), "{plain}");
 }
 
 #[test]

@@ -35,6 +35,8 @@ pub(in crate::explain) enum Origin {
     Law(usize),
     /// `times`, multiplied by `factor`, was added to `to`.
     Add { to: usize, times: usize, factor: Expr, drops: Symbol },
+    /// `zero` is zero, so that a quantity drops out of `of`.
+    Vanish { of: usize, zero: Expr, drops: Symbol },
     /// What `what` says of a quantity was put into `into`.
     Put { what: usize, into: usize },
     /// The integral of a law was worked out.
@@ -159,6 +161,10 @@ impl Derivation {
                 let origin = Origin::Add { to, times, factor: positive_first(factor), drops: *drops };
                 self.replace(*equation, left, right, origin);
             }
+            Move::Vanish { equation, zero, drops, left, right } => {
+                let origin = Origin::Vanish { of: self.latest(*equation), zero: zero.clone(), drops: *drops };
+                self.replace(*equation, left, right, origin);
+            }
             Move::Isolate { equation, unknown, .. } => {
                 self.sources.insert(*unknown, vec![self.latest(*equation)]);
             }
@@ -219,6 +225,7 @@ impl Origin {
             Self::Put { what, into } => vec![*what, *into],
             Self::Component(both) => both.to_vec(),
             Self::Integrate(of)
+            | Self::Vanish { of, .. }
             | Self::Square(of)
             | Self::Tangent(of)
             | Self::Collect { of, .. }

@@ -51,6 +51,16 @@ fn words(display: Display<'_>, derivation: &Derivation, line: &Line) -> Vec<Inli
             ]);
             words
         }
+        Origin::Vanish { of, zero, drops } => {
+            let nothing = Math::relation(display.symbolic(zero), Operator::Equals, Math::Number("0".into()));
+            vec![
+                Inline::Text("Since ".into()),
+                Inline::Math(nothing),
+                Inline::Text(", ".into()),
+                Inline::Math(display.name(*drops)),
+                Inline::Text(format!(" drops out of {}", named(*of))),
+            ]
+        }
         Origin::Put { what, into } => said(format!("Put {} into {}", named(*what), named(*into))),
         Origin::Integrate(_) => said("Evaluating the integral".into()),
         Origin::Square(of) => said(format!("Square both sides of {}", named(*of))),

@@ -1,5 +1,8 @@
 //! From a loaded file to a problem that can be drawn and solved: names become symbols, what is asked becomes plans.
 
+use std::collections::BTreeMap;
+
+use crate::expr::Expr;
 use crate::expr::Notation;
 use crate::expr::Symbol;
 use crate::fault::Code;
@@ -153,7 +156,8 @@ fn build(loaded: &Loaded, secret: Option<&[u8]>, asked: Asked) -> Result<Built, 
     let mut in_forms: Vec<Vec<Known>> =
         loaded.questions.iter().map(|question| known_in(loaded, question, &known, &mut builder)).collect();
     let drawn = assign_streams(&mut in_forms);
-    let model = builder.finish()?;
+    let mut model = builder.finish()?;
+    model.system.values = beforehand(&model, &in_forms);
     let mut faults = idle((loaded, asked), &model, &known, &drafts, &require);
     let mut forms = Vec::new();
     let mut planner = Planner::default();
@@ -190,6 +194,23 @@ fn assign_streams(in_forms: &mut [Vec<Known>]) -> Vec<usize> {
         }
     }
     drawn
+}
+
+/// The values that are the same in every variant of every form.
+fn beforehand(model: &Model, in_forms: &[Vec<Known>]) -> BTreeMap<Symbol, Expr> {
+    let written = model.literals.iter().map(|(symbol, own)| (*symbol, Some(Expr::measured(&own.value, &own.unit))));
+    let mut values: BTreeMap<Symbol, Option<Expr>> = written.collect();
+    for known in in_forms.iter().flatten() {
+        let value = match &known.origin {
+            Origin::Fixed(value) => Some(Expr::measured(value, &known.unit)),
+            Origin::Drawn(_) | Origin::Any => None,
+        };
+        values
+            .entry(known.symbol)
+            .and_modify(|own| *own = own.take().filter(|own| value.as_ref() == Some(own)))
+            .or_insert(value);
+    }
+    values.into_iter().filter_map(|(symbol, value)| Some((symbol, value?))).collect()
 }
 
 /// A word in the place of a direction is the name of an angle only if the file says more of it.

@@ -124,6 +124,19 @@ pub enum Move {
         /// Right side of what remains.
         right: Expr,
     },
+    /// `zero` is zero for the values given, and so is the term of `equation` that holds `drops`; `left = right` remains.
+    Vanish {
+        /// The equation.
+        equation: usize,
+        /// What is zero.
+        zero: Expr,
+        /// The unknown that falls out.
+        drops: Symbol,
+        /// Left side of what remains.
+        left: Expr,
+        /// Right side of what remains.
+        right: Expr,
+    },
     /// Put the value of `unknown` into `equation`; `left = right` remains.
     Substitute {
         /// The equation.

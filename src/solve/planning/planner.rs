@@ -45,7 +45,8 @@ pub fn plan(system: &System, known: &BTreeSet<Symbol>, wanted: &[Symbol]) -> Res
     Planner::default().plan(system, known, wanted)
 }
 
-/// Plans again and again, and does no algebra twice: for systems in which the same symbols are positive.
+/// Plans again and again, and does no algebra twice: for systems in which the same symbols are positive, and the same values known
+/// beforehand.
 #[derive(Clone, Debug, Default)]
 pub struct Planner {
     attempts: Attempts,

@@ -156,6 +156,17 @@ fn check(line: &Line, sources: &[&Line], actual: &Values) -> Result<(), String> 
             })?;
             divisors_are_listed(line, sources, actual)
         }
+        ("vanish", [of]) => {
+            if !factor(actual).agrees(Sized::of(0.0)) && factor(actual).value.abs() > 1e-12 {
+                return Err("what is said to be zero is not".into());
+            }
+            let fixed: Vec<String> = line.factor.iter().flat_map(Term::names).collect();
+            everywhere(&|values| {
+                let mut values = values.clone();
+                values.extend(fixed.iter().filter_map(|name| Some((name.clone(), *actual.get(name)?))));
+                finite(of.difference(&values), line.difference(&values))
+            })
+        }
         ("substitute", [what, into]) => {
             let Term::Name(name) = &what.left else { return Err("what is put in is no quantity".into()) };
             if !into.mentions(name) || line.mentions(name) {

@@ -15,7 +15,7 @@ type Tried = (Tactic, Vec<usize>, Vec<Symbol>);
 /// These equations, as they stood, and what came of it.
 type Made = (Vec<Statement>, Result<Step, Refusal>);
 
-/// What came of tactics on the blocks of systems in which the same symbols are positive.
+/// What came of tactics on the blocks of systems in which the same symbols are positive, and the same values known beforehand.
 #[derive(Clone, Debug, Default)]
 pub struct Attempts(BTreeMap<Tried, Vec<Made>>);
 

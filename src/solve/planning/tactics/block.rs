@@ -38,6 +38,13 @@ impl Block<'_> {
         self.equations.iter().map(residual).collect()
     }
 
+    /// Whether a term is zero for the values that are known beforehand.
+    pub(super) fn vanishes(&self, term: &Expr) -> bool {
+        let value = |symbol| self.system.values.get(&symbol).cloned();
+        term.symbols().into_iter().any(|symbol| self.system.values.contains_key(&symbol))
+            && term.substitute(&value).simplify().is_zero()
+    }
+
     /// Whether a symbol stands for positive values only.
     pub(super) fn positive(&self, symbol: Symbol) -> bool {
         self.system.positive.contains(&symbol)

@@ -3,6 +3,7 @@
 use crate::expr::Expr;
 use crate::expr::Symbol;
 
+use super::block::Block;
 use super::closing::Refusal;
 use super::isolate::{dropped_out, linear_root};
 use super::tidy::{cancelled, factors, forward, gathered, is_negative, negative, over, times};
@@ -28,8 +29,13 @@ pub(super) struct Eliminated {
     pub(super) values: Vec<(Symbol, Expr)>,
 }
 
-/// Solves linear equations for the unknowns, the first unknown first: the last one is made to drop out first.
-pub(super) fn eliminate(equations: &[(usize, Expr)], unknowns: &[Symbol]) -> Result<Eliminated, Refusal> {
+/// Solves linear equations for the unknowns, the first unknown first: the last one is made to drop out first. Where something
+/// would be divided by zero at the values that are known beforehand, what is zero there is left out before.
+pub(super) fn eliminate(
+    block: &Block,
+    equations: &[(usize, Expr)],
+    unknowns: &[Symbol],
+) -> Result<Eliminated, Refusal> {
     if unknowns.len() > LARGEST {
         return Err(Refusal::NotApplicable);
     }
@@ -43,7 +49,23 @@ pub(super) fn eliminate(equations: &[(usize, Expr)], unknowns: &[Symbol]) -> Res
     {
         return Err(Refusal::Dependent);
     }
-    let mut moves = Vec::new();
+    let usual = reduced(rows.clone(), unknowns, Vec::new())?;
+    let reduced = if usual.divides_by_nothing(block) {
+        let moves = rows.iter_mut().flat_map(|row| row.leave_out(block, unknowns)).collect();
+        reduced(rows, unknowns, moves).ok().filter(|other| !other.divides_by_nothing(block)).unwrap_or(usual)
+    } else {
+        usual
+    };
+    reduced.solved(unknowns)
+}
+
+/// Equations in echelon form: the first holds the first unknown alone, each further one the next unknown and those before it.
+struct Reduced {
+    rows: Vec<Row>,
+    moves: Vec<Move>,
+}
+
+fn reduced(mut rows: Vec<Row>, unknowns: &[Symbol], mut moves: Vec<Move>) -> Result<Reduced, Refusal> {
     let mut pivots = Vec::new();
     for column in (0..unknowns.len()).rev() {
         let pivot = rows.iter().enumerate().filter(|(_, row)| !row.coefficients[column].is_zero());
@@ -68,17 +90,32 @@ pub(super) fn eliminate(equations: &[(usize, Expr)], unknowns: &[Symbol]) -> Res
         }
         pivots.push(pivot);
     }
-    let mut values = Vec::new();
-    for (column, row) in pivots.iter().rev().enumerate() {
-        let earlier = values.iter().zip(&row.coefficients).map(|((symbol, _), coefficient): (&(Symbol, Expr), _)| {
-            Expr::product([coefficient.clone(), Expr::Symbol(*symbol)])
-        });
-        let rest = Expr::sum([row.rest.clone()].into_iter().chain(earlier));
-        let value = linear_root(&row.coefficients[column], &rest)?;
-        moves.push(Move::Isolate { equation: row.equation, unknown: unknowns[column], value: value.clone() });
-        values.push((unknowns[column], value));
+    pivots.reverse();
+    Ok(Reduced { rows: pivots, moves })
+}
+
+impl Reduced {
+    /// Whether something by which an equation is divided is zero at the values that are known beforehand.
+    fn divides_by_nothing(&self, block: &Block) -> bool {
+        self.rows.iter().enumerate().any(|(column, row)| block.vanishes(&row.coefficients[column]))
     }
-    Ok(Eliminated { moves, values })
+
+    /// Each unknown in terms of those before it.
+    fn solved(self, unknowns: &[Symbol]) -> Result<Eliminated, Refusal> {
+        let Self { rows, mut moves } = self;
+        let mut values = Vec::new();
+        for (column, row) in rows.iter().enumerate() {
+            let earlier =
+                values.iter().zip(&row.coefficients).map(|((symbol, _), coefficient): (&(Symbol, Expr), _)| {
+                    Expr::product([coefficient.clone(), Expr::Symbol(*symbol)])
+                });
+            let rest = Expr::sum([row.rest.clone()].into_iter().chain(earlier));
+            let value = linear_root(&row.coefficients[column], &rest)?;
+            moves.push(Move::Isolate { equation: row.equation, unknown: unknowns[column], value: value.clone() });
+            values.push((unknowns[column], value));
+        }
+        Ok(Eliminated { moves, values })
+    }
 }
 
 /// How awkward it is to divide by a coefficient: 1 and -1 not at all, numbers little, short terms less than long ones.
@@ -103,6 +140,23 @@ impl Row {
         if !other.rest.is_zero() {
             self.rest = cancelled(Expr::sum([self.rest.clone(), product(factor, &other.rest)]));
         }
+    }
+
+    /// Leaves out each unknown whose coefficient is zero at the values that are known beforehand.
+    fn leave_out(&mut self, block: &Block, unknowns: &[Symbol]) -> Vec<Move> {
+        let mut moves = Vec::new();
+        for (column, drops) in unknowns.iter().enumerate() {
+            let coefficient = &self.coefficients[column];
+            if coefficient.is_zero() || !block.vanishes(coefficient) {
+                continue;
+            }
+            let zero = factors(coefficient).into_iter().find(|factor| block.vanishes(factor));
+            let zero = zero.unwrap_or(coefficient).clone();
+            self.coefficients[column] = Expr::zero();
+            let (left, right) = self.sides(unknowns);
+            moves.push(Move::Vanish { equation: self.equation, zero, drops: *drops, left, right });
+        }
+        moves
     }
 
     /// The two sides, the unknowns on that one where most of them are written with a plus. Their difference is always

@@ -54,7 +54,7 @@ fn torn(block: &Block, equations: &[(usize, Expr)], place: usize, unknown: Symbo
     let others: Vec<Symbol> = block.unknowns.iter().copied().filter(|other| *other != unknown).collect();
     let mut linear = equations.to_vec();
     let (equation, residual) = linear.remove(place);
-    let Eliminated { mut moves, values } = eliminate(&linear, &others)?;
+    let Eliminated { mut moves, values } = eliminate(block, &linear, &others)?;
     let (left, right) = block.sides(equation).ok_or(Refusal::NotApplicable)?;
     let (mut left, mut right) = (left.clone(), right.clone());
     // On paper the last value goes in first: it may hold those before it.
