@@ -28,6 +28,17 @@ pub const POTENTIAL: Law = Law {
     wrong: &[],
 };
 
+/// Potential energy of a spring.
+pub const SPRING: Law = Law {
+    id: "energy-of-a-spring",
+    name: "the definition of the potential energy of a spring",
+    statement: "The potential energy of a spring is half its stiffness times the square of its deformation.",
+    signs: "Never negative, whether the spring is stretched or compressed.",
+    when: "The force of the spring is proportional to its deformation.",
+    source: "Definition: the work of the spring on the way back to its natural length.",
+    wrong: wrong::energy::SPRING,
+};
+
 /// Energy lost in a stage.
 pub const LOSS: Law = Law {
     id: "energy-lost",
@@ -106,7 +117,7 @@ pub const HEAT: Law = Law {
 };
 
 /// The laws of this chapter.
-pub const LAWS: &[&Law] = &[&KINETIC, &POTENTIAL, &LOSS, &GAIN, &WORK_ENERGY, &WORK, &CONSERVATION, &RUBBING, &HEAT];
+pub const LAWS: &[&Law] = &[&KINETIC, &POTENTIAL, &SPRING, &LOSS, &GAIN, &WORK_ENERGY, &WORK, &CONSERVATION, &RUBBING, &HEAT];
 
 /// `1/2 (m_A m_B)/(m_A + m_B) (1 - e^2) u^2`: what an impact of two free bodies that approach each other at `u` loses.
 #[must_use]

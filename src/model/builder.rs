@@ -43,6 +43,7 @@ use super::Slope;
 use super::alternative::Alternative;
 use super::frame::Frame;
 use super::name::Meaning;
+use super::stored::Stored;
 use super::timeline::Timeline;
 use super::turned::Turned;
 
@@ -76,6 +77,7 @@ pub struct Builder<'s> {
     /// How long each stage lasts, where that is used.
     pub(super) lasting: Vec<Option<Expr>>,
     pub(super) turned: Vec<Turned>,
+    pub(super) stored: Vec<Stored>,
     pub(super) literals: Vec<(Symbol, Quantity)>,
     pub(super) frames: Vec<Option<Frame>>,
     /// The components along the axes from which a direction follows.
@@ -122,6 +124,7 @@ impl<'s> Builder<'s> {
             graph: None,
             lasting: vec![None; scene.stages.len()],
             turned: Vec::new(),
+            stored: Vec::new(),
             literals: Vec::new(),
             frames: vec![None; scene.stages.len()],
             directions: BTreeMap::new(),

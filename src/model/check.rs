@@ -19,6 +19,7 @@ use super::stage::Description;
 use super::stage::ROTOR;
 use super::stage::is_height_of_a_bounce;
 use super::stage::is_holding_pull;
+use super::stored::is_spring;
 use super::timeline::Timeline;
 use super::unknown::unknown;
 
@@ -33,7 +34,9 @@ pub(super) fn is_structural(scene: &Scene, name: &str) -> bool {
         return false;
     }
     let timeline = Timeline::new(scene);
+    let is_sprung = is_spring(scene, &name);
     let known_subject = name.subject.is_empty()
+        || is_sprung
         || name.is_of_mass_centre()
         || scene.points.contains_key(&name.subject)
         || timeline.bodies().any(|body| body == name.subject);
@@ -62,7 +65,8 @@ pub(super) fn is_structural(scene: &Scene, name: &str) -> bool {
             QuantityKind::Tension => is_holding_pull(scene, &name),
             QuantityKind::MomentumRate => name.instant.is_some() && name.subject.is_empty(),
             QuantityKind::PotentialEnergy => {
-                scene.plane == Plane::Vertical && !name.subject.is_empty() && name.instant.is_some()
+                let is_weighed = scene.plane == Plane::Vertical && !name.subject.is_empty();
+                name.instant.is_some() && (is_weighed || is_sprung)
             }
             QuantityKind::Period => {
                 name.instant.is_some() && scene.stages.iter().any(|stage| matches!(stage, Stage::Rotate(_)))

@@ -31,6 +31,7 @@ mod rotor;
 mod space;
 mod speeds;
 mod stage;
+mod stored;
 mod strength;
 mod timeline;
 mod total;

@@ -112,6 +112,9 @@ pub const CONSERVATION: &[WrongForm] = &[
     WrongForm { of: &SPRING_HALF, write: |law| law.both(|side| spring_doubled(law, side)) },
     WrongForm { of: &SQUARE, write: square },
 ];
+/// Wrong forms of the energy of a spring.
+pub const SPRING: &[WrongForm] =
+    &[WrongForm { of: &SPRING_HALF, write: |law| law.both(|side| spring_doubled(law, side)) }];
 /// Wrong forms of kinetic energy.
 pub const KINETIC: &[WrongForm] = &[
     WrongForm { of: &HALF, write: |law| one((law.left(), Expr::integer(2) * law.right())) },

@@ -10,6 +10,8 @@ use super::super::Because;
 use super::super::Builder;
 use super::super::Name;
 use super::super::QuantityKind;
+use super::super::stored::energy_of_spring;
+use super::super::stored::is_spring;
 use super::relative::energy_of_the_centre;
 
 pub(super) fn kinetic_energy(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
@@ -35,8 +37,11 @@ pub(super) fn kinetic_energy(builder: &mut Builder<'_>, name: &Name) -> Option<S
     Some(symbol)
 }
 
-/// The potential energy of a body's weight, where an axis points up or down.
+/// The potential energy of a spring, or of a body's weight, where an axis points up or down.
 pub(super) fn potential_energy(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
+    if is_spring(builder.scene, name) {
+        return energy_of_spring(builder, name);
+    }
     let (body, instant) = builder.body_at(name)?;
     let (position, down) = (0..builder.axes.len()).find_map(|place| Some((place, builder.downwards(place)?)))?;
     let axis = builder.axes.get(position)?.0;

@@ -11,6 +11,7 @@ use crate::model::Influence;
 use crate::model::Name;
 use crate::model::QuantityKind;
 use crate::model::Work;
+use crate::model::stored::Stored;
 use crate::quantity::Dimension;
 use crate::scene::stage::Central;
 use crate::scene::stage::CentralSpring;
@@ -86,15 +87,17 @@ impl Builder<'_> {
                 &path.key("unstretched"),
             )
         });
-        let energies = [index + 1, index + 2].map(|instant| {
-            let (radius, _) = self.polar_state(body, &stage.about, instant);
-            let moving = self.kinetic_term(body, instant);
-            moving + energy::of_spring(&stiffness, &(radius - natural.clone()))
+        let ends = [index + 1, index + 2];
+        let deformations =
+            ends.map(|instant| self.polar_state(body, &stage.about, instant).0 - natural.clone());
+        let [start, end] = [0, 1].map(|side| {
+            let moving = self.kinetic_term(body, ends[side]);
+            moving + energy::of_spring(&stiffness, &deformations[side])
         });
-        let [start, end] = energies;
         let because = format!("only the spring does work on {name}");
         self.law(&energy::CONSERVATION, Some(index), because, (start, end));
         self.neglect("the mass of the spring", "it is light");
+        self.stored.push(Stored { stage: index, stiffness: stiffness.clone(), deformations });
         stiffness * (self.polar_state(body, &stage.about, index + 1).0 - natural)
     }
 

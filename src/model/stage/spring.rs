@@ -15,6 +15,7 @@ use crate::model::Influence;
 use crate::model::QuantityKind;
 use crate::model::Reason;
 use crate::model::pair::Pair;
+use crate::model::stored::Stored;
 use crate::quantity::Dimension;
 use crate::scene::Term;
 use crate::scene::stage::Ends;
@@ -41,6 +42,8 @@ impl Builder<'_> {
             &path.key("stiffness"),
         );
         let deformation = self.deformation(index, stage, &stiffness, path);
+        let deformations = [deformation.before.clone(), deformation.after.clone()];
+        self.stored.push(Stored { stage: index, stiffness: stiffness.clone(), deformations });
         match stage.ends() {
             Some(Ends::Fixed(body)) => self.fixed_spring(index, stage, body, &stiffness, &deformation, path),
             Some(Ends::Free(first, second)) => {

@@ -102,6 +102,11 @@ impl StageRun<'_> {
             shown = time;
             self.note_there(body, first + 1, &end);
             self.note(&format!("v_{body}{}.theta", first + 1), around(&end), across);
+            if let Some(spring) = &stage.spring {
+                let (stiffness, slack) =
+                    (self.values.term(&spring.stiffness)?, self.values.or_zero(spring.unstretched.as_ref())?);
+                self.note_stored([length, distance(&end)].map(|own| own - slack), |own| stiffness * own);
+            }
             if stage.spring.is_some() || told.is_some() {
                 // It comes back to the same distance with the opposite radial part.
                 let turned = named("v", first + 1, ".r").is_ok_and(|told| told * outwards(&end) < 0.0);

@@ -74,10 +74,23 @@ impl StageRun<'_> {
             self.note_velocity(particle.name, velocity(&end.state, own), scale);
         }
         let to = deformed(&end.state);
+        let stiffness = self.values.term(&stage.stiffness)?;
+        self.note_stored([from, to], |deformed| stiffness * deformed);
         self.note_term(stage.to.as_ref(), to, 0.0);
         self.note_term(stage.travel.as_ref(), to - from, to);
         self.note_duration(None, end.time);
         Ok(())
+    }
+
+    /// Notes the energy of a spring at both ends: its mean force on the way, that at half the deformation, times the deformation.
+    pub(super) fn note_stored(&mut self, deformations: [f64; 2], force: impl Fn(f64) -> f64) {
+        let suffix = self.values.suffix();
+        for (side, deformed) in deformations.into_iter().enumerate() {
+            let name = format!("V_spring{}", self.values.index + 1 + side);
+            for name in [format!("{name}{suffix}"), name] {
+                self.note(&name, force(deformed / 2.0) * deformed, 0.0);
+            }
+        }
     }
 
     /// By how much the spring is deformed at the start: told, or under the weight of what it carried at rest.
