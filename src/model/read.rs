@@ -12,6 +12,7 @@ use crate::fault::Span;
 use crate::fault::did_you_mean;
 use crate::quantity::Dimension;
 use crate::quantity::Quantity;
+use crate::quantity::Rational;
 use crate::quantity::UnitSystem;
 use crate::quantity::coherent_unit;
 use crate::quantity::dimension_name;
@@ -24,6 +25,9 @@ use super::name::is_bare_name;
 
 /// Names of what a whole stage does, which need the stage in brackets where there are several.
 const STAGED: &[&str] = &["T_lost", "T_gained", "work", "J_def", "J_rest", "v_common", "dt"];
+
+/// Which potential energies have names.
+const POTENTIAL_ENERGIES: &str = "`V_A1` is the potential energy of the weight of a body, in a vertical plane with an axis that points up or down; `V_spring1` is that of the spring of a `spring` stage or of a `central` one, and where one spring follows another it needs the stage: `V_spring2[2]`";
 
 /// Resolves the names of one term; names that the scene does not make are noted.
 struct Resolver<'b, 's> {
@@ -124,9 +128,7 @@ impl Builder<'_> {
     /// The same, for a quantity that is positive.
     pub(super) fn read_positive(&mut self, term: &Term, dimension: Dimension, meaning: &str, path: &Path) -> Expr {
         let expr = self.read(term, dimension, meaning, path);
-        if let Expr::Symbol(symbol) = expr {
-            self.system.positive.insert(symbol);
-        }
+        self.system.positive.extend(multiplied(&expr));
         expr
     }
 
@@ -168,6 +170,10 @@ impl Builder<'_> {
             return fault;
         }
         let fault = Fault::new(Code::UnknownName, format!("the name `{name}` is not known in this scene"));
+        let is_stored = |own: &Name| own.kind == QuantityKind::PotentialEnergy && own.instant.is_some();
+        if Name::parse(name).as_ref().is_some_and(is_stored) {
+            return fault.help(POTENTIAL_ENERGIES);
+        }
         let known: Vec<&str> = self.symbols.iter().map(|(_, entry)| entry.name.as_str()).collect();
         match did_you_mean(name, known.iter().copied()) {
             Some(near) => fault.help(format!("did you mean `{near}`?")),
@@ -203,6 +209,19 @@ pub(super) fn moving_point(what: &str) -> Fault {
     let help =
         "declare a fixed point, `points: { O: { name: the post, at: { x: 1 m } } }`, or take the centre of mass `G`";
     Fault::new(Code::Value, message).help(help)
+}
+
+/// The quantity of which a term is a positive multiple, so that both are positive: `m` of `3*m`.
+fn multiplied(term: &Expr) -> Option<Symbol> {
+    let is_number = |own: &&Expr| own.as_number().is_some_and(|number| *number > Rational::ZERO);
+    match term {
+        Expr::Symbol(symbol) => Some(*symbol),
+        Expr::Product(factors) => {
+            let mut others = factors.iter().filter(|own| !is_number(own));
+            if let (Some(Expr::Symbol(symbol)), None) = (others.next(), others.next()) { Some(*symbol) } else { None }
+        }
+        _ => None,
+    }
 }
 
 /// Whether a part of a term that is made of numbers alone is too large for any use, or has no value.

@@ -72,7 +72,7 @@ impl Sheet<'_> {
             let missing = missing?;
             let name = &self.case.problem.model().symbols.entry(missing).name;
             // What is worked out from other quantities has no value of its own.
-            let is_derived = matches!(self.case.problem.loaded().given.get(name), Some(Given::Expression(_)));
+            let is_derived = self.case.problem.loaded().given.get(name).is_some_and(Given::is_derived);
             if is_derived || open.len() >= MOST_OPEN {
                 return None;
             }

@@ -6,6 +6,7 @@ use crate::expr::Symbol;
 use crate::fault::Code;
 use crate::fault::Fault;
 use crate::model::Model;
+use crate::model::QuantityKind;
 use crate::model::Warning;
 use crate::solve::Audit;
 use crate::solve::Bounded;
@@ -84,7 +85,7 @@ impl Regimes {
                 Ok(planned) => planned,
                 Err(stuck) => {
                     stuck_at.get_or_insert_with(|| {
-                        let ways = ways_out(planner, &system, &stuck, wanted);
+                        let ways = ways_out(planner, model, &system, &stuck, wanted);
                         fault(model, &system, &stuck, &ways)
                     });
                     continue;
@@ -128,19 +129,35 @@ impl Regimes {
     }
 }
 
-/// Where no tactic closes some equations: the quantities of which any one, told as well, lets the rest be found.
-fn ways_out(planner: &mut Planner, system: &System, stuck: &Stuck, wanted: &[Symbol]) -> Vec<Symbol> {
-    let Reason::NoTactic { unknowns, .. } = &stuck.reason else { return Vec::new() };
-    let mut works = |symbol: &Symbol| {
-        let known = stuck.known.iter().copied().chain([*symbol]).collect();
-        let wanted: Vec<Symbol> = wanted.iter().copied().filter(|own| own != symbol).collect();
-        planner.plan(system, &known, &wanted).is_ok()
+/// Where no tactic closes some equations: quantities that let the rest be found, each with a given whose place it has to take.
+fn ways_out(
+    planner: &mut Planner,
+    model: &Model,
+    system: &System,
+    stuck: &Stuck,
+    wanted: &[Symbol],
+) -> Vec<(Symbol, Symbol)> {
+    let Reason::NoTactic { equations, unknowns } = &stuck.reason else { return Vec::new() };
+    let within = equations.iter().filter_map(|position| system.equations.get(*position)).flat_map(Equation::symbols);
+    let can_be_left_out = |symbol: &Symbol| {
+        let is_number = model.literals.iter().any(|(own, _)| own == symbol);
+        stuck.known.contains(symbol) && !is_number && model.name(*symbol).kind != QuantityKind::Gravity
     };
-    unknowns.iter().copied().filter(|symbol| works(symbol)).collect()
+    let givens: BTreeSet<Symbol> = within.filter(can_be_left_out).collect();
+    let mut replaced = |symbol: &Symbol| {
+        // What is told of masses mostly stays: later symbols are those of the motion.
+        let mut givens = givens.iter().rev().copied();
+        let given = givens.find(|given| {
+            let known = stuck.known.iter().copied().filter(|own| own != given).chain([*symbol]).collect();
+            planner.plan(system, &known, wanted).is_ok()
+        })?;
+        Some((*symbol, given))
+    };
+    unknowns.iter().filter(|symbol| !wanted.contains(symbol)).filter_map(|symbol| replaced(symbol)).collect()
 }
 
-/// Why a form cannot be solved, in the author's terms; `ways` are quantities that would have to be told as well.
-fn fault(model: &Model, system: &System, stuck: &Stuck, ways: &[Symbol]) -> Fault {
+/// Why a form cannot be solved, in the author's terms; `ways` are quantities to be told, each in place of a given.
+fn fault(model: &Model, system: &System, stuck: &Stuck, ways: &[(Symbol, Symbol)]) -> Fault {
     let name = |symbol: &Symbol| format!("`{}`", model.symbols.entry(*symbol).name);
     let names = |symbols: &[Symbol]| symbols.iter().map(name).collect::<Vec<_>>().join(", ");
     let laws = |equations: &[usize]| {
@@ -168,7 +185,10 @@ fn fault(model: &Model, system: &System, stuck: &Stuck, ways: &[Symbol]) -> Faul
             let message = format!("no known method gives {} from {}", names(unknowns), laws(equations));
             let help = match ways {
                 [] => "describe the scene by other quantities, or ask for another".to_owned(),
-                ways => format!("the rest can be found where one of these is given: {}", names(ways)),
+                ways => {
+                    let way = |(own, given): &(Symbol, Symbol)| format!("{} in place of {}", name(own), name(given));
+                    format!("give {}", ways.iter().take(4).map(way).collect::<Vec<_>>().join(", or "))
+                }
             };
             Fault::new(Code::Stuck, message).help(help)
         }

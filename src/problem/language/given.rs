@@ -89,6 +89,13 @@ impl Given {
         (text.chars().all(is_number) || Fraction::read(text).is_some()).then_some(text)
     }
 
+    /// Whether its value follows from other quantities; that of a fraction which a decimal gives exactly does not.
+    #[must_use]
+    pub fn is_derived(&self) -> bool {
+        let Self::Expression(text) = self else { return false };
+        Fraction::read(text.trim()).and_then(|own| own.decimal()).is_none()
+    }
+
     /// Reads an entry that stands at a path.
     ///
     /// # Errors

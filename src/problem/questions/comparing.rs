@@ -15,7 +15,6 @@ use crate::solve::Relation;
 use super::super::language::ask::Holds;
 use super::super::language::ask::Order;
 use super::super::language::condition::condition;
-use super::super::language::given::Given;
 use super::super::reading::load::Loaded;
 use super::decision::ChoicePart;
 use super::decision::Claim;
@@ -62,10 +61,7 @@ pub(in crate::problem) fn claim(
 
 /// Of some quantities those that have to be solved: they have no value of their own.
 pub(super) fn to_solve(loaded: &Loaded, builder: &Builder<'_>, quantities: BTreeSet<Symbol>) -> Vec<Symbol> {
-    let has_value = |name: &str| match loaded.given.get(name) {
-        Some(given) => !matches!(given, Given::Expression(_)),
-        None => false,
-    };
+    let has_value = |name: &str| loaded.given.get(name).is_some_and(|given| !given.is_derived());
     let is_told = |symbol: Symbol| {
         let name = &builder.symbols().entry(symbol).name;
         has_value(name) || name.split_once('.').is_some_and(|(whole, _)| has_value(whole))

@@ -211,8 +211,7 @@ fn has_parts(builder: &Builder<'_>, symbol: Symbol) -> bool {
 
 fn is_given(loaded: &Loaded, builder: &Builder<'_>, symbol: Symbol) -> bool {
     let name = &builder.symbols().entry(symbol).name;
-    let has_value =
-        |name: &str| matches!(loaded.given.get(name), Some(given) if !matches!(given, Given::Expression(_)));
+    let has_value = |name: &str| loaded.given.get(name).is_some_and(|given| !given.is_derived());
     builder.is_literal(symbol)
         || name == "g"
         || has_value(name)
