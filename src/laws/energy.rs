@@ -117,7 +117,8 @@ pub const HEAT: Law = Law {
 };
 
 /// The laws of this chapter.
-pub const LAWS: &[&Law] = &[&KINETIC, &POTENTIAL, &SPRING, &LOSS, &GAIN, &WORK_ENERGY, &WORK, &CONSERVATION, &RUBBING, &HEAT];
+pub const LAWS: &[&Law] =
+    &[&KINETIC, &POTENTIAL, &SPRING, &LOSS, &GAIN, &WORK_ENERGY, &WORK, &CONSERVATION, &RUBBING, &HEAT];
 
 /// `1/2 (m_A m_B)/(m_A + m_B) (1 - e^2) u^2`: what an impact of two free bodies that approach each other at `u` loses.
 #[must_use]

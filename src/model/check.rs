@@ -3,6 +3,7 @@
 use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Path;
+use crate::quantity::Dimension;
 use crate::scene::Axes;
 use crate::scene::Plane;
 use crate::scene::Scene;
@@ -76,6 +77,16 @@ pub(super) fn is_structural(scene: &Scene, name: &str) -> bool {
             }
             _ => false,
         }
+}
+
+/// Whether a name is that of the angular impulse of a stage; a moment of inertia that has this name differs in dimension.
+pub(super) fn is_angular_impulse(scene: &Scene, name: &str, dimension: Dimension) -> bool {
+    let turns = |stage: &Stage| match stage {
+        Stage::Rotate(own) => own.is_driven(),
+        other => matches!(other, Stage::Strike(_) | Stage::Moment(_)),
+    };
+    let is_own = |name: Name| name.kind == QuantityKind::AngularImpulse && name.subject.is_empty();
+    dimension == Dimension::ANGULAR_MOMENTUM && Name::parse(name).is_some_and(is_own) && scene.stages.iter().any(turns)
 }
 
 /// Every way in which the parts of a scene contradict each other.

@@ -91,7 +91,7 @@ impl<'s> Builder<'s> {
         builder.unmeasured = unmeasured;
         builder.given = given.iter().map(|(name, _)| name.clone()).collect();
         for (name, dimension) in given {
-            if !check::is_structural(scene, name) {
+            if !check::is_structural(scene, name) && !check::is_angular_impulse(scene, name, *dimension) {
                 builder.symbol_of(Name::written(name), *dimension, "");
             }
         }
@@ -132,7 +132,8 @@ impl<'s> Builder<'s> {
     /// Takes a quantity of the author's own, given by positive values only, to be positive. Quantities that the scene makes
     /// may be of either sign, whatever is given.
     pub fn assume_positive(&mut self, name: &str, symbol: Symbol) {
-        if !check::is_structural(self.scene, name) {
+        let dimension = self.symbols.entry(symbol).dimension;
+        if !check::is_structural(self.scene, name) && !check::is_angular_impulse(self.scene, name, dimension) {
             self.system.positive.insert(symbol);
         }
     }

@@ -4,12 +4,27 @@ use crate::expr::Expr;
 use crate::fault::Path;
 use crate::laws::energy;
 use crate::quantity::Dimension;
+use crate::scene::Term;
 
 use super::Builder;
+use super::Name;
+use super::QuantityKind;
 use super::stage::Description;
 use super::stage::ROTOR;
 
 impl Builder<'_> {
+    /// Makes the moments of inertia that are called as an angular impulse is, `I_M` of a body M, before there is one.
+    pub(super) fn inertias_by_name(&mut self) {
+        let scene = self.scene;
+        let is_taken =
+            |term: &Term| Name::parse(term.0.trim()).is_some_and(|name| name.kind == QuantityKind::AngularImpulse);
+        for (body, entry) in &scene.bodies {
+            if entry.inertia.as_ref().is_some_and(is_taken) {
+                self.inertia(body);
+            }
+        }
+    }
+
     /// The moment of inertia of a body that has one.
     fn inertia(&mut self, body: &str) -> Option<Expr> {
         let term = self.scene.bodies.get(body)?.inertia.clone()?;

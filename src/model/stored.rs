@@ -35,8 +35,7 @@ pub(super) fn is_spring(scene: &Scene, name: &Name) -> bool {
 pub(super) fn energy_of_spring(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let instant = builder.number(name)?;
     let here = |own: &Stored| own.deformations.get(instant.checked_sub(own.stage + 1)?).cloned();
-    let at_instant: Vec<(&Stored, Expr)> =
-        builder.stored.iter().filter_map(|own| Some((own, here(own)?))).collect();
+    let at_instant: Vec<(&Stored, Expr)> = builder.stored.iter().filter_map(|own| Some((own, here(own)?))).collect();
     let meant = |stage: usize| name.stage.is_none() || builder.stage_label(stage) == name.stage;
     let mut all = at_instant.iter().filter(|(own, _)| meant(own.stage));
     let (own, deformation) = all.next()?;

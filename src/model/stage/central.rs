@@ -88,8 +88,7 @@ impl Builder<'_> {
             )
         });
         let ends = [index + 1, index + 2];
-        let deformations =
-            ends.map(|instant| self.polar_state(body, &stage.about, instant).0 - natural.clone());
+        let deformations = ends.map(|instant| self.polar_state(body, &stage.about, instant).0 - natural.clone());
         let [start, end] = [0, 1].map(|side| {
             let moving = self.kinetic_term(body, ends[side]);
             moving + energy::of_spring(&stiffness, &deformations[side])

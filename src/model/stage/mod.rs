@@ -65,6 +65,7 @@ impl Builder<'_> {
     /// Adds the equations of every stage, in order.
     pub(in crate::model) fn stages(&mut self) {
         self.masses_by_name();
+        self.inertias_by_name();
         let scene = self.scene;
         for (index, stage) in scene.stages.iter().enumerate() {
             let path = Path::root().key("scene").key("stages").index(index).key(stage.key());

@@ -1,5 +1,7 @@
 //! Where a stage is simulated: its numbers, how finely, and what has been found.
 
+use core::cell::Cell;
+
 use crate::scene::Term;
 use crate::scene::stage::Included;
 
@@ -104,6 +106,22 @@ impl<'a> StageRun<'a> {
     /// Notes a quantity under its name with the suffix of the stage.
     pub(super) fn note_here(&mut self, base: &str, value: f64, scale: f64) {
         self.note(&format!("{base}{}", self.values.suffix()), value, scale);
+    }
+
+    /// Notes an angular impulse, unless the scene calls a moment of inertia by its name.
+    pub(super) fn note_angular_impulse(&mut self, letter: &str, value: f64, scale: f64) {
+        let (own, values, taken) = (format!("I_M{letter}"), self.values, Cell::new(false));
+        let read = |name: &str| {
+            taken.set(taken.get() || name == own);
+            (values.value)(name)
+        };
+        let reading = Values { value: &read, ..*values };
+        for inertia in values.scene.bodies.values().filter_map(|body| body.inertia.as_ref()) {
+            let _ = reading.term(inertia);
+        }
+        if !taken.get() {
+            self.note_here(&own, value, scale);
+        }
     }
 
     /// Notes what a term of the scene says.

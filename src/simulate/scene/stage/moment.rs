@@ -54,7 +54,7 @@ impl StageRun<'_> {
             let pushed = self.try_out(&system, integrator, &Until::Time(end))?;
             let faster = part(velocity(&pushed.state, 0), Axis::X) / ARM;
             let gained = 2.0 * ARM * ARM * mass * faster;
-            self.note_here(&format!("I_M{letter}"), gained, 0.0);
+            self.note_angular_impulse(&letter, gained, 0.0);
             let first = self.values.index + 1;
             if inertia > 0.0 {
                 let about = |missing| {

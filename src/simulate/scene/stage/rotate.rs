@@ -136,7 +136,7 @@ impl StageRun<'_> {
         self.note_here("work", work, energy);
         if stage.is_driven() {
             let (from, to) = (resists(0) * before, resists(1) * after);
-            self.note_here("I_M", to - from, from.abs().max(to.abs()));
+            self.note_angular_impulse("", to - from, from.abs().max(to.abs()));
         }
         let all = self.values.scene.bodies.len() == stage.turning().len();
         for (instant, side, rate) in [(first, 0, before), (first + 1, 1, after)] {

@@ -28,14 +28,21 @@ impl StageRun<'_> {
             + carried.iter().map(|(_, mass, arm)| mass * (arm / distance) * (arm / distance)).sum::<f64>();
         let mass = self.values.mass(body)?;
         let speed = self.values.velocity_before(body, axis)?;
+        let meets = speed - turning * distance;
         let struck = Particle::free("arm", resists, times(turning * distance, along));
         let parties = [Particle::free(body, mass, times(speed, along)), struck];
         let restitution = match (&stage.restitution, stage.plastic) {
             (Some(term), _) => self.values.term(term)?,
             (None, true) => 0.0,
-            (None, false) => return Err(NothingToSimulate::NoRestitution),
+            // The impulse up to the greatest deformation is the reduced mass times the velocity at which they meet.
+            (None, false) => {
+                let told = self.values.named(&format!("I_M{}", self.values.suffix()));
+                let impulse = told.map_err(|_| NothingToSimulate::NoRestitution)? / distance;
+                let restitution = impulse * (1.0 / mass + 1.0 / resists) / meets - 1.0;
+                Some(restitution).filter(|own| (0.0..=1.0).contains(own)).ok_or(NothingToSimulate::NoRestitution)?
+            }
         };
-        let sense = (speed - turning * distance).signum();
+        let sense = meets.signum();
         let touch = Touch { parties, normal: times(sense, along), restitution };
         let parted = touch.watched(self)?;
         self.remark(
@@ -63,7 +70,7 @@ impl StageRun<'_> {
             self.note(&format!("H_{}{}", stage.about, first + side), moment, size);
             self.note(&format!("omega_{}", first + side), turning, fast / distance);
         }
-        self.note_here("I_M", resists * distance * (struck - turning * distance), resists * distance * fast);
+        self.note_angular_impulse("", resists * distance * (struck - turning * distance), resists * distance * fast);
         self.note_velocity(body, times(after, along), fast);
         self.note_energy(&ends[0], &ends[1]);
         Ok(())
