@@ -81,9 +81,8 @@ pub(super) fn is_structural(scene: &Scene, name: &str) -> bool {
 
 /// Whether a name is that of the angular impulse of a stage; a moment of inertia that has this name differs in dimension.
 pub(super) fn is_angular_impulse(scene: &Scene, name: &str, dimension: Dimension) -> bool {
-    let turns = |stage: &Stage| match stage {
-        Stage::Rotate(own) => own.is_driven(),
-        other => matches!(other, Stage::Strike(_) | Stage::Moment(_)),
+    let turns = |stage: &Stage| {
+        matches!(stage, Stage::Strike(_) | Stage::Moment(_)) || matches!(stage, Stage::Rotate(own) if own.is_driven())
     };
     let is_own = |name: Name| name.kind == QuantityKind::AngularImpulse && name.subject.is_empty();
     dimension == Dimension::ANGULAR_MOMENTUM && Name::parse(name).is_some_and(is_own) && scene.stages.iter().any(turns)

@@ -72,6 +72,8 @@ const BEYOND_A_SCHEMA: &[&str] = &[
     "pictures_",
     "resistance_",
     "rest_that_never_comes",
+    "no_known_method",
+    "potential_energy_without_a_spring",
 ];
 
 fn is_valid(path: &Path) -> bool {

@@ -10,9 +10,9 @@ use super::super::Because;
 use super::super::Builder;
 use super::super::Name;
 use super::super::QuantityKind;
-use super::super::stored::energy_of_spring;
 use super::super::stored::is_spring;
 use super::relative::energy_of_the_centre;
+use super::spring::energy_of_spring;
 
 pub(super) fn kinetic_energy(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
     let instant = builder.number(name)?;

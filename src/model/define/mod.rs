@@ -7,6 +7,7 @@ mod mass_centre;
 mod phases;
 mod relative;
 mod speed;
+mod spring;
 mod vector;
 mod velocity;
 

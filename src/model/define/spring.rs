@@ -1,0 +1,31 @@
+//! The energy that a spring stores.
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+use crate::laws::energy;
+
+use super::super::Because;
+use super::super::Builder;
+use super::super::Instant;
+use super::super::Name;
+use super::super::stored::Stored;
+
+/// The energy of the spring at an instant; where one spring follows another, the stage says which is meant.
+pub(super) fn energy_of_spring(builder: &mut Builder<'_>, name: &Name) -> Option<Symbol> {
+    let instant = builder.number(name)?;
+    let here = |own: &Stored| own.deformations.get(instant.checked_sub(own.stage + 1)?).cloned();
+    let at_instant: Vec<(&Stored, Expr)> = builder.stored.iter().filter_map(|own| Some((own, here(own)?))).collect();
+    let meant = |stage: usize| name.stage.is_none() || builder.stage_label(stage) == name.stage;
+    let mut all = at_instant.iter().filter(|(own, _)| meant(own.stage));
+    let (own, deformation) = all.next()?;
+    if all.any(|(other, deformed)| (&other.stiffness, deformed) != (&own.stiffness, deformation)) {
+        return None;
+    }
+    let value = energy::of_spring(&own.stiffness, deformation);
+    let meaning = format!("the potential energy of the spring {}", builder.when(instant));
+    let label = name.stage.clone().filter(|_| at_instant.len() > 1);
+    let kept = Name { instant: Some(Instant::Number(instant)), stage: label, ..name.clone() };
+    let symbol = builder.symbol(kept, meaning);
+    builder.law(&energy::SPRING, None, Because::Definition, (symbol.into(), value));
+    Some(symbol)
+}
