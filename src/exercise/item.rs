@@ -341,7 +341,7 @@ fn slip(verdict: Verdict, expected: &grade::ExpectedNumber) -> Option<String> {
         Verdict::UnitPrefix => Message::UnitPrefix,
         Verdict::OrderOfMagnitude => Message::OrderOfMagnitude,
         Verdict::Sense => Message::Sense(expected.senses.clone()),
-        Verdict::SenseReversed => Message::SenseReversed,
+        Verdict::SenseReversed => Message::reversed(expected.senses.as_ref()),
         Verdict::RightWithNote => Message::NegativeMagnitude,
         Verdict::AngleReversed
         | Verdict::AngleOtherSense

@@ -21,6 +21,7 @@ use crate::problem::PartKind;
 use crate::problem::PlannedForm;
 use crate::problem::Problem;
 use crate::problem::RangePart;
+use crate::problem::Sign;
 use crate::problem::Worked;
 use crate::quantity::coherent_unit;
 use crate::solve::Bounded;
@@ -116,6 +117,7 @@ impl Marker {
         let usual = |part: &'a str| self.notation.usual(ids.iter().copied(), part);
         Cow::Owned(said.iter().map(|(part, what)| (usual(part), *what)).collect())
     }
+
     /// The report on answers to a sheet of this form that the student was not given.
     #[must_use]
     pub fn not_issued(&self) -> grade::Report {
@@ -222,7 +224,7 @@ pub(super) fn widen(expected: &mut grade::Expected, worked: Worked<'_>, part: &P
 fn blank_number(rules: Rules<'_>, part: &Part, number: &NumberPart) -> grade::ExpectedNumber {
     let symbols = &rules.problem.model().symbols;
     let mut unit = number.plain_unit();
-    let senses = rules.problem.senses(number.symbol);
+    let sign = rules.problem.sign(number.symbol);
     let multiple_of = match number.unit {
         AskedUnit::InTermsOf(symbol, _) => {
             let product = coherent_unit(symbols.entry(number.symbol).dimension, rules.problem.units());
@@ -239,8 +241,11 @@ fn blank_number(rules: Rules<'_>, part: &Part, number: &NumberPart) -> grade::Ex
         writing: rules.writing(),
         reference: rules.reference(part),
         figures: number.figures,
-        signed: rules.problem.has_sign(number.symbol),
-        senses: senses.map(|senses| [senses.positive, senses.negative]),
+        signed: sign != Sign::Nothing,
+        senses: match sign {
+            Sign::Sense(senses) => Some([senses.positive, senses.negative]),
+            Sign::Other | Sign::Nothing => None,
+        },
         whole: number.whole,
         called: Some(Arc::new(called)),
         ..grade::ExpectedNumber::new(f64::NAN, unit)

@@ -117,7 +117,7 @@ struct List<'a> {
 
 impl List<'_> {
     fn step(&mut self, position: usize, step: &Step, script: &Script) {
-        if script.renames {
+        if script.is_given {
             return;
         }
         let before = self.lines.len();

@@ -73,6 +73,8 @@ pub enum Message {
     Sense(Option<[String; 2]>),
     /// The opposite direction.
     SenseReversed,
+    /// The opposite sign of what has no direction.
+    SignReversed,
     /// The number is right, unlike what stands beside it.
     NumberRight,
     /// No unit.
@@ -105,6 +107,11 @@ pub enum Message {
 }
 
 impl Message {
+    /// The right magnitude with the other sign: the words for its directions, where it has any.
+    pub(crate) fn reversed(senses: Option<&[String; 2]>) -> Self {
+        if senses.is_some() { Self::SenseReversed } else { Self::SignReversed }
+    }
+
     /// Whether it says no more than that the value is right.
     pub(super) fn is_verdict(&self) -> bool {
         matches!(self, Self::Right | Self::RightRounded)

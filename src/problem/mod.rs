@@ -51,5 +51,6 @@ pub use sampling::sampler::Sampler;
 pub use sampling::samples::Sample;
 pub use sampling::say::quantity as say_quantity;
 pub use sampling::secret::{is_guessable, secret_mark};
+pub use sampling::sign::Sign;
 pub use sampling::stream::{Scheme, Streams, Words};
 pub use sampling::variant::{Variant, Worked};

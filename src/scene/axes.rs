@@ -84,7 +84,23 @@ const OPPOSITES: &[(&str, &str, &str, &str)] = &[
     ("along the floor", "forwards along the floor", "back along the floor", "back along the floor"),
 ];
 
+/// The two senses of a turn, which are no directions of a straight axis; counter-clockwise is positive where nothing else is said.
+const TURNING: [&str; 2] = ["counter-clockwise", "clockwise"];
+
 impl Senses {
+    /// The senses of a turn, counter-clockwise positive.
+    #[must_use]
+    pub fn of_a_turn() -> Self {
+        let [positive, negative] = TURNING.map(str::to_owned);
+        Self { positive, negative }
+    }
+
+    /// Whether they are the senses of a turn, so that the axis runs along a circle.
+    #[must_use]
+    pub fn is_of_a_turn(&self) -> bool {
+        TURNING.contains(&self.positive.as_str())
+    }
+
     /// Whether the axis points up (1) or down (-1), where it is vertical.
     #[must_use]
     pub fn rise(&self) -> Option<i64> {

@@ -28,9 +28,6 @@ use super::super::wording::capitalised;
 use super::super::wording::join;
 use super::super::working::script;
 
-/// Directions of turning, which no axis points to.
-const TURNING: [&str; 2] = ["counter-clockwise", "clockwise"];
-
 /// The section's blocks; none where there is nothing to say.
 pub(in crate::explain) fn axes(display: Display<'_>, way: &WayCache) -> Vec<Block> {
     let mut blocks: Vec<Block> = directions(display).into_iter().map(Block::Paragraph).collect();
@@ -44,6 +41,9 @@ pub(in crate::explain) fn axes(display: Display<'_>, way: &WayCache) -> Vec<Bloc
             vec![Inline::Math(if is_open { display.name(given.0) } else { value(display, given) })]
         })
         .collect();
+    let steps = display.worked.leaf().answer_steps().iter();
+    let printed = steps.filter_map(|step| script::printed(display, step));
+    told.extend(printed.map(|symbol| vec![Inline::Math(as_printed(display, symbol))]));
     told.extend(renamed(display));
     if !told.is_empty() {
         let given = [vec![Inline::Text("Given: ".into())], join(told), vec![Inline::Text(".".into())]];
@@ -65,7 +65,7 @@ fn directions(display: Display<'_>) -> Vec<Vec<Inline>> {
     let axes = scene.axes.rectangular();
     let mut sentences = match &axes[..] {
         [] => Vec::new(),
-        [(_, senses)] if TURNING.contains(&senses.positive.as_str()) => {
+        [(_, senses)] if senses.is_of_a_turn() => {
             vec![vec![words(format!("{} is positive.", capitalised(&senses.positive)))]]
         }
         [(first, senses), others @ ..] => {
@@ -155,4 +155,11 @@ fn value(display: Display<'_>, (symbol, value, unit): &(Symbol, Decimal, Unit)) 
     }
     parts.push(display.quantity(*symbol));
     Math::Row(parts)
+}
+
+/// The value of what the author derives from other givens, as the sheet prints it.
+fn as_printed(display: Display<'_>, symbol: Symbol) -> Math {
+    let (value, unit) = display.worked.variant.printed_value(display.worked.problem, symbol);
+    let printed = with_unit(number_math(Printed::written(&value).plain()), &unit);
+    Math::Row(vec![display.name(symbol), Math::Operator(Operator::Equals), printed])
 }

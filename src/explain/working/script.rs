@@ -30,8 +30,8 @@ use super::sentence;
 /// One step, as far as no number changes it.
 #[derive(Debug)]
 pub(in crate::explain) struct Script {
-    /// Whether it only gives a given another name, which stands with the givens.
-    pub renames: bool,
+    /// Whether what it finds stands with the givens, where the reader has it from: a given by another name, or what the sheet prints.
+    pub is_given: bool,
     /// Its equations in symbols.
     pub derivation: Derivation,
     /// Laws, and how their equations are solved.
@@ -87,7 +87,7 @@ impl Writer<'_> {
     fn script(&self, step: &Step, next: &mut u32) -> Script {
         let mut derivation = Derivation::of(self.display, step);
         derivation.number(next);
-        let renames = renamed(self.display, step).is_some();
+        let is_given = renamed(self.display, step).is_some() || printed(self.display, step).is_some();
         let closes = (step.equations.len() == 1).then_some(step);
         let mut opening = Vec::new();
         for line in &derivation.lines {
@@ -108,7 +108,7 @@ impl Writer<'_> {
         }
         let found = |(unknown, closed): &(Symbol, Closed)| self.found(step, &derivation, *unknown, closed);
         let roots = step.roots.iter().map(|root| root.values.iter().map(found).collect()).collect();
-        Script { renames, derivation, opening, roots }
+        Script { is_given, derivation, opening, roots }
     }
 
     fn found(&self, step: &Step, derivation: &Derivation, unknown: Symbol, closed: &Closed) -> Found {
@@ -177,12 +177,14 @@ fn sides<'a>(display: Display<'a>, step: &Step) -> Option<[&'a Expr; 2]> {
     }
 }
 
+/// What the author writes as an expression of other givens and the sheet prints: to its reader, a given like the others.
+pub(in crate::explain) fn printed(display: Display<'_>, step: &Step) -> Option<Symbol> {
+    related(display, step).map(|(unknown, _)| unknown).filter(|unknown| display.worked.form.printed.contains(unknown))
+}
+
 /// What a step calls by another name: the new name, and the given, perhaps with a minus.
 pub(in crate::explain) fn renamed<'a>(display: Display<'a>, step: &'a Step) -> Option<(Symbol, &'a Expr)> {
-    let ([equation], [Root { values }]) = (&step.equations[..], &step.roots[..]) else { return None };
-    let [(unknown, Closed::Formula(formula))] = &values[..] else { return None };
-    let stated = display.worked.leaf().system.equations.get(*equation)?;
-    let instance = display.worked.problem.model().instances.get(stated.tag)?;
+    let (unknown, formula) = related(display, step)?;
     let given = match formula {
         Expr::Symbol(given) => *given,
         Expr::Product(factors) => match &factors[..] {
@@ -192,7 +194,16 @@ pub(in crate::explain) fn renamed<'a>(display: Display<'a>, step: &'a Step) -> O
         _ => return None,
     };
     let is_given = display.worked.variant.all_given().iter().any(|(own, ..)| *own == given);
-    (instance.law.id == geometry::RELATION.id && is_given).then_some((*unknown, formula))
+    is_given.then_some((unknown, formula))
+}
+
+/// A quantity that a step finds from a relation of the author's alone, and its formula.
+fn related<'a>(display: Display<'a>, step: &'a Step) -> Option<(Symbol, &'a Expr)> {
+    let ([equation], [Root { values }]) = (&step.equations[..], &step.roots[..]) else { return None };
+    let [(unknown, Closed::Formula(formula))] = &values[..] else { return None };
+    let stated = display.worked.leaf().system.equations.get(*equation)?;
+    let instance = display.worked.problem.model().instances.get(stated.tag)?;
+    (instance.law.id == geometry::RELATION.id).then_some((*unknown, formula))
 }
 
 /// Whether the only equation of a step is stated piece by piece.

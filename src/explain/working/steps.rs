@@ -70,7 +70,7 @@ impl<'a> Steps<'a> {
 
     /// One step, as blocks.
     pub(in crate::explain) fn step(&mut self, position: usize, step: &Step, script: &Script) -> Vec<Block> {
-        if script.renames {
+        if script.is_given {
             return Vec::new();
         }
         let mut blocks = Vec::new();

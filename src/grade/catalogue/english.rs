@@ -36,6 +36,7 @@ impl Catalogue for English {
             Message::SomeValues => "Some of these values are right. Are any missing, and is each of them a solution?",
             Message::Sense(None) => "The magnitude is right. What is its sign?",
             Message::SenseReversed => "The magnitude is right. Check the direction.",
+            Message::SignReversed => "The magnitude is right. Check the sign.",
             Message::NumberRight => "The number is right.",
             Message::UnitMissing => "The unit is missing.",
             Message::UnitPrefix => {

@@ -109,7 +109,7 @@ fn fitting(target: &Target, answer: &NumberAnswer, number: &Number, found: Found
         Found::Rounded => Judgement::of(Verdict::RightRounded, Message::RightRounded),
         Found::NegativeMagnitude => Judgement::of(Verdict::RightWithNote, Message::NegativeMagnitude),
         Found::Sense => Judgement::of(Verdict::Sense, Message::Sense(expected.senses.clone())),
-        Found::SenseReversed => Judgement::of(Verdict::SenseReversed, Message::SenseReversed),
+        Found::SenseReversed => Judgement::of(Verdict::SenseReversed, Message::reversed(expected.senses.as_ref())),
         Found::Elsewhere => return wrong(expected, answer),
     };
     if !judgement.verdict.is_right() {
@@ -119,7 +119,13 @@ fn fitting(target: &Target, answer: &NumberAnswer, number: &Number, found: Found
         return Judgement::of(Verdict::UnitNotAsked, Message::UnitNotAsked(expected.unit.to_string()));
     }
     let judgement = if answer.pounds_as_mass { judgement.noted(Message::PoundsAsMass) } else { judgement };
-    figures::judged(judgement, target, answer.written, number, converted)
+    match found {
+        // The minus sign has been noted: the figures are those of the magnitude.
+        Found::NegativeMagnitude => {
+            figures::judged(judgement, target, answer.written, &number.clone().negated(), converted)
+        }
+        _ => figures::judged(judgement, target, answer.written, number, converted),
+    }
 }
 
 /// The judgement on a number that stands alone.

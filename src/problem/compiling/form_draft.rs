@@ -128,7 +128,8 @@ impl FormDraft {
         let mut wanted: Vec<Symbol> =
             self.wanted.iter().copied().chain(multiplied.filter(|symbol| !told.contains(symbol))).collect();
         let extra = |conditions: &[Condition]| [require, conditions].concat();
-        let sheet = enough::on_the_sheet(loaded, &self.question, model, &known, &told);
+        let printed = enough::printed(loaded, &self.question, model);
+        let sheet = enough::on_the_sheet(&self.question, &printed, &known, &told);
         let rules = (&self.counts[..], &extra(&self.conditions)[..]);
         let answered = enough::answered(planner, model, &self.sought, rules, (&known, &sheet))?;
         for (at, part) in answered.parts {
@@ -181,6 +182,7 @@ impl FormDraft {
             parts: self.parts,
             meant: self.allowed.meant,
             told,
+            printed,
             on_sheet: sheet,
             free: BTreeSet::new(),
             formulas: Formulas::default(),

@@ -63,7 +63,9 @@ pub struct Form {
     pub meant: Vec<Meant>,
     /// What the student is told: the symbols that the solver takes as known.
     pub told: BTreeSet<Symbol>,
-    /// Of these, the quantities that the words and numbers of the sheet tell: neither what is drawn and not printed, nor what may be
+    /// The quantities whose values the sheet prints, given or derived.
+    pub printed: BTreeSet<Symbol>,
+    /// Of what is told, the quantities that the words and numbers of the sheet tell: neither what is drawn and not printed, nor what may be
     /// anything.
     pub on_sheet: BTreeSet<Symbol>,
     /// Of what is told, the quantities whose values the sheet does not tell: they may be anything, or are known by their symbols only.

@@ -137,16 +137,12 @@ impl Problem {
 /// What the laws that lead to the answers refer to; what a question compares with, it says itself, and what defines a quantity whose
 /// value the text prints need not be told.
 fn in_laws(problem: &Problem, form: &Form) -> BTreeSet<Symbol> {
-    let (model, loaded) = (problem.model(), problem.loaded());
+    let model = problem.model();
     let asked = [&geometry::BOUNDARY, &kinematics::COUNT];
-    let printed: BTreeSet<Expr> = [&loaded.draft.text, &form.question.text]
-        .into_iter()
-        .flat_map(Text::printed_names)
-        .filter_map(|name| model.symbol_of(&name))
-        .map(Expr::from)
-        .collect();
-    let defines =
-        |equation: &Equation| matches!(&equation.statement, Statement::Equal { left, .. } if printed.contains(left));
+    let defines = |equation: &Equation| match &equation.statement {
+        Statement::Equal { left: Expr::Symbol(defined), .. } => form.printed.contains(defined),
+        _ => false,
+    };
     let is_law = |equation: &&Equation| {
         model.instances.get(equation.tag).is_some_and(|own| {
             asked.iter().all(|law| law.id != own.law.id) && !(own.law.id == geometry::RELATION.id && defines(equation))

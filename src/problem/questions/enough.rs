@@ -75,20 +75,23 @@ pub(in crate::problem) fn read(
     Some(Sought { at, id: id.to_owned(), label, points, symbol, path })
 }
 
-/// What the words and numbers of a sheet tell: what is drawn and not printed is not known, nor is what may be anything.
-pub(in crate::problem) fn on_the_sheet(
-    loaded: &Loaded,
-    question: &Question,
-    model: &Model,
-    known: &[Known],
-    told: &BTreeSet<Symbol>,
-) -> BTreeSet<Symbol> {
-    let printed: BTreeSet<Symbol> = [&loaded.draft.text, &question.text]
+/// The quantities whose values the text of a sheet prints, or the graph on it.
+pub(in crate::problem) fn printed(loaded: &Loaded, question: &Question, model: &Model) -> BTreeSet<Symbol> {
+    [&loaded.draft.text, &question.text]
         .into_iter()
         .flat_map(Text::printed_names)
         .filter_map(|name| model.symbol_of(&name))
         .chain(model.graph.iter().flat_map(PrintedGraph::symbols))
-        .collect();
+        .collect()
+}
+
+/// What the words and numbers of a sheet tell: what is drawn and not printed is not known, nor is what may be anything.
+pub(in crate::problem) fn on_the_sheet(
+    question: &Question,
+    printed: &BTreeSet<Symbol>,
+    known: &[Known],
+    told: &BTreeSet<Symbol>,
+) -> BTreeSet<Symbol> {
     let is_secret = |known: &&Known| match known.origin {
         Origin::Drawn(_) => !printed.contains(&known.symbol),
         Origin::Any => true,

@@ -8,5 +8,6 @@ pub(super) mod sampler;
 pub(super) mod samples;
 pub(super) mod say;
 pub(super) mod secret;
+pub(super) mod sign;
 pub(super) mod stream;
 pub(super) mod variant;

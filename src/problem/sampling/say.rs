@@ -1,6 +1,5 @@
 //! Filling an author's text: how a quantity is said in a sentence.
 
-use crate::expr::Expr;
 use crate::expr::Symbol;
 use crate::model::PrintedGraph;
 use crate::model::QuantityKind;
@@ -197,16 +196,6 @@ impl Problem {
         senses_of(scene, &self.model().symbols.entry(symbol).name).filter(|_| is_directed)
     }
 
-    /// Whether a quantity may be of either sign by its meaning: a component, or an expression that is a sum or contains one.
-    #[must_use]
-    pub fn has_sign(&self, symbol: Symbol) -> bool {
-        let expression = self.model().expressions.get(&symbol);
-        expression.map_or_else(
-            || self.senses(symbol).is_some(),
-            |own| matches!(own, Expr::Sum(_)) || own.symbols().iter().any(|part| self.senses(*part).is_some()),
-        )
-    }
-
     /// The letter of the axis along which a component is counted.
     #[must_use]
     pub fn axis(&self, symbol: Symbol) -> Option<char> {
@@ -230,7 +219,7 @@ fn axis_of(scene: &Scene, name: &str) -> Option<(Axis, Senses)> {
     }
 }
 
-fn senses_of(scene: &Scene, name: &str) -> Option<Senses> {
+pub(super) fn senses_of(scene: &Scene, name: &str) -> Option<Senses> {
     axis_of(scene, name).map(|(_, senses)| senses)
 }
 

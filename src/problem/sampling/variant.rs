@@ -93,7 +93,8 @@ impl Variant {
     }
 
     /// The value and unit with which a text prints a quantity: as given, else rounded to the problem's figures.
-    pub(in crate::problem) fn printed_value(&self, problem: &Problem, symbol: Symbol) -> (Decimal, Unit) {
+    #[must_use]
+    pub fn printed_value(&self, problem: &Problem, symbol: Symbol) -> (Decimal, Unit) {
         if let Some(told) = self.given(symbol) {
             return told;
         }

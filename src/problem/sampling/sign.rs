@@ -1,0 +1,72 @@
+//! What the sign of a quantity says, so that an answer with the wrong one is not taken for a magnitude.
+
+use crate::expr::Expr;
+use crate::expr::Symbol;
+use crate::model::QuantityKind;
+use crate::scene::Senses;
+
+use super::super::compiling::planned::Problem;
+use super::say::senses_of;
+
+/// What the sign of a quantity says.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Sign {
+    /// Which of two directions a vector has, or which of two senses a turn.
+    Sense(Senses),
+    /// Something without words of its own: the side of the origin, or whether work is done on a body or by it.
+    Other,
+    /// Nothing, since the quantity is a magnitude.
+    Nothing,
+}
+
+impl Problem {
+    /// What the sign of a quantity says by its meaning, whatever its value is. An expression has a sign where it is a sum or
+    /// where something in it has one.
+    ///
+    /// ```
+    /// use momentous::bank::Bank;
+    /// use momentous::problem::{Sign, compile, load};
+    ///
+    /// let problem = compile(load(Bank::built_in().find("impact/two-carts")?.clone())?, None)?;
+    /// let sign = |name| problem.model().symbol_of(name).map(|symbol| problem.sign(symbol));
+    /// assert!(matches!(sign("v_A2"), Some(Sign::Sense(_))));
+    /// assert_eq!(sign("m_A"), Some(Sign::Nothing));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn sign(&self, symbol: Symbol) -> Sign {
+        if let Some(own) = self.model().expressions.get(&symbol) {
+            let signed = own.symbols().iter().any(|part| self.sign(*part) != Sign::Nothing);
+            return if signed || matches!(own, Expr::Sum(_)) { Sign::Other } else { Sign::Nothing };
+        }
+        if let Some(senses) = self.senses(symbol) {
+            return Sign::Sense(senses);
+        }
+        let name = self.model().name(symbol);
+        if name.is_plain() {
+            return Sign::Nothing;
+        }
+        let scene = &self.loaded().draft.scene;
+        let along = senses_of(scene, &self.model().symbols.entry(symbol).name);
+        match &name.kind {
+            QuantityKind::AngularVelocity
+            | QuantityKind::AngularMomentum
+            | QuantityKind::AngularMomentumRate
+            | QuantityKind::AngularImpulse
+            | QuantityKind::Moment => match scene.axes.rectangular().len() {
+                0 | 2 => Sign::Sense(Senses::of_a_turn()),
+                1 => along.map_or(Sign::Other, Sign::Sense),
+                _ => Sign::Other,
+            },
+            QuantityKind::Acceleration
+            | QuantityKind::HoldingForce
+            | QuantityKind::MomentumRate
+            | QuantityKind::TimeIntegral => along.map_or(Sign::Nothing, Sign::Sense),
+            // On a circle a position is the distance from its centre.
+            QuantityKind::Position if along.as_ref().is_some_and(|senses| !senses.is_of_a_turn()) => Sign::Other,
+            QuantityKind::Coordinate(_) | QuantityKind::Work => Sign::Other,
+            kind if kind.is_velocity() => Sign::Other,
+            _ => Sign::Nothing,
+        }
+    }
+}
