@@ -15,6 +15,7 @@ use crate::solve::Relation;
 use super::super::language::ask::Holds;
 use super::super::language::ask::Order;
 use super::super::language::condition::condition;
+use super::super::language::form;
 use super::super::reading::load::Loaded;
 use super::decision::ChoicePart;
 use super::decision::Claim;
@@ -67,6 +68,17 @@ pub(super) fn to_solve(loaded: &Loaded, builder: &Builder<'_>, quantities: BTree
         has_value(name) || name.split_once('.').is_some_and(|(whole, _)| has_value(whole))
     };
     quantities.into_iter().filter(|symbol| !builder.is_literal(*symbol) && !is_told(*symbol)).collect()
+}
+
+/// Of some quantities those that have to be solved and are not revealed by the form.
+pub(super) fn to_solve_unrevealed(
+    loaded: &Loaded,
+    question: &form::Question,
+    builder: &mut Builder<'_>,
+    quantities: &BTreeSet<Symbol>,
+) -> Vec<Symbol> {
+    let revealed: BTreeSet<Symbol> = question.reveal.iter().filter_map(|name| builder.mention(name)).collect();
+    to_solve(loaded, builder, quantities - &revealed)
 }
 
 /// In which order some quantities are.

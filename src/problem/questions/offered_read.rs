@@ -79,9 +79,8 @@ pub(in crate::problem) fn read(
         });
     }
     let printed = reader.printed;
-    let revealed: BTreeSet<Symbol> = question.reveal.iter().filter_map(|name| builder.mention(name)).collect();
-    let solved = comparing::to_solve(loaded, builder, &by_right - &revealed);
-    let stream = format!("{}/{letter}", question.name.as_deref().unwrap_or_default());
+    let solved = comparing::to_solve_unrevealed(loaded, question, builder, &by_right);
+    let stream = question.stream(letter);
     Some(PartKind::Choice(ChoicePart::Offered(Box::new(Offer { stream, options, printed, solved }))))
 }
 

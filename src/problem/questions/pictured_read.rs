@@ -42,11 +42,10 @@ pub(in crate::problem) fn read(
         builder.fault(fault.help(help).at_path(path));
         return None;
     };
-    let revealed: BTreeSet<Symbol> = question.reveal.iter().filter_map(|name| builder.mention(name)).collect();
     let all: BTreeSet<Symbol> =
         rows.iter().flat_map(|row: &Ends| row.before.iter().chain(&row.after)).flat_map(Expr::symbols).collect();
-    let quantities = comparing::to_solve(loaded, builder, &all - &revealed);
-    let stream = format!("{}/{letter}", question.name.as_deref().unwrap_or_default());
+    let quantities = comparing::to_solve_unrevealed(loaded, question, builder, &all);
+    let stream = question.stream(letter);
     Some(PartKind::Choice(ChoicePart::Pictured(Box::new(Pictured { stream, stage, rows, quantities }))))
 }
 
