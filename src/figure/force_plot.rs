@@ -100,12 +100,22 @@ impl ForcePlot {
     /// ```
     #[must_use]
     pub fn drawing(&self) -> Drawing {
-        self.beside(&[])
+        self.drawn(&[], &[])
     }
 
     /// The same with other curves on the same axes.
     #[must_use]
     pub fn beside(&self, others: &[(Vec<[f64; 2]>, Role)]) -> Drawing {
+        self.drawn(others, &[])
+    }
+
+    /// The same with axes on which these points have a place as well.
+    #[must_use]
+    pub fn with_room_for(&self, room: &[[f64; 2]]) -> Drawing {
+        self.drawn(&[], room)
+    }
+
+    fn drawn(&self, others: &[(Vec<[f64; 2]>, Role)], room: &[[f64; 2]]) -> Drawing {
         let finite = |points: &[[f64; 2]]| -> Vec<Point> {
             let points = points.iter().map(|[time, force]| Point::new(*time, *force));
             points.filter(|point| point.x.is_finite() && point.y.is_finite()).collect()
@@ -113,6 +123,7 @@ impl ForcePlot {
         let points = finite(&self.points);
         let mut all = points.clone();
         all.extend(others.iter().flat_map(|(points, _)| finite(points)));
+        all.extend(finite(room));
         let frame = Frame::around(&all);
         let curve: Vec<Point> = points.iter().map(|point| frame.place(*point)).collect();
         let mut canvas = Canvas::default();
@@ -240,8 +251,11 @@ impl PlotAxis {
         marked
     }
 
-    /// `F in N`, or `F in 10^3 N` where the ticks have a power taken out.
+    /// `F in N`, or `F in 10^3 N` where the ticks have a power taken out; `F` alone without a unit.
     fn title(&self, ticks: &Ticks) -> Math {
+        if self.unit.is_empty() {
+            return self.symbol.clone();
+        }
         let power = if self.told.is_empty() { ticks.power } else { 0 };
         let mut parts = vec![self.symbol.clone(), Math::Text("in".to_owned())];
         if power != 0 {

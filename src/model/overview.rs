@@ -57,8 +57,21 @@ impl<'s> Builder<'s> {
     /// The momentum along each axis of what is told of `mass_of`, with the velocity that `body` has at an instant.
     #[must_use]
     pub fn momentum_with(&mut self, mass_of: &str, body: &str, instant: usize) -> Vec<Expr> {
+        let mass = self.mass_of(mass_of);
+        self.velocities_of(body, instant).into_iter().map(|velocity| mass.clone() * velocity).collect()
+    }
+
+    /// The velocity of a body along each axis at an instant.
+    #[must_use]
+    pub fn velocities_of(&mut self, body: &str, instant: usize) -> Vec<Expr> {
         let axes: Vec<Axis> = self.axes.iter().map(|(axis, _)| *axis).collect();
-        axes.into_iter().map(|axis| self.mass(mass_of) * self.velocity(body, instant, axis)).collect()
+        axes.into_iter().map(|axis| self.velocity(body, instant, axis)).collect()
+    }
+
+    /// The mass of a body.
+    #[must_use]
+    pub fn mass_of(&mut self, body: &str) -> Expr {
+        self.mass(body)
     }
 
     /// The body with which another moves at an instant: itself, or what it is a part of.

@@ -8,6 +8,7 @@ mod choices;
 mod conserved;
 mod crossing;
 mod film;
+mod graphs;
 mod impacts;
 mod parts;
 mod pictures;

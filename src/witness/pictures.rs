@@ -2,8 +2,11 @@
 
 use crate::problem::Balance;
 use crate::problem::Pictured;
+use crate::problem::Shows;
+use crate::problem::Subject;
 use crate::problem::Worked;
 
+use super::graphs;
 use super::simulation::Witness;
 
 /// The share of the longest arrow by which an arrow may be off what the simulation finds.
@@ -12,14 +15,18 @@ const OFF: f64 = 1e-6;
 /// The only picture whose arrows are those that the simulation finds; none where it finds nothing of them, or another number of
 /// pictures fits.
 pub(super) fn seen(witness: &Witness<'_>, pictured: &Pictured, worked: &Worked<'_>) -> Option<usize> {
-    if !witness.has_run(pictured.stage) {
-        return None;
-    }
     let pictures = pictured.pictures(worked);
     let mut fitting = Vec::new();
     for (place, picture) in pictures.iter().enumerate() {
-        let rows: Option<Vec<bool>> = picture.rows.iter().map(|row| fits(witness, pictured.stage, row)).collect();
-        fitting.extend(rows?.into_iter().all(|fits| fits).then_some(place));
+        let fits = match (&pictured.subject, &picture.shows) {
+            (Subject::Diagram(diagram), Shows::Diagram(rows)) => {
+                let rows = rows.iter().map(|row| fits(witness, diagram.stage, row)).collect::<Option<Vec<bool>>>();
+                rows.filter(|_| witness.has_run(diagram.stage))?.into_iter().all(|fits| fits)
+            }
+            (Subject::Graph(graph), Shows::Graph(curve)) => graphs::fits(witness, graph, curve, worked)?,
+            (Subject::Diagram(_), Shows::Graph(_)) | (Subject::Graph(_), Shows::Diagram(_)) => false,
+        };
+        fitting.extend(fits.then_some(place));
     }
     if let [only] = fitting[..] { Some(only) } else { None }
 }

@@ -6,6 +6,7 @@ mod concepts;
 mod conservation;
 mod exercises;
 mod followed;
+mod graphs;
 mod hunt;
 mod least;
 mod near_zero;

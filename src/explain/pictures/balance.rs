@@ -1,6 +1,7 @@
 //! The balance of a body: momentum before + impulses = momentum after, and what follows of it that was not solved.
 
 use crate::problem::Picture;
+use crate::problem::Shows;
 
 use super::quantities::Quantities;
 use super::vectors::Labelled;
@@ -45,7 +46,8 @@ impl Balance {
 
     /// Has the arrows of a picture.
     pub(super) fn take(&mut self, quantities: &Quantities<'_>, picture: &Picture) {
-        let Some(row) = picture.rows.iter().find(|row| row.body == self.body) else { return };
+        let Shows::Diagram(rows) = &picture.shows else { return };
+        let Some(row) = rows.iter().find(|row| row.body == self.body) else { return };
         self.before.value = quantities.along_axes(&row.before);
         self.after.value = quantities.along_axes(&row.after);
         for impulse in &mut self.impulses {

@@ -13,6 +13,7 @@ mod labels;
 mod moment;
 mod momentum;
 mod oblique;
+mod offered_graph;
 mod participants;
 mod plot;
 mod quantities;
@@ -25,6 +26,7 @@ mod words;
 
 use crate::figure::Drawing;
 use crate::problem::Pictured;
+use crate::problem::Subject;
 
 pub(super) use cache::PictureCache;
 pub(super) use quantities::Quantities;
@@ -51,5 +53,10 @@ pub(super) fn situation(quantities: &Quantities<'_>) -> Option<Drawing> {
 /// The pictures that are offered in a choice, in their order.
 pub(super) fn offered(quantities: &Quantities<'_>, pictured: &Pictured) -> Vec<Drawing> {
     let pictures = pictured.pictures(&quantities.worked);
-    pictures.iter().filter_map(|picture| stages::offered(quantities, pictured.stage, picture)).collect()
+    match &pictured.subject {
+        Subject::Diagram(diagram) => {
+            pictures.iter().filter_map(|picture| stages::offered(quantities, diagram.stage, picture)).collect()
+        }
+        Subject::Graph(graph) => offered_graph::drawings(quantities, graph, &pictures),
+    }
 }

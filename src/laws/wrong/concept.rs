@@ -1,4 +1,4 @@
-//! Mistakes in judging a scene without numbers: what is conserved, and which forces are impulsive.
+//! Mistakes in judging a scene without numbers: what is conserved, which forces are impulsive, and how graphs look.
 
 use super::Misconception;
 
@@ -82,6 +82,49 @@ pub const AFTER_REVERSED: Misconception = Misconception {
     hint: "Momentum before and impulse, arrow after arrow, add up to the momentum after.",
 };
 
+/// A graph of the velocity that has the shape of the force.
+pub const STATE_AS_FORCE: Misconception = Misconception {
+    id: "velocity-drawn-as-force",
+    does: "takes the shape of the force for that of the velocity",
+    ask: "The force is not zero: does the velocity then stay as it is, or does it change?",
+    hint: "The force says how steep the graph of the velocity is, not how high it is.",
+};
+/// A graph of the force that has the shape of the velocity.
+pub const FORCE_AS_STATE: Misconception = Misconception {
+    id: "force-drawn-as-velocity",
+    does: "draws the force as if it grew with the momentum that it has given",
+    ask: "Does a body that moves faster need a larger force, or does a force make it move faster?",
+    hint: "The force says how fast the momentum changes, not how large the momentum is.",
+};
+/// A force that changes taken for its mean.
+pub const FORCE_AS_CONSTANT: Misconception = Misconception {
+    id: "force-taken-as-constant",
+    does: "replaces a force that changes by a constant one",
+    ask: "Is the force the same at the start, half-way and at the end?",
+    hint: "A constant force with the same impulse leads to the same end, by another way.",
+};
+/// A constant force that dies away.
+pub const FORCE_FADES: Misconception = Misconception {
+    id: "force-used-up",
+    does: "lets the force die away as the body moves",
+    ask: "What exerts the force, and does that become weaker with time?",
+    hint: "Motion does not use a force up: it acts as long as the body that exerts it does.",
+};
+/// A body that goes on through what throws it back.
+pub const REBOUND_OVERLOOKED: Misconception = Misconception {
+    id: "rebound-overlooked",
+    does: "lets the body go on in the direction in which it came",
+    ask: "In which direction does the body move just after the impact? What does that do to the sign of its velocity?",
+    hint: "A body that is thrown back moves against its former direction: the graph jumps to the other side of the time axis.",
+};
+/// A graph of the place in place of the velocity.
+pub const PLACE_DRAWN: Misconception = Misconception {
+    id: "position-drawn-as-velocity",
+    does: "takes the shape of the position for that of the velocity",
+    ask: "What does the graph show at the moment at which the body turns round: the top of a curve, or zero?",
+    hint: "The velocity is the slope of the graph of the position.",
+};
+
 /// Every one of them.
 pub const CONCEPTS: &[&Misconception] = &[
     &MOMENTUM_BY_ENERGY,
@@ -95,4 +138,10 @@ pub const CONCEPTS: &[&Misconception] = &[
     &EQUATIONS_NOT_COUNTED,
     &MOMENTUM_KEPT,
     &AFTER_REVERSED,
+    &STATE_AS_FORCE,
+    &FORCE_AS_STATE,
+    &FORCE_AS_CONSTANT,
+    &FORCE_FADES,
+    &REBOUND_OVERLOOKED,
+    &PLACE_DRAWN,
 ];

@@ -277,10 +277,16 @@ pub struct Choose {
     /// In place of `options`: pictures, the right one and those of usual mistakes, which the program draws from the scene.
     #[serde(default)]
     pub pictures: Option<Pictures>,
-    /// The name of the stage of which the pictures are. Default: the only one.
+    /// The name of the stage of which the pictures are. Default: the only one; of a graph, all stages.
     #[serde(default)]
     #[schemars(with = "Option<Term>")]
     pub stage: Option<String>,
+    /// Of a graph: the body. Default: the only one.
+    #[serde(default)]
+    pub of: Option<String>,
+    /// Of a graph: the axis along which it is counted. Default: the only one.
+    #[serde(default)]
+    pub along: Option<Axis>,
     /// What is offered last in every order, and is right where no other option is: `{ text: none of these }`.
     #[serde(default)]
     pub last: Option<LastOffered>,
@@ -330,6 +336,12 @@ pub struct LastOffered {
 pub enum Pictures {
     /// Momentum before, impulse and momentum after of each body.
     ImpulseMomentum,
+    /// The velocity of a body against time.
+    VelocityTime,
+    /// The momentum of a body against time.
+    MomentumTime,
+    /// The net force on a body against time.
+    ForceTime,
 }
 
 /// Which values of a quantity are asked.

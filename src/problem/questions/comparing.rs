@@ -8,6 +8,7 @@ use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Path;
 use crate::model::Builder;
+use crate::model::QuantityKind;
 use crate::model::Reason;
 use crate::quantity::dimension_name;
 use crate::solve::Relation;
@@ -65,7 +66,10 @@ pub(super) fn to_solve(loaded: &Loaded, builder: &Builder<'_>, quantities: BTree
     let has_value = |name: &str| loaded.given.get(name).is_some_and(|given| !given.is_derived());
     let is_told = |symbol: Symbol| {
         let name = &builder.symbols().entry(symbol).name;
-        has_value(name) || name.split_once('.').is_some_and(|(whole, _)| has_value(whole))
+        // Gravity has a value of its own.
+        builder.name(symbol).kind == QuantityKind::Gravity
+            || has_value(name)
+            || name.split_once('.').is_some_and(|(whole, _)| has_value(whole))
     };
     quantities.into_iter().filter(|symbol| !builder.is_literal(*symbol) && !is_told(*symbol)).collect()
 }

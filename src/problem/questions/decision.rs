@@ -108,7 +108,7 @@ impl ChoicePart {
             Self::Order(symbols) => symbols.iter().copied().collect(),
             Self::Physical(symbol) => BTreeSet::from([*symbol]),
             Self::Offered(offer) => offer.symbols(),
-            Self::Pictured(pictured) => pictured.symbols(),
+            Self::Pictured(pictured) => pictured.subject.symbols(),
         }
     }
 

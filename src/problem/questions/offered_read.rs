@@ -34,10 +34,11 @@ pub(in crate::problem) fn read(
     builder: &mut Builder<'_>,
     path: &Path,
 ) -> Option<PartKind> {
-    if ask.stage.is_some() {
-        let fault = Fault::new(Code::Value, "only `pictures` are of a stage");
-        let help = "remove `stage`, or ask for pictures: `pictures: impulse-momentum`";
-        builder.fault(fault.help(help).at_path(path.key("stage")));
+    let of_pictures = [("stage", ask.stage.is_some()), ("of", ask.of.is_some()), ("along", ask.along.is_some())];
+    if let Some((key, _)) = of_pictures.into_iter().find(|(_, is_written)| *is_written) {
+        let is = if key == "stage" { "only `pictures` are of a stage" } else { "this key is for pictures" };
+        let help = format!("remove `{key}`, or ask for pictures: `pictures: impulse-momentum`");
+        builder.fault(Fault::new(Code::Value, is).help(help).at_path(path.key(key)));
         return None;
     }
     let faults = misfits(ask, path);

@@ -78,12 +78,12 @@ pub(in crate::problem) fn read(loaded: &Loaded, question: &Question, builder: &m
             }
             Ask::Find(find) => number(loaded, find, builder, &path),
             Ask::Count(count) => counted(count, builder, &path, &mut read.counts),
-            Ask::Choose(ask) if ask.pictures.is_some() => {
-                pictured_read::read(loaded, question, ask, &letter, builder, &path)
-                    .map(|kind| (letter, ask.choose.clone(), kind))
-            }
-            Ask::Choose(ask) => offered_read::read(loaded, question, ask, &letter, builder, &path)
-                .map(|kind| (letter, ask.choose.clone(), kind)),
+            Ask::Choose(ask) => match ask.pictures {
+                Some(pictures) => pictured_read::read(loaded, question, ask, pictures, &letter, builder, &path)
+                    .map(|(label, kind)| (letter, label, kind)),
+                None => offered_read::read(loaded, question, ask, &letter, builder, &path)
+                    .map(|kind| (letter, ask.choose.clone(), kind)),
+            },
             Ask::Conserved(ask) => {
                 conserved::conserved(loaded, ask, builder, &path).map(|kind| (letter, kind.0, kind.1))
             }

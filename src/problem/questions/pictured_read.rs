@@ -2,51 +2,82 @@
 
 use std::collections::BTreeSet;
 
-use crate::expr::Expr;
-use crate::expr::Symbol;
 use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Path;
 use crate::model::Builder;
 
 use super::super::language::ask;
+use super::super::language::ask::Pictures;
 use super::super::language::form::Question;
 use super::super::reading::load::Loaded;
 use super::comparing;
 use super::concept;
 use super::decision::ChoicePart;
+use super::diagram::Diagram;
+use super::diagram::Ends;
+use super::graph::Plotted;
+use super::graph_read;
 use super::part::PartKind;
-use super::pictured::Ends;
 use super::pictured::Pictured;
+use super::pictured::Subject;
 
-/// A choice between pictures, asked as the part of that letter.
+/// A choice between pictures, asked as the part of that letter, and its label.
 pub(in crate::problem) fn read(
     loaded: &Loaded,
     question: &Question,
     ask: &ask::Choose,
+    pictures: Pictures,
     letter: &str,
     builder: &mut Builder<'_>,
     path: &Path,
-) -> Option<PartKind> {
+) -> Option<(String, PartKind)> {
     if !ask.options.is_empty() || ask.last.is_some() {
         let key = if ask.options.is_empty() { "last" } else { "options" };
         let fault = Fault::new(Code::Value, format!("`pictures` and `{key}` are alternatives"));
         builder.fault(fault.help(format!("remove `{key}`: the program draws the pictures")).at_path(path.key(key)));
         return None;
     }
-    let stage = concept::stage(ask.stage.as_deref(), builder, path)?;
-    let path = path.key("pictures");
+    let plotted = match pictures {
+        Pictures::ImpulseMomentum => None,
+        Pictures::VelocityTime => Some(Plotted::Velocity),
+        Pictures::MomentumTime => Some(Plotted::Momentum),
+        Pictures::ForceTime => Some(Plotted::Force),
+    };
+    let stages: Vec<usize> = match &ask.stage {
+        None if plotted.is_some() && !builder.scene().stages.is_empty() => (0..builder.scene().stages.len()).collect(),
+        named => vec![concept::stage(named.as_deref(), builder, path)?],
+    };
+    let subject = match (plotted, &stages[..]) {
+        (None, stages) => Subject::Diagram(diagram(ask, *stages.first()?, builder, path)?),
+        (Some(plotted), stages) => Subject::Graph(graph_read::read(ask, (plotted, stages), builder, path)?),
+    };
+    let quantities = comparing::to_solve_unrevealed(loaded, question, builder, &subject.symbols());
+    let label = match &subject {
+        Subject::Diagram(_) => ask.choose.clone(),
+        // Which sense is positive is a matter of the axis, and the sheet draws none.
+        Subject::Graph(graph) => format!("{} {}", ask.choose, graph.positive),
+    };
+    let pictured = Pictured { stream: question.stream(letter), subject, quantities };
+    Some((label, PartKind::Choice(ChoicePart::Pictured(Box::new(pictured)))))
+}
+
+fn diagram(ask: &ask::Choose, stage: usize, builder: &mut Builder<'_>, path: &Path) -> Option<Diagram> {
+    for (key, is_written) in [("of", ask.of.is_some()), ("along", ask.along.is_some())] {
+        if is_written {
+            let fault = Fault::new(Code::Value, format!("`{key}` is for graphs against time"));
+            builder
+                .fault(fault.help("remove it: the diagram shows every body along every axis").at_path(path.key(key)));
+            return None;
+        }
+    }
     let Some(rows) = rows(stage, builder) else {
         let fault = Fault::new(Code::Value, format!("{} has no diagram to choose", builder.phrase_of(stage)));
         let help = "ask for a sudden stage along one or two axes, with one impulse on each body: an impact, a blow, a separation";
-        builder.fault(fault.help(help).at_path(path));
+        builder.fault(fault.help(help).at_path(path.key("pictures")));
         return None;
     };
-    let all: BTreeSet<Symbol> =
-        rows.iter().flat_map(|row: &Ends| row.before.iter().chain(&row.after)).flat_map(Expr::symbols).collect();
-    let quantities = comparing::to_solve_unrevealed(loaded, question, builder, &all);
-    let stream = question.stream(letter);
-    Some(PartKind::Choice(ChoicePart::Pictured(Box::new(Pictured { stream, stage, rows, quantities }))))
+    Some(Diagram { stage, rows })
 }
 
 /// The momenta of each body on which the stage gives an impulse; none where its diagram has other arrows.

@@ -23,7 +23,12 @@ impl StageRun<'_> {
                 continue;
             }
             let body = Particle { falls, ..Particle::free(&stage.body, 1.0, times(before?, unit(axis))) };
-            let end = self.fall_through(body, height)?;
+            // Across the fall it is not followed.
+            let end = if self.values.axes().len() > 1 {
+                self.unwatched(|bench| bench.fall_through(body, height))?
+            } else {
+                self.fall_through(body, height)?
+            };
             self.note(&name, part(velocity(&end.state, 0), axis), 0.0);
             self.note_duration(None, end.time);
         }
@@ -37,6 +42,6 @@ impl StageRun<'_> {
         let high = Particle { place: times(-height, down), ..body };
         let system = System::<6>::new(self.values.frame(), vec![high]);
         let integrator = self.integrator(height / (speed + libm::sqrt(height * gravity)));
-        self.try_out(&system, integrator, &Until::Event(&|state| -dot(down, place(state, 0))))
+        self.go(&system, integrator, &Until::Event(&|state| -dot(down, place(state, 0))))
     }
 }

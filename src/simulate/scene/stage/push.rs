@@ -64,12 +64,18 @@ impl StageRun<'_> {
             let mut system = self.pulled(stage, body, ZERO, moves)?;
             system.start = start;
             let integrator = self.integrator((end - start) / 4.0);
-            let last = self.try_out(&system, integrator, &Until::Time(end))?;
-            if reached.is_empty() {
+            let is_seen = reached.is_empty();
+            let last = if is_seen {
+                self.go(&system, integrator, &Until::Time(end))?
+            } else {
+                self.try_out(&system, integrator, &Until::Time(end))?
+            };
+            if is_seen {
                 if let Some(resistance) = &stage.resistance {
                     self.note_terminal(&system, resistance)?;
                 }
-                self.note_ends(body, &system, [(start, &system.state()), (end, &last.state)]);
+                // A force that is told up to the end still acts just before it.
+                self.note_ends(body, &system, [(start, &system.state()), (end.next_down(), &last.state)]);
                 displaced = place(&last.state, 0);
             }
             reached.push(velocity(&last.state, 0));
