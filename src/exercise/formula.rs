@@ -21,7 +21,8 @@ impl Exercise {
     /// The question, with the symbols in which it is answered.
     pub(super) fn formula_on_sheet(&self, part: &Part, formula: &FormulaPart) -> Vec<Inline> {
         let name = |symbol: Symbol| Inline::Math(self.problem.math_of(symbol));
-        let mut text = vec![Inline::Text(format!("Find {}, ", part.label)), name(formula.symbol)];
+        let mut text = Inline::line(&format!("Find {}, ", part.label));
+        text.push(name(formula.symbol));
         let letters = self.letters(formula);
         for (index, letter) in letters.iter().enumerate() {
             let joint = match index {

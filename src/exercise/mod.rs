@@ -147,7 +147,8 @@ impl Exercise {
                 let name = self.problem.math_of(number.symbol);
                 let every =
                     if number.every_root { "every value, possible or not, that the equations give for " } else { "" };
-                let mut text = vec![Inline::Text(format!("Find {every}{}, ", part.label)), Inline::Math(name)];
+                let mut text = Inline::line(&format!("Find {every}{}, ", part.label));
+                text.push(Inline::Math(name));
                 if unit.is_none() {
                     text.push(Inline::Text(".".into()));
                 }
@@ -161,15 +162,17 @@ impl Exercise {
                     if unit.is_none() { "." } else { "" }
                 );
                 let name = self.problem.notation().math(&part.id);
-                (vec![Inline::Text(format!("Find {}, ", part.label)), Inline::Math(name), Inline::Text(along)], unit)
+                let mut text = Inline::line(&format!("Find {}, ", part.label));
+                text.extend([Inline::Math(name), Inline::Text(along)]);
+                (text, unit)
             }
             PartKind::Formula(formula) => (self.formula_on_sheet(part, formula), None),
             PartKind::Range(_) | PartKind::Choice(ChoicePart::Offered(_) | ChoicePart::Pictured(_)) => {
-                (vec![Inline::Text(part.label.clone())], None)
+                (Inline::line(&part.label), None)
             }
             PartKind::Choice(ChoicePart::Order(symbols)) => {
                 let name = |symbol: Symbol| self.problem.math_of(symbol);
-                let mut text = vec![Inline::Text(format!("{} (", part.label))];
+                let mut text = Inline::line(&format!("{} (", part.label));
                 for (index, order) in problem::orders(symbols).into_iter().enumerate() {
                     text.extend((index > 0).then(|| Inline::Text(" / ".into())));
                     text.push(Inline::Math(Math::chain(order.into_iter().map(name), Operator::Less)));
@@ -183,7 +186,7 @@ impl Exercise {
                 if options.iter().any(|option| option.len() > LONG_OPTION) {
                     options = options.iter().zip(1..).map(|(option, number)| format!("{number}. {option}")).collect();
                 }
-                (vec![Inline::Text(format!("{} ({})", part.label, options.join(" / ")))], None)
+                (Inline::line(&format!("{} ({})", part.label, options.join(" / "))), None)
             }
         };
         let options = match &part.kind {
@@ -262,7 +265,7 @@ impl Exercise {
                 PartKind::Range(range) => {
                     explain::printed_range(self.worked(), range).into_iter().map(Inline::Math).collect()
                 }
-                PartKind::Choice(_) => vec![Inline::Text(self.printed(part))],
+                PartKind::Choice(_) => Inline::line(&self.printed(part)),
             },
         });
         rows.collect()

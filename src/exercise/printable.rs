@@ -4,12 +4,14 @@ use crate::fault::Fault;
 use crate::fault::Faults;
 use crate::fault::Path;
 use crate::fault::Span;
+use crate::problem::PartKind;
+use crate::render::line_faults;
 use crate::render::text_faults;
 
 use super::Exercise;
 
 impl Exercise {
-    /// Reads the text and the hints as every format does that prints them.
+    /// Reads the text, the hints, and what is asked and offered, as every format does that prints them.
     ///
     /// ```
     /// use std::sync::Arc;
@@ -41,6 +43,16 @@ impl Exercise {
         read(&variant.text(problem), &|place| variant.origin_in_text(problem, place));
         for (position, hint) in variant.hints(problem).iter().enumerate() {
             read(hint, &|place| variant.origin_in_hint(problem, position, place));
+        }
+        let form = self.worked().form;
+        for (index, part) in form.parts.iter().enumerate() {
+            let options = match &part.kind {
+                PartKind::Choice(choice) => choice.decided(&self.worked()).options,
+                _ => Vec::new(),
+            };
+            let path = form.question.path.key("ask").index(index);
+            let found = options.iter().chain([&part.label]).flat_map(|line| line_faults(line));
+            faults.extend(found.map(|fault| fault.at_path(path.clone())));
         }
         if faults.is_empty() { Ok(()) } else { Err(problem.loaded().locate(faults)) }
     }

@@ -121,7 +121,7 @@ impl Exercise {
             PartKind::Range(_) => (FieldKind::Interval, text, Vec::new()),
             PartKind::Choice(choice) => {
                 let options = self.options(choice);
-                (FieldKind::Choice { options }, vec![Inline::Text(part.label.clone())], Vec::new())
+                (FieldKind::Choice { options }, Inline::line(&part.label), Vec::new())
             }
         };
         Field { id: part.id.clone(), label, question, kind, pictures, unit, symbols, points: part.points }

@@ -82,4 +82,40 @@ pub enum Inline {
     Strong(String),
     /// Mathematics.
     Math(Math),
+    /// Mathematics that an author wrote: TeX without its dollars.
+    Tex(String),
+}
+
+impl Inline {
+    /// A line that an author wrote: plain text but for mathematics between dollars, which begins and ends without a space.
+    ///
+    /// ```
+    /// use momentous::explain::Inline;
+    /// let [text, tex] = [|text: &str| Inline::Text(text.into()), |tex: &str| Inline::Tex(tex.into())];
+    /// assert_eq!(Inline::line("it is $m v$."), [text("it is "), tex("m v"), text(".")]);
+    /// assert_eq!(Inline::line("from $5 to $ 6"), [text("from $5 to $ 6")]);
+    /// ```
+    #[must_use]
+    pub fn line(line: &str) -> Vec<Self> {
+        let mut run = Vec::new();
+        let (mut text, mut rest) = (String::new(), line);
+        while let Some((before, behind)) = rest.split_once('$') {
+            text.push_str(before);
+            let tex = behind.split_once('$').filter(|(tex, _)| !tex.is_empty() && tex.trim() == *tex);
+            rest = match tex {
+                Some((tex, behind)) => {
+                    run.extend((!text.is_empty()).then(|| Self::Text(std::mem::take(&mut text))));
+                    run.push(Self::Tex(tex.to_owned()));
+                    behind
+                }
+                None => {
+                    text.push('$');
+                    behind
+                }
+            };
+        }
+        text.push_str(rest);
+        run.extend((!text.is_empty() || run.is_empty()).then_some(Self::Text(text)));
+        run
+    }
 }

@@ -172,7 +172,7 @@ fn choice(options: &[Choice<'_>], weight: u32) -> Value {
     json!({
         "type": "1_n_2", "marks": 0, "minMarks": 0, "maxMarks": 0, "shuffleChoices": false,
         "displayType": "radiogroup", "displayColumns": 0, "showCellAnswerState": true,
-        "choices": options.iter().map(|own| literal(&MARKUP.text(own.text))).collect::<Vec<_>>(),
+        "choices": options.iter().map(|own| literal(&MARKUP.line(own.text))).collect::<Vec<_>>(),
         "matrix": matrix.collect::<Vec<_>>(),
         "distractors": options.iter().map(|own| literal(&said(MARKUP, std::slice::from_ref(&own.feedback)))).collect::<Vec<_>>(),
     })

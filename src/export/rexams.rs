@@ -146,7 +146,7 @@ fn answer(asking: &Asking<'_>, field: &Field<'_>) -> Answer {
         }
         Asked::Choice(options) => Answer {
             kind: "schoice",
-            listed: options.iter().map(|own| MARKUP.text(own.text)).collect(),
+            listed: options.iter().map(|own| MARKUP.line(own.text)).collect(),
             right: options.iter().map(|own| if own.right { '1' } else { '0' }).collect(),
             tolerance: "0".to_owned(),
         },

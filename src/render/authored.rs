@@ -6,6 +6,7 @@ use math_core::LatexToMathML;
 use math_core::MathDisplay;
 use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 
+use crate::explain::Inline;
 use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Faults;
@@ -54,6 +55,28 @@ pub(super) enum Piece<'a> {
 #[must_use]
 pub fn text_faults(text: &str) -> Vec<Fault> {
     Authored::check("", text).err().map_or_else(Vec::new, |faults| faults.list)
+}
+
+/// Every fault of the mathematics in a line that is plain text but for it.
+#[must_use]
+pub fn line_faults(line: &str) -> Vec<Fault> {
+    let faults = Inline::line(line).into_iter().filter_map(|part| match part {
+        Inline::Tex(tex) => inline(&tex).err(),
+        Inline::Text(_) | Inline::Emphasis(_) | Inline::Strong(_) | Inline::Math(_) => None,
+    });
+    faults.map(|fault| Fault { span: None, ..fault }).collect()
+}
+
+/// Mathematics within a line as a complete `<math>` element; none where it is at fault.
+pub(super) fn inline_mathml(tex: &str) -> Option<String> {
+    match inline(tex) {
+        Ok(Piece::Math { mathml, .. }) => Some(mathml),
+        Ok(Piece::Event(_)) | Err(_) => None,
+    }
+}
+
+fn inline(tex: &str) -> Result<Piece<'static>, Fault> {
+    math(tex, tex, &(0..tex.len()), MathDisplay::Inline, &LatexToMathML::default())
 }
 
 impl<'a> Authored<'a> {

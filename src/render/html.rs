@@ -48,10 +48,14 @@ impl Writer for Html {
         figure::svg(drawing)
     }
 
+    fn tex(&self, _tex: &str, mathml: &str) -> String {
+        mathml.to_owned()
+    }
+
     fn authored(&self, text: &Authored, level: usize) -> String {
         let events = text.pieces.iter().map(|piece| match piece {
             Piece::Event(event) => lower_heading(event.clone(), level),
-            Piece::Math { mathml, display: false, .. } => Event::InlineHtml(mathml.as_str().into()),
+            Piece::Math { tex, mathml, display: false } => Event::InlineHtml(self.tex(tex, mathml).into()),
             Piece::Math { mathml, display: true, .. } => {
                 Event::InlineHtml(format!("<span class=\"equation\">{mathml}</span>").into())
             }

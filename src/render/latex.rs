@@ -51,12 +51,16 @@ impl Writer for Latex {
         figure::tikz(drawing)
     }
 
+    fn tex(&self, tex: &str, _mathml: &str) -> String {
+        format!("${}$", latex_text::math(tex))
+    }
+
     fn authored(&self, text: &Authored, _level: usize) -> String {
         let mut body = Body::default();
         for piece in &text.pieces {
             match piece {
                 Piece::Event(event) => body.event(event),
-                Piece::Math { tex, display: false, .. } => body.push(&format!("${}$", latex_text::math(tex))),
+                Piece::Math { tex, mathml, display: false } => body.push(&self.tex(tex, mathml)),
                 Piece::Math { tex, display: true, .. } => {
                     body.push(&format!("\n\\[\n{}\n\\]\n", latex_text::math(tex.trim())));
                 }

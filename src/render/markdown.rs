@@ -52,6 +52,10 @@ impl Writer for Markdown {
         svg
     }
 
+    fn tex(&self, tex: &str, _mathml: &str) -> String {
+        format!("${tex}$")
+    }
+
     fn authored(&self, text: &Authored, _level: usize) -> String {
         let mut out = String::with_capacity(text.source.len());
         let mut done = 0;

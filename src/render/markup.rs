@@ -65,6 +65,12 @@ impl Markup {
         Writer::inline(&self, run)
     }
 
+    /// A line that an author wrote, with mathematics between dollars.
+    #[must_use]
+    pub fn line(self, line: &str) -> String {
+        self.inline(&Inline::line(line))
+    }
+
     /// Mathematics within a line.
     #[must_use]
     pub fn math(self, math: &Math) -> String {
@@ -195,14 +201,22 @@ impl Writer for Markup {
         match self {
             Self::Markdown => Markdown.math(math),
             Self::MathMl => math.mathml(false),
-            Self::Tex | Self::Pictures => self.tex(&math.latex(), false),
+            Self::Tex | Self::Pictures => self.on_page(&math.latex(), false),
+        }
+    }
+
+    fn tex(&self, tex: &str, mathml: &str) -> String {
+        match self {
+            Self::Markdown => Markdown.tex(tex, mathml),
+            Self::MathMl => with_namespace(mathml),
+            Self::Tex | Self::Pictures => self.on_page(tex.trim(), false),
         }
     }
 
     fn equation(&self, rows: &[Row<'_>], number: Option<u32>) -> String {
         match self {
             Self::Markdown => Markdown.equation(rows, number),
-            Self::Tex => self.paragraph(&self.tex(&latex_text::equation(rows, number), true)),
+            Self::Tex => self.paragraph(&self.on_page(&latex_text::equation(rows, number), true)),
             Self::MathMl => {
                 let mut equation = with_namespace(&html::display(rows, ALIGNED));
                 if let (Some(number), Some(end)) = (number, equation.rfind("</math>")) {
@@ -212,7 +226,7 @@ impl Writer for Markup {
             }
             Self::Pictures => {
                 let number = number.map(|number| format!(" ({number})")).unwrap_or_default();
-                self.paragraph(&(self.tex(&latex_text::equation(rows, None), true) + &number))
+                self.paragraph(&(self.on_page(&latex_text::equation(rows, None), true) + &number))
             }
         }
     }
@@ -233,8 +247,10 @@ impl Writer for Markup {
             Piece::Event(Event::Text(text)) => Event::InlineHtml(plain(text).into()),
             Piece::Event(Event::Code(text)) => Event::InlineHtml(format!("<code>{}</code>", plain(text)).into()),
             Piece::Event(event) => html::lower_heading(event.clone(), level),
-            Piece::Math { mathml, .. } if *self == Self::MathMl => Event::InlineHtml(with_namespace(mathml).into()),
-            Piece::Math { tex, display, .. } => Event::InlineHtml(self.tex(tex.trim(), *display).into()),
+            Piece::Math { tex, display: true, .. } if *self != Self::MathMl => {
+                Event::InlineHtml(self.on_page(tex.trim(), true).into())
+            }
+            Piece::Math { tex, mathml, .. } => Event::InlineHtml(Writer::tex(self, tex, mathml).into()),
         });
         let mut out = String::new();
         pulldown_cmark::html::push_html(&mut out, events);
@@ -244,7 +260,7 @@ impl Writer for Markup {
 
 impl Markup {
     /// TeX on a page of HTML.
-    fn tex(self, source: &str, display: bool) -> String {
+    fn on_page(self, source: &str, display: bool) -> String {
         let tex = escape(source);
         match (self, display) {
             (Self::Pictures, _) => {

@@ -29,7 +29,7 @@ mod view;
 mod writer;
 mod writers;
 
-pub use authored::text_faults;
+pub use authored::{line_faults, text_faults};
 pub use document::{BesideFile, Document, Figures, Format};
 pub use fade::{fade, steps};
 pub use font::{MATH_FONT, base64};

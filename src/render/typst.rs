@@ -71,13 +71,17 @@ impl Writer for Typst {
         format!("image(bytes({picture}), format: \"svg\", width: {width:.2}pt, alt: {alternative})")
     }
 
+    fn tex(&self, tex: &str, mathml: &str) -> String {
+        inline(tex, &mathml_typst::typst(mathml))
+    }
+
     fn authored(&self, text: &Authored, level: usize) -> String {
         let mut body = Body { level, deepest: level, ..Body::default() };
         for piece in &text.pieces {
             match piece {
                 Piece::Event(event) => body.event(event),
                 Piece::Math { tex, mathml, display: false } => {
-                    body.out.push_str(&inline(tex, &mathml_typst::typst(mathml)));
+                    body.out.push_str(&self.tex(tex, mathml));
                 }
                 Piece::Math { tex, mathml, display: true } => {
                     body.out.push_str(&displayed(tex.trim(), &mathml_typst::typst(mathml), None));

@@ -105,7 +105,7 @@ impl<'a> View<'a> {
 
     fn part(&mut self, part: &SheetPart) -> Value {
         let pictures: Vec<Value> = part.pictures.iter().map(|picture| self.figure(picture)).collect();
-        let option = |(text, letter): (&String, char)| self.inline(&[Inline::Text(format!("{letter}. {text}"))]);
+        let option = |(text, letter): (&String, char)| self.inline(&Inline::line(&format!("{letter}. {text}")));
         map([
             ("label", part.label.as_str().into()),
             ("text", self.inline(&part.text)),

@@ -7,6 +7,7 @@ use crate::expr::Math;
 use crate::figure::Drawing;
 
 use super::authored::Authored;
+use super::authored::inline_mathml;
 use super::equation::Row;
 
 /// The room that a run takes, in bytes, or less.
@@ -20,6 +21,8 @@ pub(super) trait Writer {
     fn emphasis(&self, text: &str) -> String;
     /// Strong text.
     fn strong(&self, text: &str) -> String;
+    /// Mathematics within a line, as an author wrote it and as the element that was made of it to check it.
+    fn tex(&self, tex: &str, mathml: &str) -> String;
     /// Mathematics within a line.
     fn math(&self, math: &Math) -> String;
     /// A displayed equation.
@@ -38,6 +41,10 @@ pub(super) trait Writer {
                 Inline::Emphasis(text) => written.push_str(&self.emphasis(text)),
                 Inline::Strong(text) => written.push_str(&self.strong(text)),
                 Inline::Math(math) => written.push_str(&self.math(math)),
+                Inline::Tex(tex) => match inline_mathml(tex) {
+                    Some(mathml) => written.push_str(&self.tex(tex, &mathml)),
+                    None => written.push_str(&self.text(&format!("${tex}$"))),
+                },
             }
         }
         written

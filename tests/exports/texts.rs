@@ -191,7 +191,9 @@ impl Case {
 }
 
 fn hostile_case() -> impl Strategy<Value = Case> {
-    let options = proptest::collection::vec(hostile(), 2..5);
+    // Between dollars an option holds mathematics, unless a space follows the first.
+    let option = hostile().prop_map(|text| text.replace('$', "$ a"));
+    let options = proptest::collection::vec(option, 2..5);
     (hostile(), options, hostile(), any::<bool>()).prop_map(|(title, options, because, several)| Case {
         title,
         options,

@@ -3,14 +3,21 @@
 mod samples;
 
 use std::fs;
+use std::sync::Arc;
 
+use momentous::exercise::Exercise;
 use momentous::explain::Audience;
 use momentous::explain::Block;
 use momentous::explain::Inline;
 use momentous::explain::Outline;
 use momentous::fault::Code;
+use momentous::fault::Source;
+use momentous::problem::compile;
+use momentous::problem::load;
 use momentous::render::Figures;
 use momentous::render::Format;
+use momentous::render::Key;
+use momentous::render::Markup;
 use momentous::render::Page;
 use momentous::render::Renderer;
 use momentous::render::Sheet;
@@ -243,4 +250,73 @@ fn pdflatex_sets_every_document_without_an_overfull_line() {
     // Hostile text is one long word, which may run over the margin, but it compiles.
     let text = renderer().render_sheets(&[hostile_sheet()], Format::Latex).unwrap().text;
     assert!(pdflatex::compile(&text).is_ok());
+}
+
+/// Mathematics in an option and in a label, with a dollar that is a sign.
+const PRICED: &str = "
+id: test/priced
+title: Priced
+level: core
+scene:
+  axes: { x: to the right }
+  bodies: { A: { name: cart A } }
+  surfaces: { wall: { name: the wall, normal: to the left } }
+  stages: [ { impact: { body: A, against: wall, restitution: e } } ]
+given: { m_A: 2 kg, v_A1: 3 m/s, e: 0.5 }
+text: 'Cart A ({{ m_A }}) {{ v_A1 | motion }} and hits a wall; e = {{ e }}.'
+ask:
+  - { find: v_A2, unit: m/s, label: 'the velocity $u_2$' }
+  - choose: What is lost of $T_1$?
+    options:
+      - { text: 'It is $\\frac{1}{2} m v^2$.', right: true, because: it is so }
+      - { text: It costs $5 or 6 $., feedback: No. }
+";
+
+#[test]
+fn lines_of_authors_hold_mathematics_in_every_format() {
+    let problem = load(Source::new("priced.yaml", PRICED)).and_then(|loaded| compile(loaded, None));
+    let exercise = Exercise::draw(&Arc::new(problem.unwrap()), 0, 1).unwrap();
+    exercise.printable().unwrap();
+    let solution = Solution {
+        outline: exercise.outline(Audience::Everyone),
+        identity: exercise.identity(),
+        audience: Audience::Everyone,
+        faded: None,
+    };
+    let key = Key { title: String::new(), rows: exercise.key() };
+    let expected = [
+        (Format::Markdown, ["$\\frac{1}{2} m v^2$", "$u_2$", r"It costs \$5 or 6 \$."]),
+        (
+            Format::Html,
+            ["<mfrac><mn>1</mn><mn>2</mn></mfrac>", "<msub><mi>u</mi><mn>2</mn></msub>", "It costs $5 or 6 $."],
+        ),
+        (Format::Latex, ["$\\frac{1}{2} m v^2$", "$u_2$", r"It costs \$5 or 6 \$."]),
+        (Format::Typst, ["frac(1,2)", "attach(u,b:2)", r"It costs \$5 or 6 \$\."]),
+    ];
+    for (format, [option, label, price]) in expected {
+        let sheet = renderer().render_sheets(&[exercise.sheet()], format).unwrap().text;
+        let solved = renderer().render_solution(&solution, format).unwrap().text;
+        let key = renderer().render_key(&key, format).unwrap().text;
+        for (text, parts) in
+            [(&sheet, vec![option, label, price]), (&solved, vec![option, label]), (&key, vec![option])]
+        {
+            for part in parts {
+                assert!(text.contains(part), "{format}: no {part} in {text}");
+            }
+        }
+    }
+    let line = "a < $\\frac{1}{2}$";
+    let written = [(Markup::Markdown, r"a \< $\frac{1}{2}$"), (Markup::Tex, r"a &lt; \(\frac{1}{2}\)")];
+    for (markup, expected) in written {
+        assert_eq!(markup.line(line), expected);
+    }
+    assert!(Markup::MathMl.line(line).contains("<mfrac>") && Markup::Pictures.line(line).contains("equation_images"));
+}
+
+#[test]
+fn mathematics_that_cannot_be_set_is_told_at_its_question() {
+    let problem =
+        load(Source::new("priced.yaml", &PRICED.replace("frac{1}", "frack{1}"))).and_then(|own| compile(own, None));
+    let faults = Exercise::draw(&Arc::new(problem.unwrap()), 0, 1).unwrap().printable().unwrap_err().to_string();
+    assert!(faults.contains("this mathematics cannot be set") && faults.contains("priced.yaml:14"), "{faults}");
 }

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use crate::explain::Inline;
 use crate::figure::Drawing;
 use crate::render::Fragment;
 
@@ -61,8 +62,11 @@ pub struct FieldResponse {
     pub kind: &'static str,
     /// The unit that the answer is to be given in.
     pub unit: Option<Fragment>,
-    /// What can be chosen.
+    /// What can be chosen, as it is typed.
     pub options: Vec<String>,
+    /// The same as it is shown, where that holds mathematics.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub shown: Vec<Fragment>,
     /// The pictures to choose from, in the order of `options`; empty where these say what can be chosen.
     pub pictures: Vec<FigureResponse>,
     /// The names that a formula may contain.
@@ -81,9 +85,13 @@ impl From<Field> for FieldResponse {
             FieldKind::Vector { components } => (Vec::new(), components),
             FieldKind::Number | FieldKind::Count | FieldKind::Formula | FieldKind::Interval => (Vec::new(), 0),
         };
+        let lines: Vec<Vec<Inline>> = options.iter().map(|option| Inline::line(option)).collect();
+        let has_mathematics = lines.iter().flatten().any(|part| matches!(part, Inline::Tex(_)));
+        let shown = lines.iter().filter(|_| has_mathematics).map(|line| Fragment::inline(line)).collect();
         Self {
             id: field.id,
             label: field.label,
+            shown,
             question: Fragment::inline(&field.question),
             kind,
             unit: field.unit.as_ref().map(Fragment::math),

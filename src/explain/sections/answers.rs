@@ -34,11 +34,9 @@ fn sentence(display: Display<'_>, part: &Part) -> Vec<Inline> {
             let right = ChoicePart::Order(symbols.clone()).decided(&display.worked).right;
             let order = orders(symbols).into_iter().nth(right).unwrap_or_default();
             let names = order.into_iter().map(|symbol| display.name(symbol));
-            vec![
-                Inline::Text(format!("{} ", part.label)),
-                Inline::Math(Math::chain(names, Operator::Less)),
-                Inline::Text(".".into()),
-            ]
+            let mut words = Inline::line(&format!("{} ", part.label));
+            words.extend([Inline::Math(Math::chain(names, Operator::Less)), Inline::Text(".".into())]);
+            words
         }
         PartKind::Choice(choice) => {
             let Decision { options, right, because, feedback, .. } = choice.decided(&display.worked);
@@ -48,11 +46,13 @@ fn sentence(display: Display<'_>, part: &Part) -> Vec<Inline> {
                 OptionFeedback::Own(_) | OptionFeedback::Nothing => None,
             });
             let mistaken: String = mistaken.collect();
-            vec![
-                Inline::Text(format!("{} ", part.label)),
-                Inline::Strong(capitalised(option)),
-                Inline::Text(format!(": {because}.{mistaken}")),
-            ]
+            let mut words = Inline::line(&format!("{} ", part.label));
+            words.extend(Inline::line(&capitalised(option)).into_iter().map(|own| match own {
+                Inline::Text(text) => Inline::Strong(text),
+                other => other,
+            }));
+            words.push(Inline::Text(format!(": {because}.{mistaken}")));
+            words
         }
         PartKind::Formula(formula) => formula_sentence(display, part, formula),
         PartKind::Range(range) => interval::sentence(display, part, range),
@@ -62,14 +62,13 @@ fn sentence(display: Display<'_>, part: &Part) -> Vec<Inline> {
                 Math::Operator(Operator::Equals),
                 printed::printed_vector(display.worked, vector),
             ];
-            vec![
-                Inline::Text(format!("{}: ", capitalised(&part.label))),
-                Inline::Math(Math::Row(is)),
-                Inline::Text(format!(", the components along {}.", vector.axes_in_words())),
-            ]
+            let mut words = Inline::line(&format!("{}: ", capitalised(&part.label)));
+            let along = format!(", the components along {}.", vector.axes_in_words());
+            words.extend([Inline::Math(Math::Row(is)), Inline::Text(along)]);
+            words
         }
         PartKind::Number(number) => {
-            let mut words = vec![Inline::Text(format!("{}: ", capitalised(&part.label)))];
+            let mut words = Inline::line(&format!("{}: ", capitalised(&part.label)));
             for (index, answer) in display.worked.answers(number).into_iter().enumerate() {
                 let mut equal = vec![display.name(number.symbol), Math::Operator(Operator::Equals)];
                 if index == 0 && is_converted(display, number) && display.has_number(number.symbol) {
@@ -93,7 +92,7 @@ fn sentence(display: Display<'_>, part: &Part) -> Vec<Inline> {
 /// The formula, and its value where the numbers are told.
 fn formula_sentence(display: Display<'_>, part: &Part, formula: &FormulaPart) -> Vec<Inline> {
     let is = |math: Math| Inline::Math(Math::relation(display.name(formula.symbol), Operator::Equals, math));
-    let mut words = vec![Inline::Text(format!("{}: ", capitalised(&part.label)))];
+    let mut words = Inline::line(&format!("{}: ", capitalised(&part.label)));
     words.extend(printed::formula(display, formula).map(is));
     if !display.is_open(formula.symbol) {
         let figures = display.worked.problem.loaded().draft.significant_figures();

@@ -26,8 +26,8 @@ pub(in crate::explain) fn sentence(display: Display<'_>, part: &Part, range: &Ra
     let left = with_unit(number_math(printed(interval.trial.left / unit.factor().to_f64(), 3)), &unit);
     let side = if interval.low.is_some_and(|low| !low.own) { "above" } else { "below" };
     let right = display.symbolic(&claim.right);
-    vec![
-        Inline::Text(format!("{} ", part.label)),
+    let mut words = Inline::line(&format!("{} ", part.label));
+    words.extend([
         Inline::Math(chain(range, name(), &interval)),
         Inline::Text(". On the boundary ".into()),
         Inline::Math(display.equation(&claim.left, &claim.right)),
@@ -38,5 +38,6 @@ pub(in crate::explain) fn sentence(display: Display<'_>, part: &Part, range: &Ra
         Inline::Text(", so that ".into()),
         Inline::Math(Math::relation(display.symbolic(&claim.left), claim.relation.operator(), right)),
         Inline::Text(" holds on that side and not on the other.".into()),
-    ]
+    ]);
+    words
 }

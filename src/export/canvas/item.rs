@@ -93,7 +93,7 @@ fn choice_item(
     let name = |place: usize| format!("{}-{}", field.name, place + 1);
     let names: Vec<String> = (0..options.len()).map(name).collect();
     let label = |(option, name): (&Choice<'_>, &String)| {
-        element("response_label").with("ident", name).holding(material(&MARKUP.text(option.text)))
+        element("response_label").with("ident", name).holding(material(&MARKUP.line(option.text)))
     };
     let choices = element("render_choice").holding_all(options.iter().zip(&names).map(label));
     let response = element("response_lid").with("ident", RESPONSE).with("rcardinality", "Single").holding(choices);

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use crate::explain::Inline;
 use crate::render::Markup;
 
 use super::super::field::{Asked, Choice, Field};
@@ -35,12 +36,22 @@ fn gap(field: &Field<'_>, asking: &Asking<'_>) -> String {
         Asked::Choice(options) => {
             let one = |own: &Choice<'_>| {
                 let fraction = if own.right { 100.0 } else { 0.0 };
-                format!("{}{}#{}", share(fraction), escaped(own.text), escaped(&own.feedback))
+                format!("{}{}#{}", share(fraction), escaped(&in_gap(own.text)), escaped(&own.feedback))
             };
             ("MULTICHOICE_V", options.iter().map(one).collect())
         }
     };
     format!("{{{}:{kind}:{}}}", asking.weight, alternatives.join("~"))
+}
+
+/// An option in a gap, which knows no elements: mathematics as TeX, for the page to typeset.
+fn in_gap(option: &str) -> String {
+    let parts = Inline::line(option).into_iter().map(|part| match part {
+        Inline::Tex(tex) => format!("\\({tex}\\)"),
+        Inline::Text(text) | Inline::Emphasis(text) | Inline::Strong(text) => text,
+        Inline::Math(math) => math.plain(),
+    });
+    parts.collect()
 }
 
 fn share(fraction: f64) -> String {

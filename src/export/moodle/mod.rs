@@ -212,7 +212,7 @@ fn choice<W: Write>(xml: &mut Writer<W>, options: &[Choice<'_>], markup: Markup)
         let fraction = if option.right { "100" } else { "0" };
         let start = BytesStart::new("answer").with_attributes([("fraction", fraction), ("format", "html")]);
         xml.write_event(Event::Start(start))?;
-        cdata(xml, &markup.text(option.text))?;
+        cdata(xml, &markup.line(option.text))?;
         html(xml, "feedback", &said(markup, std::slice::from_ref(&option.feedback)), &[])?;
         xml.write_event(Event::End(BytesEnd::new("answer")))?;
     }

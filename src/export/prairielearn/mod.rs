@@ -129,7 +129,7 @@ fn field(asking: &Asking<'_>, field: &Field<'_>, markup: Markup, labelled: bool)
             let option = |own: &Choice<'_>| {
                 let feedback = text(&said(markup, std::slice::from_ref(&own.feedback)));
                 let right = if own.right { "true" } else { "false" };
-                json!({ "html": text(&markup.text(own.text)), "right": right, "feedback": feedback })
+                json!({ "html": text(&markup.line(own.text)), "right": right, "feedback": feedback })
             };
             own["choice"] = json!(true);
             own["options"] = options.iter().map(option).collect();

@@ -47,7 +47,7 @@ pub(super) fn item(question: &Question<'_>, dialect: Dialect) -> Result<(Element
                 }
                 Asked::Choice(options) => {
                     let option = |(option, place): (&Choice<'_>, usize)| {
-                        element("simple-choice").with("identifier", choice(place)).html(MARKUP.text(option.text))
+                        element("simple-choice").with("identifier", choice(place)).html(MARKUP.line(option.text))
                     };
                     let interaction = element("choice-interaction")
                         .with("response-identifier", response(field))

@@ -300,7 +300,7 @@ pub struct Choose {
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Offered {
-    /// What it says, without mathematics; it may print quantities: `it moves at {{ v_A1 }}`.
+    /// What it says, with mathematics between dollars: `the kinetic energy $T$`; it may print quantities: `it moves at {{ v_A1 }}`.
     pub text: String,
     /// `true` if it is the right one.
     #[serde(default)]

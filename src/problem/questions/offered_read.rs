@@ -94,10 +94,22 @@ struct Reader<'r, 'b> {
 impl Reader<'_, '_> {
     /// What may be left out; its fault is noted.
     fn any(&mut self, text: Option<&String>, path: &Path) -> Option<Text> {
-        self.text(text?, path)
+        self.plain(text?, path)
     }
 
-    /// A text without mathematics: it is typed as an answer, and goes where there is none.
+    /// A text that goes where there is no mathematics.
+    fn plain(&mut self, text: &str, path: &Path) -> Option<Text> {
+        let read = self.text(text, path)?;
+        let is_math = |filter| matches!(filter, Filter::Symbol | Filter::Named);
+        if text.contains('$') || read.placeholders().any(|own| is_math(own.filter)) {
+            let fault = Fault::new(Code::Text, "what is said of an option is plain text, without mathematics");
+            self.builder.fault(fault.help("write it in words").at_path(path.clone()));
+            return None;
+        }
+        Some(read)
+    }
+
+    /// A text that may hold mathematics.
     fn text(&mut self, text: &str, path: &Path) -> Option<Text> {
         let read = match Text::read(text) {
             Ok(read) => read,
@@ -108,13 +120,6 @@ impl Reader<'_, '_> {
                 return None;
             }
         };
-        let is_math = |filter| matches!(filter, Filter::Symbol | Filter::Named);
-        if text.contains('$') || read.placeholders().any(|own| is_math(own.filter)) {
-            let fault = Fault::new(Code::Text, "an option is plain text, without mathematics");
-            let help = "write it in words, or ask for the formula: `{ find: v_A2, as: formula }`";
-            self.builder.fault(fault.help(help).at_path(path.clone()));
-            return None;
-        }
         for placeholder in read.placeholders() {
             if let Some(fault) = mentions::unsayable(placeholder, self.builder) {
                 self.builder.fault(fault.at_path(path.clone()).within(placeholder.span));
