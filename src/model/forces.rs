@@ -2,7 +2,9 @@
 
 use crate::expr::Expr;
 
+use super::Agent;
 use super::Builder;
+use super::Impulse;
 use super::acting::ActingForce;
 use super::acting::ForceKind;
 use super::frame::Direction;
@@ -67,6 +69,17 @@ impl Builder<'_> {
             let against = Direction::axis(0, !backwards);
             self.forces.push(acts.force(ForceKind::Friction, "friction", friction, against));
         }
+    }
+
+    /// Notes an impulse from outside the scene on a body during a stage that lasts.
+    pub(super) fn note_impulse(&mut self, stage: usize, on: &str, called: impl Into<String>, components: Vec<Expr>) {
+        let (on, called) = (on.to_owned(), called.into());
+        self.impulses.push(Impulse { stage, on, by: Agent::Outside, called, components, impulsive: false });
+    }
+
+    /// The same, where only the impulse of all forces together is of use.
+    pub(super) fn note_impulse_of_all(&mut self, stage: usize, on: &str, components: Vec<Expr>) {
+        self.note_impulse(stage, on, "all forces together", components);
     }
 
     /// Notes what acts during a stage that lasts.

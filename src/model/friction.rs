@@ -13,9 +13,7 @@ use crate::scene::Friction;
 use crate::solve::Equation;
 use crate::solve::Relation;
 
-use super::Agent;
 use super::Builder;
-use super::Impulse;
 use super::Integral;
 use super::QuantityKind;
 use super::Reason;
@@ -56,14 +54,7 @@ impl Builder<'_> {
         let kinetic =
             self.read(&friction.kinetic, Dimension::NONE, "the coefficient of kinetic friction", &path.key("kinetic"));
         let contact = self.contact(pushed, kinetic, axis);
-        self.impulses.push(Impulse {
-            stage: index,
-            on: body.to_owned(),
-            by: Agent::Outside,
-            called: pushed.acting.first().map_or_else(|| "friction".into(), |force| force.name.clone()),
-            components: Vec::new(),
-            impulsive: false,
-        });
+        self.note_impulse(index, body, pushed.acting.first().map_or("friction", |force| &force.name), Vec::new());
         self.neglect("air resistance", "the problem does not mention any");
         let begins = friction.at_rest.as_ref().map(|_| self.begins(index, &name));
         let acts = Acts { stage: index, on: body, during: [begins.as_ref().unwrap_or(&pushed.start), &pushed.end] };

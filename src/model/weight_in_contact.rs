@@ -9,9 +9,7 @@ use crate::scene::Term;
 use crate::scene::stage::Included;
 use crate::solve::Relation;
 
-use super::Agent;
 use super::Builder;
-use super::Impulse;
 use super::Reason;
 use super::contact_weight::ContactWeight;
 use super::frame::Direction;
@@ -77,14 +75,7 @@ impl Builder<'_> {
     /// Notes the impulse that an included weight gives a body.
     pub(super) fn weight_acts(&mut self, index: usize, body: &str, gained: &[Expr]) {
         let mass = self.mass(body);
-        self.impulses.push(Impulse {
-            stage: index,
-            on: body.to_owned(),
-            by: Agent::Outside,
-            called: "weight".into(),
-            components: gained.iter().map(|own| own.clone() * mass.clone()).collect(),
-            impulsive: false,
-        });
+        self.note_impulse(index, body, "weight", gained.iter().map(|own| own.clone() * mass.clone()).collect());
     }
 
     fn contact_time(&mut self, contact: &Lasting<'_>) -> Option<Expr> {

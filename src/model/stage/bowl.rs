@@ -8,10 +8,8 @@ use crate::fault::Path;
 use crate::laws::angular;
 use crate::laws::energy;
 use crate::laws::geometry;
-use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Effect;
-use crate::model::Impulse;
 use crate::model::Influence;
 use crate::model::Name;
 use crate::model::QuantityKind;
@@ -46,14 +44,7 @@ impl Builder<'_> {
         let weight = Influence::outside(index, body, "its weight").works(Effect::Open, words);
         self.acts(weight.through(&stage.about));
         self.acts(Influence::outside(index, body, "the push of the wall").workless().through(&stage.about));
-        self.impulses.push(Impulse {
-            stage: index,
-            on: body.to_owned(),
-            by: Agent::Outside,
-            called: "its weight and the push of the wall".into(),
-            components: Vec::new(),
-            impulsive: false,
-        });
+        self.note_impulse(index, body, "its weight and the push of the wall", Vec::new());
         self.neglect("friction", "the wall is smooth");
     }
 

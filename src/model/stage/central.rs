@@ -4,9 +4,7 @@ use crate::expr::Expr;
 use crate::fault::Path;
 use crate::laws::angular;
 use crate::laws::energy;
-use crate::model::Agent;
 use crate::model::Builder;
-use crate::model::Impulse;
 use crate::model::Influence;
 use crate::model::Name;
 use crate::model::QuantityKind;
@@ -32,14 +30,7 @@ impl Builder<'_> {
         );
         let sides = (rate.into(), Expr::product([Expr::ratio(1, 2), r1, v1]));
         self.law(&angular::AREAL, Some(index), "in a short time the radius sweeps out a thin triangle", sides);
-        self.impulses.push(Impulse {
-            stage: index,
-            on: body.to_owned(),
-            by: Agent::Outside,
-            called: format!("the force towards {centre}"),
-            components: Vec::new(),
-            impulsive: false,
-        });
+        self.note_impulse(index, body, format!("the force towards {centre}"), Vec::new());
         let mut strength = None;
         if let Some(spring) = &stage.spring {
             strength = Some(self.central_spring(index, stage, spring, path));

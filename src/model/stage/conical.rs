@@ -6,10 +6,8 @@ use crate::fault::Path;
 use crate::laws::angular;
 use crate::laws::force;
 use crate::laws::geometry;
-use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Effect;
-use crate::model::Impulse;
 use crate::model::Influence;
 use crate::model::Name;
 use crate::model::QuantityKind;
@@ -34,14 +32,7 @@ impl Builder<'_> {
         let because = format!("the cord's pull and the weight have no moment about the vertical through {centre}");
         let [before, after] = momenta;
         self.law(&angular::CONSERVATION, Some(index), because, (before, after));
-        self.impulses.push(Impulse {
-            stage: index,
-            on: stage.body.clone(),
-            by: Agent::Outside,
-            called: "its weight and the cord".into(),
-            components: Vec::new(),
-            impulsive: false,
-        });
+        self.note_impulse(index, &stage.body, "its weight and the cord", Vec::new());
         self.neglect("the mass of the cord", "it is light");
         self.not_needed(
             format!("the motion of {name} while the cord is drawn in"),

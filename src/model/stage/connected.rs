@@ -7,10 +7,8 @@ use crate::fault::Path;
 use crate::laws::energy;
 use crate::laws::kinematics;
 use crate::laws::momentum;
-use crate::model::Agent;
 use crate::model::Because;
 use crate::model::Builder;
-use crate::model::Impulse;
 use crate::model::Influence;
 use crate::model::QuantityKind;
 use crate::model::Reason;
@@ -164,14 +162,7 @@ impl Builder<'_> {
         }
         let ends = [index + 1, index + 2].map(|instant| self.velocities(body, instant));
         let [before, after] = ends.map(|mut own| own.pop().unwrap_or_else(Expr::zero));
-        self.impulses.push(Impulse {
-            stage: index,
-            on: body.to_owned(),
-            by: Agent::Outside,
-            called: "the string and weight".into(),
-            components: Vec::new(),
-            impulsive: false,
-        });
+        self.note_impulse(index, body, "the string and weight", Vec::new());
         let after = if stops { Expr::zero() } else { after };
         Side {
             name,

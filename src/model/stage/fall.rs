@@ -3,10 +3,8 @@
 use crate::expr::Expr;
 use crate::fault::Path;
 use crate::laws::kinematics;
-use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Effect;
-use crate::model::Impulse;
 use crate::model::Influence;
 use crate::model::QuantityKind;
 use crate::model::Reason;
@@ -51,14 +49,7 @@ impl Builder<'_> {
         let components: Vec<Expr> = weight.collect();
         let acts = Influence::outside(index, body, "weight").force(components.clone());
         self.acts(acts.works(Effect::Open, "weight does work as the height changes"));
-        self.impulses.push(Impulse {
-            stage: index,
-            on: body.to_owned(),
-            by: Agent::Outside,
-            called: "weight".into(),
-            components,
-            impulsive: false,
-        });
+        self.note_impulse(index, body, "weight", components);
         self.neglect("air resistance", "the problem does not mention any");
     }
 }

@@ -6,10 +6,8 @@ use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Path;
 use crate::laws::kinematics;
-use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Effect;
-use crate::model::Impulse;
 use crate::model::Influence;
 use crate::model::QuantityKind;
 use crate::model::Reason;
@@ -128,14 +126,7 @@ impl Builder<'_> {
             let pulls = self.pulls_along(body, falls);
             let weight_acts = Influence::outside(index, body, "weight").force(pulls);
             self.acts(weight_acts.works(Effect::Open, "weight does work as the height changes"));
-            self.impulses.push(Impulse {
-                stage: index,
-                on: body.to_owned(),
-                by: Agent::Outside,
-                called: "weight".into(),
-                components: weight,
-                impulsive: false,
-            });
+            self.note_impulse(index, body, "weight", weight);
         }
     }
 
@@ -151,14 +142,7 @@ impl Builder<'_> {
             self.resisted(&Resisted { index, body, axis, steady, resists, clock, during, moved, after });
         }
         self.acts(Influence::outside(index, body, "the resistance"));
-        self.impulses.push(Impulse {
-            stage: index,
-            on: body.to_owned(),
-            by: Agent::Outside,
-            called: "all forces together".into(),
-            components: Vec::new(),
-            impulsive: false,
-        });
+        self.note_impulse_of_all(index, body, Vec::new());
     }
 
     /// What is so at the end: the top of the path, or a place; `moved` says where a body then is, if that is to be put in.

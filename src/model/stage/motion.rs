@@ -8,10 +8,8 @@ use crate::fault::Path;
 use crate::laws::force;
 use crate::laws::momentum;
 use crate::laws::motion;
-use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Effect;
-use crate::model::Impulse;
 use crate::model::Influence;
 use crate::model::Integral;
 use crate::model::Name;
@@ -68,14 +66,7 @@ impl Builder<'_> {
         }
         let force = Influence::outside(index, &stage.body, "the net force").force(net);
         self.acts(force.works(Effect::Of(Expr::sum(power).simplify()), ""));
-        self.impulses.push(Impulse {
-            stage: index,
-            on: stage.body.clone(),
-            by: Agent::Outside,
-            called: "all forces together".into(),
-            components: acting,
-            impulsive: false,
-        });
+        self.note_impulse_of_all(index, &stage.body, acting);
     }
 
     /// What is given along an axis.

@@ -7,10 +7,8 @@ use crate::fault::Fault;
 use crate::fault::Path;
 use crate::laws::energy;
 use crate::laws::kinematics;
-use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Effect;
-use crate::model::Impulse;
 use crate::model::Influence;
 use crate::model::Integral;
 use crate::model::Name;
@@ -103,14 +101,7 @@ impl Builder<'_> {
         let impulse = self.impulse_of_all(index, body, axis, &lasts);
         let force = Influence::outside(index, body, "the net force").force(vec![net]);
         self.acts(force.works(Effect::Open, "the forces do work along the way"));
-        self.impulses.push(Impulse {
-            stage: index,
-            on: body.to_owned(),
-            by: Agent::Outside,
-            called: "all forces together".into(),
-            components: vec![impulse],
-            impulsive: false,
-        });
+        self.note_impulse_of_all(index, body, vec![impulse]);
         if self.downwards(0).is_none() && !rubs {
             self.neglect("friction", "the problem does not mention any");
         }

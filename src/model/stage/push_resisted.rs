@@ -5,9 +5,7 @@ use crate::fault::Code;
 use crate::fault::Fault;
 use crate::fault::Path;
 use crate::laws::kinematics;
-use crate::model::Agent;
 use crate::model::Builder;
-use crate::model::Impulse;
 use crate::model::Influence;
 use crate::scene::Axis;
 use crate::scene::Force;
@@ -54,14 +52,7 @@ impl Builder<'_> {
             self.not_needed("weight and everything else that acts across the motion", why);
         }
         self.acts(Influence::outside(index, pushed.body, "the net force"));
-        self.impulses.push(Impulse {
-            stage: index,
-            on: pushed.body.to_owned(),
-            by: Agent::Outside,
-            called: "all forces together".into(),
-            components: impulses,
-            impulsive: false,
-        });
+        self.note_impulse_of_all(index, pushed.body, impulses);
     }
 
     /// What acts along the axis of that position beside the resistance.

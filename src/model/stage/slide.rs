@@ -6,10 +6,8 @@ use crate::laws::energy;
 use crate::laws::force;
 use crate::laws::geometry;
 use crate::laws::momentum;
-use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Effect;
-use crate::model::Impulse;
 use crate::model::Influence;
 use crate::model::QuantityKind;
 use crate::model::forces::Acts;
@@ -175,13 +173,6 @@ impl Builder<'_> {
             None if incline.is_level() && stage.height.is_none() => return,
             None => "weight",
         };
-        self.impulses.push(Impulse {
-            stage: index,
-            on: stage.body.clone(),
-            by: Agent::Outside,
-            called: called.into(),
-            components: Vec::new(),
-            impulsive: false,
-        });
+        self.note_impulse(index, &stage.body, called, Vec::new());
     }
 }

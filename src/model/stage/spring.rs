@@ -7,10 +7,8 @@ use crate::fault::Path;
 use crate::laws::energy;
 use crate::laws::force;
 use crate::laws::kinematics;
-use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Effect;
-use crate::model::Impulse;
 use crate::model::Influence;
 use crate::model::QuantityKind;
 use crate::model::Reason;
@@ -129,14 +127,7 @@ impl Builder<'_> {
         };
         self.law(law, Some(index), because, energy::work_energy(start, friction, end));
         self.acts(Influence::outside(index, body, "the spring").works(Effect::Open, SPRING_WORKS));
-        self.impulses.push(Impulse {
-            stage: index,
-            on: body.to_owned(),
-            by: Agent::Outside,
-            called: "the spring".into(),
-            components: Vec::new(),
-            impulsive: false,
-        });
+        self.note_impulse(index, body, "the spring", Vec::new());
         if stage.friction.is_none() && incline.along != Expr::one() {
             self.neglect("friction", "the problem does not mention any");
         }

@@ -7,11 +7,9 @@ use crate::fault::Path;
 use crate::laws::geometry;
 use crate::laws::kinematics;
 use crate::laws::variable_mass;
-use crate::model::Agent;
 use crate::model::Because;
 use crate::model::Builder;
 use crate::model::Flowing;
-use crate::model::Impulse;
 use crate::model::Influence;
 use crate::model::QuantityKind;
 use crate::model::VectorKind;
@@ -62,14 +60,7 @@ impl Builder<'_> {
         // The body keeps its velocity, so something holds it.
         let held = forces.iter().map(|force| -force.clone()).collect();
         self.acts(Influence::outside(index, body, format!("what holds {name}")).force(held));
-        self.impulses.push(Impulse {
-            stage: index,
-            on: body.to_owned(),
-            by: Agent::Outside,
-            called: by.to_owned(),
-            components: Vec::new(),
-            impulsive: false,
-        });
+        self.note_impulse(index, body, by, Vec::new());
         self.neglect("friction between the stream and the body", "the problem does not mention any");
         if stage.drop.is_none() && self.axes.iter().enumerate().any(|(place, _)| self.downwards(place).is_some()) {
             self.neglect(

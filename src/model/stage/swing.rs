@@ -7,10 +7,8 @@ use crate::fault::Path;
 use crate::laws::energy;
 use crate::laws::force;
 use crate::laws::geometry;
-use crate::model::Agent;
 use crate::model::Builder;
 use crate::model::Effect;
-use crate::model::Impulse;
 use crate::model::Influence;
 use crate::model::Name;
 use crate::model::QuantityKind;
@@ -71,14 +69,7 @@ impl Builder<'_> {
         let words =
             format!("weight does work as the height changes, while {holds}, at right angles to the motion, does none");
         self.acts(Influence::outside(index, body, "weight").works(Effect::Open, &words));
-        self.impulses.push(Impulse {
-            stage: index,
-            on: body.to_owned(),
-            by: Agent::Outside,
-            called: holds.into(),
-            components: Vec::new(),
-            impulsive: false,
-        });
+        self.note_impulse(index, body, holds, Vec::new());
         if stage.radius.is_some() {
             self.neglect("friction", "the track is smooth");
         } else {

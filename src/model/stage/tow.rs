@@ -165,14 +165,7 @@ impl Builder<'_> {
         if !acting.is_empty() {
             let drive = Expr::sum(acting.clone());
             self.acts(Influence::outside(index, body, "the external forces").force(vec![drive]));
-            self.impulses.push(Impulse {
-                stage: index,
-                on: body.to_owned(),
-                by: Agent::Outside,
-                called: "the external forces".into(),
-                components: Vec::new(),
-                impulsive: false,
-            });
+            self.note_impulse(index, body, "the external forces", Vec::new());
         }
         if stops {
             self.comes_to_rest(index, body);
