@@ -59,20 +59,15 @@ impl Expr {
     /// assert!((momentum + v).dimension(&table).is_err());
     /// ```
     pub fn dimension(&self, symbols: &SymbolTable) -> Result<Dimension, DimensionClash> {
-        let found = find(self, &|symbol| symbols.entry(symbol).dimension);
-        // The root of a length is none, but that of a length times that of another is: in twelfths they all are.
-        let twelfths = || {
-            let whole = |symbol: Symbol| symbols.entry(symbol).dimension.power(TWELFTHS);
-            if !self.all_symbols(&|symbol| whole(symbol).is_some()) {
-                return None;
+        match find(self, &|symbol| Ok(symbols.entry(symbol).dimension)) {
+            // The root of a length is none, but that of a length times that of another is: in twelfths they all are.
+            Err(clash @ DimensionClash::Root { .. }) => {
+                let twelfths = |symbol| symbols.entry(symbol).dimension.power(TWELFTHS).ok_or_else(|| clash.clone());
+                find(self, &twelfths)
+                    .ok()
+                    .and_then(|found| found.unwrap_or(Dimension::NONE).root(TWELFTHS))
+                    .ok_or(clash)
             }
-            find(self, &|symbol| whole(symbol).unwrap_or(Dimension::NONE))
-                .ok()?
-                .unwrap_or(Dimension::NONE)
-                .root(TWELFTHS)
-        };
-        match found {
-            Err(clash @ DimensionClash::Root { .. }) => twelfths().ok_or(clash),
             found => Ok(found?.unwrap_or(Dimension::NONE)),
         }
     }
@@ -82,7 +77,8 @@ impl Expr {
     /// # Errors
     /// The sides themselves, or parts within one of them, that cannot stand together.
     pub fn common_dimension(&self, other: &Self, symbols: &SymbolTable) -> Result<Dimension, DimensionClash> {
-        Ok(common([self, other].into_iter(), &|symbol| symbols.entry(symbol).dimension)?.unwrap_or(Dimension::NONE))
+        let found = common([self, other].into_iter(), &|symbol| Ok(symbols.entry(symbol).dimension));
+        Ok(found?.unwrap_or(Dimension::NONE))
     }
 }
 
@@ -111,8 +107,8 @@ impl DimensionClash {
     }
 }
 
-/// The dimension of a symbol.
-type Of<'a> = &'a dyn Fn(Symbol) -> Dimension;
+/// The dimension of a symbol, where it has one that can be computed with.
+type Of<'a> = &'a dyn Fn(Symbol) -> Result<Dimension, DimensionClash>;
 
 /// `None` for zero, which is of any dimension.
 type Found = Result<Option<Dimension>, DimensionClash>;
@@ -121,7 +117,7 @@ fn find(term: &Expr, of: Of) -> Found {
     match term {
         Expr::Number(value) if value.is_zero() => Ok(None),
         Expr::Number(_) | Expr::Pi => Ok(Some(Dimension::NONE)),
-        Expr::Symbol(symbol) => Ok(Some(of(*symbol))),
+        Expr::Symbol(symbol) => of(*symbol).map(Some),
         Expr::Sum(terms) => common(terms.iter(), of),
         Expr::Product(factors) => factors.iter().try_fold(Some(Dimension::NONE), |product, factor| {
             let factor = find(factor, of)?;

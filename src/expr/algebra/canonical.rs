@@ -333,9 +333,10 @@ fn number_root(number: &Rational, degree: i32) -> Option<Quotient> {
     let mut roots = Monomial::default();
     let mut take = |prime: dashu::Natural, power: usize| {
         outside *= Rational::from(prime.pow(power / size));
-        let power = i32::try_from(power % size).unwrap_or(0);
+        let power = i32::try_from(power % size).ok()?;
         let atom = Expr::Power(Arc::new((Expr::Number(Rational::from(prime)), fraction(degree))));
         roots = roots.times(&Monomial::atom(atom, power));
+        Some(())
     };
     for candidate in 2_u32..1000 {
         let prime = dashu::Natural::from(candidate);
@@ -345,7 +346,7 @@ fn number_root(number: &Rational, degree: i32) -> Option<Quotient> {
             power += 1;
         }
         if power > 0 {
-            take(prime, power);
+            take(prime, power)?;
         }
         if rest.is_one() {
             break;
@@ -354,7 +355,7 @@ fn number_root(number: &Rational, degree: i32) -> Option<Quotient> {
     let root = rest.nth_root(size);
     let (rest, power) = if root.pow(size) == rest { (root, size) } else { (rest, 1) };
     if !rest.is_one() {
-        take(rest, power);
+        take(rest, power)?;
     }
     Some(Polynomial::term(outside, roots).into())
 }

@@ -118,10 +118,9 @@ fn residue(value: &Integer) -> Option<u64> {
 }
 
 fn times(left: u64, right: u64) -> u64 {
-    let product = u128::from(left) * u128::from(right);
+    let (low, high) = left.carrying_mul(right, 0);
     // The prime is a power of two less one: what lies above its bits counts once more below.
-    let parts = [product & u128::from(PRIME), product >> 61].map(|part| u64::try_from(part).unwrap_or(0));
-    parts.iter().sum::<u64>() % PRIME
+    ((low & PRIME) + (high << 3 | low >> 61)) % PRIME
 }
 
 /// A fixed number for the atom that is counted so.

@@ -61,33 +61,29 @@ pub fn parse(text: &str, names: &mut dyn Names) -> Result<Expr, ParseFault> {
     let term = parser.term(0)?;
     match parser.peek() {
         None => Ok(term),
-        Some(token) => Err(parser.unexpected(&token)),
+        Some(token) => Err(Parser::unexpected(&token)),
     }
 }
 
 struct Parser<'a> {
     text: &'a str,
-    tokens: Vec<Token>,
+    tokens: Vec<Token<'a>>,
     next: usize,
     depth: usize,
     names: &'a mut dyn Names,
 }
 
-impl Parser<'_> {
-    fn peek(&self) -> Option<Token> {
+impl<'a> Parser<'a> {
+    fn peek(&self) -> Option<Token<'a>> {
         self.tokens.get(self.next).cloned()
-    }
-
-    fn written(&self, token: &Token) -> &str {
-        self.text.get(token.start..token.end).unwrap_or_default()
     }
 
     fn fault<T>(token: &Token, message: String, help: Option<String>) -> Result<T, ParseFault> {
         Err(ParseFault { start: token.start, end: token.end, message, help })
     }
 
-    fn unexpected(&self, token: &Token) -> ParseFault {
-        let written = self.written(token);
+    fn unexpected(token: &Token) -> ParseFault {
+        let written = token.written;
         let (message, help) = match token.kind {
             Kind::Close => ("this bracket was never opened".to_owned(), None),
             Kind::Comma => ("a comma outside a function".to_owned(), Some("write decimals with a point".to_owned())),
@@ -161,7 +157,7 @@ impl Parser<'_> {
             }
             Kind::Name => self.name(&token),
             Kind::Operator(_) | Kind::Close | Kind::Comma => {
-                let message = format!("a term is missing before `{}`", self.written(&token));
+                let message = format!("a term is missing before `{}`", token.written);
                 Self::fault(&token, message, None)
             }
         }
@@ -173,7 +169,7 @@ impl Parser<'_> {
                 self.next += 1;
                 Ok(())
             }
-            Some(token) => Err(self.unexpected(&token)),
+            Some(token) => Err(Self::unexpected(&token)),
             None => Self::fault(open, "this bracket is never closed".to_owned(), None),
         }
     }
@@ -198,13 +194,14 @@ impl Parser<'_> {
         }
         let Some(first) = self.tokens.get(self.next).filter(|_| !ends.is_empty()).cloned() else { return Ok(None) };
         for end in ends.into_iter().rev() {
-            let Some(last) = self.tokens.get(end - 1) else { continue };
-            if let Some(symbol) = self.names.literal(self.text.get(number.start..last.end).unwrap_or_default()) {
+            let last = self.tokens.get(end - 1);
+            let written = last.and_then(|last| self.text.get(number.start..last.end));
+            if let Some(symbol) = written.and_then(|written| self.names.literal(written)) {
                 self.next = end;
                 return Ok(Some(symbol));
             }
         }
-        let message = format!("`{}` after a number is not a known unit", self.written(&first));
+        let message = format!("`{}` after a number is not a known unit", first.written);
         Self::fault(&first, message, Some("write a product with `*`".to_owned()))
     }
 
@@ -217,10 +214,10 @@ impl Parser<'_> {
     }
 
     fn name(&mut self, token: &Token) -> Result<Expr, ParseFault> {
-        let name = self.written(token).to_owned();
+        let name = token.written;
         let open = self.peek().filter(|token| token.kind == Kind::Open);
         let function = FUNCTIONS.iter().find(|(own, ..)| *own == name);
-        match (name.as_str(), function, open) {
+        match (name, function, open) {
             ("pi", _, None) => Ok(Expr::Pi),
             ("sqrt", _, Some(open)) => Ok(self.arguments(token, &open, 1)?.swap_remove(0).sqrt()),
             ("atan", _, Some(open)) => Ok(self.arguments(token, &open, 1)?.swap_remove(0).atan2(Expr::one())),
@@ -233,7 +230,7 @@ impl Parser<'_> {
                 Some(format!("write `{name}(x)`")),
             ),
             (_, None, Some(open)) => self.call(token, &open),
-            (_, None, None) => self.symbol(token, &name),
+            (_, None, None) => self.symbol(token, name),
         }
     }
 
@@ -253,7 +250,7 @@ impl Parser<'_> {
         }
         self.close(open)?;
         if arguments.len() != count {
-            let message = format!("`{}` takes {count} argument(s), not {}", self.written(name), arguments.len());
+            let message = format!("`{}` takes {count} argument(s), not {}", name.written, arguments.len());
             return Self::fault(name, message, None);
         }
         Ok(arguments)
@@ -261,8 +258,8 @@ impl Parser<'_> {
 
     /// A name with names in brackets is a name: `angle(v_A2, v_B2)`.
     fn call(&mut self, name: &Token, open: &Token) -> Result<Expr, ParseFault> {
-        let own = self.written(name).to_owned();
-        if self.names.symbol(&own).is_some() {
+        let own = name.written;
+        if self.names.symbol(own).is_some() {
             let help = format!("write `{own}*(...)`");
             return Self::fault(open, format!("an operator is missing between `{own}` and the bracket"), Some(help));
         }
@@ -275,8 +272,8 @@ impl Parser<'_> {
         };
         let parts: Vec<_> =
             self.tokens.iter().skip(self.next + 1).take(count).filter(|token| token.kind == Kind::Name).collect();
-        let whole = format!("{own}({})", parts.iter().map(|part| self.written(part)).collect::<Vec<_>>().join(", "));
-        let place = Token { kind: Kind::Name, start: name.start, end: last.end };
+        let whole = format!("{own}({})", parts.iter().map(|part| part.written).collect::<Vec<_>>().join(", "));
+        let place = Token { end: last.end, ..name.clone() };
         self.next = end + 1;
         self.symbol(&place, &whole)
     }

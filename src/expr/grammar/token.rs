@@ -26,9 +26,11 @@ pub(super) enum Kind {
 
 /// A word and its bytes.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Token {
+pub(super) struct Token<'a> {
     /// What it is.
     pub(in crate::expr) kind: Kind,
+    /// The word itself.
+    pub(in crate::expr) written: &'a str,
     /// Its first byte.
     pub(in crate::expr) start: usize,
     /// The byte after its last.
@@ -36,15 +38,14 @@ pub(super) struct Token {
 }
 
 /// The words of a text.
-pub(super) fn tokens(text: &str) -> Result<Vec<Token>, ParseFault> {
+pub(super) fn tokens(text: &str) -> Result<Vec<Token<'_>>, ParseFault> {
     let mut found = Vec::new();
-    let mut start = 0;
-    while let Some(rest) = text.get(start..)
-        && let Some(first) = rest.chars().next()
-    {
+    let (mut rest, mut start) = (text, 0);
+    while let Some(first) = rest.chars().next() {
         let (kind, length) = match first {
             space if space.is_whitespace() => {
-                start += first.len_utf8();
+                rest = rest.trim_start();
+                start = text.len() - rest.len();
                 continue;
             }
             '0'..='9' | '.' => number(rest, start)?,
@@ -65,8 +66,10 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token>, ParseFault> {
                 });
             }
         };
-        found.push(Token { kind, start, end: start + length });
-        start += length;
+        let Some((written, behind)) = rest.split_at_checked(length) else { break };
+        let end = start + length;
+        found.push(Token { kind, written, start, end });
+        (rest, start) = (behind, end);
     }
     Ok(found)
 }
@@ -122,8 +125,9 @@ fn number(rest: &str, start: usize) -> Result<(Kind, usize), ParseFault> {
     if whole + decimals == 0 {
         return fault(1, "a point without digits".to_owned(), "write decimals as `0.5`");
     }
-    let mantissa: String = rest.chars().take(length).filter(char::is_ascii_digit).collect();
-    let mut value = Rational::from(mantissa.parse::<dashu::Natural>().unwrap_or_default());
+    let written = bytes.iter().take(length).filter(|byte| byte.is_ascii_digit());
+    let mantissa = written.fold(dashu::Natural::ZERO, |number, digit| number * 10_u8 + (digit - b'0'));
+    let mut value = Rational::from(mantissa);
     value /= Rational::from(dashu::Natural::from(10_u32).pow(decimals));
     if matches!(bytes.get(length), Some(b'e' | b'E')) {
         let signed = matches!(bytes.get(length + 1), Some(b'+' | b'-'));
@@ -140,8 +144,7 @@ fn number(rest: &str, start: usize) -> Result<(Kind, usize), ParseFault> {
             length = from + count;
         }
     }
-    let after = rest.get(length..).unwrap_or_default();
-    if after.starts_with('.') || after.starts_with('_') || after.starts_with(|c: char| c.is_ascii_digit()) {
+    if matches!(bytes.get(length), Some(b'.' | b'_' | b'0'..=b'9')) {
         let written: String = rest.chars().take_while(|c| c.is_ascii_digit() || matches!(c, '.' | '_')).collect();
         let message = format!("`{written}` is not a number");
         return fault(written.len(), message, "write a number with at most one point, as in `3.14`");

@@ -126,7 +126,8 @@ fn direction(arguments: &[Expr]) -> Node {
     let name = Math::Function("arctan".to_owned());
     match arguments {
         [y, x] if !x.is_one() => Node::Direction(name, Box::new([(node(y), y.clone()), (node(x), x.clone())])),
-        _ => apply(name, Function::Atan2, arguments.get(..1).unwrap_or_default()),
+        [y, ..] => apply(name, Function::Atan2, std::slice::from_ref(y)),
+        [] => apply(name, Function::Atan2, &[]),
     }
 }
 

@@ -137,21 +137,19 @@ fn words(text: &str) -> String {
         let kept = if text.trim() == text { escaped(text) } else { escaped(text).replace(' ', "\u{a0}") };
         format!("<mtext>{kept}</mtext>")
     };
-    let mut parts = text.split('^');
-    let mut base = parts.next().unwrap_or_default().to_owned();
-    let mut elements = String::new();
-    for part in parts {
-        let end = part.find(|c: char| !(c.is_ascii_digit() || c == '-')).unwrap_or(part.len());
-        let (power, after) = part.split_at(end);
+    let (mut rest, mut elements) = (text, String::new());
+    while let Some((base, raised)) = rest.split_once('^') {
+        let end = raised.find(|c: char| !(c.is_ascii_digit() || c == '-')).unwrap_or(raised.len());
+        let (power, after) = raised.split_at(end);
         let power = power.replace('-', "\u{2212}");
-        elements.extend(["<msup>", &element(&base), "<mn>", &power, "</mn></msup>"]);
-        after.clone_into(&mut base);
+        elements.extend(["<msup>", &element(base), "<mn>", &power, "</mn></msup>"]);
+        rest = after;
     }
     if elements.is_empty() {
-        return element(&base);
+        return element(rest);
     }
-    if !base.is_empty() {
-        elements.push_str(&element(&base));
+    if !rest.is_empty() {
+        elements.push_str(&element(rest));
     }
     format!("<mrow>{elements}</mrow>")
 }

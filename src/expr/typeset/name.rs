@@ -129,12 +129,8 @@ fn with_subscript(base: Math, subscript: &str) -> Math {
 }
 
 fn without_stage(name: &str) -> String {
-    match (name.find('['), name.find(']')) {
-        (Some(open), Some(close)) if open < close => {
-            format!("{}{}", name.get(..open).unwrap_or_default(), name.get(close + 1..).unwrap_or_default())
-        }
-        _ => name.to_owned(),
-    }
+    let stage = name.split_once('[').and_then(|(before, rest)| Some((before, rest.split_once(']')?.1)));
+    stage.map_or_else(|| name.to_owned(), |(before, after)| format!("{before}{after}"))
 }
 
 /// The name without `mark` and the word after it, and that word.

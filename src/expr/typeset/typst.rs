@@ -203,20 +203,19 @@ impl TypstMath {
 
     /// Words or a unit; `^2` becomes a superscript, as in `m/s^2`.
     fn text(&mut self, text: &str) {
-        let mut parts = text.split('^');
-        let mut base = parts.next().unwrap_or_default();
-        for part in parts {
-            let end = part.find(|sign: char| !(sign.is_ascii_digit() || sign == '-')).unwrap_or(part.len());
-            let (power, after) = part.split_at(end);
+        let mut rest = text;
+        while let Some((base, raised)) = rest.split_once('^') {
+            let end = raised.find(|sign: char| !(sign.is_ascii_digit() || sign == '-')).unwrap_or(raised.len());
+            let (power, after) = raised.split_at(end);
             self.call("attach", |code| {
                 code.words(base);
                 code.argument("t:");
                 code.words(&power.replace('-', "\u{2212}"));
             });
-            base = after;
+            rest = after;
         }
-        if !base.is_empty() || !text.contains('^') {
-            self.words(base);
+        if !rest.is_empty() || text.is_empty() {
+            self.words(rest);
         }
     }
 

@@ -35,8 +35,8 @@ pub(in crate::solve) fn small(value: i32) -> Radius {
     Radius::from(value).with_precision(RADIUS_BITS).value()
 }
 
-pub(super) fn float(value: f64) -> Float {
-    Float::try_from(value).unwrap_or(Float::ZERO).with_precision(BITS).value()
+pub(super) fn float(value: i32) -> Float {
+    Float::from(value).with_precision(BITS).value()
 }
 
 impl Ball {
@@ -68,7 +68,7 @@ impl Ball {
     /// The least size that the true value may have, rounded down; zero or less where zero is among its values.
     pub(in crate::solve) fn least(&self) -> Float {
         let size = self.middle.clone().abs() - self.radius.clone().with_rounding::<HalfEven>();
-        let share = Float::ONE - (float(2.0)).powi((-40).into());
+        let share = Float::ONE - (float(2)).powi((-40).into());
         size * share
     }
 
@@ -83,6 +83,6 @@ impl Ball {
 
 /// The radius as a divisor: rounded down.
 pub(in crate::solve) fn divisor(value: Float) -> Radius {
-    let shrunk = value * (Float::ONE - float(2.0).powi((-20).into()));
+    let shrunk = value * (Float::ONE - float(2).powi((-20).into()));
     shrunk.with_rounding::<Up>().with_precision(RADIUS_BITS).value()
 }

@@ -108,7 +108,7 @@ impl Precise {
         }
         let inner = room.clone() - radius;
         if room < Float::ZERO {
-            ball.middle = if ball.is_negative() { float(-1.0) } else { float(1.0) };
+            ball.middle = if ball.is_negative() { float(-1) } else { float(1) };
         }
         let radius = if ball.radius == Radius::ZERO {
             small(0)
@@ -212,7 +212,7 @@ impl Real for Precise {
         let Some(ball) = self.ball() else { return self.clone() };
         if ball.reaches_zero() {
             let most = (ball.size() + ball.radius.clone()).with_precision(RADIUS_BITS).value();
-            let value = if ball.is_negative() { float(0.0) } else { ball.middle.sqrt() };
+            let value = if ball.is_negative() { float(0) } else { ball.middle.sqrt() };
             return Self::Ball(Ball::rounded(value, most.sqrt()));
         }
         if ball.is_negative() {
@@ -254,7 +254,7 @@ impl Real for Precise {
             let distance = square.with_precision(BITS).value().sqrt();
             let free = distance - spread.clone().with_rounding::<HalfEven>();
             if cut || free <= Float::ZERO {
-                return Self::Ball(Ball { middle: float(0.0), radius: small(4) });
+                return Self::Ball(Ball { middle: float(0), radius: small(4) });
             }
             let value = y.middle.with_precision(BITS).value().atan2(&x.middle.with_precision(BITS).value());
             Self::Ball(Ball::rounded(value, spread / divisor(free)))
@@ -263,9 +263,8 @@ impl Real for Precise {
 
     fn hull(&self, other: &Self) -> Self {
         self.balls(other, |own, other| {
-            let half = float(0.5);
-            let middle = (own.middle.clone() + other.middle.clone()) * half.clone();
-            let apart = radius_of(&((own.middle - other.middle) * half));
+            let middle = (own.middle.clone() + other.middle.clone()) / float(2);
+            let apart = radius_of(&((own.middle - other.middle) / float(2)));
             let radius = if own.radius > other.radius { own.radius } else { other.radius };
             Self::Ball(Ball::rounded(middle, apart + radius))
         })

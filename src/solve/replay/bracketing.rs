@@ -110,23 +110,21 @@ fn narrow<R: Real>(mut low: Point<R>, mut high: Point<R>, function: &mut impl Fn
 
 /// The smallest interval found around `x` at whose ends the signs are sure.
 fn around<R: Real>(x: &R, low: &Point<R>, high: &Point<R>, function: &mut impl FnMut(&R) -> R) -> R {
-    let grow = R::point(8.0);
-    let mut reach = R::point(8.0 * R::SPACING).mul(&R::point(x.rough())).centre();
-    let mut ends: (Option<R>, Option<R>) = (None, None);
-    while ends.0.is_none() || ends.1.is_none() {
-        let (below, above) = (x.sub(&reach).centre(), x.add(&reach).centre());
-        if ends.0.is_none() {
-            let outside = below.sub(&low.x).sign() != Sign::Positive;
-            let sure = outside || function(&below).sign() == low.sign();
-            ends.0 = sure.then(|| if outside { low.x.clone() } else { below });
+    let (grow, start) = (R::point(8.0), R::point(8.0 * R::SPACING).mul(&R::point(x.rough())).centre());
+    let mut end = |limit: &Point<R>, step: &dyn Fn(&R) -> R, is_inside: &dyn Fn(&R) -> bool| {
+        let mut reach = start.clone();
+        loop {
+            let end = step(&reach).centre();
+            if !is_inside(&end) {
+                return limit.x.clone();
+            }
+            if function(&end).sign() == limit.sign() {
+                return end;
+            }
+            reach = reach.mul(&grow).centre();
         }
-        if ends.1.is_none() {
-            let outside = high.x.sub(&above).sign() != Sign::Positive;
-            let sure = outside || function(&above).sign() == high.sign();
-            ends.1 = sure.then(|| if outside { high.x.clone() } else { above });
-        }
-        reach = reach.mul(&grow).centre();
-    }
-    let (below, above) = (ends.0.unwrap_or_else(|| low.x.clone()), ends.1.unwrap_or_else(|| high.x.clone()));
+    };
+    let below = end(low, &|reach| x.sub(reach), &|below| below.sub(&low.x).sign() == Sign::Positive);
+    let above = end(high, &|reach| x.add(reach), &|above| high.x.sub(above).sign() == Sign::Positive);
     below.hull(&above)
 }
