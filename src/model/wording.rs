@@ -54,8 +54,7 @@ pub(super) fn stage(scene: &Scene, index: usize) -> String {
     if scene.stages.iter().filter(alike).count() < 2 {
         return format!("the {noun}");
     }
-    let ordinal = ORDINALS.get(before).copied().unwrap_or("next");
-    format!("the {ordinal} {noun}")
+    counted(before + 1, noun)
 }
 
 /// When an instant is, as an adverbial phrase.

@@ -59,7 +59,7 @@ impl Builder<'_> {
         let Some(before_instant) = instant.checked_sub(1).filter(|before| *before >= 1) else { return };
         let before = Name::of(QuantityKind::Velocity, MASS_CENTRE).at(before_instant).along(self.letter(axis));
         let Some(before) = self.quantity(before) else { return };
-        let position = self.axes.iter().position(|(own, _)| *own == axis).unwrap_or(0);
+        let Some(position) = self.axes.iter().position(|(own, _)| *own == axis) else { return };
         let alive = self.timeline.alive(instant).len();
         let outside: Vec<Expr> = self
             .impulses
@@ -131,7 +131,7 @@ impl Builder<'_> {
     fn path_of_mass_centre(&mut self, instant: usize, axis: Axis, after: Symbol) {
         let Some(index) = instant.checked_sub(2) else { return };
         let alive: Vec<String> = self.timeline.alive(instant).into_iter().map(str::to_owned).collect();
-        let position = self.axes.iter().position(|(own, _)| *own == axis).unwrap_or(0);
+        let Some(position) = self.axes.iter().position(|(own, _)| *own == axis) else { return };
         let Some(moves) = self.moves(index, &alive).filter(|_| alive.len() > 1) else { return };
         let Some((from, velocity)) = self.centre_at_start(index, axis, alive.len()) else { return };
         let unpushed = "the internal forces cancel, and no external impulse acts on the system";
